@@ -3,6 +3,7 @@
 //
 //   tools/report_pictures.mjs RUN_DIR CAMPAIGN_DIR COMPARISON_DIR
 //   tools/report_pictures.mjs --wall RUN_DIR PICTURE.png     the wall of a run at its end, as in examples/*/wall.png
+//   tools/report_pictures.mjs --sheet DIR PICTURE.png        the sheet of a verdict (wythe assess) as it is printed
 //   tools/report_pictures.mjs --joint ANSWER.csv PICTURE.svg what wythe contact wrote, as in examples/joint_law/curve.svg
 //
 // RUN_DIR and CAMPAIGN_DIR are results of examples/tuff_wall (make demo), COMPARISON_DIR of examples/what_if; "-" leaves
@@ -17,7 +18,7 @@ const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), "..");
 const { chromium } = createRequire(path.join(root, "web/package.json"))("playwright-core");
 const [run, campaign, comparison] = process.argv.slice(2);
 if (!comparison) {
-  console.error("usage: tools/report_pictures.mjs RUN_DIR CAMPAIGN_DIR COMPARISON_DIR | --wall RUN_DIR PICTURE.png | --joint ANSWER.csv PICTURE.svg");
+  console.error("usage: tools/report_pictures.mjs RUN_DIR CAMPAIGN_DIR COMPARISON_DIR | --wall RUN_DIR PICTURE.png | --sheet DIR PICTURE.png | --joint ANSWER.csv PICTURE.svg");
   process.exit(2);
 }
 // Stress over opening, and shear stress over slip: two frames side by side.
@@ -77,7 +78,17 @@ async function wallPicture(folder, picture) {
   await wall.screenshot({ path: picture });
 }
 
-if (run === "--wall") await wallPicture(campaign, comparison);
+// A4 less its margins; the page of a verdict needs no script.
+async function sheetPicture(folder, picture) {
+  const page = await browser.newPage({ viewport: { width: 703, height: 1000 }, deviceScaleFactor: 1 });
+  await page.goto(pathToFileURL(path.join(path.resolve(folder), "report.html")).href);
+  await page.emulateMedia({ media: "print" });
+  await page.addStyleTag({ content: ".sheet { padding: 16px }" });
+  await page.locator(".sheet").screenshot({ path: picture });
+}
+
+if (run === "--sheet") await sheetPicture(campaign, comparison);
+else if (run === "--wall") await wallPicture(campaign, comparison);
 else
   for (const [name, folder, file] of [
     ["report_run", run, "report.html"],

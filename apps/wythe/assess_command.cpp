@@ -106,8 +106,12 @@ void print_way(const WayOfPushing& way) {
   constexpr double kToG = 1 / kStandardGravity;
   const WallCapacity& c = way.capacity;
   const Interval& interval = c.with_tests;
-  fmt::print("{:<4} {:<32} {}{:.3f} g", way.direction, text_of(words_of_pattern(way.pattern)),
-             c.at_least ? "at least " : "", c.median.value * kToG);
+  fmt::print("{:<4} {:<32} ", way.direction, text_of(words_of_pattern(way.pattern)));
+  if (std::isnan(c.median.value)) {
+    fmt::print("no answer in any of {} walls\n", way.walls.size());
+    return;
+  }
+  fmt::print("{}{:.3f} g", c.at_least ? "at least " : "", c.median.value * kToG);
   if (!std::isnan(interval.low) && !std::isinf(interval.high))
     fmt::print(" ({:.3f} to {:.3f})", interval.low * kToG, interval.high * kToG);
   fmt::print(": not met in {} of {} walls", way.counts.not_met,

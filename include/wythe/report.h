@@ -51,8 +51,8 @@ struct SampleWalls {
 [[nodiscard]] std::string comparison_data(const PairedComparison& comparison);
 
 // The page of `wythe assess`: one sheet of A4 for who signs, then the tables it rests on.
-[[nodiscard]] std::string verdict_page(const WallsVerdict& verdict, const ProjectSpec& project,
-                                       const std::string& language = "en");
+[[nodiscard]] std::string verdict_page(const WallsVerdict& verdict, const ModelSpec& spec,
+                                       const Model& model, const std::string& language = "en");
 
 // The page made from these bytes. Throws IoError where they are damaged or of another version, InputError
 // where the language is none of report_languages().

@@ -78,8 +78,8 @@ WallsVerdict write_verdict(const std::string& folder, const std::vector<std::str
   });
   write_text(results.path() + "/assessment.json", verdict_json(verdict));
   write_text(results.path() + "/walls.csv", walls_csv(verdict));
-  const ProjectSpec project = model_builder(read_study_of(folders.front()))({}).project;
-  write_text(results.path() + "/report.html", verdict_page(verdict, project, language));
+  const ModelSpec base = model_builder(read_study_of(folders.front()))({});
+  write_text(results.path() + "/report.html", verdict_page(verdict, base, compile(base), language));
   results.commit(at);
   return verdict;
 }

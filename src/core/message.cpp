@@ -175,6 +175,7 @@ std::ostream& operator<<(std::ostream& out, const Message& message) {
 }
 
 std::vector<std::string> message_languages() { return table()["languages"]; }
+bool is_message(const std::string& code) { return table()["messages"].contains(code); }
 
 std::string message_json(const Message& message) {
   if (message.empty() || message.code == kText) return "";

@@ -12,6 +12,7 @@ namespace wythe {
 extern const std::string_view kMessagesJson;  // cmake/embed.cmake
 
 [[nodiscard]] std::vector<std::string> message_languages();
+[[nodiscard]] bool is_message(const std::string& code);
 // "" for a message that is empty or only text (as_text): then the text is all there is.
 [[nodiscard]] std::string message_json(const Message& message);
 // `text` as it stands where `json` is "", or no message this table knows.

@@ -10,6 +10,7 @@
 #include "materials/origin.h"
 #include "model/protocol.h"
 #include "report/said.h"
+#include "wythe/assessment.h"
 #include "wythe/notes.h"
 
 namespace wythe::report {
@@ -410,7 +411,8 @@ Json stage_of(const Stage& stage) {
   add("fast_velocity", s.fast_velocity, "mm/s", 1e3);
   if (!goes_to_and_fro(s)) add("until", s.until, "mm", 1e3);
   if (s.pattern != Pattern::kNone)
-    rows.push_back({"pattern", word_of(kPatternWords, s.pattern), ""});
+    rows.push_back(Json::array(
+        {"pattern", said(words_of_pattern(std::string(word_of(kPatternWords, s.pattern)))), ""}));
   for (double level : s.levels) add("level", level, "m", 1);
   for (double share : s.shares) add("share", share, "", 1);
   if (has_protocol(s))

@@ -23,8 +23,9 @@ Json said_of(const Json& data, const Json& text) {
 Json said(const Message& message) {
   Json texts = Json::array();
   bool same = true;
+  const Message on_page = for_page(message);
   for (const std::string& language : message_languages()) {
-    texts.push_back(text_of(message, language));
+    texts.push_back(text_of(on_page, language));
     same = same && texts.back() == texts.front();
   }
   return same ? texts.front() : texts;
@@ -34,6 +35,14 @@ Json said(const std::vector<Message>& messages) {
   Json list = Json::array();
   for (const Message& message : messages) list.push_back(said(message));
   return list;
+}
+
+Message for_page(Message message) {
+  for (Argument& argument : message.arguments)
+    if (auto* parts = std::get_if<std::vector<Message>>(&argument.value))
+      for (Message& part : *parts) part = for_page(std::move(part));
+  if (is_message(message.code + ".page")) message.code += ".page";
+  return message;
 }
 
 Message shortened(Message sentence) {

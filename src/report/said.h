@@ -13,6 +13,9 @@ namespace wythe::report {
 // "" where nothing is said, one text where it is the same in every language.
 [[nodiscard]] Json said(const Message& message);
 [[nodiscard]] Json said(const std::vector<Message>& messages);
+// The same without the keys and commands of its cures, which are for who types them: words of CODE.page in the place of
+// those of CODE, in all its parts.
+[[nodiscard]] Message for_page(Message message);
 // A list of parts that show damage, cut to its first three and how many more.
 [[nodiscard]] Message shortened(Message sentence);
 // Names of a wall's parts, by which elements and flags are called: {"left pier": [...], ...}.

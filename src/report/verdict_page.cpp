@@ -1,15 +1,19 @@
-// verdict_page(): the page of `wythe assess`, plain HTML that needs no script. One sheet of A4 with the sentence
-// first, then what each wall did.
+// verdict_page(): the page of `wythe assess`, plain HTML that needs no script. One sheet of A4: the sentence first, then
+// what the walls did, what that rests on and what is not modelled. The appendix follows (verdict_appendix.cpp).
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/check.h"
+#include "judge/modes/wall_parts.h"
 #include "report/html.h"
+#include "report/model_inputs.h"
 #include "report/style.h"
 #include "report/svg.h"
-#include "report/texts.h"
+#include "report/verdict_words.h"
+#include "report/wall_picture.h"
 #include "wythe/report.h"
 #include "wythe/verdict.h"
 
@@ -18,80 +22,103 @@ namespace {
 
 using namespace report;
 
-constexpr double kToG = 1 / kStandardGravity;
-
 constexpr const char* kStyle = R"css(
-body{margin:0;background:var(--paper);color:var(--ink);font:15px/1.45 system-ui,"Segoe UI",Roboto,Helvetica,Arial,sans-serif}
-main{max-width:190mm;margin:0 auto;padding:6mm 5mm}
-header{display:flex;flex-wrap:wrap;gap:2mm 6mm;justify-content:space-between;align-items:baseline;border-bottom:2px solid var(--ink);padding-bottom:2mm}
-h1{font-size:1.35em;margin:0}h2{font-size:1.02em;margin:5mm 0 1.5mm}
-.facts{color:var(--soft);margin:0;font-size:.9em}
-.verdict{border-left:5px solid var(--soft);padding:2mm 4mm;margin:4mm 0;background:color-mix(in srgb,var(--soft) 8%,transparent)}
+body{margin:0;background:var(--paper);color:var(--ink);font:15px/1.42 system-ui,"Segoe UI",Roboto,Helvetica,Arial,sans-serif}
+main{max-width:190mm;margin:0 auto;padding:6mm 4mm}
+header{border-bottom:2px solid var(--ink);padding-bottom:2mm}
+h1{font-size:1.35em;line-height:1.2;margin:0;overflow-wrap:anywhere}h2{font-size:1.02em;margin:4mm 0 1mm}
+.facts{color:var(--soft);margin:.5mm 0 0;font-size:.88em;overflow-wrap:anywhere}
+.verdict{border-left:5px solid var(--soft);padding:2mm 4mm;margin:3mm 0;background:color-mix(in srgb,var(--soft) 8%,transparent)}
 .verdict.holds{border-color:#1a7f4b}.verdict.fails,.verdict.unsigned{border-color:var(--open)}
 .verdict b{display:block;font-size:1.15em}.verdict p{margin:1mm 0 0}
-.cards{display:grid;grid-template-columns:repeat(auto-fit,minmax(38mm,1fr));gap:3mm;margin:3mm 0}
-.card{border:1px solid var(--hair);border-radius:2mm;padding:2mm 3mm}
-.card .value{font-size:1.3em;font-weight:600}.card .name{font-weight:600;font-size:.9em}.card .means{color:var(--soft);font-size:.85em}
-table{border-collapse:collapse;width:100%;font-size:.9em}th,td{text-align:right;padding:.7mm 2mm;border-bottom:1px solid var(--hair);font-variant-numeric:tabular-nums}
-th{font-weight:600;vertical-align:bottom}.left{text-align:left}tr.decides td{font-weight:600}
-.wide{overflow-x:auto}.wide svg{min-width:150mm}td:not(.left){white-space:nowrap}a{color:inherit}ul{margin:1mm 0;padding-left:5mm}li{margin:.5mm 0}.small{font-size:.85em;color:var(--soft)}
-.signature{display:flex;justify-content:space-between;align-items:flex-end;margin-top:7mm;font-size:.85em;color:var(--soft)}
-.signature span:last-child{border-top:1px solid var(--ink);width:60mm;text-align:center}
+.cards{display:grid;grid-template-columns:repeat(auto-fit,minmax(36mm,1fr));gap:1mm 5mm;margin:3mm 0 0}
+.card{border-top:1px solid var(--hair);padding-top:1mm}
+.card .value{font-size:1.15em;font-weight:600;line-height:1.25}.card .name{color:var(--soft);font-size:.85em}
+.pair{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(75mm,100%),1fr));gap:0 6mm}
+table{border-collapse:collapse;width:100%;font-size:.9em}th,td{text-align:right;padding:.6mm 2mm;border-bottom:1px solid var(--hair);font-variant-numeric:tabular-nums;vertical-align:top}
+th{font-weight:600;vertical-align:bottom}.left{text-align:left}tr.decides td,.decides>b{font-weight:600}.fails{color:var(--open)}
+td:first-child,th:first-child{padding-left:0}td:last-child,th:last-child{padding-right:0}
+.wide{overflow-x:auto}a{color:inherit}ul{margin:.5mm 0;padding-left:4.5mm}li{margin:.4mm 0}.small{font-size:.85em}.soft{color:var(--soft)}
+.way{display:flex;flex-wrap:wrap;justify-content:space-between;gap:0 4mm;font-size:.88em;margin-top:1.2mm}
+svg.dots{display:block;width:100%;height:15px;overflow:visible}svg.foot{height:34px;font:12px system-ui,sans-serif}
 .dot{fill:var(--curve);fill-opacity:.45;stroke:var(--curve)}.dot.fails{fill:var(--open);stroke:var(--open);fill-opacity:.45}
 .dot.bound{fill:none}.asked{stroke:var(--open);stroke-width:1.6;stroke-dasharray:5 3}.span{stroke:var(--ink);stroke-width:2.2}
-figure{margin:2mm 0}figcaption{font-size:.85em;color:var(--soft)}
-@media print{.wide svg{min-width:0}@page{size:A4;margin:12mm}:root{--paper:#fff;--ink:#111;--soft:#555;--hair:#ccc}body{font-size:9.5pt}main{max-width:none;padding:0}
-.appendix{break-before:page}tr,li,.card{break-inside:avoid}}
+.part{fill:none;stroke:none}.part.hit{fill:var(--open);fill-opacity:.3;stroke:var(--open);stroke-width:1.5}
+svg.wall{max-height:88mm}svg.wall text,svg.wall text.small{font-size:19px}svg.wall text.part-name{font-size:26px;font-weight:600}
+.signature{display:flex;justify-content:space-between;align-items:flex-end;gap:6mm;margin-top:5mm;font-size:.8em;color:var(--soft)}
+.signature .line{border-top:1px solid var(--ink);width:60mm;text-align:center}
+figure{margin:1mm 0}figcaption{font-size:.85em;color:var(--soft)}.appendix{border-top:2px solid var(--ink);margin-top:8mm}
+code{font-size:.95em;overflow-wrap:anywhere}
+@page{size:A4;margin:11mm 12mm}
+@media print{:root{--paper:#fff;--ink:#111;--soft:#555;--hair:#ccc;--open:#c04f00;--curve:#0b5c8e;--stone0:#ece2cf;--stone1:#e5d9c2;--stone2:#f0e8d9;--stone3:#dfd2b9;--mortar:#b9ab91;--split:#d8cbb2}
+body{font-size:9.2pt;line-height:1.34}main{max-width:none;padding:0}.wide{overflow:visible}svg.wall{max-height:62mm}.verdict{print-color-adjust:exact;-webkit-print-color-adjust:exact}
+.appendix{break-before:page;border:0;margin:0}.appendix>h2:first-child{margin-top:0}tr,li,.card,figure{break-inside:avoid}h2{break-after:avoid}thead{display:table-header-group}}
 )css";
+
+// Letters of notes that the sheet has room for beside its pictures; where there are more all of them open the appendix.
+constexpr std::size_t kLettersOnSheet = 2600;
+
+// Messages that say what is left out, not what is assumed.
+bool is_left_out(const Message& note) {
+  static constexpr std::string_view kLeftOut[] = {
+      "assessment.note.out_of_plane", "assessment.note.scaled",
+      "assessment.note.strengths",    "assessment.note.space_drift",
+      "assessment.note.whole_drift",  "assessment.note.no_record_scatter",
+      "assessment.note.floor_mass",   "assessment.note.clauses",
+      "verdict.note.no_tests",        "verdict.note.within_only"};
+  return std::find(std::begin(kLeftOut), std::end(kLeftOut), note.code) != std::end(kLeftOut);
+}
 
 class VerdictPage {
  public:
-  VerdictPage(const WallsVerdict& verdict, const ProjectSpec& project, const std::string& language)
-      : v_(verdict), project_(project), language_(language), texts_(language) {}
+  VerdictPage(const WallsVerdict& verdict, const ModelSpec& spec, const Model& model,
+              const std::string& language)
+      : v_(verdict), spec_(spec), model_(model), words_(language) {
+    for (const Message& note : v_.notes) (is_left_out(note) ? left_out_ : assumed_).push_back(note);
+  }
 
   std::string all() {
     std::string page = fmt::format(
         "<!doctype html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
         "name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}: "
-        "wythe</title>\n<style>{}{}</style>\n</head>\n<body>\n<main>\n",
-        language_, title(), picture_style(), kStyle);
-    page += head() + verdict() + cards() + cautions();
-    if (!v_.ways.empty()) page += ways() + limit_states();
-    page += notes() + signature();
-    if (!v_.ways.empty()) page += walls();
+        "wythe</title>\n<style>{}{}</style>\n</head>\n<body>\n<main>\n<div class=\"sheet\">\n",
+        words_.language(), title(), picture_style(), kStyle);
+    page += head() + verdict() + cards() + cautions() + pictures() + limit_states();
+    const bool fits = letters_of(v_.notes) + letters_of(v_.cautions) < kLettersOnSheet;
+    page += (fits ? notes() : "") + signature() + "</div>\n<section class=\"appendix\">\n" +
+            (fits ? "" : notes()) + verdict_appendix(words_, v_, model_inputs(spec_, model_)) +
+            "</section>\n";
     return page + "</main>\n</body>\n</html>\n";
   }
 
  private:
-  [[nodiscard]] std::string say(const char* key, Places places = {}) const {
-    return texts_.say(key, places);
-  }
-  // Three decimals, so that numbers below each other compare.
-  [[nodiscard]] std::string fixed(double value, const char* unit) const {
-    std::string text = fmt::format("{:.3f}", value);
-    if (language_ == "it") std::replace(text.begin(), text.end(), '.', ',');
-    return *unit == 0 ? text : text + "\u202f" + unit;
-  }
-  [[nodiscard]] std::string g(double acceleration) const { return fixed(acceleration * kToG, "g"); }
-  [[nodiscard]] std::string words(const Message& message) const {
-    return sentence(text_of(message, language_));
+  [[nodiscard]] std::string say(const std::string& key, Places places = {}) const {
+    return words_.say(key, places);
   }
   [[nodiscard]] std::string title() const {
-    return project_.title.empty() ? say("assess.kind") : escaped(project_.title);
+    const std::string& own = spec_.project.title.empty() ? spec_.name : spec_.project.title;
+    return own.empty() ? say("assess.kind") : escaped(own);
+  }
+  [[nodiscard]] std::size_t letters_of(const std::vector<Message>& messages) const {
+    std::size_t letters = 0;
+    for (const Message& message : messages) letters += words_.words(message).size();
+    return letters;
   }
 
   [[nodiscard]] std::string head() const {
+    const ProjectSpec& p = spec_.project;
     std::string facts;
-    for (const auto& [key, text] :
-         {std::pair("place", &project_.place), std::pair("client", &project_.client),
-          std::pair("author", &project_.author), std::pair("date", &project_.date)})
-      if (!text->empty())
+    for (const auto& [key, text] : {std::pair("wall", p.title.empty() ? nullptr : &spec_.name),
+                                    std::pair("place", &p.place), std::pair("client", &p.client),
+                                    std::pair("author", &p.author), std::pair("date", &p.date)})
+      if (text != nullptr && !text->empty())
         facts += fmt::format("{}{}: {}", facts.empty() ? "" : " · ",
-                             texts_.say(std::string("sheet.") + key), escaped(*text));
-    return fmt::format(
-        "<header><div><h1>{}</h1><p class=\"facts\">{}</p></div><p "
-        "class=\"facts\">{}</p></header>\n",
-        title(), facts, project_.title.empty() ? "" : say("assess.kind"));
+                             say(std::string("sheet.") + key), escaped(*text));
+    if (!facts.empty()) facts = "<p class=\"facts\">" + facts + "</p>";
+    const std::string kind = p.title.empty() && spec_.name.empty()
+                                 ? ""
+                                 : "<p class=\"facts\">" + say("assess.kind") + "</p>";
+    return "<header><h1>" + title() + "</h1>" + facts + kind + "</header>\n";
   }
 
   // Met or not in a word, then the sentence.
@@ -99,8 +126,7 @@ class VerdictPage {
     const char* key = "assess.undecided";
     if (v_.verdict == AssessmentVerdict::kHolds) key = "assess.holds";
     if (v_.verdict == AssessmentVerdict::kFails) key = "assess.fails";
-    std::string state =
-        texts_.say("assessment." + std::string(word_of(kLimitStateWords, v_.worst.state)));
+    std::string state = words_.state(v_.worst.state);
     state[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(state[0])));
     std::string standing = v_.verdict == AssessmentVerdict::kNotKnown
                                ? say("assess.unknown")
@@ -114,94 +140,99 @@ class VerdictPage {
     return fmt::format(
         "<section class=\"verdict {}\" id=\"verdict\"><b>{}</b><p "
         "id=\"sentence\">{}</p></section>\n",
-        v_.may_be_signed ? key : "unsigned", standing, words(*said));
+        v_.may_be_signed ? key + 7 : "unsigned", standing, words_.sentence_of(*said));
   }
 
-  // "0.14 to 0.24 g"; "" without an interval.
-  [[nodiscard]] std::string interval(const Interval& of, double scale, const char* unit) const {
-    if (std::isnan(of.low)) return "";
-    if (std::isinf(of.high)) return say("assess.or_more", {{"from", fixed(of.low * scale, unit)}});
-    return say("assess.between",
-               {{"from", fixed(of.low * scale, "")}, {"to", fixed(of.high * scale, unit)}});
-  }
-  [[nodiscard]] std::string median(const WallCapacity& c, double scale, const char* unit) const {
-    const std::string value = fixed(c.median.value * scale, unit);
-    return c.at_least ? say("assess.at_least", {{"value", value}}) : value;
-  }
-
-  [[nodiscard]] static std::string not_met_of(const WallCounts& counts) {
-    return fmt::format("{} / {}", counts.not_met, counts.met + counts.not_met);
-  }
-
+  // What the sentence does not say: the index, and what was asked by whom.
   [[nodiscard]] std::string cards() const {
-    if (v_.verdict == AssessmentVerdict::kNotKnown) return "";
-    const auto card = [](const std::string& value, const std::string& name,
-                         const std::string& means) {
-      return fmt::format(
-          "<div class=\"card\"><div class=\"value\">{}</div><div class=\"name\">{}</div><div "
-          "class=\"means\">{}</div></div>\n",
-          value, name, means);
+    std::string out;
+    const auto card = [&](const std::string& value, const std::string& name) {
+      out += "<div class=\"card\"><div class=\"value\">" + value + "</div><div class=\"name\">" +
+             name + "</div></div>\n";
     };
-    const double demand = v_.worst.demand;
-    const WallCapacity& capacity = v_.worst.capacity;
-    const auto more = [&](const std::string& range, const std::string& means) {
-      return range.empty() ? means : range + "; " + means;
-    };
-    const Interval share = v_.worst.counts.with_tests();
-    const auto percent = [&](double x) { return texts_.quantity(100 * x, "%", 2); };
-    return "<section class=\"cards\">\n" +
-           card(median(capacity, kToG, "g"), say("assess.capacity"),
-                more(interval(capacity.with_tests, kToG, "g"), say("assess.capacity.means"))) +
-           card(g(demand), say("assess.demand"), say("assess.demand.means")) +
-           card(median(capacity, 1 / demand, ""), say("assess.index"),
-                more(interval(capacity.with_tests, 1 / demand, ""), say("assess.index.means"))) +
-           card(not_met_of(v_.worst.counts), say("assess.share"),
-                say("assess.share.means",
-                    {{"from", percent(share.low)}, {"to", percent(share.high)}})) +
-           "</section>\n";
+    if (v_.verdict != AssessmentVerdict::kNotKnown)
+      card(words_.capacity(v_.worst.capacity, 1 / v_.worst.demand, ""), say("assess.index"));
+    card(say("assess.code." + v_.spec.code), say("assess.code"));
+    if (!std::isnan(v_.spec.confidence_factor)) {
+      const std::string level = knowledge_level();
+      card((level.empty() ? "" : escaped(level) + ", ") +
+               words_.texts().number(v_.spec.confidence_factor),
+           say(level.empty() ? "assess.factor" : "assess.level"));
+    }
+    if (!v_.ways.empty())
+      card(say("assess.pushes", {{"walls", fmt::format("{}", v_.ways.front().walls.size())},
+                                 {"ways", fmt::format("{}", v_.ways.size())}}),
+           say("assess.pushes.means"));
+    return "<section class=\"cards\">\n" + out + "</section>\n";
   }
 
-  [[nodiscard]] std::string list(const std::vector<Message>& messages) const {
-    std::string out = "<ul>\n";
-    for (const Message& message : messages) out += "<li>" + words(message) + "</li>\n";
-    return out + "</ul>\n";
+  // "LC2", where the program divided the strengths of the table; a note says it.
+  [[nodiscard]] std::string knowledge_level() const {
+    for (const Message& note : v_.notes)
+      if (note.code == "assessment.note.divided")
+        for (const Argument& argument : note.arguments)
+          if (argument.name == "level") return std::get<std::string>(argument.value);
+    return "";
   }
+
   [[nodiscard]] std::string cautions() const {
     if (v_.cautions.empty()) return "";
-    return "<h2>" + say("assess.why") + "</h2>\n" + list(v_.cautions);
+    return "<h2>" + say("assess.why") + "</h2>\n" + words_.list(v_.cautions);
   }
   [[nodiscard]] std::string notes() const {
     if (v_.notes.empty()) return "";
-    return "<h2>" + say("assess.assumed") + "</h2>\n<div class=\"small\">" + list(v_.notes) +
-           "</div>\n";
+    const auto part = [&](const char* key, const std::vector<Message>& of) {
+      return of.empty() ? ""
+                        : "<div><h2>" + say(key) + "</h2>\n<div class=\"small\">" +
+                              words_.list(of) + "</div></div>\n";
+    };
+    return "<div class=\"pair\">\n" + part("assess.assumed", assumed_) +
+           part("assess.left_out", left_out_) + "</div>\n";
   }
 
-  [[nodiscard]] std::string name_of(const WayOfPushing& way) const {
-    return escaped(way.direction + ", " + text_of(words_of_pattern(way.pattern), language_));
+  // --- the wall and what each of them carries ----------------------------------------------------------
+
+  [[nodiscard]] std::string pictures() const {
+    if (v_.ways.empty()) return "";
+    return "<div class=\"pair\">\n" + wall() + figure() + "</div>\n";
   }
 
-  [[nodiscard]] std::string ways() const {
-    std::string rows;
-    for (const WayOfPushing& way : v_.ways) {
-      const bool decides = way.direction == v_.worst.direction && way.pattern == v_.worst.pattern;
-      rows += fmt::format(
-          "<tr{}><td class=\"left\"><a href=\"{}/report.html\">{}</a>{}</td><td>{}</td><td>{}</td>"
-          "<td>{}</td><td>{}</td><td>{}</td></tr>\n",
-          decides ? " class=\"decides\"" : "", escaped(way.folder), name_of(way),
-          decides ? " (" + say("assess.decides") + ")" : "", median(way.capacity, kToG, "g"),
-          interval(way.capacity.with_tests, kToG, "g"), not_met_of(way.counts),
-          way.counts.not_shown, way.counts.lost);
+  // The wall as it stands, with its piers by name; those whose drift ends a limit state are shaded.
+  [[nodiscard]] std::string wall() const {
+    if (model_.in_space()) return "";
+    std::vector<WallMark> marks;
+    bool any = false;
+    for (const study::Pier& pier : study::find_parts(model_).piers) {
+      const bool hit = ends(pier.mark);
+      any = any || hit;
+      marks.push_back({.x0 = pier.box.x0,
+                       .x1 = pier.box.x1,
+                       .y0 = pier.box.y0,
+                       .y1 = pier.box.y1,
+                       .name = pier.mark,
+                       .is_hit = hit});
     }
-    return "<h2>" + say("assess.ways") + "</h2>\n" + figure() +
-           "<div class=\"wide\"><table><tr><th class=\"left\">" + say("assess.way") + "</th><th>" +
-           say("assess.median") + "</th><th>" + say("assess.interval") + "</th><th>" +
-           say("assess.not_met") + "</th><th>" + say("assess.not_shown") + "</th><th>" +
-           say("assess.lost") + "</th></tr>\n" + rows + "</table></div>\n";
+    return "<figure>" + draw_wall(model_, initial_state(model_), 1, marks).svg + "<figcaption>" +
+           say(any ? "assess.picture.hit" : "assess.picture") + "</figcaption></figure>\n";
+  }
+  // Whether the drift of this pier ends near collapse, or the limit state that decides, in any wall.
+  [[nodiscard]] bool ends(const std::string& mark) const {
+    const auto names_it = [&](const RuleOfWalls& rule) {
+      return rule.decides > 0 &&
+             std::any_of(rule.words.arguments.begin(), rule.words.arguments.end(),
+                         [&](const Argument& a) {
+                           const auto* text = std::get_if<std::string>(&a.value);
+                           return a.name == "mark" && text != nullptr && *text == mark;
+                         });
+    };
+    return std::any_of(v_.limit_states.begin(), v_.limit_states.end(), [&](const StateVerdict& of) {
+      return std::any_of(of.rules.begin(), of.rules.end(), names_it);
+    });
   }
 
-  // A row of dots for each way: what its walls carry, against the demand.
+  // A strip of dots for each way: what its walls carry, against the demand. Places are shares of the width, so that
+  // words keep their size on a phone.
   [[nodiscard]] std::string figure() const {
-    constexpr double kWidth = 700, kRow = 30, kLeft = 250, kRight = 20, kFoot = 34;
     const double demand = std::isnan(v_.worst.demand) ? 0 : v_.worst.demand * kToG;
     double most = 1.15 * demand;
     for (const WayOfPushing& way : v_.ways)
@@ -209,41 +240,72 @@ class VerdictPage {
         if (const Reading r = wall.capacity(v_.worst.state); r.is_known())
           most = std::fmax(most, 1.05 * r.value * kToG);
     if (!(most > 0)) return "";
-    const double height = kRow * static_cast<double>(v_.ways.size()) + kFoot;
-    const Axis X = Axis::between(0, most, kLeft, kWidth - kRight);
-    std::string out =
-        "<figure><div class=\"wide\">" + svg_begin(kWidth, height, "curve", say("assess.figure"));
-    const double foot = height - kFoot;
-    for (const double tick : ticks(0, most, 6)) {
-      out += line({X(tick), 0}, {X(tick), foot}, "grid");
-      out += label({X(tick), foot + 14}, texts_.number(tick), "small", "middle");
-    }
-    const bool is_right =
-        demand > 0.5 * most;  // the demand's own label: the axis goes to the other end
-    out += label({is_right ? kLeft : kWidth - kRight, foot + 29}, "PGA, g", "small",
-                 is_right ? "start" : "end");
-    double y = 0.5 * kRow;
+    const auto place = [&](double g) { return fmt::format("{:.2f}%", 1 + 98 * g / most); };
+    std::string out = "<figure>";
     for (const WayOfPushing& way : v_.ways) {
-      out += label({0, y + 4}, name_of(way), "");
-      const Interval& of = way.capacity.with_tests;
-      if (std::isfinite(of.low))
-        out += line({X(of.low * kToG), y + 9},
-                    {std::isfinite(of.high) ? X(of.high * kToG) : kWidth - kRight, y + 9}, "span");
+      const bool decides = way.direction == v_.worst.direction && way.pattern == v_.worst.pattern;
+      out += fmt::format(
+          "<div class=\"way{}\"><b><a href=\"{}/report.html\">{}</a>{}</b><span>{}</span></div>\n",
+          decides ? " decides" : "", escaped(way.folder), words_.name_of(way),
+          decides ? " (" + say("assess.decides") + ")" : "", numbers_of(way));
+      out +=
+          fmt::format("<svg class=\"dots\" role=\"img\" aria-label=\"{}\">", words_.name_of(way));
+      if (const Interval& of = way.capacity.with_tests; std::isfinite(of.low))
+        out += fmt::format("<line class=\"span\" x1=\"{}\" x2=\"{}\" y1=\"13\" y2=\"13\"/>",
+                           place(of.low * kToG),
+                           std::isfinite(of.high) ? place(std::fmin(of.high * kToG, most)) : "99%");
+      if (demand > 0)
+        out += fmt::format("<line class=\"asked\" x1=\"{0}\" x2=\"{0}\" y1=\"-3\" y2=\"17\"/>",
+                           place(demand));
       for (const JudgedWall& wall : way.walls) {
         const Reading r = wall.capacity(v_.worst.state);
         if (!r.is_known()) continue;
-        const char* kind =
-            wall.verdict(v_.worst.state) == AssessmentVerdict::kFails ? "dot fails" : "dot";
-        out += circle({X(r.value * kToG), y}, 4.5, r.censored ? "dot bound" : kind);
+        const bool fails = wall.verdict(v_.worst.state) == AssessmentVerdict::kFails;
+        out += fmt::format("<circle class=\"{}\" cx=\"{}\" cy=\"6\" r=\"4.5\"/>",
+                           r.censored ? "dot bound"
+                           : fails    ? "dot fails"
+                                      : "dot",
+                           place(r.value * kToG));
       }
-      y += kRow;
+      out += "</svg>\n";
     }
-    if (demand > 0) {
-      out += line({X(demand), 0}, {X(demand), foot + 4}, "asked");
-      out += label({X(demand), foot + 29}, say("assess.demand") + " " + texts_.number(demand),
-                   "small bold", "middle");
+    return out + axis(most, demand) + "<figcaption>" + say("assess.figure") +
+           "</figcaption></figure>\n";
+  }
+  [[nodiscard]] std::string axis(double most, double demand) const {
+    const auto at = [&](double g) { return 1 + 98 * g / most; };
+    std::string out = fmt::format(
+        "<svg class=\"dots foot\" role=\"img\" aria-label=\"{}\">"
+        "<line class=\"axis\" x1=\"0\" x2=\"100%\" y1=\"2\" y2=\"2\"/>",
+        say("assess.axis"));
+    for (const double tick : ticks(0, most, 4)) {
+      const char* anchor = at(tick) < 4 ? "start" : at(tick) > 96 ? "end" : "middle";
+      out += fmt::format(
+          "<line class=\"axis\" x1=\"{0:.2f}%\" x2=\"{0:.2f}%\" y1=\"2\" y2=\"6\"/><text "
+          "class=\"small\" x=\"{0:.2f}%\" y=\"17\" text-anchor=\"{1}\">{2}</text>",
+          at(tick), anchor, words_.texts().number(tick));
     }
-    return out + "</svg></div><figcaption>" + say("assess.figure") + "</figcaption></figure>\n";
+    const bool is_right =
+        demand > 0.6 * most;  // the demand's own words: the axis goes to the other end
+    out += fmt::format("<text class=\"small\" x=\"{}%\" y=\"31\" text-anchor=\"{}\">{}</text>",
+                       is_right ? 0 : 100, is_right ? "start" : "end", say("assess.axis"));
+    if (demand > 0)
+      out += fmt::format(
+          "<text class=\"small bold\" x=\"{:.2f}%\" y=\"31\" text-anchor=\"{}\">{}</text>",
+          at(demand),
+          at(demand) < 25 ? "start"
+          : is_right      ? "end"
+                          : "middle",
+          say("assess.asked"));
+    return out + "</svg>\n";
+  }
+  [[nodiscard]] std::string numbers_of(const WayOfPushing& way) const {
+    std::string out = words_.capacity(way.capacity, kToG, "g");
+    if (way.counts.not_shown > 0)
+      out += ", " + say("assess.n_not_shown", {{"n", fmt::format("{}", way.counts.not_shown)}});
+    if (way.counts.lost > 0)
+      out += ", " + say("assess.n_lost", {{"n", fmt::format("{}", way.counts.lost)}});
+    return out;
   }
 
   // Each limit state against its own spectrum, with its risk index.
@@ -251,93 +313,44 @@ class VerdictPage {
     if (v_.limit_states.empty()) return "";
     std::string rows;
     for (const StateVerdict& of : v_.limit_states) {
-      const WallCapacity& c = of.capacity;
       const bool decides = of.is_checked && of.state == v_.worst.state;
       rows += fmt::format(
-          "<tr{}><td "
-          "class=\"left\">{}{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
-          "<td>{}</td></tr>\n",
-          decides ? " class=\"decides\"" : "",
-          texts_.say("assessment." + std::string(word_of(kLimitStateWords, of.state))),
-          decides ? " (" + say("assess.decides") + ")" : "", median(c, kToG, "g"),
-          interval(c.with_tests, kToG, "g"), of.is_checked ? g(of.demand) : "–",
-          of.is_checked ? median(c, 1 / of.demand, "") : "–",
-          of.is_checked ? interval(c.with_tests, 1 / of.demand, "") : "",
-          of.is_checked ? not_met_of(of.counts) : "–");
+          "<tr{}><td class=\"left\">{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
+          decides ? " class=\"decides\"" : "", words_.state(of.state),
+          words_.capacity(of.capacity, kToG, "g"),
+          of.is_checked ? words_.fixed(of.demand * kToG, "g") : "–",
+          of.is_checked ? words_.capacity(of.capacity, 1 / of.demand, "") : "–",
+          of.is_checked ? words_.not_met_of(of.counts) : "–");
     }
     return "<h2>" + say("assess.states") +
-           "</h2>\n<div class=\"wide\"><table><tr><th class=\"left\">" + say("assess.state") +
-           "</th><th>" + say("assess.median") + "</th><th>" + say("assess.interval") + "</th><th>" +
-           say("assess.demand") + "</th><th>ζE</th><th>" + say("assess.interval") + "</th><th>" +
-           say("assess.not_met") + "</th></tr>\n" + rows + "</table></div>\n" + rules();
+           "</h2>\n<div class=\"wide\"><table><thead><tr><th class=\"left\">" +
+           say("assess.state") + "</th><th>" + say("assess.capacity") + "</th><th>" +
+           say("assess.demand") + "</th><th>ζE</th><th>" + say("assess.not_met_in") +
+           "</th></tr></thead>\n" + rows + "</table></div>\n";
   }
 
-  // What may end each limit state side by side: the fall of the force, the drift of each pier, q*.
-  [[nodiscard]] std::string rules() const {
-    std::string rows;
-    for (const StateVerdict& of : v_.limit_states) {
-      std::string state =
-          texts_.say("assessment." + std::string(word_of(kLimitStateWords, of.state)));
-      for (const RuleOfWalls& rule : of.rules) {
-        rows += fmt::format(
-            "<tr><td class=\"left\">{}</td><td class=\"left\">{}</td><td>{}</td><td>{} / "
-            "{}</td></tr>\n",
-            state, escaped(text_of(rule.words, language_)),
-            texts_.quantity(1e3 * rule.displacement, "mm", 3), rule.decides, of.worst.size());
-        state.clear();
-      }
-    }
-    return "<h2>" + say("assess.rules") +
-           "</h2>\n<div class=\"wide\"><table><tr><th class=\"left\">" + say("assess.state") +
-           "</th><th class=\"left\">" + say("assess.rule") + "</th><th>" + say("assess.rule_at") +
-           "</th><th>" + say("assess.rule_decides") + "</th></tr>\n" + rows + "</table></div>\n";
-  }
-
+  // A name is put only under what may be signed.
   [[nodiscard]] std::string signature() const {
-    return "<div class=\"signature\"><span>" + escaped(v_.program) + "</span><span>" +
-           texts_.say("sheet.signature") + "</span></div>\n";
+    return "<div class=\"signature\"><span>" +
+           say("assess.made", {{"program", escaped(program())}}) + "</span>" +
+           (v_.may_be_signed ? "<span class=\"line\">" + say("sheet.signature") + "</span>" : "") +
+           "</div>\n";
   }
-
-  [[nodiscard]] std::string verdict_of(const JudgedWall& wall) const {
-    switch (wall.verdict(v_.worst.state)) {
-      case AssessmentVerdict::kHolds: return say("assess.holds.short");
-      case AssessmentVerdict::kFails: return say("assess.not_met");
-      case AssessmentVerdict::kNotShown: return say("assess.not_shown");
-      default: return say("assess.lost");
-    }
-  }
-
-  [[nodiscard]] std::string walls() const {
-    std::string rows;
-    for (const WayOfPushing& way : v_.ways)
-      for (const JudgedWall& wall : way.walls) {
-        const Reading r = wall.capacity(v_.worst.state);
-        const std::string value = r.is_known() ? g(r.value) : "–";
-        rows += fmt::format(
-            "<tr><td class=\"left\">{}</td><td>{}</td><td>{}</td><td class=\"left\">{}</td><td "
-            "class=\"left\">{}</td></tr>\n",
-            name_of(way), wall.wall,
-            r.censored ? say("assess.at_least", {{"value", value}}) : value, verdict_of(wall),
-            wall.is_lost() ? words(wall.lost) : escaped(texts_.phrase(wall.mode)));
-      }
-    return "<section class=\"appendix\"><h2>" + say("assess.walls") +
-           "</h2>\n<div class=\"wide\"><table><tr><th class=\"left\">" + say("assess.way") +
-           "</th><th>" + say("assess.wall") + "</th><th>" + say("assess.capacity") +
-           "</th><th class=\"left\">" + say("assess.verdict") + "</th><th class=\"left\">" +
-           say("assess.mode") + "</th></tr>\n" + rows + "</table></div></section>\n";
-  }
+  // "wythe 0.1.0"; the appendix has the whole.
+  [[nodiscard]] std::string program() const { return v_.program.substr(0, v_.program.find(" (")); }
 
   const WallsVerdict& v_;
-  const ProjectSpec& project_;
-  const std::string& language_;
-  Texts texts_;
+  const ModelSpec& spec_;
+  const Model& model_;
+  VerdictWords words_;
+  std::vector<Message> assumed_, left_out_;
 };
 
 }  // namespace
 
-std::string verdict_page(const WallsVerdict& verdict, const ProjectSpec& project,
+std::string verdict_page(const WallsVerdict& verdict, const ModelSpec& spec, const Model& model,
                          const std::string& language) {
-  return VerdictPage(verdict, project, language).all();
+  return VerdictPage(verdict, spec, model, language).all();
 }
 
 }  // namespace wythe

@@ -18,7 +18,15 @@ struct WallPicture {
   double longest = 0;  // slip [m]
 };
 
-[[nodiscard]] WallPicture draw_wall(const Model& model, const State& state, double scale);
+// A part of the wall that the picture names.
+struct WallMark {
+  double x0 = 0, x1 = 0, y0 = 0, y1 = 0;  // [m]
+  std::string name;
+  bool is_hit = false;  // shaded
+};
+
+[[nodiscard]] WallPicture draw_wall(const Model& model, const State& state, double scale,
+                                    const std::vector<WallMark>& marks = {});
 
 // A round magnification at which the largest displacement shows as some 5 % of the wall.
 [[nodiscard]] double fitting_scale(const Model& model, const State& state);

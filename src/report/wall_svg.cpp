@@ -305,6 +305,18 @@ std::string draw_storeys(const Model& model, const Canvas& canvas) {
   return out;
 }
 
+std::string draw_marks(const std::vector<WallMark>& marks, const Canvas& canvas) {
+  std::string out;
+  for (const WallMark& mark : marks) {
+    const Pixel low = canvas({mark.x0, mark.y0}), high = canvas({mark.x1, mark.y1});
+    out += path(path_data({low, {high.x, low.y}, high, {low.x, high.y}}, true),
+                mark.is_hit ? "part hit" : "part") +
+           label({(low.x + high.x) / 2, (low.y + high.y) / 2 + 5}, mark.name, "part-name halo",
+                 "middle");
+  }
+  return out;
+}
+
 std::string draw_scale_bar(const Canvas& canvas) {
   // a round length of a tenth to a quarter of the wall
   const double metres = ticks(0, 0.25 * kWidth / canvas.x.factor, 3)[1];
@@ -331,7 +343,8 @@ double fitting_scale(const Model& model, const State& state) {
   return scale;
 }
 
-WallPicture draw_wall(const Model& model, const State& state, double scale) {
+WallPicture draw_wall(const Model& model, const State& state, double scale,
+                      const std::vector<WallMark>& marks) {
   WallPicture picture;
   const WallReading wall = read_wall(model, state);
   const Canvas canvas = canvas_of(bounds_of(model, state, scale));
@@ -344,7 +357,8 @@ WallPicture draw_wall(const Model& model, const State& state, double scale) {
   picture.svg += draw_joints(wall, ends, canvas, picture);
   picture.svg += draw_crushed(wall, ends, canvas, picture);
   picture.svg += draw_links(model, state, scale, canvas) + draw_storeys(model, canvas) +
-                 draw_arrows(model, state, scale, canvas) + draw_scale_bar(canvas) + "</svg>\n";
+                 draw_arrows(model, state, scale, canvas) + draw_marks(marks, canvas) +
+                 draw_scale_bar(canvas) + "</svg>\n";
   return picture;
 }
 

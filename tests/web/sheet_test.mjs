@@ -262,9 +262,30 @@ ground_acceleration = "1.5 m/s^2"
   assertFits(seen, "sheet_assessed");
   assert.equal(seen.standing, "no"); // one push in one direction is no verdict
   assert.match(seen.verdict, /^Not to be signed as it stands\./);
-  assert.match(seen.words, /wythe assess/);
+  assert.match(seen.words, /many walls pushed both ways/);
   assert.match(seen.words, /School <script>[^]*near collapse[^]*Circolare 7\/2019/);
   assert.doesNotMatch(seen.words, /Signature/);
+});
+
+test("of a house with all it has, no key is shown, nothing is cut, and the appendix has five pages at most", async () => {
+  const key = /\b(assess|assessment|sheet|input|origin|section|stage|promise|rate|mode|range)\.[a-z_]+|--[a-z]+|\bwythe (run|assess|limit)\b|\[[a-z]{4,}(\.[a-z]+)?\]|\b[a-z]+_[a-z_]+\b/g;
+  fs.rmSync(folder("sheet_house"), { recursive: true, force: true });
+  const fast = ['until="4 mm"', 'velocity="4 mm/s"', 'fast_velocity="8 mm/s"'].flatMap((text) => ["--set", `stage.push.${text}`]);
+  run("run", path.join(root, "examples/palazzina/model.toml"), ...fast, "--out", folder("sheet_house"), "--quiet");
+  for (const language of ["en", "it"]) {
+    run("report", folder("sheet_house"), "--lang", language);
+    const seen = await printed("sheet_house");
+    assertFits(seen, `house, ${language}`);
+    assert.deepEqual(seen.cut, []);
+    assert.deepEqual((seen.words.match(key) ?? []).filter((word) => word !== "timber_face"), [], language);
+    assert.doesNotMatch(seen.words, /…|\.\.\.|undefined|NaN|null|\[object/);
+    // said once, by the strong words in front
+    assert.equal(seen.verdict.match(/not to be signed|da non firmare/gi).length, 1, seen.verdict);
+    const page = await open(browser, pageOf("sheet_house"));
+    const pages = pdfPages(await page.pdf({ preferCSSPageSize: true }));
+    assert.ok(pages <= 6, `${pages} pages, ${language}`);
+    await page.context().close();
+  }
 });
 
 // --- a campaign ----------------------------------------------------------------------------------------

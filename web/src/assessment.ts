@@ -106,8 +106,8 @@ function limitStates(a: any): Child {
 
 function criteria(a: any): Child {
   const rows: Child[][] = a.limit_states.flatMap((check: any) =>
-    check.criteria.map((c: any) => [
-      stateOf(check),
+    check.criteria.map((c: any, k: number) => [
+      k === 0 ? stateOf(check) : "",
       phrase(c.words),
       c.clause,
       c.verified ? say("assessment.verified") : h("b", {}, say("assessment.unverified")),
@@ -158,5 +158,12 @@ function system(a: any): Child {
     rows.push([say("assessment.demand.control"), qty(d.displacement_mm, "mm")]);
   }
   if (a.spectrum) rows.push([say("assessment.pga.demand"), qty(a.spectrum.pga_g, "g")]);
-  return h("div", { class: "spaced" }, table([{ head: "", left: true }, { head: "" }], rows, say("assessment.system")));
+  const half = Math.ceil(rows.length / 2),
+    columns = [{ head: "", left: true }, { head: "" }];
+  return h(
+    "div",
+    { class: "pair spaced" },
+    table(columns, rows.slice(0, half), say("assessment.system")),
+    table(columns, rows.slice(half), say("assessment.system.rest")),
+  );
 }

@@ -10,7 +10,7 @@ const shown = (value: unknown, unit: string): string =>
       ? qty(value, unit, 4)
       : value === null
         ? "–"
-        : phrase(String(value));
+        : phrase(value as Said);
 
 const rowsOf = (rows: [string, unknown, string][]): Child[][] =>
   rows.map(([key, value, unit]) => [say(`input.${key}`), shown(value, unit)]);
@@ -131,6 +131,24 @@ function originNotes(rows: OriginRow[], anyRule: boolean): Child {
   );
 }
 
+// In two halves side by side: many rows of few words.
+function masonryTables(rows: any[], origins: OriginRow[]): Child {
+  const half = Math.ceil(rows.length / 2);
+  const part = (some: any[], caption: string): HTMLElement =>
+    table(
+      plain,
+      some.map(([key, value, unit]: any) => [say(`input.${key}`), [shown(value, unit), markOf(origins, "masonry", key)]]),
+      caption,
+      "facts",
+    );
+  return h(
+    "div",
+    { class: "pair" },
+    part(rows.slice(0, half), say("input.masonry")),
+    rows.length > half ? part(rows.slice(half), say("input.masonry.rest")) : null,
+  );
+}
+
 export function inputTables(inputs: any, note: string): Child {
   if (!inputs) return null;
   const wall = rowsOf(inputs.wall);
@@ -162,7 +180,7 @@ export function inputTables(inputs: any, note: string): Child {
     carried(inputs.carried ?? []),
     materials.names.length > 0
       ? table(
-          [{ head: "", left: true }, ...materials.names.map((n: string) => ({ head: n }))],
+          [{ head: "", left: true }, ...materials.names.map((n: string) => ({ head: phrase(n) }))],
           materials.rows.map(([key, unit, cells]: any) => [
             [say(`input.${key}`), unit ? h("span", { class: "soft" }, ` [${unit}]`) : null],
             ...cells.map((c: unknown, i: number) => [
@@ -173,17 +191,7 @@ export function inputTables(inputs: any, note: string): Child {
           say("input.materials"),
         )
       : null,
-    masonry.length > 0
-      ? table(
-          plain,
-          masonry.map(([key, value, unit]: any) => [
-            say(`input.${key}`),
-            [shown(value, unit), markOf(origins, "masonry", key)],
-          ]),
-          say("input.masonry"),
-          "facts",
-        )
-      : null,
+    masonry.length > 0 ? masonryTables(masonry, origins) : null,
     originNotes(origins, materials.names.length > 0),
     inputs.notes.length > 0
       ? [

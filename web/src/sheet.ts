@@ -1,5 +1,6 @@
 // The sheet that is handed over: one A4 page before all others, on a screen too where the model names a
-// project or a code. Verdict first; what would not fit is cut with a mark, and stands in the appendix.
+// project or a code. Verdict first; what there is no room for is counted, and stands in the appendix. Only texts of the
+// user's own that are longer than a line may be cut, in the head.
 import { h, later, svg, type Child } from "./dom";
 import { legend, swatch } from "./figure";
 import { aroundPrint, type Section } from "./page";
@@ -10,8 +11,10 @@ import { table } from "./tables";
 import { capital, num, phrase, qty, say, sentence, type Said } from "./texts";
 import type { View } from "./wallview";
 
-const kListed = 5, // materials and stages; more are counted
-  kNotes = 9,
+const kListed = 5, // key numbers
+  kRoom = 620, // letters of materials, and of stages; more are counted
+  kRoomOfNotes = 1900, // letters of the verdict and of what is not modelled
+  kLeastNotes = 650,
   kFewWords = 1300, // letters
   kShort = 60, // letters of what is never cut
   kGapShown = 1e-4; // of the energy ledger; less is said to be this
@@ -149,18 +152,28 @@ export function head(header: any): Child {
 
 export function verdict(fine: boolean, first: string): Child {
   const words = [...(answer()?.childNodes ?? [])].map((node) => node.cloneNode(true));
+  if (first === say("sheet.no")) words.forEach(leaveOutUnsigned);
   const stopped = document.querySelector("#headline .warning")?.textContent ?? "";
   return h(
     "div",
     { class: fine ? "a4-verdict" : "a4-verdict doubtful" },
     h(
       "p",
-      { class: "cut", style: "--lines:11" },
+      {},
       first ? [h("strong", {}, first), " "] : null,
       words,
       stopped ? ` ${stopped}` : null,
     ),
   );
+}
+
+// The code's own "not to be signed", where that is said already.
+function leaveOutUnsigned(node: Node): void {
+  const start = say("sheet.unsigned"),
+    text = node.textContent ?? "",
+    at = text.indexOf(start);
+  if (node.nodeType !== Node.TEXT_NODE || at < 0) return;
+  node.textContent = text.slice(0, at) + capital(text.slice(at + start.length));
 }
 
 export function keyNumbers(): Child {
@@ -325,13 +338,12 @@ function limitStates(a: any): Child {
 
 // --- assumptions ---------------------------------------------------------------------------------
 
-export function listed(items: Child[], lines = 2): Child {
-  const shown = items.slice(0, kListed),
-    more = items.length - shown.length;
-  return [
-    shown.map((item) => h("li", {}, h("div", { class: "cut", style: `--lines:${lines}` }, item))),
-    more > 0 ? h("li", {}, say("sheet.more", { n: more })) : null,
-  ];
+// As many as there is room for [letters]; the others are counted.
+export function listed(items: Child[], room = kRoom): Child {
+  const all = items.map((item) => h("li", {}, item)),
+    shown = all.filter((li) => (room -= li.textContent!.length) >= 0),
+    more = all.length - shown.length;
+  return [shown, more > 0 ? h("li", {}, say("sheet.more", { n: more })) : null];
 }
 
 const kStrengths: [string, string][] = [
@@ -353,19 +365,22 @@ export function materialLines({ materials, origins }: any): Child[] {
     const from = new Set<string>(
       (origins ?? [])
         .filter((r: any) => r[0] === name)
-        .map((r: any) => (r[3] === "given" ? say("origin.given") : `${say(`origin.${r[3]}`)}: ${r[4]}`)),
+        .map((r: any) => say(`origin.${r[3]}`)),
     );
     return [
-      h("b", {}, name),
+      h("b", {}, phrase(name)),
       `: ${values.join(", ")} `,
       h("span", { class: "soft" }, `(${from.size > 0 ? [...from].join(", ") : say("origin.given")})`),
     ];
   });
 }
 
-const kOfTheSolver = ["velocity", "fast_velocity", "damping", "duration", "ramp", "driven_blocks", "stop_below"];
+const kOfTheSolver = [
+  ...["velocity", "fast_velocity", "damping", "duration", "ramp", "driven_blocks", "stop_below", "level", "share"],
+  "load_height",
+];
 const shown = (value: unknown, unit: string): string =>
-  typeof value === "number" ? qty(value, unit, 4) : phrase(String(value ?? "–"));
+  typeof value === "number" ? qty(value, unit, 4) : phrase((value as Said) ?? "–");
 
 export function stageLines(stages: any[]): Child[] {
   return stages.map((stage) => {
@@ -385,22 +400,20 @@ function assumed({ inputs, summary: s }: any): Child {
     "div",
     {},
     h("h3", {}, say("sheet.assumed")),
-    h("ul", {}, listed(materialLines(inputs ?? {})), listed(stageLines(inputs?.stages ?? [])), listed(trust, 5)),
+    h("ul", {}, listed(materialLines(inputs ?? {})), listed(stageLines(inputs?.stages ?? [])), listed(trust)),
   );
 }
 
 function notModelled({ summary: s, wall }: any): Child {
   return h("div", {}, h("h3", {}, say("sheet.not_modelled")), notModelledList(s.assessment, Boolean(wall?.space)));
 }
-export function notModelledList(a: any, inSpace = false): HTMLElement {
+export function notModelledList(a: any, inSpace = false, most = kRoomOfNotes): HTMLElement {
   const notes: Said[] = a?.notes ?? [];
   const own = notes.length > 0 ? notes.map((note) => phrase(note)) : [...(inSpace ? [] : [say("sheet.out_of_plane")]), say("sheet.one_push")];
   const always = ["rigid", "contacts", "deterministic"].map((key) => say(`assumption.${key}`));
-  return h(
-    "ul",
-    {},
-    [...own, ...always].slice(0, kNotes).map((text) => h("li", {}, h("div", { class: "cut", style: "--lines:3" }, text))),
-  );
+  const room = Math.max(kLeastNotes, most - (answer()?.textContent ?? "").length);
+  const items = listed([...own, ...always], room) as [HTMLElement[], Child];
+  return h("ul", { "data-notes": items[0].length >= own.length ? "all" : "some" }, items);
 }
 
 // A name is put only under what may be signed.

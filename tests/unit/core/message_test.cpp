@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -111,6 +112,7 @@ TEST(MessageJson, of_a_damaged_store_is_still_said) {
 // --- the table and the sources
 
 using Table = std::map<std::string, std::vector<std::string>>;
+constexpr std::string_view kPage = ".page";  // words of a code in which a page has no keys
 
 Table words() { return nlohmann::json::parse(kMessagesJson)["messages"].get<Table>(); }
 
@@ -159,7 +161,25 @@ TEST(MessageTable, every_code_is_used) {
   std::string all;
   for (const std::string& text : sources()) all += text;
   for (const auto& [code, texts] : words())
-    EXPECT_NE(all.find('"' + code + '"'), std::string::npos) << code << " is used nowhere";
+    if (!code.ends_with(kPage))
+      EXPECT_NE(all.find('"' + code + '"'), std::string::npos) << code << " is used nowhere";
+}
+
+// A page is read by who types no file and no command.
+TEST(MessageTable, words_for_a_page_say_what_those_they_stand_for_say_and_no_keys) {
+  static const std::regex kKey(R"(\b[a-z]+_[a-z]+|--[a-z]|wythe |\[[a-z.]+\]| = ")");
+  const Table table = words();
+  for (const auto& [code, texts] : table) {
+    if (!code.ends_with(kPage)) continue;
+    const auto base = table.find(code.substr(0, code.size() - kPage.size()));
+    ASSERT_NE(base, table.end()) << code;
+    const auto said = names_in(texts.front()), whole = names_in(base->second.front());
+    EXPECT_TRUE(std::includes(whole.begin(), whole.end(), said.begin(), said.end())) << code;
+    for (const std::string& text : texts)
+      EXPECT_FALSE(
+          std::regex_search(std::regex_replace(text, std::regex(R"(\{[^}]*\})"), ""), kKey))
+          << code << ": " << text;
+  }
 }
 
 // {"group.what"} and {"group.what", {{...}}}, also behind ? and :, as messages are written.

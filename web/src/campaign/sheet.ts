@@ -11,6 +11,8 @@ import { drawFragility } from "./assessment";
 import { modeLabel, reactionAt, type Campaign, type Sample } from "./data";
 import type { SamplePanel } from "./sample";
 
+const kRoom = 260; // letters of inputs, of materials, and of stages: this sheet has a third picture
+
 const kGrid = 100, // points of a quantile's curve
   kModes = 6, // listed; more are counted
   kMany = 60, // curves; drawn thin
@@ -261,10 +263,10 @@ function assumed(campaign: Campaign): Child {
     "div",
     {},
     h("h3", {}, say("sheet.assumed")),
-    h("ul", {}, listed(inputs, 1), listed(materialLines(model)), listed(stageLines(model.stages ?? []))),
+    h("ul", {}, listed(inputs, kRoom), listed(materialLines(model), kRoom), listed(stageLines(model.stages ?? []), kRoom)),
   );
 }
 
 function notModelled(campaign: Campaign): Child {
-  return h("div", {}, h("h3", {}, say("sheet.not_modelled")), notModelledList(campaign.statistics.assessment, Boolean(campaign.header.wall?.space)));
+  return h("div", {}, h("h3", {}, say("sheet.not_modelled")), notModelledList(campaign.statistics.assessment, Boolean(campaign.header.wall?.space), 0));
 }

@@ -1,0 +1,285 @@
+// The pages behind the sheet of a verdict: what each wall did, what ended each limit state, the spectra, where the
+// values of the masonry come from, and the program that ran.
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "report/html.h"
+#include "report/verdict_words.h"
+
+namespace wythe::report {
+namespace {
+
+// Words of a way (materials/circolare.cpp) that phrases translate, longer ones first.
+constexpr const char* kWordsOfWays[] = {"works add nothing beyond",
+                                        "together not more than",
+                                        "transverse connection",
+                                        "reinforced repointing",
+                                        "reinforced plaster",
+                                        "artificial headers",
+                                        "diagonal compression",
+                                        "shear compression",
+                                        "double flat jack",
+                                        "joint shear",
+                                        "good mortar",
+                                        "poor mortar",
+                                        "thick joints",
+                                        "deep wedges",
+                                        "not tested",
+                                        "constituents",
+                                        "compression",
+                                        "injections",
+                                        "leaf ties",
+                                        "of mean",
+                                        "minimum",
+                                        "courses",
+                                        "weight",
+                                        "density",
+                                        "tests",
+                                        "mean"};
+
+class Appendix {
+ public:
+  Appendix(const VerdictWords& words, const WallsVerdict& verdict, const Json& inputs)
+      : w_(words), v_(verdict), inputs_(inputs) {}
+
+  std::string all() const {
+    return walls() + rules() + spectra() + carried() + masonry() + joints() + "<h2>" +
+           w_.say("section.provenance") + "</h2>\n<p class=\"small\"><code>" + escaped(v_.program) +
+           "</code></p>\n";
+  }
+
+ private:
+  // A table whose cells are markup; `sides` says of each column whether it stands at the left (l) or right (r).
+  [[nodiscard]] static std::string table(const std::string& title,
+                                         const std::vector<std::string>& heads,
+                                         const std::string& rows, const std::string& sides) {
+    std::string head;
+    for (std::size_t k = 0; k < heads.size(); ++k)
+      head += (sides[std::min(k, sides.size() - 1)] == 'l' ? "<th class=\"left\">" : "<th>") +
+              heads[k] + "</th>";
+    return "<h2>" + title + "</h2>\n<div class=\"wide\"><table><thead><tr>" + head +
+           "</tr></thead>\n" + rows + "</table></div>\n";
+  }
+  [[nodiscard]] static std::string cell(const std::string& text, bool left = false) {
+    return (left ? "<td class=\"left\">" : "<td>") + text + "</td>";
+  }
+
+  // --- what the walls did ------------------------------------------------------------------------------
+
+  // A row for each wall, a column for each way it was pushed.
+  [[nodiscard]] std::string walls() const {
+    if (v_.ways.empty()) return "";
+    std::vector<std::string> heads{w_.say("assess.wall")};
+    for (const WayOfPushing& way : v_.ways) heads.push_back(w_.name_of(way));
+    std::string rows;
+    for (std::size_t k = 0; k < v_.ways.front().walls.size(); ++k) {
+      rows += "<tr>" + cell(std::to_string(v_.ways.front().walls[k].wall), true);
+      for (const WayOfPushing& way : v_.ways)
+        rows += cell(k < way.walls.size() ? of_wall(way.walls[k]) : "–", true);
+      rows += "</tr>\n";
+    }
+    return table(w_.say("assess.walls"), heads, rows, "l") + why_lost();
+  }
+  // Each reason once, with the pushes that have it.
+  [[nodiscard]] std::string why_lost() const {
+    std::vector<std::pair<std::string, int>> reasons;
+    for (const WayOfPushing& way : v_.ways)
+      for (const JudgedWall& wall : way.walls) {
+        if (!wall.is_lost()) continue;
+        const std::string why = w_.words(wall.lost);
+        const auto known = std::find_if(reasons.begin(), reasons.end(),
+                                        [&](const auto& reason) { return reason.first == why; });
+        if (known == reasons.end())
+          reasons.emplace_back(why, 1);
+        else
+          ++known->second;
+      }
+    std::string out;
+    for (const auto& [why, pushes] : reasons)
+      out += "<li>" + w_.say("assess.n_lost", {{"n", std::to_string(pushes)}}) + ": " + why +
+             "</li>\n";
+    return out.empty() ? "" : "<ul class=\"small\">\n" + out + "</ul>\n";
+  }
+  [[nodiscard]] std::string of_wall(const JudgedWall& wall) const {
+    if (wall.is_lost()) return w_.say("assess.lost");
+    const Reading r = wall.capacity(v_.worst.state);
+    std::string value = r.is_known() ? w_.fixed(r.value * kToG, "g") : "–";
+    if (r.censored) value = w_.say("assess.at_least", {{"value", value}});
+    switch (wall.verdict(v_.worst.state)) {
+      case AssessmentVerdict::kFails:
+        value = "<b class=\"fails\">" + value + ", " + w_.say("assess.not_met") + "</b>";
+        break;
+      case AssessmentVerdict::kNotShown: value += ", " + w_.say("assess.not_shown"); break;
+      default: break;
+    }
+    return value + "<br><span class=\"soft\">" + escaped(w_.texts().phrase(wall.mode)) + "</span>";
+  }
+
+  // What may end each limit state side by side: the fall of the force, the drift of each pier, q*.
+  [[nodiscard]] std::string rules() const {
+    std::string rows;
+    for (const StateVerdict& of : v_.limit_states) {
+      std::string state = w_.state(of.state);
+      for (const RuleOfWalls& rule : of.rules) {
+        rows += "<tr>" + cell(state, true) + cell(w_.words(rule.words), true) +
+                cell(w_.texts().quantity(1e3 * rule.displacement, "mm", 3)) +
+                cell(w_.say("assess.of", {{"part", std::to_string(rule.decides)},
+                                          {"all", std::to_string(of.worst.size())}})) +
+                "</tr>\n";
+        state.clear();
+      }
+    }
+    if (rows.empty()) return "";
+    return table(w_.say("assess.rules"),
+                 {w_.say("assess.state"), w_.say("assess.rule"), w_.say("assess.rule_at"),
+                  w_.say("assess.rule_decides")},
+                 rows, "llrr");
+  }
+
+  // --- what went in ------------------------------------------------------------------------------------
+
+  // Each spectrum that is asked for.
+  [[nodiscard]] std::string spectra() const {
+    std::string rows;
+    for (const StateVerdict& of : v_.limit_states) {
+      if (!of.is_checked) continue;
+      const SpectrumSpec& given = spectrum_for(v_.spec, of.state);
+      const ElasticSpectrum s = spectrum_of(given);
+      const auto number = [&](double value, const char* unit) {
+        return std::isnan(value) ? "–" : w_.texts().quantity(value, unit, 3);
+      };
+      const bool table = s.kind == SpectrumKind::kTable;
+      rows += "<tr>" + cell(w_.state(of.state), true) +
+              cell(number(s.ground_acceleration * kToG, "g")) +
+              cell(table ? "–" : number(s.amplification, "")) +
+              cell(number(given.corner_period, "s")) + cell(table ? "–" : escaped(given.ground)) +
+              cell(number(s.soil * s.topography, "")) + cell(number(s.TB, "s")) +
+              cell(number(s.TC, "s")) + cell(number(s.TD, "s")) + "</tr>\n";
+    }
+    if (rows.empty()) return "";
+    return table(w_.say("assess.spectra"),
+                 {w_.say("assess.state"), "ag", "F0", "TC*", w_.say("assess.ground"), "S·ST", "TB",
+                  "TC", "TD"},
+                 rows, "lr");
+  }
+
+  [[nodiscard]] std::string value_of(const Json& value, const Json& unit) const {
+    if (value.is_number())
+      return w_.texts().quantity(value.get<double>(), unit.get<std::string>(), 4);
+    if (value.is_null()) return "–";
+    if (value == "unlimited") return w_.say("unlimited");
+    if (value.is_array())  // in every language
+      return escaped(value.at(w_.texts().place()).get<std::string>());
+    return escaped(w_.texts().phrase(value.is_string() ? value.get<std::string>() : value.dump()));
+  }
+
+  // Floors, ties, springs.
+  [[nodiscard]] std::string carried() const {
+    if (!inputs_.contains("carried")) return "";
+    std::string rows;
+    for (const Json& part : inputs_["carried"]) {
+      std::string what;
+      for (const Json& row : part["rows"])
+        what += (what.empty() ? "" : "; ") + w_.say("input." + row[0].get<std::string>()) + " " +
+                value_of(row[1], row[2]);
+      rows += "<tr>" + cell(w_.say("input." + part["kind"].get<std::string>()), true) +
+              cell(escaped(part["name"].get<std::string>()), true) +
+              cell(escaped(part["where"].get<std::string>()), true) + cell(what, true) + "</tr>\n";
+    }
+    if (rows.empty()) return "";
+    return table(w_.say("input.carried"), {"", "", w_.say("input.where"), ""}, rows, "l");
+  }
+
+  // Each number of the masonry with its way: table, coefficient, factor, or rule.
+  [[nodiscard]] std::string masonry() const {
+    std::string rows;
+    for (const Json& row : inputs_["masonry"])
+      rows += "<tr>" + cell(w_.say("input." + row[0].get<std::string>()), true) +
+              cell(value_of(row[1], row[2])) +
+              cell(way_of("masonry", row[0].get<std::string>()), true) + "</tr>\n";
+    if (rows.empty()) return "";
+    return table(w_.say("assess.masonry"), {w_.say("origin.value"), "", w_.say("origin.how")}, rows,
+                 "lrl") +
+           sources();
+  }
+  // How a value came about: given; a formula of other values; or what was taken of a table, and by which factors.
+  [[nodiscard]] std::string way_of(const std::string& table, const std::string& key) const {
+    for (const Json& row : inputs_["origins"]) {
+      if (row[0] != table || row[1] != key) continue;
+      const auto text = [&](int k) { return row[k].get<std::string>(); };
+      std::string out = w_.say("origin." + text(3));
+      if (text(3) == "derived") out += ": " + in_words(text(6).substr(0, end_of_formula(text(6))));
+      if (text(3) == "typical" && !text(5).empty()) out += ": " + in_words(text(5));
+      return out;
+    }
+    return w_.say("origin.given");
+  }
+  // Before the words that explain its symbols.
+  [[nodiscard]] static std::size_t end_of_formula(const std::string& formula) {
+    return std::min(formula.find(" in MPa"), formula.find(", "));
+  }
+  // The words of a way in the page's language: "mean 3.45 MPa x 1.3 (transverse_connection) / 1.20".
+  [[nodiscard]] std::string in_words(std::string way) const {
+    std::replace(way.begin(), way.end(), '_', ' ');
+    for (const char* word : kWordsOfWays) {
+      const std::string said = w_.texts().phrase(word);
+      for (std::size_t at = way.find(word); at != std::string::npos && said != word;
+           at = way.find(word, at + said.size()))
+        way.replace(at, std::string(word).size(), said);
+    }
+    if (w_.language() == "it")
+      for (std::size_t k = 1; k + 1 < way.size(); ++k)
+        if (way[k] == '.' && std::isdigit(way[k - 1]) != 0 && std::isdigit(way[k + 1]) != 0)
+          way[k] = ',';
+    return escaped(way);
+  }
+  // Typologies that values were taken from, with their sources, each once.
+  [[nodiscard]] std::string sources() const {
+    std::vector<std::string> said;
+    for (const Json& row : inputs_["origins"]) {
+      if (row[3] != "typical") continue;
+      const auto text = [&](int k) { return row[k].get<std::string>(); };
+      std::string source = w_.texts().phrase(text(6)) + ": " + w_.texts().phrase(text(7));
+      if (std::find(said.begin(), said.end(), source) == said.end())
+        said.push_back(std::move(source));
+    }
+    std::string out;
+    for (const std::string& source : said)
+      out +=
+          "<p class=\"small soft\">" + w_.say("origin.typical") + ": " + escaped(source) + "</p>\n";
+    return out;
+  }
+
+  // The law of joints and of units.
+  [[nodiscard]] std::string joints() const {
+    const Json& materials = inputs_["materials"];
+    std::vector<std::string> heads{""};
+    for (const Json& name : materials["names"])
+      heads.push_back(escaped(w_.texts().phrase(name.get<std::string>())));
+    std::string rows;
+    for (const Json& row : materials["rows"]) {
+      const std::string unit = row[1].get<std::string>();
+      rows += "<tr>" + cell(w_.say("input." + row[0].get<std::string>()) +
+                                (unit.empty() ? "" : " [" + escaped(unit) + "]"),
+                            true);
+      for (const Json& value : row[2]) rows += cell(value_of(value, ""));
+      rows += "</tr>\n";
+    }
+    if (rows.empty()) return "";
+    return table(w_.say("input.materials"), heads, rows, "lr");
+  }
+
+  const VerdictWords& w_;
+  const WallsVerdict& v_;
+  const Json& inputs_;
+};
+
+}  // namespace
+
+std::string verdict_appendix(const VerdictWords& words, const WallsVerdict& verdict,
+                             const Json& inputs) {
+  return Appendix(words, verdict, inputs).all();
+}
+
+}  // namespace wythe::report
