@@ -45,7 +45,7 @@ FrameSpec portal(FrameFeet feet) {
   return frame;
 }
 
-// The corner at the left is segment 0, that at the right 1; parts follow in their order, 16 segments each.
+// The corner at the left is segment 0, that at the right 1; parts follow in their order, 8 segments each.
 StageSpec push(const std::string& block, Direction direction, double until,
                double velocity = 0.02) {
   StageSpec stage = scenes::push_stage(block, direction, velocity, until);
@@ -72,7 +72,7 @@ double stiffness_of(const Ran& r) {
 
 double lateral_stiffness(const ModelSpec& spec) {
   ModelSpec pushed = spec;
-  pushed.stage = {scenes::gravity_stage(), push("frame0_0", Direction::kPlusX, 1e-3, 2e-3)};
+  pushed.stage = {scenes::gravity_stage(), push("frame0_0", Direction::kPlusX, 1e-3, 5e-4)};
   return stiffness_of(solved(pushed));
 }
 
@@ -166,7 +166,7 @@ void expect_portal_of_members(FrameFeet feet) {
           std::string("portal of HEB 200 and IPE 240, ") + (hinged ? "hinged" : "fixed") +
               " feet, by members with shear",
           "N/m", exact.stiffness_at(0), 2e-3,
-          "quadrature is exact; the push at 2 mm/s swings by less"},
+          "quadrature is exact; the push at 0.5 mm/s swings by less"},
          lateral_stiffness(spec));
 }
 TEST(Frames, portal_of_rolled_profiles_is_as_stiff_as_its_members) {
@@ -203,12 +203,12 @@ TEST(Frames, a_beam_fails_with_hinges_at_its_ends_and_in_the_middle) {
   spec.frame[0].beam_profile = "IPE 200";
   StageSpec down = push("", Direction::kMinusY, 0.05, 0.02);
   down.at = {};
-  down.at.x = 0.5 - 0.2, down.at.width = 0.4, down.at.y = kHeight - 0.05, down.at.height = 0.1;
+  down.at.x = 0.5 - 0.3, down.at.width = 0.6, down.at.y = kHeight - 0.05, down.at.height = 0.1;
   spec.stage = {scenes::gravity_stage(), down};
   const Ran r = solved(spec);
   ASSERT_EQ(r.model.stages[1].driven.size(), 2U);
   const double mpl = kYield * geometry::profile_named("IPE 200")->plastic_modulus;
-  const double arm = kSpan / 2 - kSpan / 32, sagged = r.result.curve.back().displacement;
+  const double arm = kSpan / 2 - kSpan / 16, sagged = r.result.curve.back().displacement;
   // the columns press the beam, which has sagged: second order
   double thrust = 0;
   const std::vector<FrameReading> sections = read_frames(r.model, r.state);
@@ -231,11 +231,11 @@ TEST(Frames, a_post_under_axial_force_bears_the_moment_of_its_three_fibres) {
     post.line = {{-0.1, 0}, {-0.1, kHeight}};  // beside the block, which it touches
     spec.frame = {post};
     spec.material["contact"] = scenes::dry_joint(1e6, 1e6, 1e-6);
-    spec.stage = {scenes::gravity_stage(), push("frame0_15", Direction::kMinusX, 0.08, 0.02)};
+    spec.stage = {scenes::gravity_stage(), push("frame0_7", Direction::kMinusX, 0.08, 0.02)};
     Ran r{compile(spec), {}, {}};
     BlockId tip = 0;
     for (BlockId b = 0; b < r.model.n_block; ++b)
-      if (r.model.anatomy.block_id[static_cast<std::size_t>(b)] == "frame0_15") tip = b;
+      if (r.model.anatomy.block_id[static_cast<std::size_t>(b)] == "frame0_7") tip = b;
     r.model.stages[0].loads.push_back({tip, 0, 0, 0, -n * squash});
     r.state = initial_state(r.model);
     r.result = solve(r.model, r.state);
@@ -247,7 +247,7 @@ TEST(Frames, a_post_under_axial_force_bears_the_moment_of_its_three_fibres) {
            foot.moment);
     // by equilibrium of the whole post; the push drags a little at the base, and is dragged at the tip
     const CurveRow& last = r.result.curve.back();
-    const double height = kHeight - kHeight / 32;
+    const double height = kHeight - kHeight / 16;
     verify({"frame", "post under N = " + fmt::format("{:.1f}", n) + " Npl: force at its tip", "N",
             (moment - n * squash * last.displacement) / height, 1e-2 * moment / height,
             "1 % of what the moment gives: the push's drag", true},
@@ -261,7 +261,7 @@ TEST(Frames, a_post_under_axial_force_bears_the_moment_of_its_three_fibres) {
 //      [ ]       [ ]
 TEST(Frames, a_beam_rests_on_blocks_and_bends_by_its_own_weight) {
   constexpr double kLong = 4, kNarrow = 0.05, kTop = 0.5;
-  const double step = kLong / 16, span = kLong - step;
+  const double step = kLong / 8, span = kLong - step;
   ModelSpec spec = scenes::assembly(
       {scenes::rectangle("left", step / 2 - kNarrow / 2, 0, kNarrow, kTop),
        scenes::rectangle("right", kLong - step / 2 - kNarrow / 2, 0, kNarrow, kTop)},
@@ -291,14 +291,14 @@ TEST(Frames, a_beam_rests_on_blocks_and_bends_by_its_own_weight) {
       if (r.model.anatomy.block_id[b] == id) return r.state.theta[b];
     return 0.0;
   };
-  const double middle = 0.5 * (down("frame0_7") + down("frame0_8")) -
-                        0.25 * step * (turned("frame0_7") - turned("frame0_8")) -
-                        0.5 * (down("frame0_0") + down("frame0_15"));
+  const double middle = 0.5 * (down("frame0_3") + down("frame0_4")) -
+                        0.25 * step * (turned("frame0_3") - turned("frame0_4")) -
+                        0.5 * (down("frame0_0") + down("frame0_7"));
   const double hang = w * step * step / 8;  // of half a segment beyond each support
   verify({"frame", "beam on two blocks under its own weight: deflection", "m",
           5 * w * std::pow(span, 4) / (384 * ei) - hang * span * span / (8 * ei) +
               w * span * span / (8 * kG * heb.shear_area),
-          1e-2, "quadrature about 1/15^2; the blocks' width turns the supports a little"},
+          2e-2, "quadrature, 1.3 % at 8 segments; the blocks' width turns the supports a little"},
          middle);
 }
 
