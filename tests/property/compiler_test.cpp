@@ -122,6 +122,15 @@ class Bytes {
     const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t] = links;
     add_all(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t);
   }
+  void add(const FrameMember& member) {
+    const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n] = member;
+    add_all(a, b, c, d, e, f, g, h, i, j, k, l, m, n);
+  }
+  void add(const Frames& frames) {
+    const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y] =
+        frames;
+    add_all(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y);
+  }
   void add(const Vec3& v) { add_all(v.x, v.y, v.z); }
   void add(const Polyhedron& part) {
     const auto& [vertex, face] = part;
@@ -169,12 +178,12 @@ class Bytes {
 // The bytes of each member of a model, in their order.
 std::vector<std::string> bytes_of(const Model& model) {
   const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y, z, aa, bb,
-               cc, dd, ee, ff, gg, hh, ii, jj, kk, ll, mm, nn, oo, pp, qq] = model;
+               cc, dd, ee, ff, gg, hh, ii, jj, kk, ll, mm, nn, oo, pp, qq, rr] = model;
   const auto each = [](const auto&... members) {
     return std::vector<std::string>{Bytes::of(members)...};
   };
   return each(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y, z, aa, bb,
-              cc, dd, ee, ff, gg, hh, ii, jj, kk, ll, mm, nn, oo, pp, qq);
+              cc, dd, ee, ff, gg, hh, ii, jj, kk, ll, mm, nn, oo, pp, qq, rr);
 }
 
 // A model's bytes, or the words of its refusal.
@@ -330,6 +339,7 @@ std::vector<std::pair<std::string, ModelSpec>> walls() {
           {"zones", scenes::lintel_wall(LintelModel::kZones)},
           {"plates", plates_wall()},
           {"beam", beam_wall()},
+          {"frame", scenes::framed(scenes::small_wall())},
           {"file", file_wall()}};
 }
 
