@@ -222,7 +222,7 @@ TEST(Local, two_storeys_fall_as_one_strip_and_the_upper_one_alone) {
          upper.states.front().demand);
 }
 
-// 1 m above a roof at 6 m: (20.10) far above 1.1 T1.
+// 1 m above a roof at 6 m: (21.10) far above 1.1 T1.
 TEST(Local, a_parapet_feels_the_building_below_it) {
   const SecondOpinion opinion =
       opinion_of(front("[wall]\nlength = \"2 m\"\nheight = \"7 m\"\nthickness = \"0.3 m\"",

@@ -1,6 +1,6 @@
 // What a code asks of a part that falls on its face: the spectrum at its height, the onset by q, the way by d*.
 //
-// Equations (20.9) to (20.14) of docs/theory/local_mechanisms.md. Called by `wythe limit --assessment`.
+// Equations (21.9) to (21.14) of docs/theory/local_mechanisms.md. Called by `wythe limit --assessment`.
 #include <algorithm>
 #include <cmath>
 
@@ -19,7 +19,7 @@ constexpr double kOfLifeSafety = 0.4;       // of d0*
 constexpr double kOfNearCollapse = 0.6;     // of d0*
 constexpr double kFactorLeastKnown = 1.35;  // of LC1 and KL1
 
-// Peak acceleration and spectrum where the part stands (20.9), (20.10): the ground's, or what the building makes of it
+// Peak acceleration and spectrum where the part stands (21.9), (21.10): the ground's, or what the building makes of it
 // in its first mode, whichever is larger.
 class SpectrumAt {
  public:
@@ -62,7 +62,7 @@ AssessmentVerdict verdict_of(double ratio) {
   return ratio >= 1 ? AssessmentVerdict::kHolds : AssessmentVerdict::kFails;
 }
 
-// How far a part may go at a limit state (20.12), and the secant period there (20.13).
+// How far a part may go at a limit state (21.12), and the secant period there (21.13).
 void check_displacement(const SpectrumAt& spectrum, double share, const LocalCheck& part,
                         LocalStateCheck& s) {
   const double d0 = part.capacity.displacement0, a0 = part.acceleration0_to_end;
@@ -84,7 +84,7 @@ LocalStateCheck check_state(const AssessmentSpec& spec, LimitState state, const 
   s.demand = spectrum.peak();
   if (state != LimitState::kNearCollapse) {
     s.q = state == LimitState::kLifeSafety ? kBehaviour : 1;
-    s.q_ratio = std::max(part.acceleration0, 0.0) * s.q / s.demand;  // (20.11)
+    s.q_ratio = std::max(part.acceleration0, 0.0) * s.q / s.demand;  // (21.11)
   }
   if (state == LimitState::kLifeSafety) check_displacement(spectrum, kOfLifeSafety, part, s);
   if (state == LimitState::kNearCollapse) check_displacement(spectrum, kOfNearCollapse, part, s);
@@ -173,7 +173,7 @@ void study::conclude(const ModelSpec& spec, const Model& model, bool crushes, Lo
   find_factor(asked, crushes, part);
   find_building(spec, model, part);
   const double g = model.solve.gravity;
-  const auto acceleration = [&](double alpha) {  // (20.8)
+  const auto acceleration = [&](double alpha) {  // (21.8)
     const double share = part.capacity.is_one_body ? part.capacity.mass_share : 1;
     return alpha * g / (share * part.confidence_factor);
   };

@@ -2,7 +2,7 @@
 //
 //   alpha(theta) sum Q u'(theta) = sum P v'(theta) + sum T u'(theta)      u along the earthquake, v upwards
 //
-// Equations (20.1) to (20.8) of docs/theory/local_mechanisms.md. Called by parts.cpp and of_limit.cpp.
+// Equations (21.1) to (21.8) of docs/theory/local_mechanisms.md. Called by parts.cpp and of_limit.cpp.
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +14,7 @@ namespace {
 constexpr double kHalfTurn = 3.14159265358979323846;
 constexpr double kQuarter = 0.5 * kHalfTurn;
 
-// (20.3): M* and e* by what is pushed, at rest. Gives sum Q travel^2 / sum Q travel, the travel of the equivalent system.
+// (21.3): M* and e* by what is pushed, at rest. Gives sum Q travel^2 / sum Q travel, the travel of the equivalent system.
 double equivalent(double first, double second, double gravity, LocalCapacity& c) {
   c.mass = first * first / (gravity * second);
   c.mass_share = gravity * c.mass / c.pushed;
@@ -40,7 +40,7 @@ LocalCapacity overturning(const std::vector<LocalWeight>& weights,
   const double travel = equivalent(first, second, gravity, c);
   double held = 0;
   for (const LocalHold& hold : holds) held += hold.force * hold.travel;
-  c.alpha0 = (rise + held + resisted) / first;  // (20.1)
+  c.alpha0 = (rise + held + resisted) / first;  // (21.1)
 
   // what lets go before the end has no part in the curve; each that goes brings the end nearer
   std::vector<LocalHold> left;
@@ -50,7 +50,7 @@ LocalCapacity overturning(const std::vector<LocalWeight>& weights,
     double a = rise, b = drop;  // a cos - b sin
     for (const LocalHold& hold : left) a += hold.force * hold.travel, b -= hold.force * hold.rise;
     c.alpha0_to_end = a / first;
-    c.rotation0 = std::atan2(a, b);  // (20.4)
+    c.rotation0 = std::atan2(a, b);  // (21.4)
     if (!(a > 0)) c.rotation0 = 0;
     const auto gone = std::remove_if(left.begin(), left.end(), [&](const LocalHold& hold) {
       return hold.lets_go < hold.travel * std::sin(std::min(c.rotation0, kQuarter));
@@ -63,7 +63,7 @@ LocalCapacity overturning(const std::vector<LocalWeight>& weights,
     c.no_displacement = {"local.held_for_good"};
     return c;
   }
-  c.displacement0 = travel * std::sin(c.rotation0);  // (20.5)
+  c.displacement0 = travel * std::sin(c.rotation0);  // (21.5)
   c.top0 = top * std::sin(c.rotation0);
   for (const LocalWeight& w : weights)
     if (w.travel > 0) c.slides_off = std::min(c.slides_off, w.slides_off / w.travel * travel);

@@ -52,7 +52,7 @@ class Mechanism {
     gather_loads();
   }
 
-  // (20.7): of one piece that turns about a line per unit turn, else per unit velocity of the load.
+  // (21.7): of one piece that turns about a line per unit turn, else per unit velocity of the load.
   [[nodiscard]] LocalCapacity capacity(double gravity) const {
     const Piece* turning = moving() == 1 ? first_moving() : nullptr;
     const double spin = turning != nullptr ? length(turning->spin) : 0;

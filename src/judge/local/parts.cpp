@@ -257,7 +257,7 @@ class Strip {
     }
   }
 
-  // (20.2): the line lies within the face, where the masonry bears all the load.
+  // (21.2): the line lies within the face, where the masonry bears all the load.
   void find_inset() {
     double load = masonry_.weight, strength = std::numeric_limits<double>::infinity();
     for (const Lying& lying : lying_) load += lying.weight;
@@ -317,7 +317,7 @@ class Strip {
         overturning(weights, holds, teeth(), leaning(0, y1_ - y0_).travel, model_.solve.gravity);
   }
 
-  // (20.6): each face of a tooth carries what lies above it in the corner, and slides as far as it is above the line.
+  // (21.6): each face of a tooth carries what lies above it in the corner, and slides as far as it is above the line.
   [[nodiscard]] double teeth() const {
     const TeethSpec& t = part_.teeth;
     if (t.corners == 0) return 0;
