@@ -11,7 +11,7 @@ namespace wythe::geometry {
 namespace {
 
 constexpr double kNear = 1e-6;        // [m]
-constexpr int kPieces = 8;           // segments of a part (docs/theory/frames.md, 20.7)
+constexpr int kPieces = 8;            // segments of a part (docs/theory/frames.md, 20.7)
 constexpr double kLeastShare = 0.75;  // of the crossing member's depth: no segment is shorter
 constexpr int kFewestPieces = 4;
 
