@@ -73,7 +73,7 @@ std::optional<Section> one_section(const std::string& profile, const SectionSpec
                       : profile_named(profile);
   if (!profile.empty() && !found)
     add_fault(faults, key, "\"" + profile + "\"", "is no profile that is rolled",
-              name_advice(profile, profile_names()) + "; or write its numbers: " + prefix +
+              name_advice(profile, profile_names()) + " Or write its numbers: " + prefix +
                   "section = { ... }");
   if (!found) return found;
   found->width *= count;

@@ -55,7 +55,7 @@ class FrameCompiler {
       if (found == grades().end())
         fault("grade", "\"" + frame.grade + "\"", "is no grade of steel that is known here",
               name_advice(frame.grade, {"S235", "S275", "S355"}) +
-                  "; or write yield_strength, youngs_modulus and shear_modulus");
+                  " Or write yield_strength, youngs_modulus and shear_modulus");
       else
         steel = found->second;
     }
