@@ -161,8 +161,8 @@ TEST(MessageTable, every_code_is_used) {
   std::string all;
   for (const std::string& text : sources()) all += text;
   for (const auto& [code, texts] : words())
-    if (!code.ends_with(kPage))
-      EXPECT_NE(all.find('"' + code + '"'), std::string::npos) << code << " is used nowhere";
+    EXPECT_TRUE(code.ends_with(kPage) || all.find('"' + code + '"') != std::string::npos)
+        << code << " is used nowhere";
 }
 
 // A page is read by who types no file and no command.
