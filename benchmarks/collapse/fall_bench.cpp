@@ -31,14 +31,14 @@ using namespace wythe;
 constexpr double kG = 9.81, kTimed = 0.1;  // [m/s^2], [s]
 constexpr int kRuns = 3;
 
-struct Fall {
+struct FallingWall {
   const char* model;
   double State::*gravity;      // the component that the base's acceleration joins
   double acceleration, until;  // [g], [s]
   std::vector<std::pair<const char*, double>> moment;  // when the timing begins [s]
 };
-const std::vector<Fall>& falls() {
-  static const std::vector<Fall> all = {
+const std::vector<FallingWall>& falls() {
+  static const std::vector<FallingWall> all = {
       {"falling_tower.toml",
        &State::gravity_x,
        0.6,
@@ -57,7 +57,7 @@ const std::vector<Fall>& falls() {
 
 class Timed {
  public:
-  Timed(const Fall& fall, int threads)
+  Timed(const FallingWall& fall, int threads)
       : fall_(fall),
         model_(compile(read_model(std::string(WYTHE_SOURCE_DIR "/benchmarks/") + fall.model))),
         state_(initial_state(model_)),
@@ -130,7 +130,7 @@ class Timed {
   }
 
   static inline bool first_ = true;
-  const Fall& fall_;
+  const FallingWall& fall_;
   const Model model_;
   State state_;
   const int threads_;
@@ -145,7 +145,7 @@ int main(int argc, char** argv) {
   try {
     const int threads = argc > 1 ? std::atoi(argv[1]) : 1;
     fmt::print("[");
-    for (const Fall& fall : falls()) Timed(fall, threads).run();
+    for (const FallingWall& fall : falls()) Timed(fall, threads).run();
     fmt::print("]\n");
   } catch (const std::exception& e) {
     fmt::print(stderr, "fall_bench: {}\n", e.what());

@@ -129,6 +129,10 @@ struct WallsVerdict {
 
 // Walls after which the interval of any share is narrower than `width`.
 [[nodiscard]] int most_walls(double width);
+// Walls that would tell on which side half of all lie if the shares of those that meet it and do not stayed: as many as
+// there are where they tell; 0: more than kMostToDecide, or those not known hide it however many there are.
+inline constexpr int kMostToDecide = 1000;
+[[nodiscard]] int walls_to_decide(const WallCounts& counts);
 // How many walls to go on with, where the interval of this share is wider than `width`; 0: it is not, or no number
 // below most_walls() makes it so.
 [[nodiscard]] int next_walls(const WallCounts& counts, double width);

@@ -406,7 +406,7 @@ class Verdict {
         verdict_by(out_.worst.counts.probability().interval) != AssessmentVerdict::kNotShown;
     const Interval& tests = out_.worst.capacity.with_tests;
     if (!walls_tell)
-      out_.cautions.push_back({"verdict.caution.undecided"});
+      caution_of_few(out_.worst.counts);
     else if (std::isinf(tests.high))
       out_.cautions.push_back(
           {"verdict.caution.drift_open", {{"low_g", tests.low / kStandardGravity}}});
@@ -414,6 +414,17 @@ class Verdict {
       out_.cautions.push_back(
           {"verdict.caution.drift",
            {{"low_g", tests.low / kStandardGravity}, {"high_g", tests.high / kStandardGravity}}});
+  }
+
+  // How many walls would decide; none where they are half and half, or where those not known hide it.
+  void caution_of_few(const WallCounts& counts) {
+    const int enough = walls_to_decide(counts);
+    if (enough > 0)
+      out_.cautions.push_back({"verdict.caution.undecided", {{"walls", enough}}});
+    else if (counts.not_shown + counts.lost > 0)
+      out_.cautions.push_back({"verdict.caution.hidden"});
+    else
+      out_.cautions.push_back({"verdict.caution.close", {{"walls", kMostToDecide}}});
   }
 
   // Walls that are all but equal are one wall, told many times.
@@ -583,6 +594,19 @@ int most_walls(double width) {
   int n = 2;
   while (!(study::exact_share(n / 2, n).interval.width() < width)) ++n;
   return n;
+}
+
+int walls_to_decide(const WallCounts& counts) {
+  const auto of = [&](int part, int n) { return static_cast<double>(part) * n / counts.walls; };
+  for (int n = counts.walls; n > 0 && n <= kMostToDecide; ++n) {
+    // rounded towards half
+    const int least = static_cast<int>(std::floor(of(counts.not_met, n)));
+    const int most = static_cast<int>(std::ceil(of(counts.walls - counts.met, n)));
+    if (study::exact_share(least, n).interval.low > kHalf ||
+        study::exact_share(most, n).interval.high < kHalf)
+      return n;
+  }
+  return 0;
 }
 
 int next_walls(const WallCounts& counts, double width) {

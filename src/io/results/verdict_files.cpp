@@ -35,6 +35,8 @@ void add_counts(Json& json, const WallCounts& counts) {
   json["not_met"] = counts.not_met;
   json["not_shown"] = counts.not_shown;
   json["lost"] = counts.lost;
+  const int enough = walls_to_decide(counts);
+  json["walls_to_decide"] = enough > counts.walls ? Json(enough) : Json(nullptr);
 }
 
 Json rules_json(const std::vector<RuleOfWalls>& rules) {

@@ -132,6 +132,8 @@ TEST(Verdict, is_undecided_where_half_of_all_walls_may_lie_on_either_side) {
   EXPECT_EQ(v.verdict, AssessmentVerdict::kNotShown);
   EXPECT_TRUE(has(v.cautions, "verdict.caution.undecided"));
   EXPECT_FALSE(v.may_be_signed);
+  EXPECT_NE(text_of(v.sentence).find("--resume --walls 20"), std::string::npos);
+  EXPECT_NE(text_of(v.sentence, "it").find("--resume --walls 20"), std::string::npos);
   // five walls, all met, are too few: 1 in 32 that all lie on one side of a median
   v = verdict_of(asked(), {way("+x", "at", same(5, 0.3)), way("-x", "at", same(5, 0.3))}, 5);
   EXPECT_EQ(v.verdict, AssessmentVerdict::kNotShown);
@@ -380,6 +382,25 @@ TEST(Walls, grow_until_the_share_is_known_well_enough) {
   const WallCounts lost{.walls = 47, .met = 1, .not_met = 1, .lost = 45};
   EXPECT_EQ(next_walls(lost, 0.3), 0);
   EXPECT_EQ(next_walls({.walls = 8, .lost = 8}, 0.3), 0);
+}
+
+TEST(Walls, that_would_decide_are_stated) {
+  EXPECT_EQ(walls_to_decide(counts_of(2, 8)), 20);  // 5 of 20: up to 49.1 %
+  EXPECT_EQ(walls_to_decide(counts_of(6, 8)), 20);  // 15 of 20, its mirror image
+  EXPECT_EQ(walls_to_decide(counts_of(0, 5)), 6);   // 2 * 0.5^6 < 0.05
+  EXPECT_EQ(walls_to_decide(counts_of(4, 8)), 0);   // half and half
+  for (int k = 0; k <= 12; ++k) {
+    const int n = walls_to_decide(counts_of(k, 12));
+    if (n == 0) continue;
+    const Interval at =
+        study::exact_share(k * n / 12.0 < n / 2.0 ? (k * n + 11) / 12 : k * n / 12, n).interval;
+    EXPECT_TRUE(at.low > 0.5 || at.high < 0.5) << k;
+  }
+  // a quarter is lost: with all of them on the other side, 6 of 8 meet it
+  EXPECT_EQ(walls_to_decide({.walls = 8, .met = 6, .lost = 2}), 20);
+  EXPECT_EQ(walls_to_decide({.walls = 8, .met = 4, .lost = 4}), 0);
+  EXPECT_EQ(walls_to_decide(counts_of(0, 8)), 8);
+  EXPECT_EQ(walls_to_decide({}), 0);
 }
 
 // To look again and again costs certainty: the chance that the last interval holds the share, over every way the walls
