@@ -51,12 +51,12 @@ figure{margin:1mm 0}figcaption{font-size:.85em;color:var(--soft)}.appendix{borde
 code{font-size:.95em;overflow-wrap:anywhere}
 @page{size:A4;margin:11mm 12mm}
 @media print{:root{--paper:#fff;--ink:#111;--soft:#555;--hair:#ccc;--open:#c04f00;--curve:#0b5c8e;--stone0:#ece2cf;--stone1:#e5d9c2;--stone2:#f0e8d9;--stone3:#dfd2b9;--mortar:#b9ab91;--split:#d8cbb2}
-body{font-size:9.2pt;line-height:1.34}main{max-width:none;padding:0}.wide{overflow:visible}svg.wall{max-height:62mm}.verdict{print-color-adjust:exact;-webkit-print-color-adjust:exact}
+body{font-size:8.6pt;line-height:1.3}main{max-width:none;padding:0}.wide{overflow:visible}svg.wall{max-height:52mm}.verdict{print-color-adjust:exact;-webkit-print-color-adjust:exact}
 .appendix{break-before:page;border:0;margin:0}.appendix>h2:first-child{margin-top:0}tr,li,.card,figure{break-inside:avoid}h2{break-after:avoid}thead{display:table-header-group}}
 )css";
 
 // Letters of notes that the sheet has room for beside its pictures; where there are more all of them open the appendix.
-constexpr std::size_t kLettersOnSheet = 2600;
+constexpr std::size_t kLettersOnSheet = 2500;
 
 // Messages that say what is left out, not what is assumed.
 bool is_left_out(const Message& note) {
