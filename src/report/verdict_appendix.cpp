@@ -55,9 +55,11 @@ class Appendix {
                                          const std::vector<std::string>& heads,
                                          const std::string& rows, const std::string& sides) {
     std::string head;
-    for (std::size_t k = 0; k < heads.size(); ++k)
-      head += (sides[std::min(k, sides.size() - 1)] == 'l' ? "<th class=\"left\">" : "<th>") +
-              heads[k] + "</th>";
+    for (std::size_t k = 0; k < heads.size(); ++k) {
+      const bool left = sides[std::min(k, sides.size() - 1)] == 'l';
+      head += heads[k].empty() ? "<td></td>"
+                               : (left ? "<th class=\"left\">" : "<th>") + heads[k] + "</th>";
+    }
     return "<h2>" + title + "</h2>\n<div class=\"wide\"><table><thead><tr>" + head +
            "</tr></thead>\n" + rows + "</table></div>\n";
   }

@@ -316,7 +316,8 @@ class VerdictPage {
       const bool decides = of.is_checked && of.state == v_.worst.state;
       rows += fmt::format(
           "<tr{}><td class=\"left\">{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-          decides ? " class=\"decides\"" : "", words_.state(of.state),
+          decides ? " class=\"decides\"" : "",
+          words_.state(of.state) + (decides ? " (" + say("assess.decides") + ")" : ""),
           words_.capacity(of.capacity, kToG, "g"),
           of.is_checked ? words_.fixed(of.demand * kToG, "g") : "–",
           of.is_checked ? words_.capacity(of.capacity, 1 / of.demand, "") : "–",
