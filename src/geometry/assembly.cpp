@@ -109,6 +109,21 @@ void add_frames(std::vector<PlacedFrame> frames, Assembly& assembly) {
   assembly.frames = std::move(frames);
 }
 
+// Bars side by side may need more room than the wall has; what sticks out touches nothing.
+void note_wide_frames(const Shape& shape, Assembly& assembly) {
+  for (const PlacedFrame& frame : assembly.frames) {
+    double widest = 0;
+    for (const Block& segment : frame.segments) widest = std::max(widest, segment.thickness);
+    const std::string& name = shape.frame[static_cast<std::size_t>(frame.index)].name;
+    if (widest > assembly.thickness * (1 + 1e-9))
+      assembly.report.notes.push_back(
+          {"frame.wide",
+           {{"name", name.empty() ? std::to_string(frame.index + 1) : name},
+            {"width_mm", 1e3 * widest},
+            {"thickness_mm", 1e3 * assembly.thickness}}});
+  }
+}
+
 // Storeys with their lattices, and what stands on or in them.
 struct Plan {
   std::vector<Storey> storeys;
@@ -324,6 +339,7 @@ bool raise_generated(const Shape& shape, Assembly& assembly, FaultList& faults) 
   lay_blocks(shape, plan, assembly);
   check_slivers(assembly.blocks, storeys, faults);
   check_frames(assembly, faults);
+  note_wide_frames(shape, assembly);
   assign_regions(shape, storeys, openings, assembly, faults);
   add_caps(shape, {0, 0, assembly.length, assembly.height}, assembly, faults);
   return faults.all().size() == before;
@@ -389,6 +405,7 @@ bool raise_from_file(const Shape& shape, Assembly& assembly, FaultList& faults) 
   if (faults.all().size() == before && !shape.frame.empty()) {
     add_frames(place_frames(shape, {}, site_of_file(assembly.blocks, extent), faults), assembly);
     check_frames(assembly, faults);
+    note_wide_frames(shape, assembly);
   }
   const std::vector<Storey> storeys = mark_storeys(shape, extent.y0, assembly, faults);
   if (faults.all().size() == before) assign_regions(shape, storeys, {}, assembly, faults);

@@ -63,7 +63,7 @@ test("every text has all languages and the same places in each", () => {
 
 test("every text that is asked for is in the table, and none is there for nothing", () => {
   const code = [...sources(path.join(root, "web/src")), ...sources(path.join(root, "src/report"))]
-    .filter((f) => /\.(ts|cpp)$/.test(f))
+    .filter((f) => /\.(ts|cpp|h)$/.test(f))
     .map((f) => fs.readFileSync(f, "utf8"))
     .join("\n");
   const asked = [...code.matchAll(/say\(\s*"([^"]+)"/g)].map((m) => m[1]);

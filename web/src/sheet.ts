@@ -203,10 +203,12 @@ function pictures({ header, curve, view }: SheetSource, wide: boolean): Child {
     picture.insertBefore(crackKey(), picture.lastChild);
     shown.push(picture);
   }
-  if (curve.displacement.length > 1)
+  if (curve.displacement.length > 1) {
+    const demand = demandWords(s.assessment);
     shown.push(
-      h("figure", {}, drawCurve(s, curve, wide), curveKey(s), h("figcaption", {}, demandWords(s.assessment))),
+      h("figure", {}, drawCurve(s, curve, wide), curveKey(s), demand === "" ? null : h("figcaption", {}, demand)),
     );
+  }
   return shown.length > 0 ? h("div", { class: wide ? "a4-pictures wide" : "a4-pictures" }, shown) : null;
 }
 

@@ -51,11 +51,17 @@ constexpr Words kWords[] = {{"FM-1", "", "mode.fm_1"},
                             {kCrushing, "sign.crushing", ""},
                             {kFlexural, "sign.flexural", ""},
                             {kBreaking, "sign.breaking_away", ""},
+                            {"unclear", "damage.unclear", ""},
                             {kWholeWall, "part.whole_wall", ""},
                             {kTopJoint, "part.top_joint", ""}};
 
-// A name for a reader: a kind of damage, a sign, or a wall's own joint; else as it is.
+// A name for a reader: a kind of damage, a sign, or a wall's own joint; else as it is. "shear + rocking" by its parts.
 Message words_of(const std::string& name) {
+  constexpr std::string_view kAnd = " + ";
+  if (const std::size_t at = name.find(kAnd); at != std::string::npos)
+    return {"damage.several",
+            {{"kinds", std::vector<Message>{words_of(name.substr(0, at)),
+                                            words_of(name.substr(at + kAnd.size()))}}}};
   for (const Words& w : kWords)
     if (name == w.name && *w.code != '\0') return {w.code};
   return as_text(name);

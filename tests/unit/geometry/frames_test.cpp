@@ -190,6 +190,19 @@ TEST(Frames, two_side_by_side_have_twice_the_section) {
   EXPECT_EQ(two.frames.fibre[3], one.frames.fibre[3]);
 }
 
+TEST(Frames, wider_than_the_wall_are_told) {
+  ModelSpec spec = wall();
+  const auto told = [&] {
+    const Model model = compile(spec);
+    const auto& notes = model.anatomy.notes;
+    return std::any_of(notes.begin(), notes.end(),
+                       [](const Message& note) { return note.code == "frame.wide"; });
+  };
+  EXPECT_FALSE(told());
+  spec.frame[0].count = 40;
+  EXPECT_TRUE(told());
+}
+
 // The outer fibres and the middle have A, I, Npl and Mpl of the profile.
 TEST(Frames, a_section_has_the_stiffnesses_and_strengths_of_its_profile) {
   const Model m = compile(wall());

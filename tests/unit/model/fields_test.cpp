@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "campaign/store/record_rows.h"
 #include "contact/law.h"
@@ -17,7 +18,7 @@
 namespace wythe {
 namespace {
 
-// With a law that remembers all there is to remember, and a link.
+// With a law that remembers all there is to remember, a link, and a frame.
 ModelSpec capped_wall_with_zones() {
   ModelSpec spec = scenes::lintel_wall(LintelModel::kZones);
   for (auto& [name, material] : spec.material)
@@ -29,7 +30,7 @@ ModelSpec capped_wall_with_zones() {
   across.at.x = across.at.y = 0.05;
   across.stiffness = 1e6;
   spec.spring = {across};
-  return spec;
+  return scenes::framed(std::move(spec));
 }
 
 Model wall_with_zones() { return compile(capped_wall_with_zones()); }
