@@ -78,8 +78,8 @@ class Bent {
   Bent(const BentStrip& s, double hinge)
       : s_(s),
         hinge_(hinge),
-        arm_(s.thickness - 2 * s.inset),  // of the upper line behind the lower one
-        ahead_(0.5 * s.thickness - s.inset),
+        arm_(s.at_hinge - 2 * s.inset),  // of the upper line behind the lower one
+        ahead_(s.at_hinge - s.inset - 0.5 * s.at_head),
         above_(s.height - hinge) {}
 
   struct Rates {
@@ -107,7 +107,7 @@ class Bent {
     const double psi = upper_turn(turn), c = std::cos(psi), s = std::sin(psi);
     const Rates at = line(turn);
     const double rate = at.u / (ahead_ * s + above_ * c);  // of psi
-    const double x = s_.thickness - s_.inset - w.behind, z = w.height - hinge_;
+    const double x = s_.at_hinge - s_.inset - w.behind, z = w.height - hinge_;
     return {at.u - rate * (x * s + z * c), at.v + rate * (x * c - z * s)};
   }
   // Work of the weights per turn: what is still needed to bend it on.

@@ -25,6 +25,7 @@ namespace {
 using geometry::Polygon;
 
 constexpr double kStressBlock = 0.85;  // of fc
+constexpr double kSliver = 1e-3;       // beside a bed joint [m]
 constexpr double kNear = 0.011;        // floors find a bed joint within 10 mm [m]
 
 struct Extents {
@@ -131,6 +132,47 @@ class Strip {
     return piece;
   }
 
+  // Blocks of the part that a level line meets.
+  struct Stretch {
+    double from = 0, to = 0, thickness = 0;
+  };
+  [[nodiscard]] std::vector<Stretch> stretches_at(double y) const {
+    std::vector<Stretch> all;
+    for (BlockId b = 0; b < model_.n_block; ++b) {
+      Polygon outline;
+      for (const Vec3& corner : outline_of(model_, b)) outline.push_back({corner.x, corner.y});
+      const geometry::Rect around = geometry::bounds(outline);
+      if (around.y0 > y || around.y1 < y) continue;
+      const double from = std::max(around.x0, x0_), to = std::min(around.x1, x1_);
+      if (to > from) all.push_back({from, to, thickness_at(b)});
+    }
+    return all;
+  }
+  struct Section {
+    double length = 0, thickness = 0;
+  };
+  [[nodiscard]] Section section_above(double y) const {
+    Section section;
+    for (const Stretch& s : stretches_at(y + kSliver)) {
+      section.length += s.to - s.from;
+      section.thickness = std::max(section.thickness, s.thickness);
+    }
+    return section;
+  }
+  // Of what stands on each other at a bed joint.
+  [[nodiscard]] Section section_through(double y) const {
+    Section section;
+    const std::vector<Stretch> above = stretches_at(y + kSliver);
+    for (const Stretch& b : stretches_at(y - kSliver))
+      for (const Stretch& a : above) {
+        const double length = std::min(a.to, b.to) - std::max(a.from, b.from);
+        if (length <= 0) continue;
+        section.length += length;
+        section.thickness = std::max(section.thickness, std::min(a.thickness, b.thickness));
+      }
+    return section;
+  }
+
   void measure() {
     if (!(x1_ > x0_) || x0_ < wall_.left - 1e-9 || x1_ > wall_.right + 1e-6)
       refuse(".right", fmt::format("{:g} m", x1_ - wall_.left),
@@ -149,18 +191,8 @@ class Strip {
              model_.solve.gravity > 0 ? "no masonry with a weight lies between its ends"
                                       : "weighs nothing: gravity is 0",
              "move its ends onto masonry, and give that a density");
-    constexpr double kSliver = 1e-3;  // [m]
-    for (BlockId b = 0; b < model_.n_block; ++b) {
-      Polygon outline;
-      for (const Vec3& corner : outline_of(model_, b)) outline.push_back({corner.x, corner.y});
-      const geometry::Rect around = geometry::bounds(outline);
-      if (around.y0 > y0_ + kSliver || around.y1 < y0_ + kSliver) continue;
-      const double length = std::min(around.x1, x1_) - std::max(around.x0, x0_);
-      if (length <= 0) continue;
-      length_ += length;
-      thickness_ =
-          std::max(thickness_, model_.anatomy.block_thickness[static_cast<std::size_t>(b)]);
-    }
+    const Section at_foot = section_above(y0_);
+    length_ = at_foot.length, thickness_ = at_foot.thickness;
     if (!(thickness_ > 0))
       refuse(".foot", fmt::format("{:g} m", y0_ - wall_.foot),
              "no masonry stands at this height, so there is nothing to turn about",
@@ -257,21 +289,24 @@ class Strip {
     }
   }
 
-  // (21.2): the line lies within the face, where the masonry bears all the load.
+  // (21.2): a line lies within the face, where the masonry bears all the load above it.
+  [[nodiscard]] double inset_on(double height, double length) const {
+    if (std::isfinite(part_.inset)) return part_.inset;
+    if (!std::isfinite(strength_)) return 0;
+    double load = between(y0_ + height, y1_).weight;
+    for (const Lying& lying : lying_) load += lying.height > height ? lying.weight : 0;
+    return load / (2 * kStressBlock * strength_ * length);
+  }
   void find_inset() {
-    double load = masonry_.weight, strength = std::numeric_limits<double>::infinity();
-    for (const Lying& lying : lying_) load += lying.weight;
     for (JointId j = 0; j < model_.n_joint; ++j) {
       const auto kind = model_.anatomy.joint_kind[static_cast<std::size_t>(j)];
       if (kind != JointKind::kBed && kind != JointKind::kFoundation && kind != JointKind::kOther)
         continue;
       const auto m = static_cast<std::size_t>(model_.joint_material[static_cast<std::size_t>(j)]);
-      strength = std::min(strength, model_.materials[m].compressive_strength);
+      strength_ = std::min(strength_, model_.materials[m].compressive_strength);
     }
-    crushes_ = std::isfinite(part_.inset) ? part_.inset > 0 : std::isfinite(strength);
-    const double needed =
-        std::isfinite(strength) ? load / (2 * kStressBlock * strength * length_) : 0;
-    inset_ = std::isfinite(part_.inset) ? part_.inset : needed;
+    crushes_ = std::isfinite(part_.inset) ? part_.inset > 0 : std::isfinite(strength_);
+    inset_ = inset_on(0, length_);
     if (inset_ < 0.5 * thickness_) return;
     refuse(std::isfinite(part_.inset) ? ".inset" : "", fmt::format("{:g} m", inset_),
            fmt::format(
@@ -339,8 +374,14 @@ class Strip {
     if (part_.falls != Fall::kOutwards)
       refuse(".falls", "inwards", "a part whose head is held bends outwards", "leave falls out");
     const double height = y1_ - y0_;
+    double head_thickness = 0;
+    for (const Stretch& s : stretches_at(y1_ - kSliver)) head_thickness = std::max(head_thickness, s.thickness);
     const auto strip_at = [&](double hinge) {
-      BentStrip strip{.height = height, .thickness = thickness_, .inset = inset_};
+      const Section section = section_through(y0_ + hinge);
+      BentStrip strip{.height = height,
+                      .at_hinge = section.thickness,
+                      .at_head = head_thickness,
+                      .inset = std::max(inset_, inset_on(hinge, section.length))};
       const auto masonry = [&](const Piece& piece) {
         return BentStrip::Weight{piece.height(), piece.behind(), piece.weight, piece.weight};
       };
@@ -409,6 +450,7 @@ class Strip {
   double x0_ = 0, x1_ = 0, y0_ = 0, y1_ = 0;
   double thickness_ = 0, length_ = 0;  // at the foot
   double inset_ = 0, lifted_ = 0, pressed_ = 0;
+  double strength_ = std::numeric_limits<double>::infinity();  // in compression [Pa]
   bool crushes_ = false;
   Piece masonry_;
   std::vector<Lying> lying_, above_;
