@@ -370,18 +370,17 @@ struct TwoThicknesses {
     const double line = hinge * std::cos(turn) + depth() * std::sin(turn);
     double sum = 0;
     for (const Weight& p : weights())
-      sum += p.weight * (p.height <= hinge
-                             ? p.height * std::cos(turn) + p.behind * std::sin(turn)
-                             : line + (p.height - hinge) * std::cos(psi) +
-                                   (depth() - p.behind) * std::sin(psi));
+      sum += p.weight * (p.height <= hinge ? p.height * std::cos(turn) + p.behind * std::sin(turn)
+                                           : line + (p.height - hinge) * std::cos(psi) +
+                                                 (depth() - p.behind) * std::sin(psi));
     return sum;
   }
 };
 
 TEST(Local, a_bent_strip_of_two_thicknesses_opens_over_that_at_its_hinge) {
-  const LocalCheck c =
-      only_check(front(kTwoStoreys, std::string(kTwoFloors) +
-                                        "[[assessment.part]]\nname = \"whole\"\nhead_held = true\n"));
+  const LocalCheck c = only_check(
+      front(kTwoStoreys,
+            std::string(kTwoFloors) + "[[assessment.part]]\nname = \"whole\"\nhead_held = true\n"));
   TwoThicknesses least;
   double onset = 1e9;
   for (int i = 1; i < 24; ++i)
@@ -402,6 +401,27 @@ TEST(Local, a_bent_strip_of_two_thicknesses_opens_over_that_at_its_hinge) {
   verify({"LM07g", "the same: travel of that joint where the weights are highest", "m",
           least.travel(a), 1e-6, "a greatest value is known to half the digits"},
          c.capacity.top0);
+}
+
+// The floor at 3 m bears on 50 mm: 3 sin + 0.375 (1 - cos) reaches that before 0.4 of the way.
+TEST(Local, a_bent_strip_loses_a_floor_between_foot_and_head) {
+  std::string floors = kTwoFloors;
+  floors.replace(floors.find("200 mm"), 6, "50 mm");
+  const LocalCheck c = only_check(
+      front(kTwoStoreys, floors + "[[assessment.part]]\nname = \"whole\"\nhead_held = true\n"));
+  const TwoThicknesses strip{c.hinge, 0.05};
+  ASSERT_GT(c.hinge, 3);
+  EXPECT_NEAR(c.capacity.alpha0, strip.onset(), 1e-12);
+  double low = 0, high = 0.2;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (3 * std::sin(middle) + 0.375 * (1 - std::cos(middle)) < 0.05 ? low : high) = middle;
+  }
+  verify({"LM07h", "strip held at its head: d* at which a floor is off its bearing, share of d0*",
+          "-", strip.travel(low) / c.capacity.top0, 1e-9, kExact},
+         c.capacity.slides_off / c.capacity.displacement0);
+  ASSERT_EQ(c.states.size(), 1);
+  EXPECT_EQ(c.states[0].displacement, c.capacity.slides_off);
 }
 
 // --- the same strips by limit analysis

@@ -113,6 +113,22 @@ class Bent {
   // Work of the weights per turn: what is still needed to bend it on.
   [[nodiscard]] double needed(double turn) const {
     double sum = 0;
+  // How far weights have gone along the earthquake.
+  [[nodiscard]] double lower_travel(const BentStrip::Weight& w, double turn) const {
+    return w.height * std::sin(turn) + (w.behind - s_.inset) * (1 - std::cos(turn));
+  }
+  [[nodiscard]] double upper_travel(const BentStrip::Weight& w, double turn) const {
+    const double psi = upper_turn(turn);
+    const double x = s_.at_hinge - s_.inset - w.behind, z = w.height - hinge_;
+    return line_travel(turn) - x * (1 - std::cos(psi)) - z * std::sin(psi);
+  }
+  // Whether a floor has moved by its bearing.
+  [[nodiscard]] bool is_off(double turn) const {
+    bool is = false;
+    for (const auto& w : s_.lower) is |= lower_travel(w, turn) >= w.slides_off;
+    for (const auto& w : s_.upper) is |= upper_travel(w, turn) >= w.slides_off;
+    return is;
+  }
     for (const auto& w : s_.lower) sum += w.weight * lower(w, turn).v;
     for (const auto& w : s_.upper) sum += w.weight * upper(w, turn).v;
     return sum;
@@ -159,6 +175,15 @@ LocalCapacity bending(const BentStrip& strip, double hinge, double gravity) {
   return c;
 }
 
+  for (before = 0, after = kMarch; after < c.rotation0 && !bent.is_off(after);)
+    before = after, after += kMarch;
+  after = std::min(after, c.rotation0);
+  if (!bent.is_off(after)) return c;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (before + after);
+    (bent.is_off(middle) ? after : before) = middle;
+  }
+  c.slides_off = bent.line_travel(before) / hinge * travel;
 double BuildingAt::share() const {
   if (!(height > 0)) return 0;
   return 3.0 * storeys / (2.0 * storeys + 1) * std::min(height / top, 1.0);

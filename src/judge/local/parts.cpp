@@ -383,7 +383,10 @@ class Strip {
                       .at_head = head_thickness,
                       .inset = std::max(inset_, inset_on(hinge, section.length))};
       const auto masonry = [&](const Piece& piece) {
-        return BentStrip::Weight{piece.height(), piece.behind(), piece.weight, piece.weight};
+        return BentStrip::Weight{.height = piece.height(),
+                                 .behind = piece.behind(),
+                                 .weight = piece.weight,
+                                 .pushed = piece.weight};
       };
       const Piece below = between(y0_, y0_ + hinge), above = between(y0_ + hinge, y1_);
       if (below.weight > 0) strip.lower.push_back(masonry(below));
@@ -391,7 +394,7 @@ class Strip {
       for (const Lying& l : lying_) {
         const bool at_head = l.height > height - kNear;
         (l.height <= hinge ? strip.lower : strip.upper)
-            .push_back({l.height, l.behind, l.weight, at_head ? 0 : l.weight});
+            .push_back({l.height, l.behind, l.weight, at_head ? 0 : l.weight, l.slides_off});
       }
       return strip;
     };
