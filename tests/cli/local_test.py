@@ -187,6 +187,14 @@ class Local(unittest.TestCase):
         self.assertFalse(heavy["may_be_signed"])
         self.assertIn("hangs on where they bear", heavy["sentence"])
 
+    def test_ties_let_go_one_at_a_time(self):
+        tie = '[[assessment.part.hold]]\nname = "{}"\nheight = "{}"\nforce = "{}"\ntravel = "{}"\n'
+        long, short = tie.format("B", "1 m", "3 kN", "200 mm"), tie.format("A", "2.8 m", "12 kN", "20 mm")
+        one, both = self.only(wall(PART + long)), self.only(wall(PART + short + long))
+        self.assertGreater(one["alpha0_to_the_end"], 0.15, "it holds to the end")
+        self.assertEqual(both["alpha0_to_the_end"], one["alpha0_to_the_end"])
+        self.assertEqual(both["displacement0_mm"], one["displacement0_mm"])
+
     def test_masonry_that_crushes_moves_the_line_and_asks_for_a_factor(self):
         crushing = '{}"\ncompressive_energy = "40000 N/m'
         soft = self.only(wall(fc=crushing.format("0.2 MPa")))
