@@ -195,6 +195,28 @@ class Local(unittest.TestCase):
         self.assertEqual(both["alpha0_to_the_end"], one["alpha0_to_the_end"])
         self.assertEqual(both["displacement0_mm"], one["displacement0_mm"])
 
+    def test_a_state_that_fails_comes_before_one_without_an_answer(self):
+        text = wall()
+        text = text[:text.index("[assessment.spectrum]")] + """
+[assessment.spectrum]
+kind = "table"
+corner_period = "0.3 s"
+periods = ["0 s", "0.1 s", "0.5 s"]
+accelerations = ["1.2 m/s^2", "3 m/s^2", "2 m/s^2"]
+[assessment.spectra.near_collapse]
+kind = "ntc2018"
+ground_acceleration = "9 m/s^2"
+amplification = 2.5
+corner_period = "0.5 s"
+"""
+        part = self.only(text)
+        self.assertEqual((part["verdict"], part["may_be_signed"]), ("fails", False))
+        self.assertIn("near collapse", part["sentence"])
+
+    def test_a_building_without_damping_is_refused(self):
+        text = wall(PART + 'foot = "1 m"\n').replace('corner_period = "0.3 s"', 'corner_period = "0.3 s"\ndamping = 0')
+        self.assertIn("assessment.spectrum.damping", self.refused(text))
+
     def test_masonry_that_crushes_moves_the_line_and_asks_for_a_factor(self):
         crushing = '{}"\ncompressive_energy = "40000 N/m'
         soft = self.only(wall(fc=crushing.format("0.2 MPa")))
