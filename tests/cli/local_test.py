@@ -217,6 +217,13 @@ corner_period = "0.5 s"
         text = wall(PART + 'foot = "1 m"\n').replace('corner_period = "0.3 s"', 'corner_period = "0.3 s"\ndamping = 0')
         self.assertIn("assessment.spectrum.damping", self.refused(text))
 
+    def test_parts_of_one_name_and_teeth_beyond_the_part_are_refused(self):
+        self.limit(wall(PART + PART), code=2)
+        self.assertIn("two parts have this name", self.done.stderr)
+        teeth = PART + 'teeth = {{ corners = 2, length = "{}", course = "250 mm", friction = 0.5 }}\n'
+        self.assertIn("assessment.part.front.teeth.length", self.refused(wall(teeth.format("1.1 m"))))
+        self.only(wall(teeth.format("0.9 m")))
+
     def test_masonry_that_crushes_moves_the_line_and_asks_for_a_factor(self):
         crushing = '{}"\ncompressive_energy = "40000 N/m'
         soft = self.only(wall(fc=crushing.format("0.2 MPa")))

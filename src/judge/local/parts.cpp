@@ -419,6 +419,11 @@ class Strip {
     constexpr double kApart = 1e-3;  // [m]
     std::vector<double> all, joints;
     for (BlockId b = 0; b < model_.n_block; ++b) {
+    if (t.corners * t.length > x1_ - x0_ + 1e-9)
+      refuse(
+          ".teeth.length", fmt::format("{:g} m", t.length),
+          fmt::format("teeth at {} corners are longer than the part, {:g} m", t.corners, x1_ - x0_),
+          "write the thickness of a wall across");
       double top = -std::numeric_limits<double>::infinity();
       for (const Vec3& corner : outline_of(model_, b)) top = std::max(top, corner.y);
       if (top > y0_ + kApart && top < y1_ - kApart) all.push_back(top - y0_);
