@@ -224,6 +224,30 @@ corner_period = "0.5 s"
         self.assertIn("assessment.part.front.teeth.length", self.refused(wall(teeth.format("1.1 m"))))
         self.only(wall(teeth.format("0.9 m")))
 
+    def test_a_piece_of_a_wall_gets_its_own_stretch_of_a_floor(self):
+        floor = FLOOR.format(load="12 kN/m", bearing='bearing = "100 mm"\n')
+        piece = self.only(wall(floor + PART + 'left = "0.55 m"\nright = "0.95 m"\n'))
+        self.assertAlmostEqual(piece["floors_kN"], 12 * 0.4, places=9)
+        whole = self.only(wall(floor))["floors_kN"]
+        for at in ("0.5 m", "0.75 m", "0.83 m"):
+            for load in (floor, floor + 'joists = ["0.5 m", "1.25 m"]\n'.replace("joists", "x = \"0.2 m\"\nwidth = \"1.6 m\"\njoists")):
+                load = load.replace('bearing = "100 mm"\n', "") if "joists" in load else load
+                bearing = 'bearing = "100 mm"\n'
+                halves = [self.only(wall(load + PART + bearing + ends))["floors_kN"] for ends in (f'right = "{at}"\n', f'left = "{at}"\n')]
+                self.assertAlmostEqual(sum(halves), whole if "joists" not in load else 12 * 1.6, places=9, msg=(at, halves))
+        two = self.only(wall(floor + floor.replace('"roof"', '"snow"').replace("12 kN", "4 kN").replace("100 mm", "200 mm")))
+        weight = 1800 * 9.81 * 2 * 3 * 0.3
+        self.assertAlmostEqual(two["alpha0"], (weight * 0.15 + 24e3 * 0.25 + 8e3 * 0.2) / (weight * 1.5 + 32e3 * 3), places=9)
+
+    def test_a_part_that_falls_inwards_keeps_its_floor(self):
+        floor = FLOOR.format(load="6 kN/m", bearing='bearing = "20 mm"\n')
+        lost = self.only(wall(floor + PART))
+        self.assertTrue(any("off its bearing" in note for note in lost["notes"]))
+        kept = self.only(wall(floor + PART + 'falls = "inwards"\n'))
+        self.assertFalse(any("off its bearing" in note for note in kept["notes"]))
+        state = kept["limit_states"][0]
+        self.assertAlmostEqual(state["displacement_mm"], 0.4 * kept["displacement0_mm"], places=9)
+
     def test_masonry_that_crushes_moves_the_line_and_asks_for_a_factor(self):
         crushing = '{}"\ncompressive_energy = "40000 N/m'
         soft = self.only(wall(fc=crushing.format("0.2 MPa")))

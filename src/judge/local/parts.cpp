@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <set>
 
 #include "core/text.h"
 #include "geometry/polygon.h"
@@ -199,21 +201,49 @@ class Strip {
              "write the height of a bed joint below the part");
   }
 
-  // The floor that lies at a place, and how deep it bears.
-  [[nodiscard]] const FloorSpec* floor_at(double x, double y) const {
+  [[nodiscard]] std::pair<double, double> range_of(const FloorSpec& floor) const {
+    const double from = wall_.left + (std::isfinite(floor.x) ? floor.x : 0);
+    return {from, std::isfinite(floor.width) ? from + floor.width : wall_.right};
+  }
+  // Half the stretch on which a load lies: about its middle, up to the nearer end of the block's side there.
+  [[nodiscard]] double half_of(BlockId block, double x, double y) const {
+    constexpr double kLevel = 1e-4;  // [m]
+    double left = std::numeric_limits<double>::infinity(), right = -left;
+    const auto reach = [&](bool all) {
+      for (const Vec3& corner : outline_of(model_, block))
+        if (all || std::fabs(corner.y - y) < kLevel)
+          left = std::min(left, corner.x), right = std::max(right, corner.x);
+    };
+    reach(false);
+    if (!(right > left)) reach(true);
+    return std::max(0.0, std::min(x - left, right - x));
+  }
+  // The floor that brings this load. Two floors may lie at one place, and other loads beside them.
+  struct Brought {
+    const FloorSpec* floor = nullptr;
+    double half = 0;                    // of the stretch on which it lies [m]
+    const FloorSpec* beside = nullptr;  // one at the same place
+  };
+  [[nodiscard]] Brought floor_at(BlockId block, double x, double y, double weight) const {
+    constexpr double kSame = 1e-6;
+    Brought by{nullptr, half_of(block, x, y)};
     for (const FloorSpec& floor : spec_.floor) {
       double level = floor.y;
       for (std::size_t k = 0; k < model_.anatomy.storey_name.size(); ++k)
         if (!floor.storey.empty() && model_.anatomy.storey_name[k] == floor.storey)
           level = model_.anatomy.storey_top[k] - wall_.foot;
-      const double from = std::isfinite(floor.x) ? floor.x : 0;
-      const double to = std::isfinite(floor.width) ? from + floor.width : wall_.right - wall_.left;
-      const double along = x - wall_.left;
-      if (std::fabs(y - wall_.foot - level) <= kNear && along >= from - kNear &&
-          along <= to + kNear)
-        return &floor;
+      const auto [from, to] = range_of(floor);
+      if (!(std::fabs(y - wall_.foot - level) <= kNear && floor.load > 0)) continue;
+      if (floor.joists.empty()) {
+        const double half = std::min({by.half, x - from, to - x});
+        if (std::fabs(weight - floor.load * 2 * half) < kSame * weight) return {&floor, half};
+        by.beside = &floor;
+        continue;
+      }
+      for (const double joist : floor.joists)
+        if (std::fabs(wall_.left + joist - x) < kNear) return {&floor, 0};
     }
-    return nullptr;
+    return by;
   }
   [[nodiscard]] double bearing_of(const FloorSpec& floor) const {
     const double bearing = std::isfinite(part_.bearing) ? part_.bearing : floor.bearing;
@@ -232,26 +262,43 @@ class Strip {
       if (kind == StageKind::kPush || kind == StageKind::kBodyForce || kind == StageKind::kTilt ||
           kind == StageKind::kShake)
         break;
+  // Of a load on x - half to x + half.
+  [[nodiscard]] double share_within(double x, double half) const {
+    constexpr double kPoint = 1e-9;  // [m]
+    if (half > kPoint)
+      return std::max(0.0, std::min(x + half, x1_) - std::max(x - half, x0_)) / (2 * half);
+    const bool is_last = x1_ > wall_.right - kPoint;  // a point at a common end lies on one part
+    return x >= x0_ && (x < x1_ || is_last) ? 1 : 0;
+  }
+
       for (const PointLoad& load : stage.loads) {
+    std::map<const FloorSpec*, double> found;  // [N]
+    std::set<const FloorSpec*> beside;
         const auto i = static_cast<std::size_t>(load.block);
         const double x = model_.centroid_x[i] + load.arm_x, y = model_.centroid_y[i] + load.arm_y;
-        if (x < x0_ || x > x1_ || y <= y0_ + 1e-9) continue;
+        if (y <= y0_ + 1e-9) continue;
+        const Brought by = floor_at(load.block, x, y, -load.fy);
+        if (by.floor == nullptr && by.beside != nullptr && load.fy < 0) beside.insert(by.beside);
+        if (by.floor != nullptr) found[by.floor] -= load.fy;
+        const double weight = -load.fy * share_within(x, by.half),
+                     thickness = thickness_at(load.block);
+        if (weight == 0) continue;
+        if (weight < 0 && y <= y1_ + 1e-9) lifted_ -= weight;
+        if (!(weight > 0)) continue;
+        if (by.floor == nullptr) other_ += weight;
         if (y > y1_ + 1e-9) {
-          if (load.fy < 0) above_.push_back({y1_ - y0_, 0.5 * thickness_at(load.block), -load.fy});
+          above_.push_back({y1_ - y0_, 0.5 * thickness, weight});
           continue;
         }
-        if (load.fy > 0) lifted_ += load.fy;
-        if (!(load.fy < 0)) continue;
-        const double thickness = thickness_at(load.block);
-        Lying lying{y - y0_, 0.5 * thickness, -load.fy, std::numeric_limits<double>::infinity()};
-        if (const FloorSpec* floor = floor_at(x, y); floor != nullptr) {
-          const double bearing = bearing_of(*floor);
+        Lying lying{y - y0_, 0.5 * thickness, weight, std::numeric_limits<double>::infinity()};
+        if (by.floor != nullptr) {
+          const double bearing = bearing_of(*by.floor);
           if (bearing > thickness)
             refuse(".bearing", fmt::format("{:g} m", bearing),
                    fmt::format("is deeper than the wall is thick there, {:g} m", thickness),
                    "write how much of the thickness the floor lies on");
           lying.behind = thickness - 0.5 * bearing;
-          lying.slides_off = bearing;
+          if (part_.falls == Fall::kOutwards) lying.slides_off = bearing;  // else it goes under it
           lying.is_floor = true;
         }
         lying_.push_back(lying);
@@ -263,6 +310,16 @@ class Strip {
   void gather_above() {
     const Piece masonry = y1_ < wall_.top - 1e-6 ? between(y1_, wall_.top) : Piece{};
     if (masonry.weight > 0) above_.push_back({y1_ - y0_, masonry.behind(), masonry.weight});
+    // a floor's load that is not known as such would lie in the middle of the wall
+    for (const FloorSpec* floor : beside) {
+      const auto [from, to] = range_of(*floor);
+      if (found[floor] > (1 - 1e-3) * floor->load * (to - from)) continue;
+      refuse("", "",
+             fmt::format("loads at floor {} are not told from its own",
+                         floor->name.empty() ? std::to_string(floor - spec_.floor.data() + 1)
+                                             : floor->name),
+             "write each load there as a [[floor]] with its bearing");
+    }
     double weight = 0;
     for (const Lying& load : above_) weight += load.weight;
     if (!(weight > 1e-6 * masonry_.weight)) return;
@@ -362,6 +419,11 @@ class Strip {
   }
 
   void bend(LocalCheck& out) const {
+    if (t.corners * t.length > x1_ - x0_ + 1e-9)
+      refuse(
+          ".teeth.length", fmt::format("{:g} m", t.length),
+          fmt::format("teeth at {} corners are longer than the part, {:g} m", t.corners, x1_ - x0_),
+          "write the thickness of a wall across");
     if (part_.lean != 0)
       refuse(".lean", fmt::format("{:g} rad", part_.lean),
              "is of a part whose head is free: this one bends between foot and head",
@@ -375,7 +437,8 @@ class Strip {
       refuse(".falls", "inwards", "a part whose head is held bends outwards", "leave falls out");
     const double height = y1_ - y0_;
     double head_thickness = 0;
-    for (const Stretch& s : stretches_at(y1_ - kSliver)) head_thickness = std::max(head_thickness, s.thickness);
+    for (const Stretch& s : stretches_at(y1_ - kSliver))
+      head_thickness = std::max(head_thickness, s.thickness);
     const auto strip_at = [&](double hinge) {
       const Section section = section_through(y0_ + hinge);
       BentStrip strip{.height = height,
@@ -457,7 +520,7 @@ class Strip {
   Extents wall_;
   double x0_ = 0, x1_ = 0, y0_ = 0, y1_ = 0;
   double thickness_ = 0, length_ = 0;  // at the foot
-  double inset_ = 0, lifted_ = 0, pressed_ = 0;
+  double inset_ = 0, lifted_ = 0, pressed_ = 0, other_ = 0;
   double strength_ = std::numeric_limits<double>::infinity();  // in compression [Pa]
   bool crushes_ = false;
   Piece masonry_;
