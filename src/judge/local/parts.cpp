@@ -108,6 +108,10 @@ class Strip {
   [[nodiscard]] double thickness_at(BlockId block) const {
     return model_.anatomy.block_thickness[static_cast<std::size_t>(block)];
   }
+  // Steel is no masonry.
+  [[nodiscard]] bool is_frame(BlockId block) const {
+    return model_.anatomy.block_role[static_cast<std::size_t>(block)] == BlockRole::kFrame;
+  }
   [[nodiscard]] Polygon box(double y0, double y1) const {
     return {{x0_, y0}, {x1_, y0}, {x1_, y1}, {x0_, y1}};
   }
@@ -115,6 +119,7 @@ class Strip {
     Piece piece;
     const Polygon frame = box(y0, y1);
     for (BlockId b = 0; b < model_.n_block; ++b) {
+      if (is_frame(b)) continue;
       Polygon outline;
       for (const Vec3& corner : outline_of(model_, b)) outline.push_back({corner.x, corner.y});
       const geometry::Rect around = geometry::bounds(outline);
@@ -141,6 +146,7 @@ class Strip {
   [[nodiscard]] std::vector<Stretch> stretches_at(double y) const {
     std::vector<Stretch> all;
     for (BlockId b = 0; b < model_.n_block; ++b) {
+      if (is_frame(b)) continue;
       Polygon outline;
       for (const Vec3& corner : outline_of(model_, b)) outline.push_back({corner.x, corner.y});
       const geometry::Rect around = geometry::bounds(outline);
@@ -256,12 +262,6 @@ class Strip {
     return bearing;
   }
 
-  void gather_loads() {
-    for (const Stage& stage : model_.stages) {
-      const StageKind kind = stage.spec.kind;
-      if (kind == StageKind::kPush || kind == StageKind::kBodyForce || kind == StageKind::kTilt ||
-          kind == StageKind::kShake)
-        break;
   // Of a load on x - half to x + half.
   [[nodiscard]] double share_within(double x, double half) const {
     constexpr double kPoint = 1e-9;  // [m]
@@ -271,9 +271,15 @@ class Strip {
     return x >= x0_ && (x < x1_ || is_last) ? 1 : 0;
   }
 
-      for (const PointLoad& load : stage.loads) {
+  void gather_loads() {
     std::map<const FloorSpec*, double> found;  // [N]
     std::set<const FloorSpec*> beside;
+    for (const Stage& stage : model_.stages) {
+      const StageKind kind = stage.spec.kind;
+      if (kind == StageKind::kPush || kind == StageKind::kBodyForce || kind == StageKind::kTilt ||
+          kind == StageKind::kShake)
+        break;
+      for (const PointLoad& load : stage.loads) {
         const auto i = static_cast<std::size_t>(load.block);
         const double x = model_.centroid_x[i] + load.arm_x, y = model_.centroid_y[i] + load.arm_y;
         if (y <= y0_ + 1e-9) continue;
@@ -304,12 +310,6 @@ class Strip {
         lying_.push_back(lying);
       }
     }
-  }
-
-  // What stands on the part presses its head where that is held; where it is free, it would fall along.
-  void gather_above() {
-    const Piece masonry = y1_ < wall_.top - 1e-6 ? between(y1_, wall_.top) : Piece{};
-    if (masonry.weight > 0) above_.push_back({y1_ - y0_, masonry.behind(), masonry.weight});
     // a floor's load that is not known as such would lie in the middle of the wall
     for (const FloorSpec* floor : beside) {
       const auto [from, to] = range_of(*floor);
@@ -320,6 +320,12 @@ class Strip {
                                              : floor->name),
              "write each load there as a [[floor]] with its bearing");
     }
+  }
+
+  // What stands on the part presses its head where that is held; where it is free, it would fall along.
+  void gather_above() {
+    const Piece masonry = y1_ < wall_.top - 1e-6 ? between(y1_, wall_.top) : Piece{};
+    if (masonry.weight > 0) above_.push_back({y1_ - y0_, masonry.behind(), masonry.weight});
     double weight = 0;
     for (const Lying& load : above_) weight += load.weight;
     if (!(weight > 1e-6 * masonry_.weight)) return;
@@ -413,17 +419,17 @@ class Strip {
   [[nodiscard]] double teeth() const {
     const TeethSpec& t = part_.teeth;
     if (t.corners == 0) return 0;
+    if (t.corners * t.length > x1_ - x0_ + 1e-9)
+      refuse(
+          ".teeth.length", fmt::format("{:g} m", t.length),
+          fmt::format("teeth at {} corners are longer than the part, {:g} m", t.corners, x1_ - x0_),
+          "write the thickness of a wall across");
     const double height = y1_ - y0_, area = t.length * thickness_;
     const double unit_weight = masonry_.weight / masonry_.volume;
     return t.corners * t.friction * unit_weight * area * height * height * height / (6 * t.course);
   }
 
   void bend(LocalCheck& out) const {
-    if (t.corners * t.length > x1_ - x0_ + 1e-9)
-      refuse(
-          ".teeth.length", fmt::format("{:g} m", t.length),
-          fmt::format("teeth at {} corners are longer than the part, {:g} m", t.corners, x1_ - x0_),
-          "write the thickness of a wall across");
     if (part_.lean != 0)
       refuse(".lean", fmt::format("{:g} rad", part_.lean),
              "is of a part whose head is free: this one bends between foot and head",
@@ -482,11 +488,7 @@ class Strip {
     constexpr double kApart = 1e-3;  // [m]
     std::vector<double> all, joints;
     for (BlockId b = 0; b < model_.n_block; ++b) {
-    if (t.corners * t.length > x1_ - x0_ + 1e-9)
-      refuse(
-          ".teeth.length", fmt::format("{:g} m", t.length),
-          fmt::format("teeth at {} corners are longer than the part, {:g} m", t.corners, x1_ - x0_),
-          "write the thickness of a wall across");
+      if (is_frame(b)) continue;
       double top = -std::numeric_limits<double>::infinity();
       for (const Vec3& corner : outline_of(model_, b)) top = std::max(top, corner.y);
       if (top > y0_ + kApart && top < y1_ - kApart) all.push_back(top - y0_);
@@ -499,6 +501,15 @@ class Strip {
 
   void say_what_is_left_out(LocalCheck& out) const {
     if (lying_.empty()) out.notes.push_back({"local.note.no_floors"});
+    for (BlockId b = 0; b < model_.n_block; ++b)
+      if (is_frame(b)) {
+        out.notes.push_back({"local.note.frame"});
+        break;
+      }
+    if (other_ > 0 && other_ + out.floors > masonry_.weight)
+      out.cautions.push_back(
+          {"local.caution.heavy_loads",
+           {{"loads_kN", 1e-3 * other_}, {"masonry_kN", 1e-3 * masonry_.weight}}});
     if (out.floors > masonry_.weight)
       out.cautions.push_back(
           {"local.caution.heavy_floors",
