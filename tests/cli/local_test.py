@@ -201,6 +201,11 @@ class Local(unittest.TestCase):
         two = self.only(wall(floor + floor.replace('"roof"', '"snow"').replace("12 kN", "4 kN").replace("100 mm", "200 mm")))
         weight = 1800 * 9.81 * 2 * 3 * 0.3
         self.assertAlmostEqual(two["alpha0"], (weight * 0.15 + 24e3 * 0.25 + 8e3 * 0.2) / (weight * 1.5 + 32e3 * 3), places=9)
+        # loads of one size at one place: each floor takes its own, and no more
+        two = self.only(wall(floor + floor.replace('"roof"', '"snow"').replace("100 mm", "200 mm")))
+        self.assertAlmostEqual(two["alpha0"], (weight * 0.15 + 24e3 * 0.25 + 24e3 * 0.2) / (weight * 1.5 + 48e3 * 3), places=9)
+        pressed = wall(floor).replace('[[stage]]\nname = "push"', '[[stage]]\nname = "floors"\npressure = "0.04 MPa"\n[[stage]]\nname = "push"')
+        self.assertEqual(self.only(pressed)["floors_kN"], 24)
 
     def test_heavy_loads_that_are_no_floors_are_not_signed(self):
         pressed = wall().replace('[[stage]]\nname = "push"', '[[stage]]\nname = "floors"\npressure = "{}"\n[[stage]]\nname = "push"')

@@ -230,7 +230,9 @@ class Strip {
     double half = 0;                    // of the stretch on which it lies [m]
     const FloorSpec* beside = nullptr;  // one at the same place
   };
-  [[nodiscard]] Brought floor_at(BlockId block, double x, double y, double weight) const {
+  using Found = std::map<const FloorSpec*, double>;  // loads told so far [N]
+  [[nodiscard]] Brought floor_at(BlockId block, double x, double y, double weight,
+                                 Found& found) const {
     constexpr double kSame = 1e-6;
     Brought by{nullptr, half_of(block, x, y)};
     for (const FloorSpec& floor : spec_.floor) {
@@ -240,14 +242,19 @@ class Strip {
           level = model_.anatomy.storey_top[k] - wall_.foot;
       const auto [from, to] = range_of(floor);
       if (!(std::fabs(y - wall_.foot - level) <= kNear && floor.load > 0)) continue;
-      if (floor.joists.empty()) {
-        const double half = std::min({by.half, x - from, to - x});
-        if (std::fabs(weight - floor.load * 2 * half) < kSame * weight) return {&floor, half};
-        by.beside = &floor;
+      const double half = floor.joists.empty() ? std::min({by.half, x - from, to - x}) : 0;
+      const bool is_its_own =
+          floor.joists.empty()
+              ? std::fabs(weight - floor.load * 2 * half) < kSame * weight
+              : std::any_of(floor.joists.begin(), floor.joists.end(), [&](double joist) {
+                  return std::fabs(wall_.left + joist - x) < kNear;
+                });
+      by.beside = &floor;
+      double& told = found[&floor];
+      if (!is_its_own || weight < 0 || told + weight > (1 + kSame) * floor.load * (to - from))
         continue;
-      }
-      for (const double joist : floor.joists)
-        if (std::fabs(wall_.left + joist - x) < kNear) return {&floor, 0};
+      told += weight;
+      return {&floor, half};
     }
     return by;
   }
@@ -272,7 +279,7 @@ class Strip {
   }
 
   void gather_loads() {
-    std::map<const FloorSpec*, double> found;  // [N]
+    Found found;
     std::set<const FloorSpec*> beside;
     for (const Stage& stage : model_.stages) {
       const StageKind kind = stage.spec.kind;
@@ -283,9 +290,8 @@ class Strip {
         const auto i = static_cast<std::size_t>(load.block);
         const double x = model_.centroid_x[i] + load.arm_x, y = model_.centroid_y[i] + load.arm_y;
         if (y <= y0_ + 1e-9) continue;
-        const Brought by = floor_at(load.block, x, y, -load.fy);
+        const Brought by = floor_at(load.block, x, y, -load.fy, found);
         if (by.floor == nullptr && by.beside != nullptr && load.fy < 0) beside.insert(by.beside);
-        if (by.floor != nullptr) found[by.floor] -= load.fy;
         const double weight = -load.fy * share_within(x, by.half),
                      thickness = thickness_at(load.block);
         if (weight == 0) continue;
