@@ -61,13 +61,15 @@ struct LocalCapacity {
 // --- two bodies between a foot and a head that is held --------------------------------------------------
 
 // A strip that bends outwards. The lower body turns about its face at the foot, the upper one about the inner face at
-// `hinge`; its head moves up and down in the middle of its thickness.
+// `hinge`, of what stands there on each other; its head moves up and down in the middle of its thickness.
 struct BentStrip {
-  double height = 0, thickness = 0;  // [m]
+  double height = 0;                 // [m]
+  double at_hinge = 0, at_head = 0;  // thicknesses; outer faces are flush [m]
   double inset = 0;                  // of all lines from the faces [m]
   // Weights by height above the foot and distance behind the outer face. Those at the head press and are not pushed.
   struct Weight {
     double height = 0, behind = 0, weight = 0, pushed = 0;
+    double slides_off = std::numeric_limits<double>::infinity();  // a floor, beyond this travel [m]
   };
   std::vector<Weight> lower = {}, upper = {};
 };

@@ -187,6 +187,90 @@ class Local(unittest.TestCase):
         self.assertFalse(heavy["may_be_signed"])
         self.assertIn("hangs on where they bear", heavy["sentence"])
 
+    def test_a_piece_of_a_wall_gets_its_own_stretch_of_a_floor(self):
+        floor = FLOOR.format(load="12 kN/m", bearing='bearing = "100 mm"\n')
+        piece = self.only(wall(floor + PART + 'left = "0.55 m"\nright = "0.95 m"\n'))
+        self.assertAlmostEqual(piece["floors_kN"], 12 * 0.4, places=9)
+        whole = self.only(wall(floor))["floors_kN"]
+        for at in ("0.5 m", "0.75 m", "0.83 m"):
+            for load in (floor, floor + 'joists = ["0.5 m", "1.25 m"]\n'.replace("joists", "x = \"0.2 m\"\nwidth = \"1.6 m\"\njoists")):
+                load = load.replace('bearing = "100 mm"\n', "") if "joists" in load else load
+                bearing = 'bearing = "100 mm"\n'
+                halves = [self.only(wall(load + PART + bearing + ends))["floors_kN"] for ends in (f'right = "{at}"\n', f'left = "{at}"\n')]
+                self.assertAlmostEqual(sum(halves), whole if "joists" not in load else 12 * 1.6, places=9, msg=(at, halves))
+        two = self.only(wall(floor + floor.replace('"roof"', '"snow"').replace("12 kN", "4 kN").replace("100 mm", "200 mm")))
+        weight = 1800 * 9.81 * 2 * 3 * 0.3
+        self.assertAlmostEqual(two["alpha0"], (weight * 0.15 + 24e3 * 0.25 + 8e3 * 0.2) / (weight * 1.5 + 32e3 * 3), places=9)
+        # loads of one size at one place: each floor takes its own, and no more
+        two = self.only(wall(floor + floor.replace('"roof"', '"snow"').replace("100 mm", "200 mm")))
+        self.assertAlmostEqual(two["alpha0"], (weight * 0.15 + 24e3 * 0.25 + 24e3 * 0.2) / (weight * 1.5 + 48e3 * 3), places=9)
+        pressed = wall(floor).replace('[[stage]]\nname = "push"', '[[stage]]\nname = "floors"\npressure = "0.04 MPa"\n[[stage]]\nname = "push"')
+        self.assertEqual(self.only(pressed)["floors_kN"], 24)
+
+    def test_heavy_loads_that_are_no_floors_are_not_signed(self):
+        pressed = wall().replace('[[stage]]\nname = "push"', '[[stage]]\nname = "floors"\npressure = "{}"\n[[stage]]\nname = "push"')
+        light = self.only(pressed.replace("{}", "0.02 MPa"))
+        self.assertTrue(light["may_be_signed"], light["cautions"])
+        heavy = self.only(pressed.replace("{}", "0.2 MPa"))
+        self.assertFalse(heavy["may_be_signed"])
+        self.assertIn("loads that are no floors, 120 kN", heavy["sentence"])
+
+    def test_a_steel_frame_is_no_masonry(self):
+        door = '[[wall.opening]]\nname = "door"\nx = "0.5 m"\ny = "0 m"\nwidth = "1 m"\nheight = "2 m"\n'
+        frame = ('[[frame]]\nname = "F"\nround = "door"\nfeet = "fixed"\nprofile = "HEB 120"\nbeam_profile = "HEB 140"\ncount = 2\n'
+                 'grade = "S275"\njoint = "joint"\n')
+        for part in (PART, PART + "head_held = true\n"):
+            bare, steel = self.only(wall(door + part)), self.only(wall(door + frame + part))
+            for key in ("alpha0", "masonry_kN", "hinge_m", "displacement0_mm"):
+                self.assertEqual(bare[key], steel[key], key)
+            self.assertTrue(any("steel frames are no masonry" in note for note in steel["notes"]))
+
+    def test_a_part_that_falls_inwards_keeps_its_floor(self):
+        floor = FLOOR.format(load="6 kN/m", bearing='bearing = "20 mm"\n')
+        lost = self.only(wall(floor + PART))
+        self.assertTrue(any("off its bearing" in note for note in lost["notes"]))
+        kept = self.only(wall(floor + PART + 'falls = "inwards"\n'))
+        self.assertFalse(any("off its bearing" in note for note in kept["notes"]))
+        state = kept["limit_states"][0]
+        self.assertAlmostEqual(state["displacement_mm"], 0.4 * kept["displacement0_mm"], places=9)
+
+    def test_a_state_that_fails_comes_before_one_without_an_answer(self):
+        text = wall()
+        text = text[:text.index("[assessment.spectrum]")] + """
+[assessment.spectrum]
+kind = "table"
+corner_period = "0.3 s"
+periods = ["0 s", "0.1 s", "0.5 s"]
+accelerations = ["1.2 m/s^2", "3 m/s^2", "2 m/s^2"]
+[assessment.spectra.near_collapse]
+kind = "ntc2018"
+ground_acceleration = "9 m/s^2"
+amplification = 2.5
+corner_period = "0.5 s"
+"""
+        part = self.only(text)
+        self.assertEqual((part["verdict"], part["may_be_signed"]), ("fails", False))
+        self.assertIn("near collapse", part["sentence"])
+
+    def test_a_building_without_damping_is_refused(self):
+        text = wall(PART + 'foot = "1 m"\n').replace('corner_period = "0.3 s"', 'corner_period = "0.3 s"\ndamping = 0')
+        self.assertIn("assessment.spectrum.damping", self.refused(text))
+
+    def test_ties_let_go_one_at_a_time(self):
+        tie = '[[assessment.part.hold]]\nname = "{}"\nheight = "{}"\nforce = "{}"\ntravel = "{}"\n'
+        long, short = tie.format("B", "1 m", "3 kN", "200 mm"), tie.format("A", "2.8 m", "12 kN", "20 mm")
+        one, both = self.only(wall(PART + long)), self.only(wall(PART + short + long))
+        self.assertGreater(one["alpha0_to_the_end"], 0.15, "it holds to the end")
+        self.assertEqual(both["alpha0_to_the_end"], one["alpha0_to_the_end"])
+        self.assertEqual(both["displacement0_mm"], one["displacement0_mm"])
+
+    def test_parts_of_one_name_and_teeth_beyond_the_part_are_refused(self):
+        self.limit(wall(PART + PART), code=2)
+        self.assertIn("two parts have this name", self.done.stderr)
+        teeth = PART + 'teeth = {{ corners = 2, length = "{}", course = "250 mm", friction = 0.5 }}\n'
+        self.assertIn("assessment.part.front.teeth.length", self.refused(wall(teeth.format("1.1 m"))))
+        self.only(wall(teeth.format("0.9 m")))
+
     def test_masonry_that_crushes_moves_the_line_and_asks_for_a_factor(self):
         crushing = '{}"\ncompressive_energy = "40000 N/m'
         soft = self.only(wall(fc=crushing.format("0.2 MPa")))

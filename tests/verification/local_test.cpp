@@ -317,6 +317,113 @@ TEST(Local, what_stands_above_presses_a_head_that_is_held) {
          c.capacity.alpha0);
 }
 
+// Two thicknesses: 0.4 m below 3 m, 0.3 m above. The upper body turns about the inner face of what it stands on: of 0.4 m
+// below that height, of 0.3 m there and above. The middle of the head, 0.15 m behind the outer face, moves up and down.
+struct TwoThicknesses {
+  double hinge = 0, bearing = 0.2;
+  struct Weight {
+    double weight = 0, height = 0, behind = 0;
+    bool is_at_head = false;
+  };
+  [[nodiscard]] double depth() const { return hinge < 2.99 ? 0.4 : 0.3; }
+  [[nodiscard]] std::vector<Weight> weights() const {
+    const double w = kDensity * kG * 2;
+    std::vector<Weight> all;
+    const auto masonry = [&](double from, double to, double t) {
+      if (to > from) all.push_back({w * t * (to - from), 0.5 * (from + to), 0.5 * t});
+    };
+    masonry(0, std::min(hinge, 3.0), 0.4), masonry(hinge, 3, 0.4);
+    masonry(3, hinge, 0.3), masonry(std::max(hinge, 3.0), 6, 0.3);
+    all.push_back({20e3, 3, 0.4 - 0.5 * bearing});
+    all.push_back({12e3, 6, 0.225, true});
+    return all;
+  }
+  [[nodiscard]] double onset() const {
+    const double rate = hinge / (6 - hinge);
+    double work = 0, push = 0;
+    for (const Weight& p : weights()) {
+      const bool is_lower = p.height <= hinge;
+      work += p.weight * (is_lower ? p.behind : depth() + rate * (depth() - p.behind));
+      if (!p.is_at_head)
+        push += p.weight * (is_lower ? p.height : hinge - rate * (p.height - hinge));
+    }
+    return work / push;
+  }
+  [[nodiscard]] double travel(double turn) const {
+    return hinge * std::sin(turn) + depth() * (1 - std::cos(turn));
+  }
+  // Turn of the upper body.
+  [[nodiscard]] double back(double turn) const {
+    const double ahead = depth() - 0.15;
+    double low = 0, high = M_PI / 2;
+    for (int i = 0; i < 60; ++i) {
+      const double psi = 0.5 * (low + high);
+      const double head =
+          travel(turn) + ahead * std::cos(psi) - (6 - hinge) * std::sin(psi) - ahead;
+      (head > 0 ? low : high) = psi;
+    }
+    return low;
+  }
+  // Sum of weight times height.
+  [[nodiscard]] double energy(double turn) const {
+    const double psi = back(turn);
+    const double line = hinge * std::cos(turn) + depth() * std::sin(turn);
+    double sum = 0;
+    for (const Weight& p : weights())
+      sum += p.weight * (p.height <= hinge ? p.height * std::cos(turn) + p.behind * std::sin(turn)
+                                           : line + (p.height - hinge) * std::cos(psi) +
+                                                 (depth() - p.behind) * std::sin(psi));
+    return sum;
+  }
+};
+
+TEST(Local, a_bent_strip_of_two_thicknesses_opens_over_that_at_its_hinge) {
+  const LocalCheck c = only_check(
+      front(kTwoStoreys,
+            std::string(kTwoFloors) + "[[assessment.part]]\nname = \"whole\"\nhead_held = true\n"));
+  TwoThicknesses least;
+  double onset = 1e9;
+  for (int i = 1; i < 24; ++i)
+    if (const TwoThicknesses at{0.25 * i}; at.onset() < onset) onset = at.onset(), least = at;
+  verify({"LM07e", "strip of two thicknesses held at its head: least alpha0", "-", onset, 1e-12,
+          kExact},
+         c.capacity.alpha0);
+  verify({"LM07f", "the same: bed joint between the bodies", "m", least.hinge, 1e-12, kExact},
+         c.hinge);
+  double a = 0, b = 0.2;
+  for (int i = 0; i < 100; ++i) {
+    const double p = a + (b - a) / 3, q = b - (b - a) / 3;
+    if (least.energy(p) > least.energy(q))
+      b = q;
+    else
+      a = p;
+  }
+  verify({"LM07g", "the same: travel of that joint where the weights are highest", "m",
+          least.travel(a), 1e-6, "a greatest value is known to half the digits"},
+         c.capacity.top0);
+}
+
+// The floor at 3 m bears on 50 mm: 3 sin + 0.375 (1 - cos) reaches that before 0.4 of the way.
+TEST(Local, a_bent_strip_loses_a_floor_between_foot_and_head) {
+  std::string floors = kTwoFloors;
+  floors.replace(floors.find("200 mm"), 6, "50 mm");
+  const LocalCheck c = only_check(
+      front(kTwoStoreys, floors + "[[assessment.part]]\nname = \"whole\"\nhead_held = true\n"));
+  const TwoThicknesses strip{c.hinge, 0.05};
+  ASSERT_GT(c.hinge, 3);
+  EXPECT_NEAR(c.capacity.alpha0, strip.onset(), 1e-12);
+  double low = 0, high = 0.2;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (3 * std::sin(middle) + 0.375 * (1 - std::cos(middle)) < 0.05 ? low : high) = middle;
+  }
+  verify({"LM07h", "strip held at its head: d* at which a floor is off its bearing, share of d0*",
+          "-", strip.travel(low) / c.capacity.top0, 1e-9, kExact},
+         c.capacity.slides_off / c.capacity.displacement0);
+  ASSERT_EQ(c.states.size(), 1);
+  EXPECT_EQ(c.states[0].displacement, c.capacity.slides_off);
+}
+
 // --- the same strips by limit analysis
 
 // The section of a wall in a plane: x across it.

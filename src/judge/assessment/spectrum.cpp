@@ -152,6 +152,13 @@ std::vector<Fault> faults_of(const AssessmentSpec& spec) {
   if (!value_of(kLimitStateWords, spec.limit_state))
     faults.push_back({"", "limit_state", spec.limit_state, "is no limit state",
                       "write operational, damage_limitation, life_safety or near_collapse", 0});
+  for (std::size_t k = 0; k < spec.part.size(); ++k)
+    for (std::size_t i = 0; i < k; ++i)
+      if (!spec.part[k].name.empty() && spec.part[k].name == spec.part[i].name) {
+        faults.push_back({"", "part", spec.part[k].name, "two parts have this name",
+                          "give each its own: findings are named after it", 0});
+        i = k;
+      }
   if (std::isfinite(spec.added_height) && !(spec.added_mass > 0))
     faults.push_back({"", "added_height", "", "there is no added mass to act there",
                       "write added_mass too, or leave it out", 0});

@@ -79,6 +79,13 @@ LocalStateCheck check_state(const AssessmentSpec& spec, LimitState state, const 
   const SpectrumSpec& given = spectrum_for(spec, state);
   const ElasticSpectrum ground = spectrum_of(given);
   const double damping = given.kind == SpectrumKind::kTable ? 0.05 : given.damping;
+  if (!(damping > 0) && part.building.share() > 0)
+    throw InputError({{.file = "",
+                       .path = "assessment.spectrum.damping",
+                       .value = "0",
+                       .problem = "without damping the building brings its part into resonance "
+                                  "without end, and (21.10) has no value",
+                       .cure = "write damping = 0.05"}});
   const SpectrumAt spectrum(ground, part.building, damping);
   s.ground_demand = ground.peak_ground_acceleration();
   s.demand = spectrum.peak();
@@ -159,11 +166,17 @@ Message sentence_of(const LocalCheck& part) {
 
 }  // namespace
 
+// One that fails comes before one without an answer, and that before one that holds; then the least reserve.
 const LocalStateCheck* LocalCheck::deciding() const {
+  const auto rank = [](const LocalStateCheck& s) {
+    if (s.verdict == AssessmentVerdict::kFails) return 0;
+    return s.verdict == AssessmentVerdict::kNotKnown ? 1 : 2;
+  };
   const LocalStateCheck* least = nullptr;
   for (const LocalStateCheck& s : states)
-    if (least == nullptr ||
-        s.acceleration / s.ground_demand < least->acceleration / least->ground_demand)
+    if (least == nullptr || rank(s) < rank(*least) ||
+        (rank(s) == rank(*least) &&
+         s.acceleration / s.ground_demand < least->acceleration / least->ground_demand))
       least = &s;
   return least;
 }

@@ -46,17 +46,20 @@ LocalCapacity overturning(const std::vector<LocalWeight>& weights,
   std::vector<LocalHold> left;
   for (const LocalHold& hold : holds)
     if (std::isfinite(hold.lets_go)) left.push_back(hold);
-  for (bool again = true; again;) {
+  for (;;) {
     double a = rise, b = drop;  // a cos - b sin
     for (const LocalHold& hold : left) a += hold.force * hold.travel, b -= hold.force * hold.rise;
     c.alpha0_to_end = a / first;
     c.rotation0 = std::atan2(a, b);  // (21.4)
     if (!(a > 0)) c.rotation0 = 0;
-    const auto gone = std::remove_if(left.begin(), left.end(), [&](const LocalHold& hold) {
-      return hold.lets_go < hold.travel * std::sin(std::min(c.rotation0, kQuarter));
-    });
-    again = gone != left.end();
-    left.erase(gone, left.end());
+    // the first to let go goes alone: without it the end is nearer, and others may hold to it
+    const double end = std::sin(std::min(c.rotation0, kQuarter));
+    const auto next =
+        std::min_element(left.begin(), left.end(), [](const LocalHold& p, const LocalHold& q) {
+          return p.lets_go * q.travel < q.lets_go * p.travel;
+        });
+    if (next == left.end() || !(next->lets_go < next->travel * end)) break;
+    left.erase(next);
   }
   if (c.rotation0 >= kQuarter) {
     c.rotation0 = kUnset;
@@ -78,8 +81,8 @@ class Bent {
   Bent(const BentStrip& s, double hinge)
       : s_(s),
         hinge_(hinge),
-        arm_(s.thickness - 2 * s.inset),  // of the upper line behind the lower one
-        ahead_(0.5 * s.thickness - s.inset),
+        arm_(s.at_hinge - 2 * s.inset),  // of the upper line behind the lower one
+        ahead_(s.at_hinge - s.inset - 0.5 * s.at_head),
         above_(s.height - hinge) {}
 
   struct Rates {
@@ -107,8 +110,24 @@ class Bent {
     const double psi = upper_turn(turn), c = std::cos(psi), s = std::sin(psi);
     const Rates at = line(turn);
     const double rate = at.u / (ahead_ * s + above_ * c);  // of psi
-    const double x = s_.thickness - s_.inset - w.behind, z = w.height - hinge_;
+    const double x = s_.at_hinge - s_.inset - w.behind, z = w.height - hinge_;
     return {at.u - rate * (x * s + z * c), at.v + rate * (x * c - z * s)};
+  }
+  // How far weights have gone along the earthquake.
+  [[nodiscard]] double lower_travel(const BentStrip::Weight& w, double turn) const {
+    return w.height * std::sin(turn) + (w.behind - s_.inset) * (1 - std::cos(turn));
+  }
+  [[nodiscard]] double upper_travel(const BentStrip::Weight& w, double turn) const {
+    const double psi = upper_turn(turn);
+    const double x = s_.at_hinge - s_.inset - w.behind, z = w.height - hinge_;
+    return line_travel(turn) - x * (1 - std::cos(psi)) - z * std::sin(psi);
+  }
+  // Whether a floor has moved by its bearing.
+  [[nodiscard]] bool is_off(double turn) const {
+    bool is = false;
+    for (const auto& w : s_.lower) is |= lower_travel(w, turn) >= w.slides_off;
+    for (const auto& w : s_.upper) is |= upper_travel(w, turn) >= w.slides_off;
+    return is;
   }
   // Work of the weights per turn: what is still needed to bend it on.
   [[nodiscard]] double needed(double turn) const {
@@ -156,6 +175,15 @@ LocalCapacity bending(const BentStrip& strip, double hinge, double gravity) {
   c.rotation0 = before;
   c.top0 = bent.line_travel(before);
   c.displacement0 = c.top0 / hinge * travel;
+  for (before = 0, after = kMarch; after < c.rotation0 && !bent.is_off(after);)
+    before = after, after += kMarch;
+  after = std::min(after, c.rotation0);
+  if (!bent.is_off(after)) return c;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (before + after);
+    (bent.is_off(middle) ? after : before) = middle;
+  }
+  c.slides_off = bent.line_travel(before) / hinge * travel;
   return c;
 }
 

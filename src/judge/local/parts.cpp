@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <set>
 
 #include "core/text.h"
 #include "geometry/polygon.h"
@@ -25,6 +27,7 @@ namespace {
 using geometry::Polygon;
 
 constexpr double kStressBlock = 0.85;  // of fc
+constexpr double kSliver = 1e-3;       // beside a bed joint [m]
 constexpr double kNear = 0.011;        // floors find a bed joint within 10 mm [m]
 
 struct Extents {
@@ -105,6 +108,10 @@ class Strip {
   [[nodiscard]] double thickness_at(BlockId block) const {
     return model_.anatomy.block_thickness[static_cast<std::size_t>(block)];
   }
+  // Steel is no masonry.
+  [[nodiscard]] bool is_frame(BlockId block) const {
+    return model_.anatomy.block_role[static_cast<std::size_t>(block)] == BlockRole::kFrame;
+  }
   [[nodiscard]] Polygon box(double y0, double y1) const {
     return {{x0_, y0}, {x1_, y0}, {x1_, y1}, {x0_, y1}};
   }
@@ -112,6 +119,7 @@ class Strip {
     Piece piece;
     const Polygon frame = box(y0, y1);
     for (BlockId b = 0; b < model_.n_block; ++b) {
+      if (is_frame(b)) continue;
       Polygon outline;
       for (const Vec3& corner : outline_of(model_, b)) outline.push_back({corner.x, corner.y});
       const geometry::Rect around = geometry::bounds(outline);
@@ -129,6 +137,48 @@ class Strip {
       piece.volume += m.area * thickness;
     }
     return piece;
+  }
+
+  // Blocks of the part that a level line meets.
+  struct Stretch {
+    double from = 0, to = 0, thickness = 0;
+  };
+  [[nodiscard]] std::vector<Stretch> stretches_at(double y) const {
+    std::vector<Stretch> all;
+    for (BlockId b = 0; b < model_.n_block; ++b) {
+      if (is_frame(b)) continue;
+      Polygon outline;
+      for (const Vec3& corner : outline_of(model_, b)) outline.push_back({corner.x, corner.y});
+      const geometry::Rect around = geometry::bounds(outline);
+      if (around.y0 > y || around.y1 < y) continue;
+      const double from = std::max(around.x0, x0_), to = std::min(around.x1, x1_);
+      if (to > from) all.push_back({from, to, thickness_at(b)});
+    }
+    return all;
+  }
+  struct Section {
+    double length = 0, thickness = 0;
+  };
+  [[nodiscard]] Section section_above(double y) const {
+    Section section;
+    for (const Stretch& s : stretches_at(y + kSliver)) {
+      section.length += s.to - s.from;
+      section.thickness = std::max(section.thickness, s.thickness);
+    }
+    return section;
+  }
+  // Of what stands on each other at a bed joint.
+  [[nodiscard]] Section section_through(double y) const {
+    Section section;
+    const std::vector<Stretch> above = stretches_at(y + kSliver);
+    for (const Stretch& b : stretches_at(y - kSliver))
+      for (const Stretch& a : above) {
+        const double length = std::min(a.to, b.to) - std::max(a.from, b.from);
+        if (length <= 0) continue;
+        section.length += length;
+        section.thickness = std::max(section.thickness, std::min(a.thickness, b.thickness));
+      }
+    return section;
   }
 
   void measure() {
@@ -149,39 +199,64 @@ class Strip {
              model_.solve.gravity > 0 ? "no masonry with a weight lies between its ends"
                                       : "weighs nothing: gravity is 0",
              "move its ends onto masonry, and give that a density");
-    constexpr double kSliver = 1e-3;  // [m]
-    for (BlockId b = 0; b < model_.n_block; ++b) {
-      Polygon outline;
-      for (const Vec3& corner : outline_of(model_, b)) outline.push_back({corner.x, corner.y});
-      const geometry::Rect around = geometry::bounds(outline);
-      if (around.y0 > y0_ + kSliver || around.y1 < y0_ + kSliver) continue;
-      const double length = std::min(around.x1, x1_) - std::max(around.x0, x0_);
-      if (length <= 0) continue;
-      length_ += length;
-      thickness_ =
-          std::max(thickness_, model_.anatomy.block_thickness[static_cast<std::size_t>(b)]);
-    }
+    const Section at_foot = section_above(y0_);
+    length_ = at_foot.length, thickness_ = at_foot.thickness;
     if (!(thickness_ > 0))
       refuse(".foot", fmt::format("{:g} m", y0_ - wall_.foot),
              "no masonry stands at this height, so there is nothing to turn about",
              "write the height of a bed joint below the part");
   }
 
-  // The floor that lies at a place, and how deep it bears.
-  [[nodiscard]] const FloorSpec* floor_at(double x, double y) const {
+  [[nodiscard]] std::pair<double, double> range_of(const FloorSpec& floor) const {
+    const double from = wall_.left + (std::isfinite(floor.x) ? floor.x : 0);
+    return {from, std::isfinite(floor.width) ? from + floor.width : wall_.right};
+  }
+  // Half the stretch on which a load lies: about its middle, up to the nearer end of the block's side there.
+  [[nodiscard]] double half_of(BlockId block, double x, double y) const {
+    constexpr double kLevel = 1e-4;  // [m]
+    double left = std::numeric_limits<double>::infinity(), right = -left;
+    const auto reach = [&](bool all) {
+      for (const Vec3& corner : outline_of(model_, block))
+        if (all || std::fabs(corner.y - y) < kLevel)
+          left = std::min(left, corner.x), right = std::max(right, corner.x);
+    };
+    reach(false);
+    if (!(right > left)) reach(true);
+    return std::max(0.0, std::min(x - left, right - x));
+  }
+  // The floor that brings this load. Two floors may lie at one place, and other loads beside them.
+  struct Brought {
+    const FloorSpec* floor = nullptr;
+    double half = 0;                    // of the stretch on which it lies [m]
+    const FloorSpec* beside = nullptr;  // one at the same place
+  };
+  using Found = std::map<const FloorSpec*, double>;  // loads told so far [N]
+  [[nodiscard]] Brought floor_at(BlockId block, double x, double y, double weight,
+                                 Found& found) const {
+    constexpr double kSame = 1e-6;
+    Brought by{nullptr, half_of(block, x, y)};
     for (const FloorSpec& floor : spec_.floor) {
       double level = floor.y;
       for (std::size_t k = 0; k < model_.anatomy.storey_name.size(); ++k)
         if (!floor.storey.empty() && model_.anatomy.storey_name[k] == floor.storey)
           level = model_.anatomy.storey_top[k] - wall_.foot;
-      const double from = std::isfinite(floor.x) ? floor.x : 0;
-      const double to = std::isfinite(floor.width) ? from + floor.width : wall_.right - wall_.left;
-      const double along = x - wall_.left;
-      if (std::fabs(y - wall_.foot - level) <= kNear && along >= from - kNear &&
-          along <= to + kNear)
-        return &floor;
+      const auto [from, to] = range_of(floor);
+      if (!(std::fabs(y - wall_.foot - level) <= kNear && floor.load > 0)) continue;
+      const double half = floor.joists.empty() ? std::min({by.half, x - from, to - x}) : 0;
+      const bool is_its_own =
+          floor.joists.empty()
+              ? std::fabs(weight - floor.load * 2 * half) < kSame * weight
+              : std::any_of(floor.joists.begin(), floor.joists.end(), [&](double joist) {
+                  return std::fabs(wall_.left + joist - x) < kNear;
+                });
+      by.beside = &floor;
+      double& told = found[&floor];
+      if (!is_its_own || weight < 0 || told + weight > (1 + kSame) * floor.load * (to - from))
+        continue;
+      told += weight;
+      return {&floor, half};
     }
-    return nullptr;
+    return by;
   }
   [[nodiscard]] double bearing_of(const FloorSpec& floor) const {
     const double bearing = std::isfinite(part_.bearing) ? part_.bearing : floor.bearing;
@@ -194,7 +269,18 @@ class Strip {
     return bearing;
   }
 
+  // Of a load on x - half to x + half.
+  [[nodiscard]] double share_within(double x, double half) const {
+    constexpr double kPoint = 1e-9;  // [m]
+    if (half > kPoint)
+      return std::max(0.0, std::min(x + half, x1_) - std::max(x - half, x0_)) / (2 * half);
+    const bool is_last = x1_ > wall_.right - kPoint;  // a point at a common end lies on one part
+    return x >= x0_ && (x < x1_ || is_last) ? 1 : 0;
+  }
+
   void gather_loads() {
+    Found found;
+    std::set<const FloorSpec*> beside;
     for (const Stage& stage : model_.stages) {
       const StageKind kind = stage.spec.kind;
       if (kind == StageKind::kPush || kind == StageKind::kBodyForce || kind == StageKind::kTilt ||
@@ -203,27 +289,42 @@ class Strip {
       for (const PointLoad& load : stage.loads) {
         const auto i = static_cast<std::size_t>(load.block);
         const double x = model_.centroid_x[i] + load.arm_x, y = model_.centroid_y[i] + load.arm_y;
-        if (x < x0_ || x > x1_ || y <= y0_ + 1e-9) continue;
+        if (y <= y0_ + 1e-9) continue;
+        const Brought by = floor_at(load.block, x, y, -load.fy, found);
+        if (by.floor == nullptr && by.beside != nullptr && load.fy < 0) beside.insert(by.beside);
+        const double weight = -load.fy * share_within(x, by.half),
+                     thickness = thickness_at(load.block);
+        if (weight == 0) continue;
+        if (weight < 0 && y <= y1_ + 1e-9) lifted_ -= weight;
+        if (!(weight > 0)) continue;
+        if (by.floor == nullptr) other_ += weight;
         if (y > y1_ + 1e-9) {
-          if (load.fy < 0) above_.push_back({y1_ - y0_, 0.5 * thickness_at(load.block), -load.fy});
+          above_.push_back({y1_ - y0_, 0.5 * thickness, weight});
           continue;
         }
-        if (load.fy > 0) lifted_ += load.fy;
-        if (!(load.fy < 0)) continue;
-        const double thickness = thickness_at(load.block);
-        Lying lying{y - y0_, 0.5 * thickness, -load.fy, std::numeric_limits<double>::infinity()};
-        if (const FloorSpec* floor = floor_at(x, y); floor != nullptr) {
-          const double bearing = bearing_of(*floor);
+        Lying lying{y - y0_, 0.5 * thickness, weight, std::numeric_limits<double>::infinity()};
+        if (by.floor != nullptr) {
+          const double bearing = bearing_of(*by.floor);
           if (bearing > thickness)
             refuse(".bearing", fmt::format("{:g} m", bearing),
                    fmt::format("is deeper than the wall is thick there, {:g} m", thickness),
                    "write how much of the thickness the floor lies on");
           lying.behind = thickness - 0.5 * bearing;
-          lying.slides_off = bearing;
+          if (part_.falls == Fall::kOutwards) lying.slides_off = bearing;  // else it goes under it
           lying.is_floor = true;
         }
         lying_.push_back(lying);
       }
+    }
+    // a floor's load that is not known as such would lie in the middle of the wall
+    for (const FloorSpec* floor : beside) {
+      const auto [from, to] = range_of(*floor);
+      if (found[floor] > (1 - 1e-3) * floor->load * (to - from)) continue;
+      refuse("", "",
+             fmt::format("loads at floor {} are not told from its own",
+                         floor->name.empty() ? std::to_string(floor - spec_.floor.data() + 1)
+                                             : floor->name),
+             "write each load there as a [[floor]] with its bearing");
     }
   }
 
@@ -257,21 +358,24 @@ class Strip {
     }
   }
 
-  // (21.2): the line lies within the face, where the masonry bears all the load.
+  // (21.2): a line lies within the face, where the masonry bears all the load above it.
+  [[nodiscard]] double inset_on(double height, double length) const {
+    if (std::isfinite(part_.inset)) return part_.inset;
+    if (!std::isfinite(strength_)) return 0;
+    double load = between(y0_ + height, y1_).weight;
+    for (const Lying& lying : lying_) load += lying.height > height ? lying.weight : 0;
+    return load / (2 * kStressBlock * strength_ * length);
+  }
   void find_inset() {
-    double load = masonry_.weight, strength = std::numeric_limits<double>::infinity();
-    for (const Lying& lying : lying_) load += lying.weight;
     for (JointId j = 0; j < model_.n_joint; ++j) {
       const auto kind = model_.anatomy.joint_kind[static_cast<std::size_t>(j)];
       if (kind != JointKind::kBed && kind != JointKind::kFoundation && kind != JointKind::kOther)
         continue;
       const auto m = static_cast<std::size_t>(model_.joint_material[static_cast<std::size_t>(j)]);
-      strength = std::min(strength, model_.materials[m].compressive_strength);
+      strength_ = std::min(strength_, model_.materials[m].compressive_strength);
     }
-    crushes_ = std::isfinite(part_.inset) ? part_.inset > 0 : std::isfinite(strength);
-    const double needed =
-        std::isfinite(strength) ? load / (2 * kStressBlock * strength * length_) : 0;
-    inset_ = std::isfinite(part_.inset) ? part_.inset : needed;
+    crushes_ = std::isfinite(part_.inset) ? part_.inset > 0 : std::isfinite(strength_);
+    inset_ = inset_on(0, length_);
     if (inset_ < 0.5 * thickness_) return;
     refuse(std::isfinite(part_.inset) ? ".inset" : "", fmt::format("{:g} m", inset_),
            fmt::format(
@@ -321,6 +425,11 @@ class Strip {
   [[nodiscard]] double teeth() const {
     const TeethSpec& t = part_.teeth;
     if (t.corners == 0) return 0;
+    if (t.corners * t.length > x1_ - x0_ + 1e-9)
+      refuse(
+          ".teeth.length", fmt::format("{:g} m", t.length),
+          fmt::format("teeth at {} corners are longer than the part, {:g} m", t.corners, x1_ - x0_),
+          "write the thickness of a wall across");
     const double height = y1_ - y0_, area = t.length * thickness_;
     const double unit_weight = masonry_.weight / masonry_.volume;
     return t.corners * t.friction * unit_weight * area * height * height * height / (6 * t.course);
@@ -339,10 +448,20 @@ class Strip {
     if (part_.falls != Fall::kOutwards)
       refuse(".falls", "inwards", "a part whose head is held bends outwards", "leave falls out");
     const double height = y1_ - y0_;
+    double head_thickness = 0;
+    for (const Stretch& s : stretches_at(y1_ - kSliver))
+      head_thickness = std::max(head_thickness, s.thickness);
     const auto strip_at = [&](double hinge) {
-      BentStrip strip{.height = height, .thickness = thickness_, .inset = inset_};
+      const Section section = section_through(y0_ + hinge);
+      BentStrip strip{.height = height,
+                      .at_hinge = section.thickness,
+                      .at_head = head_thickness,
+                      .inset = std::max(inset_, inset_on(hinge, section.length))};
       const auto masonry = [&](const Piece& piece) {
-        return BentStrip::Weight{piece.height(), piece.behind(), piece.weight, piece.weight};
+        return BentStrip::Weight{.height = piece.height(),
+                                 .behind = piece.behind(),
+                                 .weight = piece.weight,
+                                 .pushed = piece.weight};
       };
       const Piece below = between(y0_, y0_ + hinge), above = between(y0_ + hinge, y1_);
       if (below.weight > 0) strip.lower.push_back(masonry(below));
@@ -350,7 +469,7 @@ class Strip {
       for (const Lying& l : lying_) {
         const bool at_head = l.height > height - kNear;
         (l.height <= hinge ? strip.lower : strip.upper)
-            .push_back({l.height, l.behind, l.weight, at_head ? 0 : l.weight});
+            .push_back({l.height, l.behind, l.weight, at_head ? 0 : l.weight, l.slides_off});
       }
       return strip;
     };
@@ -375,6 +494,7 @@ class Strip {
     constexpr double kApart = 1e-3;  // [m]
     std::vector<double> all, joints;
     for (BlockId b = 0; b < model_.n_block; ++b) {
+      if (is_frame(b)) continue;
       double top = -std::numeric_limits<double>::infinity();
       for (const Vec3& corner : outline_of(model_, b)) top = std::max(top, corner.y);
       if (top > y0_ + kApart && top < y1_ - kApart) all.push_back(top - y0_);
@@ -387,6 +507,15 @@ class Strip {
 
   void say_what_is_left_out(LocalCheck& out) const {
     if (lying_.empty()) out.notes.push_back({"local.note.no_floors"});
+    for (BlockId b = 0; b < model_.n_block; ++b)
+      if (is_frame(b)) {
+        out.notes.push_back({"local.note.frame"});
+        break;
+      }
+    if (other_ > 0 && other_ + out.floors > masonry_.weight)
+      out.cautions.push_back(
+          {"local.caution.heavy_loads",
+           {{"loads_kN", 1e-3 * other_}, {"masonry_kN", 1e-3 * masonry_.weight}}});
     if (out.floors > masonry_.weight)
       out.cautions.push_back(
           {"local.caution.heavy_floors",
@@ -408,7 +537,8 @@ class Strip {
   Extents wall_;
   double x0_ = 0, x1_ = 0, y0_ = 0, y1_ = 0;
   double thickness_ = 0, length_ = 0;  // at the foot
-  double inset_ = 0, lifted_ = 0, pressed_ = 0;
+  double inset_ = 0, lifted_ = 0, pressed_ = 0, other_ = 0;
+  double strength_ = std::numeric_limits<double>::infinity();  // in compression [Pa]
   bool crushes_ = false;
   Piece masonry_;
   std::vector<Lying> lying_, above_;
