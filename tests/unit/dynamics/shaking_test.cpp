@@ -439,7 +439,9 @@ TEST_F(RecordFile, what_was_taken_is_told) {
 
 TEST_F(RecordFile, faults_are_named_with_their_lines) {
   write("a.csv", kCsv);
-  says(refusal("record = { file = \"a.csv\" }\n"), {"unit", "without its unit"});
+  says(refusal("record = { file = \"a.csv\", column = \"ns\" }\n"),
+       {"unit", "is missing, and a.csv does not state it"});
+  says(refusal("record = { accelerations = [0, 1], step = \"0.1 s\" }\n"), {"without its unit"});
   says(refusal("record = { file = \"b.csv\", unit = \"g\" }\n"), {"b.csv", "folder of the model"});
   says(refusal("record = { file = \"a.csv\", unit = \"g\", column = \"up\" }\n"), {"up", "ns, ew"});
   write("c.csv", "time_s,a\n0,0\n0.01,x\n0.02,\n0.02,1\n0.01,1\n");
