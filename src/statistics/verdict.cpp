@@ -29,14 +29,15 @@ bool is_in_plane(const Model& model, const std::string& mode) {
 
 // --- what one push cannot tell
 
-// Whether a push waits at each crack, as those did whose answer was that of a slow push (docs/evidence/rate.md). A push
-// that only says it adapts, from 4 to 5 mm/s, does not.
+// Whether a push waits at each crack and goes on no faster than those whose answer was that of a slow push
+// (docs/evidence/rate.md): the speeds of a push that states none.
 bool waits_at_cracks(const Model& model) {
-  constexpr double kSlowest = 1e-3, kNearBalance = 1e-4, kRounding = 1 + 1e-9;  // [m/s], [-]
+  constexpr double kNearBalance = 1e-4, kRounding = 1 + 1e-9;
   for (auto stage = model.stages.rbegin(); stage != model.stages.rend(); ++stage) {
     const StageSpec& push = stage->spec;
     if (push.kind != StageKind::kPush) continue;
-    return push.fast_velocity > push.velocity && push.velocity <= kSlowest * kRounding &&
+    return push.fast_velocity > push.velocity && push.velocity <= kWaitingVelocity * kRounding &&
+           push.fast_velocity <= kAdaptedVelocity * kRounding &&
            push.fast_below <= kNearBalance * kRounding;
   }
   return false;

@@ -204,7 +204,9 @@ class Assess(unittest.TestCase):
         knife = (WALL.replace('pier_load = "20 kN"', 'pier_load = "130 kN"').replace('until = "4 mm"', 'until = "6 mm"\nstop_below = 0.5'))
         for name, speed, barred in (("waits", "", False), ("one speed", 'velocity = "4 mm/s"', True),
                                     ("hardly waits", 'velocity = "4 mm/s"\nfast_velocity = "4.1 mm/s"', True),
-                                    ("always in balance", 'fast_below = 1.0', True)):
+                                    ("always in balance", 'fast_below = 1.0', True),
+                                    ("fast between cracks", 'velocity = "0.09 mm/s"\nfast_velocity = "20 mm/s"', True),
+                                    ("slow alone", 'velocity = "1 mm/s"\nfast_velocity = "5 mm/s"', True)):
             with self.subTest(name):
                 out = self.folder / name
                 ended = wythe("assess", self.file("waits.toml", knife.replace('velocity = "1 mm/s"', speed)), "--out", out, "--walls", "2", "--quiet")

@@ -11,11 +11,11 @@ namespace wythe::io {
 
 [[nodiscard]] std::string curve_csv(const std::vector<CurveRow>& curve, ShownColumns of = {});
 
-// Force and elongation of each link at the end of each row of the curve.
 // Rows of the shakes; the third direction of walls in space alone.
 [[nodiscard]] std::string history_csv(const ShakeHistory& history, bool in_space);
 // Frames only: N, V, M and use of every section at every row of the curve, a line each.
 [[nodiscard]] std::string frames_csv(const Model& model, const Result& result);
+// Force and elongation of each link at the end of each row of the curve.
 [[nodiscard]] std::string links_csv(const std::vector<std::string>& names, const Result& result);
 
 }  // namespace wythe::io

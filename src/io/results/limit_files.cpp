@@ -90,10 +90,9 @@ Json assessment_json(const Assessment& a, const LimitStateShares& shares) {
           {"near_collapse_spectral_displacement_mm", a.spectral(a.near_collapse) * kMilli}};
 }
 
+Json known(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
 Json local_state_json(const LocalStateCheck& s) {
-  const auto known = [](double value) {
-    return std::isfinite(value) ? Json(value) : Json(nullptr);
-  };
   return {{"limit_state", word_of(kLimitStateWords, s.state)},
           {"verdict", word_of(kAssessmentVerdictWords, s.verdict)},
           {"pga_demand_g", known(s.ground_demand / kStandardGravity)},
@@ -108,9 +107,6 @@ Json local_state_json(const LocalStateCheck& s) {
 }
 
 Json local_json(const LocalCheck& c) {
-  const auto known = [](double value) {
-    return std::isfinite(value) ? Json(value) : Json(nullptr);
-  };
   const LocalCapacity& k = c.capacity;
   Json json{{"name", c.name},
             {"by", c.by},

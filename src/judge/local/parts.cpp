@@ -44,6 +44,20 @@ Extents extents_of(const Model& model) {
   return e;
 }
 
+Polygon polygon_of(const Model& model, BlockId block) {
+  Polygon outline;
+  for (const Vec3& corner : outline_of(model, block)) outline.push_back({corner.x, corner.y});
+  return outline;
+}
+
+// Height of a floor above the wall's foot; NaN where it names no storey that is there.
+double level_of(const FloorSpec& floor, const Anatomy& a, double foot) {
+  double level = floor.y;
+  for (std::size_t k = 0; k < a.storey_name.size(); ++k)
+    if (!floor.storey.empty() && a.storey_name[k] == floor.storey) level = a.storey_top[k] - foot;
+  return level;
+}
+
 // Masonry between two heights.
 struct Piece {
   double weight = 0, first = 0, across = 0,
@@ -120,8 +134,7 @@ class Strip {
     const Polygon frame = box(y0, y1);
     for (BlockId b = 0; b < model_.n_block; ++b) {
       if (is_frame(b)) continue;
-      Polygon outline;
-      for (const Vec3& corner : outline_of(model_, b)) outline.push_back({corner.x, corner.y});
+      const Polygon outline = polygon_of(model_, b);
       const geometry::Rect around = geometry::bounds(outline);
       if (around.y1 <= y0 || around.y0 >= y1 || around.x1 <= x0_ || around.x0 >= x1_) continue;
       const Polygon inside = geometry::part_inside(outline, frame);
@@ -147,8 +160,7 @@ class Strip {
     std::vector<Stretch> all;
     for (BlockId b = 0; b < model_.n_block; ++b) {
       if (is_frame(b)) continue;
-      Polygon outline;
-      for (const Vec3& corner : outline_of(model_, b)) outline.push_back({corner.x, corner.y});
+      const Polygon outline = polygon_of(model_, b);
       const geometry::Rect around = geometry::bounds(outline);
       if (around.y0 > y || around.y1 < y) continue;
       const double from = std::max(around.x0, x0_), to = std::min(around.x1, x1_);
@@ -236,10 +248,7 @@ class Strip {
     constexpr double kSame = 1e-6;
     Brought by{nullptr, half_of(block, x, y)};
     for (const FloorSpec& floor : spec_.floor) {
-      double level = floor.y;
-      for (std::size_t k = 0; k < model_.anatomy.storey_name.size(); ++k)
-        if (!floor.storey.empty() && model_.anatomy.storey_name[k] == floor.storey)
-          level = model_.anatomy.storey_top[k] - wall_.foot;
+      const double level = level_of(floor, model_.anatomy, wall_.foot);
       const auto [from, to] = range_of(floor);
       if (!(std::fabs(y - wall_.foot - level) <= kNear && floor.load > 0)) continue;
       const double half = floor.joists.empty() ? std::min({by.half, x - from, to - x}) : 0;
@@ -567,10 +576,7 @@ std::vector<PartSpec> found_parts(const ModelSpec& spec, const Model& model) {
   }
   if (parts.empty()) add("wall", 0);
   for (const FloorSpec& floor : spec.floor) {
-    double level = floor.y;
-    for (std::size_t k = 0; k < a.storey_name.size(); ++k)
-      if (!floor.storey.empty() && a.storey_name[k] == floor.storey)
-        level = a.storey_top[k] - wall.foot;
+    const double level = level_of(floor, a, wall.foot);
     if (std::isfinite(level)) highest = std::max(highest, level);
   }
   constexpr double kParapet = 0.05;  // less is the thickness of a floor [m]
