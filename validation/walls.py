@@ -40,7 +40,8 @@ PUSH = ["stage.push.velocity=0.1 mm/s", "stage.push.fast_velocity=5 mm/s", "stag
 ONLY = {  # walls that a set is for; the others stay as they are
     "heads as beds": ("MI1 MI3 PUP1 COMP2_4 MA1 MA2 MA3 MA4 MA5 T1 T2 T3 T5 T6 YTO01 YTO02 YTO06 SW0.1 MW0.1 LW0.1 HfBW0.1 COMP1_3 W1 COMP2_1 PUP3 ISP3 T7 "
                       "YTO05 WI.100 WI.175 WI.250 R5 YTO03 YTO04 LfBW0.1 PUP4").split(),
-    "eight walls": "MI1 MI3 PUP1 J4D J6D MA1 MA2 MA3 T1 T2 T3 YTO01 YTO02 YTO06 SW0.1 MW0.1 LW0.1 HfBW0.1 COMP1_3".split(),
+    "eight walls": ("MI1 MI3 PUP1 J4D J6D MA1 MA2 MA3 MA4 MA5 T1 T2 T3 T5 T6 YTO01 YTO02 YTO06 SW0.1 MW0.1 LW0.1 HfBW0.1 PUP3 ISP3 T7 YTO03 YTO04 "
+                    "LfBW0.1 PUP4").split(),
     "2 corners": "J4D J6D MI1 MI3 PUP1 PUP3 COMP2_4 COMP2_1 WI.100 R5 WS.40 WS.100 SW.100".split(),
     "cap of Css 9": "MI1 MI3 PUP1 PUP3 COMP2_4 COMP2_1".split(),
     "running bond": "MI1 MI3 COMP2_4 COMP2_1".split(),
