@@ -264,7 +264,7 @@ def header(found):
     return "\n".join(lines + ["", "}  // namespace wythe::study", ""])
 
 
-def first_lines(peak, drift):
+def first_lines(peak, drift, ensemble):
     def told(b):
         return f"predicted over measured is {bias_text(b)}, the scatter about that {figure_text(b['sigma_M'])}"
     lines = []
@@ -276,6 +276,11 @@ def first_lines(peak, drift):
     if drift["all"]:
         lines.append(f"**Drift at 80 % of the peak** ({drift['all']['n']} walls, {drift['all']['censored']} more as bounds): "
                      f"{verdict_text(drift['all'])}; {told(drift['all'])}.")
+    for kind, called in (("shear", "walls that fail in shear"), ("mixed", "walls that flex or rock and crack")):
+        b = ensemble[kind]
+        if b:
+            lines.append(f"**The same by eight walls whose strengths scatter, of {called}** ({b['n']} walls, {b['censored']} more as bounds): "
+                         f"{verdict_text(b)}; {told(b)}.")
     return [line + "\n" for line in lines]
 
 
@@ -289,12 +294,14 @@ def write(page, held=HELD):
     builds = sorted({row["build"] for row in answers.values()})
     lines = ["# Validation: which walls the program may be believed for", "",
              "<!-- written by tools/validation page; edit validation/ instead -->", ""]
-    lines += first_lines(found["peak"], found["drift"])
+    eight = walls.statistics("eight walls")
+    lines += first_lines(found["peak"], found["drift"], eight["drift"])
     lines += [readme_part(".", "Range"), "", "![predicted against measured peaks](figures/validation_peaks.svg)", "",
               "## Peak force", ""] + statistic_table(found["peak"])
     draw_drifts(figures)
     lines += ["## Drift where the force has fallen to 80 % of the peak", "", "![predicted against measured drifts](figures/validation_drifts.svg)", ""]
-    lines += statistic_table(found["drift"])
+    lines += ["One wall of mean values:", ""] + statistic_table(found["drift"])
+    lines += ["Medians of eight walls whose strengths scatter:", ""] + statistic_table(eight["drift"])
     lines += ["What a constant for each kind is worth instead, and how far tests of that kind went (validation/drift_constants.csv):", ""]
     lines += constants_table() + [readme_part(".", "Limits"), ""] + limits_table()
     lines += ["\\* The scatter is that of the tests: the model cannot be shown to be better than they are.", "",

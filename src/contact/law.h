@@ -43,7 +43,8 @@ struct LawChoice {
 
 // How a function of the law learns of the choice: a Variant states it when the program is compiled, so
 // that nothing is asked at run time; AnyVariant reads it from the constants, the same in all lanes. Few
-// are compiled (with_variant, parameters.h): each costs seconds of compile time.
+// are compiled (with_variant, parameters.h): each costs seconds of compile time. `rising` is no part of it: every
+// variant asks the constants, one branch that all points of a material take alike.
 template <Softening softening_, Coupling coupling_, Unloading unloading_, bool cap_ = false>
 struct Variant {
   static constexpr LawChoice known{softening_, coupling_, unloading_, cap_, false};
@@ -213,7 +214,7 @@ template <class V, class C, class Real>
   const Real pressure = maximum(sn, zero);
   const Real peak_drop = m.c_drop + pressure * m.tan_drop;  // t0 - tr
   yield.slip_rate = maximum(peak_drop, zero) * m.half_inv_GII;
-  if (choice_of<V>(m).rising)  // GII = a (1 + sn b/a)
+  if (m.choice.rising)  // GII = a (1 + sn b/a)
     yield.slip_rate = yield.slip_rate / (one + pressure * (m.twice_b * m.half_inv_GII));
   const Coupling coupling = choice_of<V>(m).coupling;
   if (coupling == Coupling::kUnion) {

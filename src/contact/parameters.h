@@ -27,7 +27,8 @@ namespace wythe::contact {
 // Calls visitor(V{}) with the compiled variant that a law runs through: the paper's, the same with a cap,
 // or any.
 template <class Visitor>
-decltype(auto) with_variant(const LawChoice& choice, Visitor&& visitor) {
+decltype(auto) with_variant(LawChoice choice, Visitor&& visitor) {
+  choice.rising = false;  // asked at run time
   if (choice == PaperVariant::known) return visitor(PaperVariant{});
   if (choice == CappedVariant::known) return visitor(CappedVariant{});
   return visitor(AnyVariant{});

@@ -68,17 +68,14 @@ double bond_of_cohesion(const Inputs& in) { return in[0] / 2.76; }
 double bond_as_published(const Inputs& in) { return in[0] / 1.5; }
 double joint_residual(const Inputs& in) { return std::min(in[0], std::atan(kPublishedFriction)); }
 double bond_energy(const Inputs& in) { return 0.029e-3 * in[0]; }
-// c, phi, phi_res, ks, fc; the law's drop from peak to residual is greatest at fc, and a branch steeper
+// c, phi, phi_res, ks, fc, b; the law's drop from peak to residual is greatest at fc, and a branch steeper
 // than ks could not be followed (docs/theory/joint_law.md, 3.13).
-double slip_energy_beside(const Inputs& in, double per_pressure) {
+double slip_energy(const Inputs& in) {
   constexpr double kGreatest = 10e6;  // compression looked at where crushing is unlimited [Pa]
   const double fc = std::isfinite(in[4]) ? in[4] : kGreatest;
-  const double drop = in[0] + fc * std::max(0.0, std::tan(in[1]) - std::tan(in[2]));
-  return std::max(0.093e-3 * in[0], 1.05 * drop * drop / (2 * in[3]) - per_pressure * fc);
-}
-double slip_energy(const Inputs& in) { return slip_energy_beside(in, 0); }
-double slip_energy_without_pressure(const Inputs& in) {
-  return std::max(slip_energy_beside(in, in[5]), 1.05 * in[0] * in[0] / (2 * in[3]));
+  const auto least = [&](double drop) { return 1.05 * drop * drop / (2 * in[3]); };
+  const double pressed = in[0] + fc * std::max(0.0, std::tan(in[1]) - std::tan(in[2]));
+  return std::max({0.093e-3 * in[0], least(in[0]), least(pressed) - in[5] * fc});
 }
 double slip_energy_per_pressure(const Inputs&) { return 0.13e-3; }
 double slip_energy_as_published(const Inputs& in) { return 125 / 0.15e6 * in[0]; }
@@ -176,19 +173,15 @@ const Rule kRules[] = {
    "GI = 0.029 mm ft", "Pulatsu et al. 2022 [1]; van der Pluijm 1992: 5 to 20 N/m at 0.3 to 0.9 MPa", 0.50,
    {{"tensile_strength", 0, 1e6}}, bond_energy},
   {"gii_from_cohesion", Role::kJoint, "mode_2_energy",
-   {"cohesion", "friction_angle", "residual_friction_angle", "shear_stiffness", "compressive_strength"},
-   "GII = 0.093 mm c, at least 1.05 (c + fc (tan phi - tan phi_res))^2 / (2 ks): no snap-back", "Lourenco 2008, from van der Pluijm 1993: 10 to 250 N/m at 0.1 to 1.8 MPa, no compression", 0.50,
-   {{"cohesion", 0, 2e6}}, slip_energy},
-  {"gii_without_pressure", Role::kJoint, "mode_2_energy",
    {"cohesion", "friction_angle", "residual_friction_angle", "shear_stiffness", "compressive_strength", "mode_2_energy_per_pressure"},
-   "GII = 0.093 mm c, at least 1.05 c^2 / (2 ks) and 1.05 (c + fc (tan phi - tan phi_res))^2 / (2 ks) - b fc: no snap-back", "as gii_from_cohesion; b = mode_2_energy_per_pressure", 0.50,
-   {{"cohesion", 0, 2e6}}, slip_energy_without_pressure},
+   "GII = 0.093 mm c, at least 1.05 c^2 / (2 ks) and 1.05 (c + fc (tan phi - tan phi_res))^2 / (2 ks) - b fc: no snap-back; b = mode_2_energy_per_pressure or 0", "Lourenco 2008, from van der Pluijm 1993: 10 to 250 N/m at 0.1 to 1.8 MPa, no compression", 0.50,
+   {{"cohesion", 0, 2e6}}, slip_energy},
   {"gii_published", Role::kJoint, "mode_2_energy", {"tensile_strength"},
    "GII = 125 N/m ft / 0.15 MPa", "Pulatsu et al. 2022 [1], tuff", 0.50,
    {{"tensile_strength", 0, 0.5e6}}, slip_energy_as_published},
   {"gii_per_pressure", Role::kJoint, "mode_2_energy_per_pressure", {},
    "b = 0.13 mm, clay units", "van der Pluijm 1993 as Rots 1997 has it, recalled: GII = 0.058 N/mm + 0.13 mm sn, sn from 0.1 to 1 MPa", 0.50,
-   {}, slip_energy_per_pressure, true, true, true},
+   {}, slip_energy_per_pressure, true, false, true},
   {"fc_is_fm", Role::kJoint, "compressive_strength", {"masonry_strength"},
    "fc = fm", "crushing of the masonry takes place in the joint [1]", 0, {{"masonry_strength", 0.5e6, 100e6}}, same},
   {"gc_from_fc", Role::kJoint, "compressive_energy", {"compressive_strength"},

@@ -35,6 +35,8 @@ using materials::Role;
 using materials::Rule;
 using materials::to_text;
 
+constexpr const char* kEnergyPerPressure = "mode_2_energy_per_pressure";  // a law that does without has none: 0
+
 using Keys = std::map<std::string, Key, std::less<>>;
 
 // The quantities and numbers of a described struct.
@@ -408,9 +410,20 @@ class Resolver {
     const bool definition = rule && rule->cov == 0 && rule->inputs.size() == 1;
     if (rule && rule->on_request) return {};
     if (key == "head_joint_bond" && !has_heads_of_beds(root_, name_of(table))) return {};
+    if (rule && key == kEnergyPerPressure && !takes_energy_per_pressure(table, *rule)) return {};
     if (rule && (table.missing || (table.use && definition && can_follow(table, *rule))))
       return follow(table, key, *rule);
     return {};
+  }
+
+  // b goes with a GII by rule: a stated one holds for the pressures of its tests. It comes from mortar on clay.
+  bool takes_energy_per_pressure(Table& table, const Rule& rule) {
+    const toml::node* energy = table.toml->get("mode_2_energy");
+    const bool by_rule = energy ? asks_for_rule(energy) && rule_asked(table, "mode_2_energy", *energy) ==
+                                                               materials::rule_for(table.role, "mode_2_energy")
+                                : !typical(table, table.use, table.role, "mode_2_energy").known();
+    return by_rule && materials::holds_for(rule, unit_type(table)) &&
+           value_of(table, "cohesion").value > 0;
   }
 
   bool can_follow(Table& table, const Rule& rule) {
@@ -429,10 +442,15 @@ class Resolver {
 
   // --- rules -------------------------------------------------------------------------------------
 
-  Found by_rule(Table& table, const std::string& key, const toml::node& node) {
+  // Of "rule" or "rule: NAME"; nullptr where there is none.
+  static const Rule* rule_asked(const Table& table, const std::string& key, const toml::node& node) {
     const std::string text = node.as_string()->get();
     const std::string name(trimmed(text == "rule" ? "" : std::string_view(text).substr(5)));
-    const Rule* rule = materials::rule_for(table.role, key, name);
+    return materials::rule_for(table.role, key, name);
+  }
+
+  Found by_rule(Table& table, const std::string& key, const toml::node& node) {
+    const Rule* rule = rule_asked(table, key, node);
     if (rule) return follow(table, key, *rule);
     std::vector<std::string> names;
     for (const Rule& other : materials::rules())
@@ -450,7 +468,11 @@ class Resolver {
     const bool own = table.role == Role::kMasonry || is_law_key(name);
     if (!own) return masonry(table, name);
     if (table.under_way.contains(name)) return {kUnset, "", true};
-    if (table.role != Role::kMasonry) return value_of(table, name);
+    if (table.role != Role::kMasonry) {
+      Found found = value_of(table, name);
+      if (name == kEnergyPerPressure && !found.known() && !found.spoiled) found.value = 0;
+      return found;
+    }
     context_.asked.insert(name);
     Found found = value_of(table, name);
     if (!found.known() && !found.spoiled) found = from_wall(table, name);

@@ -367,19 +367,6 @@ TEST(MaterialInput, a_cap_is_on_only_where_it_is_asked_for) {
   EXPECT_EQ(read(asked).material.at("joint").compression_cap, 9);
 }
 
-TEST(MaterialInput, energy_grows_with_pressure_only_where_it_is_asked_for) {
-  const auto joint = [](const std::string& text) {
-    return read(with(kRules, "[material.joint]\n", "[material.joint]\n" + text))
-        .material.at("joint");
-  };
-  EXPECT_TRUE(std::isnan(joint("").mode_2_energy_per_pressure));
-  EXPECT_EQ(joint("mode_2_energy_per_pressure = \"0.2 mm\"\n").mode_2_energy_per_pressure, 0.2e-3);
-  EXPECT_DOUBLE_EQ(joint("mode_2_energy_per_pressure = \"rule\"\n").mode_2_energy_per_pressure,
-                   0.13e-3);
-  EXPECT_EQ(joint("").mode_2_energy,
-            joint("mode_2_energy_per_pressure = \"rule\"\n").mode_2_energy);
-}
-
 // docs/howto/materials.md, "Head joints".
 TEST(MaterialInput, a_dry_head_joint_asks_for_its_cohesion_alone) {
   const ModelSpec spec = read(with(
@@ -418,6 +405,37 @@ TEST(MaterialInput, a_filled_head_joint_has_a_quarter_by_rule_where_the_file_nam
   const ModelSpec founded = read(with(
       kRules, "[material.unit]\n", "[material.foundation]\nmissing = \"rule\"\n[material.unit]\n"));
   EXPECT_TRUE(std::isnan(founded.material.at("foundation").head_joint_bond));
+}
+
+// b comes with a GII by rule, of mortar between clay units; a stated GII holds for the pressures of its tests.
+TEST(MaterialInput, energy_of_slip_grows_with_pressure_by_rule_between_clay_units_alone) {
+  const auto law = [](const std::string& text) { return read(text).material.at("joint"); };
+  const auto with_line = [](const std::string& line) {
+    return with(kRules, "[material.joint]\n", "[material.joint]\n" + line + "\n");
+  };
+  const auto with_units = [](const std::string& type) {
+    return with(kRules, "unit_type = \"clay\"", "unit_type = \"" + type + "\"");
+  };
+  const JointMaterial clay = law(kRules);
+  EXPECT_DOUBLE_EQ(clay.mode_2_energy_per_pressure, 0.13e-3);
+  EXPECT_EQ(line_of(clay.origin, "mode_2_energy_per_pressure"),
+            "mode_2_energy_per_pressure 0.13 mm: derived by gii_per_pressure from unit_type clay");
+  EXPECT_TRUE(check_joint_material(clay).empty());
+  EXPECT_TRUE(std::isnan(read(kRules).material.at("unit").mode_2_energy_per_pressure));
+  for (const char* type : {"calcium_silicate", "aerated_concrete"}) {
+    const JointMaterial other = law(with_units(type));
+    EXPECT_TRUE(std::isnan(other.mode_2_energy_per_pressure)) << type;
+    EXPECT_GE(other.mode_2_energy, clay.mode_2_energy) << type;
+  }
+  const auto b = [&](const std::string& line) { return law(with_line(line)).mode_2_energy_per_pressure; };
+  EXPECT_DOUBLE_EQ(b("mode_2_energy = \"rule\""), 0.13e-3);
+  EXPECT_DOUBLE_EQ(b("mode_2_energy = \"rule: gii_from_cohesion\""), 0.13e-3);
+  EXPECT_TRUE(std::isnan(b("mode_2_energy = \"rule: gii_published\"")));
+  EXPECT_TRUE(std::isnan(b("mode_2_energy = \"100 N/m\"")));
+  EXPECT_EQ(b("mode_2_energy_per_pressure = \"0.05 mm\""), 0.05e-3);
+  EXPECT_EQ(b("mode_2_energy_per_pressure = \"0 mm\""), 0);
+  EXPECT_DOUBLE_EQ(b("mode_2_energy = \"100 N/m\"\nmode_2_energy_per_pressure = \"rule\""), 0.13e-3);
+  EXPECT_TRUE(std::isnan(b("cohesion = \"0 MPa\"")));
 }
 
 TEST(MaterialInput,
