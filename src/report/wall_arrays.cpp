@@ -143,6 +143,8 @@ Json links_of(const Model& model) {
 // Members of frames, and sections along them where they stand on their block.
 void add_members(Json& wall, const Model& model) {
   const Frames& f = model.frames;
+  const State rest = initial_state(model);
+  const std::vector<FrameReading> read = read_frames(model, rest);
   Json members = Json::array(), sections = Json::array();
   for (const FrameMember& member : f.members)
     members.push_back({{"frame", f.name[static_cast<std::size_t>(member.frame)]},
@@ -150,11 +152,13 @@ void add_members(Json& wall, const Model& model) {
                        {"length", member.length},
                        {"way", {member.way_x, member.way_y}}});
   for (std::size_t k = 0; k < f.a.size(); ++k) {
+    const BlockReading block = read_block(model, rest, f.b[k]);
+    const Vec3 arm = read[k].where - block.start - block.moved;
     sections.push_back({{"member", f.member[k]},
                         {"place", f.place[k]},
                         {"a", f.a[k]},
                         {"b", f.b[k]},
-                        {"arm", {f.arm_b_x[k], f.arm_b_y[k]}}});
+                        {"arm", {arm.x, arm.y}}});
     if (f.outer_stiffness[k] == 0) sections.back()["hinged"] = true;
   }
   wall["members"] = members;

@@ -277,6 +277,7 @@ test("the moment of a portal is drawn on the right side, as large as the textboo
   assert.ok(rows.length > 0);
   assert.equal(await other.locator("#frame-forces .foot-hinge").count(), 0);
   await screenshot(other, "frame_portal", "#frames");
+  assert.match(await other.locator("#frames").innerText(), /Frame F2 carries nothing\./);
   // the other one carries nothing, and stands on hinges
   await other.locator("#frame-forces select").selectOption("F2");
   assert.equal(await other.locator("#frame-forces .foot-hinge").count(), 2);

@@ -7,7 +7,7 @@
 // Ordinates stand at the sections, as frames.csv has them, with straight lines between. Their scale is that of the frame's
 // largest of all states, so that a diagram grows with the push.
 import { append, svg } from "./dom";
-import { num, qty } from "./texts";
+import { fixed, qty } from "./texts";
 import { bodyCss, stepOf, type Pose, type Carried, type Frames, type MemberSection, type Wall } from "./wall";
 import type { Canvas } from "./wall2d";
 
@@ -197,7 +197,7 @@ function drawNumbers(members: Station[][], what: Carried, pose: Pose, canvas: Ca
     ...(what === "use" ? segmentsOf(pose.wall, members).map((b) => cornersOf(pose, b, canvas)) : []),
   ]);
   return numbered(members, what).flatMap((s, k) => {
-    const text = what === "use" ? num(s.value, 2) : qty(s.value, unit, 3),
+    const text = what === "use" ? fixed(s.value) : qty(s.value, unit, 3),
       box = placeNumber(s, kLetter * text.length, taken, lines, canvas);
     if (!box) return [];
     taken.push(box);

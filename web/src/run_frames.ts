@@ -7,7 +7,7 @@ import { alongMembers, drawMembers, kUnitOf, kUseSteps, largestCarried, outlineO
 import { aroundPrint } from "./page";
 import { Player } from "./player";
 import { table } from "./tables";
-import { capital, num, phrase, qty, say, sentence } from "./texts";
+import { capital, fixed, num, phrase, qty, say, sentence } from "./texts";
 import { bodyCss, fittingScale, kCarried, Pose, type Carried, type Frames, type Wall } from "./wall";
 import type { Canvas } from "./wall2d";
 import { scaleWords, type FrameInfo, type WallView } from "./wallview";
@@ -19,7 +19,7 @@ const kTallest = 460, // of a drawing [px]
   kOnPaper: Carried[] = ["moment", "shear", "normal"];
 
 const quantity = (value: number, what: Carried): string =>
-  what === "use" ? num(value, 2) : qty(value, kUnitOf[what][0], 3);
+  what === "use" ? fixed(value) : qty(value, kUnitOf[what][0], 3);
 
 export class FramesView {
   private readonly wall: Wall;
@@ -295,7 +295,7 @@ export class FramesView {
           return h(
             "span",
             {},
-            what === "use" ? num(at.value, 2) : num(at.value),
+            what === "use" ? fixed(at.value) : num(at.value),
             h("span", { class: "pm" }, this.placeWords(at)),
           );
         }),
