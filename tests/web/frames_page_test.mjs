@@ -206,6 +206,18 @@ test("the keyboard chooses what is drawn and steps through the push", async () =
   assert.deepEqual(page.faults, []);
 });
 
+test("the drawing exports as SVG and PNG with its own colours", async () => {
+  const press = (kind) => downloaded(page, () => page.locator(`#frame-forces [data-export=${kind}]`).click());
+  for (const what of ["moment", "use"]) {
+    await show(page, what);
+    const svg = (await press("svg")).toString();
+    const colours = new Set([...svg.matchAll(/(?:fill|stroke)="([^"]*)"/g)].map((m) => m[1].replace(/\(.*/, "")));
+    assert.deepEqual([...colours].filter((c) => !["none", "rgb"].includes(c)), [], what);
+    assert.equal(svg.includes("data-values"), what === "moment");
+    assert.equal((await press("png")).subarray(1, 4).toString(), "PNG");
+  }
+});
+
 test("no fault of accessibility; a phone scrolls nothing sideways; paper has all three diagrams", async () => {
   for (const [width, scheme] of [[1440, "light"], [1440, "dark"], [390, "light"]]) {
     const other = await open(browser, pageOf("framed"), { width, scheme });
