@@ -200,6 +200,15 @@ Message brief(Message sentence) {
   return sentence;
 }
 
+// A sentence for each frame: what it bore at most, where, and whether it yields.
+Json frames_said(const Model& model, const Result& result) {
+  Json list = Json::array();
+  for (std::size_t k = 0; k < result.frame_uses.size(); ++k)
+    list.push_back({{"name", model.frames.name[k]},
+                    {"words", said(sentence_of(result.frame_uses[k], model.frames.name[k]))}});
+  return list;
+}
+
 Json mode_of(const Model& model, const Result& result) {
   const FailureMode& mode = result.failure_mode;
   const Message& sentence = mode.sentence;
@@ -221,6 +230,7 @@ std::string run_data(const ModelSpec& spec, const Model& model, const Result& re
   bundle.header["summary"] = Json::parse(summary_json(spec, model, result));
   say_messages(bundle.header["summary"]);
   bundle.header["mode"] = mode_of(model, result);
+  if (model.frames.n > 0) bundle.header["frames_said"] = frames_said(model, result);
   bundle.header["names"] = names_of(model);
   bundle.header["inputs"] = model_inputs(spec, model);
   bundle.header["model_text"] = write_model(spec);

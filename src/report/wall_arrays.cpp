@@ -140,6 +140,31 @@ Json links_of(const Model& model) {
   return list;
 }
 
+// Members of frames, and sections along them where they stand on their block.
+void add_members(Json& wall, const Model& model) {
+  const Frames& f = model.frames;
+  const State rest = initial_state(model);
+  const std::vector<FrameReading> read = read_frames(model, rest);
+  Json members = Json::array(), sections = Json::array();
+  for (const FrameMember& member : f.members)
+    members.push_back({{"frame", f.name[static_cast<std::size_t>(member.frame)]},
+                       {"words", said(member.words)},
+                       {"length", member.length},
+                       {"way", {member.way_x, member.way_y}}});
+  for (std::size_t k = 0; k < f.a.size(); ++k) {
+    const BlockReading block = read_block(model, rest, f.b[k]);
+    const Vec3 arm = read[k].where - block.start - block.moved;
+    sections.push_back({{"member", f.member[k]},
+                        {"place", f.place[k]},
+                        {"a", f.a[k]},
+                        {"b", f.b[k]},
+                        {"arm", {arm.x, arm.y}}});
+    if (f.outer_stiffness[k] == 0) sections.back()["hinged"] = true;
+  }
+  wall["members"] = members;
+  wall["sections"] = sections;
+}
+
 Json storeys_of(const Anatomy& a) {
   Json list = Json::array();
   for (std::size_t k = 0; k < a.storey_top.size(); ++k)
@@ -167,6 +192,7 @@ void add_wall(Bundle& bundle, const Model& model) {
     wall["contacts"] = s.n_contact;
   }
   if (model.links.n > 0 && !model.in_space()) wall["links"] = links_of(model);
+  if (model.frames.n > 0) add_members(wall, model);
   if (!a.storey_top.empty()) wall["storeys"] = storeys_of(a);
   if (model.in_space()) {
     add_space(bundle, model, wall);
@@ -228,7 +254,8 @@ int states_kept(int states, int room, int samples_after) {
 double state_numbers(const Model& m) {
   if (m.in_space())
     return 6.0 * (m.n_block + m.space.solids.n_zone + m.space.n_support) + 5.0 * joint_count(m);
-  return 3.0 * m.n_block + 4.0 * (m.n_joint + m.solids.n_contact) + 2.0 * m.solids.n_node;
+  return 3.0 * m.n_block + 4.0 * (m.n_joint + m.solids.n_contact) + 2.0 * m.solids.n_node +
+         4.0 * m.frames.n;
 }
 
 std::vector<bool> states_shown(const std::vector<bool>& labelled, int most) {
@@ -267,6 +294,13 @@ void FrameArrays::add(const Model& model, const State& state) {
   }
   if (model.links.n > 0)
     for (const LinkReading& link : read_links(model, state)) link_force_.push_back(link.force);
+  if (with_forces_)
+    for (const FrameReading& section : read_frames(model, state)) {
+      section_normal_.push_back(section.normal);
+      section_shear_.push_back(section.shear);
+      section_moment_.push_back(section.moment);
+      section_use_.push_back(section.use);
+    }
   for (const JointReading& joint : wall.joints) {
     // a joint between blocks that have left each other is no crack to be drawn: the page sees an opening of -1
     const bool shown = !joint.handed_over;
@@ -301,6 +335,11 @@ void FrameArrays::write(Bundle& bundle) const {
   bundle.add_rounded("frame.compression", compression_);
   bundle.add_rounded("frame.shear", shear_);
   bundle.add_rounded("frame.eccentricity", eccentricity_);
+  if (section_use_.empty()) return;
+  bundle.add_rounded("frame.section_normal", section_normal_);
+  bundle.add_rounded("frame.section_shear", section_shear_);
+  bundle.add_rounded("frame.section_moment", section_moment_);
+  bundle.add_rounded("frame.section_use", section_use_);
 }
 
 }  // namespace wythe::report

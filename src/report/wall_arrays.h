@@ -48,7 +48,7 @@ class SpaceFrames {
 // States in the order they are to be shown; every one has the same blocks and joints.
 class FrameArrays {
  public:
-  // With forces: compression, shear and eccentricity of every joint as well.
+  // With forces: compression, shear and eccentricity of every joint as well, and what sections of frames carry.
   explicit FrameArrays(bool with_forces) : with_forces_(with_forces) {}
   void add(const Model& model, const State& state);
   [[nodiscard]] int count() const { return count_; }
@@ -64,7 +64,9 @@ class FrameArrays {
   std::vector<double> compression_, shear_;  // [N]
   std::vector<double> eccentricity_;         // of the compression, over half the face, -1 to 1
   std::vector<std::uint8_t> damage_, crushing_;
-  std::vector<double> link_force_;  // (n_frame, n_link) tension + [N]
+  std::vector<double> link_force_;                      // (n_frame, n_link) tension + [N]
+  std::vector<double> section_normal_, section_shear_;  // (n_frame, n_section) of frames [N]
+  std::vector<double> section_moment_, section_use_;    // [N m], share; signs as in FrameReading
   bool in_space_ = false;
   SpaceFrames space_;  // in space these alone
 };

@@ -8,6 +8,7 @@ import { aroundPrint, type Section } from "./page";
 import { Plot, rangeOf, type Point } from "./plot";
 import { assumptions, inputTables, provenanceTable } from "./inputs";
 import { ElementsView } from "./run_elements";
+import { FramesView } from "./run_frames";
 import { isShaken, shakeHistory, shakeSection } from "./run_shake";
 import { cyclesSection, drawEnvelopes, signOf, waysOf } from "./run_cyclic";
 import { energySection, trustSection, zip, type Curve } from "./run_trust";
@@ -84,6 +85,9 @@ class RunPage {
     return viewOf(this.bundle, { id: "wall", info, onFrame: () => this.moveCursor() });
   }
 
+  private get flat(): WallView | null {
+    return this.view instanceof WallView ? this.view : null;
+  }
   private get modeName(): string {
     return phrase(this.header.mode.words || this.s.failure_mode.name);
   }
@@ -99,6 +103,7 @@ class RunPage {
       cyclesSection(this.s),
       shakeSection(this.bundle),
       { id: "failure", title: say("section.failure"), content: this.failure() },
+      { id: "frames", title: say("section.frames"), content: FramesView.of(this.bundle, this.flat) },
       { id: "energy", title: say("section.energy"), content: energySection(this.header) },
       { id: "trust", title: say("section.trust"), content: trustSection(this.s, this.curve) },
       {
@@ -384,7 +389,7 @@ class RunPage {
   private failure(): Child {
     const mode = this.s.failure_mode;
     if (mode.evidence.length === 0 && mode.elements.length === 0) return null;
-    const elements = new ElementsView(this.bundle, mode, this.view instanceof WallView ? this.view : null);
+    const elements = new ElementsView(this.bundle, mode, this.flat);
     const mechanism = this.header.mode.mechanism;
     return [
       h(

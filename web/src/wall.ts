@@ -54,8 +54,26 @@ export interface Link {
   along: [number, number];
 }
 
+// A straight part of a frame, and the sections along it: at `place` on its way, on block b [m].
+export interface Member {
+  frame: string;
+  words: Said;
+  length: number;
+  way: [number, number];
+}
+export interface MemberSection {
+  member: number;
+  place: number;
+  a: number; // -1: the ground
+  b: number;
+  hinged?: boolean;
+  arm: [number, number];
+}
+
 export interface Wall {
   links: Link[];
+  members: Member[];
+  sections: MemberSection[];
   storeys: { name: string; top: number }[]; // from the ground up [m]
   parts: Part[];
   fields: Field[];
@@ -149,6 +167,8 @@ export function readWall(bundle: Bundle): Wall | null {
   const wall = {
     ...head,
     links: head.links ?? [],
+    members: head.members ?? [],
+    sections: head.sections ?? [],
     storeys: head.storeys ?? [],
     push: head.push ?? null,
     driven: head.push ? get("driven") : null,
@@ -190,6 +210,9 @@ export function readWall(bundle: Bundle): Wall | null {
   return { ...wall, bounds };
 }
 
+export const kCarried = ["moment", "shear", "normal", "use"] as const;
+export type Carried = (typeof kCarried)[number];
+
 // Values of every frame one after the other: (n_frame, n_block) and (n_frame, n_joint).
 export class Frames {
   readonly count: number;
@@ -218,6 +241,7 @@ export class Frames {
       "zone_greater",
       "zone_smaller",
       "link_force",
+      ...kCarried.map((name) => `section_${name}`),
     ])
       if (bundle.has(`frame.${name}`)) this.arrays[name] = bundle.array(`frame.${name}`);
     this.hasForces = "compression" in this.arrays && this.arrays.compression.length > 0;
@@ -266,6 +290,10 @@ export class Frames {
       smaller: zones > 0 ? this.slice("zone_smaller", frame, zones) : null,
       linkForce: "link_force" in this.arrays ? this.slice("link_force", frame, this.wall.links.length) : null,
     };
+  }
+  // What the sections of frames carry in a state: [N], [N], [N m], share of what they bear.
+  carried(what: Carried, frame: number): Numbers {
+    return this.slice(`section_${what}`, frame, this.wall.sections.length);
   }
 }
 export interface Frame {

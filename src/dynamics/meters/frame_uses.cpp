@@ -7,6 +7,7 @@
 namespace wythe {
 
 Message sentence_of(const FrameUse& use, const std::string& frame) {
+  if (use.where.code.empty()) return {"frame.unused", {{"frame", frame}}};
   if (std::isnan(use.yields_at))
     return {"frame.used", {{"frame", frame}, {"use", use.use}, {"where", use.where}}};
   return {"frame.yields",

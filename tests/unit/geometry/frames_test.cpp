@@ -270,6 +270,7 @@ TEST(Frames, say_what_they_bore_and_where_they_yielded) {
   EXPECT_LE(use.yields_at, 0.1e-3);
   EXPECT_EQ(text_of(sentence_of(use, "1")).substr(0, 13), "frame 1: use ");
   EXPECT_NE(text_of(sentence_of(use, "1")).find("yields at"), std::string::npos);
+  EXPECT_EQ(text_of(sentence_of(FrameUse{}, "2")), "frame 2 carries nothing");
   double stays = 0;
   for (const double flow : state.frame_left) stays = std::max(stays, std::fabs(flow));
   EXPECT_GT(stays, 0);
