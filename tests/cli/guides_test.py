@@ -10,6 +10,7 @@ how the test treats it; a reader does not see it:
   <!-- test: short --samples 2 -->              the runs and campaigns below take these options too, because they take minutes
   <!-- test: first wythe run ... -->            run this before, with the options of `short`: the page supposes its results
   <!-- test: long -->                          run by make test-long alone, and what the next fence says it printed
+  <!-- test: long --samples 2 -->              the same; make test runs it with these options, and compares no lines with what is printed
   <!-- test: exit 3 -->                         the commands below end with this code
   <!-- test: needs pandas -->                   run where this Python module is installed
   <!-- test: not run: it needs a graphics card -->   with the reason
@@ -24,6 +25,7 @@ import sys
 import tempfile
 import tomllib
 import unittest
+import unittest.mock
 
 WYTHE = str(pathlib.Path(os.environ.get("WYTHE", "build/release/wythe")).resolve())
 SOURCE = pathlib.Path(os.environ.get("SOURCE", ".")).resolve()
@@ -100,10 +102,11 @@ class Reader:
         if "needs" in marks and importlib.util.find_spec(marks["needs"]) is None:
             print(f"not run: a fence that needs {marks['needs']}, which is not installed")
             return ""
-        if "long" in marks and "WYTHE_LONG" not in os.environ:
+        stands_in = "long" in marks and "WYTHE_LONG" not in os.environ
+        if stands_in and not marks["long"]:
             self.printed = None
             return ""
-        self.short = marks.get("short", "")
+        self.short = marks["long"] if stands_in else marks.get("short", "")
         if "file" in marks or "adds" in marks:
             path = self.folder / (marks.get("file") or marks["adds"])
             path.write_text((path.read_text() + "\n" if "adds" in marks else "") + text)
@@ -123,7 +126,9 @@ class Reader:
             return ""
         if others:
             return "commands and other lines in one fence: " + "\n".join(others)
-        return (self.run(marks["first"]) if "first" in marks else "") or self.run(text, int(marks.get("exit", 0)))
+        fault = (self.run(marks["first"]) if "first" in marks else "") or self.run(text, int(marks.get("exit", 0)))
+        self.printed = None if stands_in else self.printed
+        return fault
 
 
 class Guides(unittest.TestCase):
@@ -196,16 +201,14 @@ class Follows(unittest.TestCase):
             self.assertIn("commands and other lines", self.fault(page))
 
     def test_a_long_fence_is_run_by_test_long_alone(self):
-        page = "<!-- test: long -->\n```\nwythe check nothing.toml\n```\n<!-- test: said -->\n```\nvalid\n```\n"
-        given = os.environ.pop("WYTHE_LONG", None)
-        try:
-            self.assertEqual(self.fault(page), "")
-            os.environ["WYTHE_LONG"] = "1"
-            self.assertIn("ended with 2", self.fault(page))
-        finally:
-            os.environ.pop("WYTHE_LONG")
-            if given is not None:
-                os.environ["WYTHE_LONG"] = given
+        said = "```\nwythe run nothing.toml --out out\n```\n<!-- test: said -->\n```\nvalid\n```\n"
+        for mark, fault in (("long", ""), ("long --help", ""), ("long --no-such-option", "ended with")):
+            page = f"<!-- test: {mark} -->\n{said}"
+            with unittest.mock.patch.dict(os.environ):
+                os.environ.pop("WYTHE_LONG", None)
+                self.assertEqual(self.fault(page)[:10], fault, mark)
+                os.environ["WYTHE_LONG"] = "1"
+                self.assertIn("there is no such file", self.fault(page), mark)
 
     def test_what_is_not_run_has_a_reason(self):
         self.assertNotEqual(self.fault("<!-- test: not run: -->\n```\nwythe x\n```\n"), "")

@@ -11,16 +11,12 @@ WYTHE = os.environ["WYTHE"]
 SOURCE = pathlib.Path(os.environ["SOURCE"])
 KINDS = {"pier": ["model.toml"], "portal": ["model.toml"], "facade": ["model.toml"], "arch": ["model.toml"],
          "study": ["study.toml", "model.toml"]}
-# Enough of each example to see that it goes all the way: a push of half a millimetre.
+# Enough of each example to see that it goes all the way: a push of half a millimetre. The facade, the palazzina and the shaken parapet are
+# run by guides_test.py, in the pages that are about them.
 SHORT = {"brick_pier": ["--set", "stage.push.until=0.5 mm"], "brick_portal": ["--set", "stage.push.until=0.5 mm"],
          "ring_beam": ["--set", "stage.push.until=0.5 mm"],
-         "brick_facade": ["--set", "stage.push.until=0.2 mm", "--set", "stage.push.velocity=20 mm/s",
-                          "--set", "stage.push.fast_velocity=20 mm/s"],
-         "palazzina": ["--set", "stage.push.until=0.2 mm", "--set", "stage.push.velocity=20 mm/s",
-                       "--set", "stage.push.fast_velocity=20 mm/s"],
          "arch": ["--set", "stage.push.until=0.5 mm"],
-         "tied_arch": ["--set", "stage.push.until=0.5 mm"], "dry_tilt": ["--set", "stage.tilt.tilt_until=5 deg"],
-         "shaken_parapet": ["--set", "stage.quake.free_vibration=0 s"]}
+         "tied_arch": ["--set", "stage.push.until=0.5 mm"], "dry_tilt": ["--set", "stage.tilt.tilt_until=5 deg"]}
 
 
 def wythe(*arguments):

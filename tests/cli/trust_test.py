@@ -3,6 +3,7 @@
 import csv
 import json
 import math
+import os
 import re
 import unittest
 
@@ -108,6 +109,8 @@ class Trust(Base):
         self.assertEqual(fast["quasi_static"]["mode"]["verdict"], "not known")
         self.assertTrue(words.startswith("WARNING one run cannot tell the drift: from 2.9"), words)
         self.assertTrue(fast["warning"].startswith("one run cannot tell the drift"))
+        if "WYTHE_LONG" not in os.environ:  # ten seconds; tests/unit/dynamics/promise_test.cpp has such curves each time
+            return
         slow, words = pushed("velocity=1 mm/s", "until=3.6 mm")
         self.assertAlmostEqual(slow["displacement_at_80_percent_mm"], 3.18, delta=0.03)
         self.assertEqual(slow["quasi_static"]["displacement"], {"verdict": "slow enough", "reason": ""})
@@ -128,12 +131,12 @@ class Trust(Base):
 
     def test_a_tilt_ends_with_its_angle_and_nothing_beyond_it(self):
         tilt = DRY.replace('{ name = "push", at = { x = "0 m", y = "1.05 m", courses = 3 }, velocity = "10 mm/s", until = "5 mm" }',
-                           '{ name = "tilt", tilt_rate = "2 deg/s", tilt_until = "60 deg" }')
+                           '{ name = "tilt", tilt_rate = "2 deg/s", tilt_until = "60 deg" }').replace("1.2 m", "0.8 m")
         summary, words = self.summary_of(tilt)
         self.assertEqual(summary["status"], "collapsed")
         self.assertAlmostEqual(math.tan(math.radians(summary["tilt_degrees"])), summary["load_factor"], places=9)
         self.assertLess(summary["tilt_degrees"], 30)  # at the friction angle all of it slides
-        weight = 1.0 * 1.2 * 0.2 * 1800 * 9.81 * 1e-3
+        weight = 1.0 * 0.8 * 0.2 * 1800 * 9.81 * 1e-3
         self.assertAlmostEqual(summary["peak_reaction_kN"], summary["load_factor"] * weight, places=6)
         self.assertIn("degrees", words)
         self.assertEqual(summary["quasi_static"]["judgement"], "slow enough")

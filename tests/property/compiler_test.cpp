@@ -347,15 +347,19 @@ std::vector<std::pair<std::string, ModelSpec>> walls() {
 
 TEST(Compiler,
      kept_assembly_gives_the_bits_or_faults_of_a_full_compile_for_each_key_changed_alone) {
+  int wall = 0;
   for (const auto& [name, base] : walls()) {
     const Compiler compiler(base);
     const std::uint64_t shape = geometry::shape_key(base);
-    int keys = 0, kept = 0, models = 0;
+    int keys = 0, kept = 0, models = 0, tried = 0;
+    ++wall;
     Change counting([&] { return ++keys < 0; }, [] { return 0; });
     ModelSpec counted = base;
     describe(counting, counted);
     for (int key = 0; key < keys; ++key)
       for (int way = 0; way < kWays; ++way) {
+        if ((key + way + wall) % 2 == 0) continue;  // each way of each key, in every other wall
+        ++tried;
         ModelSpec changed = base;
         int at = 0;
         Change change([&] { return at++ == key; }, [&] { return way; });
@@ -367,9 +371,9 @@ TEST(Compiler,
         models += full.size() > 1;
       }
     // the claim is about both: assemblies that were kept and others
-    EXPECT_GT(kept, keys * kWays / 5) << name;
-    EXPECT_GT(keys * kWays - kept, 100) << name;  // most keys are of stages and materials
-    EXPECT_GT(models, keys * kWays / 5) << name;
+    EXPECT_GT(kept, tried / 5) << name;
+    EXPECT_GT(tried - kept, 50) << name;  // most keys are of stages and materials
+    EXPECT_GT(models, tried / 5) << name;
   }
 }
 

@@ -329,8 +329,9 @@ class Batches(unittest.TestCase):
         def press(what, share, *_):
             os.kill(os.getpid(), signal.SIGINT)
         rows = list(numpy.linspace(0.1, 0.3, 64))
+        low = {"wall.height": "0.4 m", "stage.push.targets": ["0.1 mm"]}
         with self.assertRaises(wythe.Interrupted) as caught:
-            wythe.run_many(PIER, {COHESION: (rows, "MPa")}, progress=press, set={"stage.push.targets": ["0.5 mm"]})
+            wythe.run_many(PIER, {COHESION: (rows, "MPa")}, progress=press, set=low)
         kept = caught.exception.result
         self.assertEqual(len(kept), 64)
         self.assertIn("completed", kept.status)

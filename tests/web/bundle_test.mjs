@@ -105,9 +105,9 @@ async function lastPose(name) {
 const kNear = 2e-6;
 
 test("a pose at scale 1 puts blocks where the engine's VTK files have them", async () => {
-  makeRun("pose_run");
-  const pose = await lastPose("pose_run"),
-    points = lastPoints("pose_run", "blocks");
+  makeRun("bundle_run");
+  const pose = await lastPose("bundle_run"),
+    points = lastPoints("bundle_run", "blocks");
   const { blocks, outlineBegin } = pose.wall;
   for (let b = 0, k = 0; b < blocks; ++b)
     for (let i = outlineBegin[b]; i < outlineBegin[b + 1]; ++i, ++k) {
@@ -117,9 +117,9 @@ test("a pose at scale 1 puts blocks where the engine's VTK files have them", asy
 });
 
 test("zones of a deformable lintel lie where the VTK files have them, contacts on their edges", async () => {
-  const summary = makeRun("pose_zones", "zones.toml");
-  const pose = await lastPose("pose_zones"),
-    points = lastPoints("pose_zones", "zones");
+  const summary = makeRun("bundle_zones", "zones.toml");
+  const pose = await lastPose("bundle_zones"),
+    points = lastPoints("bundle_zones", "zones");
   const { wall } = pose,
     { mesh } = wall;
   assert.equal(mesh.zone.length, 4 * summary.zones);
@@ -155,12 +155,12 @@ function lastZones(name, array) {
 }
 
 test("stresses of zones are those of the VTK files, to 16 bits of the largest", async () => {
-  const summary = makeRun("stress_zones", "zones.toml");
-  const { frame } = await lastPose("stress_zones");
-  const [first, second] = [lastZones("stress_zones", "principal_1_MPa"), lastZones("stress_zones", "principal_2_MPa")];
+  const summary = makeRun("bundle_zones", "zones.toml");
+  const { frame } = await lastPose("bundle_zones");
+  const [first, second] = [lastZones("bundle_zones", "principal_1_MPa"), lastZones("bundle_zones", "principal_2_MPa")];
   assert.equal(frame.greater.length, summary.zones);
   assert.equal(first.length, summary.zones);
-  const bundle = await unpackRun("stress_zones");
+  const bundle = await unpackRun("bundle_zones");
   const step = (name) => 1e-6 * bundle.header.arrays[`frame.${name}`].step;
   first.forEach((v, z) => {
     assert.ok(Math.abs(1e-6 * frame.greater[z] - v) <= 0.51 * step("zone_greater") + 1e-7, `zone ${z}`);
@@ -171,9 +171,9 @@ test("stresses of zones are those of the VTK files, to 16 bits of the largest", 
 });
 
 test("stresses on the foundation carry the wall and its loads", async () => {
-  makeRun("stress_run");
-  const bundle = await unpackRun("stress_run"),
-    { wall, frame } = await lastPose("stress_run");
+  makeRun("bundle_run");
+  const bundle = await unpackRun("bundle_run"),
+    { wall, frame } = await lastPose("bundle_run");
   let carried = 0; // kN
   for (let j = 0; j < wall.joints; ++j)
     if (wall.kind[j] === "foundation")

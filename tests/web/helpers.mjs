@@ -84,33 +84,59 @@ function readOnlyWhatIsDrawn(page) {
   }
 }
 
-// Opens a page and waits until it is built. `page.faults` collects what must not happen.
-export async function open(browser, url, options = {}) {
+// A new page of a context of its own. `page.faults` collects what must not happen.
+async function newPage(browser, hasScripts) {
   const context = await browser.newContext({
-    viewport: { width: options.width ?? 1440, height: 900 },
-    colorScheme: options.scheme ?? "light",
+    viewport: { width: 1440, height: 900 },
     acceptDownloads: true,
-    javaScriptEnabled: options.javaScript ?? true,
-    reducedMotion: "reduce",
+    javaScriptEnabled: hasScripts,
   });
   const page = await context.newPage();
   readOnlyWhatIsDrawn(page);
-  page.faults = [];
   page.on("console", (m) => {
     if (m.type() === "error") page.faults.push(`console: ${m.text()}`);
   });
   page.on("pageerror", (e) => page.faults.push(`error: ${e.message}`));
   page.on("request", (r) => {
-    if (!/^(file|data|blob):/.test(r.url()) || (r.url().startsWith("file:") && r.url() !== url))
+    if (!/^(file|data|blob):/.test(r.url()) || (r.url().startsWith("file:") && r.url() !== page.asked))
       page.faults.push(`request: ${r.url()}`);
   });
   page.on("dialog", (d) => {
     page.faults.push(`dialog: ${d.message()}`);
     void d.dismiss();
   });
+  return page;
+}
+
+// Pages that were closed, by browser and by whether they have scripts. A context and its process take more than half of what opening a page
+// takes, so the next one to open gets an old one, empty and without memory.
+const kIdle = new WeakMap();
+async function putAway(page, idle) {
+  page.hasScripts = false; // nothing is waited for
+  if (page.url().startsWith("file:"))
+    await page.evaluate(() => {
+      localStorage.clear();
+      sessionStorage.clear();
+    });
+  await page.goto("about:blank");
+  idle.push(page);
+}
+
+// Opens a page and waits until it is built. `page.context().close()` ends it.
+export async function open(browser, url, options = {}) {
+  const hasScripts = options.javaScript ?? true;
+  if (!kIdle.has(browser)) kIdle.set(browser, { true: [], false: [] });
+  const idle = kIdle.get(browser)[hasScripts];
+  const page = idle.pop() ?? (await newPage(browser, hasScripts));
+  page.context().close = () => putAway(page, idle);
+  page.faults = [];
+  page.asked = url;
+  const size = { width: options.width ?? 1440, height: 900 };
+  if (JSON.stringify(page.viewportSize()) !== JSON.stringify(size)) await page.setViewportSize(size);
+  await page.emulateMedia({ media: null, colorScheme: options.scheme ?? "light", reducedMotion: "reduce" });
   await page.goto(url);
-  page.hasScripts = options.javaScript !== false;
-  if (page.hasScripts) await drawn(page);
+  page.hasScripts = hasScripts;
+  if (hasScripts) await drawn(page);
   return page;
 }
 
@@ -136,8 +162,15 @@ export async function violations(page) {
 // Pages of a PDF: its page objects; streams of Chromium's PDFs leave them readable.
 export const pdfPages = (pdf) => (pdf.toString("latin1").match(/\/Type\s*\/Page\b(?!s)/g) ?? []).length;
 
-// The whole page, or one part of it.
+// Whether pictures are asked for, which a person then looks at: one takes a second of a core, and no test reads it.
+export const wantsPictures = Boolean(process.env.WYTHE_PICTURES);
+
+// The whole page, or one part of it, as a picture in build/screenshots if such are wanted. It must be there in any case.
 export async function screenshot(page, name, part = "") {
+  if (!wantsPictures) {
+    if (!(await page.locator(part || "body").isVisible())) throw new Error(`${name}: ${part || "the page"} is not shown`);
+    return;
+  }
   fs.mkdirSync(shots, { recursive: true });
   const file = path.join(shots, `${name}.png`);
   if (part) {

@@ -8,7 +8,7 @@ import { folder, launch, open, pageOf, pdfPages, root, run, screenshot, shots, v
 
 const kPalazzina = path.join(root, "examples/palazzina/model.toml");
 // Fast and short: what the numbers are is no matter here.
-const kShort = ['until="10 mm"', 'velocity="5 mm/s"', 'fast_velocity="5 mm/s"'].flatMap((text) => ["--set", `stage.push.${text}`]);
+const kShort = ['until="8 mm"', 'velocity="8 mm/s"', 'fast_velocity="8 mm/s"'].flatMap((text) => ["--set", `stage.push.${text}`]);
 
 let browser;
 before(async () => {
