@@ -35,7 +35,8 @@ using materials::Role;
 using materials::Rule;
 using materials::to_text;
 
-constexpr const char* kEnergyPerPressure = "mode_2_energy_per_pressure";  // a law that does without has none: 0
+constexpr const char* kEnergyPerPressure =
+    "mode_2_energy_per_pressure";  // a law that does without has none: 0
 
 using Keys = std::map<std::string, Key, std::less<>>;
 
@@ -419,9 +420,10 @@ class Resolver {
   // b goes with a GII by rule: a stated one holds for the pressures of its tests. It comes from mortar on clay.
   bool takes_energy_per_pressure(Table& table, const Rule& rule) {
     const toml::node* energy = table.toml->get("mode_2_energy");
-    const bool by_rule = energy ? asks_for_rule(energy) && rule_asked(table, "mode_2_energy", *energy) ==
-                                                               materials::rule_for(table.role, "mode_2_energy")
-                                : !typical(table, table.use, table.role, "mode_2_energy").known();
+    const bool by_rule =
+        energy ? asks_for_rule(energy) && rule_asked(table, "mode_2_energy", *energy) ==
+                                              materials::rule_for(table.role, "mode_2_energy")
+               : !typical(table, table.use, table.role, "mode_2_energy").known();
     return by_rule && materials::holds_for(rule, unit_type(table)) &&
            value_of(table, "cohesion").value > 0;
   }
@@ -443,7 +445,8 @@ class Resolver {
   // --- rules -------------------------------------------------------------------------------------
 
   // Of "rule" or "rule: NAME"; nullptr where there is none.
-  static const Rule* rule_asked(const Table& table, const std::string& key, const toml::node& node) {
+  static const Rule* rule_asked(const Table& table, const std::string& key,
+                                const toml::node& node) {
     const std::string text = node.as_string()->get();
     const std::string name(trimmed(text == "rule" ? "" : std::string_view(text).substr(5)));
     return materials::rule_for(table.role, key, name);

@@ -427,14 +427,17 @@ TEST(MaterialInput, energy_of_slip_grows_with_pressure_by_rule_between_clay_unit
     EXPECT_TRUE(std::isnan(other.mode_2_energy_per_pressure)) << type;
     EXPECT_GE(other.mode_2_energy, clay.mode_2_energy) << type;
   }
-  const auto b = [&](const std::string& line) { return law(with_line(line)).mode_2_energy_per_pressure; };
+  const auto b = [&](const std::string& line) {
+    return law(with_line(line)).mode_2_energy_per_pressure;
+  };
   EXPECT_DOUBLE_EQ(b("mode_2_energy = \"rule\""), 0.13e-3);
   EXPECT_DOUBLE_EQ(b("mode_2_energy = \"rule: gii_from_cohesion\""), 0.13e-3);
   EXPECT_TRUE(std::isnan(b("mode_2_energy = \"rule: gii_published\"")));
   EXPECT_TRUE(std::isnan(b("mode_2_energy = \"100 N/m\"")));
   EXPECT_EQ(b("mode_2_energy_per_pressure = \"0.05 mm\""), 0.05e-3);
   EXPECT_EQ(b("mode_2_energy_per_pressure = \"0 mm\""), 0);
-  EXPECT_DOUBLE_EQ(b("mode_2_energy = \"100 N/m\"\nmode_2_energy_per_pressure = \"rule\""), 0.13e-3);
+  EXPECT_DOUBLE_EQ(b("mode_2_energy = \"100 N/m\"\nmode_2_energy_per_pressure = \"rule\""),
+                   0.13e-3);
   EXPECT_TRUE(std::isnan(b("cohesion = \"0 MPa\"")));
 }
 
