@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "campaign/draws/scatter.h"
+#include "model/coarse_units.h"
 #include "wythe/folders.h"
 #include "wythe/model.h"
 #include "wythe/report.h"
@@ -71,6 +72,8 @@ WallsVerdict write_verdict(const std::string& folder, const std::vector<std::str
                            const std::string& language, const Points& at) {
   std::vector<std::string> folders;
   folders.reserve(inner.size());
+      if (Message units = caution_of_units(base); !units.empty())
+        asked.cautions.push_back(std::move(units));
   for (const std::string& name : inner) folders.push_back(folder + "/" + name);
   WallsVerdict verdict = read_verdict(folders);
   Replacement results(folder, [](const std::string& name) {

@@ -5,6 +5,7 @@
 
 #include "judge/assessment/assessment_parts.h"
 #include "judge/modes/wall_parts.h"
+#include "model/coarse_units.h"
 #include "statistics/bootstrap.h"
 #include "statistics/intervals.h"
 #include "statistics/survival.h"
@@ -108,6 +109,7 @@ std::vector<Message> cautions_of_samples(const Campaign& campaign, const ModelSp
                                          const Model& model) {
   std::vector<Message> say = study::cautions_of_masses(base, model);
   if (knows_walls(campaign, model)) return say;
+  if (Message units = caution_of_units(base); !units.empty()) say.push_back(std::move(units));
   if (study::find_parts(model).piers.size() > 1 || base.storey.size() > 1)
     say.push_back({"assessment.caution.whole_drift"});
   return say;

@@ -143,6 +143,33 @@ class Assess(unittest.TestCase):
             for said in words:
                 self.assertIn(said, " ".join(j["cautions"]))
 
+    def test_a_wall_of_units_drawn_larger_is_not_signed(self):
+        real = "[wall.unit.real]\nlength = \"100 mm\"\nheight = \"50 mm\"\n"
+        for name, text, words in (("twice", WALL + real, ("drawn 2 times", "peak force of three brick walls by -12.7 to -0.2 %", "-13 to +61 % or more")),
+                                  ("five", WALL + real.replace("50 mm", "20 mm"), ("5 times as high", "no walls drawn so were compared"))):
+            with self.subTest(name):
+                model, out = self.file(f"{name}.toml", text), self.folder / name
+                ended = wythe("assess", model, "--out", out, "--walls", "2", "--quiet", "--lang", "it")
+                self.assertEqual(ended.returncode, 0, ended.stderr)
+                j = json.loads((out / "assessment.json").read_text())
+                self.assertFalse(j["may_be_signed"])
+                for said in words:
+                    self.assertIn(said, " ".join(j["cautions"]))
+                page = (out / "report.html").read_text(encoding="utf-8")
+                self.assertIn("gli elementi sono disegnati", page.lower())
+                self.assertIn(words[0].replace("drawn 2 times", "units are drawn 2 times"), wythe("check", model).stdout)
+                run = self.folder / f"{name}_run"
+                ended = wythe("run", model, "--out", run)
+                self.assertIn("note: units are drawn", ended.stdout)
+                summary = json.loads((run / "summary.json").read_text())
+                self.assertIn("units are drawn", " ".join(summary["assessment"]["cautions"]))
+                self.assertIn("units are drawn", (run / "report.html").read_text(encoding="utf-8"))
+        # as built, and nothing said: not a word more
+        as_built = self.file("as_built.toml", WALL + real.replace("100 mm", "200 mm").replace("50 mm", "100 mm"))
+        self.assertEqual(*(wythe("check", model).stdout.split("\n", 1)[1] for model in (as_built, self.model)))
+        self.refused(WALL + real.replace("100 mm", "0 mm"), "wall.unit.real.length", "bad.toml:")
+        self.refused(WALL + real.replace("100 mm", "130 mm"), "wall.unit.real.length", "whole number", "real.length = \"100 mm\"", "bad.toml:")
+
     # A wall of four by eight units near its demand; `ft` is the strength of its units.
     def knife(self, ft, velocity=4, direction="+x"):
         text = (WALL.replace('pier_load = "20 kN"', 'pier_load = "130 kN"').replace('"1.5 m/s^2"', '"2.03 m/s^2"')

@@ -93,6 +93,9 @@ void add_sides(const Site& site, int index, std::vector<StraightWall>& walls, Fa
   if (!std::isnan(spec.unit.density))
     add_fault(faults, path + ".unit.density", "", "is a material's where walls differ in it",
               "write material = \"stone\" here, and density under [material.stone]");
+  if (!std::isnan(spec.unit.real.length) || !std::isnan(spec.unit.real.height))
+    add_fault(faults, path + ".unit.real", "", "is said once, of the units of all walls",
+              "write it as wall.unit.real");
   if (spec.line.size() < 2)
     return add_fault(faults, path + ".line", "", "needs two points or more",
                      "write e.g. line = [[\"0 m\", \"0 m\"], [\"4 m\", \"0 m\"]]");
