@@ -10,6 +10,7 @@
 #include "judge/assessment/assessment_parts.h"
 #include "judge/modes/mode_names.h"
 #include "statistics/intervals.h"
+#include "statistics/one_push.h"
 #include "wythe/verdict.h"
 
 namespace wythe {
@@ -25,46 +26,6 @@ constexpr double kTestedScatter = 0.085, kAlike = 0.1;
 
 bool is_in_plane(const Model& model, const std::string& mode) {
   return !model.in_space() || mode.starts_with("in-plane");
-}
-
-// --- what one push cannot tell
-
-// Whether a push waits at each crack and goes on no faster than those whose answer was that of a slow push
-// (docs/evidence/rate.md): the speeds of a push that states none.
-bool waits_at_cracks(const Model& model) {
-  constexpr double kNearBalance = 1e-4, kRounding = 1 + 1e-9;
-  for (auto stage = model.stages.rbegin(); stage != model.stages.rend(); ++stage) {
-    const StageSpec& push = stage->spec;
-    if (push.kind != StageKind::kPush) continue;
-    return push.fast_velocity > push.velocity && push.velocity <= kWaitingVelocity * kRounding &&
-           push.fast_velocity <= kAdaptedVelocity * kRounding &&
-           push.fast_below <= kNearBalance * kRounding;
-  }
-  return false;
-}
-
-// The reason why one push cannot tell its drift or mode; nullptr of any other caution.
-Message* reason_of_one_push(Message& caution) {
-  if (caution.code != "assessment.caution.drift" && caution.code != "assessment.caution.mode")
-    return nullptr;
-  for (Argument& argument : caution.arguments)
-    if (auto* why = std::get_if<std::vector<Message>>(&argument.value); why && !why->empty())
-      return &why->front();
-  return nullptr;
-}
-
-// A jump or a flat curve makes one push an accident, and the scatter of many tells what it is worth, if no bias goes
-// with their speed. A push that is not slow enough for its force is one side of the truth, however many there are.
-void leave_to_the_scatter(bool waits, std::vector<Message>& cautions) {
-  std::erase_if(cautions, [&](Message& caution) {
-    const Message* why = reason_of_one_push(caution);
-    return waits && why != nullptr && why->code != "promise.force";
-  });
-  for (Message& caution : cautions)
-    if (Message* why = reason_of_one_push(caution))
-      for (Argument& argument : why->arguments)
-        if (argument.name == "cure")  // that of one push is to ask many walls, which is done here
-          argument = Argument("cure", Message{"verdict.cure.wait"});
 }
 
 // What is known of a wall's capacity: it lies from low to high by its own curve, and from least to most at whichever
@@ -629,7 +590,6 @@ int next_walls(const WallCounts& counts, double width) {
 std::vector<JudgedWall> judge_walls(const Campaign& campaign, const ModelSpec& base,
                                     const Model& model) {
   std::vector<JudgedWall> out;
-  const bool waits = waits_at_cracks(model);
   for (const SampleRecord& record : campaign.records) {
     if (record.status.empty()) continue;
     JudgedWall& wall = out.emplace_back();
@@ -640,7 +600,7 @@ std::vector<JudgedWall> judge_walls(const Campaign& campaign, const ModelSpec& b
     wall.peak = record.responses.peak_reaction;
     wall.is_in_plane = is_in_plane(model, wall.mode);
     wall.assessment = assess_sample(record, base, model);
-    leave_to_the_scatter(waits, wall.assessment.cautions);
+    study::leave_to_the_scatter(model, wall.assessment.cautions);
     if (!is_answered(record))
       wall.lost = record.reason;  // a wall that was refused has no push to speak of
     else if (wall.assessment.limit_states.empty())

@@ -228,19 +228,20 @@ class Assess(unittest.TestCase):
 
     def test_what_one_push_cannot_tell_the_scatter_of_pushes_that_wait_tells(self):
         # the force jumps at 3.7 mm: one push cannot tell the drift. Asking many walls was the cure, so many that wait are not barred by it
-        knife = (WALL.replace('pier_load = "20 kN"', 'pier_load = "130 kN"').replace('until = "4 mm"', 'until = "6 mm"\nstop_below = 0.5'))
+        knife = (WALL.replace('pier_load = "20 kN"', 'pier_load = "130 kN"')
+                 .replace('until = "4 mm"', 'until = "6 mm"\nstop_below = 0.5\ndamping = 0.2'))
         for name, speed, barred in (("waits", "", False), ("one speed", 'velocity = "4 mm/s"', True),
                                     ("hardly waits", 'velocity = "4 mm/s"\nfast_velocity = "4.1 mm/s"', True),
-                                    ("always in balance", 'fast_below = 1.0', True),
-                                    ("fast between cracks", 'velocity = "0.09 mm/s"\nfast_velocity = "20 mm/s"', True),
+                                    ("always in balance", 'fast_below = 1.0', True), ("damped", "", True),
                                     ("slow alone", 'velocity = "1 mm/s"\nfast_velocity = "5 mm/s"', True)):
             with self.subTest(name):
                 out = self.folder / name
-                ended = wythe("assess", self.file("waits.toml", knife.replace('velocity = "1 mm/s"', speed)), "--out", out, "--walls", "2", "--quiet")
+                text = knife.replace('velocity = "1 mm/s"', speed).replace("damping = 0.2", "damping = 0.8" if name == "damped" else "damping = 0.2")
+                ended = wythe("assess", self.file("waits.toml", text), "--out", out, "--walls", "2", "--quiet")
                 self.assertEqual(ended.returncode, 0, ended.stderr)
                 said = " ".join(json.loads((out / "assessment.json").read_text())["cautions"])
                 self.assertEqual("one run cannot tell the drift" in said, barred, said)
-                self.assertNotIn("ask eight such walls", said)
+                self.assertNotIn("wythe run", said)
 
     def test_each_limit_state_has_its_own_spectrum(self):
         spectra = "".join(f'[assessment.spectra.{state}]\nkind = "ntc2018"\nground_acceleration = "{ag} m/s^2"\n'
