@@ -406,6 +406,65 @@ class Assess(unittest.TestCase):
         self.assertEqual(wythe("store", "check", out).returncode, 0)
         self.assertIn("no mass", json.loads((out / "statistics.json").read_text())["assessment"]["reason"])
 
+    def test_parts_out_of_plane_are_in_the_verdict(self):
+        of_walls = json.loads((self.out / "assessment.json").read_text())["verdict_of_pushes"]
+        part = '[[assessment.part]]\nname = "timpano"\n'
+        for name, rest, verdict, english, italian in (
+                ("stands", 'foot = "0.4 m"\n', of_walls, "out of plane timpano has the least reserve", "fuori piano timpano ha la riserva minore"),
+                ("falls", 'foot = "0 m"\nlean = "30 deg"\n', "fails", "life safety not met: timpano falls on its face, with 0.00 times",
+                 "non soddisfatta: timpano si ribalta"),
+                ("beyond", 'foot = "0.4 m"\nhead = "2 m"\n', "not shown", "timpano could not be checked out of plane", "verifica fuori piano impossibile per timpano")):
+            with self.subTest(name):
+                out = self.folder / f"part_{name}"
+                arguments = ("assess", self.file(f"part_{name}.toml", WALL + part + rest), "--out", out, "--walls", "6", "--quiet", "--lang", "it")
+                ended = wythe(*arguments)
+                self.assertEqual(ended.returncode, 0, ended.stderr)
+                said = (out / "assessment.json").read_bytes()
+                j = json.loads(said)
+                self.assertEqual(j["verdict"], "not shown" if name != "falls" and of_walls == "not shown" else verdict, j["sentence"])
+                self.assertEqual(j["verdict_of_pushes"], of_walls)
+                self.assertIn(english, j["sentence"])
+                self.assertIn(english, ended.stdout)
+                self.assertIn("out of plane: timpano" if name != "beyond" else "not checked: local mechanism: timpano", ended.stdout)
+                self.assertEqual(len(j["parts"]["checked"]) + len(j["parts"]["not_checked"]), 1)
+                self.assertTrue(j["parts"]["named"])
+                if name == "beyond":
+                    self.assertFalse(j["may_be_signed"])
+                    self.assertIn("write foot and head within the wall", j["parts"]["not_checked"][0]["why"])
+                page = (out / "report.html").read_text(encoding="utf-8")
+                self.assertIn(italian, page)
+                self.assertNotIn("Il collasso locale fuori piano non è modellato qui", page)
+                self.assertIn("Fuori piano sono state verificate le parti indicate" if name != "beyond" else
+                              "Fuori piano queste parti non sono state verificate", page)
+                # read from the store again: the same verdict
+                (out / "assessment.json").unlink()
+                self.assertEqual(wythe(*arguments, "--resume").returncode, 0)
+                self.assertEqual((out / "assessment.json").read_bytes(), said)
+
+    def test_parts_that_rules_find_are_no_more_than_that(self):
+        # a floor whose bearing nobody states: the wall under it is not checked, and the page says so
+        floor = WALL.replace('[[stage]]\nname = "gravity"', '[[floor]]\nname = "roof"\ny = "0.8 m"\nload = "2 kN/m"\n[[stage]]\nname = "gravity"')
+        out = self.folder / "no_bearing"
+        ended = wythe("assess", self.file("no_bearing.toml", floor), "--out", out, "--walls", "2", "--quiet")
+        self.assertEqual(ended.returncode, 0, ended.stderr)
+        j = json.loads((out / "assessment.json").read_text())
+        self.assertIn("these parts were not checked, for want of data or of certainty: the wall", " ".join(j["notes"]))
+        self.assertIn("how deep it bears", j["parts"]["not_checked"][0]["why"])
+        self.assertEqual((j["parts"]["least"], j["verdict"]), (None, j["verdict_of_pushes"]))
+        # a thin wall falls if nothing holds it: that is not met, and the cure is to say what does
+        thin = WALL.replace('thickness = "0.2 m"', 'thickness = "0.03 m"').replace('pier_load = "20 kN"', 'pier_load = "1 kN"')
+        out = self.folder / "thin_wall"
+        ended = wythe("assess", self.file("thin_wall.toml", thin), "--out", out, "--walls", "2", "--quiet", "--lang", "it")
+        self.assertEqual(ended.returncode, 0, ended.stderr)
+        j = json.loads((out / "assessment.json").read_text())
+        self.assertNotEqual(j["verdict"], "holds")
+        self.assertFalse(j["may_be_signed"])
+        self.assertIn("falls on its face if nothing holds it", j["sentence"])
+        self.assertIn("[[assessment.part]]", " ".join(j["cautions"]))
+        page = (out / "report.html").read_text(encoding="utf-8")
+        self.assertIn("la parete si ribalta se nulla la trattiene", page)
+        self.assertNotIn("assessment.part", page)
+
     def test_one_direction_impossible_is_named(self):
         # the mirrored place lies in an opening
         self.refused(WALL.replace("[wall.unit]", '[[wall.opening]]\nx = "0.6 m"\ny = "0.6 m"\nwidth = "0.2 m"\nheight = "0.2 m"\n'
