@@ -121,6 +121,17 @@ void print_way(const WayOfPushing& way) {
   fmt::print("\n");
 }
 
+// What a part is worth, then what stands against it.
+void print_part(const LocalCheck& part) {
+  Message said = part.sentence;
+  if (said.code == "local.unsigned")
+    for (const Argument& argument : part.sentence.arguments)
+      if (argument.name == "verdict") said = std::get<std::vector<Message>>(argument.value).front();
+  fmt::print("out of plane: {}\n", readable(text_of(said)));
+  for (const Message& caution : part.cautions)
+    fmt::print("  doubtful: {}\n", readable(text_of(caution)));
+}
+
 void print_verdict(const WallsVerdict& v, const std::string& out) {
   fmt::print("{}{}\n", v.may_be_signed ? "" : "WARNING ", text_of(v.sentence));
   for (const WayOfPushing& way : v.ways) print_way(way);
@@ -129,6 +140,9 @@ void print_verdict(const WallsVerdict& v, const std::string& out) {
       if (wall.is_lost())
         fmt::print("lost: {}/{}, wall {}: {}\n", out, way.folder, wall.wall,
                    readable(text_of(wall.lost)));
+  for (const LocalCheck& part : v.parts.checked) print_part(part);
+  for (const Refusal& part : v.parts.refused)
+    fmt::print("not checked: {}: {}\n", readable(text_of(part.what)), readable(part.why));
   fmt::print("report {}/report.html\n", out);
 }
 

@@ -120,6 +120,8 @@ struct LocalCheck {
   std::vector<Message> cautions, notes;
   Message sentence;
   [[nodiscard]] const LocalStateCheck* deciding() const;
+  // Capacity over demand of that limit state; 0 of a part that falls by itself, NaN without an answer.
+  [[nodiscard]] double reserve() const;
 };
 
 // Checks of every part that the model file names or, where it names none, that simple rules find, and of the mechanism

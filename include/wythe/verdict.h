@@ -14,6 +14,8 @@
 
 #include "wythe/assessment.h"
 #include "wythe/campaign.h"
+#include "wythe/limit.h"
+#include "wythe/local_check.h"
 #include "wythe/message.h"
 #include "wythe/statistics.h"
 
@@ -97,8 +99,20 @@ struct WayOfPushing {
   WallCapacity capacity = {};
 };
 
+// Parts of the wall that may fall on their face (local_check.h), of the base model: its means, no scatter.
+struct PartsOutOfPlane {
+  bool are_named = false;  // by the model file; else found by rules, with nothing that holds them
+  std::vector<LocalCheck> checked;  // each with its verdict, or without an answer
+  std::vector<Refusal> refused;     // that could not be checked, and why
+  Message not_looked_at = {};       // why there are none; empty: there are, or nobody asked
+  // Its name for a reader: the file's own, or a word of the program for what rules found.
+  [[nodiscard]] Message words_of(const std::string& name) const;
+};
+
 struct WallsVerdict {
+  // The worse of `of_pushes` and what parts out of plane are worth.
   AssessmentVerdict verdict = AssessmentVerdict::kNotKnown;
+  AssessmentVerdict of_pushes = AssessmentVerdict::kNotKnown;  // in the walls' plane
   bool may_be_signed = false;
   std::vector<Message> cautions;  // why not; said before the verdict
   Message reason;                 // why there is no verdict; empty: there is
@@ -112,6 +126,13 @@ struct WallsVerdict {
   ElasticSpectrum spectrum;  // its own
   std::string mode;          // the name most often given there
   int mode_count = 0;
+  PartsOutOfPlane parts;
+  // Of the parts that say something: one that fails, else the one with the least reserve; null: none does.
+  [[nodiscard]] const LocalCheck* least_part() const;
+  // Whether parts, and not the pushes, make the verdict what it is.
+  [[nodiscard]] bool part_decides() const;
+  // The limit state that decides, of pushes or of a part.
+  [[nodiscard]] LimitState state() const;
   // "-x", or "-x, uniform" where there are several patterns.
   [[nodiscard]] std::string decides() const;
 };
@@ -123,7 +144,7 @@ struct WallsVerdict {
 // does not allow, what does not scatter.
 [[nodiscard]] WallsVerdict verdict_of(const AssessmentSpec& spec, std::vector<WayOfPushing> ways,
                                       int asked, std::vector<Message> cautions = {},
-                                      std::vector<Message> notes = {});
+                                      std::vector<Message> notes = {}, PartsOutOfPlane parts = {});
 
 // --- how many walls (docs/theory/assessment.md, "How many walls")
 

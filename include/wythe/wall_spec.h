@@ -114,6 +114,11 @@ struct MortarSpec {
   double bed = kUnset, head = kUnset;  // [m]
 };
 
+// The size of units as they were built, where the model draws them larger; as `length` and `height` of UnitSpec.
+struct RealUnitSpec {
+  double length = kUnset, height = kUnset;  // [m]; unset: as drawn
+};
+
 struct UnitSpec {
   double length = kUnset;  // nominal, joint included [m]; with `mortar` that of the bare unit
   double height = kUnset;  // nominal course height, joint included [m]; with `mortar` bare
@@ -122,6 +127,7 @@ struct UnitSpec {
   Split split = Split::kMiddle;
   double density = kUnset;  // [kg/m^3]
   MortarSpec mortar = {};
+  RealUnitSpec real = {};
 };
 
 // Names of the joint materials of masonry; "": those of the wall, and there joint, joint, unit.

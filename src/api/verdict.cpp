@@ -4,7 +4,10 @@
 #include <filesystem>
 
 #include "campaign/draws/scatter.h"
+#include "model/coarse_units.h"
 #include "wythe/folders.h"
+#include "wythe/limit.h"
+#include "wythe/local_check.h"
 #include "wythe/model.h"
 #include "wythe/report.h"
 
@@ -28,12 +31,32 @@ Message note_of_scatter(const ModelSpec& base, double between) {
           {{"percent", 100 * between}}};
 }
 
+// Checks of parts out of plane, of the base model. They need no walls: seconds at most.
+PartsOutOfPlane parts_of(const ModelSpec& base, const Model& model) {
+  PartsOutOfPlane out;
+  out.are_named = !base.assessment.part.empty();
+  if (has_parts(base, model)) {
+    SecondOpinion opinion;
+    add_local_checks(base, model, true, opinion);
+    out.checked = std::move(opinion.local);
+    out.refused = std::move(opinion.refused);
+  } else if (out.are_named) {
+    for (const PartSpec& part : base.assessment.part)
+      out.refused.push_back({{"local.part", {{"name", part.name.empty() ? "part" : part.name}}},
+                             text_of(Message{"local.parts_in_space"})});
+  } else {
+    out.not_looked_at = {"verdict.note.no_parts"};
+  }
+  return out;
+}
+
 }  // namespace
 
 WallsVerdict read_verdict(const std::vector<std::string>& folders) {
   std::vector<WayOfPushing> ways;
   PushWays asked;
   AssessmentSpec spec;
+  PartsOutOfPlane parts;
   std::string program;
   int walls = 0;
   for (const std::string& folder : folders) {
@@ -44,10 +67,13 @@ WallsVerdict read_verdict(const std::vector<std::string>& folders) {
       spec = base.assessment;
       program = campaign.provenance;
       asked = ways_of(base, model);
+      parts = parts_of(base, model);
       const double between = scatter_between(campaign.study);
       asked.notes.push_back(note_of_scatter(base, between));
       if (std::isnan(spec.confidence_factor) && std::isnan(between))
         asked.cautions.push_back({"verdict.caution.means"});
+      if (Message units = caution_of_units(base); !units.empty())
+        asked.cautions.push_back(std::move(units));
       for (const study::OddScatter& odd : study::odd_scatter(base, model, between))
         asked.cautions.push_back({"verdict.caution.scatter",
                                   {{"strength", Message{odd.words}},
@@ -61,8 +87,8 @@ WallsVerdict read_verdict(const std::vector<std::string>& folders) {
                     .walls = judge_walls(campaign, base, model)});
     walls = std::max(walls, campaign.samples.n_sample());
   }
-  WallsVerdict verdict =
-      verdict_of(spec, std::move(ways), walls, std::move(asked.cautions), std::move(asked.notes));
+  WallsVerdict verdict = verdict_of(spec, std::move(ways), walls, std::move(asked.cautions),
+                                    std::move(asked.notes), std::move(parts));
   verdict.program = std::move(program);
   return verdict;
 }

@@ -188,6 +188,7 @@ std::vector<std::string> shape_keys(const Shape& shape) {
   add("wall.unit.width", !std::isnan(wall.unit.width));
   add("wall.unit.split", wall.unit.split != unset.unit.split);
   add("wall.unit.mortar", !std::isnan(wall.unit.mortar.bed) || !std::isnan(wall.unit.mortar.head));
+  add("wall.unit.real", !std::isnan(wall.unit.real.length) || !std::isnan(wall.unit.real.height));
   add("wall.opening", !wall.opening.empty());
   add("wall.foundation", !wall.foundation.empty());
   add("ring_beam", !shape.ring_beam.empty());

@@ -98,8 +98,8 @@ class Key {
   void add_density(double density) { add_all(std::isfinite(density), density > 0, density == 0); }
 
   void add(const UnitSpec& unit) {
-    const auto& [length, height, width, split, density, mortar] = unit;
-    add_all(length, height, width, split, mortar.bed, mortar.head);
+    const auto& [length, height, width, split, density, mortar, real] = unit;
+    add_all(length, height, width, split, mortar.bed, mortar.head, real.length, real.height);
     add_density(density);
   }
   void add(const MasonryJoints& joints) {

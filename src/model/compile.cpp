@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "model/coarse_units.h"
 #include "model/compiler.h"
 #include "model/densities.h"
 #include "model/field_places.h"
@@ -203,6 +204,7 @@ Model fill(const ModelSpec& spec, const Assembly& assembly) {
   note_storeys_without_top(model);
   note_idle_materials(spec, model);
   note_densities(spec, model);
+  note_coarse_units(spec, model);
   set_push_ramps(model);
   for (const double mass : model.heavy_mass) model.weight += mass * model.solve.gravity;
   for (const double mass : model.solids.node_heavy_mass) model.weight += mass * model.solve.gravity;

@@ -44,7 +44,7 @@ class Appendix {
       : w_(words), v_(verdict), inputs_(inputs) {}
 
   std::string all() const {
-    return walls() + rules() + spectra() + carried() + masonry() + joints() + "<h2>" +
+    return walls() + parts() + rules() + spectra() + carried() + masonry() + joints() + "<h2>" +
            w_.say("section.provenance") + "</h2>\n<p class=\"small\"><code>" + escaped(v_.program) +
            "</code></p>\n";
   }
@@ -60,8 +60,9 @@ class Appendix {
       head += heads[k].empty() ? "<td></td>"
                                : (left ? "<th class=\"left\">" : "<th>") + heads[k] + "</th>";
     }
-    return "<h2>" + title + "</h2>\n<div class=\"wide\"><table><thead><tr>" + head +
-           "</tr></thead>\n" + rows + "</table></div>\n";
+    return (title.empty() ? "" : "<h2>" + title + "</h2>\n") +
+           "<div class=\"wide\"><table><thead><tr>" + head + "</tr></thead>\n" + rows +
+           "</table></div>\n";
   }
   [[nodiscard]] static std::string cell(const std::string& text, bool left = false) {
     return (left ? "<td class=\"left\">" : "<td>") + text + "</td>";
@@ -116,6 +117,52 @@ class Appendix {
       default: break;
     }
     return value + "<br><span class=\"soft\">" + escaped(w_.texts().phrase(wall.mode)) + "</span>";
+  }
+
+  // What each part out of plane is worth, and by what.
+  [[nodiscard]] std::string parts() const {
+    if (v_.parts.checked.empty()) return "";
+    const auto number = [&](double value, int digits = 3) {
+      return cell(std::isfinite(value) ? w_.texts().quantity(value, "", digits) : "–");
+    };
+    std::string bodies, states, said;
+    for (const LocalCheck& part : v_.parts.checked) {
+      const LocalCapacity& c = part.capacity;
+      const std::string name = w_.words(v_.parts.words_of(part.name));
+      bodies += "<tr>" + cell(name, true) + number(part.foot) + number(part.head) +
+                number(c.alpha0) + number(c.mass_share) + number(c.mass) +
+                number(part.confidence_factor) + number(part.acceleration0) +
+                number(1e3 * c.displacement0) + "</tr>\n";
+      for (const LocalStateCheck& s : part.states)
+        states += "<tr>" + cell(name, true) + cell(w_.state(s.state), true) + number(s.q_ratio) +
+                  number(1e3 * s.displacement) + number(1e3 * s.displacement_demand) +
+                  number(s.displacement_ratio) + number(s.acceleration * kToG) +
+                  number(s.ground_demand * kToG) + "</tr>\n";
+      std::vector<Message> all = part.cautions;
+      all.insert(all.end(), part.notes.begin(), part.notes.end());
+      if (!all.empty())
+        said += "<p class=\"small\">" + w_.say("local.notes", {{"part", name}}) +
+                "</p>\n<div class=\"small\">" + w_.list(all) + "</div>\n";
+    }
+    const auto heads = [&](std::vector<std::string> keys) {
+      for (std::string& key : keys)
+        if (!key.empty()) key = w_.say(key);
+      return keys;
+    };
+    std::string out = table(
+        w_.say("section.local"),
+        heads({"", "local.foot_m", "local.head_m", "local.alpha0", "local.participating_mass_share",
+               "local.participating_mass_kg", "local.confidence_factor",
+               "local.acceleration0_m_per_s2", "local.displacement0_mm"}),
+        bodies, "lr");
+    if (!states.empty())
+      out += table(
+          "",
+          heads({"", "assess.state", "local.capacity_over_demand_by_q", "local.displacement_mm",
+                 "local.displacement_demand_mm", "local.capacity_over_demand_by_displacement",
+                 "local.pga_capacity_g", "local.pga_demand_g"}),
+          states, "llr");
+    return out + "<p class=\"small\">" + w_.say("local.lead") + "</p>\n" + said;
   }
 
   // What may end each limit state side by side: the fall of the force, the drift of each pier, q*.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "core/check.h"
 #include "judge/modes/wall_parts.h"
@@ -65,7 +66,10 @@ bool is_left_out(const Message& note) {
       "assessment.note.strengths",    "assessment.note.space_drift",
       "assessment.note.whole_drift",  "assessment.note.no_record_scatter",
       "assessment.note.floor_mass",   "assessment.note.clauses",
-      "verdict.note.no_tests",        "verdict.note.within_only"};
+      "verdict.note.no_tests",        "verdict.note.within_only",
+      "verdict.note.parts_named",     "verdict.note.parts_found",
+      "verdict.note.parts_unchecked", "verdict.note.parts_held",
+      "verdict.note.no_parts"};
   return std::find(std::begin(kLeftOut), std::end(kLeftOut), note.code) != std::end(kLeftOut);
 }
 
@@ -126,7 +130,7 @@ class VerdictPage {
     const char* key = "assess.undecided";
     if (v_.verdict == AssessmentVerdict::kHolds) key = "assess.holds";
     if (v_.verdict == AssessmentVerdict::kFails) key = "assess.fails";
-    std::string state = words_.state(v_.worst.state);
+    std::string state = words_.state(v_.state());
     state[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(state[0])));
     std::string standing = v_.verdict == AssessmentVerdict::kNotKnown
                                ? say("assess.unknown")
@@ -150,7 +154,10 @@ class VerdictPage {
       out += "<div class=\"card\"><div class=\"value\">" + value + "</div><div class=\"name\">" +
              name + "</div></div>\n";
     };
-    if (v_.verdict != AssessmentVerdict::kNotKnown)
+    if (v_.part_decides() && falls(v_.least_part()))
+      card(words_.fixed(v_.least_part()->reserve()),
+           say("assess.index_part", {{"part", name_of(*v_.least_part())}}));
+    else if (v_.verdict != AssessmentVerdict::kNotKnown)
       card(words_.capacity(v_.worst.capacity, 1 / v_.worst.demand, ""), say("assess.index"));
     card(say("assess.code." + v_.spec.code), say("assess.code"));
     if (!std::isnan(v_.spec.confidence_factor)) {
@@ -313,7 +320,7 @@ class VerdictPage {
     if (v_.limit_states.empty()) return "";
     std::string rows;
     for (const StateVerdict& of : v_.limit_states) {
-      const bool decides = of.is_checked && of.state == v_.worst.state;
+      const bool decides = !v_.part_decides() && of.is_checked && of.state == v_.worst.state;
       rows += fmt::format(
           "<tr{}><td class=\"left\">{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
           decides ? " class=\"decides\"" : "",
@@ -327,7 +334,45 @@ class VerdictPage {
            "</h2>\n<div class=\"wide\"><table><thead><tr><th class=\"left\">" +
            say("assess.state") + "</th><th>" + say("assess.capacity") + "</th><th>" +
            say("assess.demand") + "</th><th>ζE</th><th>" + say("assess.not_met_in") +
-           "</th></tr></thead>\n" + rows + "</table></div>\n";
+           "</th></tr></thead>\n" + rows + parts() + "</table></div>\n";
+  }
+
+  // Parts out of plane, the one with the least reserve first; the appendix has all of them.
+  [[nodiscard]] std::string parts() const {
+    constexpr std::size_t kShown = 4;
+    std::vector<const LocalCheck*> parts;
+    for (const LocalCheck& part : v_.parts.checked) parts.push_back(&part);
+    const auto order = [&](const LocalCheck* part) {
+      return std::pair(!falls(part), std::isnan(part->reserve()) ? HUGE_VAL : part->reserve());
+    };
+    std::stable_sort(parts.begin(), parts.end(),
+                     [&](const LocalCheck* a, const LocalCheck* b) { return order(a) < order(b); });
+    if (parts.size() > kShown) parts.resize(kShown);
+    std::string rows;
+    for (const LocalCheck* part : parts) {
+      const LocalStateCheck* of = part->deciding();
+      const bool decides = v_.part_decides() && part == v_.least_part() && falls(part);
+      std::string name = say("assess.part_row",
+                             {{"state", words_.state(of != nullptr ? of->state : v_.worst.state)},
+                              {"part", name_of(*part)}});
+      if (decides) name += " (" + say("assess.decides") + ")";
+      const auto number = [&](double value, const char* unit) {
+        return std::isfinite(value) ? words_.fixed(value, unit) : std::string("–");
+      };
+      rows += fmt::format(
+          "<tr{}><td class=\"left\">{}</td><td>{}</td><td>{}</td><td>{}</td><td{}>{}</td></tr>\n",
+          decides ? " class=\"decides\"" : "", name,
+          number(of != nullptr ? of->acceleration * kToG : kUnset, "g"),
+          number(of != nullptr ? of->ground_demand * kToG : kUnset, "g"),
+          number(part->reserve(), ""), falls(part) ? " class=\"fails\"" : "", words_.met(*part));
+    }
+    return rows;
+  }
+  [[nodiscard]] std::string name_of(const LocalCheck& part) const {
+    return words_.words(v_.parts.words_of(part.name));
+  }
+  [[nodiscard]] static bool falls(const LocalCheck* part) {
+    return part != nullptr && part->verdict == AssessmentVerdict::kFails;
   }
 
   // A name is put only under what may be signed.

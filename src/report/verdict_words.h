@@ -73,6 +73,14 @@ class VerdictWords {
     return (c.at_least ? say("assess.at_least", {{"value", value}}) : value) +
            interval(c.with_tests, scale);
   }
+  // A part out of plane in a word.
+  [[nodiscard]] std::string met(const LocalCheck& part) const {
+    switch (part.verdict) {
+      case AssessmentVerdict::kHolds: return say("assess.met");
+      case AssessmentVerdict::kFails: return say("assess.not_met");
+      default: return say("assess.lost");
+    }
+  }
   [[nodiscard]] std::string not_met_of(const WallCounts& counts) const {
     return say("assess.of", {{"part", fmt::format("{}", counts.not_met)},
                              {"all", fmt::format("{}", counts.met + counts.not_met)}});

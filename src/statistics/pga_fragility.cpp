@@ -5,8 +5,10 @@
 
 #include "judge/assessment/assessment_parts.h"
 #include "judge/modes/wall_parts.h"
+#include "model/coarse_units.h"
 #include "statistics/bootstrap.h"
 #include "statistics/intervals.h"
+#include "statistics/one_push.h"
 #include "statistics/survival.h"
 #include "wythe/statistics.h"
 
@@ -107,6 +109,7 @@ Message barred(const Campaign& campaign, const Model& model) {
 std::vector<Message> cautions_of_samples(const Campaign& campaign, const ModelSpec& base,
                                          const Model& model) {
   std::vector<Message> say = study::cautions_of_masses(base, model);
+  if (Message units = caution_of_units(base); !units.empty()) say.push_back(std::move(units));
   if (knows_walls(campaign, model)) return say;
   if (study::find_parts(model).piers.size() > 1 || base.storey.size() > 1)
     say.push_back({"assessment.caution.whole_drift"});
@@ -215,13 +218,11 @@ MassAndShape middle_of(std::vector<MassAndShape> masses) {
   return masses[(masses.size() - 1) / 2];
 }
 
-// A bound has its place in a fragility. And what one run cannot tell the scatter of many tells, if no bias goes with
-// their speed (docs/evidence/rate.md).
-bool is_doubtful(const CodeAssessment& a, const Model& model) {
+// A bound has its place in a fragility, and what one run cannot tell the scatter of many may tell.
+bool is_doubtful(const CodeAssessment& a, bool waits) {
   return std::any_of(a.cautions.begin(), a.cautions.end(), [&](const Message& caution) {
-    const bool of_one_run =
-        caution.code == "assessment.caution.drift" || caution.code == "assessment.caution.mode";
-    return caution.code != "assessment.caution.bound" && !(of_one_run && adapts(model));
+    return caution.code != "assessment.caution.bound" &&
+           !study::is_left_to_the_scatter(caution, waits);
   });
 }
 
@@ -241,6 +242,7 @@ CampaignAssessment assess_campaign(const Campaign& campaign, const ModelSpec& ba
   }
   out.notes = cautions_of_samples(campaign, base, model);
   std::vector<Message> notes;
+  const bool waits = study::waits_at_cracks(model);
   Message why;  // the first sample without an answer has none
   std::vector<MassAndShape> masses;
   std::vector<std::vector<Reading>> readings(std::size(kLimitStateWords));
@@ -255,7 +257,7 @@ CampaignAssessment assess_campaign(const Campaign& campaign, const ModelSpec& ba
     }
     ++out.answered;
     masses.push_back(a.mass);
-    out.doubtful += is_doubtful(a, model) ? 1 : 0;
+    out.doubtful += is_doubtful(a, waits) ? 1 : 0;
     for (const LimitStateCheck& check : a.limit_states)
       readings[static_cast<std::size_t>(check.state)].push_back(
           {check.acceleration, check.at_least});

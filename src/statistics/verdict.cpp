@@ -10,6 +10,7 @@
 #include "judge/assessment/assessment_parts.h"
 #include "judge/modes/mode_names.h"
 #include "statistics/intervals.h"
+#include "statistics/one_push.h"
 #include "wythe/verdict.h"
 
 namespace wythe {
@@ -25,46 +26,6 @@ constexpr double kTestedScatter = 0.085, kAlike = 0.1;
 
 bool is_in_plane(const Model& model, const std::string& mode) {
   return !model.in_space() || mode.starts_with("in-plane");
-}
-
-// --- what one push cannot tell
-
-// Whether a push waits at each crack and goes on no faster than those whose answer was that of a slow push
-// (docs/evidence/rate.md): the speeds of a push that states none.
-bool waits_at_cracks(const Model& model) {
-  constexpr double kNearBalance = 1e-4, kRounding = 1 + 1e-9;
-  for (auto stage = model.stages.rbegin(); stage != model.stages.rend(); ++stage) {
-    const StageSpec& push = stage->spec;
-    if (push.kind != StageKind::kPush) continue;
-    return push.fast_velocity > push.velocity && push.velocity <= kWaitingVelocity * kRounding &&
-           push.fast_velocity <= kAdaptedVelocity * kRounding &&
-           push.fast_below <= kNearBalance * kRounding;
-  }
-  return false;
-}
-
-// The reason why one push cannot tell its drift or mode; nullptr of any other caution.
-Message* reason_of_one_push(Message& caution) {
-  if (caution.code != "assessment.caution.drift" && caution.code != "assessment.caution.mode")
-    return nullptr;
-  for (Argument& argument : caution.arguments)
-    if (auto* why = std::get_if<std::vector<Message>>(&argument.value); why && !why->empty())
-      return &why->front();
-  return nullptr;
-}
-
-// A jump or a flat curve makes one push an accident, and the scatter of many tells what it is worth, if no bias goes
-// with their speed. A push that is not slow enough for its force is one side of the truth, however many there are.
-void leave_to_the_scatter(bool waits, std::vector<Message>& cautions) {
-  std::erase_if(cautions, [&](Message& caution) {
-    const Message* why = reason_of_one_push(caution);
-    return waits && why != nullptr && why->code != "promise.force";
-  });
-  for (Message& caution : cautions)
-    if (Message* why = reason_of_one_push(caution))
-      for (Argument& argument : why->arguments)
-        if (argument.name == "cure")  // that of one push is to ask many walls, which is done here
-          argument = Argument("cure", Message{"verdict.cure.wait"});
 }
 
 // What is known of a wall's capacity: it lies from low to high by its own curve, and from least to most at whichever
@@ -253,11 +214,60 @@ bool is_worse(const StateVerdict& a, const StateVerdict& b) {
   return index(a) < index(b);
 }
 
+// --- parts that fall on their face
+
+// Whether a check says what a part is worth. One that rules found, with nothing known of what holds it, and that is not to
+// be signed says nothing, unless it fails.
+bool is_counted(const PartsOutOfPlane& parts, const LocalCheck& part) {
+  if (part.verdict == AssessmentVerdict::kFails) return true;
+  return part.verdict == AssessmentVerdict::kHolds && (parts.are_named || part.may_be_signed);
+}
+
+// What parts leave of the verdict. A part that the file names and says how it is held is what it is. One that rules found
+// would fall if nothing held it: that takes away what the pushes show, and shows nothing else.
+AssessmentVerdict worth_of(const PartsOutOfPlane& parts) {
+  AssessmentVerdict worst = AssessmentVerdict::kHolds;
+  const auto take = [&](AssessmentVerdict verdict) {
+    if (severity(verdict) > severity(worst)) worst = verdict;
+  };
+  for (const LocalCheck& part : parts.checked) {
+    if (part.verdict == AssessmentVerdict::kFails)
+      take(parts.are_named ? AssessmentVerdict::kFails : AssessmentVerdict::kNotShown);
+    else if (parts.are_named && part.verdict != AssessmentVerdict::kHolds)
+      take(AssessmentVerdict::kNotShown);
+  }
+  if (parts.are_named && !parts.refused.empty()) take(AssessmentVerdict::kNotShown);
+  return worst;
+}
+
+// "gable" of "local mechanism: gable".
+Message name_of(const PartsOutOfPlane& parts, const Refusal& part) {
+  for (const Argument& argument : part.what.arguments)
+    if (const auto* name = std::get_if<std::string>(&argument.value)) return parts.words_of(*name);
+  return part.what;
+}
+std::vector<Message> names_of(const PartsOutOfPlane& parts, const auto& is_meant) {
+  std::vector<Message> names;
+  for (const LocalCheck& part : parts.checked)
+    if (is_meant(part)) names.push_back(parts.words_of(part.name));
+  return names;
+}
+std::vector<Message> names_without_answer(const PartsOutOfPlane& parts) {
+  std::vector<Message> names = names_of(parts, [&](const LocalCheck& part) {
+    return parts.are_named ? part.verdict != AssessmentVerdict::kFails &&
+                                 part.verdict != AssessmentVerdict::kHolds
+                           : !is_counted(parts, part);
+  });
+  for (const Refusal& part : parts.refused) names.push_back(name_of(parts, part));
+  return names;
+}
+
 class Verdict {
  public:
   Verdict(const AssessmentSpec& spec, std::vector<WayOfPushing> ways, int asked,
-          std::vector<Message> cautions, std::vector<Message> notes)
+          std::vector<Message> cautions, std::vector<Message> notes, PartsOutOfPlane parts)
       : asked_(asked) {
+    out_.parts = std::move(parts);
     out_.spec = spec;
     out_.spectrum = spectrum_of(spec.spectrum);
     out_.ways = std::move(ways);
@@ -328,7 +338,7 @@ class Verdict {
     }
     if (decides == nullptr) return;
     out_.worst = *decides;
-    out_.verdict = decides->verdict;
+    out_.of_pushes = decides->verdict;
     out_.spectrum = spectrum_of(spectrum_for(out_.spec, decides->state));
     name_mode();
   }
@@ -402,7 +412,7 @@ class Verdict {
     if (out_.worst.counts.not_shown > 0)
       out_.cautions.push_back({"verdict.caution.not_shown",
                                {{"not_shown", out_.worst.counts.not_shown}, {"walls", asked_}}});
-    if (out_.verdict != AssessmentVerdict::kNotShown) return;
+    if (out_.of_pushes != AssessmentVerdict::kNotShown) return;
     const bool walls_tell =
         verdict_by(out_.worst.counts.probability().interval) != AssessmentVerdict::kNotShown;
     const Interval& tests = out_.worst.capacity.with_tests;
@@ -444,22 +454,78 @@ class Verdict {
     }
   }
 
+  // What stands against parts out of plane: each kind once, with the parts that it concerns.
+  void caution_of_parts() {
+    const PartsOutOfPlane& parts = out_.parts;
+    if (!parts.are_named) {
+      std::vector<Message> falls = names_of(
+          parts, [](const LocalCheck& part) { return part.verdict == AssessmentVerdict::kFails; });
+      if (!falls.empty())
+        out_.cautions.push_back({"verdict.caution.part_found", {{"parts", std::move(falls)}}});
+      return;
+    }
+    std::vector<std::pair<Message, std::vector<Message>>> kinds;  // the first, and names of parts
+    for (const LocalCheck& part : parts.checked)
+      for (const Message& caution : part.cautions) {
+        auto known = std::find_if(kinds.begin(), kinds.end(), [&](const auto& kind) {
+          return kind.first.code == caution.code;
+        });
+        if (known == kinds.end())
+          known = kinds.insert(kinds.end(), {caution, std::vector<Message>{}});
+        known->second.push_back(parts.words_of(part.name));
+      }
+    for (auto& [caution, names] : kinds)
+      out_.cautions.push_back(
+          {"verdict.caution.parts", {{"parts", std::move(names)}, {"what", caution}}});
+    if (std::vector<Message> names = names_without_answer(parts); !names.empty())
+      out_.cautions.push_back({"verdict.caution.part_unchecked", {{"parts", std::move(names)}}});
+  }
+
   void conclude() {
-    const bool is_known = out_.verdict != AssessmentVerdict::kNotKnown;
+    const bool is_known = out_.of_pushes != AssessmentVerdict::kNotKnown;
+    out_.verdict = out_.of_pushes;
     if (is_known) {
       caution_of_pushes();
       caution_of_walls();
       caution_of_alike();
+      caution_of_parts();
+      const AssessmentVerdict of_parts = worth_of(out_.parts);
+      if (severity(of_parts) > severity(out_.of_pushes)) out_.verdict = of_parts;
     }
     if (!is_known && out_.reason.empty()) out_.reason = {"verdict.no_wall_answers"};
     out_.may_be_signed = is_known && out_.cautions.empty();
-    const Message said =
-        is_known ? verdict_in_words() : Message{"assessment.not_known", {{"why", out_.reason}}};
+    const Message said = is_known ? with_parts(verdict_in_words())
+                                  : Message{"assessment.not_known", {{"why", out_.reason}}};
     out_.sentence =
         out_.cautions.empty() || !is_known
             ? said
             : Message{"assessment.unsigned", {{"cautions", out_.cautions}, {"verdict", said}}};
     add_notes();
+  }
+
+  // The verdict of the pushes and, before it where it is worse, that of the parts.
+  [[nodiscard]] Message with_parts(Message of_pushes) const {
+    const LocalCheck* least = out_.least_part();
+    const bool fails = least != nullptr && least->verdict == AssessmentVerdict::kFails;
+    const LocalStateCheck* of_part = least != nullptr ? least->deciding() : nullptr;
+    if (fails || out_.part_decides()) {
+      if (!fails)
+        return {"verdict.parts_unchecked",
+                {{"state", study::words_of_state(out_.worst.state)},
+                 {"parts", names_without_answer(out_.parts)},
+                 {"pushes", std::move(of_pushes)}}};
+      return {
+          out_.parts.are_named ? "verdict.part_fails" : "verdict.part_may_fall",
+          {{"state", study::words_of_state(of_part != nullptr ? of_part->state : out_.worst.state)},
+           {"part", out_.parts.words_of(least->name)},
+           {"ratio", least->reserve()},
+           {"pushes", std::move(of_pushes)}}};
+    }
+    if (least == nullptr) return of_pushes;
+    return {"verdict.part_stands",
+            {{"part", out_.parts.words_of(least->name)},
+             {"ratio", least->reserve()},
+             {"pushes", std::move(of_pushes)}}};
   }
 
   [[nodiscard]] bool tests_widen() const {
@@ -489,8 +555,8 @@ class Verdict {
     const WallCounts& counts = out_.worst.counts;
     const Interval share = counts.with_tests();
     const char* code = "verdict.undecided";
-    if (out_.verdict == AssessmentVerdict::kFails) code = "verdict.fails";
-    if (out_.verdict == AssessmentVerdict::kHolds) code = "verdict.holds";
+    if (out_.of_pushes == AssessmentVerdict::kFails) code = "verdict.fails";
+    if (out_.of_pushes == AssessmentVerdict::kHolds) code = "verdict.holds";
     return {code,
             {{"state", study::words_of_state(out_.worst.state)},
              {"capacity", capacity_in_words()},
@@ -513,7 +579,7 @@ class Verdict {
 
   // What tested walls say of drift, and what it does to the interval.
   void note_tests() {
-    if (out_.verdict == AssessmentVerdict::kNotKnown) return;
+    if (out_.of_pushes == AssessmentVerdict::kNotKnown) return;
     const std::vector<DriftOfTests>* tests = nullptr;
     int silent = 0;
     for (const WayOfPushing& way : out_.ways)
@@ -552,6 +618,27 @@ class Verdict {
           if (note.code != "assessment.note.one_pattern" &&
               std::find(out_.notes.begin(), out_.notes.end(), note) == out_.notes.end())
             out_.notes.push_back(note);
+    note_parts();
+  }
+
+  // What was not looked at out of plane, in the place of the note that nothing was.
+  void note_parts() {
+    const PartsOutOfPlane& parts = out_.parts;
+    if (parts.checked.empty() && parts.refused.empty() && parts.not_looked_at.empty()) return;
+    std::erase_if(out_.notes,
+                  [](const Message& note) { return note.code == "assessment.note.out_of_plane"; });
+    if (!parts.not_looked_at.empty()) out_.notes.push_back(parts.not_looked_at);
+    if (out_.least_part() != nullptr)
+      out_.notes.push_back(
+          {parts.are_named ? "verdict.note.parts_named" : "verdict.note.parts_found"});
+    std::vector<Message> held = names_of(parts, [](const LocalCheck& part) {
+      return std::any_of(part.notes.begin(), part.notes.end(),
+                         [](const Message& note) { return note.code == "local.note.head_held"; });
+    });
+    if (!held.empty())
+      out_.notes.push_back({"verdict.note.parts_held", {{"parts", std::move(held)}}});
+    if (std::vector<Message> names = names_without_answer(parts); !names.empty())
+      out_.notes.push_back({"verdict.note.parts_unchecked", {{"parts", std::move(names)}}});
   }
 
   int asked_;
@@ -589,6 +676,34 @@ std::string WallsVerdict::decides() const {
     return way.pattern != worst.pattern;
   });
   return several ? worst.direction + ", " + worst.pattern : worst.direction;
+}
+
+Message PartsOutOfPlane::words_of(const std::string& name) const {
+  if (!are_named && name == "wall") return {"local.wall"};
+  if (!are_named && name == "parapet") return {"local.parapet"};
+  return as_text(name);
+}
+
+const LocalCheck* WallsVerdict::least_part() const {
+  const LocalCheck* least = nullptr;
+  const auto fails = [](const LocalCheck& part) {
+    return part.verdict == AssessmentVerdict::kFails;
+  };
+  for (const LocalCheck& part : parts.checked) {
+    if (!is_counted(parts, part)) continue;
+    if (least == nullptr || (fails(part) && !fails(*least)) ||
+        (fails(part) == fails(*least) && part.reserve() < least->reserve()))
+      least = &part;
+  }
+  return least;
+}
+
+bool WallsVerdict::part_decides() const { return severity(verdict) > severity(of_pushes); }
+
+LimitState WallsVerdict::state() const {
+  const LocalCheck* least = least_part();
+  const LocalStateCheck* of = least != nullptr && part_decides() ? least->deciding() : nullptr;
+  return of != nullptr && least->verdict == AssessmentVerdict::kFails ? of->state : worst.state;
 }
 
 int most_walls(double width) {
@@ -629,7 +744,6 @@ int next_walls(const WallCounts& counts, double width) {
 std::vector<JudgedWall> judge_walls(const Campaign& campaign, const ModelSpec& base,
                                     const Model& model) {
   std::vector<JudgedWall> out;
-  const bool waits = waits_at_cracks(model);
   for (const SampleRecord& record : campaign.records) {
     if (record.status.empty()) continue;
     JudgedWall& wall = out.emplace_back();
@@ -640,7 +754,7 @@ std::vector<JudgedWall> judge_walls(const Campaign& campaign, const ModelSpec& b
     wall.peak = record.responses.peak_reaction;
     wall.is_in_plane = is_in_plane(model, wall.mode);
     wall.assessment = assess_sample(record, base, model);
-    leave_to_the_scatter(waits, wall.assessment.cautions);
+    study::leave_to_the_scatter(model, wall.assessment.cautions);
     if (!is_answered(record))
       wall.lost = record.reason;  // a wall that was refused has no push to speak of
     else if (wall.assessment.limit_states.empty())
@@ -653,8 +767,11 @@ std::vector<JudgedWall> judge_walls(const Campaign& campaign, const ModelSpec& b
 }
 
 WallsVerdict verdict_of(const AssessmentSpec& spec, std::vector<WayOfPushing> ways, int asked,
-                        std::vector<Message> cautions, std::vector<Message> notes) {
-  return Verdict(spec, std::move(ways), asked, std::move(cautions), std::move(notes)).all();
+                        std::vector<Message> cautions, std::vector<Message> notes,
+                        PartsOutOfPlane parts) {
+  return Verdict(spec, std::move(ways), asked, std::move(cautions), std::move(notes),
+                 std::move(parts))
+      .all();
 }
 
 }  // namespace wythe

@@ -104,6 +104,17 @@ class Builder(unittest.TestCase):
         ended = wythe("check", self.model(ALONE + UNIT, split="middle"))
         self.assertEqual(ended.returncode, 0, ended.stderr)
 
+    def test_units_drawn_larger_are_of_one_size_and_said_so(self):
+        real = '[wall.unit.real]\nlength = "{} mm"\nheight = "50 mm"\n'
+        ended = wythe("check", self.model(ALONE + real.format(150)))
+        self.assertIn("note: units are drawn larger than they were built, and nothing says what such a wall in space is worth", ended.stdout)
+        self.assertNotIn("drawn larger", wythe("check", self.model(ALONE)).stdout)
+        self.refused(self.model(ALONE + real.format(180)), "wall.unit.real.length", "0.6 of the drawn unit", "model.toml:")
+        # what a wall draws larger than the others must not pass for built so
+        self.refused(self.model(ALONE + 'unit = { length = "600 mm" }\n' + real.format(300).replace("50 mm", "100 mm")),
+                     "plan_wall.0.unit: has sizes of its own", "leave wall.unit.real out")
+        self.refused(self.model(ALONE + 'unit = { real = { length = "150 mm" } }\n'), "plan_wall.0.unit.real", "write it as wall.unit.real")
+
     def test_faults_are_told_at_once_with_their_lines(self):
         text = self.refused(self.model("""
 [[plan_wall]]

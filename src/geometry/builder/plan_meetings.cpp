@@ -93,6 +93,15 @@ void add_sides(const Site& site, int index, std::vector<StraightWall>& walls, Fa
   if (!std::isnan(spec.unit.density))
     add_fault(faults, path + ".unit.density", "", "is a material's where walls differ in it",
               "write material = \"stone\" here, and density under [material.stone]");
+  if (!std::isnan(spec.unit.real.length) || !std::isnan(spec.unit.real.height))
+    add_fault(faults, path + ".unit.real", "", "is said once, of the units of all walls",
+              "write it as wall.unit.real");
+  const RealUnitSpec& real = site.model.wall.unit.real;
+  const bool has_own = !std::isnan(spec.unit.length) || !std::isnan(spec.unit.height);
+  if (has_own && (!std::isnan(real.length) || !std::isnan(real.height)))
+    add_fault(faults, path + ".unit", "",
+              "has sizes of its own, and wall.unit.real is of units of one size",
+              "draw all walls with the sizes of [wall.unit], or leave wall.unit.real out");
   if (spec.line.size() < 2)
     return add_fault(faults, path + ".line", "", "needs two points or more",
                      "write e.g. line = [[\"0 m\", \"0 m\"], [\"4 m\", \"0 m\"]]");

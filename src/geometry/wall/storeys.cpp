@@ -50,6 +50,8 @@ void add_mortar(UnitSpec& unit) {
   unit.length += head;
   unit.width += head;
   unit.height += bed;
+  unit.real.length += head;
+  unit.real.height += bed;
 }
 
 void take_sizes(const StoreySpec& stated, Storey& storey) {
@@ -66,6 +68,8 @@ void take_sizes(const StoreySpec& stated, Storey& storey) {
   take("unit.density", unit.density, storey.unit.density);
   take("unit.mortar.bed", unit.mortar.bed, storey.unit.mortar.bed);
   take("unit.mortar.head", unit.mortar.head, storey.unit.mortar.head);
+  take("unit.real.length", unit.real.length, storey.unit.real.length);
+  take("unit.real.height", unit.real.height, storey.unit.real.height);
 }
 
 Storey wall_itself(const WallSpec& wall) {
@@ -149,6 +153,27 @@ bool mortar_fits(const Storey& storey, FaultList& faults) {
                      faults);
 }
 
+// The drawn unit holds a whole number of real ones, within what fit = "whole" may change it.
+void check_real(const Storey& storey, const char* key, double real, double drawn, double joint,
+                FaultList& faults) {
+  if (std::isnan(real) || !is_positive({storey.path_of(key), real - joint, "m", "65 mm"}, faults) ||
+      !(drawn > 0))
+    return;
+  const double ratio = drawn / real, count = std::max(1.0, std::round(ratio));
+  if (std::fabs(ratio / count - 1) <= kFitTolerance + 1e-9) return;
+  const std::string value = millimetres(real - joint), unit = millimetres(drawn - joint),
+                    word = last_key(key);
+  if (ratio < 1)
+    return add_fault(faults, storey.path_of(key), value,
+                     "is larger than the drawn unit (" + unit + "), which stands for one or more",
+                     "write the size of the units as they were built, or leave real out");
+  add_fault(faults, storey.path_of(key), value,
+            "is " + times(1 / ratio) + " of the drawn unit (" + unit +
+                "), which must stand for a whole number of real ones",
+            "write unit." + word + " = \"" + millimetres(count * real - joint) + "\", or real." +
+                word + " = \"" + millimetres(drawn / count - joint) + "\"");
+}
+
 void check_body(const Storey& storey, FaultList& faults) {
   (void)is_positive({storey.path_of("thickness"), storey.thickness, "m", "0.31 m"}, faults);
   (void)is_positive({storey.path_of("unit.density"), storey.unit.density, "kg/m^3", "1250 kg/m^3"},
@@ -202,6 +227,11 @@ std::vector<Storey> plan_storeys(const Shape& shape, bool cut_all, std::vector<M
     check_body(storey, found);
     storey.lattice = fit_lattice(storey, said, found);
     if (!mortar_fits(storey, found)) storey.lattice = {};
+    const UnitSpec& unit = storey.unit;
+    check_real(storey, "unit.real.length", unit.real.length, unit.length, storey.head_mortar(),
+               found);
+    check_real(storey, "unit.real.height", unit.real.height, unit.height, storey.bed_mortar(),
+               found);
     storey.first_course = course;
     course += storey.lattice.courses.count;
     add_once(found, faults);

@@ -154,10 +154,10 @@ void describe(Visitor& v, AssessmentSpec& s) {
                   "to the fragility's own scatter."});
   v.table("building", s.building, {.in_braces = true, .optional = true, .fallback = "as the model has it",
           .example = "{ height = \"10.5 m\", period = \"0.30 s\", storeys = 3 }",
-          .doc = "`wythe limit --assessment`: the building, for the spectrum at the height of a part."});
+          .doc = "`wythe limit --assessment`, `wythe assess`: the building, for the spectrum at the height of a part."});
   v.list("part", s.part, {.optional = true,
-         .doc = "`wythe limit --assessment`: parts that may fall out of the wall's plane. None: each storey from its foot on, and what "
-                "stands above the highest floor."});
+         .doc = "`wythe limit --assessment`, `wythe assess`: parts that may fall out of the wall's plane. None: each storey from its foot on, and "
+                "what stands above the highest floor."});
 }
 
 // clang-format on

@@ -21,6 +21,19 @@ inline constexpr const char* kMortarDoc =
     "measure n units with n - 1 joints; without it they include the joint.";
 
 template <class Visitor>
+void describe(Visitor& v, RealUnitSpec& s) {
+  v.quantity("length", s.length, {.unit = "m", .shown = "mm", .range = kLength, .fallback = "as drawn",
+             .example = "250 mm", .doc = "Length of a unit as it was built; the drawn one is a whole number of it."});
+  v.quantity("height", s.height, {.unit = "m", .shown = "mm", .range = kLength, .fallback = "as drawn",
+             .example = "65 mm", .doc = "Height of a course as it was built; the drawn one is a whole number of it."});
+}
+
+inline constexpr const char* kRealUnitDoc =
+    "Size of the units as they were built, where the model draws them larger; joints count as in length and height. "
+    "Nothing is computed from it: the program says what a wall of such large units is worth, and a verdict on it is "
+    "not to be signed.";
+
+template <class Visitor>
 void describe(Visitor& v, UnitSpec& s) {
   v.quantity("length", s.length, {.unit = "m", .shown = "mm", .range = kLength,
              .fallback = kRequired, .example = "310 mm",
@@ -42,6 +55,8 @@ void describe(Visitor& v, UnitSpec& s) {
              .doc = "Density of the masonry, units and mortar together."});
   v.table("mortar", s.mortar, {.in_braces = true, .optional = true, .fallback = "sizes include the joint",
           .doc = kMortarDoc});
+  v.table("real", s.real, {.in_braces = true, .optional = true, .fallback = "units are drawn as they are",
+          .doc = kRealUnitDoc});
 }
 
 // Names of joint materials, of the wall or of a part of it.

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "wythe/local_check.h"
 #include "wythe/statistics.h"
 
 namespace wythe::io {
@@ -11,6 +12,8 @@ namespace wythe::io {
 [[nodiscard]] nlohmann::ordered_json spectrum_json(const ElasticSpectrum& spectrum);
 // `assessment` of statistics.json (docs/reference/statistics.md).
 [[nodiscard]] nlohmann::ordered_json assessment_json(const CampaignAssessment& assessment);
+// Of `local` of mechanisms.json and `parts` of assessment.json (docs/reference/limit.md).
+[[nodiscard]] nlohmann::ordered_json local_json(const LocalCheck& check);
 // Nothing where no head is given.
 void add_project(nlohmann::ordered_json& json, const ProjectSpec& project);
 

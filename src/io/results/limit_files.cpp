@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "io/results/assessment_json.h"
 #include "io/results/message_json.h"
 #include "wythe/assessment.h"
 #include "wythe/io.h"
@@ -104,45 +105,6 @@ Json local_state_json(const LocalStateCheck& s) {
           {"secant_period_s", known(s.period)},
           {"displacement_demand_mm", known(s.displacement_demand * kMilli)},
           {"capacity_over_demand_by_displacement", known(s.displacement_ratio)}};
-}
-
-Json local_json(const LocalCheck& c) {
-  const LocalCapacity& k = c.capacity;
-  Json json{{"name", c.name},
-            {"by", c.by},
-            {"clause", "Circolare 7/2019, C8.7.1.2.1; spectrum at a height C7.2.3"},
-            {"verified", false},
-            {"verdict", word_of(kAssessmentVerdictWords, c.verdict)},
-            {"may_be_signed", c.may_be_signed}};
-  io::put(json, "sentence", c.sentence);
-  io::put(json, "cautions", c.cautions);
-  io::put(json, "notes", c.notes);
-  json["foot_m"] = c.foot;
-  json["head_m"] = known(c.head);
-  json["hinge_m"] = known(c.hinge);
-  json["inset_mm"] = c.inset * kMilli;
-  json["masonry_kN"] = c.masonry * kPerKilo;
-  json["floors_kN"] = c.floors * kPerKilo;
-  json["weight_kN"] = k.weight * kPerKilo;
-  json["alpha0"] = known(k.alpha0);
-  json["participating_mass_kg"] = known(k.mass);
-  json["participating_mass_share"] = known(k.mass_share);
-  json["confidence_factor"] = c.confidence_factor;
-  json["acceleration0_m_per_s2"] = known(c.acceleration0);
-  json["alpha0_to_the_end"] = known(k.alpha0_to_end);
-  json["acceleration0_to_the_end_m_per_s2"] = known(c.acceleration0_to_end);
-  json["rotation0_rad"] = known(k.rotation0);
-  json["displacement0_mm"] = known(k.displacement0 * kMilli);
-  json["displacement0_of_top_mm"] = known(k.top0 * kMilli);
-  json["slides_off_mm"] = known(k.slides_off * kMilli);
-  json["building"] = {{"height_m", known(c.building.top)},
-                      {"period_s", known(c.building.period)},
-                      {"storeys", c.building.storeys},
-                      {"part_at_m", known(c.building.height)},
-                      {"share_of_first_mode", c.building.share()}};
-  json["limit_states"] = Json::array();
-  for (const LocalStateCheck& s : c.states) json["limit_states"].push_back(local_state_json(s));
-  return json;
 }
 
 Json mechanism_json(const Mechanism& m) {
@@ -309,6 +271,45 @@ Json comparison_json(const SecondOpinion& opinion) {
 
 }  // namespace
 
+nlohmann::ordered_json io::local_json(const LocalCheck& c) {
+  const LocalCapacity& k = c.capacity;
+  Json json{{"name", c.name},
+            {"by", c.by},
+            {"clause", "Circolare 7/2019, C8.7.1.2.1; spectrum at a height C7.2.3"},
+            {"verified", false},
+            {"verdict", word_of(kAssessmentVerdictWords, c.verdict)},
+            {"may_be_signed", c.may_be_signed}};
+  put(json, "sentence", c.sentence);
+  put(json, "cautions", c.cautions);
+  put(json, "notes", c.notes);
+  json["foot_m"] = c.foot;
+  json["head_m"] = known(c.head);
+  json["hinge_m"] = known(c.hinge);
+  json["inset_mm"] = c.inset * kMilli;
+  json["masonry_kN"] = c.masonry * kPerKilo;
+  json["floors_kN"] = c.floors * kPerKilo;
+  json["weight_kN"] = k.weight * kPerKilo;
+  json["alpha0"] = known(k.alpha0);
+  json["participating_mass_kg"] = known(k.mass);
+  json["participating_mass_share"] = known(k.mass_share);
+  json["confidence_factor"] = c.confidence_factor;
+  json["acceleration0_m_per_s2"] = known(c.acceleration0);
+  json["alpha0_to_the_end"] = known(k.alpha0_to_end);
+  json["acceleration0_to_the_end_m_per_s2"] = known(c.acceleration0_to_end);
+  json["rotation0_rad"] = known(k.rotation0);
+  json["displacement0_mm"] = known(k.displacement0 * kMilli);
+  json["displacement0_of_top_mm"] = known(k.top0 * kMilli);
+  json["slides_off_mm"] = known(k.slides_off * kMilli);
+  json["building"] = {{"height_m", known(c.building.top)},
+                      {"period_s", known(c.building.period)},
+                      {"storeys", c.building.storeys},
+                      {"part_at_m", known(c.building.height)},
+                      {"share_of_first_mode", c.building.share()}};
+  json["limit_states"] = Json::array();
+  for (const LocalStateCheck& s : c.states) json["limit_states"].push_back(local_state_json(s));
+  return json;
+}
+
 std::string mechanisms_json(const Model& model, const SecondOpinion& opinion) {
   Json json{{"wythe", provenance().version}, {"blocks", model.n_block}, {"joints", model.n_joint}};
   json["mechanisms"] = Json::array();
@@ -319,7 +320,7 @@ std::string mechanisms_json(const Model& model, const SecondOpinion& opinion) {
           assessment_json(opinion.assessments[i], opinion.shares);
   }
   json["local"] = Json::array();
-  for (const LocalCheck& check : opinion.local) json["local"].push_back(local_json(check));
+  for (const LocalCheck& check : opinion.local) json["local"].push_back(io::local_json(check));
   json["limit_loads"] = Json::array();
   for (const NamedLimit& limit : opinion.limits) json["limit_loads"].push_back(limit_json(limit));
   json["refused"] = Json::array();

@@ -103,6 +103,18 @@ Json ways_json(const std::vector<WayOfPushing>& ways) {
   return list;
 }
 
+// Parts out of plane: what each is worth, and which could not be checked.
+Json parts_json(const WallsVerdict& v) {
+  const LocalCheck* least = v.least_part();
+  Json json = {{"named", v.parts.are_named},
+               {"least", least != nullptr ? Json(least->name) : Json(nullptr)}};
+  Json &checked = json["checked"] = Json::array(), &refused = json["not_checked"] = Json::array();
+  for (const LocalCheck& part : v.parts.checked) checked.push_back(io::local_json(part));
+  for (const Refusal& part : v.parts.refused)
+    refused.push_back({{"what", text_of(part.what)}, {"why", part.why}});
+  return json;
+}
+
 // "-x" is no formula, and stays as it is.
 std::string direction_cell(const std::string& direction) {
   return direction.starts_with('[') ? io::csv_cell(direction) : direction;
@@ -112,6 +124,7 @@ std::string direction_cell(const std::string& direction) {
 
 std::string verdict_json(const WallsVerdict& v) {
   Json json = {{"verdict", word_of(kAssessmentVerdictWords, v.verdict)},
+               {"verdict_of_pushes", word_of(kAssessmentVerdictWords, v.of_pushes)},
                {"may_be_signed", v.may_be_signed}};
   io::put(json, "sentence", v.sentence);
   io::put(json, "cautions", v.cautions);
@@ -132,6 +145,7 @@ std::string verdict_json(const WallsVerdict& v) {
   json["limit_state"] = word_of(kLimitStateWords, worst.state);
   json["confidence_factor"] = number(v.spec.confidence_factor);
   json["limit_states"] = states_json(v.limit_states);
+  json["parts"] = parts_json(v);
   json["ways"] = ways_json(v.ways);
   if (v.spectrum.is_given()) json["spectrum"] = io::spectrum_json(v.spectrum);
   io::put(json, "notes", v.notes);

@@ -11,6 +11,7 @@
 #include "judge/modes/tested_range.h"
 #include "judge/modes/tested_walls.h"
 #include "materials/origin.h"
+#include "model/coarse_units.h"
 #include "wythe/element_forces.h"
 #include "wythe/reading.h"
 
@@ -431,6 +432,8 @@ CodeAssessment assess_run(const ModelSpec& spec, const Model& model, const Resul
       spec, model, std::move(push), result.failure_mode,
       result.pushed.is_read() ? result.pushed : read_pushed_wall(spec, model, result));
   for (Message& note : study::notes_of_masses(spec, model)) out.notes.push_back(std::move(note));
+  if (Message units = caution_of_units(spec); !units.empty())
+    out.cautions.push_back(std::move(units));
   bar_signing(out);
   return out;
 }

@@ -181,6 +181,12 @@ const LocalStateCheck* LocalCheck::deciding() const {
   return least;
 }
 
+double LocalCheck::reserve() const {
+  if (!(capacity.alpha0 > 0)) return verdict == AssessmentVerdict::kFails ? 0 : kUnset;
+  const LocalStateCheck* state = deciding();
+  return state == nullptr ? kUnset : state->acceleration / state->ground_demand;
+}
+
 void study::conclude(const ModelSpec& spec, const Model& model, bool crushes, LocalCheck& part) {
   const AssessmentSpec& asked = spec.assessment;
   find_factor(asked, crushes, part);

@@ -1,5 +1,6 @@
 #include "model/space/space.h"
 
+#include "model/coarse_units.h"
 #include "model/densities.h"
 #include "model/shaking.h"
 
@@ -533,6 +534,7 @@ Model compile_space(const ModelSpec& spec, const SpaceAssembly& assembly) {
   carry_floors(bare, model);
   fields.describe(spec, assembly, id, model);
   note_densities(spec, model);
+  note_coarse_units(spec, model);
   bound_space_step(model);
   set_dashpots(model);
   set_ramps(model);

@@ -184,6 +184,40 @@ TEST(Mortar, a_size_off_by_more_than_joint_and_tolerance_is_refused_with_bare_si
                      "wall.fit = \"cut\""});
 }
 
+// --- units drawn larger than they were built -----------------------------------------------------------------
+
+TEST(RealUnits, go_a_whole_number_of_times_into_the_drawn_ones) {
+  ModelSpec spec = building(0);  // 200 x 100 mm
+  spec.wall.unit.real = {0.1, 0.05};
+  EXPECT_EQ(build(spec).blocks.size(), build(building(0)).blocks.size());
+  spec.wall.unit.real = {0.102, kUnset};  // within what fit = "whole" may change
+  EXPECT_EQ(build(spec).blocks.size(), build(building(0)).blocks.size());
+  spec.wall.unit.real = {0.12, kUnset};
+  expect_says(refusal(spec), {"wall.unit.real.length", "is 0.6 of the drawn unit (200 mm)",
+                              "unit.length = \"240 mm\", or real.length = \"100 mm\""});
+  spec.wall.unit.real = {kUnset, 0.15};
+  expect_says(refusal(spec), {"wall.unit.real.height", "is larger than the drawn unit (100 mm)"});
+  spec.wall.unit.real = {0, kUnset};
+  expect_says(refusal(spec), {"wall.unit.real.length", "must be positive"});
+}
+
+TEST(RealUnits, are_bare_where_mortar_is_stated) {
+  ModelSpec spec = bare_units(2.60, 1.30);
+  spec.wall.unit.length = 0.51, spec.wall.unit.height = 0.12;  // with joints twice 250 x 55
+  spec.wall.unit.real = {0.25, 0.055};
+  EXPECT_FALSE(build(spec).blocks.empty());
+  spec.wall.unit.real = {0.255,
+                         0.06};  // half the bare size, and no half with its joint: 1.96 and 1.86
+  expect_says(refusal(spec), {"wall.unit.real.height", "is 0.54 of the drawn unit (120 mm)",
+                              "real.height = \"55 mm\""});
+}
+
+TEST(RealUnits, of_a_storey_are_its_own) {
+  ModelSpec spec = building(2);
+  spec.storey[1].unit.real.height = 0.04;
+  expect_says(refusal(spec), {"storey.1.unit.real.height"});
+}
+
 // --- storeys ---------------------------------------------------------------------------------------------
 
 TEST(Storeys, of_one_unit_are_the_wall_of_their_sum) {

@@ -295,6 +295,160 @@ TEST(Verdict, of_walls_that_are_all_but_equal_is_not_signed) {
 
 // --- limit states
 
+// --- parts out of plane
+
+LocalCheck part_of(const char* name, double reserve, bool may_be_signed = true) {
+  LocalCheck part;
+  part.name = name;
+  part.capacity.alpha0 = 0.1;
+  part.verdict = reserve >= 1 ? AssessmentVerdict::kHolds : AssessmentVerdict::kFails;
+  part.states = {{.state = LimitState::kLifeSafety,
+                  .verdict = part.verdict,
+                  .ground_demand = kDemand,
+                  .q_ratio = reserve,
+                  .acceleration = reserve * kDemand}};
+  part.may_be_signed = may_be_signed;
+  if (!may_be_signed) part.cautions = {{"local.caution.factor"}};
+  return part;
+}
+WallsVerdict with_parts(double g, PartsOutOfPlane parts) {
+  std::vector<JudgedWall> walls = same(8, g);
+  for (JudgedWall& wall : walls) wall.assessment.notes.push_back({"assessment.note.out_of_plane"});
+  return verdict_of(asked(), {way("+x", "at", walls), way("-x", "at", walls)}, 8, {}, {},
+                    std::move(parts));
+}
+PartsOutOfPlane named(std::vector<LocalCheck> checked, std::vector<Refusal> refused = {}) {
+  return {true, std::move(checked), std::move(refused)};
+}
+PartsOutOfPlane found(std::vector<LocalCheck> checked, std::vector<Refusal> refused = {}) {
+  return {false, std::move(checked), std::move(refused)};
+}
+const Refusal kRefused{{"local.part", {{"name", "attic"}}}, "its floor has no bearing"};
+
+TEST(Parts, that_stand_leave_the_verdict_as_it_is_and_are_in_the_sentence) {
+  for (const bool are_named : {true, false}) {
+    const std::vector<LocalCheck> parts = {part_of("storey", 1.8), part_of("gable", 1.4)};
+    const WallsVerdict v = with_parts(0.3, are_named ? named(parts) : found(parts));
+    EXPECT_EQ(v.verdict, AssessmentVerdict::kHolds);
+    EXPECT_TRUE(v.may_be_signed) << text_of(v.sentence);
+    EXPECT_FALSE(v.part_decides());
+    EXPECT_NE(text_of(v.sentence).find("out of plane gable has the least reserve, 1.40 times"),
+              std::string::npos)
+        << text_of(v.sentence);
+    EXPECT_FALSE(has(v.notes, "assessment.note.out_of_plane"));
+    EXPECT_TRUE(has(v.notes, are_named ? "verdict.note.parts_named" : "verdict.note.parts_found"));
+  }
+}
+
+TEST(Parts, that_are_named_and_fall_are_not_met_whatever_the_pushes_carry) {
+  const WallsVerdict v = with_parts(0.3, named({part_of("storey", 2), part_of("gable", 0.62)}));
+  EXPECT_EQ(v.of_pushes, AssessmentVerdict::kHolds);
+  EXPECT_EQ(v.verdict, AssessmentVerdict::kFails);
+  EXPECT_TRUE(v.part_decides());
+  EXPECT_EQ(text_of(v.sentence).find("life safety not met: gable falls on its face, with 0.62"), 0U)
+      << text_of(v.sentence);
+  // and with walls that are not met either, both are said
+  const WallsVerdict both = with_parts(0.1, named({part_of("gable", 0.62)}));
+  EXPECT_EQ(both.verdict, AssessmentVerdict::kFails);
+  EXPECT_NE(text_of(both.sentence).find("gable falls"), std::string::npos);
+  EXPECT_NE(text_of(both.sentence).find("not met in 8 of 8 walls"), std::string::npos);
+  // one that falls by itself has no limit state
+  LocalCheck fallen = part_of("parapet", 0);
+  fallen.states.clear(), fallen.capacity.alpha0 = -0.1;
+  EXPECT_EQ(with_parts(0.3, named({part_of("gable", 2), fallen})).verdict,
+            AssessmentVerdict::kFails);
+}
+
+TEST(Parts, that_are_named_and_have_no_answer_are_not_met) {
+  std::vector<PartsOutOfPlane> without;
+  without.push_back(named({part_of("gable", 2)}, {kRefused}));
+  without.push_back(named({}, {kRefused}));
+  for (const AssessmentVerdict none :
+       {AssessmentVerdict::kNotKnown, AssessmentVerdict::kNoDemand}) {
+    LocalCheck part = part_of("attic", kUnset);
+    part.verdict = none, part.states.clear();
+    without.push_back(named({part_of("gable", 2), part}));
+  }
+  for (const PartsOutOfPlane& parts : without) {
+    const WallsVerdict v = with_parts(0.3, parts);
+    EXPECT_EQ(v.verdict, AssessmentVerdict::kNotShown);
+    EXPECT_FALSE(v.may_be_signed);
+    EXPECT_TRUE(has(v.cautions, "verdict.caution.part_unchecked"));
+    EXPECT_NE(text_of(v.sentence).find("attic could not be checked out of plane"),
+              std::string::npos)
+        << text_of(v.sentence);
+    // pushes that are not met stay so
+    EXPECT_EQ(with_parts(0.1, parts).verdict, AssessmentVerdict::kFails);
+  }
+}
+
+TEST(Parts, that_are_named_and_not_to_be_signed_bar_the_signature) {
+  const WallsVerdict v = with_parts(0.3, named({part_of("gable", 2, false)}));
+  EXPECT_EQ(v.verdict, AssessmentVerdict::kHolds);
+  EXPECT_FALSE(v.may_be_signed);
+  EXPECT_TRUE(has(v.cautions, "verdict.caution.parts"));
+}
+
+TEST(Parts, that_rules_found_take_away_what_the_pushes_show_and_show_nothing_else) {
+  const WallsVerdict v = with_parts(0.3, found({part_of("storey", 0.7), part_of("parapet", 3)}));
+  EXPECT_EQ(v.verdict, AssessmentVerdict::kNotShown);
+  EXPECT_FALSE(v.may_be_signed);
+  EXPECT_TRUE(has(v.cautions, "verdict.caution.part_found"));
+  EXPECT_EQ(text_of(v.sentence).find("not to be signed"), 0U);
+  EXPECT_NE(text_of(v.sentence).find("storey falls on its face if nothing holds it, with 0.70"),
+            std::string::npos);
+  EXPECT_EQ(with_parts(0.1, found({part_of("storey", 0.7)})).verdict, AssessmentVerdict::kFails);
+}
+
+TEST(Parts, that_rules_found_and_cannot_check_are_said_to_be_unchecked_and_not_counted) {
+  for (const PartsOutOfPlane& parts :
+       {found({}, {kRefused}), found({part_of("attic", 0.5 + 1, false)})}) {
+    const WallsVerdict v = with_parts(0.3, parts);
+    EXPECT_EQ(v.verdict, AssessmentVerdict::kHolds);
+    EXPECT_TRUE(v.may_be_signed);
+    EXPECT_EQ(v.least_part(), nullptr);
+    EXPECT_TRUE(has(v.notes, "verdict.note.parts_unchecked"));
+    EXPECT_FALSE(has(v.notes, "verdict.note.parts_found"));
+    EXPECT_EQ(text_of(v.sentence).find("attic"), std::string::npos);
+  }
+}
+
+TEST(Parts, whose_heads_are_taken_as_held_are_said_so) {
+  LocalCheck part = part_of("upper storey", 2);
+  part.notes = {{"local.note.head_held"}};
+  EXPECT_TRUE(has(with_parts(0.3, named({part})).notes, "verdict.note.parts_held"));
+  EXPECT_FALSE(has(with_parts(0.3, named({part_of("gable", 2)})).notes, "verdict.note.parts_held"));
+}
+
+TEST(Parts, that_nobody_looked_at_are_not_modelled) {
+  EXPECT_TRUE(has(with_parts(0.3, {}).notes, "assessment.note.out_of_plane"));
+  PartsOutOfPlane none;
+  none.not_looked_at = {"verdict.note.no_parts"};
+  const WallsVerdict v = with_parts(0.3, none);
+  EXPECT_TRUE(has(v.notes, "verdict.note.no_parts"));
+  EXPECT_FALSE(has(v.notes, "assessment.note.out_of_plane"));
+}
+
+TEST(Parts, do_not_make_a_verdict_of_walls_without_an_answer) {
+  const std::vector<JudgedWall> lost(8, lost_wall());
+  const WallsVerdict v = verdict_of(asked(), {way("+x", "at", lost), way("-x", "at", lost)}, 8, {},
+                                    {}, named({part_of("gable", 2)}));
+  EXPECT_EQ(v.verdict, AssessmentVerdict::kNotKnown);
+  EXPECT_FALSE(v.may_be_signed);
+}
+
+TEST(Parts, are_spoken_of_in_every_language) {
+  for (const PartsOutOfPlane& parts :
+       {named({part_of("timpano", 0.5)}), named({}, {kRefused}), found({part_of("timpano", 0.5)}),
+        named({part_of("timpano", 2, false)})}) {
+    const WallsVerdict v = with_parts(0.3, parts);
+    const std::string said = text_of(v.sentence, "it");
+    EXPECT_EQ(said.find('{'), std::string::npos) << said;
+    for (const char* english : {"plane", "wall", "falls", "bearing"})
+      EXPECT_EQ(said.find(english), std::string::npos) << said;
+  }
+}
+
 TEST(Verdict, is_that_of_the_limit_state_with_the_least_reserve) {
   AssessmentSpec spec = asked();
   spec.spectra.damage_limitation = spec.spectrum;

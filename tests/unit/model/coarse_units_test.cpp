@@ -1,0 +1,122 @@
+// What is said of walls whose units are drawn larger than they were built: only what docs/evidence/block_size.md shows.
+#include "model/coarse_units.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/files.h"
+#include "scenes/places.h"
+#include "scenes/scenes.h"
+#include "wythe/model.h"
+
+namespace wythe {
+namespace {
+
+struct Row {
+  double force = kUnset, drift = kUnset;  // changes [%]
+  int other = 0, walls = 0;               // pairs in which the failure got another name
+};
+
+// Rows of one option, a wall each. Cells: wall, F, CoV, change, D, CoV, change, modes, another mode, pairs.
+std::vector<Row> rows_of(const std::string& page, const std::string& option) {
+  std::vector<Row> rows;
+  std::istringstream lines(page);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("| " + option + " |")) continue;
+    std::vector<std::string> cells;
+    std::istringstream rest(line.substr(1));
+    for (std::string cell; std::getline(rest, cell, '|');) cells.push_back(cell);
+    const auto number = [&](std::size_t k) {
+      try {
+        return std::stod(cells.at(k));
+      } catch (const std::invalid_argument&) {
+        return kUnset;  // a dash
+      }
+    };
+    rows.push_back(
+        {number(3), number(6), static_cast<int>(number(8)), static_cast<int>(number(9))});
+  }
+  return rows;
+}
+
+TEST(CoarseUnits, are_worth_what_the_page_of_evidence_says) {
+  const std::string page = read_text(source_dir() + "/docs/evidence/block_size.md", 1 << 20);
+  for (const auto& [option, walls] :
+       {std::pair("twice", kCoarseWalls[0]), std::pair("three times", kCoarseWalls[1])}) {
+    SCOPED_TRACE(option);
+    const std::vector<Row> rows = rows_of(page, option);
+    ASSERT_EQ(rows.size(), 3U);
+    double force_low = kUnset, force_high = kUnset, drift_low = kUnset, drift_high = kUnset;
+    int other = 0, all = 0;
+    for (const Row& row : rows) {
+      force_low = std::fmin(force_low, row.force), force_high = std::fmax(force_high, row.force);
+      drift_low = std::fmin(drift_low, row.drift), drift_high = std::fmax(drift_high, row.drift);
+      other += row.other, all += row.walls;
+    }
+    EXPECT_NEAR(100 * walls.force_low, force_low, 1e-9);
+    EXPECT_NEAR(100 * walls.force_high, force_high, 1e-9);
+    EXPECT_NEAR(100 * walls.drift_low, drift_low, 1e-9);
+    EXPECT_NEAR(100 * walls.drift_high, drift_high, 1e-9);
+    EXPECT_EQ(walls.other, other);
+    EXPECT_EQ(walls.walls, all);
+  }
+}
+
+// 310 x 110 mm
+ModelSpec wall_of(double real_length, double real_height) {
+  ModelSpec spec = scenes::plain_wall(8, 8, 1e-3, 0.02);
+  spec.wall.unit.real = {real_length * spec.wall.unit.length, real_height * spec.wall.unit.height};
+  return spec;
+}
+
+TEST(CoarseUnits, say_nothing_where_they_are_as_built_or_nobody_knows) {
+  EXPECT_TRUE(caution_of_units(scenes::plain_wall(8, 8, 1e-3, 0.02)).empty());
+  EXPECT_TRUE(caution_of_units(wall_of(1, 1)).empty());
+  EXPECT_TRUE(caution_of_units(wall_of(1.01, 0.99)).empty());  // fitted to the wall
+}
+
+TEST(CoarseUnits, are_compared_as_far_as_walls_were) {
+  const auto code = [](const ModelSpec& spec) { return caution_of_units(spec).code; };
+  EXPECT_EQ(code(wall_of(0.5, 0.5)), "assessment.caution.coarse");
+  EXPECT_EQ(code(wall_of(1 / 3.0, 1 / 3.0)), "assessment.caution.coarse");
+  const std::string beyond = "assessment.caution.coarse_untested";
+  EXPECT_EQ(code(wall_of(0.25, 0.25)), beyond);
+  EXPECT_EQ(code(wall_of(0.5, 1 / 3.0)), beyond);
+  EXPECT_EQ(code(wall_of(0.5, kUnset)), beyond);
+  ModelSpec stacked = wall_of(0.5, 0.5);
+  stacked.wall.bond = Bond::kStack;
+  EXPECT_EQ(code(stacked), beyond);
+  // a storey that was not compared decides over one that was
+  ModelSpec storeys = wall_of(0.5, 0.5);
+  storeys.storey.resize(2);
+  storeys.storey[1].unit.real.height = storeys.wall.unit.height / 4;
+  EXPECT_EQ(code(storeys), beyond);
+}
+
+TEST(CoarseUnits, of_a_model_are_in_its_notes) {
+  const auto notes = [](const ModelSpec& spec) {
+    const Model model = compile(spec);
+    return std::count_if(model.anatomy.notes.begin(), model.anatomy.notes.end(),
+                         [](const Message& note) { return note.code == "unit.coarse"; });
+  };
+  EXPECT_EQ(notes(wall_of(0.5, 0.5)), 1);
+  EXPECT_EQ(notes(scenes::plain_wall(8, 8, 1e-3, 0.02)), 0);
+}
+
+// The factor that capacity over demand goes by lies between that of the force and that of the displacement, for it is a
+// mean of the two with weights 1 - T/TC and T/TC (docs/theory/assessment.md, "Units drawn larger").
+TEST(CoarseUnits, move_capacity_over_demand_between_force_and_displacement) {
+  const Message said = caution_of_units(wall_of(0.5, 0.5));
+  EXPECT_NEAR(said.number("low_percent"), -12.7, 1e-9);
+  EXPECT_NEAR(said.number("high_percent"), 60.8, 1e-9);
+}
+
+}  // namespace
+}  // namespace wythe

@@ -1,0 +1,88 @@
+// What one push cannot tell and many that wait can: which pushes those are, and what is advised where they are not.
+#include "statistics/one_push.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "scenes/places.h"
+#include "scenes/scenes.h"
+#include "wythe/model.h"
+
+namespace wythe {
+namespace {
+
+// A push as the pages of evidence had them.
+StageSpec waiting_push() {
+  StageSpec push = scenes::push_stage("b1", Direction::kPlusX, 0.1e-3, 1e-3);
+  push.fast_velocity = 5e-3, push.fast_below = 1e-4, push.damping = 0.2;
+  return push;
+}
+Model model_with(const StageSpec& push) {
+  ModelSpec spec = scenes::stack(2, 0.8, 0.1, scenes::elastic_joint(20e9, 8e9), 0.2, 2000);
+  spec.stage = {push};
+  return compile(spec);
+}
+
+TEST(OnePush, waits_at_cracks_as_those_that_were_compared_with_slow_ones) {
+  EXPECT_TRUE(study::waits_at_cracks(model_with(waiting_push())));
+  const auto waits = [](auto change) {
+    StageSpec push = waiting_push();
+    change(push);
+    return study::waits_at_cracks(model_with(push));
+  };
+  EXPECT_TRUE(waits([](StageSpec& s) { s.damping = 0.02; }));
+  EXPECT_FALSE(waits([](StageSpec& s) { s.damping = 0.8; }));  // pushes with it went another way
+  EXPECT_FALSE(waits([](StageSpec& s) { s.fast_velocity = 20e-3; }));
+  EXPECT_FALSE(waits([](StageSpec& s) { s.fast_velocity = kUnset; }));
+  EXPECT_FALSE(waits([](StageSpec& s) { s.velocity = 1e-3; }));
+  EXPECT_FALSE(waits([](StageSpec& s) { s.fast_below = 1; }));
+  Model free = model_with(waiting_push());
+  free.solve.contacts = Contacts::kFree;
+  EXPECT_FALSE(study::waits_at_cracks(free));
+}
+
+Message caution_of(Message why) { return {"assessment.caution.drift", {{"why", std::move(why)}}}; }
+
+TEST(OnePush, leaves_to_the_scatter_what_is_no_matter_of_its_speed) {
+  const Model model = model_with(waiting_push());
+  std::vector<Message> cautions = {
+      caution_of({"promise.jump"}), caution_of({"promise.force"}), {"assessment.caution.overlap"}};
+  study::leave_to_the_scatter(model, cautions);
+  ASSERT_EQ(cautions.size(), 2U);
+  EXPECT_NE(text_of(cautions[0]).find("not slow enough for its force"), std::string::npos);
+}
+
+// Whoever asked many walls needs no advice to ask many walls: of every reason that a promise may have.
+TEST(OnePush, advises_nothing_that_is_done_already) {
+  StageSpec fast = waiting_push();
+  fast.velocity = 2e-3, fast.fast_velocity = kUnset;
+  std::ifstream file(source_dir() + "/src/core/messages.json");
+  const nlohmann::json messages = nlohmann::json::parse(file).at("messages");
+  int reasons = 0;
+  for (const bool may_wait : {true, false}) {
+    Model model = model_with(fast);
+    if (!may_wait) model.solve.contacts = Contacts::kFree;
+    for (const auto& [code, words] : messages.items()) {
+      if (!code.starts_with("promise.") || code.starts_with("promise.cure") ||
+          code.ends_with(".page") || code == "promise.no_drift")
+        continue;
+      ++reasons;
+      std::vector<Message> cautions = {caution_of(
+          {code, {{"displacement_mm", 1}, {"cure", Message{"promise.cure", {{"velocity", 1}}}}}})};
+      study::leave_to_the_scatter(model, cautions);
+      ASSERT_EQ(cautions.size(), 1U);
+      for (const char* language : {"en", "it"}) {
+        const std::string said = text_of(cautions.front(), language);
+        EXPECT_EQ(said.find("wythe"), std::string::npos) << said;
+        EXPECT_EQ(said.find("{cure}"), std::string::npos) << said;
+      }
+    }
+  }
+  EXPECT_GE(reasons, 8);
+}
+
+}  // namespace
+}  // namespace wythe
