@@ -94,8 +94,14 @@ class Pages(unittest.TestCase):
     def test_the_line_of_the_readme_prints_the_summary(self):
         line = re.search(r"""^python3 (-c "import wythe.*)$""", (SOURCE / "README.md").read_text(encoding="utf-8"), re.M)
         self.assertIsNotNone(line, "README.md has no line that runs a wall from Python")
-        done = subprocess.run(["bash", "-c", f"/usr/bin/python3 {line.group(1)}"], cwd=SOURCE, capture_output=True, text=True,
-                              check=False, env={**os.environ, "PYTHONPATH": PACKAGE})
+        model = (SOURCE / "examples/tuff_wall/model.toml").read_text(encoding="utf-8")
+        self.assertEqual(model.count('until = "50 mm"'), 1)
+        with tempfile.TemporaryDirectory() as folder:  # the same file, pushed by a millimetre
+            short = pathlib.Path(folder, "examples/tuff_wall/model.toml")
+            short.parent.mkdir(parents=True)
+            short.write_text(model.replace('until = "50 mm"', 'until = "1 mm"'), encoding="utf-8")
+            done = subprocess.run(["bash", "-c", f"/usr/bin/python3 {line.group(1)}"], cwd=folder, capture_output=True, text=True,
+                                  check=False, env={**os.environ, "PYTHONPATH": PACKAGE})
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("'peak_reaction_kN'", done.stdout)
 

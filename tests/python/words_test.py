@@ -97,7 +97,8 @@ class Nothing(unittest.TestCase):
     def test_a_load_factor_is_a_capacity_too(self):
         tilt = '{ name = "tilt", tilt_rate = "20 deg/s", tilt_until = "60 deg" }]'
         text = DRY[:DRY.index('{ name = "push"')] + tilt + DRY[DRY.index("\n[material.joint]"):]
-        self.assertRegex(repr(wythe.run(dry(text), progress=False)), "capacity load factor 0.4[0-9]+, 2")
+        low = text.replace('height = "1.2 m"', 'height = "0.6 m"')  # all of it slides at the angle of friction
+        self.assertRegex(repr(wythe.run(dry(low), progress=False)), "capacity load factor 0.57[0-9]+, 1\\.")
 
 
 class Cores(unittest.TestCase):

@@ -303,23 +303,6 @@ TEST(LimitLoad, targets_behind_the_push_turn_it_round) {
   EXPECT_GT(std::fabs(back - there), 1e-3 * there) << "else it shows nothing";
 }
 
-// --- many blocks
-
-// Two storeys, six windows and a door. The figure is that of another program, Clp's interior point, on
-// the static programme alone. Processor time: others may share the machine.
-TEST(LimitLoad, facade_of_4660_blocks_within_a_minute) {
-  const Model model = compile(read_model(source_dir() + "/tests/verification/facade.toml"));
-  ASSERT_EQ(model.n_block, 4660);
-  const std::clock_t start = std::clock();
-  const LimitAnswer answer = limit_load(model, {});
-  EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 20)
-      << "a third of a minute: the command asks for three";
-  expect_no_gap(answer);
-  EXPECT_LT(answer.accuracy, 1e-7);
-  verify({"LP-5", "facade of 4 660 blocks, dry", "kN", 39.545685, 2e-6, "six digits of Clp's"},
-         1e-3 * answer.load);
-}
-
 TEST(LimitLoad, stops_when_asked_to) {
   const Model model = compile(scenes::small_wall());
   const std::atomic<bool> stop{true};
