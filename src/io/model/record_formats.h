@@ -21,6 +21,9 @@ struct RecordNumbers {
   std::string stated;                      // where it does so
   int line = 0;
   std::string column;  // of a table: its head or number
+  std::string
+      no_times;  // of a table: the column that counts rows, or whose unit of time is not known
+  double rise = kUnset;  // of that column, from row to row
 };
 
 // The unit of accelerations that a text spells, "" where it is none: "g", "gal", "m/s^2", "in/s2", "%g".

@@ -177,7 +177,7 @@ TEST_F(RecordFile, at2_is_read_by_its_head) {
 // A step that is stated beside a column of times does not make the times the motion.
 TEST_F(RecordFile, the_second_of_two_columns_is_the_motion) {
   const std::vector<double> expected = {0.1 * 9.81, 0.2 * 9.81, -0.1 * 9.81};
-  for (const char* head : {"Time(s),Acc(g)\n", "seconds,acc\n", "when,what\n", ""})
+  for (const char* head : {"Time(s),Acc(g)\n", "seconds,acc\n", "when,a\n", ""})
     for (const char* step : {"", ", step = \"0.01 s\""}) {
       write("a.csv", std::string(head) + "0,0.1\n0.01,0.2\n0.02,-0.1\n");
       const std::string lines =
@@ -317,11 +317,54 @@ TEST_F(RecordFile, row_numbers_and_times_are_no_accelerations) {
     return refusal("record = { file = \"a.csv\", unit = \"cm/s2\"" + keys + " }\n");
   };
   says(told("", ""), {"rises evenly"});
-  says(told("x,y\n", ""), {"rises evenly"});
-  says(told("time,what\n", ""), {"rises evenly"});
+  says(told("x,north\n", ""), {"rises evenly"});
+  says(told("time,north\n", ""), {"rises evenly"});
   write("a.csv", "0\n1\n2\n3\n4\n5\n");
   says(refusal("record = { file = \"a.csv\", unit = \"cm/s2\", step = \"1 s\" }\n"),
        {"rises evenly"});
+}
+
+// Row numbers, milliseconds, frames: what rises by more than half a second a row is no time unless the head says so.
+TEST_F(RecordFile, row_numbers_are_no_times) {
+  const auto file = [&](const std::string& head, double first, double step) {
+    std::string text = head;
+    for (int k = 0; k < 9; ++k) text += fmt::format("{:g},{}\n", first + step * k, k % 3 - 0.7);
+    write("a.csv", text);
+  };
+  const auto told = [&](const std::string& keys) {
+    return refusal("record = { file = \"a.csv\", unit = \"cm/s2\"" + keys + " }\n");
+  };
+  const char* const kStep = ", step = \"0.05 s\"";
+  for (const char* head : {"X,acc\n", "frame,acc\n", "count,acc\n", "counter,acc\n",
+                           "rownames,acc\n", "Nr.,acc\n", "N°,acc\n", "Lfd. Nr.,acc\n",
+                           "TIME_STEP,acc\n", "timestep,acc\n", "t_index,acc\n", "time index,acc\n",
+                           "t,acc\n", "time,acc\n", "when,north\n", "\"\",acc\n", "tick,acc\n", ""})
+    for (const double first : {0.0, 1.0, 500.0})
+      for (const double step : {1.0, 50.0}) {
+        file(head, first, step);
+        says(told(""), {"step: is missing"});
+        const RecordSpec read =
+            parse(std::string("record = { file = \"a.csv\", unit = \"cm/s2\"") + kStep + " }\n")
+                .stage.back()
+                .record.front();
+        ASSERT_EQ(read.read_times.size(), 9U) << head;
+        EXPECT_DOUBLE_EQ(read.read_times[1], 0.05) << head;
+      }
+  for (const char* head : {"time_s,acc\n", "t [s],acc\n", "seconds,acc\n", "Zeit (sec),acc\n"}) {
+    file(head, 0, 1);
+    EXPECT_EQ(told(""), "accepted") << head;
+    says(told(kStep), {"is not the step of", "1 s"});
+  }
+  for (const char* head : {"timeMs", "timems", "tms", "msec", "milliseconds", "Time_millis",
+                           "time_ms", "t (us)", "elapsed_ms", "elapsed millis", "ms"}) {
+    file(std::string(head) + ",acc\n", 0, 50);
+    says(told(""), {head, "not in seconds"});
+    says(told(kStep), {head, "not in seconds"});
+  }
+  write("a.csv", "t,acc\n0,1\n50,2\n99,1\n151,2\n");  // a clock, in whatever
+  says(told(kStep), {"no unit that is stated", "time_s"});
+  write("a.csv", "0,0.00,1\n1,0.05,2\n2,0.10,1\n3,0.15,-2\n");
+  says(told(", column = \"3\""), {"step: is missing", "column 1"});
 }
 
 TEST_F(RecordFile, a_unit_in_the_head_is_the_unit_or_the_file_is_refused) {
@@ -349,6 +392,69 @@ TEST_F(RecordFile, a_unit_in_the_head_is_the_unit_or_the_file_is_refused) {
     EXPECT_NE(told(head, "g"), "accepted") << head;
   for (const char* head : {"acc [cm/s^2]", "acc (gal)", "acc_m_s2"})
     says(told(head, "g"), {"states another"});
+}
+
+// Nothing that may change a unit is passed over, and a column is an acceleration by its name alone.
+TEST_F(RecordFile, heads_are_understood_as_a_whole) {
+  const auto told = [&](const std::string& head, const char* unit, const char* column = "") {
+    write("a.csv", "time,\"" + head + "\"\n0,0.1\n0.01,0.2\n0.02,-0.1\n");
+    return refusal(std::string("record = { file = \"a.csv\"") + unit + column + " }\n");
+  };
+  for (const char* unit : {"", ", unit = \"g\"", ", unit = \"m/s2\"", ", unit = \"cm/s2\""})
+    for (const char* head : {"acc_pct_g",      "acc, % of g",
+                             "acc 10^-3 g",    "acc_milli_g",
+                             "acc x0.01 g",    "acc_g_x100",
+                             "acc_cm_s2_x10",  "acc_x10_cm_s2",
+                             "acc 0.1 cm/s2",  "acc_0.01g",
+                             "acc_percentg",   "%acc g",
+                             "acc pct (g)",    "acc x100 [g]",
+                             "acc (g) x 10",   "acc*10 [cm/s2]",
+                             "1e-3 acc [g]",   "acc 2 g",
+                             "acc cm/s2 * 10", "acc milli [g]",
+                             "acc_mps2",       "acc_ms2",
+                             "acc_mms2",       "acc_inps2",
+                             "acc gees",       "acc meters per second squared",
+                             "accmms2",        "acc_promille_g",
+                             "acc_g100",       "acc/10 (g)",
+                             "EW pct g",       "acc 1/100 g",
+                             "acc millig"})
+      EXPECT_NE(told(head, unit), "accepted") << head << unit;
+  for (const char* head : {"accg", "acc-g", "acc:g", "acc {g}", "acc <g>", "acc g's", "acc (g",
+                           "acc g)", "acc=g", "acc|g", "acc.g", "a(t) g"}) {
+    says(told(head, ", unit = \"cm/s2\""), {"states another", "\"g\""});
+    EXPECT_EQ(told(head, ""), "accepted") << head;
+  }
+  says(told("acc (m/s2", ", unit = \"cm/s2\""), {"states another", "\"m/s2\""});
+  for (const char* head : {"acc",         "ag(t)",        "a(t)",
+                           "a",           "ax",           "a_x",
+                           "acc1",        "acc 2",        "acc_ns",
+                           "Acc. NS",     "accelX",       "acceleration EW corrected",
+                           "aceleracion", "accélération", "Beschleunigung x",
+                           "NS",          "ground acc",   "acc_ch3",
+                           "acc_360",     "acc_x_raw",    "acc []"})
+    EXPECT_EQ(told(head, ", unit = \"g\""), "accepted") << head;
+  for (const char* head : {"acc station 123 [g]", "acc (run 3) [g]", "acc x1 [g]"})
+    EXPECT_EQ(told(head, ""), "accepted") << head;
+  for (const char* head :
+       {"Geschwindigkeit", "Weg", "position", "x", "strain", "y", "what", "Motion"}) {
+    says(told(head, ", unit = \"g\""), {"column: is missing", head});
+    EXPECT_EQ(told(head, ", unit = \"g\"", (std::string(", column = \"") + head + "\"").c_str()),
+              "accepted")
+        << head;
+  }
+  write("a.csv", "Weg\n0.1\n0.2\n-0.1\n");
+  says(refusal("record = { file = \"a.csv\", unit = \"g\", step = \"0.01 s\" }\n"),
+       {"column: is missing", "Weg"});
+  write("a.csv", "freq,acc\n0,0.1\n0.01,0.2\n0.02,-0.1\n");
+  says(refusal("record = { file = \"a.csv\", unit = \"g\" }\n"), {"no column of times"});
+  for (const char* comment :
+       {"# vel, cm/s\n", "# displacement of the base\n", "# Station 3\n# velocity\n# x\n"}) {
+    write("a.txt", std::string(comment) + "0 0.1\n0.01 0.2\n0.02 -0.1\n");
+    says(refusal("record = { file = \"a.txt\", unit = \"g\" }\n"), {"column: is missing", "a.txt"});
+    EXPECT_EQ(refusal("record = { file = \"a.txt\", unit = \"g\", column = \"2\" }\n"), "accepted");
+  }
+  write("a.txt", "# velocity and acceleration of a table\n0 0.1\n0.01 0.2\n0.02 -0.1\n");
+  EXPECT_EQ(refusal("record = { file = \"a.txt\", unit = \"g\" }\n"), "accepted");
 }
 
 TEST_F(RecordFile, a_step_beside_that_of_the_file_is_refused) {
