@@ -493,6 +493,56 @@ TEST_F(RecordFile, heads_of_at2_that_are_in_use) {
   says(refusal("record = { file = \"a.AT2\", unit = \"g\" }\n"), {"names NPTS and DT"});
 }
 
+TEST_F(RecordFile, at2_of_velocities_and_displacements_is_refused) {
+  for (const char* unit : {"", ", unit = \"g\"", ", unit = \"cm/s2\""})
+    for (const char* head : {"DISPLACEMENT TIME SERIES IN UNITS OF CM", "DISPLACEMENT TIME SERIES",
+                             "VELOCITY TIME SERIES", "VELOCITY TIME HISTORY IN UNITS OF CM/S",
+                             "Displacement in units of g", "velocity", "DISP. (CM)",
+                             "TIME SERIES IN UNITS OF CM", "units of in", "Vel, 5 a line"}) {
+      write("v.AT2",
+            std::string("PEER NGA\nOwn\n") + head + "\nNPTS= 3, DT= .0050 SEC,\n .1 .2 .3\n");
+      says(refusal(std::string("record = { file = \"v.AT2\"") + unit + " }\n"),
+           {"v.AT2:3", "give the accelerations"});
+    }
+  for (const char* name : {"a.VT2", "a.dt2"}) {
+    write(name, "PEER\nOwn\nNPTS= 3, DT= .0050 SEC,\n .1 .2 .3\n");
+    says(refusal(std::string("record = { file = \"") + name + "\", unit = \"g\" }\n"),
+         {"give the accelerations"});
+  }
+  for (const char* title :
+       {"High velocity pulse", "Displacement House", "velocity-corrected acceleration"}) {
+    write("a.AT2",
+          std::string("PEER\n") + title +
+              "\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 3, DT= .0050 SEC,\n .1 .2 .3\n");
+    EXPECT_EQ(refusal("record = { file = \"a.AT2\" }\n"), "accepted") << title;
+  }
+}
+
+TEST_F(RecordFile, the_step_of_at2_is_in_its_unit) {
+  const auto told = [&](const char* line) {
+    write("a.AT2", std::string("PEER\nx\nACCELERATION TIME SERIES IN UNITS OF G\n") + line +
+                       "\n .1 .2 -.3\n");
+    try {
+      return fmt::format(
+          "{:g}",
+          parse("record = { file = \"a.AT2\" }\n").stage.back().record.front().read_times[1]);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+  };
+  for (const char* line :
+       {"NPTS= 3, DT= .0500 SEC", "NPTS= 3, DT= 5.0D-02 SEC", "NPTS= 3, DT= 5.0d-2",
+        "NPTS= 3, DT= 50 ms", "NPTS= 3, DT= 50ms", "NPTS= 3, DT= 50 msec", "NPTS= 3, DT= 50. MSEC.",
+        "NPTS= 3, DT= 50000 us", "DT= 50 milliseconds, NPTS= 3", "NPTS= 3, DT(ms)= 50",
+        "NPTS= 3, DT [msec] = 50", "NPTS= 3, DT_ms = 50", "NPTS= 3, DT= .05 s.",
+        "NPTS= 3, DT= .05 seconds, 5 a line", "  3   .0500   NPTS, DT",
+        "  3   0.5D-1  NPTS, DT (SEC)", "  3   50  NPTS, DT (ms)"})
+    EXPECT_EQ(told(line), "0.05") << line;
+  for (const char* line : {"NPTS= 3, DT= 20 HZ", "NPTS= 3, DT= 50", "  3  50  NPTS, DT",
+                           "NPTS= 3, DT= 1", "NPTS= 3, DT= 20 sps", "NPTS= 3, DT= 0.05 Hz"})
+    says(told(line), {"a.AT2:4", "s"});
+}
+
 TEST_F(RecordFile, formats_of_the_field_are_read_or_named) {
   std::string esm =
       "EVENT_NAME: OWN\nUNITS: cm/s^2\nSAMPLING_INTERVAL_S: 0.05\nNDATA: 4\nDATA_TYPE: "
