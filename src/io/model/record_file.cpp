@@ -288,6 +288,7 @@ double in_metres(const RecordSpec& r, double gravity) {
 RecordNumbers numbers_of(ReadContext& context, const std::string& file, const std::string& path,
                          const RecordSpec& r) {
   const bool given = context.records != nullptr && context.records->contains(r.file);
+  if (!given) check_is_text(read_file(file, kMostCsv), file);
   const std::string text = given ? context.records->at(r.file) : read_text(file, kMostCsv);
   if (std::optional<RecordNumbers> known = read_record_format(text, file)) {
     if (!r.column.empty())

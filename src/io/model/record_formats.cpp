@@ -411,7 +411,41 @@ constexpr Foreign kForeign[] = {
     {"acceleration pts", "", "COSMOS"},
     {"strong-motion data", "fmt", "COSMOS"},
     {"timeseries ", "samples", "MiniSEED as text (ObsPy, IRIS)"},
+    {"raw accel", "", "COSMOS"},
+    {"geonet", "", "GeoNet"},
+    {"sampling interval", "number of data", "AFAD"},
+    {"intervalo de muestreo", "", "Base Mexicana de Datos de Sismos Fuertes (Mexico)"},
+    {"sampling interval [s]", "units", "ITACA before ESM"},
 };
+
+[[noreturn]] void refuse_format(const std::string& file, int line, std::string value,
+                                std::string_view format) {
+  refuse(file, line, std::move(value),
+         fmt::format("is of the format {}, which is not read here", format),
+         "write its accelerations as a CSV, time_s,acc_cm_s2 and one row a time");
+}
+
+// A file of bytes by its first ones, or by its name; "" for a text.
+std::string_view binary_format(std::string_view bytes, const std::string& file) {
+  constexpr std::size_t kSacHead = 632, kSacVersion = 304;
+  const std::string ending = small_letters(std::filesystem::path(file).extension().string());
+  const bool is_block =
+      bytes.size() > 8 &&
+      bytes.substr(0, 6).find_first_not_of("0123456789") == std::string_view::npos &&
+      std::string_view("DRQM").find(bytes[6]) != std::string_view::npos && bytes[7] == ' ';
+  if (is_block || bytes.starts_with("MS\x03") || ending == ".mseed" || ending == ".miniseed")
+    return "MiniSEED";
+  const auto is_version = [&](std::size_t low) {
+    constexpr char kFrom = 4, kTo = 7;
+    for (std::size_t k = 0; k < 4; ++k)
+      if (const char c = bytes[kSacVersion + k]; k == low ? c < kFrom || c > kTo : c != 0)
+        return false;
+    return true;
+  };
+  if (ending == ".sac" || (bytes.size() >= kSacHead && (is_version(0) || is_version(3))))
+    return "SAC";
+  return bytes.find('\0') == std::string_view::npos ? "" : "of a program, binary";
+}
 
 }  // namespace
 
@@ -435,6 +469,13 @@ RecordUnit stated_unit(std::string_view text) {
                                             : RecordUnit::kNone;
 }
 
+void check_is_text(std::string_view bytes, const std::string& file) {
+  constexpr std::string_view kUtf16[] = {"\xFF\xFE", "\xFE\xFF"};  // a text, of another encoding
+  if (is_utf8(bytes) || bytes.starts_with(kUtf16[0]) || bytes.starts_with(kUtf16[1])) return;
+  if (const std::string_view format = binary_format(bytes, file); !format.empty())
+    refuse_format(file, 0, "", format);
+}
+
 std::optional<RecordNumbers> read_record_format(const std::string& text, const std::string& file) {
   const std::vector<HeadLine> head = head_of(text);
   if (auto esm = read_esm(text, file, head)) return esm;
@@ -447,9 +488,7 @@ std::optional<RecordNumbers> read_record_format(const std::string& text, const s
   for (const Foreign& known : kForeign)
     if (const HeadLine* line = line_with(head, known.word);
         line != nullptr && (known.also.empty() || line_with(head, known.also) != nullptr))
-      refuse(file, line->line, line->text,
-             fmt::format("is of the format {}, which is not read here", known.name),
-             "write its accelerations as a CSV, time_s,acc_cm_s2 and one row a time");
+      refuse_format(file, line->line, line->text, known.name);
   return std::nullopt;
 }
 

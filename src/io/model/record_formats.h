@@ -31,6 +31,9 @@ struct RecordNumbers {
 // The one that records may have; kNone for others, %g and in/s2 too.
 [[nodiscard]] RecordUnit stated_unit(std::string_view text);
 
+// Refuses bytes of a known binary format, or of any, by its name; what may be a text passes.
+void check_is_text(std::string_view bytes, const std::string& file);
+
 // Nothing where the text is of none of these formats. Throws InputError where it is broken, or of a format that is
 // known but not read. Faults have no path: it is that of the key that names the file.
 [[nodiscard]] std::optional<RecordNumbers> read_record_format(const std::string& text,

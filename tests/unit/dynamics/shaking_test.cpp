@@ -580,6 +580,41 @@ TEST_F(RecordFile, formats_of_the_field_are_read_or_named) {
   EXPECT_EQ(told.find('\n'), std::string::npos) << told;  // one fault
 }
 
+TEST_F(RecordFile, formats_that_are_not_read_are_named) {
+  const auto told = [&](const std::string& text) {
+    write("a.dat", text);
+    return refusal("record = { file = \"a.dat\", unit = \"cm/s2\", step = \"0.02 s\" }\n");
+  };
+  for (const auto& [text, name] : std::initializer_list<std::pair<std::string, const char*>>{
+           {"Raw acceleration counts (Format v01.20 with 13 text lines)\nx\n3 raw accel pts\n1 2 "
+            "3\n",
+            "COSMOS"},
+           {"3 raw accel. pts, approx 1 secs\n1 2 3\n", "COSMOS"},
+           {"GeoNet Strong-Motion Accelerogram; Volume 2\nfilter\n1 2 3\n", "GeoNet"},
+           {"PLACE : X\nSAMPLING INTERVAL (s) : 0.05\nNUMBER OF DATA : 3\nN-S  E-W  U-D (gal)\n1 2 "
+            "3\n",
+            "AFAD"},
+           {"1. NOMBRE\nINTERVALO DE MUESTREO, C1-C6 (s): .05\n1 2 3\n", "Mexic"},
+           {"EVENT: x\nSAMPLING INTERVAL [s]: 0.05\nUNITS: cm/s^2\n1\n2\n", "ITACA"},
+           {std::string("000001D IV AQU  HNE") + std::string("\x00\x01\xff\xfe", 4), "MiniSEED"},
+           {std::string("MS\x03\x04\x00\x00\xff", 7), "MiniSEED"}}) {
+    const std::string said = told(text);
+    says(said, {name, "not read here"});
+    EXPECT_EQ(said.find('\n'), std::string::npos) << said;  // one fault
+    EXPECT_EQ(said.find("UTF-8"), std::string::npos) << said;
+  }
+  std::string sac(640, '\0');
+  sac[304] = 6;
+  sac[1] = '\xff';
+  says(told(sac), {"SAC", "not read here"});
+  std::swap(sac[304], sac[307]);
+  says(told(sac), {"SAC"});
+  write("a.SAC", std::string("\x00\x01\xff\xfe", 4));
+  says(refusal("record = { file = \"a.SAC\", unit = \"g\" }\n"), {"SAC", "not read here"});
+  says(told("time,acc\n0,\xff\n"), {"UTF-8"});
+  says(told(std::string("PK\x03\x04\x00\x00\xff", 7)), {"binary"});
+}
+
 TEST_F(RecordFile, what_was_taken_is_told) {
   write("a.csv", ",time_s,acc_cm_s2\n0,0,10\n1,0.05,-20\n2,0.1,10\n3,0.15,20\n");
   const std::string all = [&] {
