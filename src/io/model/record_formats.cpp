@@ -477,6 +477,7 @@ void check_is_text(std::string_view bytes, const std::string& file) {
 }
 
 std::optional<RecordNumbers> read_record_format(const std::string& text, const std::string& file) {
+  check_line_ends(text, file);
   const std::vector<HeadLine> head = head_of(text);
   if (auto esm = read_esm(text, file, head)) return esm;
   if (auto knet = read_knet(text, file, head)) return knet;

@@ -615,6 +615,30 @@ TEST_F(RecordFile, formats_that_are_not_read_are_named) {
   says(told(std::string("PK\x03\x04\x00\x00\xff", 7)), {"binary"});
 }
 
+TEST_F(RecordFile, one_slip_of_a_table_has_one_reason) {
+  const auto told = [&](const std::string& text) {
+    write("a.csv", text);
+    return refusal("record = { file = \"a.csv\", unit = \"cm/s2\", step = \"0.05 s\" }\n");
+  };
+  std::string commas, named = "time,acc\n", macs = "time_s,acc\r";
+  for (int k = 0; k < 12; ++k) {
+    commas += fmt::format("0,{:04d}\n", (k * 37) % 100);
+    named += fmt::format("{},{:.2f},{}.5\n", k + 1, 0.05 * k, k % 3);
+    macs += fmt::format("{:.2f},{}.5\r", 0.05 * k, k % 3);
+  }
+  const std::string decimals = told(commas), heads = told(named), mac = told(macs);
+  says(decimals, {"a.csv:1", "decimals"});
+  says(heads, {"a.csv:2", "give each column a name, that of row numbers too"});
+  says(mac, {"line ends"});
+  for (const std::string& said : {decimals, heads, mac})
+    EXPECT_EQ(said.find('\n'), std::string::npos) << said;
+  says(told("time,acc\n0,00,0,1\n0,05,0,2\n"), {"decimals by a point"});
+  says(told("NPTS= 3, DT= .05\r1\r2\r3\r"), {"line ends"});
+  for (const char* text : {"time_s|acc\n0|1.5\n0.05|2\n0.1|-1\n",
+                           "time_s | acc\n0,00 | 1,5\n0,05 | 2,0\n0,10 | -1,0\n"})
+    EXPECT_EQ(told(text), "accepted") << text;
+}
+
 TEST_F(RecordFile, what_was_taken_is_told) {
   write("a.csv", ",time_s,acc_cm_s2\n0,0,10\n1,0.05,-20\n2,0.1,10\n3,0.15,20\n");
   const std::string all = [&] {
