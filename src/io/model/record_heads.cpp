@@ -96,7 +96,7 @@ bool is_direction(std::string_view word) {
                           "radial",   "fn",           "fp"});
 }
 bool is_harmless(std::string_view word) {
-  return word.size() < 2 || is_direction(word) ||
+  return word.empty() || (word.size() == 1 && is_ascii(word[0])) || is_direction(word) ||
          is_one_of(word,
                    {"xx",       "yy",      "zz",         "comp",     "component", "channel",
                     "chan",     "ch",      "corrected",  "corr",     "cor",       "uncorrected",
@@ -164,7 +164,8 @@ std::string strange_in(const std::string& rest, bool stated) {
       const bool has_exponent =
           end + 1 < small.size() && small[end] == 'e' &&
           (is_digit(small[end + 1]) || small[end + 1] == '-' || small[end + 1] == '+');
-      if (std::isnan(value) || value != std::floor(value) || value == 0 || is_power ||
+      const bool is_divided = at > 0 && small[at - 1] == '/';
+      if (is_divided || std::isnan(value) || value != std::floor(value) || value == 0 || is_power ||
           has_exponent || (is_times && value > 9))
         return word;
     } else {
@@ -172,10 +173,12 @@ std::string strange_in(const std::string& rest, bool stated) {
           is_one_of(word, {"milli", "micro", "kilo", "centi", "millig", "mg", "ug", "mgal",
                            "milligal", "kgal", "permille", "times"});
       if (is_scale) return word;
-      const bool is_name =
-          !is_ascii(word.back()) ||
-          std::any_of(word.begin(), word.end(), [](char c) { return !is_ascii(c); });
-      if (!stated && !is_name && !is_harmless(word) && !is_harmless(behind_name(word))) return word;
+      // accélération, but not acc²
+      const bool is_accented = (word.starts_with("acc") || word.starts_with("acel")) &&
+                               is_ascii(word.back()) &&
+                               !std::all_of(word.begin(), word.end(), is_ascii);
+      if (!stated && !is_accented && !is_harmless(word) && !is_harmless(behind_name(word)))
+        return word;
     }
     at = end;
   }

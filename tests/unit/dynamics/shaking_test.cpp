@@ -415,9 +415,11 @@ TEST_F(RecordFile, heads_are_understood_as_a_whole) {
                              "acc_mms2",       "acc_inps2",
                              "acc gees",       "acc meters per second squared",
                              "accmms2",        "acc_promille_g",
-                             "acc_g100",       "acc/10 (g)",
-                             "EW pct g",       "acc 1/100 g",
-                             "acc millig"})
+                             "acc µg",         "acc²",
+                             "acc/981",        "acc_volts",
+                             "acc_norm",       "acc_g100",
+                             "acc/10 (g)",     "EW pct g",
+                             "acc 1/100 g",    "acc millig"})
       EXPECT_NE(told(head, unit), "accepted") << head << unit;
   for (const char* head : {"accg", "acc-g", "acc:g", "acc {g}", "acc <g>", "acc g's", "acc (g",
                            "acc g)", "acc=g", "acc|g", "acc.g", "a(t) g"}) {
