@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <optional>
@@ -15,6 +14,7 @@
 #include "core/limits.h"
 #include "core/text.h"
 #include "io/model/record_formats.h"
+#include "io/model/record_heads.h"
 #include "io/text/table.h"
 #include "model/shaking.h"
 #include "wythe/text.h"
@@ -22,86 +22,6 @@
 
 namespace wythe::io {
 namespace {
-
-enum class ColumnKind { kTime, kIndex, kAcceleration, kOther, kUnknown };
-
-struct Column {
-  ColumnKind kind = ColumnKind::kUnknown;
-  ColumnHead head;
-  bool is_certain = true;  // kOther: its name or its unit says so, not its first letter alone
-};
-
-bool is_one_of(const std::string& word, std::initializer_list<std::string_view> words) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
-
-// Whether a word of the name begins so: "ground acc" with acc.
-bool has_word(const std::string& name, std::string_view start) {
-  for (std::size_t at = name.find(start); at != std::string::npos; at = name.find(start, at + 1))
-    if (at == 0 || std::isalnum(static_cast<unsigned char>(name[at - 1])) == 0) return true;
-  return false;
-}
-
-// A letter that stands alone, or before a mark, a digit or an axis: a, a_x, ax, a1.
-bool is_letter(const std::string& name, char letter) {
-  return !name.empty() && name[0] == letter &&
-         (name.size() == 1 || std::isalpha(static_cast<unsigned char>(name[1])) == 0 ||
-          (name.size() == 2 && std::string("xyzgh").find(name[1]) != std::string::npos));
-}
-
-// A head with its unit, g and gal too: UDUNITS has grams and gallons. An acceleration's unit may have words behind it.
-ColumnHead acceleration_head(const std::string& text) {
-  const ColumnHead head = column_head(text, {"m/s^2", "m/s", "m"});
-  constexpr std::string_view kMarks = "_ ,/";
-  constexpr std::size_t kLongest = 100;
-  if (head.in_brackets || text.size() > kLongest) return head;
-  const std::string small = small_letters(text);
-  const bool is_unit = stated_unit(text) != RecordUnit::kNone ||
-                       is_one_of(small, {"%g", "mg", "m/s", "cm/s", "mm/s", "in/s2", "ft/s2"});
-  if (is_unit) return {text, "", text};
-  std::vector<std::size_t> marks;
-  for (std::size_t at = text.find_first_of(kMarks); at != std::string::npos;
-       at = text.find_first_of(kMarks, at + 1))
-    marks.push_back(at);
-  if (!acceleration_unit(head.unit).empty()) return head;
-  marks.push_back(text.size());
-  for (std::size_t last = marks.size(); last-- > 1;)
-    for (std::size_t first = 0; first < last; ++first) {
-      const std::string unit = text.substr(marks[first] + 1, marks[last] - marks[first] - 1);
-      if (!acceleration_unit(unit).empty()) return {text, text.substr(0, marks[first]), unit};
-    }
-  return head;
-}
-
-Column column_of(const std::string& text) {
-  Column column;
-  const ColumnHead time = column_head(text, {"s"});
-  const std::string name = small_letters(time.name), whole = small_letters(text);
-  if (whole.starts_with("time") || has_word(whole, "seconds") ||
-      is_one_of(name, {"t", "s", "sec", "secs", "tempo", "temps", "zeit", "tiempo"}))
-    return {ColumnKind::kTime, time};
-  if (is_one_of(whole, {"", "#", "n", "no", "nr", "i", "k", "id", "idx", "index", "row", "num",
-                        "number", "sample", "samples", "point", "points", "step"}) ||
-      whole.starts_with("unnamed"))
-    return {ColumnKind::kIndex, time};
-  column.head = acceleration_head(text);
-  const std::string bare = small_letters(column.head.name);
-  const std::string& unit = column.head.unit;
-  const bool is_moved = !unit.empty() && acceleration_unit(unit).empty() &&
-                        (!spelt_unit(unit, "m/s").empty() || !spelt_unit(unit, "m").empty());
-  const bool is_spectral = is_one_of(bare, {"sa", "psa", "sv", "psv", "sd", "pga", "pgv"});
-  if (is_spectral || has_word(bare, "vel") || has_word(bare, "disp") || has_word(bare, "spost") ||
-      is_moved) {
-    column.kind = ColumnKind::kOther;
-  } else if (has_word(bare, "acc") || has_word(bare, "beschl") || is_letter(bare, 'a') ||
-             (!unit.empty() && !acceleration_unit(unit).empty())) {
-    column.kind = ColumnKind::kAcceleration;
-  } else if (bare.starts_with('v') || bare.starts_with('d') || bare.starts_with('u')) {
-    column.kind = ColumnKind::kOther;
-    column.is_certain = false;
-  }
-  return column;
-}
 
 class TableRecord {
  public:
@@ -117,9 +37,16 @@ class TableRecord {
     has_head_ = !table.head().empty();
     head_line_ = table.head_line();
     choose_times();
+    if (!has_head_ && record_.column.empty() && tells_of_other_motion(comments_before(text)))
+      refuse("column", "",
+             fmt::format("is missing: the comments of {} speak of velocities or displacements, and "
+                         "not of accelerations",
+                         file_),
+             fmt::format("write {}.column = 2, or whichever holds accelerations", path_));
     choose_accelerations();
     check_heads();
     read_rows(table);
+    check_times();
     RecordNumbers n = std::move(numbers_);
     n.column = has_head_ ? columns_[column_].head.whole : fmt::format("{}", column_ + 1);
     return n;
@@ -127,11 +54,24 @@ class TableRecord {
 
  private:
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+  static constexpr double kCoarsest = 0.5;  // [s], of a record: the coarsest in use have 0.02 s
 
   [[noreturn]] void refuse(const char* key, std::string value, std::string problem,
                            std::string cure, int line = 0) const {
     throw InputError({{line > 0 || std::string_view(key) == "file" ? file_ : "", path_ + '.' + key,
                        std::move(value), std::move(problem), std::move(cure), line}});
+  }
+
+  // The lines that begin with # before the numbers.
+  static std::string comments_before(std::string_view text) {
+    std::string all;
+    for (; !text.empty(); text.remove_prefix(std::min(text.size(), text.find('\n')) +
+                                             (text.find('\n') == std::string_view::npos ? 0 : 1))) {
+      const std::string_view line = trimmed(text.substr(0, text.find('\n')));
+      if (!line.empty() && line.front() != '#') break;
+      all += std::string(line.substr(0, 1000)) + '\n';
+    }
+    return all;
   }
 
   // "time_s, ns, ew", or their numbers.
@@ -162,8 +102,8 @@ class TableRecord {
     const bool is_told = has_head_ ? width == 2 && motions.size() < 2 : width > 1;
     if (!is_told || (!has_head_ && width > 2 && !std::isnan(record_.step))) return;
     for (std::size_t k = 0; k < columns_.size() && time_ == kNone; ++k)
-      if (columns_[k].kind == ColumnKind::kUnknown) time_ = k;
-    if (time_ == kNone)
+      if (columns_[k].kind == ColumnKind::kUnknown && !columns_[k].is_component) time_ = k;
+    if (time_ == kNone && std::isnan(record_.step))
       refuse("file", names(), "has no column of times", "call it time_s", head_line_);
   }
 
@@ -175,7 +115,8 @@ class TableRecord {
     is_named_ = motions.size() == 1;
     if (is_named_)
       column_ = motions.front();
-    else if (motions.empty() && unknown.size() == 1 && others.empty())
+    else if (motions.empty() && unknown.size() == 1 && others.empty() &&
+             (!has_head_ || columns_[unknown.front()].is_component))
       column_ = unknown.front();
     else if (motions.empty() && unknown.empty() && others.size() == 1 &&
              columns_[others.front()].is_certain)
@@ -217,9 +158,10 @@ class TableRecord {
 
   // What the heads of the two columns say of their units.
   void check_heads() {
-    if (time_ != kNone && columns_[time_].kind == ColumnKind::kTime) {
+    if (time_ != kNone) {
       const ColumnHead& head = columns_[time_].head;
       const std::string unit = spelt_unit(head.unit, "s");
+      states_seconds_ = !unit.empty() && columns_[time_].kind == ColumnKind::kTime;
       if (!head.unit.empty() && (unit.empty() || unit_factor(unit, "s") != 1))
         refuse("file", head.whole, "has times that are not in seconds",
                "write the times in seconds, under time_s", head_line_);
@@ -228,6 +170,11 @@ class TableRecord {
     if (chosen.kind == ColumnKind::kOther && chosen.is_certain)
       refuse("file", chosen.head.whole, "is no column of accelerations",
              "give the accelerations of this record", head_line_);
+    if (!chosen.strange.empty())
+      refuse(
+          "file", chosen.head.whole,
+          fmt::format("may be in a unit that is not known here: {} may change it", chosen.strange),
+          "write the numbers in g, m/s2 or cm/s2, and the head as acc [g]", head_line_);
     if (chosen.head.unit.empty() && !chosen.head.in_brackets) return;
     numbers_.unit = stated_unit(chosen.head.unit);
     numbers_.stated = chosen.head.whole;
@@ -265,6 +212,35 @@ class TableRecord {
              fmt::format("write {}.column = \"NAME\" or its number; columns: {}", path_, names()));
   }
 
+  // Row numbers, and times in another unit, rise by more than any step of a record. Only a head can say that they are
+  // seconds; else the model's step stands, where rows are even.
+  void check_times() {
+    const std::vector<double>& time = numbers_.time;
+    if (time.size() < 2 || states_seconds_) return;
+    double least = time[1] - time[0], most = least;
+    bool are_whole = true;
+    for (std::size_t k = 0; k < time.size(); ++k) {
+      are_whole = are_whole && time[k] == std::floor(time[k]);
+      if (k == 0) continue;
+      least = std::min(least, time[k] - time[k - 1]);
+      most = std::max(most, time[k] - time[k - 1]);
+    }
+    if (!(least > kCoarsest)) return;
+    const std::string column =
+        has_head_ ? columns_[time_].head.whole : fmt::format("{}", time_ + 1);
+    const bool is_even = are_whole ? least == most : most - least <= 1e-3 * most;
+    if (!is_even)
+      refuse(
+          "file", fmt::format("column {}", column),
+          fmt::format("rises by {:g} or more a row, in no unit that is stated: no record is that "
+                      "coarse in seconds",
+                      least),
+          "write the head time_s where they are seconds", head_line_);
+    numbers_.no_times = column;
+    numbers_.rise = least;
+    numbers_.time.clear();
+  }
+
   static bool rises_evenly(const std::vector<double>& values) {
     constexpr double kOff = 1e-3;  // of a step: decimals that are cut
     if (values.size() < 5 || values[1] == values[0]) return false;
@@ -280,7 +256,7 @@ class TableRecord {
   std::vector<Column> columns_;
   std::size_t time_ = kNone, column_ = kNone;
   int head_line_ = 0;
-  bool has_head_ = false, is_named_ = false;
+  bool has_head_ = false, is_named_ = false, states_seconds_ = false;
 };
 
 void look_for_gaps(ReadContext& context, const std::string& file, const std::string& path,
@@ -312,6 +288,7 @@ double in_metres(const RecordSpec& r, double gravity) {
 RecordNumbers numbers_of(ReadContext& context, const std::string& file, const std::string& path,
                          const RecordSpec& r) {
   const bool given = context.records != nullptr && context.records->contains(r.file);
+  if (!given) check_is_text(read_file(file, kMostCsv), file);
   const std::string text = given ? context.records->at(r.file) : read_text(file, kMostCsv);
   if (std::optional<RecordNumbers> known = read_record_format(text, file)) {
     if (!r.column.empty())
@@ -358,8 +335,16 @@ void read_file_of(ReadContext& context, const ModelSpec& spec, const std::string
          fmt::format("write {}.unit = \"{}\"", path, word_of(kRecordUnitWords, n.unit)), n.line});
   if (context.faults.all().size() > before) return;
   if (n.time.empty() && std::isnan(n.step) && !(r.step > 0))
-    return context.fault(path + ".step", 0, "", "is missing: the file has no times",
-                         "write step = \"0.005 s\"");
+    return context.fault(
+        path + ".step", 0, "",
+        n.no_times.empty()
+            ? "is missing: the file has no times"
+            : fmt::format(
+                  "is missing: column {} of {} rises by {:g} a row and states no seconds, so "
+                  "its numbers are no times",
+                  n.no_times, file, n.rise),
+        n.no_times.empty() ? "write step = \"0.005 s\""
+                           : "write step = \"0.005 s\", or the head time_s where they are seconds");
   const std::size_t count = n.acceleration.size();
   if (count < 2)
     return context.fault(path + ".file", 0, r.file, "holds fewer than two accelerations",

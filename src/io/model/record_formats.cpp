@@ -89,10 +89,10 @@ std::vector<double> numbers_in(std::string_view text) {
   for (std::size_t i = 0; i <= text.size(); ++i) {
     const char c = i < text.size() ? text[i] : ' ';
     const bool is_exponent =
-        !cell.empty() && (c == 'e' || ((c == '-' || c == '+') && cell.back() == 'e'));
+        !cell.empty() && (c == 'e' || c == 'd' || ((c == '-' || c == '+') && cell.back() == 'e'));
     if (std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '.' || is_exponent ||
         (c == '-' && cell.empty())) {
-      cell += c;
+      cell += c == 'd' ? 'e' : c;  // of Fortran: 5.0D-02
       continue;
     }
     while (cell.ends_with('e') || cell.ends_with('-') || cell.ends_with('+')) cell.pop_back();
@@ -142,29 +142,70 @@ void check_head(const std::string& file, int line, double count, double step, co
 
 struct Counts {
   double number = kUnset, step = kUnset;
+  std::string unit;  // of the step, where the line states one
 };
+
+// The word behind a place, without marks: "(MSEC)= 50" -> msec; behind a number: "= 50 ms" -> ms.
+std::string word_behind(std::string_view rest, bool behind_number) {
+  constexpr std::string_view kMarks = " \t_([=:";
+  rest.remove_prefix(std::min(rest.size(), rest.find_first_not_of(kMarks)));
+  if (behind_number) {
+    std::size_t end = 0;
+    while (end < rest.size() && (std::isdigit(static_cast<unsigned char>(rest[end])) != 0 ||
+                                 rest[end] == '.' || rest[end] == '-' || rest[end] == '+' ||
+                                 ((rest[end] == 'e' || rest[end] == 'd') && end + 1 < rest.size() &&
+                                  !is_letter(rest[end + 1]))))
+      ++end;
+    if (end == 0) return "";
+    rest.remove_prefix(end);
+    rest.remove_prefix(std::min(rest.size(), rest.find_first_not_of(" \t([")));
+  }
+  std::size_t end = 0;
+  while (end < rest.size() && is_letter(rest[end])) ++end;
+  return std::string(rest.substr(0, end));
+}
+
+// Seconds of a unit as heads spell it, NaN where it is none.
+double seconds_of(const std::string& unit) {
+  if (unit == "sec" || unit == "secs") return 1;
+  if (unit == "msec" || unit == "msecs" || unit == "millisec") return 1e-3;
+  if (unit == "usec") return 1e-6;
+  const std::string spelt = spelt_unit(unit, "s");
+  return spelt.empty() ? kUnset : unit_factor(spelt, "s");
+}
 
 // "npts=  4000, dt=   .0050 sec", in any order, or "4000   .0050   npts, dt".
 Counts counts_in(std::string_view line) {
   const std::size_t npts = word_at(line, "npts"), dt = word_at(line, "dt");
   if (npts == std::string_view::npos || dt == std::string_view::npos) return {};
   const auto behind = [&](std::size_t at, std::size_t length) {
-    const std::string_view rest = trimmed(line.substr(at + length));
+    std::string_view rest = trimmed(line.substr(at + length));
+    if (const std::string unit = word_behind(rest, false); !std::isnan(seconds_of(unit))) {
+      rest.remove_prefix(rest.find(unit) + unit.size());
+      rest.remove_prefix(std::min(rest.size(), rest.find_first_not_of(" \t)]")));
+    }
     if (!rest.starts_with('=') && !rest.starts_with(':')) return kUnset;
     const std::size_t other = npts < dt ? dt : npts;
     const std::vector<double> numbers =
         numbers_in(line.substr(at + length, at < other ? other - at - length : line.size()));
     return numbers.empty() ? kUnset : numbers.front();
   };
-  Counts out{behind(npts, 4), behind(dt, 2)};
+  const std::string_view rest = line.substr(dt + 2);
+  const std::string beside = word_behind(rest, false);
+  Counts out{behind(npts, 4), behind(dt, 2),
+             std::isnan(seconds_of(beside)) ? word_behind(rest, true) : beside};
   if (!std::isnan(out.number) && !std::isnan(out.step)) return out;
   const std::vector<double> numbers = numbers_in(line);
   if (numbers.size() < 2) return {};
-  return npts < dt ? Counts{numbers[0], numbers[1]} : Counts{numbers[1], numbers[0]};
+  return npts < dt ? Counts{numbers[0], numbers[1], out.unit}
+                   : Counts{numbers[1], numbers[0], out.unit};
 }
 
 bool is_velocity(const std::string& unit) {
   return acceleration_unit(unit).empty() && !spelt_unit(unit, "m/s").empty();
+}
+bool is_length(const std::string& unit) {
+  return acceleration_unit(unit).empty() && !spelt_unit(unit, "m").empty();
 }
 
 // The unit of a line that states one: "units of g", "the units are (cm/sec**2)", "in units: m/s2".
@@ -207,13 +248,8 @@ void find_unit(const std::vector<HeadLine>& head, int last, const std::string& f
   }
   if (told == nullptr) return;
   const std::string unit = unit_text(*told);
-  const bool moved = told->small.find("velocity") != std::string::npos ||
-                     told->small.find("displacement") != std::string::npos;
   if (is_velocity(unit))
     refuse(file, told->line, unit, "is a unit of velocities",
-           "give the accelerations of this record");
-  if (moved)
-    refuse(file, told->line, told->text, "is no head of accelerations",
            "give the accelerations of this record");
   out.unit = stated_unit(unit);
   out.stated = unit;
@@ -221,6 +257,40 @@ void find_unit(const std::vector<HeadLine>& head, int last, const std::string& f
   if (out.unit == RecordUnit::kNone)
     refuse(file, told->line, unit, "is no unit of accelerations that is known here",
            "write the file's numbers as a CSV in g, m/s2 or cm/s2");
+}
+
+// The series of a file is named in its head; titles before may hold any words.
+void check_series(const std::vector<HeadLine>& head, int last, const std::string& file) {
+  const HeadLine* moved = nullptr;
+  bool accelerates = false;
+  for (const HeadLine& line : head) {
+    if (line.line > last) break;
+    const auto has = [&](std::string_view word) {
+      return line.small.find(word) != std::string::npos;
+    };
+    const auto is_there = [&](std::string_view word) {
+      return word_at(line.small, word) != std::string::npos;
+    };
+    if (has("accel") || is_there("acc")) {
+      accelerates = true;
+    } else if (has("velocity") || has("displacement") || is_there("vel") || is_there("disp")) {
+      const bool is_series = has("time series") || has("time hist") || is_there("units");
+      if (moved == nullptr || is_series) moved = &line;
+      if (is_series) {
+        accelerates = false;
+        break;
+      }
+    } else if (const std::string unit = unit_text(line); !unit.empty() && is_length(unit)) {
+      moved = &line;
+    }
+  }
+  if (moved != nullptr && !accelerates)
+    refuse(file, moved->line, moved->text, "is no head of accelerations",
+           "give the accelerations of this record");
+  const std::string ending = small_letters(std::filesystem::path(file).extension().string());
+  if (!accelerates && (ending == ".vt2" || ending == ".dt2"))
+    refuse(file, last, "", fmt::format("has the ending {} of velocities or displacements", ending),
+           "give the accelerations of this record");
 }
 
 std::optional<RecordNumbers> read_at2(const std::string& text, const std::string& file,
@@ -233,9 +303,19 @@ std::optional<RecordNumbers> read_at2(const std::string& text, const std::string
     if (!std::isnan(counts.number)) last = line.line;
   }
   if (last == 0) return std::nullopt;
+  const double seconds = counts.unit.empty() ? kUnset : seconds_of(counts.unit);
+  constexpr double kCoarsest = 0.5;  // [s]: no record of a motion is coarser
+  if (counts.unit.starts_with("hz") || counts.unit.starts_with("sps"))
+    refuse(file, last, counts.unit, "is no unit of a step", "write DT in seconds, DT= .0050 SEC");
+  if (!std::isnan(seconds)) counts.step *= seconds;
+  if (std::isnan(seconds) && counts.step > kCoarsest)
+    refuse(file, last, fmt::format("DT {:g}", counts.step),
+           "is no step of a record in seconds, and its unit is not stated",
+           "write it in seconds, with its unit: DT= .0050 SEC");
   check_head(file, last, counts.number, counts.step, "NPTS and DT");
   RecordNumbers out;
   find_unit(head, last, file, out);
+  check_series(head, last, file);
   out.step = counts.step;
   out.acceleration = values_after(text, file, last, counts.number, "NPTS");
   return out;
@@ -331,7 +411,41 @@ constexpr Foreign kForeign[] = {
     {"acceleration pts", "", "COSMOS"},
     {"strong-motion data", "fmt", "COSMOS"},
     {"timeseries ", "samples", "MiniSEED as text (ObsPy, IRIS)"},
+    {"raw accel", "", "COSMOS"},
+    {"geonet", "", "GeoNet"},
+    {"sampling interval", "number of data", "AFAD"},
+    {"intervalo de muestreo", "", "Base Mexicana de Datos de Sismos Fuertes (Mexico)"},
+    {"sampling interval [s]", "units", "ITACA before ESM"},
 };
+
+[[noreturn]] void refuse_format(const std::string& file, int line, std::string value,
+                                std::string_view format) {
+  refuse(file, line, std::move(value),
+         fmt::format("is of the format {}, which is not read here", format),
+         "write its accelerations as a CSV, time_s,acc_cm_s2 and one row a time");
+}
+
+// A file of bytes by its first ones, or by its name; "" for a text.
+std::string_view binary_format(std::string_view bytes, const std::string& file) {
+  constexpr std::size_t kSacHead = 632, kSacVersion = 304;
+  const std::string ending = small_letters(std::filesystem::path(file).extension().string());
+  const bool is_block =
+      bytes.size() > 8 &&
+      bytes.substr(0, 6).find_first_not_of("0123456789") == std::string_view::npos &&
+      std::string_view("DRQM").find(bytes[6]) != std::string_view::npos && bytes[7] == ' ';
+  if (is_block || bytes.starts_with("MS\x03") || ending == ".mseed" || ending == ".miniseed")
+    return "MiniSEED";
+  const auto is_version = [&](std::size_t low) {
+    constexpr char kFrom = 4, kTo = 7;
+    for (std::size_t k = 0; k < 4; ++k)
+      if (const char c = bytes[kSacVersion + k]; k == low ? c < kFrom || c > kTo : c != 0)
+        return false;
+    return true;
+  };
+  if (ending == ".sac" || (bytes.size() >= kSacHead && (is_version(0) || is_version(3))))
+    return "SAC";
+  return bytes.find('\0') == std::string_view::npos ? "" : "of a program, binary";
+}
 
 }  // namespace
 
@@ -355,7 +469,15 @@ RecordUnit stated_unit(std::string_view text) {
                                             : RecordUnit::kNone;
 }
 
+void check_is_text(std::string_view bytes, const std::string& file) {
+  constexpr std::string_view kUtf16[] = {"\xFF\xFE", "\xFE\xFF"};  // a text, of another encoding
+  if (is_utf8(bytes) || bytes.starts_with(kUtf16[0]) || bytes.starts_with(kUtf16[1])) return;
+  if (const std::string_view format = binary_format(bytes, file); !format.empty())
+    refuse_format(file, 0, "", format);
+}
+
 std::optional<RecordNumbers> read_record_format(const std::string& text, const std::string& file) {
+  check_line_ends(text, file);
   const std::vector<HeadLine> head = head_of(text);
   if (auto esm = read_esm(text, file, head)) return esm;
   if (auto knet = read_knet(text, file, head)) return knet;
@@ -367,9 +489,7 @@ std::optional<RecordNumbers> read_record_format(const std::string& text, const s
   for (const Foreign& known : kForeign)
     if (const HeadLine* line = line_with(head, known.word);
         line != nullptr && (known.also.empty() || line_with(head, known.also) != nullptr))
-      refuse(file, line->line, line->text,
-             fmt::format("is of the format {}, which is not read here", known.name),
-             "write its accelerations as a CSV, time_s,acc_cm_s2 and one row a time");
+      refuse_format(file, line->line, line->text, known.name);
   return std::nullopt;
 }
 

@@ -21,12 +21,18 @@ struct RecordNumbers {
   std::string stated;                      // where it does so
   int line = 0;
   std::string column;  // of a table: its head or number
+  std::string
+      no_times;  // of a table: the column that counts rows, or whose unit of time is not known
+  double rise = kUnset;  // of that column, from row to row
 };
 
 // The unit of accelerations that a text spells, "" where it is none: "g", "gal", "m/s^2", "in/s2", "%g".
 [[nodiscard]] std::string acceleration_unit(std::string_view text);
 // The one that records may have; kNone for others, %g and in/s2 too.
 [[nodiscard]] RecordUnit stated_unit(std::string_view text);
+
+// Refuses bytes of a known binary format, or of any, by its name; what may be a text passes.
+void check_is_text(std::string_view bytes, const std::string& file);
 
 // Nothing where the text is of none of these formats. Throws InputError where it is broken, or of a format that is
 // known but not read. Faults have no path: it is that of the key that names the file.

@@ -63,7 +63,7 @@ std::vector<std::string> sampled_rows(std::string_view text, const std::string& 
     all.push_back(lines.text());
     std::string marks = lines.text();
     std::replace_if(
-        marks.begin(), marks.end(), [](char c) { return c == ';' || c == ','; }, ' ');
+        marks.begin(), marks.end(), [](char c) { return c == ';' || c == ',' || c == '|'; }, ' ');
     if (has_number(cells_of(marks, kBlanks, kMostColumns))) rows.push_back(lines.text());
   }
   return rows.empty() ? all : rows;
@@ -85,11 +85,11 @@ char delimiter_of(std::string_view text, const std::string& file) {
   const auto in_all = [&](const auto& holds) {
     return !rows.empty() && std::all_of(rows.begin(), rows.end(), holds);
   };
-  for (const char mark : {';', '\t'}) {
+  for (const char mark : {';', '\t', '|'}) {
     const auto is_there = [&](const std::string& row) {
       const std::string marks = outside_quotes(row);
       return marks.find(mark) != std::string::npos &&
-             (mark == ';' || marks.find(",\t") == std::string::npos);
+             (mark != '\t' || marks.find(",\t") == std::string::npos);
     };
     if (in_all(is_there)) return mark;
   }
@@ -156,8 +156,20 @@ ColumnHead column_head(std::string_view cell, std::initializer_list<std::string_
   return {whole, whole, ""};
 }
 
+void check_line_ends(std::string_view text, const std::string& file) {
+  std::size_t alone = 0, ends = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\n') ++ends;
+    if (text[i] == '\r' && (i + 1 == text.size() || text[i + 1] != '\n')) ++alone;
+  }
+  if (alone > 1 && alone > ends)
+    throw InputError({{file, "", "", "has line ends of old Macs, CR alone, and is one line here",
+                       "save it with line ends of today, LF or CR LF", 0}});
+}
+
 NumberTable::NumberTable(std::string_view text, const std::string& file, HeadRule rule)
     : file_(file), delimiter_(delimiter_of(text, file)), lines_(text, file, delimiter_) {
+  check_line_ends(text, file);
   if (!lines_.next()) {
     is_empty_ = true;
     return;
@@ -214,7 +226,13 @@ bool NumberTable::next() {
   const std::string problem =
       fmt::format("has {} {}, {} has {}", cells, cells == 1 ? "cell" : "cells",
                   head_.empty() ? "the first row" : "the head", width_);
-  if (cells == width_ + 1 && !head_.empty() && delimiter_ != ',')
+  // R writes no name for its row numbers; a point behind one shows that commas part cells
+  const std::vector<std::string>& row = lines_.cells();
+  const bool is_of_r = row.front().find_first_not_of("\"0123456789") == std::string::npos &&
+                       std::any_of(row.begin() + 1, row.end(), [](const std::string& cell) {
+                         return cell.find('.') != std::string::npos;
+                       });
+  if (cells == width_ + 1 && !head_.empty() && (delimiter_ != ',' || is_of_r))
     refuse(line(), lines_.text(), problem, "give each column a name, that of row numbers too");
   refuse(line(), lines_.text(), problem,
          delimiter_ == ',' ? "separate cells by commas and decimals by a point, or cells by "
@@ -231,7 +249,10 @@ double NumberTable::number(std::size_t column) {
   // "0,0936" cut at its comma
   const bool are_decimals = delimiter_ == ',' && cell.size() > 1 && cell[0] == '0' &&
                             cell.find_first_not_of("0123456789") == std::string::npos;
-  if ((mark != '\0' && decimal_mark_ != '\0' && mark != decimal_mark_) || are_decimals)
+  if (are_decimals)
+    refuse(line(), lines_.text(), "looks like decimals behind a comma",
+           "write decimals behind a point, or separate cells by semicolons");
+  if (mark != '\0' && decimal_mark_ != '\0' && mark != decimal_mark_)
     return std::numeric_limits<double>::quiet_NaN();
   const double value = number_with_mark(cell, comma ? ',' : '.');
   if (mark != '\0' && !std::isnan(value)) decimal_mark_ = mark;
@@ -251,8 +272,7 @@ Fault NumberTable::no_number(std::size_t column) const {
     return {file_,
             "",
             cell,
-            decimal_mark_ == '\0' ? "looks like decimals behind a comma"
-                                  : "has another decimal mark than the numbers before it",
+            "has another decimal mark than the numbers before it",
             "write decimals in one way: behind a point, or behind a comma with semicolons between "
             "cells",
             line()};

@@ -29,6 +29,9 @@ struct ColumnHead {
 
 enum class HeadRule { kNeeded, kMayLack };  // kMayLack: a first line with a number is a row
 
+// Refuses a text whose lines end with CR alone, as old Macs wrote them: it would be one line.
+void check_line_ends(std::string_view text, const std::string& file);
+
 class NumberTable {
  public:
   // `text` and `file` outlive it. Throws InputError where it can't tell what stands between cells, or where

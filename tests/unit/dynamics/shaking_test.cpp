@@ -177,7 +177,7 @@ TEST_F(RecordFile, at2_is_read_by_its_head) {
 // A step that is stated beside a column of times does not make the times the motion.
 TEST_F(RecordFile, the_second_of_two_columns_is_the_motion) {
   const std::vector<double> expected = {0.1 * 9.81, 0.2 * 9.81, -0.1 * 9.81};
-  for (const char* head : {"Time(s),Acc(g)\n", "seconds,acc\n", "when,what\n", ""})
+  for (const char* head : {"Time(s),Acc(g)\n", "seconds,acc\n", "when,a\n", ""})
     for (const char* step : {"", ", step = \"0.01 s\""}) {
       write("a.csv", std::string(head) + "0,0.1\n0.01,0.2\n0.02,-0.1\n");
       const std::string lines =
@@ -317,11 +317,54 @@ TEST_F(RecordFile, row_numbers_and_times_are_no_accelerations) {
     return refusal("record = { file = \"a.csv\", unit = \"cm/s2\"" + keys + " }\n");
   };
   says(told("", ""), {"rises evenly"});
-  says(told("x,y\n", ""), {"rises evenly"});
-  says(told("time,what\n", ""), {"rises evenly"});
+  says(told("x,north\n", ""), {"rises evenly"});
+  says(told("time,north\n", ""), {"rises evenly"});
   write("a.csv", "0\n1\n2\n3\n4\n5\n");
   says(refusal("record = { file = \"a.csv\", unit = \"cm/s2\", step = \"1 s\" }\n"),
        {"rises evenly"});
+}
+
+// Row numbers, milliseconds, frames: what rises by more than half a second a row is no time unless the head says so.
+TEST_F(RecordFile, row_numbers_are_no_times) {
+  const auto file = [&](const std::string& head, double first, double step) {
+    std::string text = head;
+    for (int k = 0; k < 9; ++k) text += fmt::format("{:g},{}\n", first + step * k, k % 3 - 0.7);
+    write("a.csv", text);
+  };
+  const auto told = [&](const std::string& keys) {
+    return refusal("record = { file = \"a.csv\", unit = \"cm/s2\"" + keys + " }\n");
+  };
+  const char* const kStep = ", step = \"0.05 s\"";
+  for (const char* head : {"X,acc\n", "frame,acc\n", "count,acc\n", "counter,acc\n",
+                           "rownames,acc\n", "Nr.,acc\n", "N°,acc\n", "Lfd. Nr.,acc\n",
+                           "TIME_STEP,acc\n", "timestep,acc\n", "t_index,acc\n", "time index,acc\n",
+                           "t,acc\n", "time,acc\n", "when,north\n", "\"\",acc\n", "tick,acc\n", ""})
+    for (const double first : {0.0, 1.0, 500.0})
+      for (const double step : {1.0, 50.0}) {
+        file(head, first, step);
+        says(told(""), {"step: is missing"});
+        const RecordSpec read =
+            parse(std::string("record = { file = \"a.csv\", unit = \"cm/s2\"") + kStep + " }\n")
+                .stage.back()
+                .record.front();
+        ASSERT_EQ(read.read_times.size(), 9U) << head;
+        EXPECT_DOUBLE_EQ(read.read_times[1], 0.05) << head;
+      }
+  for (const char* head : {"time_s,acc\n", "t [s],acc\n", "seconds,acc\n", "Zeit (sec),acc\n"}) {
+    file(head, 0, 1);
+    EXPECT_EQ(told(""), "accepted") << head;
+    says(told(kStep), {"is not the step of", "1 s"});
+  }
+  for (const char* head : {"timeMs", "timems", "tms", "msec", "milliseconds", "Time_millis",
+                           "time_ms", "t (us)", "elapsed_ms", "elapsed millis", "ms"}) {
+    file(std::string(head) + ",acc\n", 0, 50);
+    says(told(""), {head, "not in seconds"});
+    says(told(kStep), {head, "not in seconds"});
+  }
+  write("a.csv", "t,acc\n0,1\n50,2\n99,1\n151,2\n");  // a clock, in whatever
+  says(told(kStep), {"no unit that is stated", "time_s"});
+  write("a.csv", "0,0.00,1\n1,0.05,2\n2,0.10,1\n3,0.15,-2\n");
+  says(told(", column = \"3\""), {"step: is missing", "column 1"});
 }
 
 TEST_F(RecordFile, a_unit_in_the_head_is_the_unit_or_the_file_is_refused) {
@@ -349,6 +392,71 @@ TEST_F(RecordFile, a_unit_in_the_head_is_the_unit_or_the_file_is_refused) {
     EXPECT_NE(told(head, "g"), "accepted") << head;
   for (const char* head : {"acc [cm/s^2]", "acc (gal)", "acc_m_s2"})
     says(told(head, "g"), {"states another"});
+}
+
+// Nothing that may change a unit is passed over, and a column is an acceleration by its name alone.
+TEST_F(RecordFile, heads_are_understood_as_a_whole) {
+  const auto told = [&](const std::string& head, const char* unit, const char* column = "") {
+    write("a.csv", "time,\"" + head + "\"\n0,0.1\n0.01,0.2\n0.02,-0.1\n");
+    return refusal(std::string("record = { file = \"a.csv\"") + unit + column + " }\n");
+  };
+  for (const char* unit : {"", ", unit = \"g\"", ", unit = \"m/s2\"", ", unit = \"cm/s2\""})
+    for (const char* head : {"acc_pct_g",      "acc, % of g",
+                             "acc 10^-3 g",    "acc_milli_g",
+                             "acc x0.01 g",    "acc_g_x100",
+                             "acc_cm_s2_x10",  "acc_x10_cm_s2",
+                             "acc 0.1 cm/s2",  "acc_0.01g",
+                             "acc_percentg",   "%acc g",
+                             "acc pct (g)",    "acc x100 [g]",
+                             "acc (g) x 10",   "acc*10 [cm/s2]",
+                             "1e-3 acc [g]",   "acc 2 g",
+                             "acc cm/s2 * 10", "acc milli [g]",
+                             "acc_mps2",       "acc_ms2",
+                             "acc_mms2",       "acc_inps2",
+                             "acc gees",       "acc meters per second squared",
+                             "accmms2",        "acc_promille_g",
+                             "acc µg",         "acc²",
+                             "acc/981",        "acc_volts",
+                             "acc_norm",       "acc_g100",
+                             "acc/10 (g)",     "EW pct g",
+                             "acc 1/100 g",    "acc millig"})
+      EXPECT_NE(told(head, unit), "accepted") << head << unit;
+  for (const char* head : {"accg", "acc-g", "acc:g", "acc {g}", "acc <g>", "acc g's", "acc (g",
+                           "acc g)", "acc=g", "acc|g", "acc.g", "a(t) g"}) {
+    says(told(head, ", unit = \"cm/s2\""), {"states another", "\"g\""});
+    EXPECT_EQ(told(head, ""), "accepted") << head;
+  }
+  says(told("acc (m/s2", ", unit = \"cm/s2\""), {"states another", "\"m/s2\""});
+  for (const char* head : {"acc",         "ag(t)",        "a(t)",
+                           "a",           "ax",           "a_x",
+                           "acc1",        "acc 2",        "acc_ns",
+                           "Acc. NS",     "accelX",       "acceleration EW corrected",
+                           "aceleracion", "accélération", "Beschleunigung x",
+                           "NS",          "ground acc",   "acc_ch3",
+                           "acc_360",     "acc_x_raw",    "acc []"})
+    EXPECT_EQ(told(head, ", unit = \"g\""), "accepted") << head;
+  for (const char* head : {"acc station 123 [g]", "acc (run 3) [g]", "acc x1 [g]"})
+    EXPECT_EQ(told(head, ""), "accepted") << head;
+  for (const char* head :
+       {"Geschwindigkeit", "Weg", "position", "x", "strain", "y", "what", "Motion"}) {
+    says(told(head, ", unit = \"g\""), {"column: is missing", head});
+    EXPECT_EQ(told(head, ", unit = \"g\"", (std::string(", column = \"") + head + "\"").c_str()),
+              "accepted")
+        << head;
+  }
+  write("a.csv", "Weg\n0.1\n0.2\n-0.1\n");
+  says(refusal("record = { file = \"a.csv\", unit = \"g\", step = \"0.01 s\" }\n"),
+       {"column: is missing", "Weg"});
+  write("a.csv", "freq,acc\n0,0.1\n0.01,0.2\n0.02,-0.1\n");
+  says(refusal("record = { file = \"a.csv\", unit = \"g\" }\n"), {"no column of times"});
+  for (const char* comment :
+       {"# vel, cm/s\n", "# displacement of the base\n", "# Station 3\n# velocity\n# x\n"}) {
+    write("a.txt", std::string(comment) + "0 0.1\n0.01 0.2\n0.02 -0.1\n");
+    says(refusal("record = { file = \"a.txt\", unit = \"g\" }\n"), {"column: is missing", "a.txt"});
+    EXPECT_EQ(refusal("record = { file = \"a.txt\", unit = \"g\", column = \"2\" }\n"), "accepted");
+  }
+  write("a.txt", "# velocity and acceleration of a table\n0 0.1\n0.01 0.2\n0.02 -0.1\n");
+  EXPECT_EQ(refusal("record = { file = \"a.txt\", unit = \"g\" }\n"), "accepted");
 }
 
 TEST_F(RecordFile, a_step_beside_that_of_the_file_is_refused) {
@@ -387,6 +495,56 @@ TEST_F(RecordFile, heads_of_at2_that_are_in_use) {
   says(refusal("record = { file = \"a.AT2\", unit = \"g\" }\n"), {"names NPTS and DT"});
 }
 
+TEST_F(RecordFile, at2_of_velocities_and_displacements_is_refused) {
+  for (const char* unit : {"", ", unit = \"g\"", ", unit = \"cm/s2\""})
+    for (const char* head : {"DISPLACEMENT TIME SERIES IN UNITS OF CM", "DISPLACEMENT TIME SERIES",
+                             "VELOCITY TIME SERIES", "VELOCITY TIME HISTORY IN UNITS OF CM/S",
+                             "Displacement in units of g", "velocity", "DISP. (CM)",
+                             "TIME SERIES IN UNITS OF CM", "units of in", "Vel, 5 a line"}) {
+      write("v.AT2",
+            std::string("PEER NGA\nOwn\n") + head + "\nNPTS= 3, DT= .0050 SEC,\n .1 .2 .3\n");
+      says(refusal(std::string("record = { file = \"v.AT2\"") + unit + " }\n"),
+           {"v.AT2:3", "give the accelerations"});
+    }
+  for (const char* name : {"a.VT2", "a.dt2"}) {
+    write(name, "PEER\nOwn\nNPTS= 3, DT= .0050 SEC,\n .1 .2 .3\n");
+    says(refusal(std::string("record = { file = \"") + name + "\", unit = \"g\" }\n"),
+         {"give the accelerations"});
+  }
+  for (const char* title :
+       {"High velocity pulse", "Displacement House", "velocity-corrected acceleration"}) {
+    write("a.AT2",
+          std::string("PEER\n") + title +
+              "\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 3, DT= .0050 SEC,\n .1 .2 .3\n");
+    EXPECT_EQ(refusal("record = { file = \"a.AT2\" }\n"), "accepted") << title;
+  }
+}
+
+TEST_F(RecordFile, the_step_of_at2_is_in_its_unit) {
+  const auto told = [&](const char* line) {
+    write("a.AT2", std::string("PEER\nx\nACCELERATION TIME SERIES IN UNITS OF G\n") + line +
+                       "\n .1 .2 -.3\n");
+    try {
+      return fmt::format(
+          "{:g}",
+          parse("record = { file = \"a.AT2\" }\n").stage.back().record.front().read_times[1]);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+  };
+  for (const char* line :
+       {"NPTS= 3, DT= .0500 SEC", "NPTS= 3, DT= 5.0D-02 SEC", "NPTS= 3, DT= 5.0d-2",
+        "NPTS= 3, DT= 50 ms", "NPTS= 3, DT= 50ms", "NPTS= 3, DT= 50 msec", "NPTS= 3, DT= 50. MSEC.",
+        "NPTS= 3, DT= 50000 us", "DT= 50 milliseconds, NPTS= 3", "NPTS= 3, DT(ms)= 50",
+        "NPTS= 3, DT [msec] = 50", "NPTS= 3, DT_ms = 50", "NPTS= 3, DT= .05 s.",
+        "NPTS= 3, DT= .05 seconds, 5 a line", "  3   .0500   NPTS, DT",
+        "  3   0.5D-1  NPTS, DT (SEC)", "  3   50  NPTS, DT (ms)"})
+    EXPECT_EQ(told(line), "0.05") << line;
+  for (const char* line : {"NPTS= 3, DT= 20 HZ", "NPTS= 3, DT= 50", "  3  50  NPTS, DT",
+                           "NPTS= 3, DT= 1", "NPTS= 3, DT= 20 sps", "NPTS= 3, DT= 0.05 Hz"})
+    says(told(line), {"a.AT2:4", "s"});
+}
+
 TEST_F(RecordFile, formats_of_the_field_are_read_or_named) {
   std::string esm =
       "EVENT_NAME: OWN\nUNITS: cm/s^2\nSAMPLING_INTERVAL_S: 0.05\nNDATA: 4\nDATA_TYPE: "
@@ -422,6 +580,65 @@ TEST_F(RecordFile, formats_of_the_field_are_read_or_named) {
       refusal("record = { file = \"w.txt\", unit = \"cm/s2\", step = \"1 s\" }\n");
   says(told, {"2 lines before its first number", "begin the others with #"});
   EXPECT_EQ(told.find('\n'), std::string::npos) << told;  // one fault
+}
+
+TEST_F(RecordFile, formats_that_are_not_read_are_named) {
+  const auto told = [&](const std::string& text) {
+    write("a.dat", text);
+    return refusal("record = { file = \"a.dat\", unit = \"cm/s2\", step = \"0.02 s\" }\n");
+  };
+  for (const auto& [text, name] : std::initializer_list<std::pair<std::string, const char*>>{
+           {"Raw acceleration counts (Format v01.20 with 13 text lines)\nx\n3 raw accel pts\n1 2 "
+            "3\n",
+            "COSMOS"},
+           {"3 raw accel. pts, approx 1 secs\n1 2 3\n", "COSMOS"},
+           {"GeoNet Strong-Motion Accelerogram; Volume 2\nfilter\n1 2 3\n", "GeoNet"},
+           {"PLACE : X\nSAMPLING INTERVAL (s) : 0.05\nNUMBER OF DATA : 3\nN-S  E-W  U-D (gal)\n1 2 "
+            "3\n",
+            "AFAD"},
+           {"1. NOMBRE\nINTERVALO DE MUESTREO, C1-C6 (s): .05\n1 2 3\n", "Mexic"},
+           {"EVENT: x\nSAMPLING INTERVAL [s]: 0.05\nUNITS: cm/s^2\n1\n2\n", "ITACA"},
+           {std::string("000001D IV AQU  HNE") + std::string("\x00\x01\xff\xfe", 4), "MiniSEED"},
+           {std::string("MS\x03\x04\x00\x00\xff", 7), "MiniSEED"}}) {
+    const std::string said = told(text);
+    says(said, {name, "not read here"});
+    EXPECT_EQ(said.find('\n'), std::string::npos) << said;  // one fault
+    EXPECT_EQ(said.find("UTF-8"), std::string::npos) << said;
+  }
+  std::string sac(640, '\0');
+  sac[304] = 6;
+  sac[1] = '\xff';
+  says(told(sac), {"SAC", "not read here"});
+  std::swap(sac[304], sac[307]);
+  says(told(sac), {"SAC"});
+  write("a.SAC", std::string("\x00\x01\xff\xfe", 4));
+  says(refusal("record = { file = \"a.SAC\", unit = \"g\" }\n"), {"SAC", "not read here"});
+  says(told("time,acc\n0,\xff\n"), {"UTF-8"});
+  says(told(std::string("PK\x03\x04\x00\x00\xff", 7)), {"binary"});
+}
+
+TEST_F(RecordFile, one_slip_of_a_table_has_one_reason) {
+  const auto told = [&](const std::string& text) {
+    write("a.csv", text);
+    return refusal("record = { file = \"a.csv\", unit = \"cm/s2\", step = \"0.05 s\" }\n");
+  };
+  std::string commas, named = "time,acc\n", macs = "time_s,acc\r";
+  for (int k = 0; k < 12; ++k) {
+    commas += fmt::format("0,{:04d}\n", (k * 37) % 100);
+    named += fmt::format("{},{:.2f},{}.5\n", k + 1, 0.05 * k, k % 3);
+    macs += fmt::format("{:.2f},{}.5\r", 0.05 * k, k % 3);
+  }
+  const std::string decimals = told(commas), heads = told(named), mac = told(macs);
+  says(decimals, {"a.csv:1", "decimals"});
+  says(heads, {"a.csv:2", "give each column a name, that of row numbers too"});
+  says(mac, {"line ends"});
+  for (const std::string& said : {decimals, heads, mac})
+    EXPECT_EQ(said.find('\n'), std::string::npos) << said;
+  says(told("time,acc\n0,00,0,1\n0,05,0,2\n"), {"decimals by a point"});
+  says(told("NPTS= 3, DT= .05\r1\r2\r3\r"), {"line ends"});
+  for (const char* text : {"time_s|acc\n0|1.5\n0.05|2\n0.1|-1\n",
+                           "time_s | acc\n0,00 | 1,5\n0,05 | 2,0\n0,10 | -1,0\n"})
+    EXPECT_EQ(told(text), "accepted") << text;
 }
 
 TEST_F(RecordFile, what_was_taken_is_told) {

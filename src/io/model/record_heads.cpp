@@ -1,0 +1,303 @@
+// An acceleration's head is read as a whole: a name, a unit, and words that are known to say nothing of the unit. What
+// is left over may be a factor or another unit, and a guess would give wrong numbers.
+#include "io/model/record_heads.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/text.h"
+#include "io/model/record_formats.h"
+#include "io/text/csv.h"
+#include "wythe/text.h"
+
+namespace wythe::io {
+namespace {
+
+using Words = std::initializer_list<std::string_view>;
+
+bool is_one_of(std::string_view word, Words words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+bool is_alnum(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
+bool is_ascii(char c) { return static_cast<unsigned char>(c) < 0x80; }
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+
+// Whether a word of the name begins so: "ground acc" with acc.
+bool has_word(const std::string& name, std::string_view start) {
+  for (std::size_t at = name.find(start); at != std::string::npos; at = name.find(start, at + 1))
+    if (at == 0 || !is_alnum(name[at - 1])) return true;
+  return false;
+}
+
+// A letter that stands alone, or before a mark, a digit or an axis: a, a_x, ax, a1.
+bool is_letter(const std::string& name, char letter) {
+  return !name.empty() && name[0] == letter &&
+         (name.size() == 1 || std::isalpha(static_cast<unsigned char>(name[1])) == 0 ||
+          (name.size() == 2 && std::string("xyzgh").find(name[1]) != std::string::npos));
+}
+
+// The letters of ASCII alone: "Lfd. Nr." -> lfdnr.
+std::string letters_of(const std::string& small) {
+  std::string out;
+  for (const char c : small)
+    if (std::isalpha(static_cast<unsigned char>(c)) != 0) out += c;
+  return out;
+}
+
+// --- times
+
+// The unit of time that a head states, in its own way too: timeMs, millis. "" where it states none.
+std::string time_unit(const ColumnHead& head) {
+  if (!head.unit.empty() || head.in_brackets) return head.unit;
+  const std::string small = small_letters(head.whole), letters = letters_of(small);
+  if (small == "s") return "s";
+  if (has_word(small, "millis")) return "ms";
+  if (has_word(small, "micros")) return "us";
+  if (has_word(small, "nanos")) return "ns";
+  if (has_word(small, "minutes")) return "min";
+  if (has_word(small, "hours")) return "h";
+  if (has_word(small, "seconds")) return "s";
+  for (const std::string_view start :
+       {"timestamp", "time", "tempo", "temps", "zeit", "tiempo", "t", ""}) {
+    if (!letters.starts_with(start)) continue;
+    const std::string_view rest = std::string_view(letters).substr(start.size());
+    if (is_one_of(rest, {"sec", "secs", "second", "seconds"})) return "s";
+    if (is_one_of(rest, {"msec", "msecs"}) || rest.starts_with("millis") || rest == "ms")
+      return "ms";
+    if (is_one_of(rest, {"usec", "us"}) || rest.starts_with("micros")) return "us";
+  }
+  return "";
+}
+
+bool is_row_number(const std::string& small) {
+  if (small.empty() || small == "#" || small.starts_with("unnamed")) return true;
+  std::string letters = letters_of(small);
+  if (letters.starts_with("time")) letters.erase(0, 4);
+  return is_one_of(letters,
+                   {"n",      "no",     "nr",     "i",       "k",        "id",           "idx",
+                    "index",  "row",    "rows",   "rowname", "rownames", "rownumber",    "rownum",
+                    "num",    "number", "sample", "samples", "nsample",  "samplenumber", "point",
+                    "points", "step",   "steps",  "frame",   "count",    "counter",      "lfdnr"});
+}
+
+// --- accelerations
+
+// Words beside the name that say nothing of the unit.
+bool is_direction(std::string_view word) {
+  return is_one_of(word, {"ns",       "ew",           "ud",   "sn",         "we",         "du",
+                          "north",    "south",        "east", "west",       "up",         "down",
+                          "vertical", "vert",         "ver",  "horizontal", "horiz",      "hor",
+                          "long",     "longitudinal", "lon",  "trans",      "transverse", "tran",
+                          "radial",   "fn",           "fp"});
+}
+bool is_harmless(std::string_view word) {
+  return word.empty() || (word.size() == 1 && is_ascii(word[0])) || is_direction(word) ||
+         is_one_of(word,
+                   {"xx",       "yy",      "zz",         "comp",     "component", "channel",
+                    "chan",     "ch",      "corrected",  "corr",     "cor",       "uncorrected",
+                    "filtered", "filt",    "unfiltered", "raw",      "processed", "proc",
+                    "baseline", "ground",  "base",       "table",    "input",     "motion",
+                    "record",   "rec",     "signal",     "data",     "time",      "history",
+                    "series",   "abs",     "absolute",   "rel",      "relative",  "total",
+                    "soil",     "rock",    "surface",    "top",      "bottom",    "value",
+                    "values",   "seismic", "of",         "the",      "in",        "at",
+                    "hne",      "hnn",     "hnz",        "corretta", "filtrata"});
+}
+
+// What is behind "acc" in a word: "accelerations" nothing, "accx" x.
+std::string_view behind_name(std::string_view word) {
+  for (const std::string_view name : {"accelerations",
+                                      "acceleration",
+                                      "accelerograms",
+                                      "accelerogram",
+                                      "accelerazione",
+                                      "accelerazioni",
+                                      "acceleraciones",
+                                      "acceleracion",
+                                      "aceleraciones",
+                                      "aceleracion",
+                                      "accelero",
+                                      "acceler",
+                                      "accels",
+                                      "accel",
+                                      "accn",
+                                      "acc",
+                                      "acel",
+                                      "beschleunigungen",
+                                      "beschleunigung",
+                                      "beschl",
+                                      "a"})
+    if (word.starts_with(name)) return word.substr(name.size());
+  return word;
+}
+
+// The first word or mark of a head without its unit that may change the unit; "" where there is none. `stated`: the
+// head states a unit in brackets, and other words are free.
+std::string strange_in(const std::string& rest, bool stated) {
+  const std::string small = small_letters(rest);
+  for (const std::string_view mark :
+       {"%", "‰", "^", "*", "×", "·", "⋅", "pct", "percent", "prozent"})
+    if (small.find(mark) != std::string::npos) return std::string(mark);
+  for (std::size_t at = 0; at < small.size();) {
+    if (!is_alnum(small[at]) && is_ascii(small[at])) {
+      ++at;
+      continue;
+    }
+    // a number, with point and exponent; or letters
+    const bool number = is_digit(small[at]);
+    std::size_t end = at;
+    while (end < small.size() &&
+           (number ? is_digit(small[end]) || small[end] == '.' || small[end] == ','
+                   : !is_ascii(small[end]) || (is_alnum(small[end]) && !is_digit(small[end]))))
+      ++end;
+    const std::string word = small.substr(at, end - at);
+    const bool is_times = at > 0 && small[at - 1] == 'x' && (at < 2 || !is_alnum(small[at - 2]));
+    if (number) {
+      const double value = number_in(word);
+      const double power = std::log10(value);
+      const bool is_power = value >= 10 && power == std::floor(power);
+      const bool has_exponent =
+          end + 1 < small.size() && small[end] == 'e' &&
+          (is_digit(small[end + 1]) || small[end + 1] == '-' || small[end + 1] == '+');
+      const bool is_divided = at > 0 && small[at - 1] == '/';
+      if (is_divided || std::isnan(value) || value != std::floor(value) || value == 0 || is_power ||
+          has_exponent || (is_times && value > 9))
+        return word;
+    } else {
+      const bool is_scale =
+          is_one_of(word, {"milli", "micro", "kilo", "centi", "millig", "mg", "ug", "mgal",
+                           "milligal", "kgal", "permille", "times"});
+      if (is_scale) return word;
+      // accélération, but not acc²
+      const bool is_accented = (word.starts_with("acc") || word.starts_with("acel")) &&
+                               is_ascii(word.back()) &&
+                               !std::all_of(word.begin(), word.end(), is_ascii);
+      if (!stated && !is_accented && !is_harmless(word) && !is_harmless(behind_name(word)))
+        return word;
+    }
+    at = end;
+  }
+  return "";
+}
+
+// Brackets of other kinds as [ ], one that is not closed at the end; without the argument of a(t).
+std::string with_plain_brackets(std::string text) {
+  for (const std::string_view argument : {"(t)", "(T)", "(time)"})
+    if (const std::size_t at = text.find(argument); at != std::string::npos && at > 0)
+      text.erase(at, argument.size());
+  int open = 0;
+  for (char& c : text) {
+    if (c == '{' || c == '<') c = '[';
+    if (c == '}' || c == '>') c = ']';
+    if (c == '[' || c == '(') ++open;
+    if ((c == ']' || c == ')') && --open < 0) {
+      c = ' ';
+      open = 0;
+    }
+  }
+  return open > 0 ? text + ']' : text;
+}
+
+struct AccelerationHead {
+  ColumnHead head;
+  std::string strange;
+};
+
+// A head with its unit, g and gal too: UDUNITS has grams and gallons.
+AccelerationHead acceleration_head(const std::string& whole) {
+  constexpr std::size_t kLongest = 100, kLongestUnit = 24;
+  const std::string text = with_plain_brackets(whole);
+  ColumnHead head = column_head(text, {"m/s^2", "m/s", "m"});
+  head.whole = whole;
+  if (head.in_brackets && head.unit.empty()) head.in_brackets = false;
+  if (head.in_brackets) {
+    const std::size_t close = text.find_last_of("])");
+    return {head, strange_in(head.name + ' ' + text.substr(close + 1), true)};
+  }
+  if (text.size() > kLongest) return {head, ""};
+  const std::string small = small_letters(text);
+  if (stated_unit(text) != RecordUnit::kNone ||
+      is_one_of(small, {"%g", "mg", "m/s", "cm/s", "mm/s", "in/s2", "ft/s2"}))
+    return {{whole, "", text}, ""};
+  // a unit between marks, the longest that ends last
+  std::vector<std::size_t> marks;
+  for (std::size_t at = 0; at < text.size(); ++at)
+    if (is_ascii(text[at]) && !is_alnum(text[at]) &&
+        std::string_view("^*%").find(text[at]) == std::string_view::npos)
+      marks.push_back(at);
+  marks.push_back(text.size());
+  for (std::size_t last = marks.size(); last-- > 1;)
+    for (std::size_t first = 0; first < last; ++first) {
+      const std::size_t from = marks[first] + 1;
+      if (marks[last] - from > kLongestUnit || marks[last] <= from) continue;
+      const std::string unit = text.substr(from, marks[last] - from);
+      if (acceleration_unit(unit).empty()) continue;
+      const std::string before = text.substr(0, marks[first]), after = text.substr(marks[last]);
+      std::string strange = strange_in(before + ' ' + after, false);
+      const bool is_beside =
+          (!before.empty() && is_digit(before.back())) || (after.size() > 1 && is_digit(after[1]));
+      if (strange.empty() && is_beside) strange = "the number beside " + unit;
+      return {{whole, before, unit}, strange};
+    }
+  if (const std::string_view unit = behind_name(small); unit.size() < small.size() &&
+                                                        !unit.empty() && small.starts_with("acc") &&
+                                                        !acceleration_unit(unit).empty())
+    return {{whole, small.substr(0, small.size() - unit.size()), std::string(unit)}, ""};
+  return {head, head.unit.empty() ? strange_in(text, false) : ""};
+}
+
+}  // namespace
+
+bool tells_of_other_motion(const std::string& words) {
+  const std::string small = small_letters(words);
+  const auto has = [&](std::string_view start) { return has_word(small, start); };
+  return (has("vel") || has("disp") || has("spost") || has("geschw")) && !has("acc") &&
+         !has("beschl") && !has("acel");
+}
+
+Column column_of(const std::string& text) {
+  Column column;
+  ColumnHead time = column_head(text, {"s"});
+  const std::string name = small_letters(time.name), whole = small_letters(text);
+  const std::string unit_of_time = time_unit(time);
+  const bool is_time =
+      is_one_of(name, {"t", "s", "sec", "secs", "tempo", "temps", "zeit", "tiempo"});
+  if (unit_of_time.empty() && is_row_number(whole)) return {ColumnKind::kIndex, time};
+  if (is_time || whole.starts_with("time") ||
+      (time.unit.empty() && !unit_of_time.empty() && !time.in_brackets)) {
+    time.unit = unit_of_time;
+    return {ColumnKind::kTime, time};
+  }
+  AccelerationHead read = acceleration_head(text);
+  column.head = std::move(read.head);
+  const std::string bare = small_letters(column.head.name);
+  const std::string& unit = column.head.unit;
+  const bool is_moved = !unit.empty() && acceleration_unit(unit).empty() &&
+                        (!spelt_unit(unit, "m/s").empty() || !spelt_unit(unit, "m").empty());
+  const bool is_spectral = is_one_of(bare, {"sa", "psa", "sv", "psv", "sd", "pga", "pgv"}) ||
+                           has_word(bare, "freq") || has_word(bare, "period");
+  if (is_spectral || has_word(bare, "vel") || has_word(bare, "disp") || has_word(bare, "spost") ||
+      is_moved) {
+    column.kind = ColumnKind::kOther;
+  } else if (has_word(bare, "acc") || has_word(bare, "acel") || has_word(bare, "beschl") ||
+             is_letter(bare, 'a') || (!unit.empty() && !acceleration_unit(unit).empty())) {
+    column.kind = ColumnKind::kAcceleration;
+    column.strange = std::move(read.strange);
+  } else if (is_direction(letters_of(bare))) {
+    column.is_component = true;
+    if (!unit.empty()) column.strange = std::move(read.strange);
+  } else if (bare.starts_with('v') || bare.starts_with('d') || bare.starts_with('u')) {
+    column.kind = ColumnKind::kOther;
+    column.is_certain = false;
+  } else if (time.unit.ends_with('s') || time.unit.ends_with("sec")) {
+    return {ColumnKind::kTime, time};
+  }
+  return column;
+}
+
+}  // namespace wythe::io

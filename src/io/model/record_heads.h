@@ -1,0 +1,25 @@
+// What the head of a column says in a record of accelerations: what the column holds, and in which unit.
+#pragma once
+
+#include <string>
+
+#include "io/text/table.h"
+
+namespace wythe::io {
+
+enum class ColumnKind { kTime, kIndex, kAcceleration, kOther, kUnknown };
+
+struct Column {
+  ColumnKind kind = ColumnKind::kUnknown;
+  ColumnHead head;            // kTime: its unit is "" where none is stated
+  bool is_certain = true;     // kOther: its name or its unit says so, not its first letter alone
+  bool is_component = false;  // kUnknown: a direction alone, north or ew
+  std::string strange = {};   // of an acceleration: words beside the unit that may change it, "pct"
+};
+
+// Whether words before the numbers speak of velocities or displacements, and not of accelerations.
+[[nodiscard]] bool tells_of_other_motion(const std::string& words);
+
+[[nodiscard]] Column column_of(const std::string& text);
+
+}  // namespace wythe::io
