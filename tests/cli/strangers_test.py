@@ -272,6 +272,50 @@ contacts = "{contacts}"
             self.assertNotIn("is that of one block", self.wythe("check", self.model(count=count, restitution=restitution)).stdout)
 
 
+class ValueColumns(Folder):
+    """Files of measured values are read for what they say, or refused with a cure that is one."""
+
+    STUDY = """
+[study]
+model = "model.toml"
+samples = 8
+seed = 3
+[variable.rho]
+path = "wall.unit.density"
+distribution = "empirical"
+file = "values.csv"
+"""
+
+    def setUp(self):
+        super().setUp()
+        for name in ("model.toml", "b.json"):
+            shutil.copyfile(FOLDER / "paths" / name, self.root / name)
+
+    def said(self, values, *keys, code=0):
+        (self.root / "values.csv").write_text(values)
+        (self.root / "study.toml").write_text(self.STUDY + "\n".join(keys))
+        return self.wythe("check", self.root / "study.toml", code=code)
+
+    def refused(self, values, *keys):
+        lines = self.said(values, *keys, code=2).stderr.strip().splitlines()
+        self.assertEqual(len(lines), 1, lines)
+        return lines[0]
+
+    def mean(self, values, *keys):
+        return float(re.search(r"rho_kg_per_m3 +([0-9.e+]+) ", self.said(values, *keys).stdout)[1])
+
+    def test_a_file_without_a_head(self):
+        unit = 'unit = "kg/m^3"'
+        for values in ("1900\n2000\n2100\n", "1900.5\n2000\n", '"1900"\n"2000"\n', "1900;1\n2000;2\n", "1 1900\n2 2000\n",
+                       "# rho\n1900\n2000\n", "a,1900\nb,2000\n", "1900\n"):
+            line = self.refused(values, unit)
+            self.assertIn("a number stands where the names of the columns belong", line)
+            self.assertIn("write a first line with their names, e.g. ft_MPa", line)
+        self.said("rho_kg_m3\n1900\n2000\n2100\n")
+        self.said("rho\n1900\n2000\n", unit)
+        self.said("wall 2\n1900\n2000\n", unit)
+
+
 class OtherResults(Folder):
     """Results of another model are replaced only where that is asked for."""
 

@@ -163,7 +163,11 @@ NumberTable::NumberTable(std::string_view text, const std::string& file, HeadRul
     return;
   }
   look_for_lines_before_the_numbers(text);
-  if (rule == HeadRule::kNeeded || !has_number(lines_.cells())) {
+  const bool begins_with_number = has_number(lines_.cells());
+  if (rule == HeadRule::kNeeded && begins_with_number)
+    refuse(lines_.line(), lines_.text(), "a number stands where the names of the columns belong",
+           "write a first line with their names, e.g. ft_MPa, or opening_mm,slip_mm of a path");
+  if (!begins_with_number) {
     read_head(lines_.cells());
     width_ = head_.size();
     return;
