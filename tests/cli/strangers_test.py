@@ -390,6 +390,83 @@ class OtherResults(Folder):
         campaign("two", code=2)
         campaign("two", "--resume", code=2)
 
+    def kept(self, files, words, *command):
+        """The command is refused in these words and leaves the files as they are."""
+        before = [pathlib.Path(file).read_bytes() for file in files]
+        said = self.wythe(*command, code=2).stderr
+        self.assertIn(words, said)
+        self.assertEqual([pathlib.Path(file).read_bytes() for file in files], before)
+        return said
+
+    def test_a_comparison_or_tables_are_no_place_for_other_results(self):
+        for name in ("one", "two", "three"):
+            self.wythe("campaign", self.root / "one/study.toml", "--out", self.root / name / "campaign", "--jobs", 1, "--quiet")
+        one, two, three = (self.root / name / "campaign" for name in ("one", "two", "three"))
+        compare, comparison = self.root / "compare", self.root / "compare/comparison.json"
+        self.wythe("compare", one, two, "--out", compare)
+        self.wythe("compare", one, two, "--out", compare)
+        self.assertIn("--replace", self.kept([comparison], "holds results of another", "compare", one, three, "--out", compare))
+        self.kept([comparison], "holds results of another", "compare", two, one, "--out", compare)
+        self.wythe("compare", one, three, "--out", compare, "--replace")
+        for command in ("run", "limit"):
+            for more in ([], ["--replace"]):
+                self.kept([comparison], f"which no {command} wrote", command, self.model("one"), "--out", compare, *more)
+        tables = self.root / "tables"
+        curves = tables / "curves.csv"
+        self.wythe("export", one, "--out", tables)
+        self.wythe("export", one, "--out", tables)
+        self.assertIn("--replace", self.kept([curves], "holds results of another", "export", two, "--out", tables))
+        self.kept([curves], "holds results of another", "export", two, "--out", tables, "--hdf5")
+        for command in ("run", "limit"):
+            self.kept([curves], f"which no {command} wrote", command, self.model("one"), "--out", tables)
+        self.kept([tables / "samples.csv"], "no campaign in it wrote", "campaign", self.root / "one/study.toml", "--out", tables)
+        self.wythe("export", two, "--out", tables, "--replace")
+
+    def test_a_campaign_beside_other_results(self):
+        limit = self.root / "limit"
+        self.wythe("limit", self.model("one"), "--out", limit, "--only", "lp", "--quiet")
+        self.kept([limit / "report.html"], "no campaign in it wrote", "campaign", self.root / "one/study.toml", "--out", limit)
+        mine = self.root / "one/samples.csv"
+        mine.write_text("of the laboratory\n")
+        self.kept([mine], "no campaign in it wrote", "campaign", self.root / "one/study.toml", "--out", self.root / "one")
+        self.kept([mine], "which no limit wrote", "limit", self.model("one"), "--out", self.root / "one")
+
+    def test_the_model_itself(self):
+        self.wythe("run", self.model("one"), "--out", self.out, "--quiet")
+        used = self.out / "model.used.toml"
+        for more in ([], ["--replace"]):
+            self.kept([used], "lies among the results that would replace it", "run", used, "--out", self.out, "--quiet", *more)
+        self.wythe("limit", used, "--out", self.out, "--only", "lp", "--quiet", "--replace")  # which replaces no file of a run
+
+    def test_a_table_of_a_joint(self):
+        law, path, answer, link = (self.root / name for name in ("law.toml", "path.csv", "answer.csv", "hard.csv"))
+        law.write_text(self.model("one").read_text()[self.model("one").read_text().index("[material.joint]"):
+                                                     self.model("one").read_text().index("[[stage]]")])
+        path.write_text("opening_mm,slip_mm\n0,0\n-0.01,0.1\n")
+        contact = lambda out, given=path: ("contact", law, "--path", given, "--out", out)
+        self.wythe(*contact(answer))
+        self.wythe(*contact(answer))
+        os.link(path, link)
+        for out in (path, link, os.path.relpath(path), self.root / ".." / self.root.name / "path.csv", law):
+            self.kept([path, law], "is what this command reads", *contact(out))
+        self.kept([answer], "is what this command reads", *contact(answer, answer))
+        (self.root / "mine.csv").write_text("force\n1\n")
+        for out in (self.root / "mine.csv", self.model("one")):
+            self.kept([out], "is no earlier answer", *contact(out))
+        (self.root / "empty.csv").touch()
+        self.wythe(*contact(self.root / "empty.csv"))
+
+    def test_a_picture(self):
+        campaign, picture = self.root / "campaign", self.root / "sample.svg"
+        self.wythe("campaign", self.root / "one/study.toml", "--out", campaign, "--jobs", 1, "--quiet")
+        draw = lambda out: ("picture", campaign, "--sample", 1, "--out", out)
+        self.wythe(*draw(picture))
+        self.wythe(*draw(picture))
+        mine = self.root / "mine.svg"
+        mine.write_text('<svg xmlns="http://www.w3.org/2000/svg" class="logo"></svg>\n')
+        for out in (mine, self.root / "one/study.toml", campaign / "campaign.db", campaign / "report.html"):
+            self.kept([out], "is no earlier answer", *draw(out))
+
 
 class Paths(Folder):
     """A folder may bear any name that the system takes."""
