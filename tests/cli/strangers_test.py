@@ -315,6 +315,27 @@ file = "values.csv"
         self.said("rho\n1900\n2000\n", unit)
         self.said("wall 2\n1900\n2000\n", unit)
 
+    def test_row_numbers_are_no_values(self):
+        unit = 'unit = "kg/m^3"'
+        for index in ("nr", "Nr.", "id", "Sample", "Unnamed: 0", "index"):
+            table = f"{index},rho\n0,1900\n1,2000\n2,2100\n"
+            line = self.refused(table, unit)
+            self.assertIn('name one: column = "rho"', line)  # and the cure is one
+            self.assertEqual(self.mean(table, unit, 'column = "rho"'), 2000)
+            self.assertIn("holds row numbers", self.refused(table, unit, f'column = "{index}"'))
+            self.assertIn("holds row numbers", self.refused(f"{index}\n7\n3\n12\n", unit))
+            self.mean(f"{index}\n1900.5\n2000.5\n", unit)  # measured, whatever their name
+        named = lambda first: "pos,rho\n" + "".join(f"{first + k},{1900 + 50 * k}\n" for k in range(5))
+        for first in (0, 1):
+            self.assertIn("holds row numbers", self.refused(named(first), unit, 'column = "pos"'))
+        self.assertEqual(self.mean(named(0), unit, 'column = "rho"'), 2000)
+        self.mean(named(1000), unit, 'column = "pos"')
+        self.said("rho_t_m3\n1\n2\n3\n4\n5\n")  # its unit says that they are densities
+        for table in ("wall,rho_kg_m3\nA,1900\nB,2000\n", "test,rho [t/m3]\n1,1.9\n2,2.0\n"):
+            name = table.split(",")[1].split("\n")[0]
+            self.assertIn(f'name one: column = "{name}"', self.refused(table))
+            self.mean(table, f'column = "{name}"')
+
 
 class OtherResults(Folder):
     """Results of another model are replaced only where that is asked for."""

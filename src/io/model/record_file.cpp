@@ -80,10 +80,7 @@ Column column_of(const std::string& text) {
   if (whole.starts_with("time") || has_word(whole, "seconds") ||
       is_one_of(name, {"t", "s", "sec", "secs", "tempo", "temps", "zeit", "tiempo"}))
     return {ColumnKind::kTime, time};
-  if (is_one_of(whole, {"", "#", "n", "no", "nr", "i", "k", "id", "idx", "index", "row", "num",
-                        "number", "sample", "samples", "point", "points", "step"}) ||
-      whole.starts_with("unnamed"))
-    return {ColumnKind::kIndex, time};
+  if (is_index_name(whole)) return {ColumnKind::kIndex, time};
   column.head = acceleration_head(text);
   const std::string bare = small_letters(column.head.name);
   const std::string& unit = column.head.unit;

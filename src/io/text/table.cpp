@@ -156,6 +156,16 @@ ColumnHead column_head(std::string_view cell, std::initializer_list<std::string_
   return {whole, whole, ""};
 }
 
+bool is_index_name(std::string_view head) {
+  const std::string name = small_letters(trimmed(head));
+  for (const std::string_view known :
+       {"",       "#",      "n",       "no",    "nr",     "no.",   "nr.", "n.",
+        "n°",     "i",      "k",       "id",    "idx",    "index", "row", "num",
+        "number", "sample", "samples", "point", "points", "step"})
+    if (name == known) return true;
+  return name.starts_with("unnamed");
+}
+
 NumberTable::NumberTable(std::string_view text, const std::string& file, HeadRule rule)
     : file_(file), delimiter_(delimiter_of(text, file)), lines_(text, file, delimiter_) {
   if (!lines_.next()) {

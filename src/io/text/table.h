@@ -27,6 +27,9 @@ struct ColumnHead {
 // A unit as heads spell it, "cm/sec**2", "m_per_s2", as UDUNITS reads it; "" where it is none of `si_unit`.
 [[nodiscard]] std::string spelt_unit(std::string_view text, std::string_view si_unit);
 
+// Whether the name is one of row numbers, "nr" or "#", and of no measured value.
+[[nodiscard]] bool is_index_name(std::string_view head);
+
 enum class HeadRule { kNeeded, kMayLack };  // kMayLack: a first line with a number is a row
 
 class NumberTable {
