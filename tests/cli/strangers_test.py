@@ -336,6 +336,20 @@ file = "values.csv"
             self.assertIn(f'name one: column = "{name}"', self.refused(table))
             self.mean(table, f'column = "{name}"')
 
+    def test_thousands_or_decimals(self):
+        for values in ("1.900\n2.000\n", '"1,900"\n"2,000"\n', "1.900\n950\n2.100\n", "1.900\n2000\n", "+1.900\n", "12.345\n-1.250\n"):
+            line = self.refused("rho [kg/m3]\n" + values)
+            self.assertIn("may have three decimals or marks of thousands", line)
+            self.assertRegex(line, r"write [+0-9]+ where it is thousands, or one more decimal")
+        self.assertIn("three decimals or", self.refused("n;rho [kg/m3]\n1;1,900\n2;2,000\n", 'column = "rho"'))
+        # what tells them apart, and what the message says to write
+        self.assertEqual(self.mean("rho [kg/m3]\n1900\n2000\n2100\n"), 2000)
+        for values in ("1900.5\n2000.125\n", "1.9000\n2.000\n", "1.9\n2.000\n", "0.950\n2.000\n", "1.9e3\n2.000\n", "1900.250\n"):
+            self.said("rho [kg/m3]\n" + values)
+        # g/cm3: thousands of them weigh more than anything does
+        self.assertEqual(self.mean("rho [g/cm3]\n1.900\n2.000\n2.100\n"), 2000)
+        self.assertEqual(self.mean('rho [g/cm3]\n"1,900"\n"2,000"\n"2,100"\n'), 2000)
+
 
 class OtherResults(Folder):
     """Results of another model are replaced only where that is asked for."""

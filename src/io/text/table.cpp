@@ -17,6 +17,8 @@
 namespace wythe::io {
 namespace {
 
+constexpr const char* kDigits = "0123456789";
+
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
 std::string unquoted(const std::string& cell) { return std::string(trimmed(text_of_cell(cell))); }
@@ -250,6 +252,19 @@ double NumberTable::number(std::size_t column) {
   const double value = number_with_mark(cell, comma ? ',' : '.');
   if (mark != '\0' && !std::isnan(value)) decimal_mark_ = mark;
   return value;
+}
+
+bool NumberTable::may_be_thousands(std::size_t column) const {
+  const std::string cell = this->cell(column);
+  const std::size_t begin = cell.find_first_of("123456789"), mark = cell.find_first_of(".,");
+  return mark != std::string::npos && begin == cell.find_first_of(kDigits) && mark > begin &&
+         mark - begin <= 3 && cell.find_first_not_of(kDigits, mark + 1) == std::string::npos &&
+         cell.size() == mark + 4;
+}
+
+bool NumberTable::tells_decimals(std::size_t column) const {
+  return this->cell(column).find_first_of(".,eEdD") != std::string::npos &&
+         !may_be_thousands(column);
 }
 
 Fault NumberTable::no_number(std::size_t column) const {

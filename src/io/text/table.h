@@ -50,6 +50,10 @@ class NumberTable {
   // Of a row; NaN for what is no finite number, or one with the other decimal mark than those before.
   [[nodiscard]] double number(std::size_t column);
   [[nodiscard]] Fault no_number(std::size_t column) const;  // what is wrong with it
+  // Whether the cell, a number, may have thousands as well as three decimals: "1.900", "1,900".
+  [[nodiscard]] bool may_be_thousands(std::size_t column) const;
+  // Whether the cell tells which: it has decimals that are no thousands.
+  [[nodiscard]] bool tells_decimals(std::size_t column) const;
   [[nodiscard]] int line() const { return lines_.line(); }
 
  private:

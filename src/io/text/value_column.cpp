@@ -31,6 +31,10 @@ class ColumnReader {
     if (values.empty() && good_)
       refuse("", 0, table.is_empty() ? "is empty" : "has no values",
              "write a head such as ft_MPa and one value a line");
+    if (good_ && !doubtful_.empty() && !tells_decimals_)
+      refuse(doubtful_, doubtful_line_, "may have three decimals or marks of thousands",
+             fmt::format("write {} where it is thousands, or one more decimal, {}0",
+                         without_mark(doubtful_), doubtful_));
     if (good_ && are_row_numbers(shown_))
       refuse(head_.whole, line_, "holds row numbers, and no measured values",
              "name the column of the values; if these are some, name it after what they are, with "
@@ -119,6 +123,22 @@ class ColumnReader {
     return !unit_.empty();
   }
 
+  static std::string without_mark(std::string cell) {
+    std::erase_if(cell, [](char c) { return c == '.' || c == ','; });
+    return cell;
+  }
+
+  // Both readings of "1.900" are possible where no other value tells them apart, and a thousand times the value is one
+  // of a wall.
+  void look_for_thousands(const NumberTable& table, double as_thousands) {
+    tells_decimals_ = tells_decimals_ || table.tells_decimals(index_);
+    if (!doubtful_.empty() || !table.may_be_thousands(index_) ||
+        !magnitude_problem(as_thousands, request_.si_unit).empty())
+      return;
+    doubtful_ = table.cell(index_);
+    doubtful_line_ = table.line();
+  }
+
   void read_row(NumberTable& table, std::vector<double>& values) {
     if (columns_ > 1 && table.cell(index_).empty()) return;  // another column goes on here
     const double number = table.number(index_);
@@ -131,6 +151,7 @@ class ColumnReader {
                         : parse_quantity(fmt::format("{} {}", number, unit_), request_.si_unit);
       if (const std::string problem = magnitude_problem(value, request_.si_unit); !problem.empty())
         return refuse(cell, table.line(), problem, "check the unit of its column");
+      look_for_thousands(table, 1e3 * value);
       values.push_back(value);
       shown_.push_back(number);
     } catch (const QuantityError& error) {  // 1e308 GPa
@@ -144,6 +165,9 @@ class ColumnReader {
   int line_ = 0;
   std::size_t index_ = 0, columns_ = 0;
   ColumnHead head_;
+  std::string doubtful_;  // the first value that may be thousands
+  int doubtful_line_ = 0;
+  bool tells_decimals_ = false;
   std::vector<double> shown_;  // as they stand in the file
   std::string unit_;           // "" for plain numbers
 };
