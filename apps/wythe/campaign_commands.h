@@ -87,6 +87,7 @@ std::string resume_command(const CampaignArguments& arguments);
 struct CompareArguments {
   std::vector<std::string> folders;
   std::string out, language = "en";
+  bool replaces = false;  // a comparison of other campaigns
 };
 int compare(const CompareArguments& arguments);
 int campaign_of_options(const CampaignArguments& arguments, const StudySpec& study,

@@ -411,6 +411,7 @@ int drawing(const DrawingArguments& a) {
 }
 
 int contact(const ContactArguments& arguments) {
+  check_contact_answer(arguments.out, {arguments.law, arguments.path});
   const JointMaterial material = read_law(arguments.law);
   const auto path = read_contact_path(arguments.path);
   const auto answers = drive_contact(material, path);

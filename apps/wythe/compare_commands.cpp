@@ -56,6 +56,7 @@ void check_runs(const std::vector<OptionRun>& runs, const std::string& out, bool
     }
   }
   if (!faults.empty()) throw InputError(std::move(faults));
+  if (!holds_options(out)) check_folder(out, FolderFor::kCampaign);
   for (const OptionRun& run : runs) {
     check_inner_folder(run.folder);
     check_folder(run.folder, FolderFor::kCampaign);
@@ -273,7 +274,16 @@ int compare(const CompareArguments& a) {
     }
     for (std::string& inner : option_folders(folder)) folders.push_back(std::move(inner));
   }
-  return write_comparison(folders, a.out, a.language);
+  if (holds_options(a.out)) {
+    if (origin_of(folders, false).file != origin_of(option_folders(a.out), false).file)
+      refuse("--out", a.out, "holds the comparison of its own campaigns", "name another folder");
+    return write_comparison(folders, a.out, a.language);
+  }
+  const Origin origin = origin_of(folders, a.replaces);
+  check_origin(a.out, origin);
+  const int code = write_comparison(folders, a.out, a.language);
+  write_origin(a.out, origin);
+  return code;
 }
 
 int merge_options(const MergeArguments& a) {

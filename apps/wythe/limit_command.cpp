@@ -131,7 +131,7 @@ int limit(const LimitArguments& a) {
   const Model model = read_and_compile(a.model, a.overrides, &spec);
   hold_for_test("model read");
   const Origin origin{a.model, spec_hash(spec), a.replaces};
-  check_origin(a.out, origin);
+  check_limit_folder(a.out, origin);
   std::vector<ComparedRun> runs;
   if (!a.with.empty()) runs = read_compared_runs(a.with);
   const StopSignal stop;

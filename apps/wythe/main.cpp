@@ -45,7 +45,8 @@ void add_language(CLI::App* command, std::string& language) {
 }
 
 void add_replace(CLI::App* command, bool& replaces) {
-  command->add_flag("--replace", replaces, "replace results of another model in the folder, too");
+  command->add_flag("--replace", replaces,
+                    "replace results of another model or campaign in the folder, too");
 }
 
 void add_run(CLI::App& app, RunArguments& a, int& code) {
@@ -215,6 +216,7 @@ void add_compare(CLI::App& app, CompareArguments& a, int& code) {
   command->add_option("folders", a.folders, "folders of the campaigns: the base, then the options")
       ->required();
   command->add_option("--out", a.out, "folder for comparison.json and comparison.html")->required();
+  add_replace(command, a.replaces);
   add_language(command, a.language);
   command->callback([&] { code = compare(a); });
 }
@@ -272,6 +274,7 @@ void add_export(CLI::App& app, ExportArguments& a, int& code) {
   command->add_option("folder", a.folder, "folder of a run or a campaign")->required();
   command->add_option("--out", a.out, "folder for the tables, made if absent")->required();
   command->add_flag("--hdf5", a.hdf5, "one file results.h5 in the place of CSV tables");
+  add_replace(command, a.replaces);
   command->callback([&] { code = export_tables(a); });
 }
 

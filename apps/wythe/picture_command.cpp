@@ -43,6 +43,7 @@ void check_numbers(const PictureArguments& a) {
 
 int picture(const PictureArguments& a) {
   check_numbers(a);
+  check_answer_file(a.out, {}, "class=\"states\"");
   const Campaign campaign = read_campaign(a.folder);
   if (a.sample < 1 || a.sample > campaign.samples.n_sample())
     throw InputError(

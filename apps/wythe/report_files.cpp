@@ -56,12 +56,14 @@ int report(const ReportArguments& a) {
 
 namespace {
 
-int export_one(const std::string& folder, const std::string& out, bool hdf5) {
+int export_one(const std::string& folder, const std::string& out, const ExportArguments& a) {
   finish_replacement(folder);
   const NewFolder folder_made(out);  // what can't be read leaves no empty one
-  const std::unique_ptr<Replacement> tables = replace_export(out);
+  const Origin origin{folder, 0, a.replaces};
+  const std::unique_ptr<Replacement> tables = replace_export(out, origin);
   const Exported made =
-      hdf5 ? write_export_hdf5(folder, tables->path()) : write_export(folder, tables->path());
+      a.hdf5 ? write_export_hdf5(folder, tables->path()) : write_export(folder, tables->path());
+  write_origin(tables->path(), origin);
   tables->commit(hold_for_test);
   if (made.missing > 0)
     fmt::print(stderr, "note: {} samples of the study have not run and are in no table\n",
@@ -91,7 +93,7 @@ std::vector<std::string> campaigns_in(const std::string& folder) {
 
 int export_tables(const ExportArguments& a) {
   const std::vector<std::string> names = campaigns_in(a.folder);
-  if (names.empty()) return export_one(a.folder, a.out, a.hdf5);
+  if (names.empty()) return export_one(a.folder, a.out, a);
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(a.out, error)) {
     const std::string name = entry.path().filename().string();
@@ -104,8 +106,7 @@ int export_tables(const ExportArguments& a) {
                        .cure = "name a new folder, an empty one, or one that holds an earlier "
                                "export alone"}});
   }
-  for (const std::string& name : names)
-    export_one(a.folder + "/" + name, a.out + "/" + name, a.hdf5);
+  for (const std::string& name : names) export_one(a.folder + "/" + name, a.out + "/" + name, a);
   return 0;
 }
 

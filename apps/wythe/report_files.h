@@ -13,6 +13,7 @@ int report(const ReportArguments& arguments);
 struct ExportArguments {
   std::string folder, out;
   bool hdf5 = false;
+  bool replaces = false;  // tables of other results
 };
 int export_tables(const ExportArguments& arguments);
 

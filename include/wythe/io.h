@@ -86,6 +86,8 @@ void write_reference(const std::string& folder);
 [[nodiscard]] JointMaterial read_law(const std::string& path);
 [[nodiscard]] JointMaterial parse_law(const std::string& toml_text, const std::string& file_name);
 [[nodiscard]] std::vector<ContactPathRow> read_contact_path(const std::string& path);
+// As check_answer_file() for that answer.
+void check_contact_answer(const std::string& path, const std::vector<std::string>& inputs);
 void write_contact_answer(const std::string& path, const std::vector<ContactPathRow>& rows,
                           const std::vector<ContactAnswer>& answers);
 
@@ -122,11 +124,17 @@ struct Origin {
   std::uint64_t spec_hash = 0;  // 0: not known
   bool replaces = false;        // results of another model too
 };
-// Throws InputError where `folder` holds results of another model: of another file, and with another hash.
+// Throws InputError where `folder` holds results of another model or campaign: of another file, and with another
+// hash.
 void check_origin(const std::string& folder, const Origin& origin);
+// The same for the files of `wythe limit`, which lie alone in a folder or beside those of a run.
+void check_limit_folder(const std::string& folder, const Origin& origin);
+[[nodiscard]] bool is_file_of_limit(const std::string& name);
+// Of a comparison of these campaigns.
+[[nodiscard]] Origin origin_of(const std::vector<std::string>& folders, bool replaces);
 void write_origin(const std::string& folder, const Origin& origin);
 // The Replacement for the files of `wythe run` and `replay` in `folder` (made if absent), with their origin. Throws
-// InputError where the folder holds anything else, or results of another model; IoError where it can't be written.
+// InputError where the folder holds anything else, results of another model, or the model itself; IoError where it can't be written.
 [[nodiscard]] std::unique_ptr<Replacement> replace_run(const std::string& folder,
                                                        const Origin& origin = {},
                                                        bool resumes = false);
@@ -163,13 +171,19 @@ struct Exported {
 // Writes the tables of the results in `folder` into `out`, which is there and empty. Throws InputError where
 // there are no results, IoError where they are damaged.
 Exported write_export(const std::string& folder, const std::string& out);
-// The Replacement for these tables (made if absent). Throws InputError where it holds anything else.
-[[nodiscard]] std::unique_ptr<Replacement> replace_export(const std::string& out);
+// The Replacement for these tables (made if absent). Throws InputError where it holds anything else, or tables of
+// other results than those of `origin`.
+[[nodiscard]] std::unique_ptr<Replacement> replace_export(const std::string& out,
+                                                          const Origin& origin = {});
 // Content of a file of packed data, e.g. report.data; throws InputError where it can be none, and IoError.
 [[nodiscard]] std::string read_data(const std::string& path);
 // Writes a whole file at once or throws IoError; never leaves half a file, never follows a link.
 void write_text(const std::string& path, const std::string& text);
-// Throws InputError when `folder` holds results of the other kind, since their report would be lost.
+// For a command that writes one file: throws InputError where `path` is one of its `inputs`, or a file that does
+// not begin as an earlier answer of it does, with `mark` in its first lines. Nothing there is fine, an empty file too.
+void check_answer_file(const std::string& path, const std::vector<std::string>& inputs,
+                       const std::string& mark);
+// Throws InputError when `folder` holds results of another kind, since their report would be lost.
 enum class FolderFor { kRun, kCampaign };
 void check_folder(const std::string& folder, FolderFor use);
 // Makes `folder` and checks that results can be written into it; throws IoError.

@@ -114,8 +114,8 @@ std::string write_second_opinion(const std::string& folder, const ModelSpec& spe
   finish_replacement(folder);
   const std::string page = opinion_page(folder);
   Replacement results(folder, [&](const std::string& name) {
-    return name == "mechanisms.json" || name == page + ".html" || name == page + ".data" ||
-           (name.starts_with("mechanism_") && (name.ends_with(".csv") || name.ends_with(".svg")));
+    const bool is_page = name.ends_with(".html") || name.ends_with(".data");
+    return is_file_of_limit(name) && (!is_page || name == page + ".html" || name == page + ".data");
   });
   for (const Mechanism& m : opinion.mechanisms) {
     const std::string path = results.path() + "/" + m.file_name();

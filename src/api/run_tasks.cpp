@@ -309,7 +309,7 @@ bool do_limit(Job& job) {
   const GivenModel given = read_given(job.in);
   asked.parts = asks_for_parts(asked) && has_parts(given.spec, given.model);
   const Origin origin = origin_of(job, given);
-  if (!out.empty()) check_origin(out, origin);
+  if (!out.empty()) check_limit_folder(out, origin);
   const SecondOpinion opinion = [&] {
     SecondOpinion made = second_opinion(
         given.model, asked, &job.stop,

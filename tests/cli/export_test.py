@@ -29,7 +29,7 @@ class Export(campaign_test.Base):
         done = self.export(self.whole)
         self.assertRegex(done.stdout, r"^6 samples, \d+ rows of curves, \d+ states -> ")
         made = {p.name for p in self.out().iterdir()}
-        self.assertEqual(made, {"curves.csv", "samples.csv", "state_blocks.csv", "state_joints.csv", "columns.json"})
+        self.assertEqual(made, {"curves.csv", "samples.csv", "state_blocks.csv", "state_joints.csv", "columns.json", ".wythe_model"})
         told = json.loads((self.out() / "columns.json").read_text(encoding="utf-8"))
         scale = {"mm": 1e3, "%": 1e2, "kN": 1e-3}
         with sqlite3.connect(self.whole / "campaign.db") as store:
@@ -164,14 +164,14 @@ class Export(campaign_test.Base):
         source = self.out().rename(self.folder / "damaged_source")
         self.export(self.whole)
         before = {p.name: p.read_bytes() for p in self.out().iterdir()}
-        self.refused(wythe("export", source, "--out", self.out()), 4, "sample 4")
+        self.refused(wythe("export", source, "--out", self.out(), "--replace"), 4, "sample 4")
         self.assertEqual({p.name: p.read_bytes() for p in self.out().iterdir() if p.is_file()}, before)
         # a state of another wall
         with sqlite3.connect(source / "campaign.db") as store:
             store.execute("UPDATE curve SET data = (SELECT data FROM curve WHERE sample = 3), rows = "
                           "(SELECT rows FROM curve WHERE sample = 3) WHERE sample = 4")
             store.execute("UPDATE state SET blocks = blocks + 1 WHERE sample = 2")
-        self.refused(wythe("export", source, "--out", self.out()), 4)
+        self.refused(wythe("export", source, "--out", self.out(), "--replace"), 4)
 
     def test_a_run_whose_files_do_not_belong_together(self):
         run = self.folder / "run_spoilt"

@@ -272,6 +272,85 @@ contacts = "{contacts}"
             self.assertNotIn("is that of one block", self.wythe("check", self.model(count=count, restitution=restitution)).stdout)
 
 
+class ValueColumns(Folder):
+    """Files of measured values are read for what they say, or refused with a cure that is one."""
+
+    STUDY = """
+[study]
+model = "model.toml"
+samples = 8
+seed = 3
+[variable.rho]
+path = "wall.unit.density"
+distribution = "empirical"
+file = "values.csv"
+"""
+
+    def setUp(self):
+        super().setUp()
+        for name in ("model.toml", "b.json"):
+            shutil.copyfile(FOLDER / "paths" / name, self.root / name)
+
+    def said(self, values, *keys, code=0):
+        (self.root / "values.csv").write_text(values)
+        (self.root / "study.toml").write_text(self.STUDY + "\n".join(keys))
+        return self.wythe("check", self.root / "study.toml", code=code)
+
+    def refused(self, values, *keys):
+        lines = self.said(values, *keys, code=2).stderr.strip().splitlines()
+        self.assertEqual(len(lines), 1, lines)
+        return lines[0]
+
+    def mean(self, values, *keys):
+        return float(re.search(r"rho_kg_per_m3 +([0-9.e+]+) ", self.said(values, *keys).stdout)[1])
+
+    def test_a_file_without_a_head(self):
+        unit = 'unit = "kg/m^3"'
+        for values in ("1900\n2000\n2100\n", "1900.5\n2000\n", '"1900"\n"2000"\n', "1900;1\n2000;2\n", "1 1900\n2 2000\n",
+                       "# rho\n1900\n2000\n", "a,1900\nb,2000\n", "1900\n"):
+            line = self.refused(values, unit)
+            self.assertIn("a number stands where the names of the columns belong", line)
+            self.assertIn("write a first line with their names, e.g. ft_MPa", line)
+        self.said("rho_kg_m3\n1900\n2000\n2100\n")
+        self.said("rho\n1900\n2000\n", unit)
+        self.said("wall 2\n1900\n2000\n", unit)
+
+    def test_row_numbers_are_no_values(self):
+        unit = 'unit = "kg/m^3"'
+        for index in ("nr", "Nr.", "id", "Sample", "Unnamed: 0", "index"):
+            table = f"{index},rho\n0,1900\n1,2000\n2,2100\n"
+            line = self.refused(table, unit)
+            self.assertIn('name one: column = "rho"', line)  # and the cure is one
+            self.assertEqual(self.mean(table, unit, 'column = "rho"'), 2000)
+            self.assertIn("holds row numbers", self.refused(table, unit, f'column = "{index}"'))
+            self.assertIn("holds row numbers", self.refused(f"{index}\n7\n3\n12\n", unit))
+            self.mean(f"{index}\n1900.5\n2000.5\n", unit)  # measured, whatever their name
+        named = lambda first: "pos,rho\n" + "".join(f"{first + k},{1900 + 50 * k}\n" for k in range(5))
+        for first in (0, 1):
+            self.assertIn("holds row numbers", self.refused(named(first), unit, 'column = "pos"'))
+        self.assertEqual(self.mean(named(0), unit, 'column = "rho"'), 2000)
+        self.mean(named(1000), unit, 'column = "pos"')
+        self.said("rho_t_m3\n1\n2\n3\n4\n5\n")  # its unit says that they are densities
+        for table in ("wall,rho_kg_m3\nA,1900\nB,2000\n", "test,rho [t/m3]\n1,1.9\n2,2.0\n"):
+            name = table.split(",")[1].split("\n")[0]
+            self.assertIn(f'name one: column = "{name}"', self.refused(table))
+            self.mean(table, f'column = "{name}"')
+
+    def test_thousands_or_decimals(self):
+        for values in ("1.900\n2.000\n", '"1,900"\n"2,000"\n', "1.900\n950\n2.100\n", "1.900\n2000\n", "+1.900\n", "12.345\n-1.250\n"):
+            line = self.refused("rho [kg/m3]\n" + values)
+            self.assertIn("may have three decimals or marks of thousands", line)
+            self.assertRegex(line, r"write [+0-9]+ where it is thousands, or one more decimal")
+        self.assertIn("three decimals or", self.refused("n;rho [kg/m3]\n1;1,900\n2;2,000\n", 'column = "rho"'))
+        # what tells them apart, and what the message says to write
+        self.assertEqual(self.mean("rho [kg/m3]\n1900\n2000\n2100\n"), 2000)
+        for values in ("1900.5\n2000.125\n", "1.9000\n2.000\n", "1.9\n2.000\n", "0.950\n2.000\n", "1.9e3\n2.000\n", "1900.250\n"):
+            self.said("rho [kg/m3]\n" + values)
+        # g/cm3: thousands of them weigh more than anything does
+        self.assertEqual(self.mean("rho [g/cm3]\n1.900\n2.000\n2.100\n"), 2000)
+        self.assertEqual(self.mean('rho [g/cm3]\n"1,900"\n"2,000"\n"2,100"\n'), 2000)
+
+
 class OtherResults(Folder):
     """Results of another model are replaced only where that is asked for."""
 
@@ -345,6 +424,83 @@ class OtherResults(Folder):
         campaign("one")
         campaign("two", code=2)
         campaign("two", "--resume", code=2)
+
+    def kept(self, files, words, *command):
+        """The command is refused in these words and leaves the files as they are."""
+        before = [pathlib.Path(file).read_bytes() for file in files]
+        said = self.wythe(*command, code=2).stderr
+        self.assertIn(words, said)
+        self.assertEqual([pathlib.Path(file).read_bytes() for file in files], before)
+        return said
+
+    def test_a_comparison_or_tables_are_no_place_for_other_results(self):
+        for name in ("one", "two", "three"):
+            self.wythe("campaign", self.root / "one/study.toml", "--out", self.root / name / "campaign", "--jobs", 1, "--quiet")
+        one, two, three = (self.root / name / "campaign" for name in ("one", "two", "three"))
+        compare, comparison = self.root / "compare", self.root / "compare/comparison.json"
+        self.wythe("compare", one, two, "--out", compare)
+        self.wythe("compare", one, two, "--out", compare)
+        self.assertIn("--replace", self.kept([comparison], "holds results of another", "compare", one, three, "--out", compare))
+        self.kept([comparison], "holds results of another", "compare", two, one, "--out", compare)
+        self.wythe("compare", one, three, "--out", compare, "--replace")
+        for command in ("run", "limit"):
+            for more in ([], ["--replace"]):
+                self.kept([comparison], f"which no {command} wrote", command, self.model("one"), "--out", compare, *more)
+        tables = self.root / "tables"
+        curves = tables / "curves.csv"
+        self.wythe("export", one, "--out", tables)
+        self.wythe("export", one, "--out", tables)
+        self.assertIn("--replace", self.kept([curves], "holds results of another", "export", two, "--out", tables))
+        self.kept([curves], "holds results of another", "export", two, "--out", tables, "--hdf5")
+        for command in ("run", "limit"):
+            self.kept([curves], f"which no {command} wrote", command, self.model("one"), "--out", tables)
+        self.kept([tables / "samples.csv"], "no campaign in it wrote", "campaign", self.root / "one/study.toml", "--out", tables)
+        self.wythe("export", two, "--out", tables, "--replace")
+
+    def test_a_campaign_beside_other_results(self):
+        limit = self.root / "limit"
+        self.wythe("limit", self.model("one"), "--out", limit, "--only", "lp", "--quiet")
+        self.kept([limit / "report.html"], "no campaign in it wrote", "campaign", self.root / "one/study.toml", "--out", limit)
+        mine = self.root / "one/samples.csv"
+        mine.write_text("of the laboratory\n")
+        self.kept([mine], "no campaign in it wrote", "campaign", self.root / "one/study.toml", "--out", self.root / "one")
+        self.kept([mine], "which no limit wrote", "limit", self.model("one"), "--out", self.root / "one")
+
+    def test_the_model_itself(self):
+        self.wythe("run", self.model("one"), "--out", self.out, "--quiet")
+        used = self.out / "model.used.toml"
+        for more in ([], ["--replace"]):
+            self.kept([used], "lies among the results that would replace it", "run", used, "--out", self.out, "--quiet", *more)
+        self.wythe("limit", used, "--out", self.out, "--only", "lp", "--quiet", "--replace")  # which replaces no file of a run
+
+    def test_a_table_of_a_joint(self):
+        law, path, answer, link = (self.root / name for name in ("law.toml", "path.csv", "answer.csv", "hard.csv"))
+        law.write_text(self.model("one").read_text()[self.model("one").read_text().index("[material.joint]"):
+                                                     self.model("one").read_text().index("[[stage]]")])
+        path.write_text("opening_mm,slip_mm\n0,0\n-0.01,0.1\n")
+        contact = lambda out, given=path: ("contact", law, "--path", given, "--out", out)
+        self.wythe(*contact(answer))
+        self.wythe(*contact(answer))
+        os.link(path, link)
+        for out in (path, link, os.path.relpath(path), self.root / ".." / self.root.name / "path.csv", law):
+            self.kept([path, law], "is what this command reads", *contact(out))
+        self.kept([answer], "is what this command reads", *contact(answer, answer))
+        (self.root / "mine.csv").write_text("force\n1\n")
+        for out in (self.root / "mine.csv", self.model("one")):
+            self.kept([out], "is no earlier answer", *contact(out))
+        (self.root / "empty.csv").touch()
+        self.wythe(*contact(self.root / "empty.csv"))
+
+    def test_a_picture(self):
+        campaign, picture = self.root / "campaign", self.root / "sample.svg"
+        self.wythe("campaign", self.root / "one/study.toml", "--out", campaign, "--jobs", 1, "--quiet")
+        draw = lambda out: ("picture", campaign, "--sample", 1, "--out", out)
+        self.wythe(*draw(picture))
+        self.wythe(*draw(picture))
+        mine = self.root / "mine.svg"
+        mine.write_text('<svg xmlns="http://www.w3.org/2000/svg" class="logo"></svg>\n')
+        for out in (mine, self.root / "one/study.toml", campaign / "campaign.db", campaign / "report.html"):
+            self.kept([out], "is no earlier answer", *draw(out))
 
 
 class Paths(Folder):

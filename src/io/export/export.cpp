@@ -548,7 +548,7 @@ Exported export_into(const std::string& folder, Sink& sink) {
 
 }  // namespace
 
-std::unique_ptr<Replacement> replace_export(const std::string& out) {
+std::unique_ptr<Replacement> replace_export(const std::string& out, const Origin& origin) {
   std::error_code error;
   finish_replacement(out);
   const bool of_export =
@@ -560,6 +560,7 @@ std::unique_ptr<Replacement> replace_export(const std::string& out) {
       refuse(out, "holds " + name + ", which no export wrote: tables are not put among other files",
              "name a new folder, an empty one, or one that holds an earlier export alone");
   }
+  check_origin(out, origin);
   prepare_folder(out);
   return std::make_unique<Replacement>(out, is_export_file);
 }

@@ -123,6 +123,10 @@ class PathReader {
   Column opening_{.name = "opening", .unit = ""}, slip_{.name = "slip", .unit = ""};
 };
 
+constexpr const char* kAnswerHead =
+    "opening_mm,slip_mm,normal_stress_MPa,shear_stress_MPa,damage_tension,damage_shear,"
+    "damage,crushing,dissipated_N_per_m\n";
+
 std::string answer_row(const ContactPathRow& row, const ContactAnswer& answer) {
   return fmt::format("{},{},{},{},{},{},{},{},{}\n", row.opening * 1e3, row.slip * 1e3,
                      answer.normal_stress / 1e6, answer.shear_stress / 1e6, answer.damage_tension,
@@ -153,11 +157,13 @@ std::vector<ContactPathRow> read_contact_path(const std::string& path) {
   return io::PathReader(path).read(io::read_input(path, "path.csv", kMostCsv));
 }
 
+void check_contact_answer(const std::string& path, const std::vector<std::string>& inputs) {
+  check_answer_file(path, inputs, io::kAnswerHead);
+}
+
 void write_contact_answer(const std::string& path, const std::vector<ContactPathRow>& rows,
                           const std::vector<ContactAnswer>& answers) {
-  std::string text =
-      "opening_mm,slip_mm,normal_stress_MPa,shear_stress_MPa,damage_tension,damage_shear,"
-      "damage,crushing,dissipated_N_per_m\n";
+  std::string text = io::kAnswerHead;
   for (std::size_t i = 0; i < rows.size() && i < answers.size(); ++i)
     text += io::answer_row(rows[i], answers[i]);
   write_file(path, text);

@@ -74,17 +74,6 @@ std::string time_unit(const ColumnHead& head) {
   return "";
 }
 
-bool is_row_number(const std::string& small) {
-  if (small.empty() || small == "#" || small.starts_with("unnamed")) return true;
-  std::string letters = letters_of(small);
-  if (letters.starts_with("time")) letters.erase(0, 4);
-  return is_one_of(letters,
-                   {"n",      "no",     "nr",     "i",       "k",        "id",           "idx",
-                    "index",  "row",    "rows",   "rowname", "rownames", "rownumber",    "rownum",
-                    "num",    "number", "sample", "samples", "nsample",  "samplenumber", "point",
-                    "points", "step",   "steps",  "frame",   "count",    "counter",      "lfdnr"});
-}
-
 // --- accelerations
 
 // Words beside the name that say nothing of the unit.
@@ -267,7 +256,7 @@ Column column_of(const std::string& text) {
   const std::string unit_of_time = time_unit(time);
   const bool is_time =
       is_one_of(name, {"t", "s", "sec", "secs", "tempo", "temps", "zeit", "tiempo"});
-  if (unit_of_time.empty() && is_row_number(whole)) return {ColumnKind::kIndex, time};
+  if (unit_of_time.empty() && is_index_name(whole)) return {ColumnKind::kIndex, time};
   if (is_time || whole.starts_with("time") ||
       (time.unit.empty() && !unit_of_time.empty() && !time.in_brackets)) {
     time.unit = unit_of_time;

@@ -18,6 +18,7 @@
 #include "core/files.h"
 #include "core/hash.h"
 #include "core/limits.h"
+#include "core/text.h"
 #include "io/bodies/blocks_json.h"
 #include "io/model/record_file.h"
 #include "io/results/curve_csv.h"
@@ -38,8 +39,10 @@ std::string inside(const std::string& folder, const std::string& name) {
 }
 
 constexpr const char* kOrigin = ".wythe_model";
-// One of these is in each folder of a run, a replay or a second opinion.
-constexpr const char* kResults[] = {"summary.json", "force_displacement.csv", "mechanisms.json"};
+// One of these is in each folder of results, but a campaign's.
+constexpr const char* kResults[] = {"summary.json",    "force_displacement.csv",
+                                    "mechanisms.json", "columns.json",
+                                    "results.h5",      "comparison.json"};
 
 // state_blocks_00.vtu, state_joints_00.vtu, state_zones_00.vtu; record_1.csv
 bool is_numbered(const std::string& name) {
@@ -74,18 +77,22 @@ void refuse_checkpoint(const std::string& folder) {
 }
 
 // A folder is a run's where it has a run's curve or checkpoint, and nothing but a run's files; hidden ones
-// are nobody's.
-void refuse_others(const std::string& folder) {
+// are nobody's. A second opinion may lie beside it.
+void refuse_others(const std::string& folder, const char* command = "run") {
   std::error_code error;
-  const bool of_replay = fs::exists(inside(folder, "settings.txt"), error);
-  const bool of_run = fs::exists(inside(folder, "summary.json"), error) ||
-                      fs::exists(inside(folder, "force_displacement.csv"), error) ||
-                      fs::exists(inside(folder, kCheckpointFile), error);
+  const auto has = [&](const char* name) { return fs::exists(inside(folder, name), error); };
+  const bool of_replay = has("settings.txt"), may_be_limit = std::string_view(command) == "limit";
+  const bool of_run = has("summary.json") || has("force_displacement.csv") || has(kCheckpointFile);
+  const bool of_limit = may_be_limit && has("mechanisms.json");
+  const auto is_known = [&](const std::string& name) {
+    return (of_run && is_file_of_run(name, of_replay)) ||
+           (may_be_limit && (of_run || of_limit) && is_file_of_limit(name));
+  };
   std::vector<std::string> others;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
     const std::string name = entry.path().filename().string();
     if (name.starts_with(".") || name == "lost+found") continue;
-    if (!of_run || !is_file_of_run(name, of_replay))
+    if (!is_known(name))
       others.push_back(name);
     else
       check_output(entry.path().string());
@@ -98,9 +105,10 @@ void refuse_others(const std::string& folder) {
         .path = "",
         .value = "",
         .problem =
-            fmt::format("holds {}{}, which no run wrote: results are not put among other files",
-                        others.front(), more > 0 ? fmt::format(" and {} more", more) : ""),
-        .cure = "name a new folder, an empty one, or one that holds an earlier run alone"}});
+            fmt::format("holds {}{}, which no {} wrote: results are not put among other files",
+                        others.front(), more > 0 ? fmt::format(" and {} more", more) : "", command),
+        .cure = fmt::format(
+            "name a new folder, an empty one, or one that holds an earlier {} alone", command)}});
 }
 
 void write_states(const std::string& folder, const Model& model,
@@ -173,6 +181,16 @@ void check_folder(const std::string& folder, FolderFor use) {
        {"campaign.db", "campaign.db-wal", "campaign.db-shm", "campaign.db-journal", "campaign.lock",
         "samples.csv", "statistics.json", "report.html"})
     if (!run) check_output(inside(folder, name));
+  if (!run && !fs::exists(inside(folder, "campaign.db"), error))
+    for (const char* name : {"samples.csv", "statistics.json", "report.html", "mechanisms.json",
+                             "columns.json", "results.h5"})
+      if (fs::exists(inside(folder, name), error) &&
+          !fs::exists(inside(folder, "summary.json"), error))
+        throw InputError({{.file = folder,
+                           .path = "",
+                           .value = "",
+                           .problem = fmt::format("holds {}, which no campaign in it wrote", name),
+                           .cure = "name another folder"}});
   if (!fs::exists(inside(folder, run ? "campaign.db" : "summary.json"), error)) return;
   throw InputError({{.file = folder,
                      .path = "",
@@ -192,6 +210,21 @@ std::string full_name(const std::string& file) {
 }
 
 std::string hash_text(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
+
+// A model.used.toml in the folder, which results would replace.
+void refuse_model_inside(const std::string& folder, const Origin& origin) {
+  std::error_code error;
+  const fs::path file = full_name(origin.file);
+  if (origin.file.empty() || !fs::is_regular_file(file, error) ||
+      !is_file_of_run(file.filename().string(), true) ||
+      !fs::equivalent(file.parent_path(), folder, error))
+    return;
+  throw InputError({{.file = origin.file,
+                     .path = "",
+                     .value = "",
+                     .problem = "lies among the results that would replace it",
+                     .cure = "name another folder, or move the model out of this one"}});
+}
 
 }  // namespace
 
@@ -223,7 +256,7 @@ void check_origin(const std::string& folder, const Origin& origin) {
   throw InputError({{.file = folder,
                      .path = "",
                      .value = "",
-                     .problem = "holds results of another model, " + file,
+                     .problem = "holds results of another model or campaign, " + file,
                      .cure = "name another folder, or replace them with --replace"}});
 }
 
@@ -231,6 +264,49 @@ void write_origin(const std::string& folder, const Origin& origin) {
   if (!origin.file.empty())
     write_file(inside(folder, kOrigin),
                hash_text(origin.spec_hash) + '\n' + full_name(origin.file));
+}
+
+bool is_file_of_limit(const std::string& name) {
+  for (const char* file :
+       {"mechanisms.json", "limit.html", "limit.data", "report.html", "report.data"})
+    if (name == file) return true;
+  return name.starts_with("mechanism_") && (name.ends_with(".csv") || name.ends_with(".svg"));
+}
+
+void check_limit_folder(const std::string& folder, const Origin& origin) {
+  check_folder(folder, FolderFor::kRun);
+  refuse_others(folder, "limit");
+  check_origin(folder, origin);
+}
+
+Origin origin_of(const std::vector<std::string>& folders, bool replaces) {
+  std::vector<std::string> names;
+  for (const std::string& folder : folders) names.push_back(full_name(folder));
+  return {joined(names, ", "), 0, replaces};
+}
+
+void check_answer_file(const std::string& path, const std::vector<std::string>& inputs,
+                       const std::string& mark) {
+  std::error_code error;
+  const auto refuse = [&](const char* problem) {
+    throw InputError({{.file = path,
+                       .path = "",
+                       .value = "",
+                       .problem = problem,
+                       .cure = "name another file, or remove this one"}});
+  };
+  check_output(path);
+  for (const std::string& input : inputs)
+    if (fs::equivalent(path, input, error)) refuse("is what this command reads, and would be lost");
+  if (!fs::exists(path, error) || fs::is_empty(path, error)) return;
+  constexpr std::size_t kBeginning = 400;
+  std::string text;
+  try {
+    text = read_file(path, kMostPacked);
+  } catch (const InputError&) {  // larger than any answer
+  }
+  if (text.substr(0, kBeginning).find(mark) == std::string::npos)
+    refuse("is there, and is no earlier answer of this command");
 }
 
 void prepare_folder(const std::string& folder) {
@@ -253,6 +329,7 @@ std::unique_ptr<Replacement> replace_run(const std::string& folder, const Origin
   finish_replacement(folder);
   if (!resumes) refuse_checkpoint(folder);
   refuse_others(folder);
+  if (!resumes) refuse_model_inside(folder, origin);
   if (!resumes) check_origin(folder, origin);
   prepare_folder(folder);
   const bool of_replay = fs::exists(inside(folder, "settings.txt"));

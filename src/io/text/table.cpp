@@ -17,6 +17,8 @@
 namespace wythe::io {
 namespace {
 
+constexpr const char* kDigits = "0123456789";
+
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
 std::string unquoted(const std::string& cell) { return std::string(trimmed(text_of_cell(cell))); }
@@ -167,6 +169,22 @@ void check_line_ends(std::string_view text, const std::string& file) {
                        "save it with line ends of today, LF or CR LF", 0}});
 }
 
+bool is_index_name(std::string_view head) {
+  const std::string small = small_letters(trimmed(head));
+  if (small.empty() || small == "#" || small.starts_with("unnamed")) return true;
+  std::string letters;
+  for (const char c : small)
+    if (c >= 'a' && c <= 'z') letters += c;
+  if (letters.starts_with("time")) letters.erase(0, 4);
+  for (const std::string_view known :
+       {"n",      "no",     "nr",     "i",       "k",        "id",           "idx",
+        "index",  "row",    "rows",   "rowname", "rownames", "rownumber",    "rownum",
+        "num",    "number", "sample", "samples", "nsample",  "samplenumber", "point",
+        "points", "step",   "steps",  "frame",   "count",    "counter",      "lfdnr"})
+    if (letters == known) return true;
+  return false;
+}
+
 NumberTable::NumberTable(std::string_view text, const std::string& file, HeadRule rule)
     : file_(file), delimiter_(delimiter_of(text, file)), lines_(text, file, delimiter_) {
   check_line_ends(text, file);
@@ -175,7 +193,11 @@ NumberTable::NumberTable(std::string_view text, const std::string& file, HeadRul
     return;
   }
   look_for_lines_before_the_numbers(text);
-  if (rule == HeadRule::kNeeded || !has_number(lines_.cells())) {
+  const bool begins_with_number = has_number(lines_.cells());
+  if (rule == HeadRule::kNeeded && begins_with_number)
+    refuse(lines_.line(), lines_.text(), "a number stands where the names of the columns belong",
+           "write a first line with their names, e.g. ft_MPa, or opening_mm,slip_mm of a path");
+  if (!begins_with_number) {
     read_head(lines_.cells());
     width_ = head_.size();
     return;
@@ -257,6 +279,19 @@ double NumberTable::number(std::size_t column) {
   const double value = number_with_mark(cell, comma ? ',' : '.');
   if (mark != '\0' && !std::isnan(value)) decimal_mark_ = mark;
   return value;
+}
+
+bool NumberTable::may_be_thousands(std::size_t column) const {
+  const std::string cell = this->cell(column);
+  const std::size_t begin = cell.find_first_of("123456789"), mark = cell.find_first_of(".,");
+  return mark != std::string::npos && begin == cell.find_first_of(kDigits) && mark > begin &&
+         mark - begin <= 3 && cell.find_first_not_of(kDigits, mark + 1) == std::string::npos &&
+         cell.size() == mark + 4;
+}
+
+bool NumberTable::tells_decimals(std::size_t column) const {
+  return this->cell(column).find_first_of(".,eEdD") != std::string::npos &&
+         !may_be_thousands(column);
 }
 
 Fault NumberTable::no_number(std::size_t column) const {

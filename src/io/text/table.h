@@ -27,6 +27,9 @@ struct ColumnHead {
 // A unit as heads spell it, "cm/sec**2", "m_per_s2", as UDUNITS reads it; "" where it is none of `si_unit`.
 [[nodiscard]] std::string spelt_unit(std::string_view text, std::string_view si_unit);
 
+// Whether the name is one of row numbers, "nr" or "#", and of no measured value.
+[[nodiscard]] bool is_index_name(std::string_view head);
+
 enum class HeadRule { kNeeded, kMayLack };  // kMayLack: a first line with a number is a row
 
 // Refuses a text whose lines end with CR alone, as old Macs wrote them: it would be one line.
@@ -50,6 +53,10 @@ class NumberTable {
   // Of a row; NaN for what is no finite number, or one with the other decimal mark than those before.
   [[nodiscard]] double number(std::size_t column);
   [[nodiscard]] Fault no_number(std::size_t column) const;  // what is wrong with it
+  // Whether the cell, a number, may have thousands as well as three decimals: "1.900", "1,900".
+  [[nodiscard]] bool may_be_thousands(std::size_t column) const;
+  // Whether the cell tells which: it has decimals that are no thousands.
+  [[nodiscard]] bool tells_decimals(std::size_t column) const;
   [[nodiscard]] int line() const { return lines_.line(); }
 
  private:

@@ -1,5 +1,6 @@
 #include "io/text/value_column.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -30,6 +31,14 @@ class ColumnReader {
     if (values.empty() && good_)
       refuse("", 0, table.is_empty() ? "is empty" : "has no values",
              "write a head such as ft_MPa and one value a line");
+    if (good_ && !doubtful_.empty() && !tells_decimals_)
+      refuse(doubtful_, doubtful_line_, "may have three decimals or marks of thousands",
+             fmt::format("write {} where it is thousands, or one more decimal, {}0",
+                         without_mark(doubtful_), doubtful_));
+    if (good_ && are_row_numbers(shown_))
+      refuse(head_.whole, line_, "holds row numbers, and no measured values",
+             "name the column of the values; if these are some, name it after what they are, with "
+             "its unit");
     return good_ ? values : std::vector<double>();
   } catch (const InputError& error) {
     for (const Fault& fault : error.faults()) add(fault);
@@ -48,12 +57,12 @@ class ColumnReader {
   }
 
   bool read_head(const NumberTable& table) {
-    std::vector<std::string> names;
+    std::vector<std::string> names;  // but of row numbers
     std::vector<std::size_t> meant;
     for (std::size_t k = 0; k < table.width(); ++k) {
       const ColumnHead head = column_head(table.head()[k], {request_.si_unit});
       if (head.whole.empty()) continue;  // row numbers, as pandas and R write them
-      names.push_back(head.whole);
+      if (!is_index_name(head.whole)) names.push_back(head.whole);
       if (request_.column.empty() || head.whole == request_.column || head.name == request_.column)
         meant.push_back(k);
     }
@@ -61,17 +70,41 @@ class ColumnReader {
     columns_ = table.width();
     if (meant.size() == 1) {
       index_ = meant.front();
-      return read_unit(column_head(table.head()[index_], {request_.si_unit}));
+      head_ = column_head(table.head()[index_], {request_.si_unit});
+      return read_unit(head_);
     }
     if (meant.empty())
       refuse("", line_, "no such column in the head", name_advice(request_.column, names));
     else if (request_.column.empty())
-      refuse(joined(names, ", "), line_, "has several columns",
-             "name one: column = \"" + names.front() + '"');
+      refuse(joined(table.head(), ", "), line_, "has several columns", column_advice(names));
     else
-      refuse(joined(names, ", "), line_, "has several columns of this name",
+      refuse(joined(table.head(), ", "), line_, "has several columns of this name",
              "give each a name of its own");
     return false;
+  }
+
+  // The column that can be meant, where there is one.
+  [[nodiscard]] std::string column_advice(const std::vector<std::string>& names) const {
+    std::vector<std::string> with_unit;
+    for (const std::string& name : names)
+      if (!column_head(name, {request_.si_unit}).unit.empty()) with_unit.push_back(name);
+    const std::vector<std::string>& best = with_unit.empty() ? names : with_unit;
+    if (best.size() == 1) return "name one: column = \"" + best.front() + '"';
+    return "name one: column = \"NAME\"" + (best.empty() ? "" : ", of " + joined(best, ", "));
+  }
+
+  // Row numbers: under such a name whole numbers, under another one that states no unit 0, 1, 2, ... or 1, 2, 3, ...
+  [[nodiscard]] bool are_row_numbers(const std::vector<double>& shown) const {
+    constexpr std::size_t kFew = 5;
+    const auto is_whole = [](double value) { return value == std::round(value); };
+    const bool are_whole = std::all_of(shown.begin(), shown.end(), is_whole);
+    if (is_index_name(head_.whole)) return are_whole && !shown.empty();
+    if (!head_.unit.empty() || !are_whole || shown.size() < kFew || shown.front() > 1 ||
+        shown.front() < 0)
+      return false;
+    for (std::size_t k = 1; k < shown.size(); ++k)
+      if (shown[k] != shown[k - 1] + 1) return false;
+    return true;
   }
 
   bool read_unit(const ColumnHead& head) {
@@ -90,6 +123,22 @@ class ColumnReader {
     return !unit_.empty();
   }
 
+  static std::string without_mark(std::string cell) {
+    std::erase_if(cell, [](char c) { return c == '.' || c == ','; });
+    return cell;
+  }
+
+  // Both readings of "1.900" are possible where no other value tells them apart, and a thousand times the value is one
+  // of a wall.
+  void look_for_thousands(const NumberTable& table, double as_thousands) {
+    tells_decimals_ = tells_decimals_ || table.tells_decimals(index_);
+    if (!doubtful_.empty() || !table.may_be_thousands(index_) ||
+        !magnitude_problem(as_thousands, request_.si_unit).empty())
+      return;
+    doubtful_ = table.cell(index_);
+    doubtful_line_ = table.line();
+  }
+
   void read_row(NumberTable& table, std::vector<double>& values) {
     if (columns_ > 1 && table.cell(index_).empty()) return;  // another column goes on here
     const double number = table.number(index_);
@@ -102,7 +151,9 @@ class ColumnReader {
                         : parse_quantity(fmt::format("{} {}", number, unit_), request_.si_unit);
       if (const std::string problem = magnitude_problem(value, request_.si_unit); !problem.empty())
         return refuse(cell, table.line(), problem, "check the unit of its column");
+      look_for_thousands(table, 1e3 * value);
       values.push_back(value);
+      shown_.push_back(number);
     } catch (const QuantityError& error) {  // 1e308 GPa
       refuse(cell, table.line(), error.problem(), error.cure());
     }
@@ -113,7 +164,12 @@ class ColumnReader {
   bool good_ = true;
   int line_ = 0;
   std::size_t index_ = 0, columns_ = 0;
-  std::string unit_;  // "" for plain numbers
+  ColumnHead head_;
+  std::string doubtful_;  // the first value that may be thousands
+  int doubtful_line_ = 0;
+  bool tells_decimals_ = false;
+  std::vector<double> shown_;  // as they stand in the file
+  std::string unit_;           // "" for plain numbers
 };
 
 }  // namespace
