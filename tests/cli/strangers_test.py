@@ -373,6 +373,34 @@ file = "values.csv"
                 self.assertIn(cure, said)
 
 
+class Scale(Folder):
+    """The dimension that is too large is named, and no other."""
+
+    def test_a_push_beyond_the_size_of_the_wall(self):
+        shutil.copyfile(FOLDER / "paths/b.json", self.root / "b.json")
+        text = (FOLDER / "paths/model.toml").read_text()
+        for until, is_far in (("10 m", True), ("4 m", True), ("-10 m", True), ("1 mm", False), ("100 mm", False)):
+            if until.startswith("-"):
+                changed = text.replace('until = "1 mm"', f'targets = ["2 mm", "{until}"]')
+            else:
+                changed = text.replace('until = "1 mm"', f'until = "{until}"')
+            (self.root / "model.toml").write_text(changed)
+            note = f'if millimetres are meant, write "{until.lstrip("-")}m"'
+            (self.assertIn if is_far else self.assertNotIn)(note, self.wythe("check", self.root / "model.toml").stdout)
+
+    def test_a_wall_too_long(self):
+        blocks = lambda width, height: json.dumps({"units": "m", "blocks": [
+            {"id": "g", "polygon": [[0, -1], [width, -1], [width, 0], [0, 0]], "fixed": True},
+            {"id": "s", "polygon": [[0, 0], [width, 0], [width, height], [0, height]]}]})
+        shutil.copyfile(FOLDER / "paths/model.toml", self.root / "model.toml")
+        for width, height, has, lacks in ((1250, 1.2, "1250 m long", "1.2 m"), (1.2, 1250, "m high", "1.2 m"),
+                                          (1250, 1250, "m long", "is 1250 m long")):
+            (self.root / "b.json").write_text(blocks(width, height))
+            note = [line for line in self.wythe("check", self.root / "model.toml").stdout.splitlines() if "millimetres" in line][0]
+            self.assertIn(has, note)
+            self.assertNotIn(lacks, note)
+
+
 class OtherResults(Folder):
     """Results of another model are replaced only where that is asked for."""
 
