@@ -34,12 +34,29 @@ void note_scale(Model& model) {
   constexpr double kTallest = 200, kLongest = 1000, kLowest = 0.03;  // [m]
   const Anatomy& a = model.anatomy;
   const double longest = std::max(a.length, a.height);
-  const char* code = a.height > kTallest || longest > kLongest ? "scale.large"
-                     : longest > 0 && longest < kLowest        ? "scale.small"
-                                                               : nullptr;
+  const bool is_high = a.height > kTallest, is_long = a.length > kLongest;
+  const char* code = is_high && is_long                 ? "scale.large"
+                     : is_high                          ? "scale.high"
+                     : is_long                          ? "scale.long"
+                     : longest > 0 && longest < kLowest ? "scale.small"
+                                                        : nullptr;
   if (code != nullptr)
     model.anatomy.notes.push_back(
         {code, {{"length_m", a.length}, {"height_m", a.height}, {"height_mm", 1e3 * a.height}}});
+}
+
+// Metres where millimetres were meant: no wall is pushed farther than its own size.
+void note_far_pushes(Model& model) {
+  const double size = std::max(model.anatomy.length, model.anatomy.height);
+  for (const Stage& stage : model.stages) {
+    if (stage.spec.kind != StageKind::kPush) continue;
+    double farthest = 0;
+    for (const double target : stage.spec.targets) farthest = std::max(farthest, std::fabs(target));
+    if (std::isfinite(stage.spec.until)) farthest = std::max(farthest, std::fabs(stage.spec.until));
+    if (size > 0 && farthest > size)
+      model.anatomy.notes.push_back(
+          {"scale.push", {{"stage", stage.spec.name}, {"push_m", farthest}}});
+  }
 }
 
 }  // namespace
@@ -58,6 +75,7 @@ void note_densities(const ModelSpec& spec, Model& model) {
   for (const auto& [name, material] : spec.material)
     look("material." + name + ".density", material.density, kMostOfMetals);
   note_scale(model);
+  note_far_pushes(model);
   if (const std::vector<std::string> names = unmatched(spec); !names.empty())
     model.anatomy.notes.push_back(
         {"density.of_unit",

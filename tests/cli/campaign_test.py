@@ -378,13 +378,14 @@ class Faults(Base):
 
     def test_a_state_that_is_not_stored(self):
         picture = self.folder / "old.svg"
-        picture.write_text("old")
+        old = '<svg class="states"></svg>'
+        picture.write_text(old)
         some = wythe("picture", self.whole, "--sample", 1, "--at", 0.5, 7, 9, "--out", self.folder / "some.svg")
         self.assertEqual(some.returncode, 0, some.stderr)
         self.assertIn("no state is stored at 7, 9 mm", some.stderr)
         done = wythe("picture", self.whole, "--sample", 1, "--at", 7, "--out", picture)
         self.refused(done, 2, "--at: 7: sample 1 has no state there", "stored are, in mm: 0.5")
-        self.assertEqual(picture.read_text(), "old")
+        self.assertEqual(picture.read_text(), old)
 
     def test_check_names_the_samples_that_will_be_refused(self):
         study = self.folder / "wide.toml"

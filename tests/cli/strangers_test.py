@@ -350,6 +350,56 @@ file = "values.csv"
         self.assertEqual(self.mean("rho [g/cm3]\n1.900\n2.000\n2.100\n"), 2000)
         self.assertEqual(self.mean('rho [g/cm3]\n"1,900"\n"2,000"\n"2,100"\n'), 2000)
 
+    def test_units_of_head_and_study(self):
+        values = "1.90\n2.00\n2.10\n"
+        unit = 'unit = "kg/m^3"'
+        for head in ("rho [g/cm3]", "rho (g/cm3)", "rho {g/cm3}", "rho_g_cm3", "rho g/cm3", "rho_t_per_m3"):
+            self.assertEqual(self.mean(f"{head}\n{values}"), 2000)
+            line = self.refused(f"{head}\n{values}", unit)
+            self.assertIn("is not the unit of the study, kg/m^3", line)
+            self.assertIn("leave unit out of the study", line)
+            self.said(f"{head}\n{values}", 'unit = "t/m^3"')  # the same
+        for head in ("rho [kN/m3]", "rho_kN_m3", "rho_ton_m3", "rho kN/m3"):
+            self.refused(f"{head}\n{values}", unit)
+        self.mean("rho_of_m\n1900\n2000\n", unit)  # no unit of what is meant
+        self.assertIn("is not known", self.refused(f"rho [g/cm3]\n{values}", 'unit = "kgg/m^3"'))
+
+    def test_units_that_are_none(self):
+        for unit, reason, cure in (("ton/m3", "2000 lb in UDUNITS, 1000 kg to most", "write t (1000 kg)"),
+                                   ("gr/cm3", "a grain of 65 mg", "write g"), ("kN/m3", "is not the unit of a density", "kg/m^3"),
+                                   ("kgg/m3", "the unit kgg/m3 is not known", "kg/m^3")):
+            for said in (self.refused(f"rho [{unit}]\n1.90\n2.00\n"), self.refused("rho\n1.90\n2.00\n", f'unit = "{unit}"')):
+                self.assertIn(reason, said)
+                self.assertIn(cure, said)
+
+
+class Scale(Folder):
+    """The dimension that is too large is named, and no other."""
+
+    def test_a_push_beyond_the_size_of_the_wall(self):
+        shutil.copyfile(FOLDER / "paths/b.json", self.root / "b.json")
+        text = (FOLDER / "paths/model.toml").read_text()
+        for until, is_far in (("10 m", True), ("4 m", True), ("-10 m", True), ("1 mm", False), ("100 mm", False)):
+            if until.startswith("-"):
+                changed = text.replace('until = "1 mm"', f'targets = ["2 mm", "{until}"]')
+            else:
+                changed = text.replace('until = "1 mm"', f'until = "{until}"')
+            (self.root / "model.toml").write_text(changed)
+            note = f'if millimetres are meant, write "{until.lstrip("-")}m"'
+            (self.assertIn if is_far else self.assertNotIn)(note, self.wythe("check", self.root / "model.toml").stdout)
+
+    def test_a_wall_too_long(self):
+        blocks = lambda width, height: json.dumps({"units": "m", "blocks": [
+            {"id": "g", "polygon": [[0, -1], [width, -1], [width, 0], [0, 0]], "fixed": True},
+            {"id": "s", "polygon": [[0, 0], [width, 0], [width, height], [0, height]]}]})
+        shutil.copyfile(FOLDER / "paths/model.toml", self.root / "model.toml")
+        for width, height, has, lacks in ((1250, 1.2, "1250 m long", "1.2 m"), (1.2, 1250, "m high", "1.2 m"),
+                                          (1250, 1250, "m long", "is 1250 m long")):
+            (self.root / "b.json").write_text(blocks(width, height))
+            note = [line for line in self.wythe("check", self.root / "model.toml").stdout.splitlines() if "millimetres" in line][0]
+            self.assertIn(has, note)
+            self.assertNotIn(lacks, note)
+
 
 class OtherResults(Folder):
     """Results of another model are replaced only where that is asked for."""

@@ -119,7 +119,7 @@ std::vector<std::string> with_brackets(std::vector<std::string> cells) {
 
 }  // namespace
 
-std::string spelt_unit(std::string_view text, std::string_view si_unit) {
+std::string unit_spelling(std::string_view text) {
   std::string unit(trimmed(text));
   const auto replace = [&](std::string_view from, std::string_view to) {
     for (std::size_t at = unit.find(from); at != std::string::npos; at = unit.find(from, at + 1))
@@ -129,6 +129,11 @@ std::string spelt_unit(std::string_view text, std::string_view si_unit) {
   replace(" per ", "/");
   replace("**", "^");
   replace("_", "/");
+  return unit;
+}
+
+std::string spelt_unit(std::string_view text, std::string_view si_unit) {
+  const std::string unit = unit_spelling(text);
   for (const std::string& spelling : {unit, small_letters(unit)}) try {
       (void)unit_factor(spelling, si_unit);
       return spelling;
@@ -141,7 +146,7 @@ ColumnHead column_head(std::string_view cell, std::initializer_list<std::string_
   constexpr std::string_view kMarks = "_ ,/";
   constexpr std::size_t kLongest = 100;  // of a head with a unit that is not in brackets
   const std::string whole(trimmed(cell));
-  const std::size_t open = whole.find_last_of("[("), close = whole.find_last_of("])");
+  const std::size_t open = whole.find_last_of("[({"), close = whole.find_last_of("])}");
   if (open != std::string::npos && close != std::string::npos && open < close) {
     std::string_view name = trimmed(std::string_view(whole).substr(0, open));
     while (name.ends_with('_') || name.ends_with(' ')) name.remove_suffix(1);

@@ -24,6 +24,8 @@ struct ColumnHead {
 // "acc_m_per_s2" -> acc, m/s2 for {"m/s^2"}.
 [[nodiscard]] ColumnHead column_head(std::string_view cell,
                                      std::initializer_list<std::string_view> si_units);
+// "cm/sec^2" for what heads write: "cm/sec**2", "cm per sec^2", "cm_sec^2".
+[[nodiscard]] std::string unit_spelling(std::string_view text);
 // A unit as heads spell it, "cm/sec**2", "m_per_s2", as UDUNITS reads it; "" where it is none of `si_unit`.
 [[nodiscard]] std::string spelt_unit(std::string_view text, std::string_view si_unit);
 

@@ -1,6 +1,7 @@
 #include "io/text/value_column.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "core/text.h"
 #include "io/text/magnitude.h"
 #include "io/text/table.h"
+#include "units/dimension.h"
 #include "units/quantity_error.h"
 #include "wythe/error.h"
 #include "wythe/units.h"
@@ -71,7 +73,7 @@ class ColumnReader {
     if (meant.size() == 1) {
       index_ = meant.front();
       head_ = column_head(table.head()[index_], {request_.si_unit});
-      return read_unit(head_);
+      return read_unit();
     }
     if (meant.empty())
       refuse("", line_, "no such column in the head", name_advice(request_.column, names));
@@ -107,20 +109,60 @@ class ColumnReader {
     return true;
   }
 
-  bool read_unit(const ColumnHead& head) {
-    const std::string stated = head.unit.empty() ? request_.unit : head.unit;
-    if (request_.si_unit == "1" && stated.empty()) return true;
-    if (stated.empty()) {
-      refuse(head.whole, line_, "the unit of this column is not known",
+  // The unit as UDUNITS reads it; "" where it is none of the quantity, which is said.
+  std::string known_unit(const std::string& stated) {
+    std::string unit = spelt_unit(stated, request_.si_unit);
+    if (unit.empty()) try {
+        (void)unit_factor(unit_spelling(stated), request_.si_unit);
+      } catch (const QuantityError& error) {
+        refuse(head_.whole, line_, error.problem(), error.cure());
+      }
+    return unit;
+  }
+
+  // "rho_kN_m3" of a density, "rho_ton_m3": a head that ends as a unit does, which is none here.
+  [[nodiscard]] std::string foreign_unit() const {
+    constexpr std::string_view kMarks = "_ ,";
+    const std::string& whole = head_.whole;
+    for (std::size_t at = whole.find_first_of(kMarks); at != std::string::npos;
+         at = whole.find_first_of(kMarks, at + 1)) {
+      const std::string end = unit_spelling(whole.substr(at + 1));
+      const std::size_t slash = end.find('/');
+      const auto is = [&](auto kind, std::size_t k) {
+        return k < end.size() && kind(static_cast<unsigned char>(end[k])) != 0;
+      };
+      if (slash != std::string::npos && is(isalpha, slash + 1) && is(isdigit, end.size() - 1) &&
+          !unit_definition(end).empty())
+        return end;
+    }
+    return "";
+  }
+
+  bool read_unit() {
+    if (head_.unit.empty())
+      if (const std::string foreign = foreign_unit();
+          !foreign.empty() && known_unit(foreign).empty())
+        return false;
+    if (request_.si_unit == "1" && head_.unit.empty() && request_.unit.empty()) return true;
+    if (head_.unit.empty() && request_.unit.empty()) {
+      refuse(head_.whole, line_, "the unit of this column is not known",
              fmt::format("write it in the head, e.g. {}_{}, or as unit = \"{}\" in the study",
-                         head.name, request_.si_unit, request_.si_unit));
+                         head_.name, request_.si_unit, request_.si_unit));
       return false;
     }
-    unit_ = spelt_unit(stated, request_.si_unit);
-    if (unit_.empty())
-      refuse(head.whole, line_, fmt::format("{} is not a unit of [{}]", stated, request_.si_unit),
-             fmt::format("write it in {} or a multiple of it", request_.si_unit));
-    return !unit_.empty();
+    std::string of_head, of_study;
+    if (!head_.unit.empty() && (of_head = known_unit(head_.unit)).empty()) return false;
+    if (!request_.unit.empty() && (of_study = known_unit(request_.unit)).empty()) return false;
+    unit_ = of_head.empty() ? of_study : of_head;
+    if (of_head.empty() || of_study.empty()) return true;
+    constexpr double kRounding = 1e-12;
+    const double ratio =
+        unit_factor(of_head, request_.si_unit) / unit_factor(of_study, request_.si_unit);
+    if (std::fabs(ratio - 1) <= kRounding) return true;
+    refuse(head_.whole, line_,
+           fmt::format("{} is not the unit of the study, {}", head_.unit, request_.unit),
+           "leave unit out of the study, or correct the head");
+    return false;
   }
 
   static std::string without_mark(std::string cell) {
