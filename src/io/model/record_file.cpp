@@ -342,7 +342,7 @@ void read_file_of(ReadContext& context, const ModelSpec& spec, const std::string
             : fmt::format(
                   "is missing: column {} of {} rises by {:g} a row and states no seconds, so "
                   "its numbers are no times",
-                  n.no_times, file, n.rise),
+                  n.no_times, r.file, n.rise),
         n.no_times.empty() ? "write step = \"0.005 s\""
                            : "write step = \"0.005 s\", or the head time_s where they are seconds");
   const std::size_t count = n.acceleration.size();
