@@ -13,16 +13,18 @@ void describe(Visitor& v, RecordSpec& s) {
   v.text("file", s.file, {.fallback = "a pulse, or accelerations", .example = "aigio.csv",
          .doc = "Record of accelerations, relative to the model file: a table of numbers with a head or none (CSV and its "
                 "kin, decimals behind a point or a comma), AT2, ESM or K-NET. `wythe check` tells what was read."});
-  v.text("column", s.column, {.fallback = "the one named so, or the only one", .example = "acceleration",
+  v.text("column", s.column, {.fallback = "the one named so", .example = "acceleration",
          .doc = "Column of a table that holds the accelerations: its head, or its number from 1. Needed where none or "
-                "several are named as accelerations (acc, a, a unit such as [g]). Times are the column called time, t, "
-                "time_s or t_s, or the first of two."});
+                "several are named as accelerations (acc, a, a unit such as [g]) or as directions (ns, east); of two "
+                "columns without a head it is the second. Times are the column called time, t, time_s or t_s, or the "
+                "first of two."});
   v.choice("unit", s.unit, kRecordUnitWords, {.fallback = "what the file states", .example = "g",
            .doc = "Unit of the accelerations; g is `solve.gravity`. Needed by a list, and by a file that states none; another "
                   "than the file's is refused."});
   v.quantity("step", s.step, {.unit = "s", .shown = "s", .range = kPositive,
              .fallback = "the times given", .example = "0.005 s",
-             .doc = "Time between accelerations that stand without times. Another than that of the file is refused."});
+             .doc = "Time between accelerations that stand without times, or beside numbers of rows: those that rise by more than "
+                    "0.5 s a row under a head that states no seconds. Another than that of the file is refused."});
   v.numbers("times", s.times, {.fallback = "every `step`", .example = "[0, 0.01, 0.02]",
             .doc = "Times of `accelerations` in seconds; they rise."});
   v.numbers("accelerations", s.accelerations, {.fallback = "a file, or a pulse", .example = "[0, 0.2, -0.1]",

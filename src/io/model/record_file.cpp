@@ -104,7 +104,8 @@ class TableRecord {
     for (std::size_t k = 0; k < columns_.size() && time_ == kNone; ++k)
       if (columns_[k].kind == ColumnKind::kUnknown && !columns_[k].is_component) time_ = k;
     if (time_ == kNone && std::isnan(record_.step))
-      refuse("file", names(), "has no column of times", "call it time_s", head_line_);
+      refuse("file", names(), "has no column of times",
+             "name it time_s where it is one, or write step = \"0.005 s\"", head_line_);
   }
 
   void choose_accelerations() {
@@ -161,7 +162,6 @@ class TableRecord {
     if (time_ != kNone) {
       const ColumnHead& head = columns_[time_].head;
       const std::string unit = spelt_unit(head.unit, "s");
-      states_seconds_ = !unit.empty() && columns_[time_].kind == ColumnKind::kTime;
       if (!head.unit.empty() && (unit.empty() || unit_factor(unit, "s") != 1))
         refuse("file", head.whole, "has times that are not in seconds",
                "write the times in seconds, under time_s", head_line_);
@@ -216,7 +216,7 @@ class TableRecord {
   // seconds; else the model's step stands, where rows are even.
   void check_times() {
     const std::vector<double>& time = numbers_.time;
-    if (time.size() < 2 || states_seconds_) return;
+    if (time.size() < 2 || columns_[time_].states_seconds) return;
     double least = time[1] - time[0], most = least;
     bool are_whole = true;
     for (std::size_t k = 0; k < time.size(); ++k) {
@@ -256,7 +256,7 @@ class TableRecord {
   std::vector<Column> columns_;
   std::size_t time_ = kNone, column_ = kNone;
   int head_line_ = 0;
-  bool has_head_ = false, is_named_ = false, states_seconds_ = false;
+  bool has_head_ = false, is_named_ = false;
 };
 
 void look_for_gaps(ReadContext& context, const std::string& file, const std::string& path,
@@ -342,7 +342,7 @@ void read_file_of(ReadContext& context, const ModelSpec& spec, const std::string
             : fmt::format(
                   "is missing: column {} of {} rises by {:g} a row and states no seconds, so "
                   "its numbers are no times",
-                  n.no_times, file, n.rise),
+                  n.no_times, r.file, n.rise),
         n.no_times.empty() ? "write step = \"0.005 s\""
                            : "write step = \"0.005 s\", or the head time_s where they are seconds");
   const std::size_t count = n.acceleration.size();

@@ -212,7 +212,15 @@ bool is_length(const std::string& unit) {
 std::string unit_text(const HeadLine& line) {
   std::size_t at = word_at(line.small, "units");
   if (at == std::string::npos) at = word_at(line.small, "unit");
-  if (at == std::string::npos) return "";
+  if (at == std::string::
+                npos) {  // "ACCELERATION (CM/S2)", "ACCELERATION, CM/S2", "ACCELERATION IN CM/S2"
+    const ColumnHead head = column_head(line.text, {"m/s^2"});
+    if (line.small.find("accel") == std::string::npos) return "";
+    if (head.in_brackets && !acceleration_unit(head.unit).empty()) return head.unit;
+    const std::size_t blank = line.text.find_last_of(" ,");
+    const std::string last = blank == std::string::npos ? "" : line.text.substr(blank + 1);
+    return acceleration_unit(last).empty() ? "" : last;
+  }
   std::string_view rest = std::string_view(line.text).substr(at);
   rest.remove_prefix(std::min(rest.size(), rest.find_first_of(" :=\t")));
   for (bool again = true; again;) {
@@ -231,7 +239,14 @@ std::string unit_text(const HeadLine& line) {
   };
   const std::string whole = without_stop(trimmed(rest.substr(0, rest.find_first_of(")],;"))));
   if (!acceleration_unit(whole).empty() || is_velocity(whole)) return whole;
-  return without_stop(whole.substr(0, whole.find_first_of(" \t")));
+  const std::size_t end = std::min(whole.size(), whole.find_first_of(" \t"));
+  const std::string_view next = trimmed(std::string_view(whole).substr(end));
+  // "G X 10": words behind are free, a factor is not
+  const bool is_scaled =
+      !next.empty() &&
+      (std::string_view("0123456789*/^%").find(next[0]) != std::string_view::npos ||
+       word_at(small_letters(std::string(next.substr(0, 3))), "x") == 0);
+  return is_scaled ? whole : without_stop(whole.substr(0, end));
 }
 
 // A unit that a line of the head states: one that speaks of accelerations comes first, and titles may hold any words.
@@ -273,8 +288,9 @@ void check_series(const std::vector<HeadLine>& head, int last, const std::string
     };
     if (has("accel") || is_there("acc")) {
       accelerates = true;
-    } else if (has("velocity") || has("displacement") || is_there("vel") || is_there("disp")) {
-      const bool is_series = has("time series") || has("time hist") || is_there("units");
+    } else if (has("veloc") || has("displ") || is_there("vel") || is_there("disp")) {
+      const bool is_series =
+          has("time series") || has("time hist") || is_there("units") || is_there("cm");
       if (moved == nullptr || is_series) moved = &line;
       if (is_series) {
         accelerates = false;

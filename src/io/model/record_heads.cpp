@@ -74,6 +74,19 @@ std::string time_unit(const ColumnHead& head) {
   return "";
 }
 
+// "time_s", "Zeit (sec)", "seconds", and not "frame_s" or "time x 0.05 s".
+bool states_seconds(const std::string& small) {
+  if (small == "times" || small == "ts" || std::any_of(small.begin(), small.end(), is_digit))
+    return false;
+  const std::string letters = letters_of(small);
+  for (const std::string_view start :
+       {"time", "tempo", "temps", "zeit", "tiempo", "t", "elapsed", "elapsedtime", "timein", ""})
+    if (letters.starts_with(start) && is_one_of(std::string_view(letters).substr(start.size()),
+                                                {"s", "sec", "secs", "second", "seconds"}))
+      return true;
+  return false;
+}
+
 // --- accelerations
 
 // Words beside the name that say nothing of the unit.
@@ -260,7 +273,7 @@ Column column_of(const std::string& text) {
   if (is_time || whole.starts_with("time") ||
       (time.unit.empty() && !unit_of_time.empty() && !time.in_brackets)) {
     time.unit = unit_of_time;
-    return {ColumnKind::kTime, time};
+    return {ColumnKind::kTime, time, states_seconds(whole)};
   }
   AccelerationHead read = acceleration_head(text);
   column.head = std::move(read.head);
@@ -284,7 +297,7 @@ Column column_of(const std::string& text) {
     column.kind = ColumnKind::kOther;
     column.is_certain = false;
   } else if (time.unit.ends_with('s') || time.unit.ends_with("sec")) {
-    return {ColumnKind::kTime, time};
+    return {ColumnKind::kTime, time, states_seconds(whole)};
   }
   return column;
 }

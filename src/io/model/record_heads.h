@@ -11,10 +11,11 @@ enum class ColumnKind { kTime, kIndex, kAcceleration, kOther, kUnknown };
 
 struct Column {
   ColumnKind kind = ColumnKind::kUnknown;
-  ColumnHead head;            // kTime: its unit is "" where none is stated
-  bool is_certain = true;     // kOther: its name or its unit says so, not its first letter alone
-  bool is_component = false;  // kUnknown: a direction alone, north or ew
-  std::string strange = {};   // of an acceleration: words beside the unit that may change it, "pct"
+  ColumnHead head;              // kTime: its unit is "" where none is stated
+  bool states_seconds = false;  // kTime: its head is a time in seconds and nothing else
+  bool is_certain = true;       // kOther: its name or its unit says so, not its first letter alone
+  bool is_component = false;    // kUnknown: a direction alone, north or ew
+  std::string strange = {};  // of an acceleration: words beside the unit that may change it, "pct"
 };
 
 // Whether words before the numbers speak of velocities or displacements, and not of accelerations.

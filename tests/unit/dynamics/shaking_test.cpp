@@ -203,6 +203,15 @@ TEST_F(RecordFile, units_of_at2_are_told_apart) {
   }
   file("M/S2");
   says(refusal(kAsked), {"the model file states another", "\"m/s2\""});
+  for (const char* scaled : {"G X 10", "G x10", "G * 100", "CM/S2 x 10", "0.01 G", "PERCENT G"}) {
+    file(scaled);
+    says(refusal(kAsked), {"a.AT2:3", "is no unit of accelerations"});
+  }
+  for (const char* head : {"(CM/S2)", ", cm/sec2", "IN GAL"}) {
+    write("a.AT2", std::string("PEER\nx\nACCELERATION TIME SERIES ") + head +
+                       "\nNPTS= 3, DT= .0050 SEC,\n .1 -.2 .3\n");
+    says(refusal(kAsked), {"a.AT2:3", "the model file states another", "cm/s2"});
+  }
   file("FURLONGS");
   says(refusal(kAsked), {"is no unit of accelerations"});
 }
@@ -335,10 +344,30 @@ TEST_F(RecordFile, row_numbers_are_no_times) {
     return refusal("record = { file = \"a.csv\", unit = \"cm/s2\"" + keys + " }\n");
   };
   const char* const kStep = ", step = \"0.05 s\"";
-  for (const char* head : {"X,acc\n", "frame,acc\n", "count,acc\n", "counter,acc\n",
-                           "rownames,acc\n", "Nr.,acc\n", "N°,acc\n", "Lfd. Nr.,acc\n",
-                           "TIME_STEP,acc\n", "timestep,acc\n", "t_index,acc\n", "time index,acc\n",
-                           "t,acc\n", "time,acc\n", "when,north\n", "\"\",acc\n", "tick,acc\n", ""})
+  for (const char* head : {"X,acc\n",
+                           "frame,acc\n",
+                           "count,acc\n",
+                           "counter,acc\n",
+                           "rownames,acc\n",
+                           "Nr.,acc\n",
+                           "N°,acc\n",
+                           "Lfd. Nr.,acc\n",
+                           "TIME_STEP,acc\n",
+                           "timestep,acc\n",
+                           "t_index,acc\n",
+                           "time index,acc\n",
+                           "t,acc\n",
+                           "time,acc\n",
+                           "when,north\n",
+                           "\"\",acc\n",
+                           "tick,acc\n",
+                           "frame_s,acc\n",
+                           "step_s,acc\n",
+                           "time x 0.05 s,acc\n",
+                           "time (s) index,acc\n",
+                           "seconds_x10,acc\n",
+                           "time milli seconds,acc\n",
+                           ""})
     for (const double first : {0.0, 1.0, 500.0})
       for (const double step : {1.0, 50.0}) {
         file(head, first, step);
@@ -497,10 +526,11 @@ TEST_F(RecordFile, heads_of_at2_that_are_in_use) {
 
 TEST_F(RecordFile, at2_of_velocities_and_displacements_is_refused) {
   for (const char* unit : {"", ", unit = \"g\"", ", unit = \"cm/s2\""})
-    for (const char* head : {"DISPLACEMENT TIME SERIES IN UNITS OF CM", "DISPLACEMENT TIME SERIES",
-                             "VELOCITY TIME SERIES", "VELOCITY TIME HISTORY IN UNITS OF CM/S",
-                             "Displacement in units of g", "velocity", "DISP. (CM)",
-                             "TIME SERIES IN UNITS OF CM", "units of in", "Vel, 5 a line"}) {
+    for (const char* head :
+         {"DISPLACEMENT TIME SERIES IN UNITS OF CM", "DISPLACEMENT TIME SERIES",
+          "VELOCITY TIME SERIES", "VELOCITY TIME HISTORY IN UNITS OF CM/S",
+          "Displacement in units of g", "velocity", "DISP. (CM)", "TIME SERIES IN UNITS OF CM",
+          "units of in", "Vel, 5 a line", "VELOCITIES (CM/SEC)", "TIME SERIES OF VELOC."}) {
       write("v.AT2",
             std::string("PEER NGA\nOwn\n") + head + "\nNPTS= 3, DT= .0050 SEC,\n .1 .2 .3\n");
       says(refusal(std::string("record = { file = \"v.AT2\"") + unit + " }\n"),
