@@ -249,9 +249,24 @@ class BlocksReader {
       const auto y = pair ? read_number(vertex[1]) : std::nullopt;
       if (x && y)
         block.polygon.push_back({*x, *y});
-      else
+      else if (!is_far(where, vertex))
         refuse(where, short_dump(vertex), "must be two finite numbers [x, y] within 10 km", "");
     }
+  }
+
+  // Whether these are numbers and one is beyond 10 km, as in coordinates of a survey: one fault, told once.
+  bool is_far(const std::string& where, const Json& numbers) {
+    if (!numbers.is_array() || numbers.empty() ||
+        !std::all_of(numbers.begin(), numbers.end(),
+                     [](const Json& n) { return n.is_number() && std::isfinite(n.get<double>()); }))
+      return false;
+    const bool far = std::any_of(numbers.begin(), numbers.end(),
+                                 [this](const Json& n) { return !read_number(n); });
+    if (far && !is_far_told_)
+      refuse(where, short_dump(numbers), "lies more than 10 km from the origin",
+             "move all blocks towards the origin, or check their unit");
+    is_far_told_ = is_far_told_ || far;
+    return far;
   }
 
   void read_boxes(const Json& json) {
@@ -277,6 +292,7 @@ class BlocksReader {
       if (const auto value = read_number(item)) at.push_back(*value);
     const bool good =
         json.is_array() && json.size() == 4 && at.size() == 4 && at[0] < at[2] && at[1] < at[3];
+    if (!good && is_far(block.id, json)) return;
     if (!good)
       return refuse(block.id, short_dump(json),
                     "must be four finite numbers x0 < x1, y0 < y1 within 10 km",
@@ -301,6 +317,7 @@ class BlocksReader {
   ModelSpec& spec_;
   double scale_ = 1;  // file units in a metre
   bool is_compas_ = false;
+  bool is_far_told_ = false;
   std::string up_ = "y";
   std::set<std::string> ids_;
 };
