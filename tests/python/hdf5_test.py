@@ -38,7 +38,7 @@ class Hdf5(unittest.TestCase):
     def compare(self, source):
         wythe("export", self.folder / source, "--out", self.folder / f"{source}_csv")
         wythe("export", self.folder / source, "--out", self.folder / f"{source}_hdf5", "--hdf5")
-        self.assertEqual([p.name for p in (self.folder / f"{source}_hdf5").iterdir()], ["results.h5"])
+        self.assertEqual(sorted(p.name for p in (self.folder / f"{source}_hdf5").iterdir()), [".wythe_model", "results.h5"])
         told = json.loads((self.folder / f"{source}_csv/columns.json").read_text(encoding="utf-8"))
         with h5py.File(self.folder / f"{source}_hdf5/results.h5") as file:
             self.assertEqual(sorted(file), sorted(name.removesuffix(".csv") for name in told))
@@ -83,7 +83,7 @@ class Hdf5(unittest.TestCase):
         out = self.folder / "both"
         wythe("export", self.folder / "run", "--out", out)
         wythe("export", self.folder / "run", "--out", out, "--hdf5")
-        self.assertEqual([p.name for p in out.iterdir()], ["results.h5"])
+        self.assertEqual(sorted(p.name for p in out.iterdir()), [".wythe_model", "results.h5"])
         wythe("export", self.folder / "run", "--out", out)
         self.assertNotIn("results.h5", [p.name for p in out.iterdir()])
 
