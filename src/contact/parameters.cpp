@@ -379,6 +379,29 @@ std::vector<ContactAnswer> drive_contact(const JointMaterial& material,
 
 namespace contact {
 
+std::vector<MaterialFault> missing_as_one(std::vector<MaterialFault> faults) {
+  constexpr std::string_view kAdd = "add ";
+  MaterialFault one{"", "", "lacks ", ""};
+  std::vector<MaterialFault> others;
+  std::string keys;
+  std::size_t count = 0;
+  for (const MaterialFault& fault : faults) {
+    if (!fault.problem.starts_with("is missing")) {
+      others.push_back(fault);
+      continue;
+    }
+    ++count;
+    keys += (keys.empty() ? "" : ", ") + fault.key;
+    const std::string_view cure = fault.cure;
+    if (!one.cure.empty()) one.cure += ", ";
+    one.cure += one.cure.empty() || !cure.starts_with(kAdd) ? cure : cure.substr(kAdd.size());
+  }
+  if (count < 2) return faults;
+  one.problem = fmt::format("lacks {}; physical parameters have no default", keys);
+  others.insert(others.begin(), std::move(one));
+  return others;
+}
+
 LawConstants<double> constants_of(const JointMaterial& s) {
   LawConstants<double> m{};
   m.kn = s.normal_stiffness;

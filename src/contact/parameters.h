@@ -2,6 +2,7 @@
 #pragma once
 
 #include <utility>
+#include <vector>
 
 #include "contact/law.h"
 
@@ -18,6 +19,9 @@ namespace wythe::contact {
 // The law of a head joint that has `bed.head_joint_bond` of the bond of this bed (material_rules.md, 9.6): tension,
 // cohesion and energies by that share, the rest as the bed. Admissible wherever the bed is.
 [[nodiscard]] JointMaterial head_joint_law(const JointMaterial& bed);
+
+// Faults of check_joint_material() with one, of no key, in the place of several that say "is missing".
+[[nodiscard]] std::vector<MaterialFault> missing_as_one(std::vector<MaterialFault> faults);
 
 [[nodiscard]] constexpr LawChoice choice_of(const JointMaterial& m) {
   const bool cap = m.compression_cap > 0 || m.hardening_displacement > 0 || m.dilatancy_angle > 0;

@@ -16,23 +16,54 @@ bool are_alike(const Fault& a, const Fault& b) {
          a.problem == b.problem && a.cure == b.cure;
 }
 
+std::string without_digits(std::string text) {
+  std::erase_if(text, [](char c) { return c >= '0' && c <= '9'; });
+  return text;
+}
+
+// The same value refused for the same reason in several members of a list: a name that nothing has any more.
+bool are_the_same(const Fault& a, const Fault& b) {
+  return a.line > 0 && b.line > 0 && !a.value.empty() && a.value == b.value && a.file == b.file &&
+         a.problem == b.problem && a.cure == b.cure && a.path != b.path &&
+         without_digits(a.path) == without_digits(b.path);
+}
+
+// "; the same in lines 88, 97 and 106"
+std::string same_in(const std::vector<int>& lines) {
+  std::string out = lines.size() == 1 ? "; the same in line " : "; the same in lines ";
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    out += (i == 0 ? "" : i + 1 == lines.size() ? " and " : ", ") + std::to_string(lines[i]);
+  return out;
+}
+
 // A row each; of more than three in a row that are alike the first, and how many follow.
 std::string listed(const std::vector<Fault>& faults) {
   constexpr std::size_t kFew = 3;
   std::string out;
-  const std::size_t told = std::min(faults.size(), kMostFaults);
-  for (std::size_t i = 0; i < told;) {
+  const std::size_t most = std::min(faults.size(), kMostFaults);
+  std::vector<bool> told(most, false);
+  const auto tell = [&](std::size_t i) {
+    std::vector<int> others;
+    for (std::size_t k = i + 1; k < most; ++k)
+      if (!told[k] && are_the_same(faults[i], faults[k])) {
+        told[k] = true;
+        others.push_back(faults[k].line);
+      }
+    out += (out.empty() ? "" : "\n") + to_string(faults[i]);
+    if (!others.empty()) out += same_in(others);
+  };
+  for (std::size_t i = 0; i < most;) {
     std::size_t end = i + 1;
-    while (end < told && are_alike(faults[i], faults[end])) ++end;
+    while (end < most && are_alike(faults[i], faults[end])) ++end;
     const std::size_t alike = end - i;
     for (const std::size_t shown = alike > kFew ? i + 1 : end; i < shown; ++i)
-      out += (i > 0 ? "\n" : "") + to_string(faults[i]);
+      if (!told[i]) tell(i);
     if (alike > kFew)
       out += "; so in " + std::to_string(alike - 1) + " lines more, to line " +
              std::to_string(faults[end - 1].line);
     i = end;
   }
-  if (told < faults.size()) out += "\nand more like these; mend these first";
+  if (most < faults.size()) out += "\nand more like these; mend these first";
   return out;
 }
 

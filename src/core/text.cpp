@@ -44,13 +44,19 @@ std::string nearest_name(std::string_view name, const std::vector<std::string>& 
   const std::string wanted = small_letters(name);
   int best = std::max(1, static_cast<int>(name.size()) / 3) + 1;
   std::string nearest;
+  bool nearest_begins = false;
   for (const std::string& candidate : candidates) {
     if (candidate.size() > 2 * kLongestName) continue;
     // as many letters at least have to be added or taken away
     const auto more = static_cast<int>(candidate.size()) - static_cast<int>(wanted.size());
-    if (std::abs(more) >= best) continue;
-    const int distance = edit_distance(wanted, small_letters(candidate));
-    if (distance < best) {
+    if (std::abs(more) > best) continue;
+    const std::string known = small_letters(candidate);
+    const int distance = edit_distance(wanted, known);
+    // no letter in common; as near as another, but one is the beginning of the other
+    if (distance >= static_cast<int>(std::max(wanted.size(), known.size()))) continue;
+    const bool begins = known.starts_with(wanted) || wanted.starts_with(known);
+    if (distance < best || (distance == best && !nearest.empty() && begins && !nearest_begins)) {
+      nearest_begins = begins;
       best = distance;
       nearest = candidate;
     }

@@ -413,6 +413,9 @@ std::vector<StraightWall> read_plan(const Site& site, FaultList& faults) {
   std::vector<StraightWall> walls;
   for (std::size_t i = 0; i < site.spec.plan_wall.size(); ++i)
     add_sides(site, static_cast<int>(i), walls, faults);
+  // walls that lack a neighbour end where none of them was meant to
+  const auto has_line = [](const PlanWallSpec& wall) { return wall.line.size() >= 2; };
+  if (!std::all_of(site.spec.plan_wall.begin(), site.spec.plan_wall.end(), has_line)) return {};
   Meetings(walls, site.spec, faults).find();
   return walls;
 }

@@ -225,6 +225,7 @@ class SlabBuilder {
 
   void between_walls(Placed& slab) {
     slab.on = named_walls();
+    if (slab.on.size() < spec_.walls.size()) return;  // told
     if (slab.on.size() != 2 && slab.on.size() != 3 && slab.on.size() != 4)
       return refuse("walls", std::to_string(slab.on.size()) + " walls",
                     "a slab rests on two parallel walls, or on three or four sides of a rectangle",

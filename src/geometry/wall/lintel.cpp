@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "core/whole.h"
 #include "geometry/text.h"
 
@@ -161,6 +163,17 @@ void note_unknown_kind(const char* code, const std::string& kind, const std::str
   notes.push_back({code, {{"opening", opening.words}, {"kind", kind}, {"material", material}}});
 }
 
+// Sizes or a material of a lintel or sill that its table does not ask for by a kind.
+void refuse_without_kind(const Beam& beam, const std::string& material, int index,
+                         FaultList& faults) {
+  if (std::isnan(beam.depth) && std::isnan(beam.bearing) && material.empty()) return;
+  add_fault(faults, beam.path(index, "kind"), "",
+            fmt::format("is missing: without it the opening has no {0}, and this table says how "
+                        "the {0} is",
+                        beam.what),
+            fmt::format("write e.g. kind = \"timber\", or leave the {} out", beam.what));
+}
+
 bool bears_as_stated(double laid, const Axis& columns, const PlacedOpening& opening,
                      const Beam& beam, FaultList& faults) {
   if (laid <= kBearingFactor * beam.bearing * (1 + 1e-9)) return true;
@@ -178,13 +191,19 @@ int whole_steps(double size, double step) { return std::max(1, whole(std::round(
 
 bool check_lintel(const Shape& shape, int index, FaultList& faults) {
   const LintelSpec& lintel = shape.wall.opening[static_cast<std::size_t>(index)].lintel;
-  if (lintel.kind.empty()) return false;
+  if (lintel.kind.empty()) {
+    refuse_without_kind(beam_of(lintel), lintel.material, index, faults);
+    return false;
+  }
   return check_beam(shape, index, beam_of(lintel), lintel.material, faults);
 }
 
 bool check_sill(const Shape& shape, int index, FaultList& faults) {
   const SillSpec& sill = shape.wall.opening[static_cast<std::size_t>(index)].sill;
-  if (sill.kind.empty()) return false;
+  if (sill.kind.empty()) {
+    refuse_without_kind(beam_of(sill), sill.material, index, faults);
+    return false;
+  }
   return check_beam(shape, index, beam_of(sill), sill.material, faults);
 }
 

@@ -275,6 +275,8 @@ const Storey* find_storey(const std::vector<Storey>& storeys, const std::string&
     if (storey.index >= 0 && storey.name == name) return &storey;
     if (storey.index >= 0) names.push_back(storey.name);
   }
+  // a storey that lacks its name may be the one: that is told
+  if (std::find(names.begin(), names.end(), "") != names.end()) return nullptr;
   add_fault(faults, path, "\"" + name + "\"",
             names.empty() ? "the model has no [[storey]]" : "there is no such storey",
             names.empty() ? "add [[storey]] with name = \"" + name + "\" and its height"

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "contact/parameters.h"
 #include "io/text/toml_reader.h"
 
 namespace wythe::io {
@@ -43,6 +44,20 @@ bool has_law_fault(TableReader& reader) {
   });
 }
 
+// One message, however many values are missing.
+void refuse_missing(TableReader& reader, std::vector<MaterialFault> missing) {
+  for (const MaterialFault& fault : contact::missing_as_one(std::move(missing))) {
+    constexpr const char* kTypical = "; or take typical values, use = \"NAME\" (wythe materials)";
+    if (fault.key.empty())
+      reader.refuse_table(fault.problem,
+                          fault.cure + "; or ask for rules, missing = \"rule\"" + kTypical);
+    else
+      reader.miss(
+          fault.key, fault.problem,
+          fault.cure + fmt::format("; or ask for its rule, {} = \"rule\"", fault.key) + kTypical);
+  }
+}
+
 }  // namespace
 
 void finish(TableReader& reader, JointMaterial& material) {
@@ -50,8 +65,10 @@ void finish(TableReader& reader, JointMaterial& material) {
   const bool half_read = has_law_fault(reader);
   ReadContext& context = reader.context();
   // a typology with a wrong name would have given what is missing
-  const bool has_no_typology =
-      context.has_fault_at("masonry.use") || context.has_fault_at(reader.below("use"));
+  const bool has_no_typology = context.has_fault_at("masonry.use") ||
+                               context.has_fault_at("masonry.knowledge_level") ||
+                               context.has_fault_at(reader.below("use"));
+  std::vector<MaterialFault> missing;
   for (const MaterialFault& fault : check_joint_material(material)) {
     // With values already refused, only what is plainly missing is worth saying now.
     if (half_read && reader.has(fault.key)) continue;
@@ -62,11 +79,9 @@ void finish(TableReader& reader, JointMaterial& material) {
     if (reader.has(fault.key))
       reader.refuse(fault.key, fault.problem, fault.cure);
     else
-      reader.miss(fault.key, fault.problem,
-                  fault.cure + fmt::format("; or ask for its rule, {} = \"rule\"; or take typical "
-                                           "values, use = \"NAME\" (wythe materials)",
-                                           fault.key));
+      missing.push_back(fault);
   }
+  refuse_missing(reader, std::move(missing));
 }
 
 }  // namespace wythe::io

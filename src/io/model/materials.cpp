@@ -130,6 +130,7 @@ class Resolver {
                      &keys_of<MasonrySpec>()};
     if (masonry_.toml) read_recipes(masonry_);
     if (masonry_.toml) office_ = read_office(context_, *masonry_.toml, masonry_.use, use_is_wrong_);
+    use_is_wrong_ = use_is_wrong_ || lacks_typology();
     std::vector<Table> laws;
     toml::node* materials = root_.get("material");
     if (materials && materials->is_table())
@@ -147,6 +148,7 @@ class Resolver {
     if (masonry_.toml) fill_masonry();
     for (Table& law : laws) confirm(law);
     if (masonry_.toml) confirm(masonry_);
+    refuse_outside();
     refuse_idle_overrides();
   }
 
@@ -181,6 +183,7 @@ class Resolver {
       const auto* word = missing->as_string();
       table.missing = word && word->get() == "rule";
       if (!table.missing) fault(table, "missing", "must be \"rule\"", "write missing = \"rule\"");
+      table.missing = true;  // so it was meant: else each value by rule were said to be missing too
       table.toml->erase("missing");
     }
     for (const char* key : {"friction", "residual_friction"}) read_tangent(table, key);
@@ -205,6 +208,14 @@ class Resolver {
     return nullptr;
   }
 
+  static bool is_angle(const toml::node& node) {
+    try {
+      return node.is_string() && std::isfinite(parse_quantity(node.as_string()->get(), "rad"));
+    } catch (const std::invalid_argument&) {
+      return false;
+    }
+  }
+
   void read_tangent(Table& table, const std::string& stem) {
     const std::string tangent = stem + "_tan", angle = stem + "_angle";
     const toml::node* node = table.toml->get(tangent);
@@ -215,8 +226,10 @@ class Resolver {
             "leave one of the two: a tangent, or an angle");
     } else if (!value || !std::isfinite(*value) || *value < 0) {
       fault(table, tangent, "must be a number, at least 0, without quotes",
-            fmt::format("write e.g. {} = 0.6", tangent));
+            is_angle(*node) ? fmt::format("write {} = \"{}\"", angle, shown(*node))
+                            : fmt::format("write e.g. {} = 0.6", tangent));
       spoiled_.insert(under(table.path, angle));
+      context_.follow_ups.insert(under(table.path, angle));
     } else {
       put(table, angle, rounded(std::atan(*value), table.keys->at(angle)), Origin::kGiven,
           fmt::format("as {} {}", tangent, *value));
@@ -234,6 +247,11 @@ class Resolver {
         fmt::format("stands undivided beside masonry.knowledge_level {}", office_.word()),
         fmt::format("give this material its values: wythe materials {} prints them for each level",
                     law.use->name));
+  }
+
+  // Of [masonry]: a knowledge level that lacks its typology is told, and what that would have given is no fault more.
+  [[nodiscard]] bool lacks_typology() const {
+    return masonry_.toml && !masonry_.use && context_.has_fault_at("masonry.knowledge_level");
   }
 
   void state_confidence_factor() {
@@ -372,6 +390,14 @@ class Resolver {
     return {kUnset, "", true};
   }
 
+  // A unit_type that its reader refuses.
+  [[nodiscard]] bool has_wrong_unit_type() const {
+    const toml::node* node = masonry_.toml ? masonry_.toml->get("unit_type") : nullptr;
+    const auto word = node ? node->value<std::string>() : std::nullopt;
+    return node && std::none_of(std::begin(kUnitTypeWords), std::end(kUnitTypeWords),
+                                [&](const auto& known) { return word == known.word; });
+  }
+
   UnitType unit_type(const Table& table) {
     context_.asked.insert("unit_type");
     if (masonry_.toml)
@@ -463,6 +489,7 @@ class Resolver {
     else
       fault(table, key, "no such rule for it",
             "write \"rule\", or one of: rule: " + joined(names, ", rule: "));
+    is_follow_up(table, key);
     return {kUnset, "", true};
   }
 
@@ -497,7 +524,9 @@ class Resolver {
                                  found.from));
     }
     table.under_way.erase(key);
-    if (rule.by_unit_type && inputs.unit_type == UnitType::kUnstated)
+    if (rule.by_unit_type && has_wrong_unit_type())
+      spoiled = true;
+    else if (rule.by_unit_type && inputs.unit_type == UnitType::kUnstated)
       lacking.emplace_back("unit_type");
     if (!lacking.empty()) {
       refuse_lacking(table, key, rule, lacking);
@@ -521,7 +550,7 @@ class Resolver {
     return own ? table.keys->at(name) : masonry_.keys->at(name);
   }
 
-  // What is amiss with its inputs is told; of the value itself there is nothing to say.
+  // What is amiss is told; of the value itself there is nothing more to say.
   void is_follow_up(Table& table, const std::string& key) {
     context_.follow_ups.insert(under(table.path, key));
     table.toml->erase(key);  // else its reader would find "rule" no number
@@ -564,6 +593,7 @@ class Resolver {
             fmt::format("the rule {} was not tested for units of {}", rule.name,
                         word_of(kUnitTypeWords, in.unit_type)),
             fmt::format("give {} itself", key));
+      is_follow_up(table, key);
       return false;
     }
     const auto at = [&](const char* name) {
@@ -579,14 +609,46 @@ class Resolver {
       const Key plain{};
       const Key& shown_as = ratio ? plain : key_named(table, bound.input);
       const std::string what = ratio ? fmt::format("{} / {}", bound.input, bound.per) : bound.input;
-      fault(table, key,
-            fmt::format("the rule {} holds for {} from {} to {}, here it is {}", rule.name, what,
-                        brief(bound.low, shown_as), brief(bound.high, shown_as),
-                        brief(value, shown_as)),
-            fmt::format("give {} itself", key));
+      const toml::node* node = table.toml->get(key);
+      outside_.push_back({.path = under(table.path, key),
+                          .key = key,
+                          .line = node && line_of(*node) ? line_of(*node) : line_of(*table.toml),
+                          .value = node ? shown(*node) : "",
+                          .input = what,
+                          .rule = rule.name,
+                          .holds = fmt::format("from {} to {}", brief(bound.low, shown_as),
+                                               brief(bound.high, shown_as)),
+                          .here = brief(value, shown_as)});
+      is_follow_up(table, key);
       return false;
     }
     return true;
+  }
+
+  // Rules that one value takes out of their ranges: one message for all of them.
+  void refuse_outside() {
+    for (std::size_t i = 0; i < outside_.size(); ++i) {
+      const Outside& first = outside_[i];
+      const auto is_same = [&](const Outside& other) {
+        return other.input == first.input && other.here == first.here;
+      };
+      if (std::find_if(outside_.begin(), outside_.end(), is_same) !=
+          outside_.begin() + static_cast<std::ptrdiff_t>(i))
+        continue;
+      std::string rules;
+      std::vector<std::string> keys;
+      for (const Outside& one : outside_) {
+        if (!is_same(one)) continue;
+        rules += keys.empty()
+                     ? fmt::format("the rule {} holds for {} {}", one.rule, one.input, one.holds)
+                     : fmt::format(", {} (for {}) {}", one.rule, one.key, one.holds);
+        keys.push_back(one.key);
+      }
+      context_.fault(first.path, first.line, first.value,
+                     fmt::format("{}, here it is {}", rules, first.here),
+                     fmt::format("check {}, or give {} {}", first.input, joined(keys, ", "),
+                                 keys.size() > 1 ? "themselves" : "itself"));
+    }
   }
 
   // --- whole tables ------------------------------------------------------------------------------
@@ -733,6 +795,12 @@ class Resolver {
   OfficeMasonry office_;                        // what [masonry] asks of Circolare 7/2019
   bool use_is_wrong_ = false;                   // told already
   std::set<std::string> told_lacking_;          // inputs of rules
+  struct Outside {
+    std::string path, key;
+    int line = 0;
+    std::string value, input, rule, holds, here;
+  };
+  std::vector<Outside> outside_;  // what no rule could follow
 };
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "geometry/builder/builder.h"
 #include "io/bodies/blocks_json.h"
+#include "io/keys/meant_names.h"
 #include "io/keys/model_key.h"
 #include "io/model/builder_file.h"
 #include "io/model/record_file.h"
@@ -58,6 +59,7 @@ void finish(TableReader& reader, ModelSpec& model) {
   names.clear();
   for (std::size_t i = 0; i < model.history.size(); ++i) {
     const std::string& name = model.history[i].name;
+    if (name.empty() && reader.context().has_fault_at(fmt::format("history.{}.name", i))) continue;
     if (name.empty() || !names.insert(name).second)
       reader.refuse_member("history", i, "name",
                            name.empty() ? "is missing" : "two points have this name",
@@ -250,6 +252,7 @@ ModelSpec parse_model(const std::string& toml_text, const std::string& file_name
   io::ReadContext context{file_name};
   context.records = &records;
   io::apply_overrides(context, root, overrides);
+  io::read_names_as_meant(context, root, io::known_names<ModelSpec>());
   io::resolve_materials(context, root);
   io::resolve_floors(context, root);
   ModelSpec spec;

@@ -47,6 +47,8 @@ bool tell_kind(TableReader& reader, StageSpec& stage) {
   const Kinds told = told_kinds(reader);
   if (told == 0) {
     if (stage.name == "gravity") return true;
+    // a name may have told it, and an unknown key is told by the table's reader: one slip, one message
+    if (stage.name.empty() || reader.has_unknown()) return false;
     reader.miss(
         "kind", "can't be told, the stage has no key of any one kind",
         "write kind = \"gravity\", or velocity (push), pier_load, pressure, beam_load, "
@@ -135,19 +137,30 @@ void check_place(TableReader& reader, const PlaceSpec& at) {
 // True when a value below the place was refused already; it is then half known.
 bool place_has_faults(TableReader& reader, const char* place) {
   const std::string path = reader.below(place);
+  if (reader.context().has_fault_at(path)) return true;
   for (const char* name : {"x", "y", "width", "height", "block", "beam", "role"})
     if (reader.context().has_fault_at(under(path, name))) return true;
   return false;
 }
 
+// True when the key, or a member of its list, was refused already.
+bool list_has_faults(TableReader& reader, const char* key) {
+  const std::string path = reader.below(key);
+  const std::vector<Fault>& all = reader.context().faults.all();
+  return reader.context().has_fault_at(path) ||
+         std::any_of(all.begin(), all.end(),
+                     [&](const Fault& fault) { return fault.path.starts_with(path + "."); });
+}
+
 // The keys of a pattern; without one, of the place that is pushed.
 void check_pattern(TableReader& reader, const StageSpec& stage) {
   if (!reader.has("pattern")) {
-    if (!reader.has("at"))
-      reader.miss("at", "is missing, a push needs at, or a pattern with its levels");
+    bool is_of_pattern = false;
     for (const char* key : {"levels", "shares"})
-      if (reader.has(key))
+      if (reader.has(key) && !std::exchange(is_of_pattern, true))
         reader.refuse(key, "belongs to a pattern", "add e.g. pattern = \"mass_height\"");
+    if (!reader.has("at") && !is_of_pattern)
+      reader.miss("at", "is missing, a push needs at, or a pattern with its levels");
     return;
   }
   if (stage.pattern == Pattern::kNone) return;  // refused
@@ -175,7 +188,8 @@ void check_pattern(TableReader& reader, const StageSpec& stage) {
                   fmt::format("must be as many as levels, {} and not {}", stage.levels.size(),
                               stage.shares.size()),
                   "write one share a level");
-  if (has_levels && reader.has("levels") && stage.levels.empty())
+  if (has_levels && reader.has("levels") && stage.levels.empty() &&
+      !list_has_faults(reader, "levels"))
     reader.refuse("levels", "is empty", "write e.g. levels = [\"3.0 m\", \"6.2 m\"]");
 }
 
@@ -210,15 +224,6 @@ void check_contraflexure(TableReader& reader, const StageSpec& stage) {
                   "write direction = \"+x\" or \"-x\"");
   if (goes_to_and_fro(stage))
     reader.refuse(key, "follows a push in one direction", "write until in the place of targets");
-}
-
-// True when the key, or a member of its list, was refused already.
-bool list_has_faults(TableReader& reader, const char* key) {
-  const std::string path = reader.below(key);
-  const std::vector<Fault>& all = reader.context().faults.all();
-  return reader.context().has_fault_at(path) ||
-         std::any_of(all.begin(), all.end(),
-                     [&](const Fault& fault) { return fault.path.starts_with(path + "."); });
 }
 
 void check_protocol(TableReader& reader, const StageSpec& stage) {
@@ -283,7 +288,8 @@ void check_shake(TableReader& reader, const StageSpec& stage) {
   const int ways = (is_set(scale.factor) ? 1 : 0) + (is_set(scale.pga) ? 1 : 0) +
                    (is_set(scale.pgv) ? 1 : 0) + (is_set(scale.sa) || is_set(scale.period) ? 1 : 0);
   const bool half = is_set(scale.sa) != is_set(scale.period);
-  if (reader.has("scale") && (ways != 1 || half || (is_set(scale.damping) && !is_set(scale.sa))))
+  if (reader.has("scale") && !reader.context().has_fault_at(reader.below("scale")) &&
+      (ways != 1 || half || (is_set(scale.damping) && !is_set(scale.sa))))
     reader.refuse("scale", "must be one of factor, pga, pgv, or sa with its period (and damping)",
                   "write e.g. scale = { sa = \"5 m/s^2\", period = \"0.3 s\" }");
   const bool drives =

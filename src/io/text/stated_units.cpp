@@ -31,8 +31,9 @@ struct Unit {
  private:
   static Text read(const toml::table* unit, const char* table, const char* key) {
     if (unit == nullptr) return std::nullopt;
-    return *table != '\0' ? (*unit)[table][key].value<std::string>()
-                          : (*unit)[key].value<std::string>();
+    const auto node = *table != '\0' ? (*unit)[table][key] : (*unit)[key];
+    if (!node) return std::nullopt;
+    return node.value<std::string>().value_or("");  // no length: the key's reader says so
   }
 };
 

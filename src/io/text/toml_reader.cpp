@@ -326,13 +326,24 @@ int TableReader::choose(const char* name, const std::vector<std::string>& words,
 
 // --- tables --------------------------------------------------------------------------------------
 
-const toml::table* TableReader::as_table(const toml::node& node, const std::string& name) {
-  if (const toml::table* table = node.as_table()) return table;
-  const std::string path = below(name);
+void refuse_table_wanted(ReadContext& context, const toml::node& node, const std::string& path,
+                         const std::string& name, const char* example) {
   const bool numbered = path.find_first_of("0123456789") != std::string::npos;
-  context_.fault(path, line_of(node), shown(node), "must be a table",
-                 numbered ? fmt::format("write {} = {{ ... }}", name)
-                          : fmt::format("write it under [{}]", path));
+  const std::string written = *example != '\0' ? example : "{ ... }";
+  context.fault(path, line_of(node), shown(node), "must be a table",
+                numbered ? fmt::format("write {} = {}", name, written)
+                         : fmt::format("write it under [{}]", path));
+}
+
+void refuse_list_wanted(ReadContext& context, const toml::node& node, const std::string& path) {
+  context.fault(path, line_of(node), shown(node), "must be a list of tables",
+                fmt::format("write each under [[{}]], with two brackets", path));
+}
+
+const toml::table* TableReader::as_table(const toml::node& node, const std::string& name,
+                                         const char* example) {
+  if (const toml::table* table = node.as_table()) return table;
+  refuse_table_wanted(context_, node, below(name), name, example);
   return nullptr;
 }
 
@@ -341,8 +352,7 @@ const toml::array* TableReader::as_list_of_tables(const toml::node& node, const 
   const bool good = array && std::all_of(array->begin(), array->end(),
                                          [](const toml::node& item) { return item.is_table(); });
   if (good) return array;
-  context_.fault(below(name), line_of(node), shown(node), "must be a list of tables",
-                 fmt::format("write each under [[{}]], with two brackets", below(name)));
+  refuse_list_wanted(context_, node, below(name));
   return nullptr;
 }
 
@@ -397,6 +407,7 @@ void TableReader::refuse_unknown() {
   for (const auto& [name, node] : table_) {
     const std::string word(name.str());
     if (entry(word)) continue;
+    has_unknown_ = true;
     if (enough(context_.faults)) return;
     context_.fault(below(word), line_of(node), shown(node), fmt::format("no such key {}", word),
                    name_advice(word, known));

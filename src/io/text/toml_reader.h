@@ -54,6 +54,11 @@ struct ReadContext {
   [[nodiscard]] bool has_fault_at(const std::string& path) const;
 };
 
+// A table or a list that stands where the other is asked for, in words.
+void refuse_table_wanted(ReadContext& context, const toml::node& node, const std::string& path,
+                         const std::string& name, const char* example = "");
+void refuse_list_wanted(ReadContext& context, const toml::node& node, const std::string& path);
+
 [[nodiscard]] int line_of(const toml::node& node);
 // The node as the user would recognise it: a text without its quotes, "a table", "a list".
 [[nodiscard]] std::string shown(const toml::node& node);
@@ -86,7 +91,7 @@ class TableReader {
   void table(const char* name, T& value, const Key& key) {
     const toml::node* node = find(name, key);
     if (!node) return;
-    if (const toml::table* inner = as_table(*node, name))
+    if (const toml::table* inner = as_table(*node, name, key.example))
       read_table(context_, *inner, below(name), value);
   }
 
@@ -128,6 +133,8 @@ class TableReader {
   };
   [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
   [[nodiscard]] bool has(std::string_view name) const;
+  // A key that is none of the table's, which its reader has refused: what it was to say is missing elsewhere.
+  [[nodiscard]] bool has_unknown() const { return has_unknown_; }
   [[nodiscard]] std::string below(const std::string& name) const { return under(path_, name); }
   [[nodiscard]] ReadContext& context() { return context_; }
   // Faults at a key that stands here, at a key that is missing, and at the table itself.
@@ -140,7 +147,8 @@ class TableReader {
  private:
   const Entry* entry(std::string_view name) const;
   int choose(const char* name, const std::vector<std::string>& words, const Key& key);
-  const toml::table* as_table(const toml::node& node, const std::string& name);
+  const toml::table* as_table(const toml::node& node, const std::string& name,
+                              const char* example = "");
   const toml::array* as_list_of_tables(const toml::node& node, const std::string& name);
   std::optional<double> read_quantity(const toml::node& node, const std::string& path,
                                       const char* name, const Key& key);
@@ -150,6 +158,7 @@ class TableReader {
   const toml::table& table_;
   std::string path_;
   std::vector<Entry> entries_;
+  bool has_unknown_ = false;
 };
 
 // What stands between several keys of one struct; nothing for most.

@@ -28,6 +28,77 @@ std::string_view without_comment(std::string_view line) {
   return line;
 }
 
+// Characters of a text in quotes are none of TOML's own.
+std::string outside_quotes(std::string_view line) {
+  std::string out(line);
+  char open = '\0';
+  for (char& c : out) {
+    const char own = c;
+    if (open != '\0' || own == '"' || own == '\'') c = '_';
+    if (open != '\0')
+      open = own == open ? '\0' : open;
+    else if (own == '"' || own == '\'')
+      open = own;
+  }
+  return out;
+}
+
+// Habits of other formats: marks at the end, comments, colons, booleans.
+Slip foreign_mark(std::string_view line) {
+  std::string bare = outside_quotes(line);
+  const auto without = [&](std::size_t from, std::size_t count) {
+    std::string cured(line);
+    return std::string(trimmed(cured.erase(from, count)));
+  };
+  if (const std::size_t slashes = bare.find("//"); slashes != std::string::npos && slashes > 0)
+    return {
+        "has // where a remark begins with #",
+        fmt::format("write {}  #{}", trimmed(line.substr(0, slashes)), line.substr(slashes + 2))};
+  const bool in_list =
+      std::count(bare.begin(), bare.end(), '[') > std::count(bare.begin(), bare.end(), ']');
+  if (bare.starts_with('=')) return {"has no key before its =", "write key = value"};
+  if (bare.ends_with(';') ||
+      (bare.ends_with(',') && !in_list && bare.find('=') != std::string::npos))
+    return {fmt::format("ends with a {}", bare.back()), "write " + without(line.size() - 1, 1)};
+  if (bare.starts_with('[') && bare.find('=') == std::string::npos) {
+    std::string cured(line);
+    const bool wrong = cured.find_first_of(",/:") != std::string::npos;
+    for (char& c : cured)
+      if (c == ',' || c == '/' || c == ':') c = '.';
+    return wrong ? Slip{"parts of a name stand with a dot between them", "write " + cured} : Slip{};
+  }
+  const std::size_t equals = bare.find('='), colon = bare.find(':');
+  if (colon != std::string::npos &&
+      (equals == std::string::npos || colon < equals || bare.find('{') < colon)) {
+    std::string cured(line);
+    const bool blank = cured[colon - (colon > 0 ? 1 : 0)] == ' ';
+    return {"has a : where TOML has =", "write " + cured.replace(colon, 1, blank ? "=" : " =")};
+  }
+  for (const auto& [theirs, ours] : {std::pair{"True", "true"},
+                                     {"False", "false"},
+                                     {"TRUE", "true"},
+                                     {"FALSE", "false"},
+                                     {"yes", "true"},
+                                     {"no", "false"},
+                                     {"on", "true"},
+                                     {"off", "false"}}) {
+    const std::string_view word(theirs);
+    const std::size_t at = bare.rfind(word);
+    const auto is_end = [&](std::size_t i) {
+      return i >= bare.size() || bare[i] == ' ' || bare[i] == '}' || bare[i] == ',';
+    };
+    if (equals == std::string::npos || at == std::string::npos || at < equals ||
+        !is_end(at + word.size()) || (bare[at - 1] != ' ' && bare[at - 1] != '='))
+      continue;
+    std::string cured(line);
+    return {fmt::format("has {} where TOML has {}", theirs, ours),
+            "write " + cured.replace(at, word.size(), ours)};
+  }
+  if (std::count(bare.begin(), bare.end(), '{') > std::count(bare.begin(), bare.end(), '}'))
+    return {"has no } in its line", "write { ... } in one line"};
+  return {};
+}
+
 bool has_any(std::string_view text, std::initializer_list<std::string_view> parts) {
   return std::any_of(parts.begin(), parts.end(), [&](std::string_view part) {
     return text.find(part) != std::string_view::npos;
@@ -53,6 +124,7 @@ Slip slip_in(std::string_view written) {
   if (line.starts_with('[') && !line.ends_with(']') && line.find('=') == std::string_view::npos)
     return {"has no ] at its end",
             fmt::format("write {}]{}", line, line.starts_with("[[") ? "]" : "")};
+  if (const Slip mark = foreign_mark(line); !mark.problem.empty()) return mark;
   const std::size_t equals = line.find('=');
   if (equals == std::string_view::npos)
     return line.starts_with('[') ? Slip{} : Slip{"has no =", "write key = value"};
@@ -75,6 +147,11 @@ Slip slip_in(std::string_view written) {
     return {"has a \\ in double quotes, which begins a character such as a tab",
             fmt::format("write {} = {}, or single quotes", key, path)};
   }
+  if (const std::size_t last = value.rfind('"');
+      is_plain && quotes == 2 && value.starts_with('"') && last + 1 < value.size())
+    return {"goes on behind its quotes",
+            fmt::format("write {} = \"{} {}\"", key, trimmed(value.substr(1, last - 1)),
+                        trimmed(value.substr(last + 1)))};
   if (is_plain && quotes == 0) {
     std::string number(value);
     const std::size_t comma = number.find(',');
@@ -88,7 +165,8 @@ Slip slip_in(std::string_view written) {
     }
     if (is_bare_quantity(value))
       return {"is a quantity without quotes", fmt::format("write {} = \"{}\"", key, value)};
-    if (std::isalpha(static_cast<unsigned char>(value[0])) != 0)
+    const bool has_sign = value.size() > 1 && (value[0] == '+' || value[0] == '-');
+    if (std::isalpha(static_cast<unsigned char>(value[has_sign ? 1 : 0])) != 0)
       return {"is a text without quotes", fmt::format("write {} = \"{}\"", key, value)};
   }
   return {};

@@ -59,11 +59,13 @@ class MaterialTable {
     if (known != index_.end()) return known->second;
     if (shares_bed) return index_[{name, true}] = head_index(name, index_of(name));
     const JointMaterial& material = spec_.material.at(name);
-    const std::vector<MaterialFault> found = check_joint_material(material);
+    const std::vector<MaterialFault> found =
+        contact::missing_as_one(check_joint_material(material));
     if (!found.empty()) bad_.insert(name);
     for (const MaterialFault& fault : found)
-      faults_.add(
-          {"", "material." + name + "." + fault.key, fault.value, fault.problem, fault.cure, 0});
+      faults_.add({"",
+                   fault.key.empty() ? "material." + name : "material." + name + "." + fault.key,
+                   fault.value, fault.problem, fault.cure, 0});
     if (material.tensile_strength == 0 && material.cohesion > 0)
       model_.anatomy.notes.push_back({"material.cohesion_lost", {{"material", name}}});
     return index_[{name, false}] = append(name, material);
@@ -104,15 +106,14 @@ class MaterialTable {
                                     [&](const Chain& chain) { return is_same(chain, wanted); });
     if (known != chains_.end()) return known->index;
     const JointMaterial& body = spec_.material.at(face.material);
-    const bool complete = body.youngs_modulus > 0 && body.shear_modulus > 0;
-    if (!complete) {
-      for (const char* key : {"youngs_modulus", "shear_modulus"})
+    for (const auto& [key, value] :
+         {std::pair("youngs_modulus", body.youngs_modulus), {"shear_modulus", body.shear_modulus}})
+      if (!(value > 0) && has_no_chain_.insert(face.material + "." + key).second)
         faults_.add(
             {"", "material." + face.material + "." + key, "",
              "is missing or not positive; a chain of segments (lintel, sill, ring beam) needs both "
              "moduli",
              fmt::format("add e.g. {} = \"0.3 GPa\"", key), 0});
-    }
     chains_.push_back(wanted);
     chains_.back().index = append(fmt::format("{} chain {:.3f} m", face.material, spacing),
                                   chain_material(body, spacing, depth, length_of(face)));
@@ -168,6 +169,7 @@ class MaterialTable {
   std::set<std::string> bad_;                          // faulty as stated
   std::map<std::string, Drawn> drawn_;                 // by path of a key
   std::vector<Chain> chains_;
+  std::set<std::string> has_no_chain_;  // moduli whose lack is told
 };
 
 // Structural depth of the body a chain face belongs to; the face itself where none is stated.

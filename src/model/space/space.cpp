@@ -79,10 +79,12 @@ class Materials {
                    fmt::format("add [material.{}], or name another in [[contact]]", name), 0});
       return index;
     }
-    for (const MaterialFault& fault : check_joint_material(stated->second)) {
+    for (const MaterialFault& fault :
+         contact::missing_as_one(check_joint_material(stated->second))) {
       bad_.insert(name);
-      faults_.add(
-          {"", "material." + name + "." + fault.key, fault.value, fault.problem, fault.cure, 0});
+      faults_.add({"",
+                   fault.key.empty() ? "material." + name : "material." + name + "." + fault.key,
+                   fault.value, fault.problem, fault.cure, 0});
     }
     model_.materials[at(index)] = stated->second;
     return index;

@@ -169,6 +169,12 @@ TEST(NearestName, is_offered_only_when_near) {
 }
 
 // Names that are too long or too short to be near are left out unseen: nobody notices but the clock.
+TEST(NearestName, begins_alike_where_several_are_as_near) {
+  EXPECT_EQ(nearest_name("g", {"y", "g1", "g2"}), "g1");
+  EXPECT_EQ(nearest_name("qx", {"x", "q"}), "q");
+  EXPECT_EQ(nearest_name("z", {"x", "y"}), "");  // another letter is another name
+}
+
 TEST(NearestName, is_the_first_of_the_least_distance) {
   const std::vector<std::string> names = {"a",   "length",           "thickness",     "cohesion",
                                           "bed", "tensile_strength", "shear_strength"};
@@ -178,11 +184,17 @@ TEST(NearestName, is_the_first_of_the_least_distance) {
         const std::string wanted = name.substr(0, cut) + more;
         int best = std::max(1, static_cast<int>(wanted.size()) / 3) + 1;
         std::string nearest;
-        for (const std::string& other : names)
-          if (edit_distance(wanted, other) < best) {
-            best = edit_distance(wanted, other);
+        bool begun = false;
+        for (const std::string& other : names) {
+          const int far = edit_distance(wanted, other);
+          const bool begins = other.starts_with(wanted) || wanted.starts_with(other);
+          if (far >= static_cast<int>(std::max(wanted.size(), other.size()))) continue;
+          if (far < best || (far == best && !nearest.empty() && begins && !begun)) {
+            best = far;
             nearest = other;
+            begun = begins;
           }
+        }
         EXPECT_EQ(nearest_name(wanted, names), nearest) << wanted;
       }
 }

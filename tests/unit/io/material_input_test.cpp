@@ -110,8 +110,8 @@ TEST(MaterialInput, every_value_that_was_not_given_says_whence_it_comes) {
 TEST(MaterialInput, nothing_is_derived_that_is_not_asked_for) {
   const std::string said = faults(with(kRules, "[material.joint]\nmissing = \"rule\"\n",
                                        "[material.joint]\ncohesion = \"rule\"\n"));
-  EXPECT_TRUE(says(said, "material.joint.tensile_strength: is missing")) << said;
-  EXPECT_TRUE(says(said, "ask for its rule, tensile_strength = \"rule\"")) << said;
+  EXPECT_TRUE(says(said, "material.joint: lacks normal_stiffness, ")) << said;
+  EXPECT_TRUE(says(said, "ask for rules, missing = \"rule\"")) << said;
   EXPECT_TRUE(says(said, "use = \"NAME\"")) << said;
   EXPECT_FALSE(says(said, "material.joint.cohesion")) << said;
 }
@@ -132,8 +132,10 @@ TEST(MaterialInput, a_rule_outside_its_range_is_refused_where_it_stands) {
   const std::string said =
       faults(with(kRules, "unit_strength = \"14.92 MPa\"", "unit_strength = \"150 MPa\""));
   EXPECT_TRUE(says(said,
-                   "the rule unit_ft_from_fb holds for unit_strength from 2 MPa to 100 MPa, here "
-                   "it is 150 MPa; give tensile_strength itself"))
+                   "the rule unit_ft_from_fb holds for unit_strength from 2 MPa to 100 MPa, "
+                   "unit_e_from_fb (for unit_youngs_modulus) from 5 MPa to 100 MPa, here it is 150 "
+                   "MPa; check unit_strength, or give tensile_strength, unit_youngs_modulus "
+                   "themselves"))
       << said;
   const std::string ratio =
       faults(with(kRules, "vertical_stress = \"1.2 MPa\"", "vertical_stress = \"9 MPa\""));
@@ -230,8 +232,11 @@ TEST(MaterialInput, what_tests_give_comes_before_what_is_typical) {
 TEST(MaterialInput, a_typology_that_leaves_something_out_is_not_filled_up) {
   const std::string said = faults(with(kTypical, "use = \"tuff_pozzolanic\"\n[material.unit]",
                                        "use = \"circolare_brick_lime\"\n[material.unit]"));
-  EXPECT_TRUE(says(said, "material.joint.tensile_strength: is missing")) << said;
-  EXPECT_FALSE(says(said, "material.joint.cohesion:")) << said;
+  EXPECT_TRUE(says(said,
+                   "material.joint: lacks normal_stiffness, shear_stiffness, "
+                   "tensile_strength, "))
+      << said;
+  EXPECT_FALSE(says(said, " cohesion, ")) << said;
   EXPECT_TRUE(says(
       faults(with(kTypical, "use = \"tuff_pozzolanic\"\ncohesion", "use = \"en1996_clay_m5\"\n#")),
       "en1996_clay_m5 says nothing of this"));
