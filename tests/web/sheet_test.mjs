@@ -188,7 +188,7 @@ test("the verdict says first what must not be signed", async () => {
     leaky: [(_, s) => (s.energy_J.gap_ratio = 0.04), "no", /^Not to be signed[^]*does not balance/],
     stopped: [(_, s) => Object.assign(s, { status: "interrupted", reason: "stopped by hand" }), "no", /^Not to be signed[^]*interrupted/],
     slid: [(_, s) => (s.validity.overlap_lost_at_mm = 0.1), "no", /^Not to be signed[^]*slid off/],
-    rising: [(_, s) => (s.displacement_at_peak_mm = s.displacement_max_mm), "bound", /^Lower bounds only[^]*at least/],
+    rising: [(_, s) => (s.censored_peak = true), "bound", /^Lower bounds only[^]*at least/],
     censored: [(_, s) => (s.censored_80 = true), "bound", /^The displacement is only a lower bound/],
     usable: [(_, s) => (s.quasi_static.judgement = "usable"), "reserve", /^This run was pushed a little too fast/],
     drift: [(_, s) => (s.quasi_static.displacement = { verdict: "not known", reason: "it jumped" }), "reserve", /^One run cannot tell the drift/],

@@ -46,7 +46,7 @@ export function standingOf(s: any, { grave, mild }: Doubts): { standing: Standin
   if (a && !a.may_be_signed) return said("no", "no");
   // what a code judges is known, or it would not be signed
   if (!a && !fell && !(s.load_factor > 0)) {
-    if (s.censored_max && s.displacement_at_peak_mm >= s.displacement_max_mm) return said("bound", "bound.force");
+    if (s.censored_peak) return said("bound", "bound.force");
     if (s.censored_80) return said("bound", "bound.displacement");
   }
   return { standing: mild ? "reserve" : "yes", first: judged(a) };

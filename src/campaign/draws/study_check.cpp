@@ -124,17 +124,20 @@ class VariableCheck {
   void check_location() {
     const bool lognormal = spec_.distribution == DistributionKind::kLognormal;
     if (lognormal && is_set(spec_.mean) && spec_.mean <= 0)
-      refuse("mean", shown_value(spec_, spec_.mean), "a lognormal mean must be more than 0", "");
-    if (is_set(spec_.median) && spec_.median <= 0)
-      refuse("median", shown_value(spec_, spec_.median), "must be more than 0", "");
-    if (is_set(spec_.cov) && spec_.mean == 0)
+      refuse("mean", shown_value(spec_, spec_.mean), "a lognormal mean must be more than 0",
+             "write a value above 0, or distribution = \"normal\"");
+    else if (is_set(spec_.cov) && spec_.mean == 0)
       refuse("cov", fmt::format("{:g}", spec_.cov), "has no meaning with a mean of 0",
              "write standard_deviation instead");
+    if (is_set(spec_.median) && spec_.median <= 0)
+      refuse("median", shown_value(spec_, spec_.median), "must be more than 0",
+             "write a value above 0");
     const double location = is_set(spec_.location) ? spec_.location : 0.0;
     if (spec_.distribution == DistributionKind::kWeibull && is_set(spec_.mean) &&
         spec_.mean <= location)
       refuse("mean", shown_value(spec_, spec_.mean),
-             fmt::format("must be more than the location {}", shown_value(spec_, location)), "");
+             fmt::format("must be more than the location {}", shown_value(spec_, location)),
+             "write a larger mean, or a smaller location");
   }
 
   void check_bounds() {

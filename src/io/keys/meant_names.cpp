@@ -255,9 +255,15 @@ class Mender {
         if (toml::table* member = list->get(i)->as_table())
           mend(*member, under(path, std::to_string(i)), names);
     } else if (toml::table* inner = node.as_table(); inner && known.shape == Shape::kMap) {
-      for (auto&& [label, member] : *inner)
-        if (toml::table* one = member.as_table())
-          mend(*one, under(path, std::string(label.str())), names);
+      for (auto&& [label, member] : *inner) {
+        const std::string at = under(path, std::string(label.str()));
+        if (is_list_of_tables(member)) {
+          refuse_table_wanted(context_, member, at, std::string(label.str()));
+          toml::table first = std::move(*member.as_array()->front().as_table());
+          inner->insert_or_assign(label.str(), std::move(first));
+        }
+        if (toml::table* one = inner->get(label.str())->as_table()) mend(*one, at, names);
+      }
     } else if (inner) {
       mend(*inner, path, names);
     }

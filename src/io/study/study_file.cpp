@@ -12,7 +12,10 @@
 #include "core/files.h"
 #include "core/text.h"
 #include "io/bodies/blocks_json.h"
+#include "io/keys/describe.h"
+#include "io/keys/describe_records.h"
 #include "io/keys/describe_study.h"
+#include "io/keys/meant_names.h"
 #include "io/keys/model_key.h"
 #include "io/study/shaking_file.h"
 #include "io/study/study_file.h"
@@ -36,6 +39,66 @@ constexpr const char* kParts[] = {"study",   "variable", "dependent", "correlati
 std::string beside(const std::string& file, const std::string& other) {
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();
   return (folder / other).string();
+}
+
+using Shape = KnownName::Shape;
+
+KnownName value_named(const char* name) { return {name, Shape::kValue, false, nullptr}; }
+
+template <class T>
+std::vector<KnownName> names_of_table(T&& described, std::initializer_list<const char*> more) {
+  std::vector<KnownName> out;
+  NameCollector collector(out);
+  describe(collector, described);
+  for (const char* name : more) out.push_back(value_named(name));
+  return out;
+}
+
+const std::vector<KnownName>& names_of_head() {
+  static const std::vector<KnownName> names = [] {
+    StudySpec spec;
+    return names_of_table(StudyHead{spec, ""}, {"samples", "seed", "fractions"});
+  }();
+  return names;
+}
+
+const std::vector<KnownName>& names_of_variable() {
+  static const std::vector<KnownName> names = [] {
+    VariableSpec spec;
+    spec.si_unit = spec.unit = "Pa";  // any: amounts are named alike in all
+    const VariableKeys keys{{}, {}, ""};
+    return names_of_table(VariableTable{spec, keys}, {"values"});
+  }();
+  return names;
+}
+
+const std::vector<KnownName>& names_of_dependent() {
+  static const std::vector<KnownName> names = [] {
+    DependentSpec spec;
+    return names_of_table(DependentTable{spec}, {});
+  }();
+  return names;
+}
+
+const std::vector<KnownName>& names_of_record() {
+  static const std::vector<KnownName> names =
+      names_of_table(RecordSpec{}, {"name", "levels", "component"});
+  return names;
+}
+
+const std::vector<KnownName>& names_of_study() {
+  static const std::vector<KnownName> names = {
+      {"study", Shape::kTable, false, &names_of_head},
+      {"variable", Shape::kMap, false, &names_of_variable},
+      {"dependent", Shape::kMap, false, &names_of_dependent},
+      {"correlation", Shape::kList, false, &known_names<PairTable>},
+      {"field", Shape::kMap, false, &known_names<FieldSpec>},
+      {"variant", Shape::kList, false, &known_names<VariantSpec>},
+      {"shaking", Shape::kTable, false, &known_names<ShakingSpec>},
+      {"record", Shape::kList, false, &names_of_record},
+      {"limit_state", Shape::kList, false, &known_names<LimitStateSpec>},
+      value_named("record_text")};
+  return names;
 }
 
 Range with_ends(Range range) {
@@ -92,6 +155,7 @@ class StudyReader {
   void read_head() {
     const toml::node* node = root_.get("study");
     const toml::table* table = node ? node->as_table() : nullptr;
+    if (!table && context_.has_fault_at("study")) return;
     if (!table) {
       context_.fault("study", node ? line_of(*node) : 0, "", "is missing or no table",
                      "write [study] and under it model, samples, seed");
@@ -259,6 +323,14 @@ class StudyReader {
         if (input.si_unit == "1" && *unit != "1")
           throw QuantityError(fmt::format("{} is a plain number", *unit), "write unit = \"1\"");
         input.unit = *unit;
+      } else if (const char* amount = amount_with_unit(table); *amount != '\0') {
+        context_.fault(
+            under(place, "path"), line_of(table), "",
+            fmt::format("is missing, and {} = {} has a unit", amount, shown(*table.get(amount))),
+            "write the key that this varies, e.g. path = "
+            "\"material.joint.tensile_strength\"; or unit = \"MPa\" of a value for "
+            "formulas alone");
+        input.si_unit.clear();
       } else {
         input.si_unit = input.unit = "1";
       }
@@ -266,6 +338,15 @@ class StudyReader {
       input.si_unit.clear();
       refuse("unit", unit.value_or(""), error.problem(), error.cure());
     }
+  }
+
+  // The first amount that is written as a quantity; "" where all are numbers.
+  static const char* amount_with_unit(const toml::table& table) {
+    for (const study::VariableParameter& p : study::kVariableParameters) {
+      const toml::node* node = table.get(p.name);
+      if (node && node->is_string() && p.is != study::ParameterIs::kNumber) return p.name;
+    }
+    return "";
   }
 
   static void check_unit(const ModelKey& key, const std::string& unit) {
@@ -442,8 +523,12 @@ class StudyReader {
   // What stands between the parts; a part with faults of its own is not judged further.
   void check_parts() {
     read_faults_ = context_.faults.all();
+    std::set<std::string> told;  // names that nothing has
     for (const Fault& fault : check_study(study_)) {
       const std::string part = part_of(fault.path);
+      if (fault.path.ends_with(".formula") && follows_from_fault(part)) continue;
+      const std::string name = unknown_input(fault);
+      if (!name.empty() && !told.insert(name).second) continue;
       const bool half_read =
           has_fault_in(part) || std::find(spoiled_.begin(), spoiled_.end(), part) != spoiled_.end();
       const bool matrix = fault.path == "correlation" && has_fault_in("correlation");
@@ -453,6 +538,31 @@ class StudyReader {
       context_.fault(fault.path, line_at(fault.path), is_value ? shown(*node) : fault.value,
                      fault.problem, fault.cure);
     }
+  }
+
+  // The input that a fault says there is none of; "" of other faults.
+  static std::string unknown_input(const Fault& fault) {
+    if (fault.problem == "is not a variable") return fault.value;
+    if (!fault.problem.starts_with("there is no variable or dependent ")) return "";
+    return fault.problem.substr(fault.problem.rfind(' ') + 1);
+  }
+
+  // Whether the formula of a table names an input that could not be read.
+  [[nodiscard]] bool follows_from_fault(const std::string& part) const {
+    const toml::node* formula = node_at(part + ".formula");
+    const std::string text = formula && formula->is_string() ? shown(*formula) : "";
+    const auto names = [&](const std::string& name) {
+      const auto is_letter = [&](std::size_t i) {
+        return i < text.size() &&
+               (std::isalnum(static_cast<unsigned char>(text[i])) != 0 || text[i] == '_');
+      };
+      for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1))
+        if (!is_letter(at + name.size()) && !(at > 0 && is_letter(at - 1))) return true;
+      return false;
+    };
+    return std::any_of(spoiled_.begin(), spoiled_.end(), [&](const std::string& place) {
+      return names(place.substr(place.find('.') + 1));
+    });
   }
 
   // "variable.ft_j.cov" -> "variable.ft_j"; [study] is judged key by key.
@@ -533,6 +643,7 @@ StudySpec parse_study_text(const std::string& toml_text, const std::string& file
   std::vector<std::string> own, settings;
   for (const std::string& text : overrides) (is_of_study(text) ? own : settings).push_back(text);
   apply_overrides(context, root, own);
+  read_names_as_meant(context, root, names_of_study());
   VariantTables variants = take_variants(context, root);
   StudySpec study = StudyReader(context, root, settings, from).read();
   if (study.shaking.is_asked() && !variants.option.empty())
@@ -558,7 +669,11 @@ StudySpec read_study(const std::string& path, const std::vector<std::string>& ov
 }
 
 bool is_study(const std::string& path) {
-  return io::parse_toml(io::read_input(path, "model.toml"), path).contains("study");
+  const toml::table root = io::parse_toml(io::read_input(path, "model.toml"), path);
+  const auto has = [&](const char* part) { return root.contains(part); };
+  constexpr const char* kNoModelHas[] = {"study",   "variable",    "dependent",  "correlation",
+                                         "shaking", "limit_state", "record_text"};
+  return std::any_of(std::begin(kNoModelHas), std::end(kNoModelHas), has);
 }
 
 }  // namespace wythe

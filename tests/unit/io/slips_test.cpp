@@ -4,6 +4,7 @@
 #include <functional>
 #include <regex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include "wythe/error.h"
 #include "wythe/io.h"
 #include "wythe/model.h"
+#include "wythe/study.h"
 
 namespace wythe {
 namespace {
@@ -85,6 +87,32 @@ velocity = "1 mm/s"
 until = "10 mm"
 )";
 
+const char* const kStudy = R"([study]
+model = "model.toml"
+samples = 4
+seed = 7
+
+[variable.ft]
+path = "material.joint.cohesion"
+distribution = "lognormal"
+mean = "0.2 MPa"
+cov = 0.2
+
+[variable.share]
+distribution = "normal"
+mean = 0.5
+standard_deviation = 0.1
+lower = 0.2
+
+[[correlation]]
+between = ["ft", "share"]
+rank = 0.3
+
+[dependent.angle]
+path = "material.joint.friction_angle"
+formula = "30 deg * share / 0.5"
+)";
+
 struct Slip {
   std::string what, line;  // "": the line is gone
 };
@@ -154,15 +182,34 @@ std::string told(const std::string& text) {
   return "";
 }
 
-TEST(Slips, each_line_with_each_slip_gives_one_message_with_a_cure) {
-  ASSERT_EQ(told(kPier), "");
+// The rows of what is told of a study of the pier.
+std::string told_of_study(const std::string& text) {
+  const std::string inside = "model_text = \"\"\"\n" + std::string(kPier) + "\"\"\"\n";
+  std::string whole = text;
+  const std::size_t at = whole.find("seed = 7");
+  whole.insert(at == std::string::npos ? whole.find("samples") : at, inside);
+  try {
+    (void)parse_study(whole, "study.toml");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
-  for (std::size_t begin = 0; begin < std::string(kPier).size();) {
-    const std::string text = kPier;
+  for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = text.find('\n', begin);
     lines.push_back(text.substr(begin, end - begin));
     begin = end + 1;
   }
+  return lines;
+}
+
+// How many slips of a text were tried and refused; each with one message and a cure.
+std::pair<int, int> try_slips(const std::string& whole,
+                              const std::function<std::string(const std::string&)>& tell) {
+  const std::vector<std::string> lines = lines_of(whole);
   int tried = 0, refused = 0;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     std::vector<Slip> slips = slips_of_head(lines[i]);
@@ -170,7 +217,7 @@ TEST(Slips, each_line_with_each_slip_gives_one_message_with_a_cure) {
     for (const Slip& slip : slips) {
       std::string text;
       for (std::size_t k = 0; k < lines.size(); ++k) text += (k == i ? slip.line : lines[k]) + "\n";
-      const std::string said = told(text);
+      const std::string said = tell(text);
       ++tried;
       if (said.empty()) continue;  // what is left is sound too
       ++refused;
@@ -181,8 +228,21 @@ TEST(Slips, each_line_with_each_slip_gives_one_message_with_a_cure) {
       EXPECT_NE(said.find("; "), std::string::npos) << "no cure: " << slip.line << "\n" << said;
     }
   }
+  return {tried, refused};
+}
+
+TEST(Slips, each_line_of_a_model_with_each_slip_gives_one_message_with_a_cure) {
+  ASSERT_EQ(told(kPier), "");
+  const auto [tried, refused] = try_slips(kPier, told);
   EXPECT_GT(tried, 500);
   EXPECT_GT(refused, 400);
+}
+
+TEST(Slips, each_line_of_a_study_with_each_slip_gives_one_message_with_a_cure) {
+  ASSERT_EQ(told_of_study(kStudy), "");
+  const auto [tried, refused] = try_slips(kStudy, told_of_study);
+  EXPECT_GT(tried, 150);
+  EXPECT_GT(refused, 100);
 }
 
 // The text with one line in the place of another.

@@ -155,6 +155,18 @@ TEST(Headline, a_wall_that_came_down_is_not_to_be_pushed_farther) {
   EXPECT_EQ(count(head, "push farther") + count(head, "at least"), 0) << answer_of(head);
 }
 
+// A peak in the last hundredth of the path is a lower bound, as the summary and the console say.
+TEST(Headline, a_peak_close_to_the_end_is_a_bound) {
+  std::string summary =
+      pushed(R"(, "censored_max": true, "censored_80": true, "censored_peak": true)");
+  summary.replace(summary.find("\"displacement_max_mm\": 9"), 24, "\"displacement_max_mm\": 2.01");
+  EXPECT_NE(answer_of(run_head(summary)).find("at least"), std::string::npos)
+      << answer_of(run_head(summary));
+  summary.replace(summary.find("\"censored_peak\": true"), 21, "\"censored_peak\": false");
+  EXPECT_EQ(answer_of(run_head(summary)).find("at least 10"), std::string::npos)
+      << answer_of(run_head(summary));
+}
+
 // A facade of eight piers: one short sentence, the rest is in the table below.
 TEST(Headline, many_damaged_parts_are_counted_not_listed) {
   Json elements = Json::array();

@@ -169,6 +169,7 @@ TEST(Report, a_push_that_ended_early_says_so_far) {
 TEST(Report, a_force_that_was_still_rising_is_a_lower_bound) {
   Result rising = whole_push();
   rising.responses.displacement_at_peak = rising.responses.displacement_max;
+  rising.responses.censored_peak = true;
   rising.responses.censored_80 = true;
   const std::string head = sample_head(rising);
   EXPECT_EQ(count(head, "The wall resists at least <b>10\u202fkN</b>: it was still rising"), 1);
