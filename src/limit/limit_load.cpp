@@ -58,7 +58,9 @@ bool has_joint(const Model& model, BlockId block) {
   refuse("stage", "",
          fmt::format("the load can grow without end: no mechanism exists, {} carries any force",
                      carrier),
-         "push where blocks can move, give that joint or tie a strength, or count crushing");
+         "push where blocks can move, give that joint or tie a strength, or count crushing. What "
+         "friction holds between blocks that cannot give way counts as pressed together; a run "
+         "tells whether it is");
 }
 
 [[noreturn]] void refuse_unsolved() {

@@ -93,8 +93,8 @@ factor = 1.0
                            "polygon": [[x[0], -0.2], [x[1], -0.2], [x[1], 0], [x[0], 0]]})
         return blocks
 
-    def run_of(self, blocks, code=0, kn="10 GPa/m", ks="4 GPa/m", mu=0.7, more=()):
-        (self.root / "b.json").write_text(json.dumps({"units": "m", "blocks": blocks}))
+    def run_of(self, blocks, code=0, kn="10 GPa/m", ks="4 GPa/m", mu=0.7, more=(), **head):
+        (self.root / "b.json").write_text(json.dumps({"units": "m", "blocks": blocks, **head}))
         (self.root / "model.toml").write_text(self.MODEL.format(kn=kn, ks=ks, mu=mu))
         settings = [word for one in ("stage.lean.factor=1e-6", *more) for word in ("--set", one)]
         done = self.wythe("run", self.root / "model.toml", "--out", self.root / "out", "--quiet", *settings, code=code)
@@ -122,6 +122,18 @@ factor = 1.0
         for lean in (0.099, 0.09):
             summary, said = self.run_of(self.stack(lean))
             self.assertEqual(summary["status"], "completed", said)
+
+    def test_two_stones_that_are_tilted_over_rock(self):
+        flat = lambda blocks: [{key: value for key, value in block.items() if key != "z"} for block in blocks]
+        ground = {"id": "g", "fixed": True, "polygon": [[-5, -1], [5, -1], [5, 0], [-5, 0]]}
+        blocks = [ground, *flat([self.cube("a", 0, 0, 0.3), self.cube("b", 0, 1, 0.3)])]
+        for slope in ("0.05 1/s", "0.1 1/s"):
+            summary, said = self.run_of(blocks, thickness=1.0, more=("stage.lean.factor=0.3", f"stage.lean.rate={slope}"))
+            self.assertEqual(summary["status"], "collapsed", said)
+            self.assertAlmostEqual(summary["load_factor"], 0.15, delta=0.002)  # half a width over half a height
+            self.assertEqual(summary["failure_mode"]["name"], "rocking", said)
+            self.assertNotIn("no damage", said)
+            self.assertNotIn("no mechanism", said)
 
     def test_two_stones_on_the_edge(self):
         self.falls("s1", self.stack(0.34, count=2, height=0.3))

@@ -126,8 +126,33 @@ bool shows_nothing(const FailureMode& mode) {
           std::any_of(std::begin(kNothing), std::end(kNothing),
                       [&](const char* code) { return mode.sentence.code == code; }));
 }
+// Between no damage and one kind of damage. A wall that fell is damaged, so the kind is its name.
+const Message* only_kind(const FailureMode& mode) {
+  if (mode.name != "unclear" || mode.sentence.code != "mode.between_kinds") return nullptr;
+  const auto inner = [](const Message& message, const char* name) -> const std::vector<Message>* {
+    for (const Argument& argument : message.arguments)
+      if (argument.name == name) return std::get_if<std::vector<Message>>(&argument.value);
+    return nullptr;
+  };
+  const auto* first = inner(mode.sentence, "first");
+  const auto* second = inner(mode.sentence, "second");
+  if (!first || !second || first->front().code != "damage.none") return nullptr;
+  const auto* kinds = inner(second->front(), "kinds");
+  return kinds && kinds->size() == 1 ? &second->front() : nullptr;
+}
+
 void name_fall(const Result& result, FailureMode& mode) {
-  if (!is_collapsed(result) || !shows_nothing(mode)) return;
+  if (!is_collapsed(result)) return;
+  if (const Message* kind = only_kind(mode)) {
+    const auto surest =
+        std::max_element(mode.scores.begin(), mode.scores.end(),
+                         [](const auto& a, const auto& b) { return a.second < b.second; });
+    mode.name = surest->first;
+    mode.words = *kind;
+    mode.sentence = {"mode.fell_by", {{"kind", *kind}, {"why", why_it_fell(result.reason)}}};
+    return;
+  }
+  if (!shows_nothing(mode)) return;
   const bool pulled = was_pulled_away(result);
   mode.name = pulled ? "part breaking away" : "unclear";
   mode.words = pulled ? Message{"damage.breaking_away"} : Message{};
@@ -135,7 +160,11 @@ void name_fall(const Result& result, FailureMode& mode) {
                          : Message{"mode.fell", {{"why", why_it_fell(result.reason)}}};
 }
 void name_fall(const Result& result, WallMechanism& mechanism) {
-  if (!is_collapsed(result) || mechanism.name != "none") return;
+  const auto is_none = [](const std::string& name) { return name == "none" || name == "partial"; };
+  const bool in_doubt =
+      mechanism.name == "unclear" && !mechanism.candidates.empty() &&
+      std::all_of(mechanism.candidates.begin(), mechanism.candidates.end(), is_none);
+  if (!is_collapsed(result) || (mechanism.name != "none" && !in_doubt)) return;
   mechanism.name = was_pulled_away(result) ? "partial" : "unclear";
   mechanism.candidates.clear();
   mechanism.sentence = was_pulled_away(result)
