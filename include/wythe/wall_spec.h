@@ -158,6 +158,8 @@ struct RegionSpec {
   std::vector<std::array<double, 2>> polygon;  // [m]
   MasonryJoints joints = {};
   double density = kUnset;  // [kg/m^3]
+  double thickness =
+      kUnset;  // out of the plane: a niche, a pilaster, a wall across as a flange [m]
 };
 
 // A beam of concrete, timber or steel within the masonry at one level, as a chain of rigid segments

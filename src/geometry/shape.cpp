@@ -39,8 +39,9 @@ class Key {
             beam_section, joint, gap);  // grade and moduli shape nothing
   }
   void add(const RegionSpec& region) {
-    const auto& [name, storey, pier, x, y, width, height, polygon, joints, density] = region;
-    add_all(name, storey, pier, x, y, width, height, polygon, joints);
+    const auto& [name, storey, pier, x, y, width, height, polygon, joints, density, thickness] =
+        region;
+    add_all(name, storey, pier, x, y, width, height, polygon, joints, thickness);
     add_density(density);
   }
   void add(const BlockSpec& block) {

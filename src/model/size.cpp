@@ -263,6 +263,8 @@ static void check_scale(const ModelSpec& spec, FaultList& faults) {
   wall("wall.height", spec.wall.height);
   for (const StoreySpec& storey : spec.storey)
     wall("storey." + storey.name + ".height", storey.height);
+  for (std::size_t i = 0; i < spec.region.size(); ++i)
+    wall(fmt::format("region.{}.thickness", i), spec.region[i].thickness, kThinnestWall);
   unit("wall.unit.length", spec.wall.unit.length);
   unit("wall.unit.height", spec.wall.unit.height);
 }

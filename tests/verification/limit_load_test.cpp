@@ -174,6 +174,70 @@ TEST(LimitLoad, bonded_block_slides_at_c_A_plus_mu_W) {
       answer.load);
 }
 
+// A wall of 1 m by 2 m with a wall across at its left end, whose blocks are five times as thick: as one body it turns
+// about either toe, with its weight at a lever of its own.
+TEST(LimitLoad, a_wall_across_holds_an_end_down) {
+  const std::string text = R"(
+[wall]
+length = "1 m"
+height = "2 m"
+thickness = "0.25 m"
+unit = { length = "250 mm", height = "100 mm", density = "2000 kg/m^3" }
+[material.joint]
+use = "circolare_brick_lime"
+missing = "rule"
+tensile_strength = "50 MPa"
+cohesion = "90 MPa"
+friction_angle = "40 deg"
+residual_friction_angle = "40 deg"
+residual_cohesion = "0 MPa"
+normal_stiffness = "20 GPa/m"
+shear_stiffness = "8 GPa/m"
+compressive_strength = "unlimited"
+mode_1_energy = "1e6 N/m"
+mode_2_energy = "1e7 N/m"
+[material.foundation]
+tensile_strength = "0 MPa"
+cohesion = "0 MPa"
+residual_cohesion = "0 MPa"
+friction_tan = 2
+residual_friction_tan = 2
+normal_stiffness = "20 GPa/m"
+shear_stiffness = "8 GPa/m"
+compressive_strength = "unlimited"
+[[region]]
+name = "wall across"
+x = "0 m"
+y = "0 m"
+width = "0.25 m"
+height = "2 m"
+thickness = "1.25 m"
+[[stage]]
+name = "gravity"
+[[stage]]
+name = "lean"
+direction = "DIRECTION"
+rate = "0.1 1/s"
+factor = 2
+)";
+  const double flange = 0.25 * 1.25, web = 0.75 * 0.25;  // areas in plan, as shares of the weight
+  const struct {
+    const char *way, *what;
+    double lever_of_flange, lever_of_web;
+  } cases[] = {{"+x", "a wall across holds the heel down", 1 - 0.125, 0.375},
+               {"-x", "a wall across at the toe helps little", 0.125, 1 - 0.375}};
+  for (const auto& c : cases) {
+    std::string model = text;
+    model.replace(model.find("DIRECTION"), 9, c.way);
+    const LimitAnswer answer =
+        limit_load(compile(parse_model(model, "model.toml")), {.strength = JointStrength::kBonded});
+    verify({"LP-7", std::string(c.what) + ": sum of W x over W h / 2", "-",
+            (flange * c.lever_of_flange + web * c.lever_of_web) / (flange + web), 1e-6,
+            "1e-6: what both theorems may differ by"},
+           answer.load);
+  }
+}
+
 // A load of many million weights is large, not without limit.
 TEST(LimitLoad, a_bonded_slab_of_next_to_no_weight_has_a_limit) {
   for (const double density : {1.0, 1e-3, 1e-4}) {

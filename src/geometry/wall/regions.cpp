@@ -45,8 +45,8 @@ bool has_box(const RegionSpec& r) {
 
 bool changes_something(const RegionSpec& r) {
   const MasonryJoints& j = r.joints;
-  return !std::isnan(r.density) || !j.joint.empty() || !j.head_joint.empty() ||
-         !j.unit_joint.empty();
+  return !std::isnan(r.density) || !std::isnan(r.thickness) || !j.joint.empty() ||
+         !j.head_joint.empty() || !j.unit_joint.empty();
 }
 
 // Exactly one way to say where; a storey alone is one.
@@ -103,12 +103,15 @@ std::optional<Area> polygon_area(const Named& region, double base, FaultList& fa
 std::optional<Area> area_of(const Named& region, const Site& site) {
   if (!changes_something(region.spec)) {
     add_fault(site.faults, region.path(), "", region.called() + " changes nothing",
-              "write joint, head_joint, unit_joint or density, or leave it out");
+              "write joint, head_joint, unit_joint, density or thickness, or leave it out");
     return std::nullopt;
   }
   if (!std::isnan(region.spec.density) &&
       !is_positive({region.path("density"), region.spec.density, "kg/m^3", "1900 kg/m^3"},
                    site.faults))
+    return std::nullopt;
+  if (!std::isnan(region.spec.thickness) &&
+      !is_positive({region.path("thickness"), region.spec.thickness, "m", "0.15 m"}, site.faults))
     return std::nullopt;
   if (!has_one_place(region, site.faults)) return std::nullopt;
   const Storey* storey = nullptr;
@@ -172,6 +175,8 @@ bool fill(const Shape& shape, int index, const Area& area, const std::vector<Vec
     found = true;
     if (block.region >= 0) ++taken[block.region];
     block.region = index;
+    const double thickness = shape.region[static_cast<std::size_t>(index)].thickness;
+    if (!std::isnan(thickness)) block.thickness = thickness;
   }
   const auto name = [&](int i) { return name_of(shape.region[static_cast<std::size_t>(i)], i); };
   for (const auto& [other, blocks] : taken)

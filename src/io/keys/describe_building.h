@@ -239,6 +239,10 @@ void describe(Visitor& v, RegionSpec& s) {
   describe_joints(v, s.joints, "as around it", "as around it, or joint", "as around it");
   v.quantity("density", s.density, {.unit = "kg/m^3", .shown = "kg/m^3", .range = kPositive,
              .fallback = "as around it", .example = "1900 kg/m^3", .doc = "Density of its masonry."});
+  v.quantity("thickness", s.thickness, {.unit = "m", .shown = "m", .range = kLength, .fallback = "as around it",
+             .example = "0.15 m",
+             .doc = "Thickness of its masonry out of the plane: thinner under a window or in a niche, thicker in a pilaster, "
+                    "or what acts of a wall across (docs/howto/cross_walls.md). A joint is as thick as the thinner of its blocks."});
 }
 
 // clang-format on

@@ -148,6 +148,15 @@ bool has(const Model& model, BlockRole role) {
 }
 
 // Foundation joints at more than one height.
+bool has_several_thicknesses(const Model& model) {
+  const Anatomy& a = model.anatomy;
+  for (std::size_t b = 0; b < a.block_role.size(); ++b)
+    if (a.block_role[b] == BlockRole::kMasonry &&
+        std::fabs(a.block_thickness[b] - a.thickness) > 1e-9 * a.thickness)
+      return true;
+  return false;
+}
+
 bool stands_on_steps(const Model& model) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (JointId j = 0; j < model.n_joint; ++j) {
@@ -430,6 +439,10 @@ Portal find_portal(const Model& model) {
   const study::WallParts parts = study::find_parts(model);
   read_opening(parts, study::find_openings(model), portal, faults);
   read_push(model, portal, faults);
+  if (has_several_thicknesses(model))
+    add_fault(faults, "wall.thickness", "",
+              "macro-blocks have one thickness, and this masonry has several",
+              "read the limit load of the blocks, which takes any wall");
   if (has(model, BlockRole::kRingBeam))
     add_fault(faults, "ring_beam", "", "a ring beam ties the macro-blocks together",
               "leave it out for the mechanisms; the limit load of the blocks takes it");

@@ -483,6 +483,30 @@ TEST(Regions, of_a_polygon_hold_the_blocks_whose_centre_it_holds) {
   EXPECT_EQ(held, 55);  // a stair of 1 + 2 + ... + 10, the diagonal through centres included
 }
 
+TEST(Regions, have_a_thickness_of_their_own_and_joints_that_of_the_thinner_block) {
+  ModelSpec spec = building(2);
+  spec.region = {box_region(0, 0, 0.4, 1), box_region(0.6, 0, 0.4, 0.3)};
+  spec.region[0].joints = spec.region[1].joints = {};
+  spec.region[0].thickness = 1.2;   // a wall across
+  spec.region[1].thickness = 0.12;  // a niche
+  const Assembly wall = build(spec);
+  const double plain = spec.wall.thickness;
+  for (const Block& block : wall.blocks) {
+    const double own = block.region == 0 ? 1.2 : block.region == 1 ? 0.12 : plain;
+    EXPECT_EQ(block.thickness, own);
+  }
+  int edges = 0;
+  for (const Face& face : wall.faces) {
+    const double b = wall.blocks[static_cast<std::size_t>(face.b)].thickness;
+    const double a = face.a < 0 ? b : wall.blocks[static_cast<std::size_t>(face.a)].thickness;
+    EXPECT_EQ(wall.thickness_of(face), std::min(a, b));
+    edges += a != b;
+  }
+  EXPECT_GT(edges, 10);
+  spec.region[1].thickness = -0.1;
+  expect_says(refusal(spec), {"region.1.thickness"});
+}
+
 TEST(Regions, of_a_storey_and_of_a_pier_of_it) {
   ModelSpec spec = building(2);
   spec.wall.opening = {hole("ground", 0.6, 0, 0.4, 0.4), hole("first", 1.2, 0.1, 0.2, 0.2)};
