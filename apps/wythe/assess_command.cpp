@@ -143,7 +143,7 @@ void print_verdict(const WallsVerdict& v, const std::string& out) {
   for (const LocalCheck& part : v.parts.checked) print_part(part);
   for (const Refusal& part : v.parts.refused)
     fmt::print("not checked: {}: {}\n", readable(text_of(part.what)), readable(part.why));
-  fmt::print("report {}/report.html\n", out);
+  fmt::print("report {}/report.html\n", readable(out));
 }
 
 // All walls of a study in all its ways, and the verdict from them, unless the user stopped.

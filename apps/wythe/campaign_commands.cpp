@@ -8,11 +8,11 @@
 #include <filesystem>
 #include <map>
 #include <numeric>
-#include <set>
 #include <thread>
 
 #include "campaign_table.h"
 #include "interrupt.h"
+#include "notes.h"
 #include "progress.h"
 #include "shaking_table.h"
 #include "wythe/campaign.h"
@@ -194,7 +194,7 @@ int write_results(const std::string& folder, const std::string& language) {
   const Campaign campaign = read_answers(folder);
   const Statistics statistics = write_campaign_files(folder, campaign, language, hold_for_test);
   print_table(campaign, statistics);
-  fmt::print("report {}/report.html\n", folder);
+  fmt::print("report {}/report.html\n", readable(folder));
   return statistics.answered > 0 || campaign.records.empty() ? 0 : kFailed;
 }
 
@@ -461,8 +461,7 @@ double check_option(const VariantSpec& option) {
   const Model model = compile_option(study, build);
   fmt::print("variant \"{}\": blocks {}   joints {}   contact points {}\n", readable(option.name),
              model.n_block, model.n_joint, model.n_point());
-  for (const Message& note : notes_of(study, build({})))
-    fmt::print("note: {}\n", readable(text_of(note)));
+  print_notes(notes_of(study, build({})), true);
   print_refusals(draw_samples(study), build);
   return estimate(model).seconds;
 }
@@ -478,11 +477,11 @@ int check_study_file(const CheckArguments& a) {
   fmt::print("base model: blocks {}   joints {}   contact points {}\n", base.n_block, base.n_joint,
              base.n_point());
   print_inputs(samples);
-  for (const Message& note : notes_of(study, build({})))
-    fmt::print("note: {}\n", readable(text_of(note)));
+  print_notes(notes_of(study, build({})), true);
   print_refusals(samples, build);
-  std::set<std::string> said;
-  if (!study.shaking.is_asked()) print_record_notes(base, said);
+  std::vector<Message> notes;
+  if (!study.shaking.is_asked()) add_record_notes(base, notes);
+  print_notes(notes, true);
   double seconds = study.shaking.is_asked()
                        ? print_shakes_asked(study, samples, build) / samples.n_sample()
                        : estimate(base).seconds;

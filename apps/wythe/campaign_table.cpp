@@ -48,13 +48,14 @@ void print_assessment(const CampaignAssessment& a) {
 
 }  // namespace
 
-// What must be known before any number: how many pushes were no static ones.
+// What must be known before any number: how many pushes were no static ones. A usable one is, within a few percent.
 void print_rate_warning(const Statistics& statistics) {
   std::string counts;
-  int doubtful = 0, judged = 0;
+  int doubtful = 0, usable = 0, judged = 0;
   for (const auto& [judgement, count] : statistics.judgement) {
     judged += judgement == "no push" ? 0 : count;
-    if (judgement == "slow enough" || judgement == "no push") continue;
+    usable += judgement == "usable" ? count : 0;
+    if (judgement == "slow enough" || judgement == "no push" || judgement == "usable") continue;
     doubtful += count;
     counts += fmt::format("{}{} \"{}\"", counts.empty() ? "" : ", ", count,
                           judgement.empty() ? "not judged" : judgement);
@@ -64,6 +65,11 @@ void print_rate_warning(const Statistics& statistics) {
         "WARNING {} of {} pushes were not slow enough ({}): their forces may be wrong by more "
         "than 4 %; halve the velocity or lower stage.damping\n",
         doubtful, judged, counts);
+  if (usable > 0)
+    fmt::print(
+        "note: {} of {} pushes are \"usable\": a slower push may move their peak by more than 4 %; "
+        "halve the velocity or lower stage.damping to be sure\n",
+        usable, judged);
 }
 
 void print_table(const Campaign& campaign, const Statistics& statistics) {

@@ -12,6 +12,7 @@
 #include "campaign_commands.h"
 #include "checkpoints.h"
 #include "interrupt.h"
+#include "notes.h"
 #include "progress.h"
 #include "walls_command.h"
 #include "wythe/assessment.h"
@@ -35,38 +36,14 @@ int exit_code(SolveStatus status) {
   return status == SolveStatus::kCompleted || status == SolveStatus::kCollapsed ? 0 : 3;
 }
 
-// A line for each kind of note; `check` lists what a line stands for, an opening a row.
-void print_notes(const std::vector<Message>& notes, bool with_tables) {
-  for (const NoteGroup& group : grouped(notes)) {
-    fmt::print("note: {}\n", readable(text_of(group.line)));
-    std::string owner;
-    for (std::size_t i = 0; with_tables && i < group.members.size(); ++i) {
-      const Message& member = group.members[i];
-      std::string text = text_of(member), own;
-      for (const Argument& argument : member.arguments)
-        if (const auto* of = std::get_if<std::vector<Message>>(&argument.value);
-            of && argument.name == "opening" && !of->empty())
-          own = text_of(of->front());
-      if (!own.empty() && own == owner && text.starts_with(own + ' '))
-        fmt::print(", {}", readable(text.substr(own.size() + 1)));
-      else
-        fmt::print("{}  {}", i == 0 ? "" : "\n", readable(text));
-      owner = own;
-    }
-    if (with_tables && !group.members.empty()) fmt::print("\n");
-  }
-}
-
 // The summary both `check` and `run` begin with.
 void print_model(const ModelSpec& spec, const Model& m, bool is_check) {
   fmt::print("blocks {}   joints {}   contact points {}   weight {:.1f} kN\n", m.n_block, m.n_joint,
              m.n_point(), 1e-3 * m.weight);
   if (!spec.body.empty() && !spec.note.empty()) fmt::print("note: {}\n", readable(spec.note));
   print_notes(m.anatomy.notes, is_check);
-  for (const Message& note : notes_of_drawing(spec))
-    fmt::print("note: {}\n", readable(text_of(note)));
-  for (const Message& note : notes_of_fields(spec))
-    fmt::print("note: {}\n", readable(text_of(note)));
+  print_notes(notes_of_drawing(spec), is_check);
+  print_notes(notes_of_fields(spec), is_check);
 }
 
 // A number, or a dash where there is none.
@@ -265,7 +242,7 @@ void print_result(const ModelSpec& spec, const Model& model, const Result& r,
                r.debris.load * 1e-3);
   fmt::print("{} steps of {:.3g} s in {:.1f} s   state {}\n", r.steps, r.time_step, r.wall_seconds,
              r.state_hash);
-  fmt::print("report {}/report.html\n", out);
+  fmt::print("report {}/report.html\n", readable(out));
 }
 
 // Published micro-models give crack planes in units 1e6 N/mm3 to keep them closed. Between rigid blocks
@@ -340,7 +317,7 @@ int run(const RunArguments& arguments) {
   results->commit(hold_for_test);
   print_result(start.from.spec, model, result, start.out);
   if (result.status == SolveStatus::kInterrupted && start.has_checkpoints())
-    fmt::print("go on with: wythe run --resume {}\n", start.out);
+    fmt::print("go on with: wythe run --resume {}\n", readable(start.out));
   return exit_code(result.status);
 }
 

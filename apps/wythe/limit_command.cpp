@@ -13,6 +13,7 @@
 #include "wythe/io.h"
 #include "wythe/limit.h"
 #include "wythe/second_opinion.h"
+#include "wythe/text.h"
 
 namespace wythe::app {
 namespace {
@@ -153,7 +154,7 @@ int limit(const LimitArguments& a) {
   write_origin(a.out, origin);
   const int code = print_comparison(opinion.comparison);
   print_opinion(opinion);
-  fmt::print("report {}\n", page);
+  fmt::print("report {}\n", readable(page));
   return stop.asked() ? kFailed : code;
 }
 

@@ -8,6 +8,7 @@
 #include "wythe/error.h"
 #include "wythe/io.h"
 #include "wythe/report.h"
+#include "wythe/text.h"
 
 namespace wythe::app {
 namespace {
@@ -75,7 +76,7 @@ int picture(const PictureArguments& a) {
     fmt::print(stderr, "note: no state is stored at {} mm; stored are{} those drawn{}{}\n",
                fmt::format("{}", fmt::join(left_out, ", ")), stored.empty() ? " only" : ", besides",
                stored.empty() ? "" : ", in mm: ", stored);
-  fmt::print("{} states of sample {} -> {}\n", states.size(), a.sample, a.out);
+  fmt::print("{} states of sample {} -> {}\n", states.size(), a.sample, readable(a.out));
   return 0;
 }
 

@@ -15,6 +15,7 @@
 #include "wythe/new_folder.h"
 #include "wythe/report.h"
 #include "wythe/stored_states.h"
+#include "wythe/text.h"
 
 namespace wythe::app {
 namespace {
@@ -50,7 +51,7 @@ int report(const ReportArguments& a) {
     throw IoError(a.folder + kData + ": " + error.what());
   }
   write_text(a.folder + kPage, page);
-  fmt::print("report {}{}\n", a.folder, kPage);
+  fmt::print("report {}{}\n", readable(a.folder), kPage);
   return 0;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "notes.h"
 #include "progress.h"
 #include "wythe/solve.h"
 #include "wythe/text.h"
@@ -47,10 +48,12 @@ std::string reason_of(const LimitStateFragility& f) {
 
 }  // namespace
 
-void print_record_notes(const Model& model, std::set<std::string>& said) {
-  for (const Message& note : model.anatomy.notes)
-    if (note.code.starts_with("shake.") && said.insert(text_of(note)).second)
-      fmt::print("note: {}\n", readable(text_of(note)));
+void add_record_notes(const Model& model, std::vector<Message>& notes) {
+  for (const Message& note : model.anatomy.notes) {
+    const auto is_same = [&](const Message& other) { return text_of(other) == text_of(note); };
+    if (note.code.starts_with("shake.") && std::none_of(notes.begin(), notes.end(), is_same))
+      notes.push_back(note);
+  }
 }
 
 std::string intensity_text(const ShakingSpec& shaking, double intensity) {
@@ -62,7 +65,7 @@ double print_shakes_asked(const StudySpec& study, const SampleTable& samples,
   const ShakingSpec& shaking = study.shaking;
   std::vector<double> seconds(shaking.record.size(), -1);
   double least = 0, most = 0;
-  std::set<std::string> said;
+  std::vector<Message> notes;
   const ShakeCount count = count_shakes(study);
   for (int s = 0; s < samples.n_sample(); ++s) {
     double& one = seconds[static_cast<std::size_t>(case_of(study, s).record)];
@@ -71,10 +74,11 @@ double print_shakes_asked(const StudySpec& study, const SampleTable& samples,
     try {
       const Model model = compile(build(settings_of(samples, s)));
       one = estimate(model).seconds;
-      print_record_notes(model, said);
+      add_record_notes(model, notes);
     } catch (const InputError&) {  // its values are refused: another sample tells
     }
   }
+  print_notes(notes, true);
   for (int s = 0; s < samples.n_sample(); ++s)
     least += seconds[static_cast<std::size_t>(case_of(study, s).record)];
   const double each = least / std::max(1, samples.n_sample());

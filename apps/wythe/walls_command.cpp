@@ -143,7 +143,7 @@ int run_walls(const RunArguments& a) {
   print_rate_warning(statistics);
   print_walls(statistics.walls);
   print_silent(statistics);
-  fmt::print("report {}/report.html\n", a.out);
+  fmt::print("report {}/report.html\n", readable(a.out));
   return outcome.interrupted || statistics.answered == 0 ? kFailed : 0;
 }
 

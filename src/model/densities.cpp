@@ -45,6 +45,62 @@ void note_scale(Model& model) {
         {code, {{"length_m", a.length}, {"height_m", a.height}, {"height_mm", 1e3 * a.height}}});
 }
 
+// A value in the range that its key admits, and a thousand times off what masonry has: a slip of the unit, most likely.
+void note_odd_values(const ModelSpec& spec, Model& model) {
+  const auto look = [&](const std::string& path, double value, double least, double most,
+                        const char* unit, double factor) {
+    if (!std::isfinite(value) || value == 0 || (value >= least && value <= most)) return;
+    model.anatomy.notes.push_back({"value.odd",
+                                   {{"key", path},
+                                    {"value", value / factor},
+                                    {"unit", unit},
+                                    {"least", least / factor},
+                                    {"most", most / factor}}});
+  };
+  look("wall.thickness", spec.wall.thickness, 0.01, 10, "m", 1);
+  look("solve.gravity", spec.solve.gravity, 1, 30, "m/s^2", 1);
+  constexpr double kDegree = 3.14159265358979323846 / 180;
+  for (const auto& [name, m] : spec.material) {
+    const std::string path = "material." + name + ".";
+    look(path + "normal_stiffness", m.normal_stiffness, 1e7, 1e14, "GPa/m", 1e9);
+    look(path + "shear_stiffness", m.shear_stiffness, 1e6, 1e14, "GPa/m", 1e9);
+    look(path + "tensile_strength", m.tensile_strength, 100, 50e6, "MPa", 1e6);
+    look(path + "cohesion", m.cohesion, 100, 100e6, "MPa", 1e6);
+    look(path + "compressive_strength", m.compressive_strength, 1e4, 1e9, "MPa", 1e6);
+    look(path + "friction_angle", m.friction_angle, 3 * kDegree, 80 * kDegree, "deg", kDegree);
+    look(path + "mode_1_energy", m.mode_1_energy, 0.01, 3000, "N/m", 1);
+    look(path + "mode_2_energy", m.mode_2_energy, 0.01, 30000, "N/m", 1);
+  }
+  for (const StageSpec& stage : spec.stage)
+    look("stage." + stage.name + ".velocity", stage.velocity, 1e-9, 1, "m/s", 1);
+}
+
+// In a shake local damping brakes every motion, a fall too.
+void note_shake_damping(const ModelSpec& spec, Model& model) {
+  for (const StageSpec& stage : spec.stage)
+    if (stage.kind == StageKind::kShake && stage.damping > 0)
+      model.anatomy.notes.push_back(
+          {"shake.local_damping", {{"stage", stage.name}, {"damping", stage.damping}}});
+}
+
+// States that no push comes to.
+void note_states_beyond(const ModelSpec& spec, Model& model) {
+  double least = 0, most = 0;
+  for (const StageSpec& stage : spec.stage) {
+    if (stage.kind != StageKind::kPush) continue;
+    for (const double end : stage.targets) least = std::min(least, end), most = std::max(most, end);
+    if (std::isfinite(stage.until)) most = std::max(most, stage.until);
+    for (const double a : stage.amplitudes) least = std::min(least, -a), most = std::max(most, a);
+    if (!stage.drifts.empty()) return;  // of a height that is found later
+  }
+  if (!(most > 0)) return;
+  for (const double at : spec.output.states)
+    if (at > most * (1 + 1e-9) || at < least * (1 + 1e-9))
+      model.anatomy.notes.push_back(
+          {"output.state_beyond",
+           {{"at_mm", 1e3 * at}, {"least_mm", 1e3 * least}, {"most_mm", 1e3 * most}}});
+}
+
 // Metres where millimetres were meant: no wall is pushed farther than its own size.
 void note_far_pushes(Model& model) {
   const double size = std::max(model.anatomy.length, model.anatomy.height);
@@ -76,6 +132,9 @@ void note_densities(const ModelSpec& spec, Model& model) {
     look("material." + name + ".density", material.density, kMostOfMetals);
   note_scale(model);
   note_far_pushes(model);
+  note_odd_values(spec, model);
+  note_shake_damping(spec, model);
+  note_states_beyond(spec, model);
   if (const std::vector<std::string> names = unmatched(spec); !names.empty())
     model.anatomy.notes.push_back(
         {"density.of_unit",

@@ -218,6 +218,10 @@ void refuse_doubtful_words(std::string_view unit, std::string_view si_unit) {
 
 double checked_factor(const std::string& unit, std::string_view si_unit) {
   refuse_doubtful_words(unit, si_unit);
+  if (si_unit == "rad" && unit.find('%') != std::string::npos)
+    throw QuantityError(
+        "a share in % is a slope, no angle (of friction, the tangent goes to friction_tan)",
+        "write it in deg");
   const Factor factor = unit_table().factor(unit, std::string(si_unit));
   const std::string cure = fmt::format("write it in {} or a multiple of it", si_unit);
   if (factor.verdict == Verdict::kUnknown)

@@ -164,15 +164,22 @@ void note_unknown_kind(const char* code, const std::string& kind, const std::str
 }
 
 // Sizes or a material of a lintel or sill that its table does not ask for by a kind.
-void refuse_without_kind(const Beam& beam, const std::string& material, int index,
-                         FaultList& faults) {
-  if (std::isnan(beam.depth) && std::isnan(beam.bearing) && material.empty()) return;
+void refuse_without_kind(const Beam& beam, bool says_more, int index, FaultList& faults) {
+  if (std::isnan(beam.depth) && std::isnan(beam.bearing) && !says_more) return;
   add_fault(faults, beam.path(index, "kind"), "",
             fmt::format("is missing: without it the opening has no {0}, and this table says how "
                         "the {0} is",
                         beam.what),
             fmt::format("write e.g. kind = \"timber\", or leave the {} out", beam.what));
 }
+
+bool says_more(const LintelSpec& l) {
+  const LintelSpec unset;
+  return !l.material.empty() || l.bond != unset.bond || !l.bearing_bond.empty() ||
+         !l.top_bond.empty() || l.model != unset.model || l.zones != unset.zones ||
+         !std::isnan(l.zone_length) || l.zone_kind != unset.zone_kind || l.plane != unset.plane;
+}
+bool says_more(const SillSpec& s) { return !s.material.empty() || s.joint != SillSpec{}.joint; }
 
 bool bears_as_stated(double laid, const Axis& columns, const PlacedOpening& opening,
                      const Beam& beam, FaultList& faults) {
@@ -192,7 +199,7 @@ int whole_steps(double size, double step) { return std::max(1, whole(std::round(
 bool check_lintel(const Shape& shape, int index, FaultList& faults) {
   const LintelSpec& lintel = shape.wall.opening[static_cast<std::size_t>(index)].lintel;
   if (lintel.kind.empty()) {
-    refuse_without_kind(beam_of(lintel), lintel.material, index, faults);
+    refuse_without_kind(beam_of(lintel), says_more(lintel), index, faults);
     return false;
   }
   return check_beam(shape, index, beam_of(lintel), lintel.material, faults);
@@ -201,7 +208,7 @@ bool check_lintel(const Shape& shape, int index, FaultList& faults) {
 bool check_sill(const Shape& shape, int index, FaultList& faults) {
   const SillSpec& sill = shape.wall.opening[static_cast<std::size_t>(index)].sill;
   if (sill.kind.empty()) {
-    refuse_without_kind(beam_of(sill), sill.material, index, faults);
+    refuse_without_kind(beam_of(sill), says_more(sill), index, faults);
     return false;
   }
   return check_beam(shape, index, beam_of(sill), sill.material, faults);

@@ -148,6 +148,7 @@ class Resolver {
     if (masonry_.toml) fill_masonry();
     for (Table& law : laws) confirm(law);
     if (masonry_.toml) confirm(masonry_);
+    refuse_idle_level();
     refuse_outside();
     refuse_idle_overrides();
   }
@@ -436,6 +437,8 @@ class Resolver {
     const Rule* rule = materials::rule_for(table.role, key);
     const bool definition = rule && rule->cov == 0 && rule->inputs.size() == 1;
     if (rule && rule->on_request) return {};
+    if (key == "compressive_energy" && std::isinf(value_of(table, "compressive_strength").value))
+      return {};  // what never crushes needs none
     if (key == "head_joint_bond" && !has_heads_of_beds(root_, name_of(table))) return {};
     if (rule && key == kEnergyPerPressure && !takes_energy_per_pressure(table, *rule)) return {};
     if (rule && (table.missing || (table.use && definition && can_follow(table, *rule))))
@@ -623,6 +626,19 @@ class Resolver {
       return false;
     }
     return true;
+  }
+
+  // A knowledge level divides what comes from its table. Where every value is stated, none is divided.
+  void refuse_idle_level() {
+    if (!masonry_.toml || !office_.is_asked() || !context_.faults.empty()) return;
+    const auto is_from_it = [](const auto& derived) {
+      return derived.first.starts_with("material.");
+    };
+    if (std::any_of(context_.derived.begin(), context_.derived.end(), is_from_it)) return;
+    fault(masonry_, "knowledge_level",
+          "has no effect: no material takes a value from the table, so none is divided",
+          "ask for rules in [material.NAME], missing = \"rule\"; or leave it out and state "
+          "confidence_factor where the values are divided already");
   }
 
   // Rules that one value takes out of their ranges: one message for all of them.

@@ -42,6 +42,17 @@ void inherit_split(const TableReader& reader, const char* name, const ModelSpec&
   }
 }
 
+// --set and a study find a member by its name, and take the first: two of one name are a trap.
+template <class Spec>
+void refuse_same_names(TableReader& reader, const char* list, const std::vector<Spec>& members) {
+  std::set<std::string> names;
+  const std::string path = std::string_view(list) == "opening" ? under("wall", list) : list;
+  for (std::size_t i = 0; i < members.size(); ++i)
+    if (!members[i].name.empty() && !names.insert(members[i].name).second)
+      reader.refuse_member(path, i, "name", fmt::format("two {}s have this name", list),
+                           fmt::format("give each {} a name of its own", list));
+}
+
 }  // namespace
 
 void finish(TableReader& reader, ModelSpec& model) {
@@ -56,6 +67,9 @@ void finish(TableReader& reader, ModelSpec& model) {
       reader.refuse_member("stage", i, "name", "two stages have this name",
                            "give each stage a name of its own");
   }
+  refuse_same_names(reader, "opening", model.wall.opening);
+  refuse_same_names(reader, "region", model.region);
+  refuse_same_names(reader, "floor", model.floor);
   names.clear();
   for (std::size_t i = 0; i < model.history.size(); ++i) {
     const std::string& name = model.history[i].name;

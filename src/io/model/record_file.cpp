@@ -276,6 +276,28 @@ void check_sources(ReadContext& context, const RecordSpec& r, const std::string&
   if (ways != 1)
     context.fault(path, 0, "", ways == 0 ? "says nothing of the motion" : "says it in several ways",
                   "write one of: file, accelerations, pulse");
+  // what belongs to another of the three ways is never left aside in silence
+  const bool has_file = !r.file.empty();
+  const struct {
+    const char* key;
+    bool stated, fits;
+    const char* of;
+  } keys[] = {
+      {"column", !r.column.empty(), has_file, "a file"},
+      {"step", !std::isnan(r.step), has_file || has_list, "a file, or of accelerations"},
+      {"times", !r.times.empty(), has_list, "accelerations that stand in the model"},
+      {"unit", r.unit != RecordUnit::kNone, has_file || has_list, "a file, or of accelerations"},
+      {"amplitude", !std::isnan(r.amplitude), has_pulse, "a pulse"},
+      {"period", !std::isnan(r.period), has_pulse, "a pulse"}};
+  for (const auto& key : keys)
+    if (ways == 1 && key.stated && !key.fits)
+      context.fault(under(path, key.key), 0, "", fmt::format("has no effect: it is of {}", key.of),
+                    has_file   ? "leave it out, or the file"
+                    : has_list ? "leave it out, or the accelerations"
+                               : "leave it out, or the pulse");
+  if (ways == 1 && has_list && !r.times.empty() && !std::isnan(r.step))
+    context.fault(under(path, "step"), 0, "", "stands beside times, which say when",
+                  "leave one of the two out");
   if (ways == 1 && has_list && r.unit == RecordUnit::kNone && !context.has_fault_at(path + ".unit"))
     context.fault(path + ".unit", 0, "", "is missing: no acceleration without its unit",
                   "write unit = \"g\", \"m/s2\" or \"cm/s2\"");

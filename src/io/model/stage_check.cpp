@@ -246,12 +246,22 @@ void check_protocol(TableReader& reader, const StageSpec& stage) {
 
 void check_push(TableReader& reader, const StageSpec& stage) {
   const double slow = std::isnan(stage.velocity) ? kWaitingVelocity : stage.velocity;
+  if (stage.fast_below != StageSpec{}.fast_below && reader.has("velocity") &&
+      !reader.has("fast_velocity"))
+    reader.refuse("fast_below", "has no effect: a stated velocity holds throughout",
+                  "give fast_velocity too, or leave velocity out");
   if (stage.fast_velocity < slow)
     reader.refuse("fast_velocity", "is slower than velocity, 0.1 mm/s where none is given",
                   "write a faster one, or leave it out for one velocity throughout");
   const auto has = [&](const char* key) { return reader.has(key); };
   if (!has("until") && !has("targets") && !has("amplitudes") && !has("drifts"))
     reader.miss("until", "is missing, a push needs until or targets");
+  for (const char* key : {"targets", "amplitudes", "drifts"})
+    if (has("until") && has(key)) {
+      reader.refuse("until", fmt::format("has no effect: {} say how far the push goes", key),
+                    fmt::format("leave one of the two out; until is for a push one way"));
+      break;
+    }
   check_protocol(reader, stage);
   if (reader.has("targets") && stage.targets.empty() &&
       !reader.context().has_fault_at(reader.below("targets")))
@@ -271,6 +281,9 @@ void check_push(TableReader& reader, const StageSpec& stage) {
 }
 
 void check_manner(TableReader& reader, const StageSpec& stage) {
+  if (stage.plate_joint != StageSpec{}.plate_joint && stage.as != Manner::kPlate)
+    reader.refuse("plate_joint", "has no effect: no plate is asked for",
+                  "write as = \"plate\", or leave it out");
   if (!reader.has("as") || stage.as == Manner::kDefault) return;
   const bool of_load = stage.as == Manner::kPressure || stage.as == Manner::kPlate;
   if (stage.kind == StageKind::kLoad && !of_load)

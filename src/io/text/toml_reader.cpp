@@ -392,7 +392,7 @@ void TableReader::miss(std::string_view name, const std::string& problem, const 
 
 void TableReader::refuse_member(std::string_view list, std::size_t index, std::string_view name,
                                 const std::string& problem, const std::string& cure) {
-  const auto item = table_[list][index][name];
+  const auto item = table_.at_path(list)[index][name];
   const std::string path = fmt::format("{}.{}.{}", below(std::string(list)), index, name);
   context_.fault(path, item ? line_of(*item.node()) : 0, item ? shown(*item.node()) : "", problem,
                  cure);

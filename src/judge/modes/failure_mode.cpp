@@ -388,11 +388,11 @@ void doubt_calm(const WallParts& parts, const WallMotion& motion, double lost,
   for (const study::JointMotion& j : motion.joints) crushed = std::max(crushed, j.crushing);
   mechanism.candidates = {mechanism.name};
   mechanism.name = "unclear";
-  mechanism.sentence = {"mechanism.fell",
-                        {{"percent", 100 * lost},
+  mechanism.sentence = {crushed > 0 ? "mechanism.fell" : "mechanism.fell_uncrushed",
+                        {{"percent", 100 * std::min(lost, 1.0)},  // below 0 it is all gone
                          {"mm", 1e3 * way(*most)},
-                         {"place", place_of(parts, *most)},
-                         {"crushed_percent", 100 * crushed}}};
+                         {"place", place_of(parts, *most)}}};
+  if (crushed > 0) mechanism.sentence.arguments.emplace_back("crushed_percent", 100 * crushed);
 }
 
 }  // namespace

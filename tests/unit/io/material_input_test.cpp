@@ -145,6 +145,15 @@ TEST(MaterialInput, a_rule_outside_its_range_is_refused_where_it_stands) {
   EXPECT_TRUE(says(kind, "was not tested for units of tuff")) << kind;
 }
 
+TEST(MaterialInput, what_never_crushes_needs_no_energy) {
+  const ModelSpec spec = parse_model(
+      with(kRules, "[material.joint]\nmissing = \"rule\"\n",
+           "[material.joint]\nmissing = \"rule\"\ncompressive_strength = \"unlimited\"\n"),
+      "model.toml");
+  EXPECT_TRUE(std::isinf(spec.material.at("joint").compressive_strength));
+  EXPECT_TRUE(std::isnan(spec.material.at("joint").compressive_energy));
+}
+
 TEST(MaterialInput, an_unknown_rule_is_answered_with_those_there_are) {
   const std::string said = faults(with(kRules, "rule: unit_ft_from_fb", "rule: from_fb"));
   EXPECT_TRUE(says(said, "no such rule for it; write \"rule\", or one of: rule: unit_ft_from_fb"))
