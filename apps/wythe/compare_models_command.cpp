@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -67,6 +68,18 @@ void check_files(const std::vector<std::string>& files) {
   if (!faults.empty()) throw InputError(std::move(faults));
 }
 
+// A resumed comparison keeps the walls that are stored, unless more are asked for.
+void keep_stored_walls(const CompareArguments& a, int asked, const std::string& base,
+                       std::vector<StudySpec>& studies) {
+  if (!a.resume || !holds_campaign(base)) return;
+  const std::vector<int> stored = stored_batches(base);
+  if (!a.walls.empty() && asked > std::accumulate(stored.begin(), stored.end(), 0)) return;
+  for (StudySpec& study : studies) {
+    study.batch = stored;
+    for (VariantSpec& way : study.option) way.study.batch = stored;
+  }
+}
+
 void print_models(const PairedComparison& comparison, const std::string& out) {
   for (const Intervention& one : comparison.intervention) {
     fmt::print("{}{}\n", one.cautions.empty() ? "" : "WARNING ", readable(text_of(one.sentence)));
@@ -79,6 +92,10 @@ void print_models(const PairedComparison& comparison, const std::string& out) {
 
 int compare_models(const CompareArguments& a) {
   check_files(a.folders);
+  for (const std::string& text : a.overrides)
+    if (text.starts_with("study.") || text.starts_with("variant."))
+      refuse("--set", text, "is of a study, and models have none",
+             "leave it out; --walls and --seed say which walls are drawn");
   AskedModels asked{.files = a.folders, .overrides = a.overrides};
   if (!a.walls.empty())
     asked.walls = whole_number("--walls", a.walls, 2, kMostWalls, "write e.g. --walls 8");
@@ -92,7 +109,8 @@ int compare_models(const CompareArguments& a) {
     options.jobs = whole_number("--jobs", a.jobs, 1, 4096, "leave it out for one wall a core");
   options.resume = a.resume;
   options.provenance = provenance_text();
-  const std::vector<StudySpec> studies = studies_of_models(asked);
+  std::vector<StudySpec> studies = studies_of_models(asked);
+  keep_stored_walls(a, asked.walls, a.out + "/before/" + kBaseFolder, studies);
   hold_for_test("model read");
   std::vector<CampaignArguments> runs(studies.size());
   for (std::size_t k = 0; k < studies.size(); ++k) {

@@ -297,7 +297,7 @@ void add_new(CLI::App& app, NewArguments& a, int& code) {
   CLI::App* command =
       app.add_subcommand("new", "write a commented file to start from, which runs as it is");
   command->footer("example: wythe new facade my_house");
-  command->add_option("kind", a.kind, "pier, portal, facade, arch or study")->required();
+  command->add_option("kind", a.kind, "pier, portal, facade, arch, opening or study")->required();
   command->add_option("folder", a.folder, "folder for the file, made if absent")->required();
   command->callback([&] { code = new_starter(a); });
 }

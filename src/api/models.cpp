@@ -15,10 +15,11 @@ namespace fs = std::filesystem;
 // Whether the same place of both walls drew the same number: an opening renumbers the units after it.
 bool draw_alike(const ModelSpec& base, const ModelSpec& other) {
   return std::all_of(base.field.begin(), base.field.end(), [&](const auto& named) {
+    const FieldSpec& was = named.second;
     const auto found = other.field.find(named.first);
-    return !named.second.formula.empty() ||
-           (found != other.field.end() && found->second.drawn_for == named.second.drawn_for &&
-            found->second.drawn.size() == named.second.drawn.size());
+    if (!was.formula.empty()) return true;
+    if (found == other.field.end()) return false;
+    return was.drawn_for == found->second.drawn_for || (was.in_place && found->second.in_place);
   });
 }
 

@@ -71,10 +71,10 @@ std::vector<Card> cards_of(const Json& intervention, const Texts& texts) {
         {known ? bound + change_of(way->at("ratio"), texts) : texts.say("card.not_known"),
          plain(change.at("what"), texts) + ", " + escaped(change.at("decides").get<std::string>()) +
              ": <b>" + plain(change.at("answer_in_words"), texts) + "</b>",
-         known && has_interval
-             ? texts.say("card.interval", {{"low", change_of(interval[0], texts)},
-                                           {"high", change_of(interval[1], texts)}})
-             : texts.say("card.no_interval")});
+         !known || !bound.empty() ? ""
+         : has_interval ? texts.say("card.interval", {{"low", change_of(interval[0], texts)},
+                                                      {"high", change_of(interval[1], texts)}})
+                        : texts.say("card.no_interval")});
   }
   return cards;
 }
@@ -86,6 +86,8 @@ void drop_folders(Json& comparison) {
     if (!path.has_filename()) path = path.parent_path();  // "out/base/"
     of["folder"] = path.filename().string();
   };
+  if (comparison.contains("intervention"))
+    return;  // they lie inside the folder, and go by their ways
   shorten(comparison["base"]);
   for (Json& option : comparison["option"]) shorten(option);
 }

@@ -2,7 +2,6 @@
 """Models before and after by one command: run both ways, compared, said in a sentence, resumed, refused, and not fooled."""
 import json
 import pathlib
-import re
 import shutil
 import signal
 import tempfile
@@ -129,11 +128,12 @@ class Models(unittest.TestCase):
         self.assertEqual(self.found["intervention"][0]["sentence"] in self.done.stdout, True)
 
     def test_it_is_campaigns_underneath(self):
+        shutil.copytree(self.whole, self.out() / "copy")
         for model in ("before", "after"):
-            done = wythe("status", self.whole / model)
+            done = wythe("status", self.out() / "copy" / model)
             self.assertEqual(done.returncode, 0, done.stderr)
-            self.assertEqual(wythe("report", self.whole / model, "--lang", "it").returncode, 0)
-        done = wythe("replay", self.whole / "after/base", "--sample", 3, "--out", self.out(), "--quiet")
+            self.assertEqual(wythe("report", self.out() / "copy" / model, "--lang", "it").returncode, 0)
+        done = wythe("replay", self.whole / "after/base", "--sample", 3, "--out", self.out() / "replayed", "--quiet")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("bit for bit", done.stdout)
 
@@ -147,20 +147,29 @@ class Models(unittest.TestCase):
         for way, option in zip(ways, options):
             self.assertAlmostEqual(way["ratio"], option["response"]["peak_reaction_kN"]["ratio"], places=8)
 
+    def test_units_that_stay_draw_the_same_and_where_they_cannot_it_is_said(self):
+        self.assertNotIn("drew other numbers", self.done.stdout)
+        field = '[field.ft]\npath = "material.joint.tensile_strength"\ncov = 0.3\nalong = "0.5 m"\nacross = "0.3 m"\n'
+        before, after = self.file("field.toml", WALL + field), self.file("field_after.toml", WALL + field + OPENING)
+        done = self.compare(before, after, self.out(), "--walls", 2, "--set", "stage.push.until=1 mm")
+        self.assertIn("drew other numbers", done.stdout, done.stderr)
+
     def test_the_page_says_it_in_both_languages(self):
         page = (self.whole / "comparison.html").read_text()
-        self.assertIn("does not keep within the limits", page)
-        done = self.compare(self.before, self.after, self.whole, "--resume", "--lang", "it")
-        self.assertIn("non resta entro i limiti", (self.whole / "comparison.html").read_text(), done.stderr)
+        self.assertTrue("does not keep within the limits" in page)
+        shutil.copytree(self.whole, self.out())
+        done = self.compare(self.before, self.after, self.out(), "--resume", "--lang", "it")
+        self.assertTrue("non resta entro i limiti" in (self.out() / "comparison.html").read_text(), done.stderr)
 
     def test_limits_are_inputs(self):
-        done = self.compare(self.before, self.after, self.whole, "--resume", "--stiffness", "0.9", "--strength", "0.9",
+        shutil.copytree(self.whole, self.out())
+        done = self.compare(self.before, self.after, self.out(), "--resume", "--stiffness", "0.9", "--strength", "0.9",
                             "--displacement", "0.99")
-        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertIn("may change by 90 %: yes", done.stdout, done.stderr)
         self.assertIn("may fall by 90 %: yes", done.stdout)
         self.assertNotIn("not verified", done.stdout)
         for wrong in ("-0.1", "1", "ten", "nan"):
-            self.assertEqual(self.compare(self.before, self.after, self.whole, "--resume", "--strength", wrong).returncode, 2)
+            self.assertEqual(self.compare(self.before, self.after, self.out(), "--resume", "--strength", wrong).returncode, 2)
 
     def test_a_second_call_needs_resume_and_a_stopped_one_goes_on_to_the_same(self):
         done = self.compare(self.before, self.after, self.whole)
@@ -173,6 +182,12 @@ class Models(unittest.TestCase):
         self.compare(self.before, self.after, self.out(), "--resume")
         same = [o["response"] for o in self.json_of(self.out())["option"]]
         self.assertEqual(same, [o["response"] for o in self.found["option"]])
+
+    def test_more_walls_are_added_and_stay(self):
+        shutil.copytree(self.whole, self.out())
+        for more in (("--walls", 7), ()):
+            done = wythe("compare", self.before, self.after, "--out", self.out(), "--jobs", 1, "--quiet", "--resume", *more)
+            self.assertEqual([o["pairs"] for o in self.json_of(self.out())["option"]], [7, 7], done.stderr)
 
     # --- tries to fool it
 
@@ -195,15 +210,17 @@ class Models(unittest.TestCase):
         self.refused(WALL + SCATTER + "seed = 7\n", "scatter.seed", "before.toml")
 
     def test_a_push_too_short_gives_no_displacement_capacity(self):
-        short = WALL.replace('until = "15 mm"', 'until = "0.2 mm"') + SCATTER
-        before, after = self.file("short.toml", short), self.file("short_after.toml", short + "# the same\n")
-        done = self.compare(before, after, self.out())
-        self.assertEqual(done.returncode, 3, done.stdout + done.stderr)
-        change = self.changes(self.out())
-        self.assertEqual(change[DISPLACEMENT]["answer"], "not known")
-        self.assertIsNone(change[DISPLACEMENT]["way"][0]["ratio"])
-        self.assertEqual(change[STRENGTH]["answer"], "not known")
-        self.assertIn("push further", done.stdout)
+        for until, why in (("0.2 mm", "have no such number"), ("2 mm", "push further")):
+            short = WALL.replace('until = "15 mm"', f'until = "{until}"') + SCATTER
+            before, after = self.file("short.toml", short), self.file("short_after.toml", short + "# the same\n")
+            out = self.out() / until
+            done = self.compare(before, after, out)
+            self.assertEqual(done.returncode, 3, done.stdout + done.stderr)
+            change = self.changes(out)
+            self.assertEqual(change[DISPLACEMENT]["answer"], "not known")
+            self.assertIsNone(change[DISPLACEMENT]["way"][0]["ratio"])
+            self.assertEqual(change[STRENGTH]["answer"], "not known")
+            self.assertIn(why, done.stdout)
 
     def test_a_wall_that_does_not_stand_has_no_answer_and_its_reason_is_told(self):
         weak = OPENING.replace('x = "0.4 m"', 'x = "0 m"').replace('width = "0.4 m"', 'width = "0.8 m"')
@@ -238,6 +255,9 @@ class Models(unittest.TestCase):
         self.refused(WALL + SCATTER.replace("clay_brick", "stone"), "scatter.use")
         self.refused(WALL, "scatter", "is given in")
         self.refused(WALL.replace('[[stage]]\nname = "floors"\npressure = "0.1 MPa"\n', "") + SCATTER, "2 stages")
+
+    def test_settings_of_a_study_are_refused(self):
+        self.assertEqual(self.compare(self.before, self.after, self.out(), "--set", "study.seed=3").returncode, 2)
 
     def test_faults_of_all_models_are_told_at_once(self):
         wrong = self.file("wrong.toml", WALL.replace("1.2 m", "-1 m"))

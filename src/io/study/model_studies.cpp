@@ -16,6 +16,7 @@
 #include "io/keys/same_spec.h"
 #include "io/study/study_file.h"
 #include "io/text/toml_reader.h"
+#include "io/text/toml_writer.h"
 #include "judge/assessment/assessment_parts.h"
 #include "wythe/comparison.h"
 #include "wythe/error.h"
@@ -34,6 +35,15 @@ struct ReadModel {
 bool scatters(const ModelSpec& spec) {
   return std::any_of(spec.field.begin(), spec.field.end(),
                      [](const auto& field) { return field.second.formula.empty(); });
+}
+
+// Units and joints draw by where they stand, so that an opening leaves all others as they were.
+std::string in_place(const ModelSpec& spec) {
+  std::string settings;
+  for (const auto& [name, field] : spec.field)
+    if (field.formula.empty() && field.by != FieldBy::kPlace)
+      settings += fmt::format("{}, ", io::quoted(fmt::format("field.{}.in_place=true", name)));
+  return settings.empty() ? "" : "set = [" + settings + "]\n";
 }
 
 // --- what must be alike ----------------------------------------------------------------------------------
@@ -173,7 +183,7 @@ std::vector<StudySpec> studies_of_models(const AskedModels& asked) {
                            .walls = scatters(model.spec) ? asked.walls : 1,
                            .seed = asked.seed};
     const std::filesystem::path file = std::filesystem::absolute(model.file);
-    studies.push_back(io::parse_study_text(io::text_of_ways(walls, model.way),
+    studies.push_back(io::parse_study_text(io::text_of_ways(walls, model.way, in_place(model.spec)),
                                            (file.parent_path() / "walls of the model").string(),
                                            asked.overrides, io::StudyText::kMade));
   }
