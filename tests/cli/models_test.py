@@ -35,7 +35,7 @@ pressure = "0.1 MPa"
 name = "push"
 at = { x = "0 m", y = "0.95 m" }
 velocity = "3 mm/s"
-until = "15 mm"
+until = "12 mm"
 """
 SCATTER = """
 [scatter]
@@ -66,6 +66,18 @@ residual_cohesion = "0 MPa"
 friction_angle = "22 deg"
 residual_friction_angle = "22 deg"
 compressive_strength = "unlimited"
+"""
+ASSESSMENT = """
+[assessment]
+code = "circolare_2019"
+confidence_factor = 1.2
+added_mass = "3000 kg"
+[assessment.spectrum]
+kind = "ntc2018"
+ground_acceleration = "1.5 m/s^2"
+amplification = 2.5
+corner_period = "0.30 s"
+ground = "A"
 """
 STIFFNESS, STRENGTH, DISPLACEMENT = range(3)
 
@@ -142,10 +154,10 @@ class Models(unittest.TestCase):
         self.assertEqual([o["name"] for o in options], ["after.toml, +x", "after.toml, -x"])
         self.assertEqual([o["base_folder"].split("/")[0] for o in options], ["before", "before"])
         self.assertEqual([o["pairs"] for o in options], [5, 5])
-        ways = self.found["intervention"][0]["change"][STRENGTH]["way"]
+        ways = self.found["intervention"][0]["change"][STIFFNESS]["way"]
         self.assertEqual([w["direction"] for w in ways], ["+x", "-x"])
         for way, option in zip(ways, options):
-            self.assertAlmostEqual(way["ratio"], option["response"]["peak_reaction_kN"]["ratio"], places=8)
+            self.assertAlmostEqual(way["ratio"], option["response"]["initial_stiffness_kN_per_mm"]["ratio"], places=8)
 
     def test_units_that_stay_draw_the_same_and_where_they_cannot_it_is_said(self):
         self.assertNotIn("drew other numbers", self.done.stdout)
@@ -183,6 +195,22 @@ class Models(unittest.TestCase):
         same = [o["response"] for o in self.json_of(self.out())["option"]]
         self.assertEqual(same, [o["response"] for o in self.found["option"]])
 
+    def test_an_assessment_tells_the_pga_before_and_after(self):
+        before, after = self.file("pga.toml", WALL + ASSESSMENT), self.file("pga_after.toml", WALL + OPENING + ASSESSMENT)
+        self.refused(WALL + OPENING + ASSESSMENT.replace("1.5 m/s", "1.4 m/s"), "ground_acceleration", before=before)
+        done = self.compare(before, after, self.out(), "--set", "stage.push.until=6 mm")
+        self.assertRegex(done.stdout, r"PGA (at least )?0\.\d+ g.* before, (at least )?0\.\d+ g.* after")
+        told = self.json_of(self.out())["intervention"][0]["pga_capacity_g"]
+        self.assertGreater(told["before"]["median"], told["after"]["median"])
+
+    def test_several_models_have_a_sentence_each(self):
+        files = [self.file(f"model_{k}.toml", WALL + more) for k, more in enumerate(("", OPENING, OPENING + FRAME))]
+        done = wythe("compare", *files, "--out", self.out(), "--jobs", 1, "--quiet", "--set", "stage.push.until=3 mm")
+        for name in ("model_1.toml", "model_2.toml"):
+            self.assertIn(f"{name} against model_0.toml", done.stdout, done.stderr)
+        self.assertEqual(sorted(p.name for p in self.out().iterdir() if p.is_dir()), ["after_1", "after_2", "before"])
+        self.assertEqual(len(self.json_of(self.out())["option"]), 4)
+
     def test_more_walls_are_added_and_stay(self):
         shutil.copytree(self.whole, self.out())
         for more in (("--walls", 7), ()):
@@ -211,7 +239,7 @@ class Models(unittest.TestCase):
 
     def test_a_push_too_short_gives_no_displacement_capacity(self):
         for until, why in (("0.2 mm", "have no such number"), ("2 mm", "push further")):
-            short = WALL.replace('until = "15 mm"', f'until = "{until}"') + SCATTER
+            short = WALL.replace('until = "12 mm"', f'until = "{until}"') + SCATTER
             before, after = self.file("short.toml", short), self.file("short_after.toml", short + "# the same\n")
             out = self.out() / until
             done = self.compare(before, after, out)
