@@ -80,6 +80,17 @@ void keep_stored_walls(const CompareArguments& a, int asked, const std::string& 
   }
 }
 
+// What is there of something else is not touched.
+void check_out(const CompareArguments& a) {
+  if (holds_campaign(a.out) || holds_options(a.out))
+    refuse("--out", a.out, "holds campaigns", "name another folder");
+  std::error_code error;
+  if (!a.replaces && fs::exists(a.out + "/comparison.json", error) &&
+      !holds_options(a.out + "/before"))
+    refuse("--out", a.out, "holds a comparison of other campaigns",
+           "name another folder, or add --replace");
+}
+
 void print_models(const PairedComparison& comparison, const std::string& out) {
   for (const Intervention& one : comparison.intervention) {
     fmt::print("{}{}\n", one.cautions.empty() ? "" : "WARNING ", readable(text_of(one.sentence)));
@@ -101,6 +112,7 @@ int compare_models(const CompareArguments& a) {
     asked.walls = whole_number("--walls", a.walls, 2, kMostWalls, "write e.g. --walls 8");
   if (!a.seed.empty())
     asked.seed = whole_number("--seed", a.seed, 0, 2'147'483'647, "write e.g. --seed 1");
+  check_out(a);
   const ChangeLimits limits{.stiffness = share_of("--stiffness", a.stiffness),
                             .strength = share_of("--strength", a.strength),
                             .displacement = share_of("--displacement", a.displacement)};

@@ -284,6 +284,15 @@ class Models(unittest.TestCase):
         self.refused(WALL, "scatter", "is given in")
         self.refused(WALL.replace('[[stage]]\nname = "floors"\npressure = "0.1 MPa"\n', "") + SCATTER, "2 stages")
 
+    def test_results_of_something_else_are_not_touched(self):
+        self.out().mkdir()
+        (self.out() / "comparison.json").write_text("{}")
+        for out in (self.out(), self.whole / "before", self.whole / "before/base"):
+            done = self.compare(self.before, self.after, out)
+            self.assertEqual(done.returncode, 2, done.stdout)
+            self.assertIn("--out", done.stderr)
+        self.assertEqual((self.out() / "comparison.json").read_text(), "{}")
+
     def test_settings_of_a_study_are_refused(self):
         self.assertEqual(self.compare(self.before, self.after, self.out(), "--set", "study.seed=3").returncode, 2)
 
