@@ -85,11 +85,18 @@ std::string resume_command(const CampaignArguments& arguments);
 
 // compare_commands.cpp: a study with [[variant]], its folders and how they compare.
 struct CompareArguments {
-  std::vector<std::string> folders;
+  std::vector<std::string> folders;  // of campaigns, or files of models
   std::string out, language = "en";
   bool replaces = false;  // a comparison of other campaigns
+  // of models alone, as typed; "": not given
+  std::string walls = {}, seed = {}, jobs = {}, stiffness = {}, strength = {}, displacement = {};
+  std::vector<std::string> overrides = {};
+  bool resume = false, quiet = false;
+  std::vector<std::string> command = {};  // as typed, to say how to go on
 };
 int compare(const CompareArguments& arguments);
+// compare_models_command.cpp: models before and after, run as campaigns and compared.
+int compare_models(const CompareArguments& arguments);
 int campaign_of_options(const CampaignArguments& arguments, const StudySpec& study,
                         const CampaignOptions& options);
 // The base of a study with [[variant]] and its options, each in its folder: what campaign_of_options() and

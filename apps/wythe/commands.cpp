@@ -1,6 +1,6 @@
 #include "commands.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -375,10 +375,14 @@ int materials(const std::string& name) {
 int new_starter(const NewArguments& arguments) {
   const std::vector<std::string> files = write_starter(arguments.kind, arguments.folder);
   for (const std::string& file : files) fmt::print("wrote {}\n", file);
-  const bool is_study = arguments.kind == "study";
+  const char* command = arguments.kind == "study"     ? "campaign"
+                        : arguments.kind == "opening" ? "compare"
+                                                      : "run";
+  const std::string models =
+      arguments.kind == "opening" ? fmt::format("{}", fmt::join(files, " ")) : files.front();
   const std::string out = (std::filesystem::path(arguments.folder) / "result").string();
-  fmt::print("next: wythe check {}\n      wythe {} {} --out {}\n", files.front(),
-             is_study ? "campaign" : "run", files.front(), out);
+  fmt::print("next: wythe check {}\n      wythe {} {} --out {}\n", files.front(), command, models,
+             out);
   return 0;
 }
 

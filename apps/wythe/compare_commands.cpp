@@ -266,6 +266,20 @@ int campaign_of_options(const CampaignArguments& a, const StudySpec& study,
 
 int compare(const CompareArguments& a) {
   check_language(a.language);
+  if (std::any_of(a.folders.begin(), a.folders.end(),
+                  [](const std::string& path) { return fs::is_regular_file(path); }))
+    return compare_models(a);
+  for (const auto& [option, value] : {std::pair("--walls", a.walls),
+                                      {"--seed", a.seed},
+                                      {"--jobs", a.jobs},
+                                      {"--stiffness", a.stiffness},
+                                      {"--strength", a.strength},
+                                      {"--displacement", a.displacement},
+                                      {"--set", a.overrides.empty() ? "" : a.overrides.front()}})
+    if (!value.empty())
+      refuse(option, value, "is for models, and these are folders of campaigns", "leave it out");
+  if (a.resume)
+    refuse("--resume", "", "is for models, and these are folders of campaigns", "leave it out");
   std::vector<std::string> folders;
   for (const std::string& folder : a.folders) {
     if (!holds_options(folder)) {

@@ -211,12 +211,27 @@ void add_merge(CLI::App& app, MergeArguments& a, int& code) {
 
 void add_compare(CLI::App& app, CompareArguments& a, int& code) {
   CLI::App* command = app.add_subcommand(
-      "compare", "compare campaigns of the same samples pair by pair, the base first");
-  command->footer("example: wythe compare out/as_built out/with_tie --out out/comparison");
-  command->add_option("folders", a.folders, "folders of the campaigns: the base, then the options")
+      "compare", "run models before and after an intervention, or compare campaigns, pair by pair");
+  command->footer("example: wythe compare before.toml after.toml --out out/shop");
+  command
+      ->add_option("folders", a.folders,
+                   "models (before.toml after.toml), or folders of campaigns; the base first")
       ->required();
   command->add_option("--out", a.out, "folder for comparison.json and comparison.html")->required();
   add_replace(command, a.replaces);
+  command->add_option("--stiffness", a.stiffness,
+                      "of models: share by which initial stiffness may change (default: 0.15)");
+  command->add_option("--strength", a.strength,
+                      "of models: share by which the peak force may fall (default: 0)");
+  command->add_option("--displacement", a.displacement,
+                      "of models: share by which the displacement capacity may fall (default: 0)");
+  command->add_option("--walls", a.walls,
+                      "of models with [scatter]: walls in each direction (default: 8)");
+  command->add_option("--seed", a.seed, "of models: seed of the walls (default: 0)");
+  add_overrides(command, a.overrides);
+  command->add_option("--jobs", a.jobs, "walls run at the same time (default: one a core)");
+  command->add_flag("--resume", a.resume, "of models: go on with the walls that the folder holds");
+  command->add_flag("--quiet", a.quiet, "no progress");
   add_language(command, a.language);
   command->callback([&] { code = compare(a); });
 }
@@ -282,7 +297,7 @@ void add_new(CLI::App& app, NewArguments& a, int& code) {
   CLI::App* command =
       app.add_subcommand("new", "write a commented file to start from, which runs as it is");
   command->footer("example: wythe new facade my_house");
-  command->add_option("kind", a.kind, "pier, portal, facade, arch or study")->required();
+  command->add_option("kind", a.kind, "pier, portal, facade, arch, opening or study")->required();
   command->add_option("folder", a.folder, "folder for the file, made if absent")->required();
   command->callback([&] { code = new_starter(a); });
 }
@@ -357,6 +372,7 @@ int parse_and_run(int argc, char** argv) {
   StatusArguments status_arguments;
   add_status(app, status_arguments, code);
   CompareArguments compare_arguments;
+  compare_arguments.command.assign(argv, argv + argc);
   add_compare(app, compare_arguments, code);
   add_replay(app, replay_arguments, code);
   add_report(app, report_arguments, code);

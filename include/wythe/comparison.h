@@ -13,6 +13,7 @@
 
 #include "wythe/campaign.h"
 #include "wythe/statistics.h"
+#include "wythe/words.h"
 
 namespace wythe {
 
@@ -103,7 +104,8 @@ struct LostPair {
 
 struct OptionComparison {
   std::string name, folder;
-  std::vector<std::string> changes;  // what its study and model say and the base's do not
+  std::string direction, base_folder;  // of models: which way it was pushed, and its base then
+  std::vector<std::string> changes;    // what its study and model say and the base's do not
   int pairs = 0;
   int not_run = 0;  // samples that neither side has run
   std::vector<LostPair> lost;
@@ -119,6 +121,58 @@ struct OptionComparison {
   Message headline;            // the difference in one sentence
 };
 
+// --- before and after (docs/theory/statistics.md, "Before and after") ---------------------------------------
+
+// Whether a change keeps within its limits. Not shown: its interval reaches over a limit.
+enum class ChangeAnswer { kYes, kNo, kNotShown, kNotKnown };
+inline constexpr Word<ChangeAnswer> kChangeAnswerWords[] = {{"yes", ChangeAnswer::kYes},
+                                                            {"no", ChangeAnswer::kNo},
+                                                            {"not shown", ChangeAnswer::kNotShown},
+                                                            {"not known", ChangeAnswer::kNotKnown}};
+// By which share stiffness may change, and strength and displacement capacity may fall [-]. None of the defaults was
+// verified against the text of a code. NaN: the default.
+struct ChangeLimits {
+  double stiffness = kUnset, strength = kUnset, displacement = kUnset;
+};
+inline constexpr ChangeLimits kUsualLimits{.stiffness = 0.15, .strength = 0, .displacement = 0};
+
+// After over before, pushed one way.
+struct Change {
+  std::string direction;
+  int pairs = 0;
+  Estimate ratio;  // geometric mean of pairs (Student); of one pair without an interval
+  bool at_least = false, at_most = false;  // only one side holds bounds: `ratio` is one, too
+  bool is_same = false;                    // all pairs are equal
+  ChangeAnswer answer = ChangeAnswer::kNotKnown;
+  Message why;  // it is not known; empty: it is
+};
+struct CheckedChange {
+  std::string quantity;     // initial_stiffness, peak_reaction, displacement_at_80_percent
+  double least = 0;         // ratios that the limits allow
+  double most = kUnset;     // NaN: any
+  bool is_default = false;  // the limit is that of kUsualLimits
+  std::vector<Change> way = {};
+  ChangeAnswer answer = ChangeAnswer::kNotKnown;  // of all ways
+  std::size_t worst = 0;                          // the way that has it, farthest from the limits
+  Message what = {}, said = {};                   // quantity and answer, in words
+};
+// PGA that a model carries [m/s^2], of the way that decides (WallsVerdict).
+struct ModelCapacity {
+  Estimate pga;
+  bool at_least = false;
+};
+// A model against the one before it, pushed both ways.
+struct Intervention {
+  std::string name;
+  std::vector<std::size_t> option = {};  // of PairedComparison::option, one a direction
+  std::vector<CheckedChange> change = {};
+  ChangeAnswer answer = ChangeAnswer::kNotKnown;
+  ModelCapacity before = {}, after = {};  // NaN: the models have no [assessment]
+  std::vector<Message> cautions = {};     // why not to rely on it, before any number
+  Message sentence = {};                  // cautions and changes
+  std::vector<Message> notes = {};
+};
+
 struct PairedComparison {
   std::string study, provenance;  // of the base
   std::string base_name, base_folder;
@@ -127,11 +181,44 @@ struct PairedComparison {
   std::vector<std::vector<double>> value;  // (samples, input) [SI]
   std::vector<OptionComparison> option;
   std::vector<Message> notes;
+  std::vector<Intervention> intervention;  // of models alone
 };
 
 // The first is the base. Throws InputError with the first difference of each store whose samples drew
 // other inputs than the base's, and where two are the same store. Cost: about a second an option.
 [[nodiscard]] PairedComparison compare_campaigns(const std::vector<ComparedCampaign>& stores);
+
+// The same walls pushed one way: the campaign of the model before, then of those after it.
+struct ComparedWay {
+  std::string direction;
+  std::vector<ComparedCampaign> stores;
+};
+struct ComparedModels {
+  std::vector<std::string> name;  // of the models, the one before first
+  std::vector<ComparedWay> way;
+  std::vector<ModelCapacity> capacity;  // of each model; none without [assessment]
+  std::vector<int>
+      other_draws;  // models whose places in the wall drew other numbers than the base's
+  ChangeLimits limits;
+};
+// Models in all their ways: each way an option of its own, beside the base pushed that way, and what each model changes.
+[[nodiscard]] PairedComparison compare_models(const ComparedModels& models);
+// The change of one response in so many pairs, of which `lost` did not answer, against `least` and `most`.
+[[nodiscard]] Change change_of(const PairedResponse& response, int lost, double least, double most);
+
+// What `wythe compare` of model files is asked for.
+struct AskedModels {
+  std::vector<std::string> files;           // the one before first
+  std::vector<std::string> overrides = {};  // --set, of all
+  int walls = 8, seed = 0;
+};
+// A study for each model: its walls, and its push the other way as the only [[variant]]; one wall where nothing scatters.
+// Throws InputError with every fault of the models, and where they are not comparable: what differs, and where it stands.
+[[nodiscard]] std::vector<StudySpec> studies_of_models(const AskedModels& asked);
+// Whether PGA is told of models: they have an [assessment] with a spectrum.
+[[nodiscard]] inline bool says_pga(const AssessmentSpec& spec) {
+  return is_asked(spec) && spec.spectrum.kind != SpectrumKind::kNone;
+}
 
 // What a difference of drawn inputs is; "" where the samples of both that there are drew the same.
 [[nodiscard]] std::string other_inputs(const SampleTable& base, const SampleTable& other);

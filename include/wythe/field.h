@@ -68,6 +68,9 @@ struct FieldSpec {
   double along = kUnset, across = kUnset;  // correlation lengths along and across the courses [m]
   std::map<std::string, FieldTie> correlation;  // by the other field's name
   int seed = 0;                                 // which wall of all these
+  // Numbers are drawn by where a unit, joint or course stands, not by its number in the wall: a wall with another
+  // opening draws the same where nothing changed.
+  bool in_place = false;
 
   // Put there by draw_fields(), no keys: of each place, in the assembly's order, a factor, or of a formula
   // the value [SI]; and the shape_key of the wall.

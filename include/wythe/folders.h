@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "wythe/campaign.h"
+#include "wythe/comparison.h"
 #include "wythe/io.h"
 #include "wythe/limit.h"
 #include "wythe/model.h"
@@ -47,6 +48,16 @@ Statistics write_campaign_files(const std::string& folder, const Campaign& campa
 // assessment.json, walls.csv and report.html in `folder`, from the campaigns in its folders `inner`.
 WallsVerdict write_verdict(const std::string& folder, const std::vector<std::string>& inner,
                            const std::string& language, const Points& at = {});
+
+// comparison.json and comparison.html in `folder` of models: of each its name and the folders of its campaigns, one a way
+// of pushing, its own first; the model before first.
+struct ModelFolders {
+  std::string name;
+  std::vector<std::string> campaign;
+};
+PairedComparison write_models(const std::string& folder, const std::vector<ModelFolders>& models,
+                              const ChangeLimits& limits, const std::string& language,
+                              const Points& at = {});
 
 // mechanisms.json, a CSV and an SVG of each mechanism, and a page, whose path it gives. A folder that holds a
 // run keeps that run's page; one that holds a campaign is refused (InputError).

@@ -3,6 +3,7 @@
 // read the headers, a fifth of the whole build. tools/check_layers finds a table that is missing here.
 #include "wythe/assessment.h"
 #include "wythe/builder.h"
+#include "wythe/comparison.h"
 #include "wythe/contact_law.h"
 #include "wythe/field.h"
 #include "wythe/free_contacts.h"
@@ -25,6 +26,9 @@ static_assert(names_all(kAssessmentVerdictWords));
 
 // builder.h
 static_assert(names_all(kMeetingWords));
+
+// comparison.h
+static_assert(names_all(kChangeAnswerWords));
 
 // contact_law.h
 static_assert(names_all(kSofteningWords));

@@ -24,6 +24,11 @@ std::string words_of(const Json& words, const Texts& texts) {
              : "";
 }
 
+// The same without a capital and a full stop.
+std::string plain(const Json& words, const Texts& texts) {
+  return escaped((words.is_array() ? words.at(texts.place()) : words).get<std::string>());
+}
+
 std::string change_of(const Json& ratio, const Texts& texts) {
   if (!ratio.is_number()) return texts.say("card.not_known");
   const double percent = 100 * (ratio.get<double>() - 1);
@@ -48,6 +53,32 @@ Card card_of(const Json& option, const Texts& texts) {
           means};
 }
 
+// Of a model against the one before: what it changes in the way that decides.
+std::vector<Card> cards_of(const Json& intervention, const Texts& texts) {
+  std::vector<Card> cards;
+  for (const Json& change : intervention.at("change")) {
+    const Json* way = nullptr;
+    for (const Json& one : change.at("way"))
+      if (one.at("direction") == change.at("decides")) way = &one;
+    if (way == nullptr) continue;
+    const Json& interval = way->at("ratio_interval");
+    const bool has_interval = interval.at(0).is_number() && interval.at(1).is_number();
+    const std::string bound = way->at("at_least") == true  ? "≥ "
+                              : way->at("at_most") == true ? "≤ "
+                                                           : "";
+    const bool known = way->at("answer") != "not known";
+    cards.push_back(
+        {known ? bound + change_of(way->at("ratio"), texts) : texts.say("card.not_known"),
+         plain(change.at("what"), texts) + ", " + escaped(change.at("decides").get<std::string>()) +
+             ": <b>" + plain(change.at("answer_in_words"), texts) + "</b>",
+         !known || !bound.empty() ? ""
+         : has_interval ? texts.say("card.interval", {{"low", change_of(interval[0], texts)},
+                                                      {"high", change_of(interval[1], texts)}})
+                        : texts.say("card.no_interval")});
+  }
+  return cards;
+}
+
 // Pages are sent about: of a folder only its own name.
 void drop_folders(Json& comparison) {
   const auto shorten = [](Json& of) {
@@ -55,6 +86,8 @@ void drop_folders(Json& comparison) {
     if (!path.has_filename()) path = path.parent_path();  // "out/base/"
     of["folder"] = path.filename().string();
   };
+  if (comparison.contains("intervention"))
+    return;  // they lie inside the folder, and go by their ways
   shorten(comparison["base"]);
   for (Json& option : comparison["option"]) shorten(option);
 }
@@ -65,6 +98,17 @@ Headline comparison_headline(const Json& header, const Texts& texts) {
   const Json& comparison = header.at("comparison");
   const Json& options = comparison.at("option");
   Headline out;
+  if (comparison.contains("intervention")) {
+    std::vector<Card> cards;
+    for (const Json& one : comparison.at("intervention")) {
+      out.sentence += (out.sentence.empty() ? "" : "<br>") + words_of(one.at("sentence"), texts);
+      for (Card& card : cards_of(one, texts)) cards.push_back(std::move(card));
+      for (const Json& note : one.at("notes"))
+        out.warning += (out.warning.empty() ? "" : "<br>") + words_of(note, texts);
+    }
+    out.cards = draw_cards(cards);
+    return out;
+  }
   if (options.size() > kSentences)
     out.sentence =
         texts.say("compare.several",

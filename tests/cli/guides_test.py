@@ -7,7 +7,7 @@ how the test treats it; a reader does not see it:
   <!-- test: file pier.toml -->                 the fence is this file
   <!-- test: adds house/model.toml -->          the fence is added to this file
   <!-- test: said -->                           the last commands printed these lines; their numbers within 2 %
-  <!-- test: short --samples 2 -->              the runs and campaigns below take these options too, because they take minutes
+  <!-- test: short --samples 2 -->              the runs, campaigns and comparisons of models below take these options too, because they take minutes
   <!-- test: first wythe run ... -->            run this before, with the options of `short`: the page supposes its results
   <!-- test: long -->                          run by make test-long alone, and what the next fence says it printed
   <!-- test: long --samples 2 -->              the same; make test runs it with these options, and compares no lines with what is printed
@@ -33,7 +33,7 @@ PAGES = [SOURCE / "README.md", *sorted((SOURCE / "docs/tutorial").glob("*.md")),
          *sorted((SOURCE / "examples").glob("*/README.md"))]
 FENCE = re.compile(r"((?:<!-- test: [^\n]* -->\n)*)^```([a-z]*)\n(.*?)^```$", re.S | re.M)
 MARK = re.compile(r"<!-- test: (file|adds|said|short|first|long|exit|needs|not run:) ?(.*?) ?-->")
-COMMAND = re.compile(r"(?:build/release/)?wythe |make |cmake |python3 |sed ")
+COMMAND = re.compile(r"(?:build/release/)?wythe |make |cmake |python3 |sed |cp ")
 SETTING = re.compile(r"[a-z]+=\S")  # of the shell, for the commands below it
 SHELL = ("sh", "bash", "console", "shell")
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[+-]?\d+)?")
@@ -41,7 +41,8 @@ NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[+-]?\d+)?")
 STAND_IN = """#!%s
 import os, shlex, sys
 words, short = sys.argv[1:], shlex.split(os.environ["SHORT"])
-if words[:1] in (["run"], ["campaign"], ["assess"]) and words[1:2] != ["--resume"]:
+if (words[:1] in (["run"], ["campaign"], ["assess"]) and words[1:2] != ["--resume"]
+        or words[:1] == ["compare"] and words[1].endswith(".toml")):
     for option in short:
         if option.startswith("--") and option != "--set" and option in words:
             del words[words.index(option):words.index(option) + 2]
@@ -146,6 +147,7 @@ class Guides(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             reader = Reader(folder)
             for command in commands:  # the file is read and compiled; tests/cli/starters_test.py and the pages run them
+                command = re.sub(r"^wythe compare (\S+) (\S+) --out \S+$", r"wythe check \1 && wythe check \2", command)
                 self.assertEqual(reader.run(re.sub(r"^wythe (run|campaign|assess) (\S+) --out \S+$", r"wythe check \2", command)), "")
 
     def test_every_mark_is_one_that_the_test_knows(self):

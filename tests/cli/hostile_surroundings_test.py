@@ -24,6 +24,7 @@ NUMBERS = {
     "campaign": {"--samples": [], "--seed": [], "--jobs": [], "--slurm": [], "--cores": ["--slurm", "2"], "--shard": [],
                  "--until": []},
     "replay": {"--sample": [], "--threads": ["--sample", "1"], "--intensity": ["--sample", "1"]},
+    "compare": {"--walls": [], "--seed": [], "--jobs": [], "--stiffness": [], "--strength": [], "--displacement": []},
     "picture": {"--sample": [], "--at": ["--sample", "1"], "--scale": ["--sample", "1"]},
 }
 NO_NUMBERS = {"--help", "--out", "--set", "--resume", "--replace", "--quiet", "--lang", "--path", "--unit", "--outline", "--openings",
@@ -64,6 +65,7 @@ class Surroundings(unittest.TestCase):
         return {"run": ["run", self.made / "model.toml", "--out", self.out, "--quiet"],
                 "assess": ["assess", self.made / "assess.toml", "--out", self.out, "--quiet"],
                 "campaign": ["campaign", self.made / "study.toml", "--out", self.out, "--quiet"],
+                "compare": ["compare", self.made / "model.toml", self.made / "assess.toml", "--out", self.out, "--quiet"],
                 "replay": ["replay", self.made / "campaign", "--out", self.out, "--quiet"],
                 "picture": ["picture", self.made / "campaign", "--out", self.out]}[command]
 

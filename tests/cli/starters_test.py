@@ -10,7 +10,7 @@ import unittest
 WYTHE = os.environ["WYTHE"]
 SOURCE = pathlib.Path(os.environ["SOURCE"])
 KINDS = {"pier": ["model.toml"], "portal": ["model.toml"], "facade": ["model.toml"], "arch": ["model.toml"],
-         "study": ["study.toml", "model.toml"]}
+         "opening": ["before.toml", "after.toml"], "study": ["study.toml", "model.toml"]}
 # Enough of each example to see that it goes all the way: a push of half a millimetre. The facade, the palazzina and the shaken parapet are
 # run by guides_test.py, in the pages that are about them.
 SHORT = {"brick_pier": ["--set", "stage.push.until=0.5 mm"], "brick_portal": ["--set", "stage.push.until=0.5 mm"],
@@ -43,6 +43,13 @@ class Starters(unittest.TestCase):
     def test_a_starter_is_the_example_of_its_kind(self):
         wythe("new", "facade", self.folder)
         self.assertEqual((self.folder / "model.toml").read_text(), (SOURCE / "examples/brick_facade/model.toml").read_text())
+
+    def test_an_opening_is_compared_as_it_is_written(self):
+        done = wythe("new", "opening", self.folder)
+        self.assertIn("wythe compare", done.stdout)
+        done = wythe("compare", self.folder / "before.toml", self.folder / "after.toml", "--out", self.folder / "result", "--quiet",
+                     "--walls", 5, "--set", "stage.push.until=1 mm")
+        self.assertIn("after.toml against before.toml does not keep within the limits", done.stdout, done.stderr)
 
     def test_nothing_is_replaced_and_nothing_half_written(self):
         (self.folder / "model.toml").write_text("mine")

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <exception>
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 #include <numeric>
@@ -175,6 +176,10 @@ class Checker {
   void check_lengths(const Field& field) {
     const FieldSpec& s = *field.spec;
     const bool by_place = s.by == FieldBy::kPlace;
+    if (by_place && s.in_place)
+      refuse(field, "in_place", "true",
+             "has no meaning beside by = \"place\", whose places are correlated",
+             "leave it out, or write by = \"unit\"");
     for (const auto& [key, length] : {std::pair{"along", s.along}, std::pair{"across", s.across}})
       if (by_place != is_set(length))
         refuse(field, key, "", by_place ? "is missing" : "has no meaning beside by",
@@ -244,6 +249,9 @@ class Checker {
       const FieldSpec &a = *field.spec, &b = *other->spec;
       const bool lengths = a.by != FieldBy::kPlace ||
                            (a.along == b.along && a.across == b.across && a.kernel == b.kernel);
+      if (a.in_place != b.in_place)
+        refuse(field, key, "", "one of the two fields is drawn in place, the other is not",
+               "write the same in_place in both");
       if (a.by != b.by || !lengths)
         refuse(field, key, "", "the two fields do not vary over the same lengths",
                "give both the same by, kernel, along and across");
@@ -321,12 +329,14 @@ class Waves {
     for (int& label : label_)
       label =
           static_cast<int>(std::lower_bound(labels.begin(), labels.end(), label) - labels.begin());
+    if (spec_.in_place) place_ = keys_of(places);
   }
 
   // At the places of all fields, one after the other.
   [[nodiscard]] std::vector<double> draw(int seed, const std::string& name) const {
     if (grid_) return grid_->draw(normal_numbers(seed, name, grid_->numbers()));
-    const std::vector<double> w = normal_numbers(seed, name, numbers_);
+    const std::vector<double> w = spec_.in_place ? normal_numbers_at(seed, name, place_)
+                                                 : normal_numbers(seed, name, numbers_);
     std::vector<double> z;
     for (const int label : label_) z.push_back(w[static_cast<std::size_t>(label)]);
     return z;
@@ -337,7 +347,24 @@ class Waves {
     if (spec_.by == FieldBy::kCourse) return p.course;
     return spec_.by == FieldBy::kUnit ? p.unit : p.entity;
   }
+  // Where each label stands: the number of a course; else the lowest, then leftmost of its joints or blocks, in
+  // hundredths of a millimetre.
+  [[nodiscard]] std::vector<PlaceKey> keys_of(const std::vector<FieldPlace>& places) const {
+    constexpr double kStep = 1e-5;  // [m]
+    constexpr std::int64_t kNone = std::numeric_limits<std::int64_t>::max();
+    const auto steps = [](double x) { return static_cast<std::int64_t>(std::llround(x / kStep)); };
+    std::vector<PlaceKey> keys(numbers_, PlaceKey{kNone, kNone, kNone});
+    for (std::size_t p = 0; p < places.size(); ++p) {
+      PlaceKey& key = keys[static_cast<std::size_t>(label_[p])];
+      const FieldPlace& at = places[p];
+      key = std::min(key, spec_.by == FieldBy::kCourse
+                              ? PlaceKey{at.course, 0, 0}
+                              : PlaceKey{steps(at.y), steps(at.x), steps(at.z)});
+    }
+    return keys;
+  }
   const FieldSpec& spec_;
+  std::vector<PlaceKey> place_;  // of each label, where they draw in place
   std::vector<int> label_;
   std::size_t numbers_ = 0;
   std::optional<FieldGrid> grid_;

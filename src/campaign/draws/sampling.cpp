@@ -307,6 +307,33 @@ std::vector<double> normal_numbers(int seed, const std::string& name, std::size_
   return numbers;
 }
 
+namespace {
+
+// The mixer of SplitMix64: neighbouring places have nothing in common.
+std::uint64_t mixed(std::uint64_t x) {
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9U;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebU;
+  return x ^ (x >> 31);
+}
+
+}  // namespace
+
+std::vector<double> normal_numbers_at(int seed, const std::string& name,
+                                      const std::vector<PlaceKey>& places) {
+  Hash start;
+  start.add("field in place");
+  start.add(&seed, sizeof seed);
+  start.add(name);
+  std::vector<double> numbers;
+  for (const PlaceKey& place : places) {
+    std::uint64_t x = mixed(start.value());
+    for (const std::int64_t part : place)
+      x = mixed(x + 0x9e3779b97f4a7c15U + static_cast<std::uint64_t>(part));
+    numbers.push_back(OT::DistFunc::qNormal((static_cast<double>(x >> 12) + 0.5) * 0x1p-52));
+  }
+  return numbers;
+}
+
 double normal_share(double z) { return inside(OT::DistFunc::pNormal(z)); }
 
 // --- correlation ---------------------------------------------------------------------------------

@@ -5,6 +5,7 @@
 //   Margin                u -> value of one variable, truncation included
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -76,6 +77,10 @@ struct DesignRequest {
 // `count` independent standard normal numbers of the stream `name` of a seed.
 [[nodiscard]] std::vector<double> normal_numbers(int seed, const std::string& name,
                                                  std::size_t count);
+// One for each place, of the seed, the name and that place alone.
+using PlaceKey = std::array<std::int64_t, 3>;
+[[nodiscard]] std::vector<double> normal_numbers_at(int seed, const std::string& name,
+                                                    const std::vector<PlaceKey>& places);
 // Share of the standard normal distribution below z, in (0, 1).
 [[nodiscard]] double normal_share(double z);
 

@@ -213,7 +213,7 @@ class StudyCheck {
   std::vector<Fault> run() {
     check_sizes();
     check_shaking();
-    if (study_.variable.empty() && !study_.shaking.is_asked() && !has_scatter())
+    if (study_.variable.empty() && !study_.shaking.is_asked() && !has_scatter() && !is_one_wall())
       refuse("variable", "",
              "is missing, and nothing scatters within the wall: all samples would be one",
              "write [variable.ft_j] and under it its path, distribution, mean and cov; or "
@@ -257,6 +257,11 @@ class StudyCheck {
                  "leave path out, or give the field another name");
   }
 
+  // A single wall that nothing makes differ: one sample says all of it.
+  [[nodiscard]] bool is_one_wall() const {
+    return study_.batch == std::vector<int>{1} && study_.variable.empty();
+  }
+
   void check_sizes() {
     if (study_.batch.empty()) refuse("study.samples", "", "is missing", "write e.g. samples = 250");
     const bool records_alone = study_.shaking.is_asked() && study_.variable.empty();
@@ -264,7 +269,7 @@ class StudyCheck {
       refuse("study.samples", "", "must be 1, since no variable tells one wall from another",
              "write samples = 1, or give [variable.<name>]");
     for (const int size : study_.batch)
-      if (size < 2 && !records_alone)
+      if (size < 2 && !records_alone && !(is_one_wall() && !has_scatter()))
         refuse("study.samples", std::to_string(size),
                "must be at least 2: one sample has no scatter", "write e.g. samples = 250");
     for (const double fraction : study_.fractions)

@@ -3,6 +3,8 @@
 // Numbers have nine significant digits; what is not a number is null, an open end of an interval too.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "io/export/statistics_numbers.h"
@@ -119,6 +121,10 @@ Json lost_json(const std::vector<LostPair>& lost) {
 
 Json option_json(const OptionComparison& option) {
   Json json = {{"name", option.name}, {"folder", option.folder}, {"changes", option.changes}};
+  if (!option.direction.empty()) {
+    json["direction"] = option.direction;
+    json["base_folder"] = option.base_folder;
+  }
   put(json, "headline", option.headline);
   put(json, "notes", option.notes);
   json["pairs"] = option.pairs;
@@ -140,6 +146,55 @@ Json option_json(const OptionComparison& option) {
   return json;
 }
 
+Json capacity_json(const ModelCapacity& capacity) {
+  constexpr double kToG = 1 / kStandardGravity;
+  return {{"median", number(capacity.pga.value * kToG)},
+          {"low", number(capacity.pga.interval.low * kToG)},
+          {"high", number(capacity.pga.interval.high * kToG)},
+          {"at_least", capacity.at_least}};
+}
+
+Json change_json(const CheckedChange& change) {
+  Json ways = Json::array();
+  for (const Change& way : change.way) {
+    Json& json = ways.emplace_back(Json{{"direction", way.direction},
+                                        {"pairs", way.pairs},
+                                        {"answer", word_of(kChangeAnswerWords, way.answer)},
+                                        {"same", way.is_same},
+                                        {"at_least", way.at_least},
+                                        {"at_most", way.at_most}});
+    add(json, "ratio", way.ratio);
+    put(json, "why", way.why);
+  }
+  const auto of = std::find_if(quantities().begin(), quantities().end(),
+                               [&](const Quantity& q) { return change.quantity == q.name; });
+  Json json = {{"response", key_of(*of)},
+               {"least", number(change.least)},
+               {"most", number(change.most)},
+               {"limit", change.is_default ? "default, not verified" : "asked"},
+               {"answer", word_of(kChangeAnswerWords, change.answer)},
+               {"decides", change.way[change.worst].direction}};
+  put(json, "what", change.what);
+  put(json, "answer_in_words", change.said);
+  json["way"] = ways;
+  return json;
+}
+
+Json intervention_json(const Intervention& one, const PairedComparison& all) {
+  Json json = {{"name", one.name}, {"answer", word_of(kChangeAnswerWords, one.answer)}};
+  put(json, "sentence", one.sentence);
+  put(json, "cautions", one.cautions);
+  put(json, "notes", one.notes);
+  json["option"] = Json::array();
+  for (const std::size_t k : one.option) json["option"].push_back(all.option[k].name);
+  json["change"] = Json::array();
+  for (const CheckedChange& change : one.change) json["change"].push_back(change_json(change));
+  if (!std::isnan(one.before.pga.value) || !std::isnan(one.after.pga.value))
+    json["pga_capacity_g"] = {{"before", capacity_json(one.before)},
+                              {"after", capacity_json(one.after)}};
+  return json;
+}
+
 }  // namespace
 
 std::string comparison_json(const PairedComparison& comparison) {
@@ -158,6 +213,11 @@ std::string comparison_json(const PairedComparison& comparison) {
   Json options = Json::array();
   for (const OptionComparison& option : comparison.option) options.push_back(option_json(option));
   json["option"] = options;
+  if (!comparison.intervention.empty()) {
+    Json& list = json["intervention"] = Json::array();
+    for (const Intervention& one : comparison.intervention)
+      list.push_back(intervention_json(one, comparison));
+  }
   json["input"] = inputs;
   return json.dump(1) + "\n";
 }

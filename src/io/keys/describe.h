@@ -363,6 +363,9 @@ void describe(Visitor& v, FieldSpec& s) {
         "e.g. `correlation.ft.gaussian = 0.5`; at one of the two."});
   v.integer("seed", s.seed, {.range = kFromZero, .example = "1",
             .doc = "Which of all walls with this field; a study gives each sample its own."});
+  v.flag("in_place", s.in_place, {.example = "true",
+         .doc = "Draws by where each unit, joint or course stands and not by its number in the wall, so that a wall "
+                "with another opening has the same ones elsewhere. Not with by = place."});
 }
 
 template <class Visitor>

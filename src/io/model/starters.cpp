@@ -27,6 +27,8 @@ constexpr std::array kFiles = {StarterFile{"pier", "model.toml", io::kPierModel}
                                StarterFile{"portal", "model.toml", io::kPortalModel},
                                StarterFile{"facade", "model.toml", io::kFacadeModel},
                                StarterFile{"arch", "model.toml", io::kArchModel},
+                               StarterFile{"opening", "before.toml", io::kBeforeModel},
+                               StarterFile{"opening", "after.toml", io::kAfterModel},
                                StarterFile{"study", "study.toml", io::kPierStudy},
                                StarterFile{"study", "model.toml", io::kPierModel}};
 

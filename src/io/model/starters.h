@@ -5,6 +5,7 @@
 
 namespace wythe::io {
 
-extern const std::string_view kPierModel, kPierStudy, kPortalModel, kFacadeModel, kArchModel;
+extern const std::string_view kPierModel, kPierStudy, kPortalModel, kFacadeModel, kArchModel,
+    kBeforeModel, kAfterModel;
 
 }  // namespace wythe::io

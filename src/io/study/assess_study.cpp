@@ -105,14 +105,22 @@ std::string text_of_study(const AskedWalls& asked) {
   } catch (const InputError& error) {
     throw_with_lines(error, spec, text, file, asked.overrides);
   }
+  return io::text_of_ways({.model_file = file, .walls = asked.walls, .seed = asked.seed}, ways.ways,
+                          std::isnan(asked.between) ? "" : between_walls(spec, asked.between));
+}
+
+}  // namespace
+
+std::string io::text_of_ways(const AskedWalls& asked, const std::vector<PushWay>& ways,
+                             const std::string& tables) {
   std::string study = fmt::format(
       "[study]\nname = {}\nmodel = {}\nsamples = {}\nseed = {}\ndesign = \"monte_carlo\"\n",
-      io::quoted(file), io::quoted(std::filesystem::absolute(file).string()), asked.walls,
-      asked.seed);
-  if (!std::isnan(asked.between)) study += between_walls(spec, asked.between);
-  const PushWay& own = ways.ways.front();
-  for (std::size_t k = 1; k < ways.ways.size(); ++k) {
-    const PushWay& way = ways.ways[k];
+      io::quoted(asked.model_file),
+      io::quoted(std::filesystem::absolute(asked.model_file).string()), asked.walls, asked.seed);
+  study += tables;
+  const PushWay& own = ways.front();
+  for (std::size_t k = 1; k < ways.size(); ++k) {
+    const PushWay& way = ways[k];
     study += fmt::format("[[variant]]\nname = {}\nset = [",
                          io::quoted(name_of(way, way.direction == own.direction)));
     for (const std::string& setting : way.settings) study += io::quoted(setting) + ", ";
@@ -120,8 +128,6 @@ std::string text_of_study(const AskedWalls& asked) {
   }
   return study;
 }
-
-}  // namespace
 
 StudySpec assess_study(const AskedWalls& asked) {
   const std::filesystem::path model = std::filesystem::absolute(asked.model_file);

@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "wythe/assessment.h"
 #include "wythe/study.h"
+#include "wythe/verdict.h"
 
 namespace wythe::io {
 
@@ -14,5 +16,8 @@ enum class StudyText {
 };
 [[nodiscard]] StudySpec parse_study_text(const std::string& toml_text, const std::string& file_name,
                                          const std::vector<std::string>& overrides, StudyText from);
+// The study of a model's walls, the first way being its own and each other one a [[variant]]; `tables` stand before them.
+[[nodiscard]] std::string text_of_ways(const AskedWalls& asked, const std::vector<PushWay>& ways,
+                                       const std::string& tables = "");
 
 }  // namespace wythe::io

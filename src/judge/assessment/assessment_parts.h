@@ -36,6 +36,8 @@ struct Extent {
 // A push of this model, a run or a stored sample, and its pushed wall, where that is known.
 [[nodiscard]] CodeAssessment judged(const ModelSpec& spec, const Model& model, JudgedPush push,
                                     const FailureMode& mode, const PushedWall& wall);
+// The model's own push and the one the other way, which need no [assessment]. Throws InputError as ways_of().
+[[nodiscard]] PushWays both_directions(const ModelSpec& spec, const Model& model);
 // What the model file says that the masses of the assessment do not follow.
 [[nodiscard]] std::vector<Message> notes_of_masses(const ModelSpec& spec, const Model& model);
 [[nodiscard]] Message words_of_state(LimitState state);

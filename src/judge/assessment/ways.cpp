@@ -103,6 +103,17 @@ class Ways {
     return std::move(out_);
   }
 
+  // The model's own way and its mirror image alone, with nothing to be judged by.
+  PushWays both() {
+    check_push();
+    if (!faults_.empty()) throw InputError(std::move(faults_));
+    const PushWay own = way_of(spec_);
+    std::vector<std::string> mirrored = mirror();
+    if (!faults_.empty()) throw InputError(std::move(faults_));
+    out_.ways = {own, {opposite_, own.pattern, std::move(mirrored)}};
+    return std::move(out_);
+  }
+
  private:
   [[nodiscard]] const StageSpec& push() const { return spec_.stage[number_]; }
   [[nodiscard]] std::string key(const std::string& name) const {
@@ -268,6 +279,10 @@ PushWay way_of(const ModelSpec& spec) {
 }
 
 PushWays ways_of(const ModelSpec& spec, const Model& model) { return Ways(spec, model).all(); }
+
+PushWays study::both_directions(const ModelSpec& spec, const Model& model) {
+  return Ways(spec, model).both();
+}
 
 Message words_of_pattern(const std::string& pattern) {
   const std::optional<Pattern> known = value_of(kPatternWords, pattern);

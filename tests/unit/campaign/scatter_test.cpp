@@ -3,8 +3,11 @@
 
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <numeric>
+#include <utility>
 
+#include "geometry/assembly.h"
 #include "model/field_places.h"
 #include "scenes/scenes.h"
 #include "scenes/small_study.h"
@@ -152,6 +155,54 @@ TEST(Scatter, walls_of_another_seed_differ_and_the_same_is_the_same) {
   };
   EXPECT_EQ(drawn(1), drawn(1));
   EXPECT_NE(drawn(1), drawn(2));
+}
+
+// Of the places that two walls share, the part that has the same factor in both.
+double share_alike(const ModelSpec& a, const ModelSpec& b, const std::string& field) {
+  const auto factors = [&](const ModelSpec& spec) {
+    FaultList faults;
+    const geometry::Assembly assembly = geometry::build_assembly(spec, faults);
+    const FieldSpec& drawn = spec.field.at(field);
+    std::map<std::pair<long, long>, double> out;
+    std::size_t k = 0;
+    for (const FieldPlace& p : field_places(spec, assembly, *field_target(drawn.path)))
+      out[{std::lround(1e5 * p.x), std::lround(1e5 * p.y)}] = drawn.drawn[k++];
+    return out;
+  };
+  const auto in_a = factors(a), in_b = factors(b);
+  double common = 0, alike = 0;
+  for (const auto& [place, factor] : in_a)
+    if (const auto found = in_b.find(place); found != in_b.end())
+      ++common, alike += factor == found->second ? 1 : 0;
+  return alike / common;
+}
+
+TEST(Scatter, drawn_in_place_a_wall_with_an_opening_has_the_same_units_elsewhere) {
+  const std::string use = "[scatter]\nuse = \"clay_brick\"\nseed = 5\n";
+  const std::string door =
+      "[[wall.opening]]\nname = \"door\"\nx = \"2 m\"\ny = \"0 m\"\nwidth = \"1 m\"\n"
+      "height = \"2 m\"\n";
+  std::vector<std::string> in_place;
+  for (const char* key : {"joint_tensile_strength", "joint_cohesion", "unit_tensile_strength"})
+    in_place.push_back(std::string("field.scatter_") + key + ".in_place=true");
+  const ModelSpec before = wall_of(use, in_place), after = wall_of(use + door, in_place);
+  for (const char* field : {"scatter_joint_tensile_strength", "scatter_joint_cohesion",
+                            "scatter_unit_tensile_strength"}) {
+    EXPECT_GT(share_alike(before, after, field), 0.97) << field;  // but at the edge of the door
+    EXPECT_LT(share_alike(wall_of(use), wall_of(use + door), field), 0.2) << field;
+  }
+  const Spread joint = spread_of(before.field.at("scatter_joint_tensile_strength").drawn);
+  EXPECT_NEAR(joint.mean, 1, 0.03);
+  EXPECT_NEAR(joint.cov, 0.30, 0.02);
+  // the two strengths of a joint stay tied (Spearman's would be 0.68)
+  const std::vector<double>& ft = before.field.at("scatter_joint_tensile_strength").drawn;
+  const std::vector<double>& c = before.field.at("scatter_joint_cohesion").drawn;
+  const Spread cohesion = spread_of(c);
+  double product = 0;
+  for (std::size_t k = 0; k < c.size(); ++k)
+    product += (ft[k] - joint.mean) * (c[k] - cohesion.mean);
+  const double n = static_cast<double>(c.size());
+  EXPECT_NEAR(product / n / (joint.cov * joint.mean * cohesion.cov * cohesion.mean), 0.68, 0.06);
 }
 
 TEST(Scatter, a_field_of_the_model_itself_holds) {

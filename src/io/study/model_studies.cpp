@@ -1,0 +1,193 @@
+// The studies of `wythe compare` of models: each model's walls, pushed both ways. What makes models incomparable is
+// refused here, before a wall is pushed.
+//
+//   before.toml ─► study: walls 1 ... n, own way and [[variant]] the other way ─┐
+//   after.toml  ─► study: the same walls, where the opening leaves them as they were ─┴─► compare_models()
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/files.h"
+#include "io/keys/same_spec.h"
+#include "io/study/study_file.h"
+#include "io/text/toml_reader.h"
+#include "io/text/toml_writer.h"
+#include "judge/assessment/assessment_parts.h"
+#include "wythe/comparison.h"
+#include "wythe/error.h"
+#include "wythe/io.h"
+
+namespace wythe {
+namespace {
+
+struct ReadModel {
+  std::string file, text;
+  ModelSpec spec;
+  Model model;
+  std::vector<PushWay> way;
+};
+
+bool scatters(const ModelSpec& spec) {
+  return std::any_of(spec.field.begin(), spec.field.end(),
+                     [](const auto& field) { return field.second.formula.empty(); });
+}
+
+// Units and joints draw by where they stand, so that an opening leaves all others as they were.
+std::string in_place(const ModelSpec& spec) {
+  std::string settings;
+  for (const auto& [name, field] : spec.field)
+    if (field.formula.empty() && field.by != FieldBy::kPlace)
+      settings += fmt::format("{}, ", io::quoted(fmt::format("field.{}.in_place=true", name)));
+  return settings.empty() ? "" : "set = [" + settings + "]\n";
+}
+
+// --- what must be alike ----------------------------------------------------------------------------------
+
+// Keys that an intervention leaves alone: size, what is done to the wall and how it is computed and judged. Names and
+// remarks may differ.
+bool must_agree(const std::string& path, bool scatter) {
+  if (path.ends_with(".name") || path.ends_with(".note")) return false;
+  for (const char* head : {"stage.", "solve.", "scatter.", "assessment."})
+    if (path.starts_with(head)) return true;
+  for (const char* key : {"wall.length", "wall.height"})
+    if (path == key) return true;
+  // what scatters is drawn unit by unit
+  return scatter && (path == "wall.unit.length" || path == "wall.unit.height");
+}
+
+// Why it must, by the first part of the path.
+std::string reason_of(const std::string& path) {
+  if (path.starts_with("stage."))
+    return "a wall that is loaded or pushed in another way is no other wall";
+  if (path.starts_with("solve.")) return "the difference would be partly that of the computation";
+  if (path.starts_with("scatter.")) return "the walls would scatter in another way";
+  if (path.starts_with("assessment.")) return "the capacities would be judged by other rules";
+  if (path.starts_with("wall.unit."))
+    return "walls of other units cannot share what is drawn for each unit";
+  return "drifts and forces of another wall are no change of this one";
+}
+
+std::map<std::string, std::string> members_of(const ModelSpec& spec, bool scatter) {
+  std::map<std::string, std::string> out;
+  for (auto& [path, value] : io::flatten(spec))
+    if (must_agree(path, scatter)) out[path] = value;
+  return out;
+}
+
+// Faults of the second model, by its own keys.
+std::vector<Fault> differences(const ReadModel& base, const ReadModel& other) {
+  constexpr std::size_t kMost = 8;  // one stage more changes all that follow
+  std::vector<Fault> faults;
+  const auto add = [&](const std::string& path, const std::string& problem,
+                       const std::string& cure) {
+    if (faults.size() < kMost) faults.push_back({"", path, "", problem, cure, 0});
+  };
+  if (base.model.in_space() != other.model.in_space()) {
+    add("wall",
+        fmt::format("is a wall {}, and that of {} is one {}",
+                    other.model.in_space() ? "in space" : "in its plane", base.file,
+                    base.model.in_space() ? "in space" : "in its plane"),
+        "model both in their plane, or both in space");
+    return faults;
+  }
+  const bool scatter = scatters(base.spec);
+  if (scatter != scatters(other.spec)) {
+    add("scatter",
+        fmt::format("{} in {} and {} here", scatter ? "is given" : "is missing", base.file,
+                    scatter ? "is missing" : "is given"),
+        "write the same [scatter] in both, or in none");
+    return faults;
+  }
+  if (base.spec.stage.size() != other.spec.stage.size()) {
+    add("stage",
+        fmt::format("has {} stages, and {} has {}: {}", other.spec.stage.size(), base.file,
+                    base.spec.stage.size(), reason_of("stage.")),
+        "write the same stages in both");
+    return faults;
+  }
+  const auto was = members_of(base.spec, scatter), is = members_of(other.spec, scatter);
+  for (const auto& [path, value] : is) {
+    const auto before = was.find(path);
+    if (before != was.end() && before->second == value) continue;
+    add(path.ends_with(".size") ? path.substr(0, path.size() - 5) : path,
+        fmt::format("is not that of {}: {}", base.file, reason_of(path)),
+        "write the same in both files");
+  }
+  for (const auto& [path, value] : was)
+    if (!is.contains(path))
+      add(path.substr(0, path.rfind('.')),
+          fmt::format("has no {}, which {} has: {}", path.substr(path.rfind('.') + 1), base.file,
+                      reason_of(path)),
+          "write the same in both files");
+  for (const auto& [name, field] : base.spec.field) {
+    const auto found = other.spec.field.find(name);
+    const bool alike = found != other.spec.field.end() && found->second.cov == field.cov &&
+                       found->second.by == field.by &&
+                       found->second.distribution == field.distribution;
+    if (field.formula.empty() && !alike && !(std::isnan(field.cov)))
+      add("field",
+          fmt::format("varies {} in another way than {}, or not at all: the walls would scatter in "
+                      "another way",
+                      field.path, base.file),
+          "write the same [scatter] and [field] in both files");
+  }
+  return faults;
+}
+
+ReadModel read_one(const std::string& file, const std::vector<std::string>& overrides) {
+  ReadModel out{
+      .file = file, .text = io::read_input(file, "model.toml"), .spec = {}, .model = {}, .way = {}};
+  out.spec = parse_model(out.text, file, overrides);
+  out.model = compile_model(out.spec, out.text, file, overrides);
+  try {
+    out.way = study::both_directions(out.spec, out.model).ways;
+    if (says_pga(out.spec.assessment)) static_cast<void>(ways_of(out.spec, out.model));
+  } catch (const InputError& error) {
+    throw_with_lines(error, out.spec, out.text, file, overrides);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<StudySpec> studies_of_models(const AskedModels& asked) {
+  std::vector<Fault> faults;
+  std::vector<ReadModel> models;
+  const auto collect = [&](const auto& work) {
+    try {
+      work();
+    } catch (const InputError& error) {
+      faults.insert(faults.end(), error.faults().begin(), error.faults().end());
+    }
+  };
+  for (const std::string& file : asked.files)
+    collect([&] { models.push_back(read_one(file, asked.overrides)); });
+  if (!faults.empty()) throw InputError(std::move(faults));
+  for (std::size_t k = 1; k < models.size(); ++k)
+    collect([&] {
+      const ReadModel& other = models[k];
+      std::vector<Fault> found = differences(models.front(), other);
+      if (!found.empty())
+        throw_with_lines(InputError(std::move(found)), other.spec, other.text, other.file,
+                         asked.overrides);
+    });
+  if (!faults.empty()) throw InputError(std::move(faults));
+  std::vector<StudySpec> studies;
+  for (const ReadModel& model : models) {
+    const AskedWalls walls{.model_file = model.file,
+                           .walls = scatters(model.spec) ? asked.walls : 1,
+                           .seed = asked.seed};
+    const std::filesystem::path file = std::filesystem::absolute(model.file);
+    studies.push_back(io::parse_study_text(io::text_of_ways(walls, model.way, in_place(model.spec)),
+                                           (file.parent_path() / "walls of the model").string(),
+                                           asked.overrides, io::StudyText::kMade));
+  }
+  return studies;
+}
+
+}  // namespace wythe

@@ -1,0 +1,326 @@
+// Before and after: what a model changes against the one before it, each way of pushing, against limits.
+//
+// A change is the geometric mean of after / before over pairs of walls. It keeps within its limits where all of its
+// interval does. Bounds, lost pairs and too few pairs give no answer rather than a doubtful one.
+// Called by write_models (api); theory: docs/theory/statistics.md, "Before and after".
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "judge/modes/mode_names.h"
+#include "statistics/intervals.h"
+#include "wythe/comparison.h"
+
+namespace wythe {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kRounding = 1e-6;  // a smaller relative difference is none
+
+// --- one change ------------------------------------------------------------------------------------
+
+int severity(ChangeAnswer answer) {
+  switch (answer) {
+    case ChangeAnswer::kYes: return 0;
+    case ChangeAnswer::kNotShown: return 1;
+    case ChangeAnswer::kNotKnown: return 2;
+    case ChangeAnswer::kNo: return 3;
+  }
+  return 2;
+}
+
+// Ratios that a change may have: its interval, open where it is a bound itself.
+Interval reach_of(const Change& change) {
+  const bool has_interval = !std::isnan(change.ratio.interval.low);
+  const double low = has_interval ? change.ratio.interval.low : change.ratio.value;
+  const double high = has_interval ? change.ratio.interval.high : change.ratio.value;
+  return {change.at_most ? 0 : low, change.at_least ? kInfinite : high};
+}
+
+ChangeAnswer answer_of(const Change& change, double least, double most) {
+  const Interval reach = reach_of(change);
+  const double low = least * (1 - kRounding);
+  const double high = std::isnan(most) ? kInfinite : most * (1 + kRounding);
+  if (reach.low >= low && reach.high <= high) return ChangeAnswer::kYes;
+  if (reach.high < low || reach.low > high) return ChangeAnswer::kNo;
+  return ChangeAnswer::kNotShown;
+}
+
+// How far a change is from its nearest limit, as a logarithm; negative beyond it.
+double room_of(const Change& change, const CheckedChange& of) {
+  const double below = std::log(change.ratio.value / of.least);
+  return std::isnan(of.most) ? below : std::min(below, std::log(of.most / change.ratio.value));
+}
+
+// --- in words ---------------------------------------------------------------------------------------
+
+double percent(double ratio) { return 100 * (ratio - 1); }
+
+Message words_of_quantity(const std::string& quantity) {
+  if (quantity == "initial_stiffness") return {"compare.of_stiffness"};
+  return {quantity == "peak_reaction" ? "compare.of_strength" : "compare.of_displacement"};
+}
+
+Message words_of_limit(const CheckedChange& of) {
+  const double share = 100 * (1 - of.least);
+  if (!std::isnan(of.most)) return {"compare.limit_both", {{"percent", share}}};
+  if (share == 0) return {"compare.limit_none"};
+  return {"compare.limit_fall", {{"percent", share}}};
+}
+
+Message words_of_answer(ChangeAnswer answer) {
+  switch (answer) {
+    case ChangeAnswer::kYes: return {"compare.answer_yes"};
+    case ChangeAnswer::kNo: return {"compare.answer_no"};
+    case ChangeAnswer::kNotShown: return {"compare.answer_not_shown"};
+    case ChangeAnswer::kNotKnown: break;
+  }
+  return {"compare.answer_not_known"};
+}
+
+CheckedChange check_of(const PairedComparison& all, const std::vector<std::size_t>& options,
+                       const char* quantity, std::pair<double, double> limits, bool is_default) {
+  CheckedChange out{.quantity = quantity, .least = limits.first, .most = limits.second};
+  out.is_default = is_default;
+  for (const std::size_t k : options) {
+    const OptionComparison& option = all.option[k];
+    const auto response = std::find_if(option.response.begin(), option.response.end(),
+                                       [&](const auto& r) { return r.quantity == quantity; });
+    const int lost = static_cast<int>(option.lost.size()) + option.not_run;
+    Change change = change_of(*response, lost, out.least, out.most);
+    change.direction = option.direction;
+    out.way.push_back(std::move(change));
+  }
+  const auto is_worse = [&](const Change& a, const Change& b) {
+    if (a.answer != b.answer) return severity(a.answer) > severity(b.answer);
+    return a.why.empty() && b.why.empty() && room_of(a, out) < room_of(b, out);
+  };
+  for (std::size_t k = 1; k < out.way.size(); ++k)
+    if (is_worse(out.way[k], out.way[out.worst])) out.worst = k;
+  out.answer = out.way[out.worst].answer;
+  out.what = words_of_quantity(quantity), out.said = words_of_answer(out.answer);
+  return out;
+}
+
+Message words_of_change(const CheckedChange& of) {
+  const Change& change = of.way[of.worst];
+  const std::string& direction = change.direction;
+  const Message what = words_of_quantity(of.quantity);
+  const bool all_same =
+      std::all_of(of.way.begin(), of.way.end(), [](const Change& way) { return way.is_same; });
+  if (all_same) return {"compare.change_none", {{"what", what}}};
+  if (!change.why.empty())
+    return {"compare.change_unknown",
+            {{"what", what}, {"direction", direction}, {"why", change.why}}};
+  const Interval& interval = change.ratio.interval;
+  const char* code = "compare.change";
+  if (std::isnan(interval.low))
+    code = change.at_least  ? "compare.change_one_at_least"
+           : change.at_most ? "compare.change_one_at_most"
+                            : "compare.change_one";
+  else if (change.at_least)
+    code = "compare.change_at_least";
+  else if (change.at_most)
+    code = "compare.change_at_most";
+  return {code,
+          {{"what", what},
+           {"percent", percent(change.ratio.value)},
+           {"low", percent(interval.low)},
+           {"high", percent(interval.high)},
+           {"direction", direction}}};
+}
+
+// "FM-1 in 6, unclear in 2", most frequent first, of all ways together.
+std::vector<Message> counts_of(const PairedComparison& all, const std::vector<std::size_t>& options,
+                               int ModeShift::*side) {
+  std::map<std::string, int> count;
+  for (const std::size_t k : options)
+    for (const ModeShift& shift : all.option[k].modes.shift)
+      if (shift.*side > 0) count[shift.mode] += shift.*side;
+  std::vector<std::pair<std::string, int>> order(count.begin(), count.end());
+  std::stable_sort(order.begin(), order.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  std::vector<Message> out;
+  for (const auto& [mode, n] : order)
+    out.push_back({"compare.mode_count", {{"mode", study::words_of_mode(mode)}, {"n", n}}});
+  return out;
+}
+
+Message words_of_modes(const PairedComparison& all, const std::vector<std::size_t>& options) {
+  int pairs = 0;
+  for (const std::size_t k : options) pairs += all.option[k].modes.pairs;
+  if (pairs == 0) return {};
+  std::vector<Message> before = counts_of(all, options, &ModeShift::base);
+  std::vector<Message> after = counts_of(all, options, &ModeShift::option);
+  if (before == after) return {"compare.modes_kept", {{"pairs", pairs}, {"modes", before}}};
+  return {"compare.modes_moved", {{"pairs", pairs}, {"before", before}, {"after", after}}};
+}
+
+Message words_of_capacity(const ModelCapacity& capacity) {
+  constexpr double kToG = 1 / kStandardGravity;
+  const Interval& interval = capacity.pga.interval;
+  const char* code = capacity.at_least           ? "compare.pga_at_least"
+                     : std::isnan(interval.low)  ? "compare.pga_alone"
+                     : std::isinf(interval.high) ? "compare.pga_open"
+                                                 : "compare.pga";
+  return {code,
+          {{"median_g", capacity.pga.value * kToG},
+           {"low_g", interval.low * kToG},
+           {"high_g", interval.high * kToG}}};
+}
+
+const char* code_of(ChangeAnswer answer) {
+  switch (answer) {
+    case ChangeAnswer::kYes: return "compare.models_yes";
+    case ChangeAnswer::kNo: return "compare.models_no";
+    case ChangeAnswer::kNotShown: return "compare.models_not_shown";
+    case ChangeAnswer::kNotKnown: break;
+  }
+  return "compare.models_not_known";
+}
+
+// Why pairs are lost, once each: walls that failed, fell or were refused.
+void note_lost(const OptionComparison& option, const std::string& base, Intervention& out) {
+  for (const LostPair& lost : option.lost)
+    for (const auto& [model, reason, status] :
+         {std::tuple(base, lost.base_reason, lost.base_status),
+          {out.name, lost.option_reason, lost.option_status}}) {
+      if (reason.empty()) continue;
+      const Message note{"compare.lost_wall",
+                         {{"model", model},
+                          {"direction", option.direction},
+                          {"wall", lost.sample},
+                          {"status", status},
+                          {"why", reason}}};
+      const auto says_same = [&](const Message& known) {
+        return known.code == note.code && known.arguments.front() == note.arguments.front();
+      };
+      if (std::none_of(out.notes.begin(), out.notes.end(), says_same)) out.notes.push_back(note);
+    }
+}
+
+void put_in_words(const PairedComparison& all, Intervention& out) {
+  int too_fast = 0, pairs = 0;
+  bool is_same = true, is_one = true;
+  for (const std::size_t k : out.option) {
+    const OptionComparison& option = all.option[k];
+    too_fast += option.too_fast, pairs += option.pairs;
+    is_same =
+        is_same && option.pairs > 0 && option.same_bits == option.pairs && option.lost.empty();
+    is_one = is_one && option.pairs == 1;
+    note_lost(option, all.base_name, out);
+  }
+  if (too_fast > 0)
+    out.cautions.push_back({"compare.caution_fast", {{"pairs", too_fast}, {"all", pairs}}});
+  std::vector<Message> parts;
+  if (is_same) parts.push_back({"compare.models_same"});
+  for (const CheckedChange& change : out.change)
+    parts.push_back({"compare.models_part",
+                     {{"change", words_of_change(change)},
+                      {"limit", words_of_limit(change)},
+                      {"answer", change.said}}});
+  if (Message modes = words_of_modes(all, out.option); !modes.empty())
+    parts.push_back(std::move(modes));
+  if (!std::isnan(out.before.pga.value) || !std::isnan(out.after.pga.value))
+    parts.push_back(
+        {"compare.pga_both",
+         {{"before", words_of_capacity(out.before)}, {"after", words_of_capacity(out.after)}}});
+  Message said{code_of(out.answer),
+               {{"option", out.name}, {"base", all.base_name}, {"parts", parts}}};
+  out.sentence = out.cautions.empty() ? said
+                                      : Message{"compare.models_doubtful",
+                                                {{"cautions", out.cautions}, {"said", said}}};
+  if (is_one) out.notes.push_back({"compare.note_one"});
+  std::vector<Message> defaults;
+  for (const CheckedChange& change : out.change)
+    if (change.is_default) defaults.push_back(change.what);
+  if (!defaults.empty()) out.notes.push_back({"compare.note_limits", {{"what", defaults}}});
+}
+
+Intervention intervention_of(const PairedComparison& all, const ComparedModels& models,
+                             std::size_t model) {
+  Intervention out{.name = models.name[model]};
+  const std::size_t options = models.way.front().stores.size() - 1;
+  for (std::size_t way = 0; way < models.way.size(); ++way)
+    out.option.push_back(way * options + model - 1);
+  const auto add = [&](const char* quantity, double asked, double usual, bool both) {
+    const double share = std::isnan(asked) ? usual : asked;
+    out.change.push_back(check_of(all, out.option, quantity, {1 - share, both ? 1 + share : kUnset},
+                                  std::isnan(asked)));
+  };
+  add("initial_stiffness", models.limits.stiffness, kUsualLimits.stiffness, true);
+  add("peak_reaction", models.limits.strength, kUsualLimits.strength, false);
+  add("displacement_at_80_percent", models.limits.displacement, kUsualLimits.displacement, false);
+  out.answer = ChangeAnswer::kYes;
+  for (const CheckedChange& change : out.change)
+    if (severity(change.answer) > severity(out.answer)) out.answer = change.answer;
+  if (!models.capacity.empty())
+    out.before = models.capacity.front(), out.after = models.capacity[model];
+  put_in_words(all, out);
+  const auto& apart = models.other_draws;
+  if (std::find(apart.begin(), apart.end(), static_cast<int>(model)) != apart.end())
+    out.notes.push_back({"compare.note_draws"});
+  return out;
+}
+
+}  // namespace
+
+Change change_of(const PairedResponse& r, int lost, double least, double most) {
+  Change out;
+  out.pairs = r.pairs;
+  const int all = r.pairs + r.without_value + lost;
+  int base = 0, option = 0, same = 0;
+  study::Moments logs;
+  for (const PairValue& pair : r.pair) {
+    base += pair.base.censored ? 1 : 0, option += pair.option.censored ? 1 : 0;
+    const double a = pair.base.value, b = pair.option.value;
+    if (a > 0 && b > 0) logs.add(std::log(b / a));
+    same += std::fabs(b - a) <= kRounding * std::max(std::fabs(a), std::fabs(b)) ? 1 : 0;
+  }
+  const int silent = all - logs.n();
+  if (silent > 0 || all == 0) {
+    out.why = {lost > 0 || all == 0 ? "compare.why_lost" : "compare.why_no_value",
+               {{"n", silent}, {"all", all}}};
+    return out;
+  }
+  if (base > 0 && option > 0) {
+    out.why = {"compare.why_bounds", {{"before", base}, {"after", option}, {"all", all}}};
+    return out;
+  }
+  out.at_least = option > 0, out.at_most = base > 0;
+  out.is_same = same == all && base + option == 0;
+  const Estimate mean = logs.student();
+  out.ratio = {std::exp(mean.value), {std::exp(mean.interval.low), std::exp(mean.interval.high)}};
+  if (out.is_same) out.ratio = {1, {1, 1}};
+  if (std::isnan(out.ratio.interval.low) && all > 1) {
+    out.why = {"compare.why_few", {{"pairs", all}, {"least", study::kFewestForInterval}}};
+    return out;
+  }
+  out.answer = answer_of(out, least, most);
+  return out;
+}
+
+PairedComparison compare_models(const ComparedModels& models) {
+  PairedComparison all;
+  for (const ComparedWay& way : models.way) {
+    PairedComparison one = compare_campaigns(way.stores);
+    for (OptionComparison& option : one.option) {
+      option.direction = way.direction;
+      option.base_folder = one.base_folder;
+    }
+    if (all.option.empty()) {
+      all = std::move(one);
+      continue;
+    }
+    for (OptionComparison& option : one.option) all.option.push_back(std::move(option));
+  }
+  all.base_name = models.name.front();
+  for (std::size_t model = 1; model < models.way.front().stores.size(); ++model)
+    all.intervention.push_back(intervention_of(all, models, model));
+  return all;
+}
+
+}  // namespace wythe

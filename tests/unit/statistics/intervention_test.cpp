@@ -1,0 +1,180 @@
+// Before and after against closed forms: ratios of pairs, limits, bounds, silence, swapped sides, the same wall twice.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scenes/sample_campaign.h"
+#include "statistics/intervals.h"
+#include "statistics/pairs.h"
+#include "wythe/comparison.h"
+
+namespace wythe {
+namespace {
+
+using Sides = std::vector<std::pair<Reading, Reading>>;  // before, after
+
+PairedResponse response_of(const Sides& sides) {
+  std::vector<PairValue> pairs;
+  for (const auto& [before, after] : sides)
+    pairs.push_back({static_cast<int>(pairs.size()) + 1, before, after});
+  return study::paired_response(std::move(pairs), true, 0);
+}
+Change changed(const Sides& sides, double least = 1, double most = kUnset, int lost = 0) {
+  return change_of(response_of(sides), lost, least, most);
+}
+// Five walls whose ratios are exp(-2d), exp(-d), 1, exp(d), exp(2d), times `middle`.
+Sides scattered(double middle, double d) {
+  Sides out;
+  for (int k = -2; k <= 2; ++k)
+    out.push_back({{10.0 + k, false}, {(10.0 + k) * middle * std::exp(k * d), false}});
+  return out;
+}
+
+TEST(Intervention, a_change_is_the_geometric_mean_of_the_pairs_with_students_interval) {
+  const double d = 0.02;
+  const Change change = changed(scattered(0.9, d));
+  // logarithms of -2d ... 2d: standard deviation d sqrt(2.5)
+  const double half = study::student_95(4) * d * std::sqrt(2.5 / 5);
+  EXPECT_NEAR(change.ratio.value, 0.9, 1e-12);
+  EXPECT_NEAR(change.ratio.interval.low, 0.9 * std::exp(-half), 1e-12);
+  EXPECT_NEAR(change.ratio.interval.high, 0.9 * std::exp(half), 1e-12);
+}
+
+TEST(Intervention, the_whole_interval_decides) {
+  const double half = study::student_95(4) * 0.02 * std::sqrt(2.5 / 5);
+  const double low = 0.9 * std::exp(-half), high = 0.9 * std::exp(half);
+  EXPECT_EQ(changed(scattered(0.9, 0.02), low).answer, ChangeAnswer::kYes);
+  EXPECT_EQ(changed(scattered(0.9, 0.02), low * 1.0001).answer, ChangeAnswer::kNotShown);
+  EXPECT_EQ(changed(scattered(0.9, 0.02), high * 0.9999).answer, ChangeAnswer::kNotShown);
+  EXPECT_EQ(changed(scattered(0.9, 0.02), high * 1.0001).answer, ChangeAnswer::kNo);
+  EXPECT_EQ(changed(scattered(1.16, 0.02), 0.85, 1.15).answer, ChangeAnswer::kNotShown);
+  EXPECT_EQ(changed(scattered(1.3, 0.02), 0.85, 1.15).answer, ChangeAnswer::kNo);
+  EXPECT_EQ(changed(scattered(1, 0.02), 0.85, 1.15).answer, ChangeAnswer::kYes);
+}
+
+TEST(Intervention, swapped_sides_have_the_inverse_ratio) {
+  Sides swapped = scattered(0.8, 0.05);
+  for (auto& [before, after] : swapped) std::swap(before, after);
+  const Change there = changed(scattered(0.8, 0.05)), back = changed(swapped);
+  EXPECT_NEAR(there.ratio.value * back.ratio.value, 1, 1e-12);
+  EXPECT_NEAR(there.ratio.interval.low * back.ratio.interval.high, 1, 1e-12);
+}
+
+TEST(Intervention, equal_walls_do_not_change_and_their_interval_has_no_width) {
+  for (const std::size_t walls : {1U, 2U, 8U}) {
+    const Change change = changed(Sides(walls, {{3.7, false}, {3.7, false}}));
+    EXPECT_TRUE(change.is_same);
+    EXPECT_EQ(change.ratio.value, 1);
+    EXPECT_EQ(change.ratio.interval.width(), 0);
+    EXPECT_EQ(change.answer, ChangeAnswer::kYes);
+  }
+}
+
+TEST(Intervention, one_wall_has_no_interval_and_few_have_no_answer) {
+  const Change one = changed({{{10, false}, {9, false}}}, 0.85, 1.15);
+  EXPECT_NEAR(one.ratio.value, 0.9, 1e-12);
+  EXPECT_TRUE(std::isnan(one.ratio.interval.low));
+  EXPECT_EQ(one.answer, ChangeAnswer::kYes);
+  const Change few = changed({{{10, false}, {9, false}}, {{10, false}, {8, false}}}, 0.5);
+  EXPECT_EQ(few.answer, ChangeAnswer::kNotKnown);
+  EXPECT_EQ(few.why.code, "compare.why_few");
+}
+
+TEST(Intervention, a_bound_after_can_show_that_nothing_fell_and_never_that_it_did) {
+  Sides bounds(6, {{10, false}, {12, true}});
+  const Change more = changed(bounds);
+  EXPECT_TRUE(more.at_least);
+  EXPECT_EQ(more.answer, ChangeAnswer::kYes);
+  for (auto& [before, after] : bounds) after.value = 8;
+  EXPECT_EQ(changed(bounds).answer, ChangeAnswer::kNotShown);
+  for (auto& [before, after] : bounds) std::swap(before, after);  // 8 or more before, 10 after
+  EXPECT_TRUE(changed(bounds).at_most);
+  EXPECT_EQ(changed(bounds).answer, ChangeAnswer::kNotShown);
+  for (auto& [before, after] : bounds) after.value = 6;
+  EXPECT_EQ(changed(bounds).answer, ChangeAnswer::kNo);
+}
+
+TEST(Intervention, pushes_that_ended_too_early_on_both_sides_tell_nothing) {
+  const Change equal = changed(Sides(8, {{12, true}, {12, true}}));
+  EXPECT_EQ(equal.answer, ChangeAnswer::kNotKnown);
+  EXPECT_FALSE(equal.is_same);
+  EXPECT_EQ(equal.why.code, "compare.why_bounds");
+  Sides mixed(8, {{12, false}, {12, false}});
+  mixed[0].first.censored = true, mixed[5].second.censored = true;
+  EXPECT_EQ(changed(mixed).answer, ChangeAnswer::kNotKnown);
+}
+
+TEST(Intervention, a_lost_pair_or_one_without_a_value_leaves_no_answer) {
+  EXPECT_EQ(changed(scattered(1.5, 0.01), 1, kUnset, 1).answer, ChangeAnswer::kNotKnown);
+  Sides silent = scattered(1.5, 0.01);
+  silent[2].second.value = kUnset;
+  EXPECT_EQ(changed(silent).answer, ChangeAnswer::kNotKnown);
+  silent[2].second.value = 0;  // no ratio
+  EXPECT_EQ(changed(silent).answer, ChangeAnswer::kNotKnown);
+  EXPECT_EQ(changed({}).answer, ChangeAnswer::kNotKnown);
+}
+
+// --- models ----------------------------------------------------------------------------------------
+
+// Six walls, their strength times `factor`; what is not asked about here stays.
+ComparedCampaign campaign_of(const std::string& name, double factor, const std::string& mode) {
+  ComparedCampaign out{.name = name, .folder = "", .campaign = {}};
+  for (int i = 1; i <= 6; ++i) {
+    out.campaign.samples.value.emplace_back();
+    SampleRecord& record = out.campaign.records.emplace_back(
+        scenes::sample_record(i, factor * (100e3 + 1e3 * i), mode));
+    record.state_hash = fmt::format("{} {} {}", i, factor, mode);
+    record.quasi_static.judgement = "slow enough";
+  }
+  return out;
+}
+ComparedModels models_of(double plus, double minus, const std::string& mode = "FM-1") {
+  ComparedModels models;
+  models.name = {"before.toml", "after.toml"};
+  models.way = {{"+x", {campaign_of("b", 1, "FM-1"), campaign_of("a", plus, mode)}},
+                {"-x", {campaign_of("b", 1, "FM-1"), campaign_of("a", minus, mode)}}};
+  return models;
+}
+const CheckedChange& strength_of(const PairedComparison& found) {
+  return found.intervention.at(0).change.at(1);
+}
+
+TEST(Intervention, the_worse_direction_decides) {
+  const PairedComparison found = compare_models(models_of(1.1, 0.9));
+  EXPECT_EQ(found.option.size(), 2U);
+  EXPECT_EQ(strength_of(found).quantity, "peak_reaction");
+  EXPECT_EQ(strength_of(found).way[0].answer, ChangeAnswer::kYes);
+  EXPECT_EQ(strength_of(found).way[1].answer, ChangeAnswer::kNo);
+  EXPECT_EQ(strength_of(found).answer, ChangeAnswer::kNo);
+  EXPECT_EQ(strength_of(found).way[strength_of(found).worst].direction, "-x");
+  EXPECT_EQ(found.intervention[0].answer, ChangeAnswer::kNo);
+}
+
+TEST(Intervention, limits_are_inputs_and_say_whether_they_are_the_defaults) {
+  ComparedModels models = models_of(0.97, 0.96);
+  EXPECT_EQ(strength_of(compare_models(models)).answer, ChangeAnswer::kNo);
+  EXPECT_TRUE(strength_of(compare_models(models)).is_default);
+  models.limits.strength = 0.05;
+  const PairedComparison found = compare_models(models);
+  EXPECT_EQ(strength_of(found).answer, ChangeAnswer::kYes);
+  EXPECT_FALSE(strength_of(found).is_default);
+}
+
+TEST(Intervention, a_model_against_itself_is_no_change) {
+  const Intervention found = compare_models(models_of(1, 1)).intervention.at(0);
+  EXPECT_NE(text_of(found.sentence).find("no change"), std::string::npos);
+  EXPECT_EQ(text_of(found.sentence).find('+'), std::string::npos) << found.sentence;
+}
+
+TEST(Intervention, another_failure_is_told_with_its_counts) {
+  const std::string said =
+      text_of(compare_models(models_of(1.2, 1.2, "FM-4")).intervention.at(0).sentence);
+  EXPECT_NE(said.find("before FM-1 in 12; after FM-4 in 12"), std::string::npos) << said;
+}
+
+}  // namespace
+}  // namespace wythe
