@@ -352,7 +352,7 @@ class Campaigns(unittest.TestCase):
             self.assertEqual(mine.statistics.keys(), opened.statistics.keys())
             self.assertTrue(mine.replay(2, progress=False).replay["equal"])
             self.assertGreater(len(mine.curve(3)["reaction_kN"]), 100)
-            with self.assertRaisesRegex(wythe.InputError, "--resume|already"):
+            with self.assertRaisesRegex(wythe.InputError, "resume=True|already"):
                 wythe.campaign(STUDY, folder + "/mine", samples=4, set=short, progress=False)
             more = wythe.campaign(STUDY, folder + "/mine", samples=6, set=short, resume=True, progress=False)
             self.assertEqual(more.state_hash[:4], mine.state_hash)
