@@ -157,7 +157,8 @@ class Faults(unittest.TestCase):
         self.assertTrue(all(fault.cure for fault in faults))
 
     def test_a_file_that_is_not_there_and_a_folder_that_cannot_be_written(self):
-        self.refused(lambda: wythe.run("nowhere.toml"), "nowhere.toml")
+        with self.assertRaisesRegex(wythe.AccessError, "nowhere.toml: there is no such file; name a file"):
+            wythe.run("nowhere.toml")
         with tempfile.NamedTemporaryFile() as file, self.assertRaises((wythe.AccessError, wythe.InputError)):
             wythe.run(PIER, set=SHORT, out=file.name + "/inside", progress=False)
 
