@@ -175,8 +175,7 @@ int assess(const AssessArguments& asked) {
   AssessArguments a = asked;
   check_language(a.language);
   CampaignOptions options;
-  if (!a.jobs.empty())
-    options.jobs = whole_number("--jobs", a.jobs, 1, 4096, "leave it out for one wall a core");
+  options.jobs = jobs_of(a.jobs);
   options.resume = a.resume;
   options.provenance = provenance_text();
   double width = kUnset;

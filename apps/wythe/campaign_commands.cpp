@@ -95,6 +95,15 @@ int whole_number(const std::string& option, const std::string& text, int least, 
   return number;
 }
 
+int jobs_of(const std::string& text) {
+  return text.empty() ? 0
+                      : whole_number("--jobs", text, 0, kMostCores, "leave it out for all cores");
+}
+
+int threads_of(int asked) {
+  return asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
 std::string shell_quoted(const std::string& word) {
   const bool plain = !word.empty() && word.find_first_not_of(
                                           "abcdefghijklmnopqrstuvwxyz"
@@ -214,8 +223,7 @@ int campaign(const CampaignArguments& asked) {
            "run one campaign after the other");
   a.study = a.studies.front();
   CampaignOptions options;
-  if (!a.jobs.empty())
-    options.jobs = whole_number("--jobs", a.jobs, 1, 4096, "leave it out for one sample a core");
+  options.jobs = jobs_of(a.jobs);
   options.resume = a.resume;
   options.provenance = provenance_text();
   read_shard(a.shard, options);
@@ -384,7 +392,7 @@ int replay(const ReplayArguments& a) {
   const std::unique_ptr<Replacement> results = replace_run(a.out, {a.folder, 0, a.replaces});
   SolveOptions options;
   const StopSignal stop;
-  options.threads = a.threads;
+  options.threads = threads_of(a.threads);
   options.stop = &stop.asked();
   options.frames = kFrames;
   SampleRun run;

@@ -75,6 +75,10 @@ void check_inner_folder(const std::string& folder);
                          const std::string& problem, const std::string& cure);
 int whole_number(const std::string& option, const std::string& text, int least, int most,
                  const std::string& cure);
+// Cores, as Python and C count them: 0, or an option that is not given, is all of them.
+inline constexpr int kMostCores = 1024;
+int jobs_of(const std::string& text);
+int threads_of(int asked);
 std::string shell_quoted(const std::string& word);
 
 // samples.csv, statistics.json, report.html from the store, and the table on stdout.

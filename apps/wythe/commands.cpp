@@ -128,6 +128,7 @@ void print_push(const Result& r) {
              std::isnan(q.initial_stiffness)
                  ? "not known"
                  : fmt::format("{:.1f} kN/mm", 1e-6 * q.initial_stiffness));
+  if (const Message why = why_no_stiffness(q); !why.empty()) fmt::print("{}\n", text_of(why));
   if (const FlatPeak flat = flat_peak(r); flat.says_little(q.displacement_at_peak))
     fmt::print(
         "the curve is flat there: the force is within {:.0f} % of its peak from {:.2f} mm to {}\n",
@@ -298,7 +299,7 @@ int run(const RunArguments& arguments) {
                model.stages[static_cast<std::size_t>(state.stage)].spec.name);
   const StopSignal stop;  // until the results are written
   SolveOptions options;
-  options.threads = arguments.threads;
+  options.threads = threads_of(arguments.threads);
   options.stop = &stop.asked();
   options.frames = kFrames;
   if (start.has_checkpoints()) options.checkpoint = CheckpointWriter(start, *results);

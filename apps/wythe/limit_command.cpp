@@ -128,6 +128,8 @@ SecondOpinion answered(const LimitArguments& a, const Model& model, const Opinio
 
 int limit(const LimitArguments& a) {
   check_language(a.language);
+  OpinionAsked asked{a.only, a.assessment};
+  check_asked(asked);
   ModelSpec spec;
   const Model model = read_and_compile(a.model, a.overrides, &spec);
   hold_for_test("model read");
@@ -136,7 +138,6 @@ int limit(const LimitArguments& a) {
   std::vector<ComparedRun> runs;
   if (!a.with.empty()) runs = read_compared_runs(a.with);
   const StopSignal stop;
-  OpinionAsked asked{a.only, a.assessment};
   asked.parts = asks_for_parts(asked) && has_parts(spec, model);
   SecondOpinion opinion;
   try {

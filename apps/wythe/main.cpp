@@ -58,13 +58,13 @@ void add_run(CLI::App& app, RunArguments& a, int& code) {
   command->add_option("model", a.model, "the wall, MODEL.toml");
   command->add_option("--out", a.out, "folder for the results, made if absent");
   add_overrides(command, a.overrides);
-  command->add_option("--threads", a.threads, "number of threads; it does not change the results")
-      ->check(CLI::Range(1, 256));
+  command->add_option("--threads", a.threads, "cores for this wall, 0 all; no change of results")
+      ->check(CLI::Range(0, kMostCores));
   command->add_option("--walls", a.walls,
                       "push so many walls that differ by what scatters within them ([scatter], "
                       "[field.*]), and state "
                       "medians and intervals");
-  command->add_option("--jobs", a.jobs, "of --walls: how many cores; all by default");
+  command->add_option("--jobs", a.jobs, "of --walls: how many cores; 0, the default, is all");
   command->add_option("--checkpoint", a.checkpoint,
                       "write a checkpoint into the folder this often, e.g. \"60 s\"");
   command->add_option("--resume", a.resume,
@@ -132,8 +132,9 @@ void add_campaign(CLI::App& app, CampaignArguments& a, int& code) {
   command->add_option("--samples", a.samples, "number of samples, in place of the study's");
   command->add_option("--seed", a.seed, "seed of the samples, in place of the study's");
   add_overrides(command, a.overrides);
-  command->add_option("--jobs", a.jobs,
-                      "samples run at the same time (default: one a core); no change of results");
+  command->add_option(
+      "--jobs", a.jobs,
+      "cores for samples side by side; 0, the default, is all; no change of results");
   command->add_flag("--resume", a.resume, "continue the campaign that the folder holds");
   command->add_flag(
       "--stored", a.stored,
@@ -173,7 +174,7 @@ void add_assess(CLI::App& app, AssessArguments& a, int& code) {
                       "scatters within each (default: none)");
   add_overrides(command, a.overrides);
   command->add_option("--jobs", a.jobs,
-                      "walls run at the same time (default: one a core); no change of results");
+                      "cores for walls side by side; 0, the default, is all; no change of results");
   command->add_flag("--resume", a.resume, "go on with the walls that the folder holds");
   command->add_flag("--quiet", a.quiet, "no forecast, no progress");
   add_language(command, a.language);
@@ -245,8 +246,8 @@ void add_replay(CLI::App& app, ReplayArguments& a, int& code) {
   command->add_option("--intensity", a.intensity,
                       "of a sample under a record: this shake alone, e.g. \"2 m/s^2\"");
   command->add_option("--out", a.out, "folder for the results, made if absent")->required();
-  command->add_option("--threads", a.threads, "number of threads; it does not change the results")
-      ->check(CLI::Range(1, 256));
+  command->add_option("--threads", a.threads, "cores for this wall, 0 all; no change of results")
+      ->check(CLI::Range(0, kMostCores));
   add_replace(command, a.replaces);
   command->add_flag("--quiet", a.quiet, "no progress");
   add_language(command, a.language);

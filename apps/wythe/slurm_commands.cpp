@@ -301,7 +301,7 @@ int check_arguments(const CampaignArguments& a) {
   check_slurm_name("--partition", s.partition);
   check_slurm_time("--time", s.time);
   if (!s.cores.empty())
-    static_cast<void>(whole_number("--cores", s.cores, 1, 4096, "cores of a node"));
+    static_cast<void>(whole_number("--cores", s.cores, 1, kMostCores, "cores of a node"));
   return shards;
 }
 

@@ -122,8 +122,7 @@ int run_walls(const RunArguments& a) {
              "leave it out, or write a study and run wythe campaign");
   const int walls = whole_number("--walls", a.walls, 2, kMostWalls, "write e.g. --walls 8");
   CampaignOptions options;
-  if (!a.jobs.empty())
-    options.jobs = whole_number("--jobs", a.jobs, 1, 4096, "leave it out for one wall a core");
+  options.jobs = jobs_of(a.jobs);
   options.provenance = provenance_text();
   const StudySpec study = study_of_walls(a, walls);
   const ModelBuilder build = model_builder(study);

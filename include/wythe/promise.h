@@ -41,6 +41,9 @@ struct FlatPeak {
 };
 [[nodiscard]] FlatPeak flat_peak(const Result& result);
 
+// Why a wall with a peak has no initial stiffness; empty where it has one.
+[[nodiscard]] Message why_no_stiffness(const Responses& responses);
+
 // Whether the speed of its last push follows the wall.
 [[nodiscard]] bool adapts(const Model& model);
 // warning_of(result), or else that one run cannot tell the drift.

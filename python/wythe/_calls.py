@@ -6,7 +6,7 @@ import os
 from collections.abc import Mapping, Sequence
 from typing import Any, Optional, Union
 
-from ._errors import Fault, InputError, needed, path_of, refused
+from ._errors import Fault, InputError, names_of, needed, path_of, refused
 from ._jobs import Progress, Table, perform
 from ._model import Model, as_setting
 from ._results import Batch, Campaign, Check, Result, SecondOpinion
@@ -20,7 +20,7 @@ Settings = Union[None, Mapping[str, Any], Sequence[str]]
 
 def _model(model: ModelLike) -> dict[str, Optional[str]]:
     if isinstance(model, Model):
-        return {"model": model.text, "file": model.file}
+        return {"model": model._told(), "file": model.file}
     if not isinstance(model, (str, bytes, os.PathLike)):
         raise refused("model", type(model).__name__, "is neither a path nor a Model",
                       "give the path of a model file, or wythe.Model.parse(text)")
@@ -78,7 +78,7 @@ def limit(
     model: ModelLike,
     *,
     set: Settings = None,
-    only: Sequence[str] = (),
+    only: Union[str, Sequence[str]] = (),
     assessment: bool = False,
     out: Optional[Path] = None,
     progress: Progress = None,
@@ -87,9 +87,12 @@ def limit(
 ) -> SecondOpinion:
     """Limit analysis of the wall: limit loads by linear programmes, and chains of macro-blocks.
 
-    ``only`` takes some of "lp", "infinite", "macro_block_1", "macro_block_2".
+    ``only`` takes some of "lp", "infinite", "macro_block_1", "macro_block_2", and with ``assessment=True`` also
+    "parts", those that fall on their face; all unless said.
     """
-    texts = {**_model(model), "set": _settings(set), "only": list(only), "out": _folder(out), "language": language}
+    texts = {
+        **_model(model), "set": _settings(set), "only": names_of("only", only), "out": _folder(out), "language": language
+    }
     opinion: SecondOpinion = perform(
         "limit", texts, {"assessment": assessment, "replace": replace}, progress=progress, answer=SecondOpinion
     )
@@ -103,7 +106,7 @@ def contact(law: ModelLike, opening_mm: Any, slip_mm: Any) -> Table:
     millimetres; pressing is negative. Stresses are in MPa, tension positive.
     """
     texts: dict[str, Optional[str]] = (
-        {"law": law.text, "file": law.file} if isinstance(law, Model) else _model(law)
+        {"law": law._told(), "file": law.file} if isinstance(law, Model) else _model(law)
     )
     columns = {"opening_mm": _column("opening_mm", opening_mm), "slip_mm": _column("slip_mm", slip_mm)}
     table: Table = perform("contact", texts, columns=columns, answer=lambda job: job.table("answer"))
@@ -128,13 +131,25 @@ def _column(name: str, values: Any) -> Any:
     return column
 
 
+def _one_unit(path: str, said: Mapping[str, Any]) -> str:
+    """The unit of a column, which may stand at several places as long as it is the same."""
+    found = {place: unit for place, unit in said.items() if unit != ""}
+    for place, unit in found.items():
+        if not isinstance(unit, str):
+            raise refused(path, f"{unit!r:.60}", "is no unit", 'write it as text, e.g. "MPa"')
+    if len(set(found.values())) > 1:
+        raise refused(path, ", ".join(f"{unit} ({place})" for place, unit in found.items()), "has units that differ",
+                      "leave all but one of them out")
+    return next(iter(found.values()), "")
+
+
 def _inputs(inputs: Any, columns: Optional[Sequence[str]], units: Optional[Mapping[str, str]]) -> tuple[
     dict[str, Any], dict[str, str]
 ]:
     """Columns by path, and their units, from the shapes in which people have them."""
     if columns is not None:
         numpy = needed("numpy", "a matrix of inputs")
-        columns = [columns] if isinstance(columns, str) else list(columns)
+        columns = names_of("columns", columns)
         try:
             matrix = numpy.asarray(inputs, dtype=float)
         except (TypeError, ValueError, OverflowError):
@@ -155,17 +170,17 @@ def _inputs(inputs: Any, columns: Optional[Sequence[str]], units: Optional[Mappi
     found: dict[str, Any] = {}
     unit_of: dict[str, str] = {}
     for title, values in pairs:
-        path, unit = title, (units or {}).get(title, "")
+        path, said = title, {"units": (units or {}).get(title, "")}
         if title.endswith("]") and " [" in title:  # "material.joint.cohesion [MPa]"
-            path, unit = title[:-1].split(" [", 1)
+            path, said["its title"] = title[:-1].split(" [", 1)
         if isinstance(values, tuple) and len(values) == 2 and isinstance(values[1], str):
-            values, unit = values
+            values, said["its values"] = values
         if hasattr(values, "magnitude") and hasattr(values, "units"):
-            values, unit = values.magnitude, f"{values.units:~}".replace(" ** ", "^")
+            values, said["its quantity"] = values.magnitude, f"{values.units:~}".replace(" ** ", "^")
         if path in found:
             raise refused(path, title, "stands there twice", "leave one of the columns out")
         found[path] = _column(path, values)
-        unit_of[path] = unit
+        unit_of[path] = _one_unit(path, said)
     for name in units or {}:
         if name not in dict(pairs):
             raise InputError([Fault(path=f"units[{name!r}]", problem="names no column of the inputs",

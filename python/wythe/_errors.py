@@ -3,8 +3,19 @@
 from __future__ import annotations
 
 import dataclasses
+import re
 from collections.abc import Iterable
 from typing import Any
+
+# Options of the command line that are arguments here; those without a value are flags.
+_ARGUMENTS = {"set": "set", "samples": "samples", "seed": "seed", "jobs": "jobs", "threads": "threads", "until": "until",
+              "out": "out", "only": "only", "lang": "language", "shard": "shard", "sample": "sample"}
+_FLAGS = ("resume", "replace", "assessment")
+_OPTION = re.compile(
+    rf"that wythe (?P<call>\w+) --out wrote|wythe [a-z]+ [^;]*"  # a whole command stays one
+    rf"|(?<![\w/.-])--(?:(?P<flag>{'|'.join(_FLAGS)})"
+    rf"|(?P<name>{'|'.join(_ARGUMENTS)})(?: (?:(?P<pair>\d+/\d+)|(?P<number>\d+)|(?P<word>lp|parts)))?)(?![\w-])"
+)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -30,6 +41,38 @@ class Fault:
         return f"{problem}; {self.cure}" if self.cure else problem
 
 
+def in_python(text: str) -> str:
+    """What the engine says of an option of the command line, in Python's words: --resume is resume=True."""
+
+    def said(match: re.Match[str]) -> str:
+        if match["call"]:
+            return f"that wythe.{match['call']} wrote"
+        if match["flag"]:
+            return f"{match['flag']}=True"
+        if not match["name"]:
+            return match[0]
+        name = _ARGUMENTS[match["name"]]
+        if match["pair"]:
+            return f"{name}=({match['pair'].replace('/', ', ')})"
+        return name + (f"={match['number']}" if match["number"] else f'="{match["word"]}"' if match["word"] else "")
+
+    return _OPTION.sub(said, text)
+
+
+def fault_in_python(fault: Fault, arguments: Iterable[str]) -> Fault:
+    """A fault of an option as one of the argument that stands for it; ``arguments`` are those of the call."""
+    file, path = in_python(fault.file), fault.path
+    if file != fault.file and path.startswith("study.") and path[len("study."):] in arguments:
+        file, path = "", path[len("study."):]  # samples=1 is no set={"study.samples": 1}
+    elif file != fault.file and not path:
+        file, path = "", file
+    return dataclasses.replace(fault, file=file, path=path, problem=in_python(fault.problem), cure=in_python(fault.cure))
+
+
+class MadeText(str):
+    """A model's text that Python wrote: no file has its lines."""
+
+
 class WytheError(Exception):
     """Anything that wythe refuses or cannot do."""
 
@@ -45,8 +88,17 @@ class InputError(WytheError, ValueError):
         return InputError, (self.faults,)
 
 
+class NoMember(InputError, KeyError):
+    """A name that is none of the members."""
+
+    __str__ = Exception.__str__  # a KeyError would show quotes
+
+    def __reduce__(self) -> Any:
+        return NoMember, (self.faults,)
+
+
 class AccessError(WytheError, OSError):
-    """A file or folder that is missing, cannot be written, is damaged, or is in use."""
+    """A file or folder that a call names is missing, or one cannot be written, is damaged, or is in use."""
 
 
 class DefectError(WytheError, RuntimeError):
@@ -89,6 +141,16 @@ def refused(path: str, value: Any, problem: str, cure: str) -> InputError:
     return InputError([Fault(path=path, value=str(value), problem=problem, cure=cure)])
 
 
+def names_of(name: str, value: Any) -> list[Any]:
+    """A list of names; one name may stand alone."""
+    if isinstance(value, str):
+        return [value]
+    try:
+        return list(() if value is None else value)
+    except TypeError:
+        raise refused(name, type(value).__name__, "is no list of names", "write them as a list of texts") from None
+
+
 def path_of(name: str, value: Any) -> str:
     """A path as text; ``name`` is the argument it stands in."""
     import os
@@ -97,6 +159,8 @@ def path_of(name: str, value: Any) -> str:
         path = os.fsdecode(value)
     except TypeError:
         raise refused(name, type(value).__name__, "is no path", 'write it as text, e.g. "model.toml"') from None
+    if not path:
+        raise refused(name, "", "is empty", "name a file or folder")
     if "\0" in path:
         raise refused(name, repr(path), "holds a zero byte", "no file is called so")
     return path

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any, Optional, Union
 
 from ._calls import ModelLike, Settings, run_many
-from ._errors import Fault, InputError, NoAnswer, needed
+from ._errors import Fault, InputError, NoAnswer, names_of, needed
 from ._results import Batch
 
 #: answers that may be lower bounds, and the flag that says so in a row
@@ -65,7 +65,7 @@ class Function:
         from ._model import Model
 
         self.inputs: dict[str, str] = _units(inputs)
-        self.outputs: tuple[str, ...] = (outputs,) if isinstance(outputs, str) else tuple(outputs)
+        self.outputs: tuple[str, ...] = tuple(names_of("outputs", outputs))
         self.follow: dict[str, tuple[float, str]] = _followers(follow or {}, self.inputs)
         self.missing: Optional[float] = _number_or_raise(missing)
         if bounds not in ("raise", "take"):
@@ -201,9 +201,12 @@ def _followers(follow: Mapping[str, tuple[float, str]], inputs: Mapping[str, str
 def _number_or_raise(missing: Union[str, float]) -> Optional[float]:
     if missing == "raise":
         return None
-    if isinstance(missing, str) or isinstance(missing, bool):
-        raise _refuse("missing", missing, "is no such choice", 'write "raise", or the number to take instead')
-    return float(missing)
+    try:
+        if not isinstance(missing, (str, bytes, bool)):
+            return float(missing)
+    except (TypeError, ValueError, OverflowError):
+        pass
+    raise _refuse("missing", missing, "is no such choice", 'write "raise", or the number to take instead')
 
 
 # --- the same from a command line ------------------------------------------------------------------------

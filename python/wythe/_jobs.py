@@ -7,10 +7,14 @@ import json
 import os
 import threading
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import Any, Optional, Union
 
 from . import _wythe
-from ._errors import AccessError, DefectError, Fault, InputError, Interrupted, needed, refused
+from ._errors import (
+    AccessError, DefectError, Fault, InputError, Interrupted, MadeText, WytheError, fault_in_python, in_python, needed,
+    refused,
+)
 from ._progress import listener
 
 #: What a call may take as ``progress``: True or False, None (where somebody can see it), or a function of
@@ -110,9 +114,17 @@ class Table(Mapping[str, Any]):
         return f"<table {self._name!r}: {self.rows} rows of {', '.join(self._columns)}>"
 
 
-def _refused(raw: _wythe.Job) -> InputError:
-    rows = json.loads(raw.text("faults") or "[]")
-    return InputError([Fault(**row) for row in rows] or [Fault(problem=raw.text("error") or "")])
+def _refused(raw: _wythe.Job, texts: Mapping[str, Any], numbers: Mapping[str, Any]) -> WytheError:
+    """What a call is refused for: a file or folder that it names and that is not there, or faults."""
+    text = next((texts[name] for name in ("model", "law", "study") if texts.get(name) is not None), None)
+    named = [path for path in (texts.get("file") if text is None else None, texts.get("folder")) if path]
+    if any(not os.path.lexists(path) for path in named):
+        return AccessError(in_python(raw.text("error") or ""))
+    given = [name for name, value in {**texts, **numbers}.items() if value is not None]
+    faults = [fault_in_python(Fault(**row), given) for row in json.loads(raw.text("faults") or "[]")]
+    if isinstance(text, MadeText):
+        faults = [replace(fault, line=0) if fault.file == texts["file"] else fault for fault in faults]
+    return InputError(faults or [Fault(problem=in_python(raw.text("error") or "it is not admissible"))])
 
 
 def _encoded(name: str, text: Any) -> Any:
@@ -199,9 +211,9 @@ def perform(
     finally:
         close()
     if code == _BAD_INPUT:
-        raise _refused(raw)
+        raise _refused(raw, texts, numbers)
     if code == _NO_ACCESS:
-        raise AccessError(raw.text("error"))
+        raise AccessError(in_python(raw.text("error") or ""))
     if code == _NO_MEMORY:
         raise MemoryError(raw.text("error"))
     if code not in (_DONE, _STOPPED):

@@ -15,10 +15,10 @@ import json
 import os
 import re
 import tomllib
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any, Optional, Union
 
-from ._errors import AccessError, Fault, InputError, path_of, write_text
+from ._errors import AccessError, Fault, InputError, MadeText, NoMember, path_of, write_text
 
 _NUMBER = re.compile(r"\s*([-+]?(?:\d[\d_]*\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(.*?)\s*")
 _QUANTITIES = ("quantity", "quantities", "points")
@@ -64,6 +64,10 @@ def _children(path: str) -> dict[str, dict[str, Any]]:
 
 def _fault(path: str, value: Any, problem: str, cure: str) -> InputError:
     return InputError([Fault(path=path, value=str(value), problem=problem, cure=cure)])
+
+
+def _no_member(path: str, members: Iterable[str]) -> NoMember:
+    return NoMember([Fault(path=path, problem="no such member", cure=f"there are: {', '.join(members) or 'none'}")])
 
 
 def as_text(value: Any) -> Optional[str]:
@@ -159,6 +163,34 @@ def _members(path: str, kind: str, value: Any) -> Any:
     raise _fault(path, type(value).__name__, "is no table", 'write {"key": value}')
 
 
+def _key(path: str, pattern: str, name: str) -> dict[str, Any]:
+    """What a table's key is."""
+    children = _children(pattern)
+    if not isinstance(name, str):
+        raise _fault(_under(path, repr(name)), "", "is no name of a key", "write it as text")
+    if name in children:
+        return children[name]
+    near = difflib.get_close_matches(name, children, n=1)
+    cure = f"did you mean {near[0]}?" if near else "known here are " + ", ".join(sorted(children))
+    raise _fault(_under(path, name), "", "no such key", cure)
+
+
+def _help(path: str, pattern: str, name: str) -> str:
+    lines = []
+    for key_name, key in ({name: _key(path, pattern, name)} if name else _children(pattern)).items():
+        parts = [key["meaning"]]
+        if key.get("unit"):
+            parts.append(f"Unit: {key['unit']}.")
+        if key.get("allowed"):
+            parts.append(f"Allowed: {key['allowed']}.")
+        if key.get("words"):
+            parts.append(f"One of: {', '.join(key['words'])}.")
+        if key.get("default"):
+            parts.append(f"Default: {key['default']}.")
+        lines.append(f"{key_name}: " + " ".join(parts))
+    return "\n".join(lines)
+
+
 class Section:
     """One table of a model: its keys are attributes and members. An unknown key is refused with advice."""
 
@@ -169,14 +201,7 @@ class Section:
         object.__setattr__(self, "_pattern", pattern)
 
     def _key(self, name: str) -> dict[str, Any]:
-        children = _children(self._pattern)
-        if not isinstance(name, str):
-            raise _fault(_under(self._path, repr(name)), "", "is no name of a key", "write it as text")
-        if name in children:
-            return children[name]
-        near = difflib.get_close_matches(name, children, n=1)
-        cure = f"did you mean {near[0]}?" if near else "known here are " + ", ".join(sorted(children))
-        raise _fault(_under(self._path, name), "", "no such key", cure)
+        return _key(self._path, self._pattern, name)
 
     def _child(self, name: str) -> Any:
         key = self._key(name)
@@ -256,22 +281,7 @@ class Section:
 
     def help(self, name: str = "") -> str:
         """What a key means, its unit and what is allowed; without a name, a line for each key."""
-        children = _children(self._pattern)
-        if name:
-            children = {name: self._key(name)}
-        lines = []
-        for key_name, key in children.items():
-            parts = [key["meaning"]]
-            if key.get("unit"):
-                parts.append(f"Unit: {key['unit']}.")
-            if key.get("allowed"):
-                parts.append(f"Allowed: {key['allowed']}.")
-            if key.get("words"):
-                parts.append(f"One of: {', '.join(key['words'])}.")
-            if key.get("default"):
-                parts.append(f"Default: {key['default']}.")
-            lines.append(f"{key_name}: " + " ".join(parts))
-        return "\n".join(lines)
+        return _help(self._path, self._pattern, name)
 
     def __repr__(self) -> str:
         return f"<{self._path or 'model'}: {_toml_table(self._data).strip()}>"
@@ -293,6 +303,12 @@ class SectionMap(Section):
     def __getattr__(self, name: str) -> Any:
         if name.startswith("_") or name not in self._data:
             raise AttributeError(f"{self._path} has no member {name!r}")
+        return self._child(name)
+
+    def __getitem__(self, name: str) -> Any:
+        self._key(name)
+        if name not in self._data:  # a new one is made by giving it its keys: material["new"] = {...}
+            raise _no_member(_under(self._path, name), self._data)
         return self._child(name)
 
     def _replace(self, name: str, kind: str, value: Any) -> None:
@@ -326,8 +342,8 @@ class SectionList:
         for number, member in enumerate(self._data):
             if member.get("name") == place:
                 return number
-        names = ", ".join(str(member.get("name", number)) for number, member in enumerate(self._data))
-        raise _fault(_under(self._path, str(place)), "", "no such member", f"there are: {names or 'none'}")
+        names = (str(member.get("name", number)) for number, member in enumerate(self._data))
+        raise _no_member(_under(self._path, str(place)), names)
 
     def __getitem__(self, place: Union[int, str]) -> Section:
         number = self._at(place)
@@ -355,6 +371,10 @@ class SectionList:
             raise
         self._model._touch()
         return section
+
+    def help(self, name: str = "") -> str:
+        """What a key of a member means, its unit and what is allowed; without a name, a line for each key."""
+        return _help(self._path, self._pattern, name)
 
     def to_dict(self) -> list[dict[str, Any]]:
         """A copy of the members as plain dictionaries."""
@@ -385,6 +405,7 @@ class Model(Section):
                                     cure="mend that line")]) from error
         object.__setattr__(self, "_text", text)
         object.__setattr__(self, "_file", name)
+        object.__setattr__(self, "_is_changed", False)
         super().__init__(self, data, "", "")
 
     @classmethod
@@ -408,6 +429,10 @@ class Model(Section):
 
     def _touch(self) -> None:
         object.__setattr__(self, "_text", None)
+        object.__setattr__(self, "_is_changed", True)
+
+    def _told(self) -> str:
+        return MadeText(self.text) if self._is_changed else self.text
 
     @property
     def file(self) -> str:
@@ -427,15 +452,19 @@ class Model(Section):
 
     def copy(self) -> Model:
         """A copy; changes of one do not reach the other."""
-        return Model(self.text, self._file)
+        other = Model(self.text, self._file)
+        object.__setattr__(other, "_is_changed", self._is_changed)
+        return other
 
     # A path is taken as in `wythe run --set`: "wall.length", "stage.push.velocity", "wall.opening.0.width".
-    def _walk(self, path: str) -> tuple[Any, str]:
+    def _walk(self, path: str, makes: bool) -> tuple[Any, str]:
         here: Any = self
         parts = path.split(".")
         for part in parts[:-1]:
             if isinstance(here, SectionList):
                 here = here[int(part) if part.isdigit() else part]
+            elif isinstance(here, SectionMap) and not makes:
+                here = here[part]
             elif isinstance(here, Section):
                 here = here._child(part)
             if not isinstance(here, (Section, SectionList)):
@@ -445,14 +474,14 @@ class Model(Section):
     def __getitem__(self, path: str) -> Any:
         if not isinstance(path, str) or "." not in path:
             return self._child(path)
-        here, last = self._walk(path)
+        here, last = self._walk(path, False)
         return here[int(last) if isinstance(here, SectionList) and last.isdigit() else last]
 
     def __setitem__(self, path: str, value: Any) -> None:
         if not isinstance(path, str) or "." not in path:
             super().__setitem__(path, value)
             return
-        here, last = self._walk(path)
+        here, last = self._walk(path, True)
         if isinstance(here, SectionList):
             raise _fault(path, value, "is a member of a list", f"change its keys, or use {path}.<key>")
         here[last] = value

@@ -19,6 +19,16 @@ def _number(value: Any, digits: int = 4, unit: str = "") -> str:
     return f"{value:.{digits}g}{unit}"
 
 
+def _whole(name: str, value: Any) -> int:
+    """The number of a row or sample; a text or a fraction is none."""
+    try:
+        if not isinstance(value, (str, bytes)) and value == int(value):
+            return int(value)
+    except (TypeError, ValueError, OverflowError):
+        pass
+    raise refused(name, f"{value!r:.60}", "is no whole number", "write a number, without quotes")
+
+
 def _word(value: Any) -> str:
     return "not known" if value in (None, "") else str(value)
 
@@ -166,24 +176,37 @@ class Result:
 
     def _capacity(self) -> str:
         s = self.summary
+        bound = "at least " if s.get("censored_peak") else ""
         factor = [f"load factor {_number(s['load_factor'])}"] if s.get("load_factor") else []
-        if s.get("peak_reaction_kN") is not None:
+        if s.get("peak_reaction_kN"):
             at = s.get("displacement_at_peak_mm")
             force = _number(s["peak_reaction_kN"], unit=" kN") + ("" if at is None else f" at {_number(at, unit=' mm')}")
-            return ", ".join([*factor, force])
-        return factor[0] if factor else "not known" + (f": {s['peak_reason']}" if s.get("peak_reason") else "")
+            return bound + ", ".join([*factor, force])
+        if factor:
+            return bound + factor[0]
+        if s.get("peak_reaction_kN") == 0:
+            return "not asked for: nothing pushed the wall"
+        return "not known" + (f": {s['peak_reason']}" if s.get("peak_reason") else "")
+
+    def _answer(self) -> list[tuple[str, str]]:
+        """What the run says of the wall: of one that was shaken alone, how it stands, and no capacity."""
+        shaken = (self.summary.get("shaking") or {}).get("sentence")
+        said = [("shaking", str(shaken))] if shaken else []
+        if said and self.summary.get("peak_reaction_kN") == 0:
+            return said
+        mode = self.summary.get("failure_mode") or {}
+        return [*said, ("capacity", self._capacity()), ("failure mode", _word(mode.get("name")))]
 
     def _facts(self) -> list[tuple[str, str]]:
         s = self.summary
-        mode, rate = s.get("failure_mode") or {}, s.get("quasi_static") or {}
+        rate = s.get("quasi_static") or {}
         warning = [("warning", str(s["warning"]))] if s.get("warning") else []
         reason = [("reason", str(s["reason"]))] if s.get("reason") else []
         return [
             *warning,
             ("status", self.status),
             *reason,
-            ("capacity", self._capacity()),
-            ("failure mode", _word(mode.get("name"))),
+            *self._answer(),
             ("rate", _word(rate.get("verdict"))),
             *((f"rate, {name}", f"not known: {said['reason']}") for key, name in
               (("displacement", "displacement"), ("mode", "failure mode"))
@@ -249,14 +272,25 @@ def _with_words(frame: Any, rows: Batch | Campaign) -> Any:
     return frame
 
 
+def _capacities(rows: Batch | Campaign) -> dict[int, tuple[float, bool]]:
+    """Each row's capacity [kN], and whether it is a lower bound; a row without one is left out."""
+    peaks, bounds = rows.answers.numbers("peak_reaction_kN"), rows.answers.numbers("censored_peak")
+    return {row: (peak, bound == 1) for row, (peak, bound) in enumerate(zip(peaks, bounds)) if peak > 0}
+
+
 def _counts(rows: Batch | Campaign) -> str:
-    """"5 completed (2 without a capacity), 1 refused"."""
-    peaks = rows.answers.numbers("peak_reaction_kN")
+    """"5 completed (2 without a capacity, 1 with a lower bound of it), 1 refused"."""
+    capacities = _capacities(rows)
     words = []
     for status in dict.fromkeys(rows.status):
         places = [row for row, own in enumerate(rows.status) if own == status]
-        bare = sum(peaks[row] != peaks[row] for row in places) if status in ("completed", "collapsed") else 0
-        words.append(f"{len(places)} {status or 'not run'}" + (f" ({bare} without a capacity)" if bare else ""))
+        ended = places if status in ("completed", "collapsed") else []
+        bare = sum(row not in capacities for row in ended)
+        bounds = sum(capacities[row][1] for row in ended if row in capacities)
+        inner = [*([f"{bare} without a capacity"] if bare else []),
+                 *([f"{bounds} with a lower bound of it" if bare else f"{bounds} with a lower bound of the capacity"]
+                   if bounds else [])]
+        words.append(f"{len(places)} {status or 'not run'}" + (f" ({', '.join(inner)})" if inner else ""))
     return ", ".join(words)
 
 
@@ -273,7 +307,7 @@ class Batch:
         self.status: list[str] = [row["status"] for row in rows]
         #: the failure mode of each row; None where a row has no answer
         self.failure_mode: list[Optional[str]] = [row.get("failure_mode") for row in rows]
-        #: why a row has no answer or no capacity, or why it ended; None where there is nothing to say
+        #: why a row has no answer, no capacity or no initial stiffness, or why it ended; None where there is nothing to say
         self.reason: list[Optional[str]] = [row.get("reason") for row in rows]
         #: how nearly static each push was: "slow enough", "usable", "too fast", "unknown"; None where a row has no answer
         self.rate_judgement: list[Optional[str]] = [row.get("rate_judgement") for row in rows]
@@ -298,7 +332,7 @@ class Batch:
         if self._curves is None:
             raise InputError([Fault(path="curve", problem="the curves were not asked for",
                                     cure="call run_many(..., curves=True)")])
-        number = range(len(self))[row]
+        number = range(len(self))[_whole("row", row)]
         numpy = needed("numpy", "a curve")
         first, last = numpy.searchsorted(self._curves["row"], [number, number + 1])
         return {name: self._curves[name][first:last] for name in self._curves if name != "row"}
@@ -374,7 +408,7 @@ class Campaign:
         curves = self._job.table("curves")
         assert curves is not None
         numpy = needed("numpy", "a curve")
-        places = numpy.flatnonzero(self.inputs["sample"] == sample)
+        places = numpy.flatnonzero(self.inputs["sample"] == _whole("sample", sample))
         if len(places) == 0:
             raise InputError([Fault(path="sample", value=str(sample), problem="has not run in this campaign",
                                     cure="choose a number of inputs['sample']")])
@@ -398,11 +432,15 @@ class Campaign:
 
     def _repr_html_(self) -> str:
         counts = {mode: self.failure_mode.count(mode) for mode in sorted({m for m in self.failure_mode if m})}
-        peaks = [p for p in self.answers["peak_reaction_kN"] if p == p]
+        peaks = list(_capacities(self).values())
+        bounds = sum(is_bound for _, is_bound in peaks)
+        ends = [("at least " if is_bound else "") + _number(peak) for peak, is_bound in (
+            (min(peaks), max(peaks)) if peaks else ())]
         rows = [
             ("folder", self.folder),
-            ("samples", f"{len(self)}, {len(peaks)} of them with a capacity"),
-            ("capacity", f"{_number(min(peaks))} to {_number(max(peaks))} kN" if peaks else "not known"),
+            ("samples", f"{len(self)}, {len(peaks)} of them with a capacity"
+             + (f", of which {bounds} {'is a lower bound' if bounds == 1 else 'are lower bounds'}" if bounds else "")),
+            ("capacity", " to ".join(ends) + " kN" if ends else "not known"),
             ("failure modes", ", ".join(f"{mode} {count}" for mode, count in counts.items()) or "not known"),
         ]
         return _rows_html(rows)

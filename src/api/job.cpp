@@ -41,6 +41,17 @@ std::string Inputs::one(const std::string& name, const std::string& otherwise) c
   return found == text.end() || found->second.empty() ? otherwise : found->second.back();
 }
 
+std::string Inputs::out_folder() const {
+  const std::string folder = one("out");
+  if (has("out") && folder.empty())
+    throw InputError({{.file = "",
+                       .path = "out",
+                       .value = "",
+                       .problem = "is empty",
+                       .cure = "name a folder, or leave it out"}});
+  return folder;
+}
+
 std::vector<std::string> Inputs::all(const std::string& name) const {
   const auto found = text.find(name);
   return found == text.end() ? std::vector<std::string>{} : found->second;

@@ -34,6 +34,8 @@ class Inputs {
 
   [[nodiscard]] bool has(const std::string& name) const { return text.contains(name); }
   [[nodiscard]] std::string one(const std::string& name, const std::string& otherwise = "") const;
+  // "out": a folder for files; "" where none is asked for. Throws InputError where it was given empty.
+  [[nodiscard]] std::string out_folder() const;
   [[nodiscard]] std::vector<std::string> all(const std::string& name) const;
   // A whole number from `least` to `most`; throws InputError.
   [[nodiscard]] int whole(const std::string& name, int otherwise, int least, int most) const;

@@ -224,7 +224,7 @@ Json notes_of_model(const Model& model) {
 bool do_run(Job& job) {
   job.in.check("run", {"model", "file", "set", "out", "language"}, {"threads", "frames", "replace"},
                false);
-  const std::string language = job.in.one("language", "en"), out = job.in.one("out");
+  const std::string language = job.in.one("language", "en"), out = job.in.out_folder();
   check_language(language, "language");
   const SolveOptions options = options_of(job);
   GivenModel given = read_given(job.in);
@@ -244,7 +244,7 @@ bool do_run(Job& job) {
 bool do_replay(Job& job) {
   job.in.check("replay", {"folder", "out", "language"}, {"sample", "threads", "frames", "replace"},
                false);
-  const std::string language = job.in.one("language", "en"), out = job.in.one("out");
+  const std::string language = job.in.one("language", "en"), out = job.in.out_folder();
   check_language(language, "language");
   const SolveOptions options = options_of(job);
   const Campaign campaign = read_campaign(job.in.one("folder"));
@@ -302,7 +302,7 @@ bool do_check(Job& job) {
 bool do_limit(Job& job) {
   job.in.check("limit", {"model", "file", "set", "out", "language", "only"},
                {"assessment", "replace"}, false);
-  const std::string language = job.in.one("language", "en"), out = job.in.one("out");
+  const std::string language = job.in.one("language", "en"), out = job.in.out_folder();
   check_language(language, "language");
   OpinionAsked asked{job.in.all("only"), job.in.real("assessment", 0) != 0};
   check_asked(asked, "only");

@@ -15,6 +15,7 @@
 #include "wythe/error.h"
 #include "wythe/folders.h"
 #include "wythe/io.h"
+#include "wythe/promise.h"
 
 namespace wythe::api {
 namespace {
@@ -57,6 +58,15 @@ Table answers_of(const std::vector<SampleRecord>& records) {
   return table;
 }
 
+// Why a record ended, else why one that ended well has no capacity; and why it has no stiffness.
+std::string reason_of(const SampleRecord& record) {
+  if (!record.answered()) return text_of(record.reason);
+  const std::string ended =
+      text_of(record.reason.empty() ? record.responses.peak_reason : record.reason);
+  const std::string stiffness = text_of(why_no_stiffness(record.responses));
+  return ended + (ended.empty() || stiffness.empty() ? "" : "; ") + stiffness;
+}
+
 // Words of the answers, a row a record.
 std::string rows_of(const std::vector<SampleRecord>& records) {
   Json rows = Json::array();
@@ -64,10 +74,7 @@ std::string rows_of(const std::vector<SampleRecord>& records) {
     Json row = {{"status", record.status}, {"state_hash", record.state_hash}};
     if (record.answered()) row["failure_mode"] = record.failure_mode.name;
     if (record.answered()) row["rate_judgement"] = record.quasi_static.judgement;
-    // why it ended, else why an answer that ended well has no capacity
-    const Message& why =
-        record.reason.empty() && record.answered() ? record.responses.peak_reason : record.reason;
-    if (!why.empty()) row["reason"] = text_of(why);
+    if (const std::string why = reason_of(record); !why.empty()) row["reason"] = why;
     if (record.retried) row["retried"] = true;
     if (record.sample > 0) row["sample"] = record.sample;
     rows.push_back(std::move(row));
@@ -189,7 +196,7 @@ bool do_campaign(Job& job) {
   job.in.check("campaign", {"study", "file", "set", "out", "until", "language"},
                {"samples", "seed", "jobs", "resume", "shard", "shards"}, false);
   const Inputs& in = job.in;
-  const std::string out = in.one("out"), language = in.one("language", "en");
+  const std::string out = in.out_folder(), language = in.one("language", "en");
   check_language(language, "language");
   if (!in.has("study") && !in.has("file"))
     refuse("study", "", "is missing", "give the TOML as the text `study`, or a path as `file`");

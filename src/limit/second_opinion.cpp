@@ -103,6 +103,14 @@ void throw_if_nothing(const OpinionAsked& asked, const SecondOpinion& opinion,
       faults.push_back(
           {.file = "", .path = text_of(r.what), .value = "", .problem = r.why, .cure = ""});
   }
+  if (faults.empty())
+    faults.push_back({.file = "",
+                      .path = "",
+                      .value = kParts,
+                      .problem =
+                          "none is here to check: parts that fall on their face are of walls "
+                          "in their plane, pushed along it or left to stand",
+                      .cure = "ask for lp, or for a mechanism"});
   throw InputError(std::move(faults));
 }
 
@@ -121,6 +129,12 @@ void check_asked(const OpinionAsked& asked, const std::string& option) {
                   .value = word,
                   .problem = "is nothing that limit analysis answers",
                   .cure = "write one of: " + joined(known, ", ")});
+    else if (word == kParts && !asked.assessment)
+      faults.add({.file = option,
+                  .path = "",
+                  .value = word,
+                  .problem = "are checked by an assessment alone",
+                  .cure = "add --assessment"});
   faults.throw_if_any();
 }
 

@@ -225,8 +225,10 @@ class RunHeadline {
             stiffness_card()};
   }
   [[nodiscard]] Card stiffness_card() const {
+    const std::string reason = said_in(s_, "initial_stiffness_reason");
     return {texts_.quantity(number_in(s_, "initial_stiffness_kN_per_mm"), "kN/mm"),
-            texts_.say("card.stiffness"), texts_.say("card.stiffness.means")};
+            texts_.say("card.stiffness"),
+            reason.empty() ? texts_.say("card.stiffness.means") : escaped(reason)};
   }
   // A push to and fro: which direction is read, and what the other resists.
   [[nodiscard]] std::string both_ways() const {

@@ -339,7 +339,7 @@ class Parts(Base):
 
 class Faults(Base):
     def test_options_that_are_wrong(self):
-        for options in (["--samples", "0"], ["--samples", "1"], ["--shard", "0/2"], ["--shard", "two"], ["--jobs", "0"],
+        for options in (["--samples", "0"], ["--samples", "1"], ["--shard", "0/2"], ["--shard", "two"], ["--jobs", "-1"], ["--jobs", "1025"],
                         ["--fly"], ["--until", "share < soon"], ["--set", "wall.thickness=-1 m"],
                         ["--until", "interval(share) < 0.1", "--shard", "1/2"]):
             done = wythe("campaign", self.study, "--out", self.out(), *options)
@@ -351,7 +351,7 @@ class Faults(Base):
         for option, value, words in (("--seed", "-1", "must be a whole number from 0"),
                                      ("--samples", "0", "must be at least 2"),
                                      ("--samples", "2.5", "must be a whole number"),
-                                     ("--jobs", "0", "leave it out for one sample a core"),
+                                     ("--jobs", "1025", "must be a whole number from 0 to 1024; leave it out for all cores"),
                                      ("--until", "x", "write e.g.")):
             done = wythe("campaign", self.study, "--out", self.out(), option, value)
             self.refused(done, 2, words)

@@ -175,6 +175,33 @@ class Run(Base):
         self.assertTrue(bound[0.75], "this push is meant to end before that fall")
         self.assertIsNone(capacity["threshold_decides"])
 
+    def test_cores_are_counted_as_in_python(self):
+        model, out = self.result.parent / "model.toml", self.result.parent / "cores"
+        for options in (("--threads", "1025"), ("--threads", "-1"), ("--walls", "2", "--jobs", "1025"), ("--walls", "2", "--jobs", "x")):
+            done = wythe("run", model, "--out", out, "--set", "scatter.use=clay_brick", *options)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn("1024", done.stderr)
+            self.assertFalse(out.exists())
+        short = ("--set", "stage.push.until=0.02 mm", "--quiet")
+        hashes = set()
+        for threads in ("0", "1", "2"):
+            done = wythe("run", model, "--out", out, "--threads", threads, *short)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            hashes.add(json.loads((out / "summary.json").read_text())["state_hash"])
+        self.assertEqual(len(hashes), 1)
+        done = wythe("run", model, "--out", self.result.parent / "jobs", "--walls", "2", "--jobs", "0", "--set", "scatter.use=clay_brick", *short)
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_a_push_without_a_stiffness_says_why(self):
+        model, out = self.result.parent / "model.toml", self.result.parent / "fast"
+        done = wythe("run", model, "--out", out, "--set", "stage.push.velocity=100 mm/s", "--quiet")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        summary = json.loads((out / "summary.json").read_text())
+        self.assertEqual(summary["initial_stiffness_kN_per_mm"] is None and summary["peak_reaction_kN"] is not None,
+                         summary["initial_stiffness_reason"] != "")
+        if summary["initial_stiffness_reason"]:
+            self.assertIn(summary["initial_stiffness_reason"], done.stdout)
+
     def test_several_walls_refuse_what_is_for_one_wall_or_for_a_study(self):
         model, out = self.result.parent / "model.toml", self.result.parent / "walls"
         for more, word in ((("--threads", "2"), "--jobs"), (("--set", "study.samples=3"), "study.samples=3")):

@@ -105,6 +105,15 @@ class Limit(unittest.TestCase):
         self.assertAlmostEqual(a["spectral_displacement0_mm"], a["spectral_share"] * a["displacement0_mm"])
         self.assertGreater(a["spectral_share"], 0)
 
+    def test_parts_need_an_assessment_and_a_wall_that_has_them(self):
+        for only in (("parts",), ("parts", "lp")):
+            done = self.limit("--out", self.out(), "--only", *only, code=2)
+            self.assertEqual(done.stderr, "--only: parts: are checked by an assessment alone; add --assessment\n")
+        tilt = SOURCE / "examples/dry_tilt/model.toml"
+        done = self.limit("--out", self.out(), "--only", "parts", "--assessment", model=tilt, code=2)
+        self.assertIn("parts: none is here to check", done.stderr)
+        self.assertFalse(self.out().exists())
+
     def test_assessment_of_what_has_no_chain_is_refused_by_name(self):
         out = self.out()
         model = self.folder / "plain.toml"

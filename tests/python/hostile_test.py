@@ -68,6 +68,48 @@ class Clumsy(unittest.TestCase):
                 call("no\udc80where.toml")
         self.assertEqual(wythe.check(os.fsencode(DRY))["weight_kN"], wythe.check(pathlib.Path(DRY))["weight_kN"])
 
+    def test_what_is_not_there_is_no_input(self):
+        for call in (lambda: wythe.run("nowhere.toml"), lambda: wythe.campaign("nowhere.toml", "x"), lambda: wythe.check("nowhere.toml"),
+                     lambda: wythe.open_campaign("nowhere"), lambda: wythe.replay("nowhere", 1), lambda: wythe.limit("nowhere.toml"),
+                     lambda: wythe.run_many("nowhere.toml", {KN: ([1.0], "GPa/m")}), lambda: wythe.contact("nowhere.toml", [0], [0]),
+                     lambda: wythe.Model.read("nowhere.toml"), lambda: wythe.Function("nowhere.toml", {KN: "GPa/m"})):
+            with self.assertRaisesRegex(wythe.AccessError, "nowhere"):
+                call()
+        self.refused(lambda: wythe.check(wythe.Model("", "nowhere.toml")), "stage")  # its name alone is not asked for
+
+    def test_empty_paths(self):
+        for call in (lambda: run(out=""), lambda: wythe.limit(DRY, out=""), lambda: wythe.replay("x", 1, out=""), lambda: wythe.run(""),
+                     lambda: wythe.campaign("", "x"), lambda: wythe.campaign(DRY, ""), lambda: wythe.open_campaign(""),
+                     lambda: wythe.Model.read(""), lambda: wythe.Model("").write("")):
+            self.refused(call, "is empty")
+
+    def test_units_that_differ(self):
+        title, pair = f"{KN} [GPa/m]", ([1.0], "MPa/m")
+        for call, first, second in ((lambda: batch({title: [1.0]}, units={title: "MPa/m"}), "GPa/m (its title)", "MPa/m (units)"),
+                                    (lambda: batch({title: pair}), "GPa/m (its title)", "MPa/m (its values)"),
+                                    (lambda: batch({KN: pair}, units={KN: "GPa/m"}), "GPa/m (units)", "MPa/m (its values)"),
+                                    (lambda: batch([[1.0]], columns=title, units={title: "MPa/m"}), "GPa/m (its title)", "MPa/m (units)")):
+            self.refused(call, KN, "has units that differ", first, second)
+        same = batch({title: ([8.0], "GPa/m")}, units={title: "GPa/m"})
+        self.assertEqual(same.units, {KN: "GPa/m"})
+        self.assertEqual(same.state_hash, batch({KN: ([8.0], "GPa/m")}).state_hash)
+        self.refused(lambda: batch({KN: [1.0]}, units={KN: 5}), "is no unit")
+
+    def test_what_limit_is_asked_for(self):
+        self.refused(lambda: wythe.limit(DRY, only=["parts"]), "only: parts", "add assessment=True")
+        self.refused(lambda: wythe.limit(DRY, only=["parts", "lp"]), "only: parts", "add assessment=True")
+        self.refused(lambda: wythe.limit(DRY, only=3), "is no list of names")
+        self.refused(lambda: wythe.limit(DRY, only="all"), "all: is nothing that limit analysis answers")
+        self.assertEqual(wythe.limit(DRY, only="lp").limit_loads, wythe.limit(DRY, only=["lp"]).limit_loads)
+        tilt = wythe.Model.read(str(SOURCE / "examples/dry_tilt/model.toml"))
+        self.refused(lambda: wythe.limit(tilt, only="parts", assessment=True), "parts: none is here to check")
+
+    def test_what_a_function_takes_instead(self):
+        for wrong in (None, [1], "x", True):
+            self.refused(lambda: wythe.Function(DRY, {KN: "GPa/m"}, missing=wrong), "missing", 'write "raise"')
+        self.refused(lambda: wythe.Function(DRY, {KN: "GPa/m"}, outputs=3), "is no list of names")
+        self.refused(lambda: batch({KN: ([8.0], "GPa/m")}, curves=True).curve("0"), "is no whole number")
+
     def test_files_whose_names_are_not_unicode_are_files(self):
         import tempfile
         with tempfile.TemporaryDirectory() as folder:

@@ -157,7 +157,8 @@ class Faults(unittest.TestCase):
         self.assertTrue(all(fault.cure for fault in faults))
 
     def test_a_file_that_is_not_there_and_a_folder_that_cannot_be_written(self):
-        self.refused(lambda: wythe.run("nowhere.toml"), "nowhere.toml")
+        with self.assertRaisesRegex(wythe.AccessError, "nowhere.toml: there is no such file; name a file"):
+            wythe.run("nowhere.toml")
         with tempfile.NamedTemporaryFile() as file, self.assertRaises((wythe.AccessError, wythe.InputError)):
             wythe.run(PIER, set=SHORT, out=file.name + "/inside", progress=False)
 
@@ -352,7 +353,7 @@ class Campaigns(unittest.TestCase):
             self.assertEqual(mine.statistics.keys(), opened.statistics.keys())
             self.assertTrue(mine.replay(2, progress=False).replay["equal"])
             self.assertGreater(len(mine.curve(3)["reaction_kN"]), 100)
-            with self.assertRaisesRegex(wythe.InputError, "--resume|already"):
+            with self.assertRaisesRegex(wythe.InputError, "resume=True|already"):
                 wythe.campaign(STUDY, folder + "/mine", samples=4, set=short, progress=False)
             more = wythe.campaign(STUDY, folder + "/mine", samples=6, set=short, resume=True, progress=False)
             self.assertEqual(more.state_hash[:4], mine.state_hash)

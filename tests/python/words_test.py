@@ -33,6 +33,7 @@ residual_friction_angle = "30 deg"
 compressive_strength = "unlimited"
 """
 VELOCITY = "stage.push.velocity"
+PIER = str(SOURCE / "examples/brick_pier/model.toml")
 WORDS = ["status", "failure_mode", "reason", "rate_judgement"]
 
 
@@ -101,6 +102,142 @@ class Nothing(unittest.TestCase):
         self.assertRegex(repr(wythe.run(dry(low), progress=False)), "capacity load factor 0.57[0-9]+, 1\\.")
 
 
+# A wall that is shaken, and not pushed.
+SHAKEN = DRY[:DRY.index('{ name = "push"')] + (
+    '{ name = "s", free_vibration = "0.05 s", record = { accelerations = [0, 0.1, 0, -0.1, 0], unit = "g", '
+    "times = [0, 0.02, 0.04, 0.06, 0.08] } }]"
+) + DRY[DRY.index("\n[material.joint]"):]
+
+
+class Bounds(unittest.TestCase):
+    def test_a_lower_bound_is_called_one(self):
+        result = wythe.run(PIER, set={"stage.push.until": "0.3 mm"}, progress=False)
+        self.assertTrue(result.summary["censored_peak"])
+        peak = f"capacity at least {result.summary['peak_reaction_kN']:.4g} kN at 0.3 mm"
+        self.assertIn(peak, repr(result))
+        self.assertIn(peak[len("capacity "):], result._repr_html_())
+
+    def test_a_load_that_did_not_reach_its_end_is_a_bound_too(self):
+        tilt = '{ name = "tilt", tilt_rate = "20 deg/s", tilt_until = "5 deg" }]'
+        text = DRY[:DRY.index('{ name = "push"')] + tilt + DRY[DRY.index("\n[material.joint]"):]
+        self.assertRegex(repr(wythe.run(dry(text), progress=False)), "capacity at least load factor 0.08[0-9]*, ")
+
+    def test_a_batch_and_a_campaign_count_them(self):
+        import tempfile
+        batch = wythe.run_many(PIER, {"stage.push.until": ([0.2, 0.3], "mm")}, jobs=1, progress=False)
+        self.assertEqual(list(batch.answers["censored_peak"]), [1, 1])
+        self.assertEqual(repr(batch), "<batch of 2: 2 completed (2 with a lower bound of the capacity)>")
+        with tempfile.TemporaryDirectory() as folder:
+            at = pathlib.Path(folder)
+            (at / "study.toml").write_text(f"""[study]
+model = "{PIER}"
+samples = 2
+seed = 1
+[variable.until]
+path = "stage.push.until"
+distribution = "uniform"
+low = "0.2 mm"
+high = "0.3 mm"
+""")
+            campaign = wythe.campaign(at / "study.toml", at / "out", jobs=1, progress=False)
+            self.assertIn("2 completed (2 with a lower bound of the capacity)", repr(campaign))
+            page = campaign._repr_html_()
+            self.assertIn("2, 2 of them with a capacity, of which 2 are lower bounds", page)
+            self.assertRegex(page, r"at least [0-9.]+ to at least [0-9.]+ kN")
+            for wrong in ("1", "x", None, 1.5):
+                with self.assertRaisesRegex(wythe.InputError, "no whole number"):
+                    campaign.curve(wrong)
+            self.assertTrue(len(campaign.curve(campaign.inputs["sample"][0])["reaction_kN"]))
+
+    def test_a_shake_has_no_capacity(self):
+        result = wythe.run(dry(SHAKEN), progress=False)
+        said = result.summary["shaking"]["sentence"]
+        self.assertTrue(said.startswith("shaken with a peak of 0.1 g the wall stands"), said)
+        for text in (repr(result), result._repr_html_()):
+            self.assertIn(said, text)
+            self.assertNotIn("capacity", text)
+            self.assertNotIn("unclear", text)
+
+    def test_a_wall_that_nothing_pushes_has_none(self):
+        text = DRY[:DRY.index(', { name = "push"')] + "]" + DRY[DRY.index("\n[material.joint]"):]
+        self.assertIn("capacity not asked for: nothing pushed the wall", repr(wythe.run(dry(text), progress=False)))
+
+
+class Options(unittest.TestCase):
+    """The command line's options in the words of Python."""
+    def test_the_words_are_pythons(self):
+        from wythe._errors import in_python
+        for said, meant in (("--resume goes on with it; or name another folder", "resume=True goes on with it; or name another folder"),
+                            ("write --samples 5 or more, or leave --samples out", "write samples=5 or more, or leave samples out"),
+                            ("e.g. --shard 1/4", "e.g. shard=(1, 4)"), ("leave --only lp out", 'leave only="lp" out'),
+                            ("run it: wythe campaign S --out DIR", "run it: wythe campaign S --out DIR"),
+                            ("name the folder that wythe campaign --out wrote", "name the folder that wythe.campaign wrote"),
+                            ("/tmp/a--out: b", "/tmp/a--out: b"), ("--outer", "--outer")):
+            self.assertEqual(in_python(said), meant)
+
+    def test_faults_of_a_study_name_the_argument(self):
+        import tempfile
+        with tempfile.TemporaryDirectory() as folder:
+            at = pathlib.Path(folder)
+            (at / "model.toml").write_text(DRY)
+            (at / "study.toml").write_text("""[study]
+model = "model.toml"
+samples = 3
+seed = 1
+[variable.v]
+path = "stage.push.velocity"
+distribution = "uniform"
+low = "30 mm/s"
+high = "40 mm/s"
+""")
+            def run(**options):
+                return wythe.campaign(at / "study.toml", at / "out", jobs=1, progress=False, **options)
+            run()
+            for options, words in (({"samples": 1}, "^samples = 1: must be at least 2"), ({"until": "x"}, "^until = x: "),
+                                   ({"set": {"study.samples": 1}}, "^set: study.samples = 1: "),
+                                   ({}, "resume=True goes on"), ({"samples": 2, "resume": True}, "samples=")):
+                with self.assertRaisesRegex(wythe.InputError, words) as caught:
+                    run(**options)
+                self.assertNotIn("--", str(caught.exception))
+
+    def test_a_model_made_in_python_has_no_lines(self):
+        model = dry()
+        model.wall.length = "1.1 m"
+        model["material.joint.normal_stiffness"] = "-1 GPa/m"
+        for given in (model, model.copy()):
+            with self.assertRaises(wythe.InputError) as caught:
+                wythe.check(given)
+            self.assertEqual({fault.line for fault in caught.exception.faults}, {0})
+        with self.assertRaises(wythe.InputError) as caught:
+            wythe.check(dry(DRY.replace("20 GPa/m", "-1 GPa/m")))
+        self.assertEqual(caught.exception.faults[0].line, 5)
+
+    def test_help_has_the_defaults(self):
+        keys = wythe.keys()
+        for path, default in (("wall.bond", "running"), ("solve.contacts", "joints"), ("assessment.masonry_share", "1")):
+            self.assertEqual(keys[path]["default"], default)
+        self.assertFalse([path for path, key in keys.items() if key.get("allowed") == "any"])
+        self.assertFalse([path for path, key in keys.items() if key["kind"] == "flag" and "default" not in key])
+        model = dry()
+        self.assertIn("One of: running, ", model.wall.help("bond"))
+        self.assertIn("Default: running.", model.wall.help("bond"))
+        self.assertEqual(model.stage.help("velocity"), model.stage["push"].help("velocity"))
+        self.assertEqual(model.material.help("cohesion"), model.material["joint"].help("cohesion"))
+        self.assertIn("velocity: ", model.stage.help())
+
+    def test_members_are_not_invented(self):
+        model = dry()
+        for call in (lambda: model.material["foo"], lambda: model["material.foo.cohesion"], lambda: model.stage["foo"]):
+            with self.assertRaises(KeyError) as caught:
+                call()
+            self.assertIsInstance(caught.exception, wythe.InputError)
+            self.assertRegex(str(caught.exception), "foo: no such member; there are: (joint|gravity, push)$")
+        self.assertEqual(list(model.material), ["joint"])
+        model.material["new"] = {"cohesion": "0.1 MPa"}
+        model["material.newer.cohesion"] = "0.1 MPa"
+        self.assertEqual(list(model.material), ["joint", "new", "newer"])
+
+
 class Cores(unittest.TestCase):
     def test_threads_and_jobs_take_the_same_numbers(self):
         one = {VELOCITY: (numpy.array([2.0]), "mm/s")}
@@ -156,6 +293,16 @@ class Stiffness(unittest.TestCase):
         self.assertGreaterEqual(len(known), 3)
         for ratio in known:
             self.assertAlmostEqual(ratio, 1, delta=0.03)
+
+    def test_a_push_without_it_says_why(self):
+        batch = wythe.run_many(dry(), {VELOCITY: (numpy.array([2.0, 10.0]), "mm/s")}, jobs=1, progress=False)
+        values = batch.answers["initial_stiffness_kN_per_mm"]
+        self.assertTrue(values[0] == values[0] and values[1] != values[1])
+        self.assertIsNone(batch.reason[0])
+        self.assertRegex(batch.reason[1], "^the initial stiffness is not known: the first force of the push is above a tenth")
+        summary = wythe.run(dry(), progress=False).summary
+        self.assertEqual(summary["initial_stiffness_reason"], batch.reason[1])
+        self.assertEqual(wythe.run(dry(), set={VELOCITY: "2 mm/s"}, progress=False).summary["initial_stiffness_reason"], "")
 
     def test_brothers(self):
         for until, most in (("0.5 mm", 5), ("5 mm", 12)):

@@ -67,8 +67,8 @@ double initial_stiffness_of(const std::vector<RisePoint>& rise, double peak) {
 
 // Up to 0.3 of the peak the wall's own force lies between reaction and base shear. Where these differ by half of that,
 // the push has outrun the wall and the rise is its jolt: the stiffness read there grew by 18 % with the velocity.
+constexpr double kRead = 0.3, kApart = 0.5;
 bool rises_with_the_wall(const Curve& curve, double peak) {
-  constexpr double kRead = 0.3, kApart = 0.5;
   for (std::size_t i = 1; i < curve.size(); ++i) {
     const double mean = 0.5 * std::fabs(curve[i].reaction + curve[i].base_shear);
     if (std::fabs(curve[i].reaction - curve[i].base_shear) > kApart * kRead * peak) return false;
@@ -418,6 +418,14 @@ FlatPeak flat_peak(const Result& result) {
   flat.to =
       flat.is_bound ? curve[last].displacement : crossing(curve[last], curve[last + 1], least);
   return flat;
+}
+
+Message why_no_stiffness(const Responses& r) {
+  if (!(r.peak_reaction > 0) || !std::isnan(r.initial_stiffness)) return {};
+  if (r.cyclic.sense != 0) return {"stiffness.to_and_fro"};
+  if (std::isnan(r.displacement_at_80)) return {"stiffness.load"};
+  if (std::isnan(r.bilinear.stiffness)) return {"stiffness.no_rise"};
+  return {"stiffness.outrun", {{"apart_percent", 100 * kApart * kRead}}};
 }
 
 Responses read_one_way(const std::vector<CurveRow>& curve, const ResponseOptions& options) {

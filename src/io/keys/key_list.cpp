@@ -1,10 +1,13 @@
 // keys_json(): every key of a model file for other programs, from the description by which files are read.
+#include <fmt/format.h>
+
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "io/keys/describe.h"
 #include "io/text/range_text.h"
 #include "wythe/io.h"
+#include "wythe/units.h"
 
 namespace wythe {
 namespace io {
@@ -16,7 +19,10 @@ class KeyList {
  public:
   KeyList(Json& list, std::string path) : list_(list), path_(std::move(path)) {}
 
-  void quantity(const char* name, const double&, const Key& key) { add(name, "quantity", key); }
+  void quantity(const char* name, const double& value, const Key& key) {
+    add(name, "quantity", key,
+        std::isnan(value) ? "" : format_quantity(value, key.unit, key.shown));
+  }
   void quantities(const char* name, const std::vector<double>&, const Key& key) {
     add(name, "quantities", key);
   }
@@ -26,10 +32,18 @@ class KeyList {
   void numbers(const char* name, const std::vector<double>&, const Key& key) {
     add(name, "numbers", key);
   }
-  void number(const char* name, const double&, const Key& key) { add(name, "number", key); }
-  void integer(const char* name, const int&, const Key& key) { add(name, "integer", key); }
-  void flag(const char* name, const bool&, const Key& key) { add(name, "flag", key); }
-  void text(const char* name, const std::string&, const Key& key) { add(name, "text", key); }
+  void number(const char* name, const double& value, const Key& key) {
+    add(name, "number", key, std::isnan(value) ? "" : fmt::format("{}", value));
+  }
+  void integer(const char* name, const int& value, const Key& key) {
+    add(name, "integer", key, std::to_string(value));
+  }
+  void flag(const char* name, const bool& value, const Key& key) {
+    add(name, "flag", key, value ? "true" : "false");
+  }
+  void text(const char* name, const std::string& value, const Key& key) {
+    add(name, "text", key, value);
+  }
   void texts(const char* name, const std::vector<std::string>&, const Key& key) {
     add(name, "texts", key);
   }
@@ -44,8 +58,11 @@ class KeyList {
         key);
   }
   template <class E, std::size_t N>
-  void choice(const char* name, const E&, const Word<E> (&words)[N], const Key& key) {
-    Json& row = add(name, "word", key);
+  void choice(const char* name, const E& value, const Word<E> (&words)[N], const Key& key) {
+    std::string own;
+    for (const Word<E>& word : words)
+      if (word.value == value) own = word.word;
+    Json& row = add(name, "word", key, own);
     for (const Word<E>& word : words) row["words"].push_back(word.word);
   }
   template <class T>
@@ -67,12 +84,17 @@ class KeyList {
   }
 
  private:
-  Json& add(const char* name, const char* kind, const Key& key) {
+  // `own`: the value that a model without this key has; `allowed` stands where it excludes something.
+  Json& add(const char* name, const char* kind, const Key& key, const std::string& own = "") {
     Json row = {{"path", under(path_, name)}, {"kind", kind}};
     if (*key.shown != '\0') row["unit"] = key.shown;
-    if (const std::string allowed = range_text(key); !allowed.empty()) row["allowed"] = allowed;
+    if (const std::string allowed = range_text(key); allowed != range_text({}))
+      row["allowed"] = allowed;
     if (key.may_be_unlimited) row["unlimited"] = true;
-    if (*key.fallback != '\0') row["default"] = key.fallback;
+    if (*key.fallback != '\0')
+      row["default"] = key.fallback;
+    else if (!own.empty())
+      row["default"] = own;
     if (*key.example != '\0') row["example"] = key.example;
     row["meaning"] = key.doc;
     list_.push_back(std::move(row));

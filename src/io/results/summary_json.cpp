@@ -467,6 +467,7 @@ std::string summary_json(const ModelSpec& spec, const Model& model, const Result
   io::put(json, "warning", warning_of(model, result));
   io::add_project(json, spec.project);
   add_responses(json, result.responses);
+  io::put(json, "initial_stiffness_reason", why_no_stiffness(result.responses));
   const FlatPeak flat = flat_peak(result);
   json["flat_peak"] = {{"share", kFlatPeak},
                        {"from_mm", 1e3 * flat.from},

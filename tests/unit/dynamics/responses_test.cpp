@@ -15,6 +15,7 @@
 #include "scenes/sample_run.h"
 #include "scenes/scenes.h"
 #include "wythe/io.h"
+#include "wythe/promise.h"
 #include "wythe/result.h"
 
 namespace wythe {
@@ -110,6 +111,7 @@ TEST(Load, capacity_is_the_load_carried_and_nothing_is_read_beyond) {
   EXPECT_TRUE(std::isnan(fell.displacement_at_80));
   EXPECT_TRUE(std::isnan(fell.bilinear.ductility));
   EXPECT_TRUE(std::isnan(fell.initial_stiffness));
+  EXPECT_EQ(why_no_stiffness(fell).code, "stiffness.load");
   EXPECT_TRUE(read_responses(curve, {.carried = 85}).censored_peak);  // it never fell
 }
 
@@ -141,6 +143,7 @@ TEST(InitialStiffness, of_a_wall_already_pushed_is_not_known) {
   EXPECT_DOUBLE_EQ(r.peak_reaction, 100);
   EXPECT_TRUE(std::isnan(r.initial_stiffness));
   EXPECT_TRUE(std::isnan(r.bilinear.ductility));
+  EXPECT_EQ(why_no_stiffness(r).code, "stiffness.no_rise");
 }
 
 TEST(Responses, peak_is_the_largest_reaction) {
