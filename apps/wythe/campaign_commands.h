@@ -76,6 +76,7 @@ void check_inner_folder(const std::string& folder);
 int whole_number(const std::string& option, const std::string& text, int least, int most,
                  const std::string& cure);
 std::string shell_quoted(const std::string& word);
+std::string shell_path(const std::string& path);  // the same, and no option where it begins with -
 
 // samples.csv, statistics.json, report.html from the store, and the table on stdout.
 int write_results(const std::string& folder, const std::string& language);

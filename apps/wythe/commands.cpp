@@ -399,9 +399,10 @@ int new_starter(const NewArguments& arguments) {
   const std::vector<std::string> files = write_starter(arguments.kind, arguments.folder);
   for (const std::string& file : files) fmt::print("wrote {}\n", file);
   const bool is_study = arguments.kind == "study";
-  const std::string out = (std::filesystem::path(arguments.folder) / "result").string();
-  fmt::print("next: wythe check {}\n      wythe {} {} --out {}\n", files.front(),
-             is_study ? "campaign" : "run", files.front(), out);
+  const std::string file = shell_path(files.front());
+  const std::string out = shell_path((std::filesystem::path(arguments.folder) / "result").string());
+  fmt::print("next: wythe check {}\n      wythe {} {} --out {}\n", file,
+             is_study ? "campaign" : "run", file, out);
   return 0;
 }
 
