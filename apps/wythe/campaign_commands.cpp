@@ -115,6 +115,10 @@ std::string shell_quoted(const std::string& word) {
   return out + "'";
 }
 
+std::string shell_path(const std::string& path) {
+  return shell_quoted(path.starts_with('-') ? "./" + path : path);
+}
+
 StudySpec asked_study(const CampaignArguments& a) {
   StudySpec study = study_with_options(a);
   const std::string store = study.option.empty() ? a.out : a.out + "/" + kBaseFolder;

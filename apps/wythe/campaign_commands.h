@@ -80,6 +80,7 @@ inline constexpr int kMostCores = 1024;
 int jobs_of(const std::string& text);
 int threads_of(int asked);
 std::string shell_quoted(const std::string& word);
+std::string shell_path(const std::string& path);  // the same, and no option where it begins with -
 
 // samples.csv, statistics.json, report.html from the store, and the table on stdout.
 int write_results(const std::string& folder, const std::string& language);

@@ -379,10 +379,12 @@ int new_starter(const NewArguments& arguments) {
   const char* command = arguments.kind == "study"     ? "campaign"
                         : arguments.kind == "opening" ? "compare"
                                                       : "run";
+  std::vector<std::string> names;
+  for (const std::string& file : files) names.push_back(shell_path(file));
   const std::string models =
-      arguments.kind == "opening" ? fmt::format("{}", fmt::join(files, " ")) : files.front();
-  const std::string out = (std::filesystem::path(arguments.folder) / "result").string();
-  fmt::print("next: wythe check {}\n      wythe {} {} --out {}\n", files.front(), command, models,
+      arguments.kind == "opening" ? fmt::format("{}", fmt::join(names, " ")) : names.front();
+  const std::string out = shell_path((std::filesystem::path(arguments.folder) / "result").string());
+  fmt::print("next: wythe check {}\n      wythe {} {} --out {}\n", names.front(), command, models,
              out);
   return 0;
 }

@@ -120,6 +120,7 @@ std::vector<ComparedCampaign> read_all(const std::vector<std::string>& folders) 
   for (ComparedCampaign& store : stores)
     if (store.name.empty() || std::count(names.begin(), names.end(), store.name) > 1)
       store.name = store.folder;
+  for (ComparedCampaign& store : stores) store.name = readable(store.name);
   return stores;
 }
 
@@ -139,6 +140,7 @@ int write_comparison(const std::vector<std::string>& folders, const std::string&
   const auto shown = [&](std::string& folder) {
     const fs::path inside = fs::path(folder).lexically_relative(out);
     if (!inside.empty() && *inside.begin() != "..") folder = inside.string();
+    folder = readable(folder);  // a name may be no UTF-8, and JSON holds nothing else
   };
   shown(comparison.base_folder);
   for (OptionComparison& option : comparison.option) shown(option.folder);

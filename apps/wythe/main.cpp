@@ -1,8 +1,9 @@
 // The wythe program: reads the command line, calls one command, turns errors into exit codes.
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <functional>
@@ -340,6 +341,49 @@ void refuse_empty(int argc, char** argv) {
   if (!faults.empty()) throw wythe::InputError(std::move(faults));
 }
 
+// A word where a command is asked for, before the library says only that one is lacking.
+void refuse_unknown_command(const CLI::App& app, const std::string& before, int argc, char** argv) {
+  if (argc < 2) return;
+  const std::string word = argv[1];
+  std::vector<std::string> names = {"--help"};
+  if (before.empty()) names.push_back("--version");
+  for (const CLI::App* command : app.get_subcommands({})) {
+    if (command->get_name() == word) {
+      const bool has_more = !command->get_subcommands({}).empty();
+      return has_more ? refuse_unknown_command(*command, word, argc - 1, argv + 1) : void();
+    }
+    names.push_back(command->get_name());
+  }
+  if (word == "-h" || std::find(names.begin(), names.end(), word) != names.end()) return;
+  throw wythe::InputError({{.file = "wythe" + (before.empty() ? "" : " " + before),
+                            .path = "",
+                            .value = word,
+                            .problem = word.starts_with("-") ? "there is no such option here"
+                                                             : "there is no such command",
+                            .cure = wythe::meant_name(word == "help" ? "--help" : word, names)}});
+}
+
+// The system's reason, before anything asks whether such a file is there.
+void refuse_long_path(const std::string& path) {
+  std::error_code error;
+  static_cast<void>(std::filesystem::symlink_status(path, error));
+  constexpr std::size_t kLongestName = 255;  // bytes, of all common file systems
+  bool is_long = error == std::errc::filename_too_long;
+  for (const std::filesystem::path& part : std::filesystem::path(path))
+    is_long = is_long || part.string().size() > kLongestName;
+  if (!is_long) return;
+  throw wythe::IoError(
+      fmt::format("{}: is too long for the file system; a name has at most 255 bytes, a path 4095",
+                  wythe::readable(path, 300)));
+}
+
+void check_paths(const CLI::App& command) {
+  for (const char* name :
+       {"model", "file", "folder", "folders", "study", "law", "--out", "--path", "--with"})
+    if (const CLI::Option* option = command.get_option_no_throw(name))
+      for (const std::string& path : option->results()) refuse_long_path(path);
+}
+
 int parse_and_run(int argc, char** argv) {
   refuse_empty(argc, argv);
   CLI::App app(
@@ -385,6 +429,9 @@ int parse_and_run(int argc, char** argv) {
   add_new(app, new_arguments, code);
   PictureArguments picture_arguments;
   add_picture(app, picture_arguments, code);
+  refuse_unknown_command(app, "", argc, argv);
+  for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    command->parse_complete_callback([command] { check_paths(*command); });
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

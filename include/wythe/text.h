@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace wythe {
 
@@ -13,6 +14,9 @@ namespace wythe {
 
 // The same for a text of several lines: their ends stay.
 [[nodiscard]] std::string readable_lines(const std::string& text);
+
+// "did you mean run?" of a word that is near one of the names; else which there are.
+[[nodiscard]] std::string meant_name(std::string_view word, const std::vector<std::string>& names);
 
 // Capitals of ASCII made small; other bytes stay.
 [[nodiscard]] std::string small_letters(std::string_view text);

@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "core/file_kinds.h"
 #include "core/text.h"
 #include "wythe/error.h"
 
@@ -162,6 +163,7 @@ std::string read_file(const std::string& path, std::size_t most) {
 
 std::string read_text(const std::string& path, std::size_t most) {
   std::string text = read_file(path, most);
+  refuse_foreign(path, text);
   check_utf8(path, text);
   return text;
 }

@@ -12,7 +12,7 @@ namespace wythe {
 // Content of a file of at most `most` bytes; links are followed. Throws InputError with place and cure where
 // that is no regular file or a larger one, IoError where the system refuses (no such file, no permission).
 [[nodiscard]] std::string read_file(const std::string& path, std::size_t most);
-// The same for a text: what is not UTF-8 is refused with its line.
+// The same for a text: what is not UTF-8 is refused with its line, a file of another kind (core/file_kinds.h) by its name.
 [[nodiscard]] std::string read_text(const std::string& path, std::size_t most);
 
 // Writes a file whole or not at all: temporary name in the same folder, every call checked, rename. A reader

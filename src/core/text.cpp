@@ -73,6 +73,10 @@ std::string name_advice(std::string_view name, const std::vector<std::string>& c
          " and " + std::to_string(candidates.size() - kMostShown) + " more";
 }
 
+std::string meant_name(std::string_view word, const std::vector<std::string>& names) {
+  return name_advice(word, names);
+}
+
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view kBlank = " \t\r\n";
   const std::size_t first = text.find_first_not_of(kBlank);

@@ -112,7 +112,7 @@ std::string quantity_name(std::string_view si_unit) {
       {"Pa", "a stress"},
       {"Pa/m", "a stiffness per area"},
       {"rad", "an angle"},
-      {"N/m", "an energy per area or force per length"},
+      {"N/m", "a force per length or an energy per area"},
       {"kg/m^3", "a density"},
       {"N/m^3", "a weight per volume"},
       {"N", "a force"},

@@ -112,7 +112,7 @@ class Drawings(unittest.TestCase):
 
     def test_units_are_metres_by_the_file_or_by_the_key(self):
         for insunits, key, per_metre in [(6, "", 1), (5, "", 100), (4, "", 1000), (0, "mm", 1000),
-                                         (6, "mm", 1000), (1, "", 1 / 0.0254)]:
+                                         (4, "mm", 1000), (1, "", 1 / 0.0254)]:
             doc = drawing(insunits=insunits)
             for layer, corners in STONES:
                 draw(doc, layer, [(x / 1000 * per_metre, y / 1000 * per_metre) for x, y in corners])
@@ -120,6 +120,9 @@ class Drawings(unittest.TestCase):
             self.assertEqual(done.returncode, 0, done.stderr)
             summary = json.loads((self.at / "out" / "blocks.json").read_text())
             self.assertAlmostEqual(summary["blocks"][0]["polygon"][1][0], 1, places=9)
+        done = self.stones(drawing(insunits=6), 'blocks_unit = "mm"')
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("the drawing, which states m", done.stderr)
         done = self.stones(drawing(insunits=0))
         self.assertEqual(done.returncode, 2)
         self.assertIn("does not say its unit", done.stderr)

@@ -565,6 +565,140 @@ class OtherResults(Folder):
             self.kept([out], "is no earlier answer", *draw(out))
 
 
+class OtherFiles(Folder):
+    """A file of another kind is told by what it is, with what to do; a word that is no command by the one that is meant."""
+
+    DXF = b"  0\nSECTION\n  2\nENTITIES\n  0\nENDSEC\n  0\nEOF\n"
+    KINDS = {  # name: bytes, words of the answer
+        "page.json": (b"<!DOCTYPE html><html><body>not found</body></html>", ["page of the web", "download the file itself"]),
+        "page.obj": (b"<html>", ["page of the web"]),
+        "pointer.json": (b"version https://git-lfs.github.com/spec/v1\noid sha256:0\n", ["git-lfs", "git lfs pull"]),
+        "pointer.dxf": (b"version https://git-lfs.github.com/spec/v1\noid sha256:0\n", ["git-lfs", "git lfs pull"]),
+        "empty.json": (b"", ["is empty"]), "empty.dxf": (b"\n", ["is empty"]), "empty.stl": (b"", ["is empty"]),
+        "a.ifc": (b"ISO-10303-21;\nHEADER;\nFILE_SCHEMA(('IFC4'));\n", ["IFC model", "OBJ"]),
+        "a.stp": (b"ISO-10303-21;\nHEADER;\n", ["STEP", "OBJ"]), "a.3dm": (b"3D Geometry File Format      5\0", ["Rhino", "OBJ"]),
+        "a.xlsx": (b"PK\x03\x04\0\0xl/workbook.xml", ["spreadsheet", "CSV"]), "a.zip": (b"PK\x03\x04\0\0", ["ZIP", "unpack"]),
+        "a.dwg": (b"AC1027\0\0", ["DWG", "DXF"]), "a.glb": (b"glTF\2\0\0\0", ["glTF", "OBJ"]), "a.off": (b"OFF\n8 6 0\n", ["OFF", "PLY"]),
+        "svg.dxf": (b'<svg xmlns="http://www.w3.org/2000/svg"></svg>', ["picture (SVG)"]), "a.pdf": (b"%PDF-1.7\n", ["PDF"]),
+        "named.json": (DXF, ["a DXF drawing", "name it named.dxf"]), "named.dxf": (b'{"units": "m"}', ["is JSON", "name it named.json"]),
+        "ply.obj": (b"ply\nformat ascii 1.0\n", ["a PLY mesh", "name it ply.ply"]), "table.csv": (b"id,x0,y0\n1,2,3\n", ["is no JSON", "id,x0,y0"]),
+        "map.json": (b'{"type": "FeatureCollection", "features": []}', ["GeoJSON"])}
+
+    def refused(self, words, *command, code=2):
+        said = self.wythe(*command, code=code).stderr
+        for word in words:
+            self.assertIn(word, said)
+        self.assertEqual(len(said.strip().splitlines()), 1, said)
+        return said
+
+    def test_a_blocks_file_of_another_kind(self):
+        model = self.root / "model.toml"
+        for name, (content, words) in self.KINDS.items():
+            with self.subTest(name):
+                (self.root / name).write_bytes(content)
+                unit = 'blocks_unit = "m"\n' if pathlib.Path(name).suffix in (".obj", ".ply", ".stl") else ""
+                text = Falls.MODEL.format(kn="1 GPa/m", ks="1 GPa/m", mu=0.5).replace('blocks = "b.json"\n', f'blocks = "{name}"\n{unit}')
+                model.write_text(text)
+                self.assertNotIn("not valid JSON", self.refused(words, "check", model))
+
+    def test_a_model_of_another_kind(self):
+        for name, (content, words) in self.KINDS.items():
+            if "html" in str(content) or content.startswith(b"PK"):
+                (self.root / "model.toml").write_bytes(content)
+                self.refused(words[:1], "check", self.root / "model.toml")
+
+    def test_a_study_where_a_model_is_asked_for(self):
+        for name in ("model.toml", "study.toml", "b.json"):
+            shutil.copy(FOLDER / "paths" / name, self.root / name)
+        model, study, out = self.root / "model.toml", self.root / "study.toml", self.root / "out"
+        for command in ("run", "assess", "limit"):
+            self.refused(["is a study", "wythe campaign", str(model)], command, study, "--out", out)
+        self.refused(["is a model", "wythe run", "wythe new study"], "campaign", model, "--out", out)
+        self.refused(["is a study"], "contact", study, "--path", FOLDER / "record_index_column/r.csv", "--out", out)
+
+    def test_a_name_that_is_near(self):
+        for name in ("model.toml", "study.toml", "b.json"):
+            shutil.copy(FOLDER / "paths" / name, self.root / name)
+        model, study = self.root / "model.toml", self.root / "study.toml"
+        model.write_text(model.read_text().replace('"b.json"', '"B.json"'))
+        self.refused(["No such file", "did you mean b.json?"], "check", model)
+        study.write_text(study.read_text().replace('"model.toml"', '"Model.toml"'))
+        self.refused(["did you mean", "model.toml?"], "check", study)
+        (self.root / "dead.toml").symlink_to(self.root / "gone.toml")
+        self.assertNotIn("did you mean", self.refused(["is a link to", "gone.toml"], "check", self.root / "dead.toml"))
+
+    def test_keys_without_effect(self):
+        model, blocks = self.root / "model.toml", self.root / "b.json"
+        model.write_text(Falls.MODEL.format(kn="1 GPa/m", ks="1 GPa/m", mu=0.5))
+        flat = {"id": "s", "polygon": [[0, 0], [1, 0], [1, 1], [0, 1]]}
+        ground = {"id": "g", "polygon": [[0, -1], [1, -1], [1, 0], [0, 0]], "fixed": True}
+        for more, own, words in (({"blocks_xyxy": [[0, 0, 1, 1]]}, {}, ["blocks_xyxy", "stands beside"]), ({"up": "z"}, {}, ["up", "has no effect"]),
+                                 ({}, {"zone_length": 0.1}, ["zone_length", "has no zones"]), ({}, {"plane": "strain"}, ["plane", "has no zones"])):
+            blocks.write_text(json.dumps({"units": "m", "thickness": 0.2, "blocks": [ground, {**flat, **own}], **more}))
+            self.refused(words, "check", model)
+        blocks.write_text(json.dumps({"units": "m", "thickness": 0.2, "blocks": [ground, flat]}))
+        self.wythe("check", model)
+        self.refused(["wall.unit_joint", "has no effect"], "check", model, "--set", "wall.unit_joint=joint")
+        shutil.copy(FOLDER / "dxf_hidden_layers/shown.dxf", self.root / "w.dxf")
+        drawn = (FOLDER / "dxf_hidden_layers/shown.toml").read_text().replace("shown.dxf", "w.dxf")
+        stated = re.search(r"\$INSUNITS\s+70\s+(\d+)", (self.root / "w.dxf").read_text())
+        self.assertIsNotNone(stated)
+        same, other = {"6": ("m", "mm"), "4": ("mm", "m")}[stated[1]]
+        model.write_text(drawn)
+        self.wythe("check", model, "--set", f"wall.blocks_unit={same}")
+        self.refused(["wall.blocks_unit", f"states {same}"], "check", model, "--set", f"wall.blocks_unit={other}")
+
+    def test_a_slip_in_a_study_of_shakes_is_told_once(self):
+        example = self.root / "parapet"
+        shutil.copytree(pathlib.Path(os.environ["SOURCE"]) / "examples/parapet_fragility", example)
+        study = example / "study.toml"
+        right = study.read_text()
+        climb = re.search(r'from = .*\nstep = .*\nmost = .*\nhalvings = .*\n', right)[0]
+        for old, new, words in ((climb, "levels = [1, 2, 3]\n", ["levels.0", 'levels = ["1 m/s^2", "2 m/s^2"]']),
+                                (climb, 'levels = ["0.1 g", "0.2 g"]\n', ["levels.0", "acceleration"]),
+                                ('measure = "pga"', 'measure = "pgv"', ["shaking.measure", "accelerations", "pga"]),
+                                (re.search(r"step = \"0.5.*\n", right)[0], "", ["shaking.step", "is missing"]),
+                                ("[shaking]", "[shakings]", ["did you mean shaking?"]), ('step = "0.01 s"', "step = 0.01", ["step", "has no unit"]),
+                                ('unit = "m/s2"', 'unit = "g"', ["states another", 'write unit = "m/s2"'])):
+            self.assertIn(old, right)
+            study.write_text(right.replace(old, new, 1))
+            self.assertNotIn("stage.1", self.refused(words, "check", study))
+
+    def test_a_word_that_is_no_command(self):
+        for words, command in ((["runn", "did you mean run?"], ["runn", "x"]), (["did you mean --help?"], ["help"]),
+                               (["did you mean --help?"], ["--hlp"]), (["did you mean check?"], ["store", "chek", "x"]),
+                               (["did you mean campaign?"], ["campain", "x"]), (["known here: ", "campaign"], ["zebra"])):
+            self.refused(words, *command)
+
+    def test_commands_that_are_offered_run_in_a_shell(self):
+        for folder in ("-n", "a;b", "it's", "a b"):
+            for kind in ("pier", "study"):
+                done = subprocess.run([WYTHE, "new", kind, "--", f"{folder}{'s' if kind == 'study' else ''}"], cwd=self.root, capture_output=True,
+                                      text=True, timeout=60)
+                check = done.stdout.split("next: wythe ")[1].splitlines()[0]
+                said = subprocess.run(["sh", "-c", f"'{WYTHE}' {check}"], cwd=self.root, capture_output=True, text=True, timeout=60)
+                self.assertEqual(said.returncode, 0, check + said.stderr)
+
+    def test_a_name_that_is_no_utf8_is_compared(self):
+        for name in ("model.toml", "study.toml", "b.json"):
+            shutil.copy(FOLDER / "paths" / name, self.root / name)
+        folders = [os.fsencode(self.root) + name for name in (b"/one\xff", b"/two\xe9")]
+        for folder in folders:
+            subprocess.run([WYTHE, "campaign", self.root / "study.toml", "--out", folder, "--jobs", "1", "--quiet"], check=True, timeout=300,
+                           stdout=subprocess.DEVNULL)
+        done = subprocess.run([WYTHE, "compare", *folders, "--out", self.root / "c"], capture_output=True, timeout=60)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("one\\xff", json.loads((self.root / "c/comparison.json").read_text())["base"]["folder"])
+
+    def test_a_name_that_is_too_long_is_told_so(self):
+        model, study = FOLDER / "paths/model.toml", FOLDER / "paths/study.toml"
+        for path in (str(self.root) + "/" + "x" * 300, str(self.root) + "/not/there/" + "x" * 300, str(self.root) + "/x" * 2050):
+            for command in (["run", model], ["campaign", study], ["assess", model], ["limit", model]):
+                self.refused(["too long"], *command, "--out", path, code=4)
+            for command in (["check", path], ["status", path], ["report", path]):
+                self.refused(["too long"], *command, code=4)
+
+
 class Paths(Folder):
     """A folder may bear any name that the system takes."""
 

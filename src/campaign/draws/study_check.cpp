@@ -82,7 +82,7 @@ class VariableCheck {
     if (is_set(spec_.cov) && is_set(spec_.standard_deviation))
       refuse("cov", fmt::format("{:g}", spec_.cov), "stands beside standard_deviation",
              "leave one of the two");
-    Names form;
+    Names form, wrong;
     for (const std::string& name : given) {
       const bool spread = name == "cov" || name == "standard_deviation";
       const std::string role = spread ? "spread" : name;
@@ -90,9 +90,12 @@ class VariableCheck {
       form.push_back(role);
       if (std::none_of(kind_.forms.begin(), kind_.forms.end(),
                        [&](const Names& known) { return holds(known, role); }))
-        refuse(name, "", fmt::format("{} distribution has no {}", kind_.words, name),
-               fmt::format("it takes {}", forms_text(kind_)));
+        wrong.push_back(name);
     }
+    if (!wrong.empty())
+      refuse(wrong.front(), "",
+             fmt::format("{} distribution has no {}", kind_.words, joined(wrong, ", ")),
+             fmt::format("it takes {}", forms_text(kind_)));
     if (good_ && std::none_of(kind_.forms.begin(), kind_.forms.end(), [&](const Names& known) {
           return std::is_permutation(known.begin(), known.end(), form.begin(), form.end());
         }))

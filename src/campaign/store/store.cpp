@@ -214,7 +214,8 @@ fs::path store_path(const std::string& folder) { return fs::path(folder) / kStor
 
 bool holds_store(const std::string& folder) {
   std::error_code error;
-  return fs::symlink_status(store_path(folder), error).type() != fs::file_type::not_found;
+  const fs::file_type type = fs::symlink_status(store_path(folder), error).type();
+  return type != fs::file_type::not_found && error != std::errc::filename_too_long;
 }
 
 PackedSample packed(SampleRecord record, const std::vector<Snapshot>& states) {

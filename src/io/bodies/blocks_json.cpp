@@ -20,6 +20,7 @@
 #include "core/text.h"
 #include "io/bodies/bodies_file.h"
 #include "io/bodies/dxf.h"
+#include "io/bodies/other_format.h"
 #include "io/keys/describe.h"
 #include "io/text/json.h"
 #include "io/text/magnitude.h"
@@ -54,15 +55,23 @@ class BlocksReader {
       return read_compas(json);
     }
     if (!json.is_object()) return refuse("", short_dump(json), "must be a JSON object", kForms);
+    if (json.contains("type") && json.contains("features"))
+      return refuse("", "", "is GeoJSON, which holds places on a map", kForms);
     read_units(json);
     read_up(json);
     read_thickness(json);
-    if (json.contains("blocks"))
+    const bool has_boxes = json.contains("blocks_xyxy");
+    if (json.contains("blocks") && has_boxes)
+      refuse("blocks_xyxy", "", "stands beside \"blocks\"", "keep one of the two");
+    else if (json.contains("blocks"))
       read_polygons(json["blocks"]);
-    else if (json.contains("blocks_xyxy"))
+    else if (has_boxes)
       read_boxes(json);
     else
       refuse("", "", "has neither \"blocks\" nor \"blocks_xyxy\"", kForms);
+    if (json.contains("up") && spec_.body.empty() && context_.faults.empty())
+      refuse("up", short_dump(json["up"]), "has no effect: the blocks lie in a plane",
+             "leave it out, or give each block a depth, e.g. \"z\": [0, 0.25]");
   }
 
  private:
@@ -204,6 +213,10 @@ class BlocksReader {
     }
     read_choice(json, "zone_kind", kZoneKindWords, zone.kind, id);
     read_choice(json, "plane", kPlaneWords, zone.plane, id);
+    for (const char* name : {"zone_length", "zone_kind", "plane"})
+      if (json.contains(name) && !json.contains("zones"))
+        refuse(id + '.' + name, short_dump(json[name]), "has no effect: the block has no zones",
+               R"(write "zones" too, or leave it out)");
   }
 
   template <class Enum, std::size_t n>
@@ -322,10 +335,24 @@ class BlocksReader {
   std::set<std::string> ids_;
 };
 
+// A fault at a key of [wall] that was given.
+void refuse_key(ReadContext& context, const toml::table& root, const char* key,
+                const std::string& problem, const std::string& cure) {
+  const toml::node* node = root["wall"][key].node();
+  context.fault(std::string("wall.") + key, node ? line_of(*node) : 0, node ? shown(*node) : "",
+                problem, cure);
+}
+
 // A closed polyline is a block: its layer is the material, or says that it is fixed or the beam.
-void read_drawn_blocks(ReadContext& context, const std::string& file, const std::string& unit,
-                       ModelSpec& spec) {
+void read_drawn_blocks(ReadContext& context, const toml::table& root, const std::string& file,
+                       const std::string& unit, ModelSpec& spec) {
   const Drawing drawing = read_drawing(file, unit);
+  if (!unit.empty() && !drawing.stated_unit.empty() && drawing.stated_unit != unit)
+    refuse_key(context, root, "blocks_unit",
+               fmt::format("stands against the drawing, which states {}", drawing.stated_unit),
+               fmt::format("leave it out; or if the drawing is in {}, state that there too "
+                           "($INSUNITS, by the command UNITS)",
+                           unit));
   if (drawing.outlines.empty() && drawing.unread.empty() &&
       (!drawing.hidden.empty() || drawing.invisible > 0))
     context.faults.add(
@@ -344,14 +371,6 @@ void read_drawn_blocks(ReadContext& context, const std::string& file, const std:
     block.polygon = outline.corners;
     spec.block.push_back(std::move(block));
   }
-}
-
-// A fault at a key of [wall] that was given.
-void refuse_key(ReadContext& context, const toml::table& root, const char* key,
-                const std::string& problem, const std::string& cure) {
-  const toml::node* node = root["wall"][key].node();
-  context.fault(std::string("wall.") + key, node ? line_of(*node) : 0, node ? shown(*node) : "",
-                problem, cure);
 }
 
 void refuse_far_bodies(ReadContext& context, const std::string& file, const ModelSpec& spec) {
@@ -411,7 +430,13 @@ void read_json(ReadContext& context, const toml::table& root, const std::string&
                const std::string& unit, ModelSpec& spec, const std::string& text) {
   const std::size_t before = context.faults.all().size();
   BlocksReader reader(context, file, spec);
-  reader.read(text.empty() ? read_text(file, kMostJson) : text);
+  if (text.empty()) {
+    const std::string own = read_text(file, kMostJson);
+    refuse_other_format(file, own);
+    reader.read(own);
+  } else {
+    reader.read(text);
+  }
   if (!unit.empty() && text.empty() && !reader.is_compas())
     refuse_key(context, root, "blocks_unit", "has no meaning here: a JSON file states its units",
                "leave it out");
@@ -438,7 +463,7 @@ void read_blocks(ReadContext& context, const toml::table& root, ModelSpec& spec,
   const std::string unit = stated ? shown(*stated) : "";
   try {
     if (is_drawn && text.empty())
-      read_drawn_blocks(context, file, unit, spec);
+      read_drawn_blocks(context, root, file, unit, spec);
     else if (is_mesh_file(file) && text.empty())
       read_meshes(context, root, file, unit, spec);
     else
@@ -450,8 +475,13 @@ void read_blocks(ReadContext& context, const toml::table& root, ModelSpec& spec,
     }
   } catch (const IoError& error) {
     const toml::node* node = root["wall"]["blocks"].node();
-    context.fault("wall.blocks", node ? line_of(*node) : 0, spec.wall.blocks, error.what(),
-                  "the path counts from the folder of the model file");
+    const std::string near = nearest_file(file);
+    context.fault(
+        "wall.blocks", node ? line_of(*node) : 0, spec.wall.blocks, error.what(),
+        near.empty()
+            ? "the path counts from the folder of the model file"
+            : fmt::format("did you mean {}?",
+                          (std::filesystem::path(spec.wall.blocks).parent_path() / near).string()));
   }
 }
 

@@ -7,11 +7,13 @@
 
 #include <fmt/format.h>
 
+#include "core/file_kinds.h"
 #include "core/files.h"
 #include "core/limits.h"
 #include "core/text.h"
 #include "io/bodies/dxf.h"
 #include "io/bodies/meshes.h"
+#include "io/bodies/other_format.h"
 #include "io/keys/key.h"
 
 namespace wythe::io {
@@ -24,6 +26,8 @@ std::string ending_of(const std::string& file) { return fs::path(file).extension
 
 std::vector<BodySpec> read_mesh(const std::string& file, FaultList& faults) {
   const std::string text = read_file(file, kMostMesh), ending = ending_of(file);
+  refuse_foreign(file, text);
+  refuse_other_format(file, text);
   const MeshText mesh{text, file, fs::path(file).stem().string()};
   const std::size_t before = faults.all().size();
   std::vector<BodySpec> bodies = same_layer(ending, ".obj")   ? read_obj(mesh, faults)

@@ -9,9 +9,11 @@
 
 #include <fmt/format.h>
 
+#include "core/file_kinds.h"
 #include "core/files.h"
 #include "core/limits.h"
 #include "core/text.h"
+#include "io/bodies/other_format.h"
 #include "io/keys/key.h"
 
 namespace wythe::io {
@@ -264,9 +266,11 @@ class DrawingReader {
   }
 
   void find_scale() {
-    if (scale_ > 0) return;
     for (const Unit& known : kUnits)
-      if (stated_ == known.code) scale_ = known.metre;
+      if (stated_ == known.code) {
+        drawing_.stated_unit = known.name;
+        if (scale_ <= 0) scale_ = known.metre;
+      }
     if (scale_ > 0) return;
     const bool none = !stated_ || *stated_ == 0;
     refuse(
@@ -487,8 +491,8 @@ std::string drawing_units() {
 
 Drawing read_drawing(const std::string& file, const std::string& unit) {
   std::string text = read_file(file, kMostDxf);
-  if (text.starts_with("AutoCAD Binary DXF")) refuse(file, "", "is a binary DXF", kSaveAsDxf);
-  if (text.starts_with("AC10")) refuse(file, "", "is a DWG file", kSaveAsDxf);
+  refuse_foreign(file, text);
+  refuse_other_format(file, text);
   if (text.find('\0') != std::string::npos) refuse(file, "", "is no text", kSaveAsDxf);
   text = as_utf8(std::move(text));
   if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);

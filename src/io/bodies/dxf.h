@@ -43,11 +43,13 @@ struct Drawing {
   // entities that are invisible.
   std::vector<std::string> hidden;
   int invisible = 0;
+  std::string stated_unit;  // by the file ($INSUNITS), "mm"; "" where it states none that is read
 };
 
 [[nodiscard]] bool is_drawing(const std::string& file);  // by its ending
 
-// Texts, dimensions and points are left aside, and what the drawing program hides. `unit` ("mm", "m", ...) goes before what the file states; "": the
+// Texts, dimensions and points are left aside, and what the drawing program hides. `unit` ("mm", "m", ...) goes before what the file
+// states; "": the
 // file's. Throws InputError where the file is no such drawing, or no unit is known.
 [[nodiscard]] Drawing read_drawing(const std::string& file, const std::string& unit);
 

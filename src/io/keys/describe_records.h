@@ -27,7 +27,10 @@ void describe(Visitor& v, ShakingSpec& s) {
              .example = "0.3 s", .doc = "Period of `sa`."});
   v.number("damping", s.damping, {.range = kBelowOne, .fallback = "needed by sa", .example = "0.05",
            .doc = "Of critical, of `sa`."});
-  v.quantities("levels", s.levels, with("Intensities at which each record is run."));
+  Key levels = with("Intensities at which each record is run.");
+  levels.example = s.measure == IntensityMeasure::kPgv ? R"(["0.2 m/s", "0.4 m/s"])"
+                                                       : R"(["1 m/s^2", "2 m/s^2"])";
+  v.quantities("levels", s.levels, levels);
   v.quantity("from", s.first, with("In the place of `levels`: the first intensity; then `step` higher, until the wall collapses or `most` is passed."));
   v.quantity("step", s.step, with("From one intensity to the next."));
   v.quantity("most", s.most, with("No intensity is higher."));

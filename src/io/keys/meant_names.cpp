@@ -40,6 +40,12 @@ constexpr OtherWord kOtherWords[] = {{"friction_coefficient", "friction_tan"},
                                      {"nu", "poisson_ratio"},
                                      {"rho", "density"},
                                      {"speed", "velocity"},
+                                     {"min", "low"},
+                                     {"max", "high"},
+                                     {"sd", "standard_deviation"},
+                                     {"std", "standard_deviation"},
+                                     {"stdev", "standard_deviation"},
+                                     {"sigma", "standard_deviation"},
                                      {"w", "weight"}};
 
 const KnownName* find_name(const Names& known, std::string_view name) {

@@ -167,8 +167,11 @@ std::string SettableKeys::advice(const std::string& path) const {
       next.push_back(step);
   }
   const std::string wrong = step_at(path, right.size());
-  if (const std::string near = nearest_name(wrong, next); !near.empty() && near != wrong)
-    return fmt::format("did you mean {}{}?", right, near);
+  if (const std::string near = nearest_name(wrong, next); !near.empty()) {
+    const std::string whole = right + near + path.substr(right.size() + wrong.size());
+    if (find_key(keys_, whole) != nullptr) return fmt::format("did you mean {}?", whole);
+    if (near != wrong) return advice(whole + (whole == right + near ? "." : ""));
+  }
   return fmt::format("known in {}: {}",
                      right.empty() ? "the model" : right.substr(0, right.size() - 1),
                      joined(next, ", "));

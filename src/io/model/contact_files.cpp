@@ -8,6 +8,7 @@
 #include "core/files.h"
 #include "core/limits.h"
 #include "core/text.h"
+#include "io/keys/meant_names.h"
 #include "io/text/table.h"
 #include "io/text/toml_reader.h"
 #include "wythe/io.h"
@@ -29,9 +30,6 @@ void describe(Visitor& v, LawFile& file) {
 }
 
 namespace {
-
-constexpr const char* kOtherTables[] = {"name",  "note",  "wall",  "contact",
-                                        "stage", "solve", "output"};
 
 // The one law meant: the only one, or the one called joint. Bodies (density only) do not count.
 JointMaterial pick_law(ReadContext& context, const LawFile& file) {
@@ -64,6 +62,7 @@ class PathReader {
     if (!table.is_empty()) {
       find(table, opening_);
       find(table, slip_);
+      refuse_missing(table);
     }
     const bool is_known = !table.is_empty() && context_.faults.empty();
     while (is_known && !enough(context_.faults) && table.next())
@@ -90,14 +89,32 @@ class PathReader {
       column.unit = spelt_unit(head.unit, "m");
       ++found;
     }
-    if (found != 1)
-      context_.fault(column.name + "_mm", table.head_line(), "",
-                     found == 0 ? "no such column in the header" : "stands there twice",
-                     fmt::format("the columns are {}; opening_mm and slip_mm are needed",
-                                 joined(table.head(), ", ")));
+    if (found == 0)
+      missing_.push_back(column.name + "_mm");
+    else if (found > 1)
+      context_.fault(column.name + "_mm", table.head_line(), "", "stands there twice",
+                     "leave one of the two");
     else if (column.unit.empty())
       context_.fault(column.name + "_mm", table.head_line(), table.head()[column.index],
                      "is in no unit of length", "write it in mm");
+  }
+
+  // Both at once: a header of other words is one slip.
+  void refuse_missing(const NumberTable& table) {
+    if (missing_.empty()) return;
+    const std::vector<std::string> meant = {"opening_mm", "slip_mm"};
+    std::string cure = fmt::format("the columns are {}; opening_mm and slip_mm are needed",
+                                   joined(table.head(), ", "));
+    for (const std::string& head : table.head())
+      if (const std::string near = nearest_name(head, meant); !near.empty() && near != head) {
+        cure = fmt::format("write {} in the place of {}", joined(missing_, ", "),
+                           joined(table.head(), ", "));
+        break;
+      }
+    context_.fault(
+        joined(missing_, ", "), table.head_line(), "",
+        missing_.size() == 1 ? "no such column in the header" : "no such columns in the header",
+        cure);
   }
 
   double read_cell(NumberTable& table, const Column& column) {
@@ -120,6 +137,7 @@ class PathReader {
   }
 
   ReadContext context_;
+  std::vector<std::string> missing_;
   Column opening_{.name = "opening", .unit = ""}, slip_{.name = "slip", .unit = ""};
 };
 
@@ -143,8 +161,11 @@ JointMaterial read_law(const std::string& path) {
 JointMaterial parse_law(const std::string& toml_text, const std::string& file_name) {
   io::ReadContext context{file_name};
   toml::table root = io::parse_toml(toml_text, file_name);
+  io::refuse_study(root, file_name);
+  io::read_names_as_meant(context, root, io::known_names<ModelSpec>());
   io::resolve_materials(context, root);
-  for (const char* name : io::kOtherTables) root.erase(name);
+  for (const io::KnownName& one : io::known_names<ModelSpec>())
+    if (one.name != "masonry" && one.name != "material") root.erase(one.name);
   io::LawFile file;
   io::read_table(context, root, "", file);
   if (!context.faults.empty()) io::throw_faults(context);

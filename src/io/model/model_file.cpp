@@ -73,7 +73,9 @@ void finish(TableReader& reader, ModelSpec& model) {
   names.clear();
   for (std::size_t i = 0; i < model.history.size(); ++i) {
     const std::string& name = model.history[i].name;
-    if (name.empty() && reader.context().has_fault_at(fmt::format("history.{}.name", i))) continue;
+    if (name.empty() && (reader.context().has_fault_at(fmt::format("history.{}.name", i)) ||
+                         reader.context().has_fault_at("history")))
+      continue;
     if (name.empty() || !names.insert(name).second)
       reader.refuse_member("history", i, "name",
                            name.empty() ? "is missing" : "two points have this name",
@@ -215,6 +217,9 @@ void refuse_keys_of_nothing(const ModelSpec& spec, bool has_unit, FaultList& fau
   refuse("wall.beam.rotation", !has_beam && wall.beam.rotation != bare.rotation, no_beam,
          beam_cure);
   refuse("wall.beam.joint", !has_beam && wall.beam.joint != bare.joint, no_beam, beam_cure);
+  refuse("wall.unit_joint", !spec.block.empty() && !wall.joints.unit_joint.empty(),
+         "has no effect: blocks of a file are whole units",
+         "leave it out, or name it in a rule of [[contact]]");
   if (!wall.blocks.empty()) return;
   const char* const no_file = "has no effect: the wall is built, and no blocks file is read";
   refuse("wall.blocks_unit", has_unit, no_file, "leave it out, or name blocks");
@@ -263,6 +268,7 @@ ModelSpec parse_model(const std::string& toml_text, const std::string& file_name
                       const std::vector<std::string>& overrides, const std::string& blocks,
                       const std::map<std::string, std::string>& records) {
   toml::table root = io::parse_toml(toml_text, file_name);
+  io::refuse_study(root, file_name);
   io::ReadContext context{file_name};
   context.records = &records;
   io::apply_overrides(context, root, overrides);

@@ -55,6 +55,8 @@ bool is_there(const fs::path& hidden) {
   const fs::file_type type = fs::symlink_status(hidden, error).type();
   if (type == fs::file_type::directory || type == fs::file_type::not_found)
     return type == fs::file_type::directory;
+  if (type == fs::file_type::none)
+    throw IoError(fmt::format("{}: cannot be looked at: {}", hidden.string(), error.message()));
   throw InputError({{.file = hidden.string(),
                      .path = "",
                      .value = "",

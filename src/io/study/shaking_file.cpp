@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <regex>
 #include <set>
 
 #include "core/files.h"
@@ -16,6 +17,7 @@
 #include "io/text/toml_writer.h"
 #include "model/compiler.h"
 #include "wythe/io.h"
+#include "wythe/units.h"
 
 namespace wythe::io {
 namespace {
@@ -72,6 +74,7 @@ class ShakingReader {
     const toml::node* node = root_.get("shaking");
     const toml::table* table = node != nullptr ? node->as_table() : nullptr;
     if (table == nullptr) return refuse_alone(node);
+    if (refuse_other_measure(*table)) return;
     TableReader reader(context_, *table, "shaking");
     describe(reader, out_);
     reader.refuse_unknown();
@@ -87,6 +90,35 @@ class ShakingReader {
   }
 
  private:
+  // Intensities that are all of another measure than the one named: one slip.
+  bool refuse_other_measure(const toml::table& table) {
+    const auto named = table["measure"].value<std::string>().value_or("");
+    const bool of_velocity = named == "pgv";
+    if (!of_velocity && named != "pga" && named != "sa") return false;
+    std::vector<std::string> texts;
+    for (const char* key : {"from", "step", "most"})
+      if (const auto text = table[key].value<std::string>()) texts.push_back(*text);
+    if (const toml::array* list = table["levels"].as_array())
+      for (const toml::node& item : *list) texts.push_back(shown(item));
+    const auto is_other = [&](const std::string& text) {
+      try {
+        (void)parse_quantity(text, of_velocity ? "m/s^2" : "m/s");
+        return true;
+      } catch (const std::invalid_argument&) {
+        return false;
+      }
+    };
+    if (texts.empty() || !std::all_of(texts.begin(), texts.end(), is_other)) return false;
+    context_.fault("shaking.measure", line_of(*table.get("measure")), named,
+                   fmt::format("is {}, and the intensities are {}",
+                               of_velocity ? "a velocity" : "an acceleration",
+                               of_velocity ? "accelerations" : "velocities"),
+                   of_velocity ? "write measure = \"pga\", or the intensities in m/s"
+                               : "write measure = \"pgv\", or the intensities in m/s^2");
+    out_.stage = "?";  // asked for, with faults
+    return true;
+  }
+
   // Tables that say something about shakes that nobody asks for.
   void refuse_alone(const toml::node* node) {
     if (node != nullptr)
@@ -126,7 +158,8 @@ class ShakingReader {
       return reader.refuse("levels", "stands beside from, step, most",
                            "leave one of the two ways out");
     if (listed) {
-      if (out_.levels.empty() && !context_.has_fault_at("shaking.levels"))
+      if (context_.has_fault_in("shaking.levels")) return;
+      if (out_.levels.empty())
         reader.refuse("levels", "is empty", "write e.g. levels = [\"1 m/s^2\", \"2 m/s^2\"]");
       check_rising("shaking.levels", line_of(*root_["shaking"]["levels"].node()), out_.levels);
     }
@@ -215,12 +248,17 @@ class ShakingReader {
       reader.miss("name", "is missing", "write e.g. name = \"Aigio\"");
     check_name(reader, record.name);
     const char* const unit = unit_of(out_.measure);
-    reader.quantities("levels", record.levels,
-                      {.unit = unit, .shown = unit, .range = kPositive, .example = "2 m/s^2"});
-    if (table.contains("levels"))
+    reader.quantities(
+        "levels", record.levels,
+        {.unit = unit,
+         .shown = unit,
+         .range = kPositive,
+         .example = out_.measure == IntensityMeasure::kPgv ? R"(["0.2 m/s", "0.4 m/s"])"
+                                                           : R"(["1 m/s^2", "2 m/s^2"])"});
+    if (table.contains("levels") && !context_.has_fault_in(under(path, "levels")))
       check_rising(under(path, "levels"), line_of(table), record.levels);
     if (record.levels.empty() && out_.levels.empty() && !out_.climbs() &&
-        !context_.has_fault_at(under(path, "levels")))
+        !context_.has_fault_in("shaking") && !context_.has_fault_in(under(path, "levels")))
       reader.refuse_table("has no intensities",
                           "write levels under [shaking] or here, or from, step and most there");
     if (!record.levels.empty() && out_.climbs())
@@ -282,8 +320,11 @@ class ShakingReader {
     try {
       study_.record_text[name] = read_text(file, kMostCsv);
     } catch (const std::runtime_error& error) {
+      const std::string near = nearest_file(file);
       context_.fault(under(path, "file"), line_of(*root_.get("record")), file, error.what(),
-                     "the path counts from the folder of the study file");
+                     near.empty() ? "the path counts from the folder of the study file"
+                                  : fmt::format("did you mean {}?",
+                                                (fs::path(file).parent_path() / near).string()));
     }
   }
 
@@ -320,8 +361,18 @@ class ShakingReader {
   std::string direction_;  // of the record that is exchanged
 };
 
+// "stage.quake.record.0.unit" of the model is `unit` of the study's record, "stage.1.record.1.unit" its component.1.unit.
+void as_in_study(std::string& text) {
+  static const std::regex kFirst(R"(stage\.[^\s.]+\.record\.0\.)"),
+      kOther(R"(stage\.[^\s.]+\.record\.(\d+)\.)"), kModel("the model file states");
+  text = std::regex_replace(text, kFirst, "");
+  text = std::regex_replace(text, kOther, "component.$1.");
+  text = std::regex_replace(text, kModel, "the record states");
+}
+
 // A fault of the setting that stands for a record, at the record.
 Fault at_record(Fault fault, const StudySpec& study, const std::string& name, int line) {
+  for (std::string* text : {&fault.path, &fault.problem, &fault.cure}) as_in_study(*text);
   fault.path = fmt::format("record \"{}\": {}", name, fault.path);
   if (fault.file == "--set" || fault.file.empty() || fault.file == study.model_file) {
     fault.file = study.file;
@@ -381,8 +432,12 @@ void check_records(const StudySpec& study, const toml::table& root) {
     } catch (const InputError& error) {
       const toml::array* list = root["record"].as_array();
       const int line = list != nullptr ? line_of(*list->get(i)) : 0;
-      for (const Fault& fault : error.faults())
-        faults.push_back(at_record(fault, study, record.name, line));
+      for (const Fault& fault : error.faults()) {
+        Fault own = at_record(fault, study, record.name, line);
+        const bool is_told = std::any_of(faults.begin(), faults.end(),
+                                         [&](const Fault& told) { return told.path == own.path; });
+        if (!is_told) faults.push_back(std::move(own));  // a value that is refused is missing too
+      }
     }
   }
   if (!faults.empty()) throw InputError(std::move(faults));

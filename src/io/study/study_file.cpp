@@ -235,7 +235,10 @@ class StudyReader {
     try {
       study_.model_text = read_text(study_.model_file, kMostToml);
     } catch (const std::runtime_error& error) {
-      reader.refuse("model", error.what(), "name the base model, relative to the study file");
+      const std::string near = nearest_file(study_.model_file);
+      reader.refuse("model", error.what(),
+                    near.empty() ? "name the base model, relative to the study file"
+                                 : fmt::format("did you mean {}?", beside(model, near)));
     }
   }
 
@@ -508,7 +511,7 @@ class StudyReader {
     if (!reader.has("between"))
       reader.miss("between", "is missing", "write e.g. between = [\"ft_j\", \"fc\"]");
     const bool rank = reader.has("rank");
-    if (rank == reader.has("gaussian"))
+    if (rank == reader.has("gaussian") && (rank || !reader.has_unknown()))
       reader.refuse_table(rank ? "has both rank and gaussian" : "needs rank or gaussian",
                           "write rank = 0.3 (Spearman) or gaussian = 0.3");
     pair.between.resize(2);
@@ -532,7 +535,8 @@ class StudyReader {
       const bool half_read =
           has_fault_in(part) || std::find(spoiled_.begin(), spoiled_.end(), part) != spoiled_.end();
       const bool matrix = fault.path == "correlation" && has_fault_in("correlation");
-      if (half_read || matrix || context_.has_fault_at(fault.path)) continue;
+      const bool of_shakes = fault.path == "record" && has_fault_in("shaking");
+      if (half_read || matrix || of_shakes || context_.has_fault_at(fault.path)) continue;
       const toml::node* node = node_at(fault.path);
       const bool is_value = node && node->is_value();
       context_.fault(fault.path, line_at(fault.path), is_value ? shown(*node) : fault.value,
@@ -568,11 +572,13 @@ class StudyReader {
   // "variable.ft_j.cov" -> "variable.ft_j"; [study] is judged key by key.
   static std::string part_of(const std::string& path) {
     if (path.starts_with("study")) return path;
+    if (path.starts_with("shaking.")) return "shaking";
     return path.substr(0, path.find('.', path.find('.') + 1));
   }
 
   [[nodiscard]] bool has_fault_in(const std::string& part) const {
-    if (part.find('.') == std::string::npos && part != "correlation") return false;
+    if (part.find('.') == std::string::npos && part != "correlation" && part != "shaking")
+      return false;
     return std::any_of(read_faults_.begin(), read_faults_.end(), [&](const Fault& fault) {
       return fault.path == part || fault.path.starts_with(part + '.');
     });
@@ -636,9 +642,53 @@ bool is_of_study(const std::string& override_text) {
 
 }  // namespace
 
+namespace {
+
+// Tables that no model has.
+bool has_study(const toml::table& root) {
+  const auto has = [&](const char* part) { return root.contains(part); };
+  constexpr const char* kNoModelHas[] = {"study",   "variable",    "dependent",  "correlation",
+                                         "shaking", "limit_state", "record_text"};
+  return std::any_of(std::begin(kNoModelHas), std::end(kNoModelHas), has);
+}
+
+// Tables that no study has.
+bool has_model(const toml::table& root) {
+  const auto has = [&](const char* part) { return root.contains(part); };
+  constexpr const char* kNoStudyHas[] = {"wall",    "stage",     "material",
+                                         "masonry", "plan_wall", "slab"};
+  return std::any_of(std::begin(kNoStudyHas), std::end(kNoStudyHas), has);
+}
+
+}  // namespace
+
+void refuse_study(const toml::table& root, const std::string& file) {
+  if (!has_study(root) || has_model(root)) return;
+  const auto base = root["study"]["model"].value<std::string>();
+  throw InputError(
+      {{.file = file,
+        .path = "",
+        .value = "",
+        .problem = "is a study, and a model is asked for",
+        .cure = fmt::format("name its model{}; a study runs by wythe campaign STUDY.toml "
+                            "--out DIR",
+                            base ? ", " + beside(file, *base) : "")}});
+}
+
+void refuse_model(const toml::table& root, const std::string& file) {
+  if (has_study(root) || !has_model(root)) return;
+  throw InputError({{.file = file,
+                     .path = "",
+                     .value = "",
+                     .problem = "is a model, and a study is asked for",
+                     .cure = "one wall runs by wythe run MODEL.toml --out DIR; wythe new study DIR "
+                             "writes a study to start from"}});
+}
+
 StudySpec parse_study_text(const std::string& toml_text, const std::string& file_name,
                            const std::vector<std::string>& overrides, StudyText from) {
   toml::table root = parse_toml(toml_text, file_name);
+  refuse_model(root, file_name);
   ReadContext context{file_name};
   std::vector<std::string> own, settings;
   for (const std::string& text : overrides) (is_of_study(text) ? own : settings).push_back(text);
@@ -669,11 +719,7 @@ StudySpec read_study(const std::string& path, const std::vector<std::string>& ov
 }
 
 bool is_study(const std::string& path) {
-  const toml::table root = io::parse_toml(io::read_input(path, "model.toml"), path);
-  const auto has = [&](const char* part) { return root.contains(part); };
-  constexpr const char* kNoModelHas[] = {"study",   "variable",    "dependent",  "correlation",
-                                         "shaking", "limit_state", "record_text"};
-  return std::any_of(std::begin(kNoModelHas), std::end(kNoModelHas), has);
+  return io::has_study(io::parse_toml(io::read_input(path, "model.toml"), path));
 }
 
 }  // namespace wythe

@@ -66,7 +66,8 @@ void check_settings(TableReader& reader, const VariantSpec& option) {
       reader.refuse("set", fmt::format("{} is none that an option may change", path),
                     "write dependent.<name>.formula=...");
   }
-  if (option.set.empty() && !reader.has("model"))
+  if (option.set.empty() && !reader.has("model") &&
+      !reader.context().has_fault_in(reader.below("set")))
     reader.refuse_table("changes nothing",
                         "write set = [\"path=value\"] or model = \"other.toml\"");
 }

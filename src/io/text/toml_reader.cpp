@@ -15,6 +15,7 @@
 #include "io/text/toml_slips.h"
 #include "units/quantity_error.h"
 #include "wythe/io.h"
+#include "wythe/text.h"
 #include "wythe/units.h"
 
 namespace wythe::io {
@@ -77,13 +78,26 @@ void ReadContext::fault(const std::string& path, int line, const std::string& va
   faults.add(std::move(out));
 }
 
-bool ReadContext::has_fault_at(const std::string& path) const {
-  return std::any_of(faults.all().begin(), faults.all().end(), [&](const Fault& fault) {
-    if (fault.path == path) return true;
-    return std::any_of(overrides.begin(), overrides.end(), [&](const Override& set) {
-      return set.path == path && set.given == fault.path;
-    });
+// Whether a fault stands at the path, as it is or as an override above it has it, or below where `below`.
+static bool has_fault(const ReadContext& context, const std::string& path, bool below) {
+  const auto is_at = [&](const Fault& fault, const std::string& place) {
+    return fault.path == place || (below && fault.path.starts_with(place + '.'));
+  };
+  const auto& faults = context.faults.all();
+  return std::any_of(faults.begin(), faults.end(), [&](const Fault& fault) {
+    return is_at(fault, path) ||
+           std::any_of(context.overrides.begin(), context.overrides.end(), [&](const Override& o) {
+             return is_at_or_above(o.path, path) &&
+                    is_at(fault, o.given + path.substr(o.path.size()));
+           });
   });
+}
+
+bool ReadContext::has_fault_at(const std::string& path) const {
+  return has_fault(*this, path, false);
+}
+bool ReadContext::has_fault_in(const std::string& path) const {
+  return has_fault(*this, path, true);
 }
 
 // --- single values -------------------------------------------------------------------------------
@@ -124,6 +138,17 @@ static std::string weight_and_mass(const std::string& text, const char* name, co
   return "";
 }
 
+// A load of a floor by area where the one along the wall is asked for; "" for all else.
+static std::string load_by_area(const std::string& text, const char* name, const Key& key) {
+  if (std::string_view(name) != "load" || std::string_view(key.unit) != "N/m") return "";
+  try {
+    (void)parse_quantity(text, "Pa");
+    return "write it in kN/m; or write g1, g2, q, psi2 and span, which make it from kN/m^2";
+  } catch (const QuantityError&) {
+    return "";
+  }
+}
+
 std::optional<double> TableReader::read_quantity(const toml::node& node, const std::string& path,
                                                  const char* name, const Key& key) {
   const std::string example = example_text(name, key, ValueKind::kQuantity);
@@ -149,6 +174,8 @@ std::optional<double> TableReader::read_quantity(const toml::node& node, const s
     return refuse_value(range_problem(broken), "write e.g. " + example);
   } catch (const QuantityError& error) {
     const bool bare = error.problem() == "has no unit";
+    if (const std::string cure = bare ? "" : load_by_area(text->get(), name, key); !cure.empty())
+      return refuse_value("is a load by area, where one along the wall is asked for", cure);
     if (const std::string cure = bare ? "" : weight_and_mass(text->get(), name, key); !cure.empty())
       return refuse_value(error.problem(), cure);
     return refuse_value(error.problem(),
@@ -173,7 +200,9 @@ void TableReader::quantities(const char* name, std::vector<double>& values, cons
   values.clear();
   for (std::size_t i = 0; i < array->size() && !enough(context_.faults); ++i) {
     const std::string path = under(below(name), std::to_string(i));
-    if (const auto read = read_quantity(*array->get(i), path, name, key)) values.push_back(*read);
+    const auto read = read_quantity(*array->get(i), path, name, key);
+    if (!read) return;  // the others mostly have the same slip
+    values.push_back(*read);
   }
 }
 
@@ -280,7 +309,7 @@ bool is_one_of_paths(std::string_view key) {
 }  // namespace
 
 void TableReader::text(const char* name, std::string& value, const Key& key) {
-  const toml::node* node = find(name, key);
+  const toml::node* node = find(name, key, true);
   if (!node) return;
   const auto* read = node->as_string();
   if (read) {
@@ -295,7 +324,7 @@ void TableReader::text(const char* name, std::string& value, const Key& key) {
 }
 
 void TableReader::texts(const char* name, std::vector<std::string>& values, const Key& key) {
-  const toml::node* node = find(name, key);
+  const toml::node* node = find(name, key, true);
   if (!node) return;
   const toml::array* array = node->as_array();
   const std::size_t count = static_cast<std::size_t>(key.count);
@@ -312,7 +341,7 @@ void TableReader::texts(const char* name, std::vector<std::string>& values, cons
 }
 
 int TableReader::choose(const char* name, const std::vector<std::string>& words, const Key& key) {
-  const toml::node* node = find(name, key);
+  const toml::node* node = find(name, key, true);
   if (!node) return -1;
   const auto* read = node->as_string();
   const auto found = read ? std::find(words.begin(), words.end(), read->get()) : words.end();
@@ -356,9 +385,9 @@ const toml::array* TableReader::as_list_of_tables(const toml::node& node, const 
   return nullptr;
 }
 
-const toml::node* TableReader::find(const char* name, const Key& key) {
+const toml::node* TableReader::find(const char* name, const Key& key, bool is_text) {
   const toml::node* node = table_.get(name);
-  entries_.push_back({name, key, node});
+  entries_.push_back({name, key, node, is_text});
   return node;
 }
 
@@ -384,7 +413,9 @@ void TableReader::miss(std::string_view name, const std::string& problem, const 
   const Entry* found = entry(name);
   std::string advice = cure;
   if (advice.empty() && found) {
-    const ValueKind kind = *found->key.unit ? ValueKind::kQuantity : ValueKind::kBare;
+    const ValueKind kind = found->is_text     ? ValueKind::kText
+                           : *found->key.unit ? ValueKind::kQuantity
+                                              : ValueKind::kBare;
     advice = cure_by_example(found->name.c_str(), found->key, kind);
   }
   context_.fault(below(std::string(name)), line_of(table_), "", problem, advice);
@@ -440,16 +471,31 @@ toml::table parse_toml(const std::string& text, const std::string& file) {
   }
 }
 
-std::string read_input(const std::string& path, const char* example, std::size_t most) {
+std::string nearest_file(const std::string& path) {
   namespace fs = std::filesystem;
   std::error_code error;
-  if (fs::status(path, error).type() != fs::file_type::not_found) return read_text(path, most);
   const fs::path above = fs::path(path).parent_path();
   std::vector<std::string> beside;
   for (fs::directory_iterator it(above.empty() ? "." : above, error), end; !error && it != end;
        it.increment(error))
     beside.push_back(it->path().filename().string());
-  const std::string nearest = nearest_name(fs::path(path).filename().string(), beside);
+  const std::string own = fs::path(path).filename().string(), near = nearest_name(own, beside);
+  // the ending is no sign that a name was meant: one.toml is not near to two.toml
+  const auto stem = [](const std::string& name) {
+    return small_letters(fs::path(name).stem().string());
+  };
+  const int most = std::max(1, static_cast<int>(stem(own).size()) / 3);
+  return near == own || near.empty() || edit_distance(stem(own), stem(near)) > most ? "" : near;
+}
+
+std::string read_input(const std::string& path, const char* example, std::size_t most) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  // itself: of a link that leads nowhere read_text says so
+  if (fs::symlink_status(path, error).type() != fs::file_type::not_found)
+    return read_text(path, most);
+  const fs::path above = fs::path(path).parent_path();
+  const std::string nearest = nearest_file(path);
   throw InputError({Fault{
       .file = path,
       .path = "",

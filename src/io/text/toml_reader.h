@@ -52,6 +52,8 @@ struct ReadContext {
   void fault(const std::string& path, int line, const std::string& value,
              const std::string& problem, const std::string& cure);
   [[nodiscard]] bool has_fault_at(const std::string& path) const;
+  // There, or at a key or member below it.
+  [[nodiscard]] bool has_fault_in(const std::string& path) const;
 };
 
 // A table or a list that stands where the other is asked for, in words.
@@ -123,13 +125,14 @@ class TableReader {
 
   void refuse_unknown();
   // The node of a key that is read by hand, nullptr when absent.
-  const toml::node* find(const char* name, const Key& key);
+  const toml::node* find(const char* name, const Key& key, bool is_text = false);
 
   // --- for finish() ---
   struct Entry {
     std::string name;
     Key key;
     const toml::node* node;  // nullptr when absent
+    bool is_text = false;    // an example of it stands in quotes
   };
   [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
   [[nodiscard]] bool has(std::string_view name) const;
@@ -191,6 +194,11 @@ void read_table(ReadContext& context, const toml::table& table, const std::strin
 // A file that the user named, by read_text (core/files.h); where there is none, the nearest name beside it.
 [[nodiscard]] std::string read_input(const std::string& path, const char* example,
                                      std::size_t most = kMostToml);
+// The name of a file beside one that is not there, but for case or a letter or two; "" where none is.
+[[nodiscard]] std::string nearest_file(const std::string& path);
+// Throws where a tree of a model stands in the place of a study, or a study in that of a model.
+void refuse_study(const toml::table& root, const std::string& file);
+void refuse_model(const toml::table& root, const std::string& file);
 // Throws all faults of the context, ordered by line.
 void throw_faults(const ReadContext& context);
 

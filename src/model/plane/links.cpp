@@ -242,9 +242,11 @@ class LinkCompiler {
     const double strength = std::min(t.yield_strength * t.area, t.anchor_strength);
     const double prestress = t.prestress * t.area;
     if (prestress >= strength)
-      return fault(".prestress", fmt::format("{:g} N", prestress),
-                   fmt::format("is not below what the tie bears, {:g} N", strength),
-                   "lower it, or write a larger area or strength");
+      return fault(
+          ".prestress", fmt::format("{:g} MPa", 1e-6 * t.prestress),
+          fmt::format("times its area is {:.4g} kN, not below what the tie bears, {:.4g} kN",
+                      1e-3 * prestress, 1e-3 * strength),
+          "lower it, or write a larger area or strength");
     add(name, LinkKind::kTie, to, from, true, t.youngs_modulus * t.area / long_);
     model_.links.tension.back() = strength;
     model_.links.compression.back() = 0;
@@ -345,6 +347,11 @@ class LinkCompiler {
     const std::optional<Vec3> point = site_.point_of(at);
     const bool more = std::isfinite(at.width) || std::isfinite(at.height) || at.courses != 1 ||
                       !at.role.empty() || site_.is_foreign(at);
+    if (std::isfinite(at.z) && !site_.knows(Vec3{0, 0, 1})) {
+      fault(key + ".z", fmt::format("{:g} m", at.z),
+            "has no meaning here: the wall lies in a plane", "leave z out");
+      return {};
+    }
     if (more || int{point.has_value()} + int{!at.block.empty()} + int{at.beam} != 1) {
       fault(key, "", "must be one point, one block or the beam",
             fmt::format("write e.g. {} = {}", key.substr(1), site_.example()));

@@ -77,7 +77,7 @@ TEST(FormulaUnit, follows_the_operations) {
 
 TEST(FormulaRefused, with_both_units) {
   EXPECT_EQ(formula_fault("ft + 3 N/m"),
-            "adds a stress [Pa] and an energy per area or force per length [N/m]; give both the "
+            "adds a stress [Pa] and a force per length or an energy per area [N/m]; give both the "
             "same unit");
   EXPECT_EQ(formula_fault("ft - 1"),
             "subtracts a stress [Pa] and a number; give both the same unit");

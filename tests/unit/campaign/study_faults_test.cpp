@@ -49,7 +49,7 @@ TEST(StudyRefused, unknown_path_with_the_nearest) {
   const std::string far = study_fault("material.joint.tensile_strength", "material.joint.colour");
   EXPECT_NE(far.find("known in material.joint: normal_stiffness, "), std::string::npos) << far;
   EXPECT_NE(study_fault("material.joint.tensile_strength", "material.jont.cohesion")
-                .find("did you mean material.joint?"),
+                .find("did you mean material.joint.cohesion?"),
             std::string::npos);
   const std::string stage =
       study_fault("material.joint.tensile_strength", "stage.gravity.velocity");
@@ -66,8 +66,8 @@ TEST(StudyRefused, cycle_with_its_way) {
 
 TEST(StudyRefused, formula_of_another_unit_than_its_key) {
   EXPECT_EQ(study_fault("1.5 * ft_j", "3 mm * ft_j"),
-            "study.toml:18: dependent.c.formula = 3 mm * ft_j: gives an energy per area or force "
-            "per length [N/m], but "
+            "study.toml:18: dependent.c.formula = 3 mm * ft_j: gives a force per length or an "
+            "energy per area [N/m], but "
             "material.joint.cohesion is a stress [Pa]; make it a formula in MPa");
   EXPECT_EQ(study_fault("atan(0.9 * tan(phi))", "ft_j"),
             "study.toml:26: dependent.phi_res.formula = ft_j: gives a stress [Pa], but "

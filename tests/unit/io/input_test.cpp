@@ -421,7 +421,7 @@ class Drawings : public Files {
 TEST_F(Drawings, that_are_none_are_refused_with_what_to_do) {
   expect_words(said("AutoCAD Binary DXF\r\n\x1a"), {"binary", "ASCII DXF"});
   expect_words(said("AC1032 and so on"), {"DWG", "ASCII DXF"});
-  expect_words(said(""), {"no EOF"});
+  expect_words(said(""), {"is empty"});
   expect_words(said("0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n"), {"no EOF"});
   expect_words(said("0\nSECTION\n2"), {":3:", "not whole"});
   expect_words(said("hello\nworld\n"), {":1:", "hello", "no group code"});

@@ -307,6 +307,79 @@ TEST(Slips, marks_of_other_formats_are_named) {
   expect_one(with("length = \"250 mm\"", "length = \"250\" mm"), {"write length = \"250 mm\""});
 }
 
+// The study with one line in the place of another.
+std::string study_with(const std::string& line, const std::string& other) {
+  std::string text = kStudy;
+  const std::size_t at = text.find(line + "\n");
+  EXPECT_NE(at, std::string::npos) << line;
+  return text.replace(at, line.size(), other);
+}
+
+void expect_one_of_study(const std::string& text, const std::vector<std::string>& words) {
+  const std::string said = told_of_study(text);
+  EXPECT_EQ(said.find('\n'), std::string::npos) << said;
+  for (const std::string& word : words)
+    EXPECT_NE(said.find(word), std::string::npos) << word << "\n" << said;
+}
+
+TEST(Slips, each_cure_can_be_written_as_it_stands) {
+  expect_one_of_study(study_with("formula = \"30 deg * share / 0.5\"", ""),
+                      {"write e.g. formula = \"1.5 * ft_j\""});
+  expect_one_of_study(
+      study_with("path = \"material.joint.cohesion\"", "path = \"material.joints.cohesion\""),
+      {"did you mean material.joint.cohesion?"});
+  expect_one_of_study(study_with("seed = 7", "seed = 7\nstates = [1, 2]"),
+                      {"states.0", "states = [\"10 mm\", \"40 mm\"]"});
+}
+
+TEST(Slips, a_study_of_other_words_is_told_once) {
+  expect_one_of_study(study_with("rank = 0.3", "pearson = 0.3"), {"pearson", "gaussian"});
+  expect_one_of_study(study_with("lower = 0.2", "min = 0.2"), {"min", "did you mean low"});
+  expect_one_of_study(
+      std::string(kStudy) + "[[variant]]\nname = \"tie\"\nset = \"wall.length=2 m\"\n",
+      {"variant.0.set", "list of"});
+  expect_one_of_study(
+      study_with("distribution = \"lognormal\"",
+                 "distribution = \"empirical\"\nvalues = [\"0.1 MPa\", \"0.2 MPa\"]"),
+      {"has no mean, cov"});
+}
+
+TEST(Slips, a_floor_load_by_area_is_told_from_one_along_the_wall) {
+  expect_one(std::string(kPier) + "[[floor]]\ny = \"1.44 m\"\nload = \"5 kN/m^2\"\n",
+             {"load by area", "kN/m", "g1, g2, q, psi2 and span"});
+}
+
+TEST(Slips, a_place_in_the_plane_has_no_depth) {
+  expect_one(
+      std::string(kPier) +
+          "[[tie]]\narea = \"491 mm^2\"\nyoungs_modulus = \"200 GPa\"\nfrom = { x = \"0.1 m\", "
+          "y = \"1.3 m\", z = \"1 m\" }\nto = { x = \"2.4 m\", y = \"1.3 m\" }\n",
+      {"tie.0.from.z", "lies in a plane", "leave z out"});
+}
+
+TEST(Slips, a_joint_law_alone_is_told_once_too) {
+  const auto told_of_law = [](const std::string& text) {
+    try {
+      (void)parse_law(text, "law.toml");
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  std::string law =
+      "[material.joint]\nnormal_stiffness = \"20 GPa/m\"\nshear_stiffness = \"8 GPa/m\"\n"
+      "tensile_strength = \"0 MPa\"\ncohesion = \"0 MPa\"\nresidual_cohesion = \"0 MPa\"\n"
+      "friction_angle = \"30 deg\"\nresidual_friction_angle = \"30 deg\"\n"
+      "compressive_strength = \"unlimited\"\n";
+  ASSERT_EQ(told_of_law(law), "");
+  const std::string bare = told_of_law(law.substr(law.find('\n') + 1));
+  EXPECT_EQ(bare.find('\n'), std::string::npos) << bare;
+  EXPECT_NE(bare.find("[material.<name>]"), std::string::npos) << bare;
+  const std::string typo = told_of_law(law.replace(law.find("cohesion"), 8, "cohesoin"));
+  EXPECT_EQ(typo.find('\n'), std::string::npos) << typo;
+  EXPECT_NE(typo.find("did you mean cohesion?"), std::string::npos) << typo;
+}
+
 // What is right is not mended: a semicolon or slashes within quotes, a colon in a time, several lines of a list.
 TEST(Slips, marks_within_a_text_are_its_own) {
   EXPECT_EQ(told("note = \"a; b // c: d, True\"\n" + std::string(kPier)), "");
