@@ -40,6 +40,7 @@ constexpr OtherWord kOtherWords[] = {{"friction_coefficient", "friction_tan"},
                                      {"nu", "poisson_ratio"},
                                      {"rho", "density"},
                                      {"speed", "velocity"},
+                                     {"studies", "study"},
                                      {"min", "low"},
                                      {"max", "high"},
                                      {"sd", "standard_deviation"},
@@ -246,12 +247,31 @@ class Mender {
         list.push_back(std::move(*node.as_table()));
         table.insert_or_assign(known.name, std::move(list));
       }
+    } else if (is_list_of_tables(node) && known.shape == Shape::kMap) {
+      name_members(table, *node.as_array(), path, known.name);
     } else if (is_list_of_tables(node)) {
       refuse_table_wanted(context_, node, path, known.name);
       toml::table first = std::move(*node.as_array()->front().as_table());
       table.insert_or_assign(known.name, std::move(first));
     }
     descend(*table.get(known.name), path, known);
+  }
+
+  // [[variable]] with a name in each, where [variable.<name>] is meant.
+  void name_members(toml::table& table, toml::array& list, const std::string& path,
+                    const std::string& key) {
+    toml::table named;
+    std::string first;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      toml::table& member = *list.get(i)->as_table();
+      const std::string label = member["name"].value<std::string>().value_or(std::to_string(i + 1));
+      if (first.empty()) first = label;
+      member.erase("name");
+      named.insert_or_assign(label, std::move(member));
+    }
+    context_.fault(path, line_of(list), "a list", "must be named tables",
+                   fmt::format("write each under a head of its own, e.g. [{}.{}]", path, first));
+    table.insert_or_assign(key, std::move(named));
   }
 
   void descend(toml::node& node, const std::string& path, const KnownName& known) {

@@ -332,6 +332,13 @@ TEST(Slips, each_cure_can_be_written_as_it_stands) {
                       {"states.0", "states = [\"10 mm\", \"40 mm\"]"});
 }
 
+TEST(Slips, a_list_of_named_members_is_told_once) {
+  std::string text = study_with("[variable.ft]", "[[variable]]\nname = \"ft\"");
+  const std::string other = "[variable.share]";
+  text.replace(text.find(other), other.size(), "[[variable]]\nname = \"share\"");
+  expect_one_of_study(text, {"must be named tables", "[variable.ft]"});
+}
+
 TEST(Slips, a_study_of_other_words_is_told_once) {
   expect_one_of_study(study_with("rank = 0.3", "pearson = 0.3"), {"pearson", "gaussian"});
   expect_one_of_study(study_with("lower = 0.2", "min = 0.2"), {"min", "did you mean low"});
