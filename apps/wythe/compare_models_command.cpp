@@ -52,12 +52,18 @@ void check_files(const std::vector<std::string>& files) {
                        const std::string& cure) {
     faults.push_back({.file = file, .path = "", .value = "", .problem = problem, .cure = cure});
   };
+  const auto model = std::find_if(files.begin(), files.end(), [](const std::string& file) {
+    std::error_code error;
+    return !fs::is_directory(file, error);
+  });  // there is one, or this were a comparison of folders
   for (const std::string& file : files) {
     std::error_code error;
     if (!fs::exists(file, error))
       add(file, "is not there", "name files of models, the one before first");
     else if (fs::is_directory(file, error))
-      add(file, "is a folder, beside files of models",
+      add(file,
+          fmt::format("is a folder, beside {}, which is none",
+                      model == files.end() ? "a model" : *model),
           "name models alone, or folders of campaigns alone");
     else if (is_study(file))
       add(file, "is a study, beside files of models", "run wythe campaign with it, or name models");

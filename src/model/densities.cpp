@@ -83,6 +83,15 @@ void note_shake_damping(const ModelSpec& spec, Model& model) {
           {"shake.local_damping", {{"stage", stage.name}, {"damping", stage.damping}}});
 }
 
+// An end beside targets, which say how far the push goes: --set puts targets over a model that has an end.
+void note_idle_ends(const ModelSpec& spec, Model& model) {
+  for (const StageSpec& stage : spec.stage)
+    if (stage.kind == StageKind::kPush && std::isfinite(stage.until) &&
+        !(stage.targets.empty() && stage.amplitudes.empty() && stage.drifts.empty()))
+      model.anatomy.notes.push_back(
+          {"push.until_idle", {{"stage", stage.name}, {"until_mm", 1e3 * stage.until}}});
+}
+
 // States that no push comes to.
 void note_states_beyond(const ModelSpec& spec, Model& model) {
   double least = 0, most = 0;
@@ -135,6 +144,7 @@ void note_densities(const ModelSpec& spec, Model& model) {
   note_odd_values(spec, model);
   note_shake_damping(spec, model);
   note_states_beyond(spec, model);
+  note_idle_ends(spec, model);
   if (const std::vector<std::string> names = unmatched(spec); !names.empty())
     model.anatomy.notes.push_back(
         {"density.of_unit",

@@ -303,7 +303,7 @@ class Models(unittest.TestCase):
     def test_files_and_folders_do_not_mix_and_one_model_is_none_to_compare(self):
         done = self.compare(self.before, self.whole / "after/base", self.out())
         self.assertEqual(done.returncode, 2)
-        self.assertIn("beside files of models", done.stderr)
+        self.assertIn("which is none", done.stderr)
         done = wythe("compare", self.before, "--out", self.out())
         self.assertEqual(done.returncode, 2)
         self.assertIn("nothing to be compared with", done.stderr)

@@ -285,16 +285,7 @@ bool take_in(Block& host, const Block& part) {
 
 bool check_arch(const Shape& shape, int index, FaultList& faults) {
   const OpeningSpec& opening = shape.wall.opening[static_cast<std::size_t>(index)];
-  const ArchSpec& arch = opening.arch;
-  if (arch.kind == ArchKind::kNone) {
-    if (!std::isnan(arch.rise) || !std::isnan(arch.depth) || !std::isnan(arch.skewback) ||
-        arch.voussoirs > 0 || !arch.joint.empty() || !arch.material.empty())
-      add_fault(faults, opening_path(index, "arch.kind"), "",
-                "is missing: without it the opening has no arch, and this table says how the arch "
-                "is",
-                "write e.g. kind = \"segmental\", or leave the arch out");
-    return false;
-  }
+  if (opening.arch.kind == ArchKind::kNone) return false;
   if (!opening.lintel.kind.empty())
     add_fault(faults, opening_path(index, "arch"), "",
               opening_name(index, opening.name) + " has a lintel and an arch",

@@ -12,7 +12,7 @@ template <class Visitor>
 void describe(Visitor& v, RecordSpec& s) {
   v.text("file", s.file, {.fallback = "a pulse, or accelerations", .example = "aigio.csv",
          .doc = "Record of accelerations, relative to the model file: a table of numbers with a head or none (CSV and its "
-                "kin, decimals behind a point or a comma), AT2, ESM or K-NET. `wythe check` tells what was read."});
+                "kin, decimals behind a point or a comma), AT2, ESM, K-NET or one channel of COSMOS. `wythe check` tells what was read."});
   v.text("column", s.column, {.fallback = "the one named so", .example = "acceleration",
          .doc = "Column of a table that holds the accelerations: its head, or its number from 1. Needed where none or "
                 "several are named as accelerations (acc, a, a unit such as [g]) or as directions (ns, east); of two "

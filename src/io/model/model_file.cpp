@@ -29,6 +29,29 @@ void finish(TableReader& reader, ContactRule&) {
 
 namespace {
 
+// Without a kind there is none: a table that says how it is, and not that it is, is a slip. kind = "" leaves it out, as a
+// variant does.
+void need_kind(TableReader& reader, const char* what, const char* example) {
+  const auto& entries = reader.entries();
+  const auto stands = [](const TableReader::Entry& entry) { return entry.node != nullptr; };
+  if (reader.has("kind") || reader.has_unknown() ||
+      std::none_of(entries.begin(), entries.end(), stands))
+    return;
+  reader.miss("kind",
+              fmt::format("is missing: without it the opening has no {0}, and this table says how "
+                          "the {0} is",
+                          what),
+              fmt::format("write e.g. kind = \"{}\", or leave the {} out", example, what));
+}
+
+}  // namespace
+
+void finish(TableReader& reader, LintelSpec&) { need_kind(reader, "lintel", "timber"); }
+void finish(TableReader& reader, SillSpec&) { need_kind(reader, "sill", "stone"); }
+void finish(TableReader& reader, ArchSpec&) { need_kind(reader, "arch", "segmental"); }
+
+namespace {
+
 // A storey or wall that does not say how its units split has the wall's way.
 template <class Table>
 void inherit_split(const TableReader& reader, const char* name, const ModelSpec& model,

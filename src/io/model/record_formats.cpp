@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <regex>
 #include <utility>
 
 #include <fmt/format.h>
@@ -415,6 +416,146 @@ std::optional<RecordNumbers> read_knet(const std::string& text, const std::strin
   return out;
 }
 
+// --- COSMOS, volumes 1 and 2: channels one after the other, each with headers that say how their numbers stand
+//
+//    100 Real-header values follow on  20 lines, Format= (5F15.6)
+//   26219 acceleration pts, approx  131 secs, units=cm/sec2(04),Format=(8F10.5)
+
+// "(8F10.5)": how many numbers a line has, and how wide each is; they may touch.
+struct Fixed {
+  std::size_t many = 0, wide = 0;
+};
+Fixed fixed_in(const std::smatch& found, std::size_t at) {
+  const auto number = [&](std::size_t k) {
+    return found[k].length() == 0 ? 1 : static_cast<std::size_t>(std::stoul(found[k].str()));
+  };
+  return {number(at), number(at + 1)};
+}
+
+// Up to `most` numbers of a line; false after one that is none.
+bool add_fixed(std::string_view line, Fixed fixed, std::size_t most, std::vector<double>& out) {
+  for (std::size_t k = 0; k < fixed.many && out.size() < most; ++k) {
+    if (k * fixed.wide >= line.size()) return true;
+    const std::string_view cell = trimmed(line.substr(k * fixed.wide, fixed.wide));
+    if (cell.empty()) continue;
+    out.push_back(number_in(cell));
+    if (std::isnan(out.back())) return false;
+  }
+  return true;
+}
+
+struct CosmosChannel {
+  int line = 0;                   // of the words before its numbers
+  std::string words, unit;        // as they stand
+  double count = 0, seconds = 0;  // stated
+  std::vector<double> head, value;
+};
+
+// The lines of a text with the blanks before their first number.
+std::vector<std::string_view> whole_lines(std::string_view text) {
+  std::vector<std::string_view> lines;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view line = text.substr(0, end);
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    lines.push_back(line);
+    text.remove_prefix(std::min(text.size(), end + 1));
+  }
+  return lines;
+}
+
+std::vector<CosmosChannel> cosmos_channels(std::string_view text, const std::string& file) {
+  static const std::regex kHead(
+      R"(\s*(\d{1,6})\s+real-header values follow on\s+(\d{1,6})\s+lines\s*,\s*format\s*=\s*\((\d{0,3})f(\d{1,2})\..*)",
+      std::regex::icase);
+  static const std::regex kData(
+      R"(\s*(\d{1,8})\s+acc\w*\.?\s+(?:pts|points)\b.*?approx\s+([\d.]{1,12})\s+secs?,\s*units\s*=\s*([^,(]+?)\s*(?:\(\s*\d+\s*\))?\s*,\s*format\s*=\s*\((\d{0,3})[feidg](\d{1,2})(?:\..*|\).*))",
+      std::regex::icase);
+  constexpr std::size_t kLongest = 300;  // of a line of words
+  const std::vector<std::string_view> lines = whole_lines(text);
+  std::vector<CosmosChannel> out;
+  std::vector<double> head;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (lines[i].size() > kLongest || lines[i].find('=') == std::string_view::npos) continue;
+    const std::string line(lines[i]);
+    std::smatch found;
+    if (std::regex_match(line, found, kHead)) {
+      head.clear();
+      const auto count = static_cast<std::size_t>(std::stoul(found[1].str()));
+      const auto rows = static_cast<std::size_t>(std::stoul(found[2].str()));
+      for (std::size_t k = i + 1; k < std::min(lines.size(), i + 1 + rows); ++k)
+        if (!add_fixed(lines[k], fixed_in(found, 3), count, head))
+          refuse(file, static_cast<int>(k) + 1, std::string(trimmed(lines[k])),
+                 "is no line of a COSMOS head", "repair the file, or fetch it anew");
+    } else if (std::regex_match(line, found, kData)) {
+      CosmosChannel channel{.line = static_cast<int>(i) + 1,
+                            .words = std::string(trimmed(line)),
+                            .unit = found[3].str(),
+                            .count = std::stod(found[1].str()),
+                            .seconds = std::stod(found[2].str()),
+                            .head = std::move(head),
+                            .value = {}};
+      head.clear();
+      const Fixed fixed = fixed_in(found, 4);
+      for (std::size_t k = i + 1;
+           k < lines.size() && static_cast<double>(channel.value.size()) < channel.count; ++k)
+        if (!add_fixed(lines[k], fixed, static_cast<std::size_t>(channel.count), channel.value))
+          refuse(file, static_cast<int>(k) + 1, std::string(trimmed(lines[k])),
+                 fmt::format("is no line of numbers, and {} of {:.0f} have been read",
+                             channel.value.size() - 1, channel.count),
+                 "fetch the whole file");
+      out.push_back(std::move(channel));
+    }
+  }
+  return out;
+}
+
+// Value 62, in ms, is the step of this series; value 34, in s, that of the recorder, which may have been another.
+double cosmos_step(const CosmosChannel& channel) {
+  constexpr std::size_t kOfSeries = 62, kOfRecorder = 34;
+  const auto at = [&](std::size_t number) {
+    return number <= channel.head.size() ? channel.head[number - 1] : kUnset;
+  };
+  if (at(kOfSeries) > 0) return 1e-3 * at(kOfSeries);
+  return at(kOfRecorder) > 0 ? at(kOfRecorder) : kUnset;
+}
+
+std::optional<RecordNumbers> read_cosmos(const std::string& text, const std::string& file) {
+  const std::vector<CosmosChannel> channels = cosmos_channels(text, file);
+  if (channels.empty()) return std::nullopt;
+  const CosmosChannel& channel = channels.front();
+  if (channels.size() > 1)
+    refuse(file, channels[1].line, channels[1].words,
+           fmt::format("is the second of {} accelerations in this COSMOS file", channels.size()),
+           "keep one channel, from its first line to its End-of-data");
+  RecordNumbers out;
+  out.stated = channel.unit;
+  out.line = channel.line;
+  out.unit = stated_unit(channel.unit);
+  if (out.unit == RecordUnit::kNone)
+    refuse(file, channel.line, channel.unit,
+           "is no unit of accelerations that is known here (COSMOS)",
+           "fetch the processed record, in cm/s2 or g");
+  out.step = cosmos_step(channel);
+  if (std::isnan(out.step))
+    refuse(file, channel.line, channel.words,
+           "has no step: a COSMOS file states it among its Real-header values",
+           "fetch the whole file");
+  check_head(file, channel.line, channel.count, out.step, "points and step of COSMOS");
+  const double seconds = channel.count * out.step;
+  if (std::fabs(seconds - channel.seconds) > std::max(1.5, 0.02 * channel.seconds))
+    refuse(file, channel.line, channel.words,
+           fmt::format("has {:.0f} points, one each {:g} s, which last {:g} s", channel.count,
+                       out.step, seconds),
+           "fetch the file anew");
+  if (static_cast<double>(channel.value.size()) != channel.count)
+    refuse(file, channel.line, fmt::format("{} numbers", channel.value.size()),
+           fmt::format("are not the {:.0f} that the line states: lines are missing", channel.count),
+           "fetch the whole file");
+  out.acceleration = channel.value;
+  return out;
+}
+
 // --- known, and not read
 
 struct Foreign {
@@ -497,6 +638,7 @@ std::optional<RecordNumbers> read_record_format(const std::string& text, const s
   const std::vector<HeadLine> head = head_of(text);
   if (auto esm = read_esm(text, file, head)) return esm;
   if (auto knet = read_knet(text, file, head)) return knet;
+  if (auto cosmos = read_cosmos(text, file)) return cosmos;
   if (auto at2 = read_at2(text, file, head)) return at2;
   if (small_letters(std::filesystem::path(file).extension().string()) == ".at2")
     refuse(file, 0, "",

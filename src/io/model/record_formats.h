@@ -3,6 +3,7 @@
 //   AT2     PEER and others: a line names NPTS and DT, in any order, up to kMostHeadLines from the top
 //   ESM     "KEY: value" lines with SAMPLING_INTERVAL_S, NDATA, UNITS (also ITACA)
 //   K-NET   17 lines with "Sampling Freq(Hz)" and "Scale Factor": counts times gal (also KiK-net)
+//   COSMOS  "N acceleration pts, approx S secs, units=cm/sec2(04),Format=(8F10.5)" (volumes 1 and 2; also CESMD's V2c)
 #pragma once
 
 #include <optional>

@@ -256,12 +256,6 @@ void check_push(TableReader& reader, const StageSpec& stage) {
   const auto has = [&](const char* key) { return reader.has(key); };
   if (!has("until") && !has("targets") && !has("amplitudes") && !has("drifts"))
     reader.miss("until", "is missing, a push needs until or targets");
-  for (const char* key : {"targets", "amplitudes", "drifts"})
-    if (has("until") && has(key)) {
-      reader.refuse("until", fmt::format("has no effect: {} say how far the push goes", key),
-                    fmt::format("leave one of the two out; until is for a push one way"));
-      break;
-    }
   check_protocol(reader, stage);
   if (reader.has("targets") && stage.targets.empty() &&
       !reader.context().has_fault_at(reader.below("targets")))

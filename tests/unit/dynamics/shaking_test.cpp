@@ -612,6 +612,74 @@ TEST_F(RecordFile, formats_of_the_field_are_read_or_named) {
   EXPECT_EQ(told.find('\n'), std::string::npos) << told;  // one fault
 }
 
+// A channel as CESMD writes it: 100 real values of which the 34th is the step [s] and the 62nd that of the series [ms].
+std::string cosmos(double step_s, double step_ms, int count, const std::string& unit,
+                   const std::string& format, const std::vector<std::string>& rows, double seconds,
+                   const std::string& what = "acceleration") {
+  std::string text =
+      "Corrected acceleration    (Format v01.20 with 13 text lines)\nStation X\n"
+      "   100 Real-header values follow on  17 lines , Format = (6F13.6)\n";
+  for (int k = 1; k <= 100; ++k)
+    text += fmt::format("{:13.6f}{}",
+                        k == 34   ? step_s
+                        : k == 62 ? step_ms
+                                  : -999.0,
+                        k % 6 == 0 || k == 100 ? "\n" : "");
+  text += "   1 Comment line(s) follow, each starting with a \"|\":\n|units=cm a = b\n";
+  text += fmt::format("   {} {} pts, approx {:3.0f} secs, units={},Format=({})\n", count, what,
+                      seconds, unit, format);
+  for (const std::string& row : rows) text += row + "\n";
+  return text + "End-of-data for Chan HNE " + what + "\n";
+}
+
+TEST_F(RecordFile, a_channel_of_cosmos_is_read_by_its_widths_and_its_step) {
+  const auto reads = [&](const std::string& text, double step, std::vector<double> values) {
+    write("a.V2c", text);
+    const RecordSpec record = parse("record = { file = \"a.V2c\" }\n").stage.back().record.front();
+    ASSERT_EQ(record.read_accelerations.size(), values.size());
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      EXPECT_DOUBLE_EQ(record.read_accelerations[k], 0.01 * values[k]);
+      EXPECT_NEAR(record.read_times[k], step * static_cast<double>(k), 1e-12);
+    }
+  };
+  // numbers that touch; both ways of writing the unit
+  const std::vector<double> values = {-0.5, -1.25, 2, -3, 0.1};
+  reads(cosmos(0.005, 5, 5, "cm/s^2 (4)", "2F8.5",
+               {"-0.50000-1.25000", " 2.00000-3.00000", " 0.10000"}, 0),
+        0.005, values);
+  reads(cosmos(0.005, 5, 3, "cm/sec2(04)", "1E15.6",
+               {"  -2.500000E-01", "   1.000000E+00", "   0.000000E+00"}, 0),
+        0.005, {-0.25, 1, 0});
+  // resampled: the series has its own step
+  reads(cosmos(0.005, 10, 2, "cm/s^2", "8F10.5", {"   1.00000   2.00000"}, 0), 0.01, {1, 2});
+  reads(cosmos(0.02, -999, 2, "cm/s^2", "8F10.5", {"   1.00000   2.00000"}, 0), 0.02, {1, 2});
+  // velocities and displacements of the same channel stand behind it
+  const std::vector<std::string> two = {"   1.00000   2.00000"};
+  reads(cosmos(0.02, 20, 2, "cm/s^2", "8F10.5", two, 0) +
+            cosmos(0.02, 20, 2, "cm/s", "8F10.5", two, 0, "velocity"),
+        0.02, {1, 2});
+}
+
+TEST_F(RecordFile, a_channel_of_cosmos_that_is_not_whole_or_not_alone_is_refused) {
+  const auto told = [&](const std::string& text) {
+    write("a.V2c", text);
+    const std::string said = refusal("record = { file = \"a.V2c\" }\n");
+    EXPECT_EQ(said.find('\n'), std::string::npos) << said;
+    return said;
+  };
+  const std::vector<std::string> two = {"   1.00000   2.00000"};
+  const std::string one = cosmos(0.02, 20, 2, "cm/s^2", "8F10.5", two, 0);
+  says(told(one + one), {"second of 2 accelerations", "keep one channel"});
+  says(told(cosmos(0.02, 20, 2, "counts (50)", "8F10.5", two, 0)), {"counts", "no unit of acc"});
+  says(told(cosmos(-999, -999, 2, "cm/s^2", "8F10.5", two, 0)), {"has no step"});
+  says(told(cosmos(0.02, 20, 9, "cm/s^2", "8F10.5", two, 0)), {"no line of numbers", "2 of 9"});
+  says(told(cosmos(0.02, 20, 2, "cm/s^2", "8F10.5", two, 60)), {"which last 0.04 s"});
+  says(told(cosmos(0.02, 20, 2, "cm/s^2", "8F10.5", {"   1.00000   2.0z000"}, 0)), {"2.0z000"});
+  write("b.V2c", one);
+  says(refusal("record = { file = \"b.V2c\", unit = \"g\" }\n"), {"states another"});
+  says(refusal("record = { file = \"b.V2c\", step = \"0.01 s\" }\n"), {"is not the step"});
+}
+
 TEST_F(RecordFile, formats_that_are_not_read_are_named) {
   const auto told = [&](const std::string& text) {
     write("a.dat", text);
