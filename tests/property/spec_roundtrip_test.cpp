@@ -204,6 +204,7 @@ void make_push(StageSpec& stage) {
   make_pattern(stage);
   set_if_unset(stage.velocity, 0.01);
   stage.fast_velocity = coin(2) ? kUnset : stage.velocity;
+  if (std::isnan(stage.fast_velocity)) stage.fast_below = StageSpec{}.fast_below;
   if (!goes_to_and_fro(stage)) set_if_unset(stage.until, 0.05);
   const bool alike = stage.pattern == Pattern::kNone && coin(2);
   stage.as = coin(3) ? Manner::kDefault : alike ? Manner::kEach : Manner::kSpreader;
@@ -220,6 +221,8 @@ void make_shake(StageSpec& stage) {
     if (record.pulse == PulseShape::kNone) record.pulse = PulseShape::kRicker;
     set_if_unset(record.amplitude, 1.0 / 3), set_if_unset(record.period, 0.1);
     record.file.clear(), record.accelerations.clear();
+    record.column.clear(), record.times.clear(), record.step = kUnset;  // of files and lists
+    record.unit = RecordUnit::kNone;
     make_place(record.at);
   }
   const bool by_factor = coin(2);
@@ -241,9 +244,14 @@ void make_valid(StageSpec& stage, std::size_t index) {
   stage.name += std::to_string(index);
   const bool has_direction = stage.kind == StageKind::kBodyForce || stage.kind == StageKind::kTilt;
   if (has_direction && stage.direction != Direction::kPlusX) stage.direction = Direction::kMinusX;
+  const std::string plate_joint = stage.plate_joint;
+  stage.plate_joint = StageSpec{}.plate_joint;
   switch (stage.kind) {
     case StageKind::kGravity: break;
-    case StageKind::kLoad: make_one_load(stage); break;
+    case StageKind::kLoad:
+      make_one_load(stage);
+      if (stage.as == Manner::kPlate) stage.plate_joint = plate_joint;
+      break;
     case StageKind::kPush: make_push(stage); break;
     case StageKind::kBodyForce:
       set_if_unset(stage.rate, 0.1), set_if_unset(stage.factor, 1.0 / 3);
@@ -346,6 +354,18 @@ ModelSpec any_spec() {
   if (!spec.scatter.use.empty()) spec.scatter.use = coin(2) ? "tuff" : "stone";
   for (std::size_t i = 0; i < spec.history.size(); ++i)
     spec.history[i].name += std::to_string(i), make_place(spec.history[i].at);
+  // a name of one's own; what has no kind is not there
+  for (std::size_t i = 0; i < spec.wall.opening.size(); ++i) {
+    OpeningSpec& opening = spec.wall.opening[i];
+    if (!opening.name.empty()) opening.name += std::to_string(i);
+    if (opening.lintel.kind.empty()) opening.lintel = {};
+    if (opening.sill.kind.empty()) opening.sill = {};
+    if (opening.arch.kind == ArchKind::kNone) opening.arch = {};
+  }
+  for (std::size_t i = 0; i < spec.region.size(); ++i)
+    if (!spec.region[i].name.empty()) spec.region[i].name += std::to_string(i);
+  for (std::size_t i = 0; i < spec.floor.size(); ++i)
+    if (!spec.floor[i].name.empty()) spec.floor[i].name += std::to_string(i);
   for (ContactRule& rule : spec.contact)
     if (rule.material.empty()) rule.material = "joint";
   return spec;
