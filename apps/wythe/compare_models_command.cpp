@@ -55,15 +55,13 @@ void check_files(const std::vector<std::string>& files) {
   const auto model = std::find_if(files.begin(), files.end(), [](const std::string& file) {
     std::error_code error;
     return !fs::is_directory(file, error);
-  });  // there is one, or this were a comparison of folders
+  });  // there is one: folders alone are compared as campaigns
   for (const std::string& file : files) {
     std::error_code error;
     if (!fs::exists(file, error))
       add(file, "is not there", "name files of models, the one before first");
     else if (fs::is_directory(file, error))
-      add(file,
-          fmt::format("is a folder, beside {}, which is none",
-                      model == files.end() ? "a model" : *model),
+      add(file, fmt::format("is a folder, beside {}, which is none", *model),
           "name models alone, or folders of campaigns alone");
     else if (is_study(file))
       add(file, "is a study, beside files of models", "run wythe campaign with it, or name models");
@@ -102,7 +100,7 @@ void print_models(const PairedComparison& comparison, const std::string& out) {
     fmt::print("{}{}\n", one.cautions.empty() ? "" : "WARNING ", readable(text_of(one.sentence)));
     for (const Message& note : one.notes) fmt::print("  note: {}\n", readable(text_of(note)));
   }
-  fmt::print("comparison {}/comparison.html\n", out);
+  fmt::print("comparison {}/comparison.html\n", readable(out));
 }
 
 }  // namespace
@@ -123,8 +121,7 @@ int compare_models(const CompareArguments& a) {
                             .strength = share_of("--strength", a.strength),
                             .displacement = share_of("--displacement", a.displacement)};
   CampaignOptions options;
-  if (!a.jobs.empty())
-    options.jobs = whole_number("--jobs", a.jobs, 1, 4096, "leave it out for one wall a core");
+  options.jobs = jobs_of(a.jobs);
   options.resume = a.resume;
   options.provenance = provenance_text();
   std::vector<StudySpec> studies = studies_of_models(asked);

@@ -231,7 +231,7 @@ void add_compare(CLI::App& app, CompareArguments& a, int& code) {
                       "of models with [scatter]: walls in each direction (default: 8)");
   command->add_option("--seed", a.seed, "of models: seed of the walls (default: 0)");
   add_overrides(command, a.overrides);
-  command->add_option("--jobs", a.jobs, "walls run at the same time (default: one a core)");
+  command->add_option("--jobs", a.jobs, "cores for walls side by side; 0, the default, is all");
   command->add_flag("--resume", a.resume, "of models: go on with the walls that the folder holds");
   command->add_flag("--quiet", a.quiet, "no progress");
   add_language(command, a.language);

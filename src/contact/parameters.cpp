@@ -381,7 +381,7 @@ namespace contact {
 
 std::vector<MaterialFault> missing_as_one(std::vector<MaterialFault> faults) {
   constexpr std::string_view kAdd = "add ";
-  MaterialFault one{"", "", "lacks ", ""};
+  MaterialFault one{};
   std::vector<MaterialFault> others;
   std::string keys;
   std::size_t count = 0;

@@ -98,7 +98,8 @@ void note_states_beyond(const ModelSpec& spec, Model& model) {
   for (const StageSpec& stage : spec.stage) {
     if (stage.kind != StageKind::kPush) continue;
     for (const double end : stage.targets) least = std::min(least, end), most = std::max(most, end);
-    if (std::isfinite(stage.until)) most = std::max(most, stage.until);
+    const bool one_way = stage.targets.empty() && stage.amplitudes.empty();
+    if (one_way && std::isfinite(stage.until)) most = std::max(most, stage.until);
     for (const double a : stage.amplitudes) least = std::min(least, -a), most = std::max(most, a);
     if (!stage.drifts.empty()) return;  // of a height that is found later
   }

@@ -111,6 +111,35 @@ bearing = "150 mm"
 )";
 
 // N = 24 kN at 0.3 - 0.075 m behind the face. Its mass goes along.
+// A pilaster, or a wall across, must not make the whole part as thick as itself.
+TEST(Local, thick_and_thin_masonry_side_by_side_is_refused) {
+  const std::string region = R"([[region]]
+name = "wall across"
+x = "0 m"
+y = "0 m"
+width = "0.5 m"
+height = "3 m"
+thickness = "1.5 m"
+)";
+  const SecondOpinion opinion = opinion_of(front(kThreeMetres, region));
+  EXPECT_TRUE(opinion.local.empty());
+  ASSERT_EQ(opinion.refused.size(), 1U);
+  EXPECT_NE(opinion.refused.front().why.find("0.3 m and of 1.5 m stands side by side"),
+            std::string::npos)
+      << opinion.refused.front().why;
+  // beside it the wall is as it was
+  const std::string beside = "[[assessment.part]]\nleft = \"0.75 m\"\n";
+  EXPECT_DOUBLE_EQ(only_check(front(kThreeMetres, region + beside)).capacity.alpha0,
+                   only_check(front(kThreeMetres, beside)).capacity.alpha0);
+  // a foot that is thinner all along is no side by side
+  std::string thin = region;
+  thin.replace(thin.find("width = \"0.5 m\""), 15, "width = \"2 m\"");
+  thin.replace(thin.find("height = \"3 m\""), 14, "height = \"1 m\"");
+  thin.replace(thin.find("1.5 m"), 5, "0.2 m");
+  EXPECT_LT(only_check(front(kThreeMetres, thin)).capacity.alpha0,
+            only_check(front(kThreeMetres, "")).capacity.alpha0);
+}
+
 TEST(Local, a_floor_holds_by_its_weight_and_pushes_by_its_mass) {
   const LocalCheck c = only_check(front(kThreeMetres, kRoof));
   const double W = kDensity * kG * 2 * 3 * 0.3, N = 24e3;

@@ -542,8 +542,9 @@ std::optional<RecordNumbers> read_cosmos(const std::string& text, const std::str
            "has no step: a COSMOS file states it among its Real-header values",
            "fetch the whole file");
   check_head(file, channel.line, channel.count, out.step, "points and step of COSMOS");
+  // stated in whole seconds, rounded or cut
   const double seconds = channel.count * out.step;
-  if (std::fabs(seconds - channel.seconds) > std::max(1.5, 0.02 * channel.seconds))
+  if (std::fabs(seconds - channel.seconds) > 1 + 1e-9)
     refuse(file, channel.line, channel.words,
            fmt::format("has {:.0f} points, one each {:g} s, which last {:g} s", channel.count,
                        out.step, seconds),

@@ -193,6 +193,38 @@ class Strip {
     return section;
   }
 
+  // Thick and thin masonry at one level turns about the face that both share, and a wall in its plane does not say which
+  // that is. The thicker one alone would make a pilaster of 1.5 m hold a wall of 0.3 m.
+  void refuse_side_by_side() const {
+    struct Masonry {
+      geometry::Rect box;
+      double thickness;
+    };
+    std::vector<Masonry> blocks;
+    for (BlockId b = 0; b < model_.n_block; ++b) {
+      if (model_.anatomy.block_role[static_cast<std::size_t>(b)] != BlockRole::kMasonry) continue;
+      const geometry::Rect box = geometry::bounds(polygon_of(model_, b));
+      if (std::min(box.y1, y1_) - std::max(box.y0, y0_) > kSliver &&
+          std::min(box.x1, x1_) - std::max(box.x0, x0_) > kSliver)
+        blocks.push_back({box, thickness_at(b)});
+    }
+    const auto is_other = [&](const Masonry& a, const Masonry& b) {
+      return std::fabs(a.thickness - b.thickness) > 1e-9 * b.thickness;
+    };
+    for (const Masonry& a : blocks) {
+      if (!is_other(a, blocks.front())) continue;  // of two that differ one is found so
+      for (const Masonry& b : blocks)
+        if (is_other(a, b) && std::min(a.box.y1, b.box.y1) - std::max(a.box.y0, b.box.y0) > kSliver)
+          refuse(
+              "", "",
+              fmt::format("masonry of {:g} m and of {:g} m stands side by side at {:.2f} m, and "
+                          "which of their faces is common is not known",
+                          std::min(a.thickness, b.thickness), std::max(a.thickness, b.thickness),
+                          std::max(a.box.y0, b.box.y0) - wall_.foot),
+              "check the part beside it, by left and right; or its section as a wall of its own");
+    }
+  }
+
   void measure() {
     if (!(x1_ > x0_) || x0_ < wall_.left - 1e-9 || x1_ > wall_.right + 1e-6)
       refuse(".right", fmt::format("{:g} m", x1_ - wall_.left),
@@ -211,6 +243,7 @@ class Strip {
              model_.solve.gravity > 0 ? "no masonry with a weight lies between its ends"
                                       : "weighs nothing: gravity is 0",
              "move its ends onto masonry, and give that a density");
+    refuse_side_by_side();
     const Section at_foot = section_above(y0_);
     length_ = at_foot.length, thickness_ = at_foot.thickness;
     if (!(thickness_ > 0))

@@ -174,6 +174,8 @@ TEST(IdleKeys, a_state_that_no_push_comes_to_is_noted) {
   const std::string states = "[output]\nstates = [\"1 mm\", \"50 mm\"]\n";
   expect_noted(pushed("until = \"2 mm\"\n") + states, "asks for a state at 50 mm");
   expect_not_noted(pushed("until = \"2 mm\"\n") + states, "asks for a state at 1 mm");
+  expect_noted(pushed("until = \"60 mm\"\ntargets = [\"1 mm\", \"-1 mm\"]\n") + states,
+               "asks for a state at 50 mm");  // an idle end is no end
   expect_not_noted(
       pushed("targets = [\"1 mm\", \"-60 mm\"]\n") + "[output]\nstates = [\"-50 mm\"]\n",
       "asks for a state");
