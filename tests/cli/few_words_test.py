@@ -118,6 +118,29 @@ class Usable(Base):
             self.assertEqual("WARNING" in said, judgement not in ("usable", "slow enough"), said)
             self.assertNotIn("WARNING usable", said)
 
+    def test_a_campaign_of_usable_pushes_has_a_note_and_no_warning(self):
+        (pathlib.Path(self.temporary.name) / "dry.toml").write_text(self.readme())
+        study = pathlib.Path(self.temporary.name) / "study.toml"
+        study.write_text("""[study]
+model = "dry.toml"
+samples = 2
+seed = 1
+set = ["stage.push.velocity=VELOCITY", "stage.push.until=1 mm"]
+[variable.thickness]
+path = "wall.thickness"
+distribution = "uniform"
+low = "200 mm"
+high = "220 mm"
+""")
+        text = study.read_text()
+        for velocity, warns in (("2 mm/s", False), ("100 mm/s", True)):
+            study.write_text(text.replace("VELOCITY", velocity))
+            out = pathlib.Path(self.temporary.name) / f"campaign {velocity[:3]}"
+            done = wythe("campaign", study, "--out", out, "--quiet")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual("WARNING" in done.stdout, warns, done.stdout)
+            self.assertEqual('note: 2 of 2 pushes are "usable"' in done.stdout, not warns, done.stdout)
+
     def test_too_fast_still_warns_first(self):
         _, said = self.ran(self.readme(), "--set", "stage.push.velocity=10 mm/s", "--set", "stage.push.damping=0.2")
         self.assertRegex(said, r"(?m)^WARNING too fast")
