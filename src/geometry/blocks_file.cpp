@@ -29,7 +29,14 @@ Polygon corners_of(const BlockSpec& block) {
   for (const auto& [x, y] : block.polygon) corners.push_back({x, y});
   if (corners.empty() || corners.size() > kMostCorners || !is_finite(corners)) return corners;
   const Rect box = bounds(corners);
-  const double near = kRounding * std::max(box.x1 - box.x0, box.y1 - box.y0);
+  const double size = std::max(box.x1 - box.x0, box.y1 - box.y0), near = kRounding * size;
+  // drawings close an outline by a corner that is off by what they print
+  constexpr double kPrinted = 1e-5;  // [m]
+  const double closes = std::max(near, std::min(kPrinted, 1e-3 * size));
+  const auto apart = [&] {
+    return std::hypot(corners.back().x - corners.front().x, corners.back().y - corners.front().y);
+  };
+  while (corners.size() > 3 && apart() <= closes) corners.pop_back();
   const auto is_idle = [&](Vec2 before, Vec2 at, Vec2 after) {
     const double to = std::hypot(at.x - before.x, at.y - before.y);
     if (to <= near) return true;

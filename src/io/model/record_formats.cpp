@@ -253,7 +253,7 @@ std::string unit_text(const HeadLine& line) {
 // A factor beside a unit: "in units of g, scaled by 10", "(g x 100)", "(cm/s2) * 10".
 bool tells_of_factor(const std::string& small) {
   static const std::regex factor(
-      R"(multipl|scaled|scale factor|[^*]\*\s*\d|\bx\s*\d|[)\]]\s*/\s*\d|%)");
+      R"(multipl|scaled|scale factor|[^*]\*\s*\d|\bx\s*\d|[)\]]\s*/\s*\d|%\s*(of\s*)?g\b)");
   return std::regex_search(small, factor);
 }
 
@@ -282,9 +282,6 @@ void find_unit(const std::vector<HeadLine>& head, int last, const std::string& f
     if (told == nullptr || speaks) told = &line;
   }
   if (told == nullptr) return;
-  if (tells_of_factor(told->small))
-    refuse(file, told->line, told->text, "may be in a unit that is not known here: it has a factor",
-           "multiply the numbers, and write the head in units of g, m/s2 or cm/s2");
   const std::string unit = unit_text(*told);
   if (is_velocity(unit))
     refuse(file, told->line, unit, "is a unit of velocities",
@@ -295,6 +292,16 @@ void find_unit(const std::vector<HeadLine>& head, int last, const std::string& f
   if (out.unit == RecordUnit::kNone)
     refuse(file, told->line, unit, "is no unit of accelerations that is known here",
            "write the file's numbers as a CSV in g, m/s2 or cm/s2");
+}
+
+void refuse_factors(const std::vector<HeadLine>& head, int last, const std::string& file) {
+  for (const HeadLine& line : head) {
+    if (line.line > last) break;
+    const bool speaks = line.small.find("accel") != std::string::npos || !unit_text(line).empty();
+    if (speaks && tells_of_factor(line.small))
+      refuse(file, line.line, line.text, "may be in a unit that is not known here: it has a factor",
+             "multiply the numbers, and write the head in units of g, m/s2 or cm/s2");
+  }
 }
 
 // The series of a file is named in its head; titles before may hold any words.
@@ -370,6 +377,7 @@ std::optional<RecordNumbers> read_at2(const std::string& text, const std::string
   check_head(file, last, counts.number, counts.step, "NPTS and DT");
   RecordNumbers out;
   find_unit(head, last, file, out);
+  refuse_factors(head, last, file);
   check_series(head, last, file);
   out.step = counts.step;
   out.acceleration = values_after(text, file, last, counts.number, "NPTS");

@@ -79,8 +79,10 @@ TEST(Outlines, of_one_shape_are_one_whatever_corners_describe_them) {
   const std::vector<std::vector<std::array<double, 2>>> others = {
       {{0, 1}, {1, 1}, {1, 2}, {0, 2}, {0, 1}},              // closed
       {{0, 1}, {1, 1}, {1, 2}, {0, 2}, {1e-12, 1 + 1e-12}},  // but for rounding
-      {{0, 1}, {1, 1}, {1 + 1e-9, 1}, {1, 2}, {0, 2}},       // a corner twice
-      {{0, 1}, {0.5, 1}, {1, 1}, {1, 2}, {0, 2}},            // a corner on the joint
+      {{0, 1}, {1, 1}, {1, 2}, {0, 2}, {1e-6, 1}},  // closed along an edge, by the micrometre
+      {{0, 1}, {1, 1}, {1, 2}, {0, 2}, {-7e-6, 1 - 7e-6}},  // or beside it
+      {{0, 1}, {1, 1}, {1 + 1e-9, 1}, {1, 2}, {0, 2}},      // a corner twice
+      {{0, 1}, {0.5, 1}, {1, 1}, {1, 2}, {0, 2}},           // a corner on the joint
       {{0.3, 1},
        {0.6, 1 + 1e-10},
        {1, 1},
