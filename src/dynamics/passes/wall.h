@@ -16,6 +16,8 @@ struct WallView {
   int links = 0;          // without those that fill up a group
   int linked = 0;         // rows of forces of links, with them
   int frames = 0;         // sections of frames, without them
+  int layers = 0, crossings = 0;  // nodes of layers and where their fibres cross joints, likewise
+  int first_crossing = 0;         // row of forces of the first
   int moving_blocks = 0;  // of the model: nodes are numbered behind them
   int first_free = -1;    // row of forces of block 0's free contacts, the ground's last; -1: none
 
@@ -37,6 +39,9 @@ struct WallView {
   }
   WYTHE_INLINE double& frame(std::ptrdiff_t k, FrameRowName row) const {
     return number(t.frame, kFrameRows, k, row);
+  }
+  WYTHE_INLINE double& layer(std::ptrdiff_t k, LayerRowName row) const {
+    return number(t.layer, kLayerRows, k, row);
   }
   WYTHE_INLINE double& ux(std::ptrdiff_t i) const { return of_four(t.pose, i, 0); }
   WYTHE_INLINE double& uy(std::ptrdiff_t i) const { return of_four(t.pose, i, 1); }
