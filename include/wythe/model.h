@@ -292,15 +292,16 @@ struct Frames {
 //    -- block ----|--- block ---
 struct Layers {
   int n = 0;
-  std::vector<BlockId> a, b;  // block of the node and of the next one; of the last of a strand its own
+  std::vector<BlockId> a,
+      b;  // block of the node and of the next one; of the last of a strand its own
   std::vector<double> arm_a_x, arm_a_y, arm_b_x,
-      arm_b_y;                           // both nodes seen from the centroids [m]
-  std::vector<double> span_x, span_y;    // from the node to the next at the start [m]
-  std::vector<double> stiffness;         // of the fibres between both [N/m]; 0 after the last
-  std::vector<double> strength;          // at which they break [N]
-  std::vector<double> bond_energy;       // to detach the node [J]
-  std::vector<double> bond_rate;         // B [1/m]
-  std::vector<std::int32_t> crossing;    // into cross_a where they cross a joint, else -1
+      arm_b_y;                            // both nodes seen from the centroids [m]
+  std::vector<double> span_x, span_y;     // from the node to the next at the start [m]
+  std::vector<double> stiffness;          // of the fibres between both [N/m]; 0 after the last
+  std::vector<double> strength;           // at which they break [N]
+  std::vector<double> bond_energy;        // to detach the node [J]
+  std::vector<double> bond_rate;          // B [1/m]
+  std::vector<std::int32_t> crossing;     // into cross_a where they cross a joint, else -1
   std::vector<BlockId> cross_a, cross_b;  // (n_crossing)
 
   // read by results alone

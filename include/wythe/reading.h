@@ -172,10 +172,10 @@ struct FrameReading {
 
 // A node of a layer and the fibres from it to the next one, with the step's arithmetic.
 struct LayerReading {
-  double force = 0;   // of the fibres [N]
-  double use = 0;     // over their strength; 1 where they are broken [-]
-  double slip = 0;    // on the block, along the strand [m]
-  double spent = 0;   // share of the bond's energy up to the largest slip; detached from 0.95 on [-]
+  double force = 0;  // of the fibres [N]
+  double use = 0;    // over their strength; 1 where they are broken [-]
+  double slip = 0;   // on the block, along the strand [m]
+  double spent = 0;  // share of the bond's energy up to the largest slip; detached from 0.95 on [-]
   double stored = 0;  // elastic energy of fibres and bond [J]
   bool broken = false;
 };

@@ -329,7 +329,7 @@ struct FrameUse {
 
 // A layer at the end of a row of the curve.
 struct LayerRow {
-  double use = 0;       // largest force of its fibres over their strength; 1 where any are broken [-]
+  double use = 0;  // largest force of its fibres over their strength; 1 where any are broken [-]
   double detached = 0;  // share of its bonded length that has come off [-]
   double broken = 0;    // share of its strands that are broken [-]
   double x = 0, y = 0;  // where the use is largest, as built [m]
@@ -339,8 +339,9 @@ struct LayerUse {
   double use = 0;           // largest [-]
   double displacement = 0;  // of the row where it was reached first [m]
   Message where;            // "(1.20, 0.55) m"
-  double breaks_at = std::numeric_limits<double>::quiet_NaN();  // of the first row with broken fibres [m]
-  double detached = 0, broken = 0;                              // at the end of the curve, as in a row
+  double breaks_at =
+      std::numeric_limits<double>::quiet_NaN();  // of the first row with broken fibres [m]
+  double detached = 0, broken = 0;               // at the end of the curve, as in a row
 };
 
 // "layer east: use 0.73 at (1.20, 0.55) m, 4 % detached".

@@ -216,10 +216,11 @@ struct FrameSpec {
 
 // The fibres of a layer; of one face.
 struct LayerFibreSpec {
-  double horizontal = 0, vertical = 0;  // area of the fibres that run so, per metre across them [m^2/m]
-  double youngs_modulus = kUnset;       // [Pa]
-  double strength = kUnset;             // in tension [Pa]; or
-  double strain_at_rupture = kUnset;    // [-]
+  double horizontal = 0,
+         vertical = 0;             // area of the fibres that run so, per metre across them [m^2/m]
+  double youngs_modulus = kUnset;  // [Pa]
+  double strength = kUnset;        // in tension [Pa]; or
+  double strain_at_rupture = kUnset;  // [-]
 };
 // How a layer holds on to the masonry, as it slips along it (docs/theory/layers.md).
 struct LayerBondSpec {

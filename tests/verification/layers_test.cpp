@@ -23,13 +23,12 @@
 namespace wythe::verification {
 namespace {
 
-constexpr double kBreadth = 0.1, kThick = 0.1;               // of the column [m]
-constexpr double kArea = 46e-6, kE = 72e9, kStrong = 2e9;    // of the fibres [m^2/m], [Pa], [Pa]
-constexpr double kEnergy = 400, kSlip = 0.2e-3;              // of the bond [N/m], [m]
-const double kRate = std::log(2.0) / kSlip;                  // B [1/m]
+constexpr double kBreadth = 0.1, kThick = 0.1;                 // of the column [m]
+constexpr double kArea = 46e-6, kE = 72e9, kStrong = 2e9;      // of the fibres [m^2/m], [Pa], [Pa]
+constexpr double kEnergy = 400, kSlip = 0.2e-3;                // of the bond [N/m], [m]
+const double kRate = std::log(2.0) / kSlip;                    // B [1/m]
 const double kDetaches = std::sqrt(2 * kE * kArea * kEnergy);  // P1 [N/m]
 const double kDecay = std::sqrt(kE * kArea / (2 * kEnergy)) / kRate;  // l [m]
-
 
 LayerSpec layer_on_one_face() {
   LayerSpec layer;
@@ -49,7 +48,8 @@ ModelSpec column(int blocks, double height) {
   spec.solve.gravity = 0;
   spec.solve.collapse_displacement = 10;
   spec.layer = {layer_on_one_face()};
-  spec.stage = {scenes::push_stage("b" + std::to_string(blocks - 1), Direction::kPlusY, 1e-3, 1e-3)};
+  spec.stage = {
+      scenes::push_stage("b" + std::to_string(blocks - 1), Direction::kPlusY, 1e-3, 1e-3)};
   return spec;
 }
 
@@ -127,8 +127,8 @@ TEST(Layers, one_crack_in_a_long_layer_pulls_as_the_bond_law_says) {
   Held held(column(20, kBreadth));  // 4 nodes a block, 1.3 l apart
   for (const double w : {0.3e-3, 0.6e-3, 1.2e-3, 2.4e-3}) {
     held.open(9, w);
-    verify({"layer", "one crack of " + fmt::format("{:.1f} mm: force", 1e3 * w), "N/m", one_crack(w),
-            w < 0.5e-3 ? 0.09 : 0.03,
+    verify({"layer", "one crack of " + fmt::format("{:.1f} mm: force", 1e3 * w), "N/m",
+            one_crack(w), w < 0.5e-3 ? 0.09 : 0.03,
             "fibres between the two nodes at the crack stretch too: 7 % at 1/B, 1 % at 4/B"},
            held.force());
   }
@@ -143,8 +143,7 @@ TEST(Layers, a_crack_detaches_as_far_as_its_width_asks_for) {
   held.open(9, w, 800);
   // exp(B s) - 1 falls by exp(-x/l) from the crack on; 95 % of the energy is spent where s = s95
   const double s95 = -std::log(1 - std::sqrt(0.95)) / kRate;
-  const double length =
-      2 * kDecay * std::log(std::expm1(kRate * w / 2) / std::expm1(kRate * s95));
+  const double length = 2 * kDecay * std::log(std::expm1(kRate * w / 2) / std::expm1(kRate * s95));
   verify({"layer", "one crack of 4 mm: detached length", "m", length, 0.05,
           "two nodes of 25 mm, one on each side", true},
          held.detached());
@@ -160,10 +159,11 @@ TEST(Layers, many_cracks_side_by_side_stretch_the_fibres_between_them) {
   Held held(column(20, kBreadth));
   const double w = 0.2e-3;
   held.move([&](int i) { return i * w; });
-  verify({"layer", "cracks of 0.2 mm in every joint: force", "N/m", kE * kArea * w / kBreadth, 1e-6,
-          "equal cracks leave nodes in the middle of blocks at rest and fibres evenly stretched but "
-          "for the ends"},
-         held.force(9));
+  verify(
+      {"layer", "cracks of 0.2 mm in every joint: force", "N/m", kE * kArea * w / kBreadth, 1e-6,
+       "equal cracks leave nodes in the middle of blocks at rest and fibres evenly stretched but "
+       "for the ends"},
+      held.force(9));
 }
 
 TEST(Layers, fibres_break_at_their_strength_and_release_what_they_stored) {

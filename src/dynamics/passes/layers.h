@@ -12,7 +12,8 @@
 namespace wythe::dynamics {
 
 struct LayerWork {
-  double fracture = 0, damping = 0;  // what bond and fibres lost, and what the nodes' way to balance took [J]
+  double fracture = 0,
+         damping = 0;  // what bond and fibres lost, and what the nodes' way to balance took [J]
 };
 
 // Stretch of all fibres where blocks and nodes are now, and their forces on the blocks; what breaks.

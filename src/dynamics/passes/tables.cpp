@@ -220,7 +220,8 @@ class Filler {
       add_rows(b ? m_.links.b : m_.links.a, m_.links.n, l_.joints, block);
       add_rows(b ? m_.frames.b : m_.frames.a, m_.frames.n, l_.joints + l_.links, block);
       const std::vector<BlockId>& crossed = b ? m_.layers.cross_b : m_.layers.cross_a;
-      add_rows(crossed, static_cast<int>(crossed.size()), l_.joints + l_.links + l_.sections, block);
+      add_rows(crossed, static_cast<int>(crossed.size()), l_.joints + l_.links + l_.sections,
+               block);
     };
     for (int i = 0; i < l_.blocks; ++i) {
       t_.block_begin[i] = next;
@@ -232,7 +233,8 @@ class Filler {
       for (; e < m_.block_begin[at(i) + 1] && (m_.block_entry[at(e)] & 1) == 0; ++e)
         add(m_.block_entry[at(e)]);
       add_links(false, i);
-      if (l_.frees > 0) t_.block_entry[next++] = l_.joints + l_.links + l_.sections + l_.crossings + i;
+      if (l_.frees > 0)
+        t_.block_entry[next++] = l_.joints + l_.links + l_.sections + l_.crossings + i;
       t_.block_middle[i] = next;
       for (; e < m_.block_begin[at(i) + 1]; ++e) add(m_.block_entry[at(e)]);
       add_links(true, i);
@@ -301,7 +303,8 @@ Layout::Layout(const Model& m, Kind of) : kind(of) {
   contact_entries = s.contact_entry.size();
   shapes = s.shapes.size();
   frees = m.free.any() ? blocks + 1 : 0;
-  entries = m.block_entry.size() + 2 * (m.links.a.size() + m.frames.a.size() + m.layers.cross_a.size()) +
+  entries = m.block_entry.size() +
+            2 * (m.links.a.size() + m.frames.a.size() + m.layers.cross_a.size()) +
             (frees > 0 ? at(m.n_block) : 0);
   edge_entries = at(std::count_if(s.contact_block.begin(), s.contact_block.end(),
                                   [&](BlockId block) { return block != m.n_block; }));

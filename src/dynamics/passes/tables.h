@@ -203,30 +203,31 @@ struct Tables {
   std::int32_t *edge_block, *edge_p, *edge_q;
   std::int32_t *link_a, *link_b;    // poses of the two ends
   std::int32_t *frame_a, *frame_b;  // the same of sections of frames
-  std::int32_t *layer_a, *layer_b, *layer_crossing;  // the same of nodes of layers; row of their force, or -1
+  std::int32_t *layer_a, *layer_b,
+      *layer_crossing;  // the same of nodes of layers; row of their force, or -1
   std::int32_t* corner[4];
   std::int32_t *node_zone_begin, *node_zone_entry, *node_edge_begin, *node_edge_entry;
   ZoneShape* shapes;
 
   // each wall its own
-  double* law;         // of a chunk kStrengths rows and kOthers, or as many a group where they are
-                       // graded; of neighbours a number a lane
-  double* block;       // (n_block, kBlockRows); then the ground, at rest
-  double* cold;        // (n_block, kColdRows)
-  double* pose;        // rows of four: ux, uy, cos theta/2, sin theta/2; the ground's last
-  double* history;     // (points, kHistoryRows)
-  double* force;       // rows of four: fx, fy on side a, moments on a and b about their centroids;
-                       // of joints, of links, of frames, of crossings of layers, then of free contacts: one a
-                       // block
-  double* link;        // (links, kLinkRows)
-  double* frame;       // (sections of frames, kFrameRows)
-  double* layer;       // (nodes of layers, kLayerRows)
-  double* node;        // (n_node, kNodeRows)
-  double* zone_force;  // rows of four: forces on corners 0 and 1 of each zone; then, as
-  double* high_force;  // another table, those on 2 and 3
-  double* edge_block_force;            // rows of four: fx, fy, moment on the rigid block
-  double* edge_force;                  // rows of four: on nodes p and q
-  double* wall;                        // (kWallRows)
+  double* law;      // of a chunk kStrengths rows and kOthers, or as many a group where they are
+                    // graded; of neighbours a number a lane
+  double* block;    // (n_block, kBlockRows); then the ground, at rest
+  double* cold;     // (n_block, kColdRows)
+  double* pose;     // rows of four: ux, uy, cos theta/2, sin theta/2; the ground's last
+  double* history;  // (points, kHistoryRows)
+  double* force;    // rows of four: fx, fy on side a, moments on a and b about their centroids;
+      // of joints, of links, of frames, of crossings of layers, then of free contacts: one a
+      // block
+  double* link;              // (links, kLinkRows)
+  double* frame;             // (sections of frames, kFrameRows)
+  double* layer;             // (nodes of layers, kLayerRows)
+  double* node;              // (n_node, kNodeRows)
+  double* zone_force;        // rows of four: forces on corners 0 and 1 of each zone; then, as
+  double* high_force;        // another table, those on 2 and 3
+  double* edge_block_force;  // rows of four: fx, fy, moment on the rigid block
+  double* edge_force;        // rows of four: on nodes p and q
+  double* wall;              // (kWallRows)
   std::uint8_t *joint_way, *edge_way;  // that a face took in the last step (joints.h)
 };
 
@@ -243,10 +244,10 @@ struct Layout {
 
   // entities with those that fill up groups
   std::int32_t joints = 0, zones = 0, edges = 0, blocks = 0, nodes = 0, links = 0, history = 0;
-  std::int32_t sections = 0;  // of frames
+  std::int32_t sections = 0;               // of frames
   std::int32_t layers = 0, crossings = 0;  // nodes of layers; where their fibres cross a joint
-  std::int32_t frees = 0;     // rows of forces of free contacts: blocks and the ground, or none
-  std::int32_t laws = 0;      // rows
+  std::int32_t frees = 0;  // rows of forces of free contacts: blocks and the ground, or none
+  std::int32_t laws = 0;   // rows
   std::size_t entries = 0, edge_entries = 0;
   // of the model: places of a rule, entries of the lists of nodes, shapes of zones
   std::size_t rule_points = 0, zone_entries = 0, contact_entries = 0, shapes = 0;

@@ -55,9 +55,10 @@ bool is_numbered(const std::string& name) {
 
 // What `wythe run` writes; `replay` has two files more.
 bool is_file_of_run(const std::string& name, bool of_replay) {
-  for (const char* file : {"force_displacement.csv", "elements.csv", "links.csv", "frames.csv", "layers.csv",
-                           "history.csv", "summary.json", "run.pvd", "report.html", "report.data",
-                           "model.used.toml", "blocks.json", kCheckpointFile, kOrigin})
+  for (const char* file :
+       {"force_displacement.csv", "elements.csv", "links.csv", "frames.csv", "layers.csv",
+        "history.csv", "summary.json", "run.pvd", "report.html", "report.data", "model.used.toml",
+        "blocks.json", kCheckpointFile, kOrigin})
     if (name == file) return true;
   return is_numbered(name) || (of_replay && (name == "model.toml" || name == "settings.txt"));
 }

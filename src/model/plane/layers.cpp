@@ -60,8 +60,8 @@ class LayerCompiler {
     find_bonded();
     for (std::size_t k = 0; k < spec_.layer.size(); ++k) {
       path_ = fmt::format("layer.{}", k);
-      add(spec_.layer[k], spec_.layer[k].name.empty() ? fmt::format("{}", k + 1)
-                                                      : spec_.layer[k].name);
+      add(spec_.layer[k],
+          spec_.layer[k].name.empty() ? fmt::format("{}", k + 1) : spec_.layer[k].name);
     }
   }
 
@@ -106,20 +106,24 @@ class LayerCompiler {
     if (layer.sides != 1 && layer.sides != 2)
       fault(".sides", fmt::format("{}", layer.sides), "must be 1 or 2: a wall has two faces",
             "write sides = 2, or sides = 1 for one face");
-    if (!(f.horizontal >= 0 && f.vertical >= 0))
-      fault(".fibres", "", "have an area below 0", "write e.g. vertical = \"46 mm^2/m\"");
+    const auto is_area = [](double area) { return area >= 0 && std::isfinite(area); };
+    if (!is_area(f.horizontal) || !is_area(f.vertical))
+      fault(".fibres", "", "has an area that is none, such as one below 0",
+            "write e.g. vertical = \"46 mm^2/m\"");
     else if (f.horizontal == 0 && f.vertical == 0)
       fault(".fibres", "", "has no fibres in either direction",
             "write horizontal = \"46 mm^2/m\", vertical = \"46 mm^2/m\" or one of them");
     const auto need = [&](const std::string& key, double value, const char* unit, double shown,
                           const char* example) {
-      if (!(value > 0))
-        fault(key, number(value, unit, shown), "must be above 0", fmt::format("write {}", example));
+      if (!(value > 0 && std::isfinite(value)))
+        fault(key, number(value, unit, shown), "must be a number above 0",
+              fmt::format("write {}", example));
     };
     need(".fibres.youngs_modulus", f.youngs_modulus, "GPa", 1e-9, "youngs_modulus = \"72 GPa\"");
     need(".bond.energy", layer.bond.energy, "N/m", 1, "energy = \"400 N/m\"");
     need(".bond.slip", layer.bond.slip, "mm", 1e3, "slip = \"0.2 mm\"");
-    const bool has_strength = !std::isnan(f.strength), has_strain = !std::isnan(f.strain_at_rupture);
+    const bool has_strength = !std::isnan(f.strength),
+               has_strain = !std::isnan(f.strain_at_rupture);
     if (!has_strength && !has_strain)
       fault(".fibres.strength", "", "is missing",
             "write strength = \"1000 MPa\", or strain_at_rupture = 0.014");
@@ -179,7 +183,8 @@ class LayerCompiler {
       const double area = layer.sides * (upright ? f.vertical : f.horizontal);
       if (!(area > 0)) continue;
       const Fibres fibres{upright, f.youngs_modulus * area, strength * area};
-      detaches_ = std::min(detaches_, std::sqrt(2 * fibres.stiffness * layer.sides * layer.bond.energy));
+      detaches_ =
+          std::min(detaches_, std::sqrt(2 * fibres.stiffness * layer.sides * layer.bond.energy));
       breaks_ = std::min(breaks_, fibres.strength);
       for (const Line& line : lines(upright ? x : y, upright))
         if (!lay(layer, fibres, line, upright ? y : x)) return;
@@ -280,7 +285,8 @@ class LayerCompiler {
     std::vector<Node> nodes;
     for (const Piece& piece : strand) {
       const double long_ = piece.along.length();
-      const int n = std::clamp(static_cast<int>(std::ceil(long_ * rate / decay_by_rate)), 1, kMostNodes);
+      const int n = static_cast<int>(
+          std::clamp(std::ceil(long_ * rate / decay_by_rate), 1.0, double{kMostNodes}));
       const double apart = long_ / n;
       widest_ = std::max(widest_, apart * rate / (kWidest * decay_by_rate));
       spacing_ = std::max(spacing_, apart);
@@ -337,8 +343,7 @@ class LayerCompiler {
     ++strands_;
   }
 
-  void note(const LayerSpec& layer, const std::string& name,
-            std::size_t crossings) {
+  void note(const LayerSpec& layer, const std::string& name, std::size_t crossings) {
     std::vector<Message>& notes = model_.anatomy.notes;
     notes.push_back({"layer.stands",
                      {{"layer", name},
