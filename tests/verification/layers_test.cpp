@@ -59,7 +59,7 @@ class Held {
   explicit Held(const ModelSpec& spec) : rig_(hold_all(compile(spec))) { rig_.drive(0, 0); }
 
   // In steps so small that the nodes follow.
-  void move(const std::function<double(int)>& up, int steps = 200) {
+  void move(const std::function<double(int)>& up, int steps = 60) {
     const std::vector<double> from = rig_.state.uy;
     for (int k = 1; k <= steps; ++k) {
       for (std::size_t i = 0; i < from.size(); ++i)
@@ -70,7 +70,7 @@ class Held {
     rig_.run(3000 * rig_.controls.dt);
   }
   // A crack above block `below`.
-  void open(int below, double w, int steps = 200) {
+  void open(int below, double w, int steps = 60) {
     below_ = below;
     move([&](int i) { return i > below ? w : 0.0; }, steps);
   }
@@ -121,6 +121,18 @@ class Held {
   double peak_ = 0;
 };
 
+// Lost for good in both sides of a crack: the bond's share of the profile exp(B s) - 1 = C exp(-x/l) [J].
+double lost_at(double w) {
+  const double steepness = std::expm1(kRate * w / 2), step = kDecay / 100;
+  const contact::LayerBond bond{kEnergy * kBreadth * step, kRate};
+  double lost = 0;
+  for (int k = 0; k < 4000; ++k) {
+    const double slip = std::log1p(steepness * std::exp(-(k + 0.5) * step / kDecay)) / kRate;
+    lost += 2 * contact::bond_lost(bond, contact::bond_secant(bond, slip), slip);
+  }
+  return lost;
+}
+
 double one_crack(double w) { return kDetaches * (1 - std::exp(-kRate * w / 2)); }
 
 TEST(Layers, one_crack_in_a_long_layer_pulls_as_the_bond_law_says) {
@@ -132,45 +144,63 @@ TEST(Layers, one_crack_in_a_long_layer_pulls_as_the_bond_law_says) {
             "fibres between the two nodes at the crack stretch too: 7 % at 1/B, 1 % at 4/B"},
            held.force());
   }
-  verify({"layer", "one crack: force that detaches", "N/m", kDetaches, 5e-3,
-          "nodes come off one after the other: 0.2 %"},
-         held.peak());
 }
 
 TEST(Layers, a_crack_detaches_as_far_as_its_width_asks_for) {
   Held held(column(20, kBreadth));
   const double w = 4e-3;
-  held.open(9, w, 800);
+  held.open(9, w, 300);
   // exp(B s) - 1 falls by exp(-x/l) from the crack on; 95 % of the energy is spent where s = s95
   const double s95 = -std::log(1 - std::sqrt(0.95)) / kRate;
   const double length = 2 * kDecay * std::log(std::expm1(kRate * w / 2) / std::expm1(kRate * s95));
   verify({"layer", "one crack of 4 mm: detached length", "m", length, 0.05,
           "two nodes of 25 mm, one on each side", true},
          held.detached());
-  // of the work of the crack, half is in the bond and half in the fibres
+  verify({"layer", "one crack: force that detaches", "N/m", kDetaches, 5e-3,
+          "nodes come off one after the other: 0.2 %"},
+         held.peak());
   const double work = kDetaches * (w - 2 / kRate * (1 - std::exp(-kRate * w / 2))) * kBreadth;
   verify({"layer", "one crack of 4 mm: energy lost and stored", "J", work, 0.02,
           "what the nodes' way to balance takes, 0.5 %, and the nodes at the crack"},
          held.lost() + held.stored());
-  EXPECT_NEAR(held.lost(), 0.5 * work, 0.1 * work);  // the front stores and owes some
+  verify({"layer", "one crack of 4 mm: energy lost", "J", lost_at(w), 0.03,
+          "a node of 25 mm has one slip where the bond has many"},
+         held.lost());
 }
 
-TEST(Layers, many_cracks_side_by_side_stretch_the_fibres_between_them) {
-  Held held(column(20, kBreadth));
-  const double w = 0.2e-3;
+// Cracks at the distance h with a bond that is elastic still: P = E A w / (2 l) coth(h / 2 l).
+double many_cracks(double w, double decay) {
+  return kE * kArea * w / (2 * decay) / std::tanh(kBreadth / (2 * decay));
+}
+
+TEST(Layers, many_cracks_side_by_side_share_their_bond) {
+  ModelSpec spec = column(20, kBreadth);
+  spec.layer[0].bond.slip = 4 * kSlip;  // l = 74 mm, two nodes a block
+  Held held(spec);
+  const double w = 0.01e-3;
   held.move([&](int i) { return i * w; });
-  verify(
-      {"layer", "cracks of 0.2 mm in every joint: force", "N/m", kE * kArea * w / kBreadth, 1e-6,
-       "equal cracks leave nodes in the middle of blocks at rest and fibres evenly stretched but "
-       "for the ends"},
-      held.force(9));
+  verify({"layer", "cracks of 0.01 mm in every joint, l = 74 mm: force", "N/m",
+          many_cracks(w, 4 * kDecay), 0.04,
+          "nodes 0.7 l apart: 2 %; the bond is elastic to B w/2: 0.5 %"},
+         held.force(9));
+}
+
+TEST(Layers, many_cracks_close_together_stretch_the_fibres_between_them) {
+  ModelSpec spec = column(40, kBreadth);
+  spec.layer[0].bond.slip = 10 * kSlip;  // l = 0.19 m, a node a block
+  Held held(spec);
+  const double w = 1.3e-3;  // one crack of this width has a quarter of this force
+  held.move([&](int i) { return i * w; });
+  verify({"layer", "cracks of 1.3 mm in every joint, l = 0.19 m: force", "N/m",
+          kE * kArea * w / kBreadth, 0.02, "the ends of the column are 10 l away"},
+         held.force(19));
 }
 
 TEST(Layers, fibres_break_at_their_strength_and_release_what_they_stored) {
   ModelSpec spec = column(20, kBreadth);
   spec.layer[0].fibres.strength = 0.5 * kDetaches / kArea;
   Held held(spec);
-  held.open(9, 1.5e-3, 1000);
+  held.open(9, 1.5e-3, 400);
   verify({"layer", "one crack, weak fibres: largest force", "N/m", 0.5 * kDetaches, 0.01,
           "a step of the crack before they break"},
          held.peak());
@@ -194,7 +224,7 @@ TEST(Layers, a_layer_shorter_than_its_bond_asks_for_slides_off_at_its_bond_stren
   ModelSpec spec = column(2, kBreadth);
   spec.layer[0].bond.slip = 10e-3;  // l = 0.93 m, ten times a block
   Held held(spec);
-  held.open(0, 0.06, 600);
+  held.open(0, 0.06, 300);
   const double strength = std::log(2.0) / 10e-3 * kEnergy / 2;  // B G / 2
   verify({"layer", "a layer of 0.1 m on each side: largest force", "N/m", strength * kBreadth, 0.01,
           "slip differs along the bond by (L/l)^2/2 of itself: 0.6 %"},
@@ -223,7 +253,7 @@ TEST(Layers, two_faces_are_twice_one) {
   Held two(spec);
   for (Held* held : {&one, &two}) held->open(9, 0.7e-3);
   EXPECT_DOUBLE_EQ(two.force(), 2 * one.force());
-  EXPECT_DOUBLE_EQ(two.lost(), 2 * one.lost());
+  EXPECT_NEAR(two.lost(), 2 * one.lost(), 1e-12 * two.lost());  // sums of many steps
 }
 
 // The whole run: the column is pulled in two by its uppermost block.
@@ -246,9 +276,10 @@ TEST(Layers, a_column_that_is_pulled_apart_keeps_its_ledger) {
   verify({"layer", "a column pulled apart at a dry joint: largest force", "N", kDetaches * kBreadth,
           0.02, "nodes follow the pull of 4 mm/s by some hundred steps"},
          most);
-  const double w = 4e-3 - 2 * most / kThick / kBreadth / 2e10 * 20;  // less what the joints give
-  EXPECT_NEAR(r.energy.drive, kDetaches * (w - 2 / kRate) * kBreadth, 0.03 * r.energy.drive);
-  EXPECT_NEAR(r.energy.fracture, 0.5 * r.energy.drive, 0.1 * r.energy.drive);
+  const double give = most / (kThick * kBreadth * 2e10) * 19, w = 4e-3 - give;  // elastic joints
+  const double work = kDetaches * (w - 2 / kRate * (1 - std::exp(-kRate * w / 2))) * kBreadth;
+  EXPECT_NEAR(r.energy.drive, work + 0.5 * most * give, 0.03 * r.energy.drive);
+  EXPECT_NEAR(r.energy.fracture, lost_at(w), 0.04 * lost_at(w));
   ASSERT_EQ(r.layer_uses.size(), 1U);
   EXPECT_NEAR(r.layer_uses[0].use, kDetaches / (kStrong * kArea), 0.02);
   EXPECT_NEAR(r.layer_uses[0].detached, 0.2, 0.2);
