@@ -321,8 +321,7 @@ void write_replay(const ReplayArguments& a, Replacement& results, const Campaign
 }
 
 void print_sample(const Model& model, const Result& result) {
-  const std::string warning = text_of(warning_of(model, result));
-  if (!warning.empty()) fmt::print("WARNING {}\n", warning);
+  print_doubt(model, result);
   const double peak = result.responses.peak_reaction;
   fmt::print("peak {}   mode {}   state {}\n",
              std::isnan(peak) ? "not known" : fmt::format("{:.2f} kN", 1e-3 * peak),

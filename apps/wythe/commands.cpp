@@ -193,8 +193,7 @@ std::string counted(Message sentence) {
 
 void print_result(const ModelSpec& spec, const Model& model, const Result& r,
                   const std::string& out) {
-  const std::string warning = text_of(warning_of(model, r));
-  if (!warning.empty()) fmt::print("WARNING {}\n", warning);
+  print_doubt(model, r);
   fmt::print("status {}{}\n", to_string(r.status),
              r.reason.empty() ? "" : ": " + readable(text_of(r.reason)));
   if (const Message shaken = shaken_sentence(model, r); !shaken.empty())

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "wythe/notes.h"
+#include "wythe/promise.h"
 #include "wythe/text.h"
 
 namespace wythe::app {
@@ -62,6 +63,13 @@ void print_things(const std::vector<Message>& members) {
 }
 
 }  // namespace
+
+void print_doubt(const Model& model, const Result& result) {
+  if (const Message of_force = warning_of(result); !of_force.empty())
+    fmt::print("WARNING {}\n", text_of(of_force));
+  else if (const Message of_drift = warning_of(model, result); !of_drift.empty())
+    fmt::print("note: {}\n", text_of(of_drift));
+}
 
 void print_notes(const std::vector<Message>& notes, bool with_tables) {
   for (const NoteGroup& group : grouped(notes)) {

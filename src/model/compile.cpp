@@ -11,6 +11,7 @@
 #include "model/densities.h"
 #include "model/field_places.h"
 #include "model/fields.h"
+#include "model/idle_inputs.h"
 #include "model/parts.h"
 #include "model/plane/step_bound.h"
 #include "model/point_rule.h"
@@ -203,7 +204,7 @@ Model fill(const ModelSpec& spec, const Assembly& assembly) {
   set_dashpots(model);
   note_coarse_records(model);
   note_storeys_without_top(model);
-  note_idle_materials(spec, model);
+  note_idle_inputs(spec, model);
   note_densities(spec, model);
   note_coarse_units(spec, model);
   set_push_ramps(model);

@@ -83,34 +83,6 @@ void note_shake_damping(const ModelSpec& spec, Model& model) {
           {"shake.local_damping", {{"stage", stage.name}, {"damping", stage.damping}}});
 }
 
-// An end beside targets, which say how far the push goes: --set puts targets over a model that has an end.
-void note_idle_ends(const ModelSpec& spec, Model& model) {
-  for (const StageSpec& stage : spec.stage)
-    if (stage.kind == StageKind::kPush && std::isfinite(stage.until) &&
-        !(stage.targets.empty() && stage.amplitudes.empty() && stage.drifts.empty()))
-      model.anatomy.notes.push_back(
-          {"push.until_idle", {{"stage", stage.name}, {"until_mm", 1e3 * stage.until}}});
-}
-
-// States that no push comes to.
-void note_states_beyond(const ModelSpec& spec, Model& model) {
-  double least = 0, most = 0;
-  for (const StageSpec& stage : spec.stage) {
-    if (stage.kind != StageKind::kPush) continue;
-    for (const double end : stage.targets) least = std::min(least, end), most = std::max(most, end);
-    const bool one_way = stage.targets.empty() && stage.amplitudes.empty();
-    if (one_way && std::isfinite(stage.until)) most = std::max(most, stage.until);
-    for (const double a : stage.amplitudes) least = std::min(least, -a), most = std::max(most, a);
-    if (!stage.drifts.empty()) return;  // of a height that is found later
-  }
-  if (!(most > 0)) return;
-  for (const double at : spec.output.states)
-    if (at > most * (1 + 1e-9) || at < least * (1 + 1e-9))
-      model.anatomy.notes.push_back(
-          {"output.state_beyond",
-           {{"at_mm", 1e3 * at}, {"least_mm", 1e3 * least}, {"most_mm", 1e3 * most}}});
-}
-
 // Metres where millimetres were meant: no wall is pushed farther than its own size.
 void note_far_pushes(Model& model) {
   const double size = std::max(model.anatomy.length, model.anatomy.height);
@@ -144,8 +116,6 @@ void note_densities(const ModelSpec& spec, Model& model) {
   note_far_pushes(model);
   note_odd_values(spec, model);
   note_shake_damping(spec, model);
-  note_states_beyond(spec, model);
-  note_idle_ends(spec, model);
   if (const std::vector<std::string> names = unmatched(spec); !names.empty())
     model.anatomy.notes.push_back(
         {"density.of_unit",

@@ -14,9 +14,6 @@ using BlockMap = std::vector<BlockId>;
 [[nodiscard]] constexpr bool is_solid(BlockId block) { return block < kGroundBlock; }
 [[nodiscard]] constexpr int solid_of(BlockId block) { return -2 - block; }
 
-// A joint's law in [material.*] that no joint has, such as a misspelt "foundation", is told.
-void note_idle_materials(const ModelSpec& spec, Model& model);
-
 // What head joints have of the bond of their beds, where it is less than all.
 [[nodiscard]] Message head_bond_note(const std::string& name, const JointMaterial& bed);
 

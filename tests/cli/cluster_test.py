@@ -474,53 +474,73 @@ def free_port():
 
 
 class Cluster:
-    """Slurm on this machine, with a configuration, ports and folders of its own."""
+    """Slurm on this machine, with a configuration, keys, ports and folders of its own: it shares nothing with another one, and its
+    daemons are children of this process, so that each is seen to end."""
 
     def __init__(self, folder):
-        self.folder, self.munge = folder, None
-        host = socket.gethostname().split(".")[0]
-        conf = folder / "slurm.conf"
-        conf.write_text(CONF.format(host=host, folder=folder, port=free_port(), node_port=free_port()))
-        self.environment = dict(os.environ, SLURM_CONF=str(conf))
-        self.address = None
+        self.folder, self.daemons, self.address = folder, [], None
+        self.environment = dict(os.environ, SLURM_CONF=str(folder / "slurm.conf"))
 
     def call(self, *command, **options):
         return subprocess.run([str(c) for c in command], env=self.environment, capture_output=True,
                               text=True, check=False, timeout=LONG, **options)
 
+    def daemon(self, *command):
+        with (self.folder / f"{command[0]}.out").open("a") as out:
+            self.daemons.append(subprocess.Popen([str(c) for c in command], env=self.environment, stdin=subprocess.DEVNULL,
+                                                 stdout=out, stderr=subprocess.STDOUT))
+
     def start(self):
         """Returns why it cannot be had, or None."""
-        if not pathlib.Path("/run/munge/munge.socket.2").exists():
-            self.call("install", "-d", "-o", "munge", "-g", "munge", "-m", "755", "/run/munge")
-            done = self.call("runuser", "-u", "munge", "--", "munged")
-            if done.returncode != 0:
-                return "munge does not start: " + done.stderr.strip()
-            self.munge = pathlib.Path("/run/munge/munged.pid")
         routes = self.call("ip", "-4", "addr", "show", "scope", "global").stdout
         if "inet " not in routes:  # with loopback alone Slurm's clients find no address at all
             self.address = "10.99.0.1/32"
             self.call("ip", "addr", "add", self.address, "dev", "lo")
-        for daemon in ("slurmctld", "slurmd"):
-            done = self.call(daemon, "-f", self.environment["SLURM_CONF"], "-c")
-            if done.returncode != 0:
-                return f"{daemon} does not start: {done.stderr.strip()}"
-        try:
-            wait_for(lambda: "idle" in self.call("sinfo", "-h", "-o", "%T").stdout, "an idle node")
-        except AssertionError as late:
-            return str(late)
+        for _ in range(3):  # a port may be taken between its choice and its use
+            why = self.start_daemons()
+            if why is None:
+                return None
+            self.end_daemons()
+        return why
+
+    def start_daemons(self):
+        folder, key, socket_path = self.folder, self.folder / "munge.key", self.folder / "munge.socket"
+        (folder / "slurm.conf").write_text(CONF.format(host=socket.gethostname().split(".")[0], folder=folder, port=free_port(),
+                                                       node_port=free_port(), munge=socket_path))
+        key.touch(mode=0o600)
+        key.write_bytes(os.urandom(128))
+        self.daemon("munged", "--foreground", "--force", f"--socket={socket_path}", f"--key-file={key}", f"--pid-file={folder}/munge.pid",
+                    f"--log-file={folder}/munge.log", f"--seed-file={folder}/munge.seed")
+        for event, following in ((socket_path.exists, "slurmctld"), (self.answers, "slurmd"), (self.is_idle, None)):
+            if not wait_for(lambda: event() or self.ended(), f"Slurm ({event.__name__})") or self.ended():
+                return f"{self.ended()} ended: " + "\n".join(f"{log.name}:\n{log.read_text()[-2000:]}" for log in
+                                                             [*folder.glob("*.out"), *folder.glob("*.log")])
+            if following:
+                self.daemon(following, "-D", "-c", "-f", folder / "slurm.conf")
         return None
+
+    def ended(self):
+        return next((d.args[0] for d in self.daemons if d.poll() is not None), None)
+
+    def answers(self):
+        return self.call("sinfo", "-h").returncode == 0
+
+    def is_idle(self):
+        return "idle" in self.call("sinfo", "-h", "-o", "%T").stdout
+
+    def end_daemons(self):
+        for daemon in reversed(self.daemons):
+            daemon.terminate()
+            try:
+                daemon.wait(60)
+            except subprocess.TimeoutExpired:
+                daemon.kill()
+                daemon.wait()
+        self.daemons = []
 
     def stop(self):
         """Ends with the daemons: until then they write into the folder."""
-        files = [self.folder / name for name in ("ctl.pid", "d.pid")]
-        alive = [pathlib.Path("/proc", file.read_text().strip()) for file in files if file.exists()]
-        self.call("scontrol", "shutdown")
-        wait_for(lambda: not any(process.exists() for process in alive), "the end of Slurm")
-        if self.munge is not None:
-            try:
-                os.kill(int(self.munge.read_text()), signal.SIGTERM)
-            except (OSError, ValueError):
-                pass
+        self.end_daemons()
         if self.address:
             self.call("ip", "addr", "del", self.address, "dev", "lo")
 

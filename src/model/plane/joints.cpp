@@ -311,15 +311,4 @@ Message head_bond_note(const std::string& name, const JointMaterial& bed) {
   return {"material.head_joint_bond", {{"material", name}, {"share", bed.head_joint_bond}}};
 }
 
-void note_idle_materials(const ModelSpec& spec, Model& model) {
-  std::string idle;
-  for (const auto& [name, law] : spec.material) {
-    const bool is_law = !std::isnan(law.normal_stiffness);
-    const auto& used = model.material_names;
-    if (is_law && std::find(used.begin(), used.end(), name) == used.end())
-      idle += (idle.empty() ? "[material." : ", [material.") + name + "]";
-  }
-  if (!idle.empty()) model.anatomy.notes.push_back({"material.idle", {{"materials", idle}}});
-}
-
 }  // namespace wythe

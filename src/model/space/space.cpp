@@ -20,6 +20,7 @@
 #include "model/field_places.h"
 #include "model/fields.h"
 #include "model/free_shapes.h"
+#include "model/idle_inputs.h"
 #include "model/parts.h"
 #include "model/space/space_places.h"
 #include "model/space/space_points.h"
@@ -405,7 +406,6 @@ void fill_joints(const ModelSpec& spec, const SpaceAssembly& assembly,
       joints.begin(), joints.end(), [&](const Placed& joint) { return joint.a < model.n_block; }));
   compile_space_contacts(solids, choice, model, faults);
   note_foundation(spec, model);
-  note_idle_materials(spec, model);
 }
 
 // Of each block first the joints of which it is side a, then those of which it is b.
@@ -536,6 +536,7 @@ Model compile_space(const ModelSpec& spec, const SpaceAssembly& assembly) {
   faults.throw_if_any();
   carry_floors(bare, model);
   fields.describe(spec, assembly, id, model);
+  note_idle_inputs(spec, model);
   note_densities(spec, model);
   note_coarse_units(spec, model);
   bound_space_step(model);

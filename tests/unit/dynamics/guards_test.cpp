@@ -88,6 +88,29 @@ TEST(Size, is_about_that_of_the_wall_that_is_built) {
   EXPECT_NEAR(size_of(spec).steps / static_cast<double>(estimate(compile(spec)).steps), 1, 0.9);
 }
 
+// The forecast steps each kind of stage with what watches it; one that ends at once costs as the dearest.
+TEST(Size, a_forecast_has_seconds_for_every_kind_of_stage) {
+  const auto forecast = [](std::vector<StageSpec> stages) {
+    ModelSpec spec = scenes::plain_wall(4, 4, 1e-3, 0.01);
+    stages.insert(stages.begin(), spec.stage.front());
+    spec.stage = std::move(stages);
+    const RunEstimate e = estimate(compile(spec));
+    EXPECT_TRUE(std::isfinite(e.seconds) && e.seconds > 0) << e.seconds;
+    EXPECT_GT(e.steps, 0);
+    return e;
+  };
+  const std::vector<StageSpec> pushed = scenes::plain_wall(4, 4, 1e-3, 0.01).stage;
+  const RunEstimate settled = forecast({});
+  const RunEstimate push = forecast({pushed.back()});
+  EXPECT_GT(push.steps, settled.steps);
+  StageSpec tilt;
+  tilt.name = "tilt", tilt.kind = StageKind::kTilt, tilt.tilt_until = 0.1, tilt.duration = 1;
+  EXPECT_GT(forecast({tilt}).steps, settled.steps);
+  StageSpec still = pushed.front();  // nothing is left to settle
+  still.name = "still";
+  EXPECT_GE(forecast({still}).steps, settled.steps);
+}
+
 TEST(Size, rows_of_a_tiny_window_are_counted_not_made) {
   {
     const std::string said = first_refusal({"output.window=1e-5 mm"});

@@ -181,6 +181,47 @@ TEST(IdleKeys, a_state_that_no_push_comes_to_is_noted) {
       "asks for a state");
 }
 
+TEST(IdleKeys, a_material_that_nothing_is_made_of_is_noted) {
+  const std::string timber = "[material.timber]\ndensity = \"600 kg/m^3\"\n";
+  expect_noted(kWall + timber, "no block is made of [material.timber]");
+  std::string text = kWall + timber;
+  text.insert(text.find("[material.joint]"),
+              "[[wall.opening]]\nx = \"0.4 m\"\ny = \"0.3 m\"\nwidth = \"0.4 m\"\n"
+              "height = \"0.3 m\"\nlintel = { kind = \"timber\", depth = \"0.1 m\", bearing = "
+              "\"0.1 m\", material = \"timber\" }\n");
+  expect_not_noted(text, "no block is made of");
+  expect_not_noted(kWall + "[material.masonry]\ndensity = \"1700 kg/m^3\"\n",
+                   "no block is made of");
+}
+
+TEST(IdleKeys, values_of_masonry_without_a_rule_are_noted) {
+  const std::string masonry = "[masonry]\nuse = \"circolare_brick_lime\"\n";
+  expect_noted(kWall + masonry, "[masonry] has no effect");
+  expect_noted(kWall + "[masonry]\nunit_strength = \"20 MPa\"\n", "[masonry] has no effect");
+  std::string text = kWall + masonry;
+  const std::string stated = "compressive_strength = \"unlimited\"";
+  text.replace(text.find(stated), stated.size(), "compressive_strength = \"rule\"");
+  expect_not_noted(text, "[masonry] has no effect");
+}
+
+TEST(IdleKeys, the_width_of_a_unit_without_headers_is_noted) {
+  const auto with = [](const std::string& unit, const std::string& bond) {
+    std::string text = kWall;
+    text.replace(text.find("unit = {"), 8, bond + "unit = { " + unit);
+    return text;
+  };
+  const std::string width = "width = \"100 mm\", ";
+  expect_noted(with(width, ""), "wall.unit.width has no effect");
+  expect_noted(with(width, "bond = \"stack\"\n"), "wall.unit.width has no effect");
+  expect_not_noted(with(width, "bond = \"english\"\n"), "has no effect");
+  expect_not_noted(with("", ""), "has no effect");
+}
+
+TEST(IdleKeys, a_form_of_damping_of_space_is_noted_in_the_plane) {
+  expect_noted(kWall + "[solve]\ndamping_form = \"components\"\n", "damping_form has no effect");
+  expect_not_noted(kWall, "damping_form");
+}
+
 TEST(IdleKeys, values_a_thousand_times_off_are_noted) {
   const auto with = [](const std::string& old, const std::string& other) {
     std::string text = pushed("until = \"2 mm\"\n");
