@@ -1,4 +1,6 @@
 // Layers: what their fibres and their bond carry in a state.
+#include <algorithm>
+
 #include "contact/layer.h"
 #include "contact/link.h"
 #include "core/rotation.h"
@@ -39,7 +41,8 @@ std::vector<LayerReading> read_layers(const Model& m, const State& s) {
     const double stretch = now.broken ? 0.0 : stretch_in(l, s, k);
     now.force = contact::fibres_pull(l.stiffness[k], stretch);
     now.stored += contact::fibres_store(l.stiffness[k], stretch);
-    now.use = now.broken ? 1.0 : now.force / l.strength[k];
+    // blocks have moved since the step looked: what is beyond its strength breaks in the next one
+    now.use = now.broken ? 1.0 : std::min(1.0, now.force / l.strength[k]);
   }
   return read;
 }
