@@ -53,8 +53,7 @@ TEST(Layers, bond_energy_is_the_area_under_its_stress) {
   const double peak = std::log(2.0) / 2000;
   EXPECT_NEAR(contact::bond_secant(bond, peak) * peak, 0.5 * 3.0 * 2000, 1e-9);
   // series and exponential meet
-  EXPECT_NEAR(contact::mean_of_decay(0.9999999e-3), contact::mean_of_decay(1.0000001e-3),
-              3e-10);
+  EXPECT_NEAR(contact::mean_of_decay(0.9999999e-3), contact::mean_of_decay(1.0000001e-3), 3e-10);
   // lost and stored are all that was spent
   const double secant = contact::bond_secant(bond, 7e-4);
   EXPECT_NEAR(contact::bond_lost(bond, secant, 7e-4) + 0.5 * secant * 7e-4 * 7e-4,
