@@ -102,6 +102,9 @@ struct CompareArguments {
 int compare(const CompareArguments& arguments);
 // compare_models_command.cpp: models before and after, run as campaigns and compared.
 int compare_models(const CompareArguments& arguments);
+// Whether each folder holds the walls of one model, pushed in ways that differ; those folders compared as their models are.
+[[nodiscard]] bool hold_models(const std::vector<std::string>& folders);
+int compare_pushed_models(const CompareArguments& arguments);
 int campaign_of_options(const CampaignArguments& arguments, const StudySpec& study,
                         const CampaignOptions& options);
 // The base of a study with [[variant]] and its options, each in its folder: what campaign_of_options() and

@@ -266,22 +266,48 @@ int campaign_of_options(const CampaignArguments& a, const StudySpec& study,
   return write_comparison(folders, a.out, a.language);
 }
 
+namespace {
+
+// A run has one wall and one way: no pair of walls, and no worse direction.
+void refuse_runs(const CompareArguments& a) {
+  std::vector<Fault> faults;
+  for (const std::string& folder : a.folders)
+    if (fs::exists(folder + "/summary.json") && !holds_campaign(folder) && !holds_options(folder)) {
+      std::string models;
+      for (const std::string& one : a.folders)
+        models += " " + shell_path(holds_campaign(one) ? one : one + "/model.used.toml");
+      faults.push_back({.file = folder,
+                        .path = "",
+                        .value = "",
+                        .problem = "is a run of one wall, pushed one way",
+                        .cure = "wythe compare" + models + " --out " + shell_path(a.out) +
+                                " pushes several walls of each model both ways"});
+    }
+  if (!faults.empty()) throw InputError(std::move(faults));
+}
+
+}  // namespace
+
 int compare(const CompareArguments& a) {
   check_language(a.language);
+  refuse_runs(a);
   if (std::any_of(a.folders.begin(), a.folders.end(),
                   [](const std::string& path) { return fs::is_regular_file(path); }))
     return compare_models(a);
-  for (const auto& [option, value] : {std::pair("--walls", a.walls),
-                                      {"--seed", a.seed},
-                                      {"--jobs", a.jobs},
-                                      {"--stiffness", a.stiffness},
-                                      {"--strength", a.strength},
-                                      {"--displacement", a.displacement},
-                                      {"--set", a.overrides.empty() ? "" : a.overrides.front()}})
+  const auto refuse_given = [](const std::string& option, const std::string& value) {
     if (!value.empty())
       refuse(option, value, "is for models, and these are folders of campaigns", "leave it out");
+  };
+  refuse_given("--walls", a.walls);
+  refuse_given("--seed", a.seed);
+  refuse_given("--jobs", a.jobs);
+  refuse_given("--set", a.overrides.empty() ? "" : a.overrides.front());
   if (a.resume)
     refuse("--resume", "", "is for models, and these are folders of campaigns", "leave it out");
+  if (hold_models(a.folders)) return compare_pushed_models(a);
+  refuse_given("--stiffness", a.stiffness);
+  refuse_given("--strength", a.strength);
+  refuse_given("--displacement", a.displacement);
   std::vector<std::string> folders;
   for (const std::string& folder : a.folders) {
     if (!holds_options(folder)) {

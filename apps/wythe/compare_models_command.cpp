@@ -1,4 +1,5 @@
-// wythe compare of model files: each model's walls pushed both ways, a campaign each, then what the later models change.
+// wythe compare of models: each model's walls pushed both ways, a campaign each, then what the later models change; or the
+// folders of walls that were pushed so.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 
 #include "campaign_commands.h"
 #include "interrupt.h"
+#include "wythe/assessment.h"
 #include "wythe/comparison.h"
 #include "wythe/error.h"
 #include "wythe/folders.h"
@@ -84,6 +86,13 @@ void keep_stored_walls(const CompareArguments& a, int asked, const std::string& 
   }
 }
 
+PushWay way_in(const std::string& campaign) {
+  return way_of(model_builder(read_study_of(campaign))({}));
+}
+bool is_same(const PushWay& a, const PushWay& b) {
+  return a.direction == b.direction && a.pattern == b.pattern;
+}
+
 // What is there of something else is not touched.
 void check_out(const CompareArguments& a) {
   if (holds_campaign(a.out) || holds_options(a.out))
@@ -95,6 +104,19 @@ void check_out(const CompareArguments& a) {
            "name another folder, or add --replace");
 }
 
+// The folders of one model's ways of pushing, as `wythe compare` of models or `wythe assess` wrote them, in the order of
+// `ways`; none where it lacks one of them.
+std::vector<std::string> folders_of(const std::string& folder, const std::vector<PushWay>& ways) {
+  std::vector<std::string> all = option_folders(folder), out;
+  for (const PushWay& way : ways) {
+    const auto is_that = [&](const std::string& one) { return is_same(way_in(one), way); };
+    const auto found = std::find_if(all.begin(), all.end(), is_that);
+    if (found == all.end()) return {};
+    out.push_back(*found);
+  }
+  return out;
+}
+
 void print_models(const PairedComparison& comparison, const std::string& out) {
   for (const Intervention& one : comparison.intervention) {
     fmt::print("{}{}\n", one.cautions.empty() ? "" : "WARNING ", readable(text_of(one.sentence)));
@@ -104,6 +126,67 @@ void print_models(const PairedComparison& comparison, const std::string& out) {
 }
 
 }  // namespace
+
+namespace {
+
+ChangeLimits limits_of(const CompareArguments& a) {
+  return {.stiffness = share_of("--stiffness", a.stiffness),
+          .strength = share_of("--strength", a.strength),
+          .displacement = share_of("--displacement", a.displacement)};
+}
+
+int write_answers(const CompareArguments& a, const std::vector<ModelFolders>& folders,
+                  const ChangeLimits& limits) {
+  const PairedComparison comparison =
+      write_models(a.out, folders, limits, a.language, hold_for_test);
+  print_models(comparison, a.out);
+  const auto is_known = [](const Intervention& one) {
+    return one.answer != ChangeAnswer::kNotKnown;
+  };
+  return std::all_of(comparison.intervention.begin(), comparison.intervention.end(), is_known)
+             ? 0
+             : kFailed;
+}
+
+}  // namespace
+
+bool hold_models(const std::vector<std::string>& folders) {
+  if (folders.size() < 2 || !std::all_of(folders.begin(), folders.end(), holds_options))
+    return false;
+  std::vector<PushWay> ways;  // of a study with [[variant]] two may push alike
+  for (const std::string& one : option_folders(folders.front())) {
+    const PushWay way = way_in(one);
+    if (std::any_of(ways.begin(), ways.end(), [&](const PushWay& w) { return is_same(w, way); }))
+      return false;
+    ways.push_back(way);
+  }
+  return ways.size() > 1;
+}
+
+int compare_pushed_models(const CompareArguments& a) {
+  std::vector<PushWay> ways;
+  for (const std::string& one : option_folders(a.folders.front())) ways.push_back(way_in(one));
+  std::vector<ModelFolders> models;
+  std::vector<Fault> faults;
+  for (const std::string& folder : a.folders) {
+    models.push_back({readable(fs::path(folder + "/").parent_path().filename().string()),
+                      folders_of(folder, ways)});
+    if (models.back().campaign.empty() || option_folders(folder).size() != ways.size())
+      faults.push_back({.file = folder,
+                        .path = "",
+                        .value = "",
+                        .problem = "was pushed in other ways than " + a.folders.front(),
+                        .cure = "push both alike, with wythe compare of their models or with wythe "
+                                "assess of each"});
+  }
+  if (!faults.empty()) throw InputError(std::move(faults));
+  const ChangeLimits limits = limits_of(a);
+  const Origin origin = origin_of(a.folders, a.replaces);
+  check_origin(a.out, origin);
+  const int code = write_answers(a, models, limits);
+  write_origin(a.out, origin);
+  return code;
+}
 
 int compare_models(const CompareArguments& a) {
   check_files(a.folders);
@@ -117,9 +200,7 @@ int compare_models(const CompareArguments& a) {
   if (!a.seed.empty())
     asked.seed = whole_number("--seed", a.seed, 0, 2'147'483'647, "write e.g. --seed 1");
   check_out(a);
-  const ChangeLimits limits{.stiffness = share_of("--stiffness", a.stiffness),
-                            .strength = share_of("--strength", a.strength),
-                            .displacement = share_of("--displacement", a.displacement)};
+  const ChangeLimits limits = limits_of(a);
   CampaignOptions options;
   options.jobs = jobs_of(a.jobs);
   options.resume = a.resume;
@@ -152,15 +233,7 @@ int compare_models(const CompareArguments& a) {
       static_cast<void>(write_campaign_files(run.folder, read_answers(run.folder), a.language));
     }
   }
-  const PairedComparison comparison =
-      write_models(a.out, folders, limits, a.language, hold_for_test);
-  print_models(comparison, a.out);
-  const auto is_known = [](const Intervention& one) {
-    return one.answer != ChangeAnswer::kNotKnown;
-  };
-  return std::all_of(comparison.intervention.begin(), comparison.intervention.end(), is_known)
-             ? 0
-             : kFailed;
+  return write_answers(a, folders, limits);
 }
 
 }  // namespace wythe::app

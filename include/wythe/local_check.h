@@ -50,7 +50,9 @@ struct LocalCapacity {
   double top0 = kUnset;           // that of the highest point of the body, along the earthquake [m]
   double slides_off =
       std::numeric_limits<double>::infinity();  // d* at which a floor is off its bearing [m]
-  Message no_displacement = {};                 // why there is no d0*; empty: there is
+  double lets_go = std::numeric_limits<double>::infinity();  // d* at which what breaks takes more
+                                                             // than half of the onset along [m]
+  Message no_displacement = {};                              // why there is no d0*; empty: there is
 };
 // `resisted`: work of what resists without moving along, friction of teeth, per unit turn [N m]. `top`: height above the
 // line of the highest point.
@@ -96,11 +98,12 @@ struct LocalStateCheck {
   double q = kUnset;             // by which it is divided; NaN: the check by q is not of this state
   double q_ratio = kUnset;       // capacity over demand of the onset [-]
   double displacement = kUnset;  // that it may reach, d* [m]
-  double period = kUnset;        // secant there [s]
+  double period = kUnset;        // T of the limit state there [s]
   double displacement_demand = kUnset;
   double displacement_ratio = kUnset;
   double acceleration =
       kUnset;  // peak of the ground at which the deciding check is met at its limit [m/s^2]
+  bool by_onset = false;  // that is the one which sets it off, for the way would carry less
 };
 struct LocalCheck {
   std::string name;

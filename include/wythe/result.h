@@ -73,7 +73,7 @@ struct Dip {
   bool before_peak = false;   // of the curve
 };
 
-// Elastic, perfectly plastic curve of equal area: the secant through 0.7 peak, cut at the force that
+// Elastic, perfectly plastic curve of equal area: the secant through 0.6 peak, cut at the force that
 // makes both areas equal up to the ultimate displacement (docs/reference/results.md).
 struct Bilinear {
   double stiffness = 0;              // ke [N/m]

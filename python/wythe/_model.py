@@ -27,6 +27,11 @@ _QUANTITIES = ("quantity", "quantities", "points")
 class Quantity(str):
     """A number with its unit, as a model file writes it: "5.10 m". ``.value`` and ``.unit`` are its parts."""
 
+    def __new__(cls, text: str, *more: object) -> Quantity:
+        if more or not isinstance(text, str):
+            raise TypeError(f"{(text, *more)!r:.60} is no text with a unit: write Quantity(\"5.10 m\")")
+        return super().__new__(cls, text)
+
     @property
     def value(self) -> float:
         """The number, in the unit that stands beside it."""
@@ -395,6 +400,9 @@ class Model(Section):
         if not isinstance(text, str):
             raise _fault("model", type(text).__name__, "is no text", "read a file by wythe.Model.read(path)")
         name = path_of("file", file)
+        if text.strip().endswith(".toml") and "\n" not in text.strip():
+            raise _fault("model", f"{text!r:.60}", "is the name of a file, and a model is its text",
+                         f"read it by wythe.Model.read({text.strip()!r:.60})")
         try:
             data = tomllib.loads(text)
         except RecursionError:

@@ -56,7 +56,7 @@ void each_response(const Visitor& v, R& r) {
   v(AnswerKey{"work_to_peak_J", "work_to_peak_J", {"J", "area under the curve up to the capacity"}}, r.work_to_peak);
   v(AnswerKey{"work_to_80_percent_J", "work_to_80_percent_J", {"J", "area under the curve up to 0.8 of the peak"}}, r.work_to_80);
   v(AnswerKey{"work_total_J", "work_total_J", {"J", "area under the whole curve"}}, r.work_total);
-  v(AnswerKey{"bilinear_stiffness_N_per_m", "bilinear.stiffness_kN_per_mm", {"kN/mm", "stiffness of the bilinear curve: secant through 0.7 of the peak"}, Listed::kNowhere, "", 1e-6}, r.bilinear.stiffness);
+  v(AnswerKey{"bilinear_stiffness_N_per_m", "bilinear.stiffness_kN_per_mm", {"kN/mm", "stiffness of the bilinear curve: secant through 0.6 of the peak"}, Listed::kNowhere, "", 1e-6}, r.bilinear.stiffness);
   v(AnswerKey{"bilinear_force_N", "bilinear.force_kN", {"kN", "yield force of the bilinear curve of equal area"}, Listed::kNowhere, "", 1e-3}, r.bilinear.force);
   v(AnswerKey{"bilinear_yield_displacement_m", "bilinear.yield_displacement_mm", {"mm", "yield displacement of the bilinear curve"}, Listed::kNowhere, "", 1e3}, r.bilinear.yield_displacement);
   v(AnswerKey{"bilinear_ultimate_displacement_m", "bilinear.ultimate_displacement_mm", {"mm", "ultimate displacement of the bilinear curve"}, Listed::kNowhere, "", 1e3}, r.bilinear.ultimate_displacement);

@@ -102,9 +102,10 @@ class ShakeCompiler {
     if (motions.empty()) return fault("record", "", "is missing", "write [[stage.record]]");
     const double factor = common_factor(motions.front());
     for (std::size_t k = 0; k < motions.size(); ++k) {
+      const std::size_t before = faults_.all().size();
       weigh(motions[k], k);
       GroundMotion motion = scaled(std::move(motions[k]), factor);
-      look_at(motion, k);
+      if (faults_.all().size() == before) look_at(motion, k);
       if (says_something(s.record[k].at))
         drive(std::move(motion), k);
       else

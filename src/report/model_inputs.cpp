@@ -169,7 +169,7 @@ Json floor_row(const std::string& name, const materials::Origin& origin) {
           is_load ? "floor_load" : "floor_mass",
           from == std::string::npos ? "" : origin.by.substr(from + 6),
           is_load ? "(g1 + g2 + psi2 q) span / 2" : "load / 9.81 m/s^2",
-          is_load ? "NTC 2018, 2.5.3" : "NTC 2018, 3.2.4"};
+          is_load ? "NTC 2018, 2.5.3, [2.5.5]" : "NTC 2018, 2.5.3, [2.5.7]"};
 }
 
 Json origins_of(const ModelSpec& spec) {

@@ -300,6 +300,39 @@ class Models(unittest.TestCase):
         wrong = self.file("wrong.toml", WALL.replace("1.2 m", "-1 m"))
         self.refused(WALL.replace("30 deg", "30 m"), "wrong.toml", self._testMethodName, before=wrong)
 
+    def test_walls_that_were_pushed_are_compared_from_their_folders(self):
+        def compare(*words):
+            return wythe("compare", self.whole / "before", self.whole / "after", "--out", self.out(), *words)
+        done = compare()
+        self.assertEqual(done.returncode, self.done.returncode, done.stderr)
+        again = self.json_of(self.out())
+        for one in (*again["intervention"], *self.found["intervention"]):
+            one.pop("name", None), one["sentence_message"].pop("arguments", None), one.pop("sentence")
+        self.assertEqual(again["intervention"][0]["change"], self.found["intervention"][0]["change"])
+        self.assertIn("may fall by 60 %", compare("--strength", "0.6").stdout)
+        self.assertEqual(self.changes(self.out())[STRENGTH]["limit"], "asked")
+        for option, value in (("--walls", 8), ("--seed", 1), ("--set", "wall.length=1 m")):
+            done = compare(option, value)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("leave it out", done.stderr)
+
+    def test_walls_that_were_pushed_in_other_ways_are_refused(self):
+        one_way = self.folder / "one_way"
+        shutil.copytree(self.whole / "after/base", one_way / "base")
+        done = wythe("compare", self.whole / "before", one_way, "--out", self.out())
+        self.assertEqual(done.returncode, 2, done.stdout)
+        self.assertIn("one_way: was pushed in other ways than", done.stderr)
+        self.assertFalse(self.out().exists())
+
+    def test_a_run_of_one_wall_names_the_command_that_compares_its_model(self):
+        runs = [self.folder / "run_before", self.folder / "run_after"]
+        for model, out in zip((self.before, self.after), runs):
+            self.assertEqual(wythe("run", model, "--out", out, "--quiet", "--set", "stage.push.until=0.2 mm").returncode, 0)
+        done = wythe("compare", *runs, "--out", self.out())
+        self.assertEqual(done.returncode, 2, done.stdout)
+        self.assertIn("run_before: is a run of one wall, pushed one way", done.stderr)
+        self.assertIn("wythe compare run_before/model.used.toml".replace("run_before", str(runs[0])), done.stderr)
+
     def test_files_and_folders_do_not_mix_and_one_model_is_none_to_compare(self):
         done = self.compare(self.before, self.whole / "after/base", self.out())
         self.assertEqual(done.returncode, 2)

@@ -104,6 +104,15 @@ class Clumsy(unittest.TestCase):
         tilt = wythe.Model.read(str(SOURCE / "examples/dry_tilt/model.toml"))
         self.refused(lambda: wythe.limit(tilt, only="parts", assessment=True), "parts: none is here to check")
 
+    def test_a_path_is_no_model_and_a_number_no_quantity(self):
+        with self.assertRaises(wythe.InputError) as caught:
+            wythe.Model("model.toml")
+        self.assertIn("is the name of a file", str(caught.exception))
+        self.assertIn("wythe.Model.read('model.toml')", str(caught.exception))
+        for words in ((1, "ton"), (1.0,), ("5 m", "s")):
+            with self.assertRaisesRegex(TypeError, "no text with a unit"):
+                wythe.Quantity(*words)
+
     def test_what_a_function_takes_instead(self):
         for wrong in (None, [1], "x", True):
             self.refused(lambda: wythe.Function(DRY, {KN: "GPa/m"}, missing=wrong), "missing", 'write "raise"')

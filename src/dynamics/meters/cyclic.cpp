@@ -265,7 +265,7 @@ struct BothWays {
 
 // One direction. The way out is known finer than by its rows, of use where it leads to most of the peak.
 Responses read_side(const Curve& envelope, ResponseOptions options, bool is_first) {
-  constexpr double kMost = 0.7;   // the bilinear curve's secant needs no more
+  constexpr double kMost = 0.6;   // the bilinear curve's secant needs no more
   constexpr double kBegin = 0.1;  // nor the stiffness less
   const std::vector<RisePoint> rise = std::exchange(options.rise, {});
   Responses by_rows = read_one_way(envelope, options);

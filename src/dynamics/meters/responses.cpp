@@ -228,11 +228,11 @@ double load_height_of(const Curve& curve) {
   return 0;
 }
 
-// ke: secant at 0.7 peak. Equal areas up to du: A = Fu du - Fu^2 / (2 ke). The smaller root is Fu;
+// ke: secant at 0.6 peak. Equal areas up to du: A = Fu du - Fu^2 / (2 ke). The smaller root is Fu;
 // where the curve holds more than a straight line to du could, the line's end stands for it.
 Bilinear bilinear_of(const Curve& curve, const std::vector<RisePoint>& rise, double peak,
                      const Place& ultimate) {
-  constexpr double kSecant = 0.7;
+  constexpr double kSecant = 0.6;
   Bilinear b;
   const double secant_at = rising_crossing(rise, kSecant * peak);
   b.censored = ultimate.censored;

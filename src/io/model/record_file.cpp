@@ -45,6 +45,7 @@ class TableRecord {
              fmt::format("write {}.column = 2, or whichever holds accelerations", path_));
     choose_accelerations();
     check_heads();
+    check_comments(text);
     read_rows(table);
     check_times();
     RecordNumbers n = std::move(numbers_);
@@ -184,6 +185,30 @@ class TableRecord {
              "write it in g, m/s2 or cm/s2", head_line_);
   }
 
+  // A unit in the lines that begin with #, against what head and model state.
+  void check_comments(std::string_view text) const {
+    const std::string all = comments_before(text);
+    int number = 0;
+    for (std::string_view rest = all; !rest.empty(); ++number) {
+      std::string_view line = rest.substr(0, rest.find('\n'));
+      rest.remove_prefix(line.size() + 1);
+      while (line.starts_with('#')) line.remove_prefix(1);
+      const std::string unit = unit_in_words(std::string(trimmed(line)));
+      if (unit.empty()) continue;
+      const RecordUnit told = stated_unit(unit);
+      const RecordUnit other = numbers_.unit != RecordUnit::kNone ? numbers_.unit : record_.unit;
+      if (told == RecordUnit::kNone)
+        refuse("file", unit, "is in a unit that is not known here",
+               "write the numbers in g, m/s2 or cm/s2", number + 1);
+      if (other != RecordUnit::kNone && other != told)
+        refuse("file", unit,
+               fmt::format("is what a comment says, and {} says {}",
+                           numbers_.unit != RecordUnit::kNone ? "the head" : "the model",
+                           word_of(kRecordUnitWords, other)),
+               "make them agree", number + 1);
+    }
+  }
+
   void read_rows(NumberTable& table) {
     FaultList faults;
     const auto number = [&](std::size_t column) {
@@ -268,6 +293,28 @@ void look_for_gaps(ReadContext& context, const std::string& file, const std::str
                         "complete the record; where it should be a straight line, write its points",
                         0});
   }
+}
+
+// A mark of missing data, 999 or -9999.99, that stands out from what is beside it.
+void look_for_marks(ReadContext& context, const std::string& file, const std::string& path,
+                    const RecordNumbers& n) {
+  const auto is_mark = [](double value) {
+    const std::string digits = fmt::format("{:g}", std::fabs(value));
+    return std::count(digits.begin(), digits.end(), '9') >= 3 &&
+           digits.find_first_not_of("9.") == std::string::npos;
+  };
+  double most = 0;  // of what is no mark
+  for (const double a : n.acceleration)
+    if (!is_mark(a)) most = std::max(most, std::fabs(a));
+  for (std::size_t k = 0; k < n.acceleration.size(); ++k)
+    if (const double a = n.acceleration[k]; is_mark(a) && std::fabs(a) > 2 * most)
+      return context.faults.add(
+          {file, path + ".file", fmt::format("{:g}", a),
+           fmt::format(
+               "is acceleration {} of {}, and looks like a mark of missing data: all others "
+               "are below {:.3g}",
+               k + 1, n.acceleration.size(), most),
+           "complete the record", 0});
 }
 
 void check_sources(ReadContext& context, const RecordSpec& r, const std::string& path) {
@@ -371,6 +418,7 @@ void read_file_of(ReadContext& context, const ModelSpec& spec, const std::string
   if (count < 2)
     return context.fault(path + ".file", 0, r.file, "holds fewer than two accelerations",
                          "give the whole record");
+  look_for_marks(context, file, path, n);
   const double between = static_cast<double>(count - 1);
   check_step(context, file, path, r,
              n.time.empty() ? n.step : (n.time.back() - n.time.front()) / between);
@@ -399,7 +447,7 @@ void read_records(ReadContext& context, ModelSpec& spec) {
       RecordSpec& record = spec.stage[k].record[i];
       check_sources(context, record, path);
       if (!record.file.empty() && !context.has_fault_at(path + ".unit") &&
-          !context.has_fault_at(path + ".file"))
+          !context.has_fault_at(path + ".file") && !context.has_fault_at(path + ".step"))
         read_file_of(context, spec, path, record);
     }
 }

@@ -250,6 +250,20 @@ std::string unit_text(const HeadLine& line) {
   return is_scaled ? whole : without_stop(whole.substr(0, end));
 }
 
+// A factor beside a unit: "in units of g, scaled by 10", "(g x 100)", "(cm/s2) * 10".
+bool tells_of_factor(const std::string& small) {
+  static const std::regex factor(
+      R"(multipl|scaled|scale factor|[^*]\*\s*\d|\bx\s*\d|[)\]]\s*/\s*\d|%)");
+  return std::regex_search(small, factor);
+}
+
+// A spectrum is no motion; a motion that was matched to one is.
+bool tells_of_spectrum(const std::string& small) {
+  const auto has = [&](std::string_view word) { return small.find(word) != std::string::npos; };
+  return (has("spectr") || has("fourier") || has("pseudo")) && !has("match") && !has("compatib") &&
+         !has("time") && !has("record") && !has("accelerogram");
+}
+
 // A unit that a line of the head states: one that speaks of accelerations comes first, and titles may hold any words.
 void find_unit(const std::vector<HeadLine>& head, int last, const std::string& file,
                RecordNumbers& out) {
@@ -260,9 +274,17 @@ void find_unit(const std::vector<HeadLine>& head, int last, const std::string& f
     const bool speaks = line.small.find("accel") != std::string::npos;
     if (unit.empty() || (!speaks && acceleration_unit(unit).empty() && !is_velocity(unit)))
       continue;
+    const RecordUnit now = stated_unit(unit);
+    if (told != nullptr && now != RecordUnit::kNone && stated_unit(unit_text(*told)) != now)
+      refuse(file, line.line, unit,
+             fmt::format("is another unit than {} in line {}", unit_text(*told), told->line),
+             "leave the one that holds");
     if (told == nullptr || speaks) told = &line;
   }
   if (told == nullptr) return;
+  if (tells_of_factor(told->small))
+    refuse(file, told->line, told->text, "may be in a unit that is not known here: it has a factor",
+           "multiply the numbers, and write the head in units of g, m/s2 or cm/s2");
   const std::string unit = unit_text(*told);
   if (is_velocity(unit))
     refuse(file, told->line, unit, "is a unit of velocities",
@@ -287,6 +309,10 @@ void check_series(const std::vector<HeadLine>& head, int last, const std::string
     const auto is_there = [&](std::string_view word) {
       return word_at(line.small, word) != std::string::npos;
     };
+    if (tells_of_spectrum(line.small) &&
+        (has("accel") || has("amplitude") || !unit_text(line).empty()))
+      refuse(file, line.line, line.text, "is the head of a spectrum, and no motion",
+             "give the accelerations of this record");
     if (has("accel") || is_there("acc")) {
       accelerates = true;
     } else if (has("veloc") || has("displ") || is_there("vel") || is_there("disp")) {
@@ -309,6 +335,18 @@ void check_series(const std::vector<HeadLine>& head, int last, const std::string
     refuse(file, last, "", fmt::format("has the ending {} of velocities or displacements", ending),
            "give the accelerations of this record");
 }
+
+}  // namespace
+
+std::string unit_in_words(const std::string& words) {
+  const HeadLine line{words, small_letters(words), 0};
+  static const std::regex share(R"(%\s*(of\s+)?g\b)");
+  if (std::regex_search(line.small, share)) return "% of g";
+  const std::string unit = unit_text(line);
+  return acceleration_unit(unit).empty() ? "" : unit;
+}
+
+namespace {
 
 std::optional<RecordNumbers> read_at2(const std::string& text, const std::string& file,
                                       const std::vector<HeadLine>& head) {

@@ -32,6 +32,10 @@ struct RecordNumbers {
 // The one that records may have; kNone for others, %g and in/s2 too.
 [[nodiscard]] RecordUnit stated_unit(std::string_view text);
 
+// The unit of accelerations that a line of words states, known here or not: "accelerations in g", "unit: mm/s2", "% of g"; "" where it
+// states none.
+[[nodiscard]] std::string unit_in_words(const std::string& words);
+
 // Refuses bytes of a known binary format, or of any, by its name; what may be a text passes.
 void check_is_text(std::string_view bytes, const std::string& file);
 

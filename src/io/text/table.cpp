@@ -243,10 +243,23 @@ void NumberTable::look_for_lines_before_the_numbers(std::string_view text) const
 }
 
 bool NumberTable::next() {
+  const auto is_blank = [&] {  // a row of delimiters alone, as spreadsheets leave behind
+    const std::vector<std::string>& cells = lines_.cells();
+    return cells.size() > 1 && std::all_of(cells.begin(), cells.end(), [](const std::string& cell) {
+             return cell.find_first_not_of(" \t") == std::string::npos;
+           });
+  };
   if (is_at_row_)
     is_at_row_ = false;
   else if (!lines_.next())
     return false;
+  if (is_blank()) {
+    const int first = line();
+    while (is_blank())
+      if (!lines_.next()) return false;
+    refuse(first, "", "is an empty row, and rows of numbers follow it",
+           "complete the row, or delete it");
+  }
   const std::size_t cells = lines_.cells().size();
   const bool ends_with_mark = cells == width_ + 1 && lines_.cells().back().empty();
   if (cells == width_ || ends_with_mark) return true;

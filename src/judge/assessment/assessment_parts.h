@@ -41,6 +41,8 @@ struct Extent {
 // What the model file says that the masses of the assessment do not follow.
 [[nodiscard]] std::vector<Message> notes_of_masses(const ModelSpec& spec, const Model& model);
 [[nodiscard]] Message words_of_state(LimitState state);
+// (A.3), of both codes.
+[[nodiscard]] double eta_of(double damping);
 // Of these, what makes its numbers unsafe: mass of floors that nothing counts.
 [[nodiscard]] std::vector<Message> cautions_of_masses(const ModelSpec& spec, const Model& model);
 // "shear" where any pier shows it, "flexure" where piers show that alone, "" where nothing is known; of

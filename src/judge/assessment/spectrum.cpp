@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "judge/assessment/assessment_parts.h"
 #include "wythe/assessment.h"
 
 namespace wythe {
@@ -38,9 +39,6 @@ constexpr Category kCategories[] = {{1.0, 1.0, 0.0, 1.0, 1.0, 0.0},
                                     {1.0, 1.7, 0.6, 1.5, 1.05, -0.33},
                                     {0.9, 2.4, 1.5, 1.8, 1.25, -0.50},
                                     {1.0, 2.0, 1.1, 1.6, 1.15, -0.40}};
-
-// (A.3), both codes
-double eta_of(double damping) { return std::fmax(std::sqrt(10 / (5 + 100 * damping)), 0.55); }
 
 double interpolated(const std::vector<double>& x, const std::vector<double>& y, double at) {
   if (x.empty() || !(at >= x.front()) || at > x.back()) return kUnset;
@@ -142,6 +140,10 @@ const SpectrumSpec& own_spectrum(const AssessmentSpec& spec, LimitState state) {
 }
 }  // namespace
 
+double study::eta_of(double damping) {
+  return std::fmax(std::sqrt(10 / (5 + 100 * damping)), 0.55);
+}
+
 std::vector<Fault> faults_of(const SpectrumSpec& spec) { return SpectrumFaults(spec).all(); }
 
 std::vector<Fault> faults_of(const AssessmentSpec& spec) {
@@ -204,7 +206,7 @@ ElasticSpectrum spectrum_of(const SpectrumSpec& spec) {
   }
   out.ground_acceleration = spec.ground_acceleration;
   out.topography = spec.topography;
-  out.eta = eta_of(spec.damping);
+  out.eta = study::eta_of(spec.damping);
   if (spec.kind == SpectrumKind::kEn1998) {
     const Ground& g = spec.shape == "2" ? kType2[ground] : kType1[ground];
     out.soil = g.S, out.TB = g.TB, out.TC = g.TC, out.TD = g.TD;

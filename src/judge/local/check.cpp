@@ -14,45 +14,76 @@ namespace wythe {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kBehaviour = 2;            // q at life safety
-constexpr double kOfLifeSafety = 0.4;       // of d0*
-constexpr double kOfNearCollapse = 0.6;     // of d0*
+constexpr double kBehaviour = 2;            // q at life safety, C8.7.1.2.1.7
 constexpr double kFactorLeastKnown = 1.35;  // of LC1 and KL1
+constexpr double kFrom = 0.8, kTo = 1.1;    // a and b of C7.2.3, of T1
 
-// Peak acceleration and spectrum where the part stands (21.9), (21.10): the ground's, or what the building makes of it
-// in its first mode, whichever is larger.
+// How far a part may go, and how it is asked: C8.7.1.2.1.6 and C8.7.1.2.1.8.
+struct Way {
+  double of_d0;    // share of d0*
+  double period;   // T over sqrt(d*/a(d*))
+  double damping;  // of the part
+};
+constexpr Way kLifeSafety = {0.4, 1.68 * kPi, 0.08};
+constexpr Way kNearCollapse = {0.6, 1.56 * kPi, 0.10};
+
+// The most that a table asks up to a period: its displacements may fall again, and a part passes all shorter periods.
+double most_of_table(const ElasticSpectrum& table, double until) {
+  double most = table.displacement(until);
+  const std::vector<double>&T = table.periods, &a = table.accelerations;
+  for (std::size_t i = 0; i + 1 < T.size() && T[i] < until; ++i) {
+    most = std::max(most, table.displacement(T[i]));
+    const double slope = (a[i + 1] - a[i]) / (T[i + 1] - T[i]);
+    const double highest = -2 * (a[i] - slope * T[i]) / (3 * slope);  // of T^2 (p + slope T)
+    if (slope < 0 && highest > T[i] && highest < std::min(T[i + 1], until))
+      most = std::max(most, table.displacement(highest));
+  }
+  return most;
+}
+
+// Peak acceleration and displacements where the part stands (21.9), (21.10): the ground's, or what the building makes of
+// it in its first mode, whichever is larger.
 class SpectrumAt {
  public:
-  SpectrumAt(const ElasticSpectrum& ground, const BuildingAt& at, double damping)
-      : ground_(ground), at_(at) {
+  SpectrumAt(const SpectrumSpec& given, const BuildingAt& at, double damping)
+      : given_(given), ground_(spectrum_of(given)), at_(at) {
     const double percent = 100 * damping;
     if (at.share() > 0)
       of_mode_ =
-          ground.acceleration(at.period) * at.share() * std::sqrt(1 + 0.0004 * percent * percent);
-    gain_ = 1.1 / std::sqrt(damping);  // the part's own damping is 5 %
+          ground_.acceleration(at.period) * at.share() * std::sqrt(1 + 0.0004 * percent * percent);
+    gain_ = 1.1 / std::sqrt(damping);
   }
   // NaN beyond the end of a table, of either.
   [[nodiscard]] double peak() const { return larger(ground_.peak_ground_acceleration(), of_mode_); }
-  [[nodiscard]] double acceleration(double T) const {
-    return larger(ground_.acceleration(T), of_mode_ == 0 ? 0 : amplified(T));
-  }
-  [[nodiscard]] double displacement(double T) const {
-    return acceleration(T) * (T / (2 * kPi)) * (T / (2 * kPi));
+  // What a part of this damping is asked.
+  [[nodiscard]] double displacement(double T, double damping) const {
+    return larger(of_ground(T, damping), of_mode_ == 0 ? 0 : at_height(T, damping));
   }
 
  private:
   [[nodiscard]] static double larger(double a, double b) {
     return std::isnan(a) || std::isnan(b) ? kUnset : std::max(a, b);
   }
-  [[nodiscard]] double amplified(double T) const {
-    const double low = 0.8 * at_.period, high = 1.1 * at_.period;
+  [[nodiscard]] static double squared(double T) { return (T / (2 * kPi)) * (T / (2 * kPi)); }
+  // A table has a damping of its own.
+  [[nodiscard]] double of_ground(double T, double damping) const {
+    if (ground_.kind == SpectrumKind::kTable) return most_of_table(ground_, T);
+    SpectrumSpec of_part = given_;
+    of_part.damping = damping;
+    return spectrum_of(of_part).displacement(T);
+  }
+  [[nodiscard]] double at_height(double T, double damping) const {
+    const double low = kFrom * at_.period, high = kTo * at_.period;
+    const double gain = gain_ * study::eta_of(damping);
     double share = 1;
-    if (T < low) share = 1 + (gain_ - 1) * std::pow(1 - T / low, 1.6);
-    if (T > high) share = 1 + (gain_ - 1) * std::pow(T / high - 1, 1.2);
-    return gain_ * of_mode_ / share;
+    if (T < low) share = 1 + (gain - 1) * std::pow(1 - T / low, 1.6);
+    if (T > high) share = 1 + (gain - 1) * std::pow(T / high - 1, 1.2);
+    const double asked = gain * of_mode_ / share * squared(T);
+    return T > high ? std::max(asked, gain * of_mode_ * squared(high)) : asked;  // [C8.7.1.12]
   }
 
-  const ElasticSpectrum& ground_;
+  const SpectrumSpec& given_;
+  ElasticSpectrum ground_;
   BuildingAt at_;
   double of_mode_ = 0, gain_ = 1;
 };
@@ -62,22 +93,26 @@ AssessmentVerdict verdict_of(double ratio) {
   return ratio >= 1 ? AssessmentVerdict::kHolds : AssessmentVerdict::kFails;
 }
 
-// How far a part may go at a limit state (21.12), and the secant period there (21.13).
-void check_displacement(const SpectrumAt& spectrum, double share, const LocalCheck& part,
-                        LocalStateCheck& s) {
+// How far a part may go at a limit state (21.12), and the period there (21.13).
+void check_displacement(const SpectrumAt& spectrum, const Way& way, double most,
+                        const LocalCheck& part, LocalStateCheck& s) {
   const double d0 = part.capacity.displacement0, a0 = part.acceleration0_to_end;
   if (!(d0 > 0) || !(a0 > 0)) return;
-  s.displacement = std::min(share * d0, part.capacity.slides_off);
-  s.period = 2 * kPi * std::sqrt(s.displacement / (a0 * (1 - s.displacement / d0)));
-  s.displacement_demand = spectrum.displacement(s.period);
+  s.displacement = std::min(way.of_d0 * d0, most);
+  s.period = way.period * std::sqrt(s.displacement / (a0 * (1 - s.displacement / d0)));
+  s.displacement_demand = spectrum.displacement(s.period, way.damping);
   s.displacement_ratio = s.displacement / s.displacement_demand;
+}
+
+// Up in the building, with nothing on it: it vibrates by itself, and is not rigid up to its onset (C8.7.1.2.1.5).
+bool is_free(const LocalCheck& part) {
+  return part.building.share() > 0 && part.floors == 0 && std::isnan(part.hinge);
 }
 
 LocalStateCheck check_state(const AssessmentSpec& spec, LimitState state, const LocalCheck& part) {
   LocalStateCheck s;
   s.state = state;
   const SpectrumSpec& given = spectrum_for(spec, state);
-  const ElasticSpectrum ground = spectrum_of(given);
   const double damping = given.kind == SpectrumKind::kTable ? 0.05 : given.damping;
   if (!(damping > 0) && part.building.share() > 0)
     throw InputError({{.file = "",
@@ -86,17 +121,23 @@ LocalStateCheck check_state(const AssessmentSpec& spec, LimitState state, const 
                        .problem = "without damping the building brings its part into resonance "
                                   "without end, and (21.10) has no value",
                        .cure = "write damping = 0.05"}});
-  const SpectrumAt spectrum(ground, part.building, damping);
-  s.ground_demand = ground.peak_ground_acceleration();
+  const SpectrumAt spectrum(given, part.building, damping);
+  s.ground_demand = spectrum_of(given).peak_ground_acceleration();
   s.demand = spectrum.peak();
   if (state != LimitState::kNearCollapse) {
     s.q = state == LimitState::kLifeSafety ? kBehaviour : 1;
     s.q_ratio = std::max(part.acceleration0, 0.0) * s.q / s.demand;  // (21.11)
   }
-  if (state == LimitState::kLifeSafety) check_displacement(spectrum, kOfLifeSafety, part, s);
-  if (state == LimitState::kNearCollapse) check_displacement(spectrum, kOfNearCollapse, part, s);
-  // the way says more than the onset, so it decides where it is known
-  const double ratio = std::isnan(s.displacement) ? s.q_ratio : s.displacement_ratio;
+  const LocalCapacity& c = part.capacity;
+  if (state == LimitState::kLifeSafety)
+    check_displacement(spectrum, kLifeSafety, std::min(c.slides_off, c.lets_go), part, s);
+  if (state == LimitState::kNearCollapse)
+    check_displacement(spectrum, kNearCollapse, c.slides_off, part, s);
+  // the way says more than the onset by q, so it decides where it is known; what does not set the part off moves it nowhere
+  const double onset = part.acceleration0 / s.demand;
+  s.by_onset = std::isfinite(s.displacement) && !is_free(part) && onset > s.displacement_ratio;
+  const double by_way = s.by_onset ? onset : s.displacement_ratio;
+  const double ratio = std::isnan(s.displacement) ? s.q_ratio : by_way;
   s.verdict = part.acceleration0 > 0 ? verdict_of(ratio) : AssessmentVerdict::kFails;
   s.acceleration = part.acceleration0 > 0 ? ratio * s.ground_demand : 0;
   return s;
@@ -153,13 +194,15 @@ Message sentence_of(const LocalCheck& part) {
              {"a0_g", part.acceleration0 / kStandardGravity}}};
   if (s->verdict == AssessmentVerdict::kNotKnown)
     return {"local.not_known", {{"part", who}, {"alpha0", part.capacity.alpha0}}};
-  const bool by_way = std::isfinite(s->displacement);
+  const bool by_way = std::isfinite(s->displacement) && !s->by_onset;
   const bool holds = s->verdict == AssessmentVerdict::kHolds;
   return {holds ? (by_way ? "local.holds_by_way" : "local.holds_by_q")
                 : (by_way ? "local.fails_by_way" : "local.fails_by_q"),
           {{"part", who},
            {"state", study::words_of_state(s->state)},
-           {"ratio", by_way ? s->displacement_ratio : s->q_ratio},
+           {"ratio", by_way        ? s->displacement_ratio
+                     : s->by_onset ? s->acceleration / s->ground_demand
+                                   : s->q_ratio},
            {"pga_g", s->acceleration / kStandardGravity},
            {"demand_g", s->ground_demand / kStandardGravity}}};
 }
@@ -207,9 +250,12 @@ void study::conclude(const ModelSpec& spec, const Model& model, bool crushes, Lo
   if (!(part.capacity.alpha0 > 0)) part.verdict = AssessmentVerdict::kFails;
   if (!part.capacity.no_displacement.empty()) part.notes.push_back(part.capacity.no_displacement);
   if (std::isfinite(part.capacity.slides_off) &&
-      part.capacity.slides_off < kOfLifeSafety * part.capacity.displacement0)
+      part.capacity.slides_off < kLifeSafety.of_d0 * part.capacity.displacement0)
     part.notes.push_back(
         {"local.note.slides_off", {{"displacement_mm", 1e3 * part.capacity.slides_off}}});
+  if (part.capacity.lets_go < kLifeSafety.of_d0 * part.capacity.displacement0)
+    part.notes.push_back(
+        {"local.note.lets_go", {{"displacement_mm", 1e3 * part.capacity.lets_go}}});
   if (!part.capacity.is_one_body)
     part.notes.push_back({"local.note.share", {{"share", part.capacity.mass_share}}});
   if (value_of(kAssessmentCodeWords, asked.code) == AssessmentCode::kEn1998)
@@ -217,6 +263,10 @@ void study::conclude(const ModelSpec& spec, const Model& model, bool crushes, Lo
   if (!(part.capacity.alpha0 > 0)) part.cautions.push_back({"local.caution.falls"});
   if (part.capacity.alpha0 > 0 && part.capacity.alpha0_to_end <= 0)
     part.cautions.push_back({"local.caution.stands_by_holds"});
+  const bool any_by_onset =
+      std::any_of(part.states.begin(), part.states.end(),
+                  [](const LocalStateCheck& s) { return std::isnan(s.displacement); });
+  if (is_free(part) && any_by_onset) part.cautions.push_back({"local.caution.free"});
   for (const LocalStateCheck& s : part.states)
     if (s.verdict == AssessmentVerdict::kNotKnown) {
       part.cautions.push_back({"local.caution.not_known"});

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kHalfTurn = 3.14159265358979323846;
 constexpr double kQuarter = 0.5 * kHalfTurn;
+constexpr double kHalf = 0.5;  // of the capacity: what breaks with more ends life safety
 
 // (21.3): M* and e* by what is pushed, at rest. Gives sum Q travel^2 / sum Q travel, the travel of the equivalent system.
 double equivalent(double first, double second, double gravity, LocalCapacity& c) {
@@ -46,6 +47,8 @@ LocalCapacity overturning(const std::vector<LocalWeight>& weights,
   std::vector<LocalHold> left;
   for (const LocalHold& hold : holds)
     if (std::isfinite(hold.lets_go)) left.push_back(hold);
+  double known = rise, lost = 0;
+  for (const LocalHold& hold : left) known += hold.force * hold.travel;
   for (;;) {
     double a = rise, b = drop;  // a cos - b sin
     for (const LocalHold& hold : left) a += hold.force * hold.travel, b -= hold.force * hold.rise;
@@ -59,6 +62,10 @@ LocalCapacity overturning(const std::vector<LocalWeight>& weights,
           return p.lets_go * q.travel < q.lets_go * p.travel;
         });
     if (next == left.end() || !(next->lets_go < next->travel * end)) break;
+    const double turn = std::asin(next->lets_go / next->travel);
+    lost += next->force * (next->travel + next->rise * std::tan(turn));
+    if (lost > kHalf * known)
+      c.lets_go = std::min(c.lets_go, next->lets_go / next->travel * travel);
     left.erase(next);
   }
   if (c.rotation0 >= kQuarter) {

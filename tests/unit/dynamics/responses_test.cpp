@@ -490,10 +490,11 @@ TEST(Bilinear, of_a_straight_line_has_no_plastic_part) {
   EXPECT_NEAR(r.bilinear.ductility, 1, 1e-6);
 }
 
-TEST(Bilinear, secant_reads_the_curve_at_seven_tenths) {
-  // soft beyond 0.5 peak: 70 at 0.5 + 20 / 50 x 2.5 = 1.5
+// Circolare 7/2019, C7.3.4.2
+TEST(Bilinear, secant_reads_the_curve_at_six_tenths) {
+  // soft beyond 0.5 peak: 60 at 0.5 + 10 / 50 x 2.5 = 1
   const Responses r = read_responses(curve_of({{0, 0}, {0.5, 50}, {3, 100}, {9, 70}}));
-  EXPECT_NEAR(r.bilinear.stiffness, 70 / 1.5, 1e-12);
+  EXPECT_NEAR(r.bilinear.stiffness, 60, 1e-12);
 }
 
 TEST(Collapse, says_by_what_it_was_told) {

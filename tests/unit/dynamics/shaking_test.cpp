@@ -524,6 +524,74 @@ TEST_F(RecordFile, heads_of_at2_that_are_in_use) {
   says(refusal("record = { file = \"a.AT2\", unit = \"g\" }\n"), {"names NPTS and DT"});
 }
 
+TEST_F(RecordFile, at2_with_a_factor_or_two_units_or_of_a_spectrum_is_refused) {
+  const auto told = [&](const std::string& head, const char* unit = "g") {
+    write("f.AT2", "PEER NGA\nOwn\n" + head + ".1 .2 .3\n");
+    return refusal(std::string("record = { file = \"f.AT2\", unit = \"") + unit + "\" }\n");
+  };
+  const std::string counts = "\nNPTS= 3, DT= .0050 SEC,\n ";
+  for (const char* head :
+       {"ACCELERATION TIME SERIES IN UNITS OF G MULTIPLIED BY 100",
+        "ACCELERATION TIME SERIES IN UNITS OF G, SCALED BY 10", "ACCELERATION (g x 100)",
+        "ACCELERATION IN UNITS OF G, SCALE FACTOR 981"})
+    says(told(head + counts), {"f.AT2:3", "may be in a unit that is not known here"});
+  says(told("ACCELERATION (CM/SEC^2) * 10" + counts, "cm/s2"), {"f.AT2:3", "it has a factor"});
+  for (const char* head :
+       {"ACCELERATION RESPONSE SPECTRUM IN UNITS OF G", "SPECTRAL ACCELERATION IN G",
+        "PSEUDO-ACCELERATION IN UNITS OF G", "FOURIER AMPLITUDE OF ACCELERATION, UNITS OF G"})
+    says(told(head + counts), {"f.AT2:3", "head of a spectrum"});
+  for (const char* head :
+       {"ACCELERATION TIME SERIES, SPECTRUM MATCHED, IN UNITS OF G",
+        "Spectrum-compatible accelerogram, acceleration in units of g",
+        "ACCELERATION TIME HISTORY IN UNITS OF G. FILTER POINTS: HP=0.1 Hz LP=30.0 Hz"})
+    EXPECT_EQ(told(head + counts), "accepted") << head;
+  EXPECT_EQ(told("ACCELERATION IN UNITS OF CM/SEC**2" + counts, "cm/s2"), "accepted");
+  says(told("ACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 3, DT=.05, UNITS=CM/S2\n "),
+       {"f.AT2:4", "another unit than G in line 3"});
+}
+
+TEST_F(RecordFile, a_unit_in_a_comment_agrees_or_is_refused) {
+  const auto told = [&](const std::string& comment, const std::string& head, const char* unit) {
+    write("c.csv", comment + "\n" + head + "\n0,0.1\n0.01,0.2\n0.02,-0.1\n");
+    return refusal(std::string("record = { file = \"c.csv\"") +
+                   (*unit == '\0' ? "" : std::string(", unit = \"") + unit + "\"") + " }\n");
+  };
+  EXPECT_EQ(told("# accelerations in g", "time,acc", "g"), "accepted");
+  EXPECT_EQ(told("# station A, Vs30 = 300 m/s, 5 % damping", "time,acc", "g"), "accepted");
+  EXPECT_EQ(told("# accelerations in g", "time,acc [g]", ""), "accepted");
+  says(told("# accelerations in g", "time,acc", "m/s2"), {"c.csv:1", "the model says m/s2"});
+  says(told("# unit: cm/s2", "time,acc [g]", ""), {"c.csv:1", "the head says g"});
+  says(told("# unit: mm/s2", "time,acc", "cm/s2"), {"c.csv:1", "not known here"});
+  says(told("# % of g", "time,acc", "g"), {"c.csv:1", "not known here"});
+}
+
+TEST_F(RecordFile, a_mark_of_missing_data_is_no_peak) {
+  const auto told = [&](const char* values, const char* unit) {
+    write("m.csv", std::string("acc\n") + values);
+    return refusal(std::string("record = { file = \"m.csv\", step = \"0.01 s\", unit = \"") + unit +
+                   "\" }\n");
+  };
+  says(told("12\n-80\n-999\n40\n", "cm/s2"), {"acceleration 3 of 4", "mark of missing data"});
+  says(told("0.1\n0.2\n9999.99\n0.1\n", "m/s2"), {"acceleration 3 of 4"});
+  EXPECT_EQ(told("700\n-800\n-999\n400\n", "cm/s2"), "accepted");
+  EXPECT_EQ(told("0.1\n0.9\n-0.99\n0.4\n", "g"), "accepted");
+}
+
+TEST_F(RecordFile, one_slip_of_a_record_is_one_fault) {
+  const auto faults = [&](const std::string& lines) {
+    const std::string said = refusal("record = { " + lines + " }\n");
+    return std::count(said.begin(), said.end(), '\n') + (said == "accepted" ? 0 : 1);
+  };
+  write("big.csv", "acc\n10\n92.5\n-20\n5\n");
+  EXPECT_EQ(faults("file = \"big.csv\", step = \"0.01 s\", unit = \"g\""), 1);
+  EXPECT_EQ(faults("file = \"big.csv\", step = \"0.02\", unit = \"cm/s2\""), 1);
+  EXPECT_EQ(faults("file = \"big.csv\", step = \"200 Hz\", unit = \"cm/s2\""), 1);
+  write("tail.csv", "time;acc\n0;10\n0.01;20\n0.02;-10\n;\n;\n;\n");
+  EXPECT_EQ(faults("file = \"tail.csv\", unit = \"cm/s2\""), 0);
+  write("hole.csv", "time;acc\n0;10\n;\n0.02;-10\n");
+  EXPECT_EQ(faults("file = \"hole.csv\", unit = \"cm/s2\""), 1);
+}
+
 TEST_F(RecordFile, at2_of_velocities_and_displacements_is_refused) {
   for (const char* unit : {"", ", unit = \"g\"", ", unit = \"cm/s2\""})
     for (const char* head :

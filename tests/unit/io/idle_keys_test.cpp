@@ -182,7 +182,9 @@ TEST(IdleKeys, a_state_that_no_push_comes_to_is_noted) {
 }
 
 TEST(IdleKeys, a_material_that_nothing_is_made_of_is_noted) {
-  const std::string timber = "[material.timber]\ndensity = \"600 kg/m^3\"\n";
+  const std::string timber =
+      "[material.timber]\ndensity = \"600 kg/m^3\"\nyoungs_modulus = \"10 GPa\"\n"
+      "shear_modulus = \"0.6 GPa\"\n";
   expect_noted(kWall + timber, "no block is made of [material.timber]");
   std::string text = kWall + timber;
   text.insert(text.find("[material.joint]"),
@@ -200,7 +202,8 @@ TEST(IdleKeys, values_of_masonry_without_a_rule_are_noted) {
   expect_noted(kWall + "[masonry]\nunit_strength = \"20 MPa\"\n", "[masonry] has no effect");
   std::string text = kWall + masonry;
   const std::string stated = "compressive_strength = \"unlimited\"";
-  text.replace(text.find(stated), stated.size(), "compressive_strength = \"rule\"");
+  text.replace(text.find(stated), stated.size(),
+               "compressive_strength = \"rule\"\ncompressive_energy = \"rule\"");
   expect_not_noted(text, "[masonry] has no effect");
 }
 
