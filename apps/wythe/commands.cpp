@@ -220,6 +220,8 @@ void print_result(const ModelSpec& spec, const Model& model, const Result& r,
     fmt::print("rate: {}\n", text_of(r.quasi_static.verdict));
     for (std::size_t k = 0; k < r.frame_uses.size(); ++k)
       fmt::print("{}\n", text_of(sentence_of(r.frame_uses[k], model.frames.name[k])));
+    for (std::size_t k = 0; k < r.layer_uses.size(); ++k)
+      fmt::print("{}\n", text_of(sentence_of(r.layer_uses[k], model.layers.name[k])));
     print_promises(promised_displacement(model, r), promised_mode(model, r),
                    r.quasi_static.judgement == "usable");
     print_assessment(spec, model, r);

@@ -284,6 +284,33 @@ struct Frames {
   std::vector<double> moved_x, moved_y;  // [m]
 };
 
+// Layers of fibres on the masonry (docs/theory/layers.md): strands, and on each a chain of nodes, one row per node in
+// the order of its strand. A node is bonded to its block and slips on it; fibres pull between it and the next node.
+//
+//     o===o===o===|=o===o===o     fibres; where they cross a joint, both nodes are on different blocks
+//     '   '   '   | '   '   '     bond, each over the length of its node
+//    -- block ----|--- block ---
+struct Layers {
+  int n = 0;
+  std::vector<BlockId> a,
+      b;  // block of the node and of the next one; of the last of a strand its own
+  std::vector<double> arm_a_x, arm_a_y, arm_b_x,
+      arm_b_y;                            // both nodes seen from the centroids [m]
+  std::vector<double> span_x, span_y;     // from the node to the next at the start [m]
+  std::vector<double> stiffness;          // of the fibres between both [N/m]; 0 after the last
+  std::vector<double> strength;           // at which they break [N]
+  std::vector<double> bond_energy;        // to detach the node [J]
+  std::vector<double> bond_rate;          // B [1/m]
+  std::vector<std::int32_t> crossing;     // into cross_a where they cross a joint, else -1
+  std::vector<BlockId> cross_a, cross_b;  // (n_crossing)
+
+  // read by results alone
+  std::vector<std::int32_t> layer, strand;  // into name; of each layer from 0
+  std::vector<double> length;               // of bond [m]
+  std::vector<double> x, y;                 // of the node at the start [m]
+  std::vector<std::string> name;            // of layers, different from each other
+};
+
 // One deformable block in space: zones along its three directions a, b, c, of which b is the one nearest to y. Corner
 // i of the block, numbered as a zone's, is the end of a, b and c whose bits are those of a zone's corner.
 struct SpaceSolidBody {
@@ -396,6 +423,7 @@ struct Model {
   Solids solids;    // deformable blocks; empty in a wall of rigid ones
   Links links;      // ties, diaphragms and springs
   Frames frames;    // of steel or concrete
+  Layers layers;    // of fibres on the masonry
   Space space;      // walls in space
   FreeShapes free;  // what free contacts see; empty without them
 
@@ -471,6 +499,11 @@ struct State {
   // written by the pass over frames (n_frame_link): elongation of a fibre that stays; left of the member's way, in
   // the axis, right of it [m]
   std::vector<double> frame_left, frame_middle, frame_right;
+
+  // written by the pass over layers (n_layer_node)
+  std::vector<double> layer_slip;     // of a node on its block, along the strand [m]
+  std::vector<double> layer_reached;  // largest slip so far, without sign [m]
+  std::vector<double> layer_broken;   // 1: the fibres to the next node are broken
 
   // written by the pass over free contacts, sorted by bodies, parts and features; empty without them
   std::vector<FreeContact> free_contacts;

@@ -170,6 +170,18 @@ struct FrameReading {
 [[nodiscard]] double section_use(const FrameMember& member, double normal, double shear,
                                  double moment);
 
+// A node of a layer and the fibres from it to the next one, with the step's arithmetic.
+struct LayerReading {
+  double force = 0;  // of the fibres [N]
+  double use = 0;    // over their strength; 1 where they are broken [-]
+  double slip = 0;   // on the block, along the strand [m]
+  double spent = 0;  // share of the bond's energy up to the largest slip; detached from 0.95 on [-]
+  double stored = 0;  // elastic energy of fibres and bond [J]
+  bool broken = false;
+};
+// Of all nodes of layers, in their order.
+[[nodiscard]] std::vector<LayerReading> read_layers(const Model& model, const State& state);
+
 // A zone of a deformable block: its mean stresses in the wall's axes, and where its corners are now.
 struct ZoneReading {
   double sigma_x = 0, sigma_y = 0, tau = 0;  // [Pa]

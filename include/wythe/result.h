@@ -327,6 +327,26 @@ struct FrameUse {
 // "frame F1: use 0.73, yields at 14.2 mm at the top of the left column".
 [[nodiscard]] Message sentence_of(const FrameUse& use, const std::string& frame);
 
+// A layer at the end of a row of the curve.
+struct LayerRow {
+  double use = 0;  // largest force of its fibres over their strength; 1 where any are broken [-]
+  double detached = 0;  // share of its bonded length that has come off [-]
+  double broken = 0;    // share of its strands that are broken [-]
+  double x = 0, y = 0;  // where the use is largest, as built [m]
+};
+// What a layer bore over the curve.
+struct LayerUse {
+  double use = 0;           // largest [-]
+  double displacement = 0;  // of the row where it was reached first [m]
+  Message where;            // "(1.20, 0.55) m"
+  double breaks_at =
+      std::numeric_limits<double>::quiet_NaN();  // of the first row with broken fibres [m]
+  double detached = 0, broken = 0;               // at the end of the curve, as in a row
+};
+
+// "layer east: use 0.73 at (1.20, 0.55) m, 4 % detached".
+[[nodiscard]] Message sentence_of(const LayerUse& use, const std::string& layer);
+
 struct StageReport {
   std::string name;
   double time = 0;  // spent [s]
@@ -343,6 +363,8 @@ struct Result {
   std::vector<LinkRow> links;             // (rows of the curve, links of the model)
   std::vector<FrameRow> frame_rows;       // (rows of the curve, links of frames)
   std::vector<FrameUse> frame_uses;       // of each frame
+  std::vector<LayerRow> layer_rows;       // (rows of the curve, layers)
+  std::vector<LayerUse> layer_uses;       // of each layer
   StageKind curve_of = StageKind::kPush;  // what drove the curve
   Responses responses;
   EnergyLedger energy;

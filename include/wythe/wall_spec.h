@@ -214,6 +214,29 @@ struct FrameSpec {
   double gap = 0;                  // between it and the jambs and head of its opening [m]
 };
 
+// The fibres of a layer; of one face.
+struct LayerFibreSpec {
+  double horizontal = 0,
+         vertical = 0;             // area of the fibres that run so, per metre across them [m^2/m]
+  double youngs_modulus = kUnset;  // [Pa]
+  double strength = kUnset;        // in tension [Pa]; or
+  double strain_at_rupture = kUnset;  // [-]
+};
+// How a layer holds on to the masonry, as it slips along it (docs/theory/layers.md).
+struct LayerBondSpec {
+  double energy = kUnset;  // to detach it by slip [N/m]
+  double slip = kUnset;    // at the greatest bond stress [m]
+};
+// Fibres in mortar on the faces of the masonry: reinforced plaster, textile mortars, nets.
+struct LayerSpec {
+  std::string name;
+  double x = kUnset, y = kUnset;           // lower left corner [m]; unset: the masonry's
+  double width = kUnset, height = kUnset;  // [m]; unset: to its end
+  int sides = 0;                           // 1 or 2 faces
+  LayerFibreSpec fibres;
+  LayerBondSpec bond;
+};
+
 // What a floor or roof does to the wall at one level (docs/theory/integration.md, "Floors").
 struct FloorSpec {
   std::string name;
@@ -572,6 +595,7 @@ struct ModelSpec {
   std::vector<RegionSpec> region;
   std::vector<RingBeamSpec> ring_beam;
   std::vector<FrameSpec> frame;
+  std::vector<LayerSpec> layer;
   std::vector<FloorSpec> floor;
   std::vector<TieSpec> tie;
   std::vector<DiaphragmSpec> diaphragm;

@@ -311,6 +311,10 @@ LimitAnswer limit_load(const Model& model, const LimitOptions& options, const Li
     refuse("frame", model.frames.name.front(),
            "bends and yields, and limit analysis knows no frames",
            "leave it out for this analysis; the run takes it");
+  if (model.layers.n > 0)
+    refuse("layer", model.layers.name.front(),
+           "detaches and breaks, and limit analysis knows no layers",
+           "leave it out for this analysis; the run takes it");
   const Stage* grows = growing_stage(model);
   if (grows != nullptr && grows->spec.kind != StageKind::kPush && !has_weight(model, grows))
     refuse("solve.gravity", fmt::format("{:g} m/s^2", model.solve.gravity),

@@ -195,6 +195,7 @@ Model fill(const ModelSpec& spec, const Assembly& assembly) {
   const std::vector<PointLoad> floors = compile_floors(spec, assembly, map, model, faults);
   compile_links(spec, assembly, map, model, faults);
   compile_frames(spec, assembly, map, model, faults);
+  compile_layers(spec, assembly, map, model, faults);
   compile_stages(spec, assembly, map, floors, model, faults);
   faults.throw_if_any();
   carry_floors(bare, model);

@@ -31,6 +31,7 @@ enum class Entity {
   kContact,
   kLink,
   kFrameLink,
+  kLayerNode,
   kBody,
   kFacePoint,
   kSupport,
@@ -58,6 +59,7 @@ enum class Entity {
     case Entity::kContact: return static_cast<std::size_t>(m.solids.n_contact);
     case Entity::kLink: return static_cast<std::size_t>(m.links.n);
     case Entity::kFrameLink: return static_cast<std::size_t>(m.frames.n);
+    case Entity::kLayerNode: return static_cast<std::size_t>(m.layers.n);
     case Entity::kBody: return m.in_space() ? static_cast<std::size_t>(m.n_block) : 0;
     case Entity::kFacePoint: return m.in_space() ? static_cast<std::size_t>(m.n_history()) : 0;
     case Entity::kSupport: return static_cast<std::size_t>(m.space.n_support);
@@ -152,6 +154,12 @@ inline constexpr std::array kStateFields{
                "the same in the axis"},
     StateField{&State::frame_right, Entity::kFrameLink, true, "frame_right", "m",
                "the same right of the way"},
+    StateField{&State::layer_slip, Entity::kLayerNode, true, "layer_slip", "m",
+               "slip of a layer's node on its block"},
+    StateField{&State::layer_reached, Entity::kLayerNode, true, "layer_reached", "m",
+               "largest slip reached, without sign"},
+    StateField{&State::layer_broken, Entity::kLayerNode, true, "layer_broken", "1",
+               "1: the fibres to the next node are broken"},
 };
 
 // How many numbers an array of the state has. What only rare laws remember is empty in walls without one.
@@ -301,6 +309,25 @@ void each_model_field(M& m, const Visit& visit) {
     visit(f.fibre, E::kFrameLink, kOwn, "frame_fibre", "m");
     visit(f.outer_yield, E::kFrameLink, kOwn, "frame_outer_yield", "N");
     visit(f.middle_yield, E::kFrameLink, kOwn, "frame_middle_yield", "N");
+  }
+
+  auto& n = m.layers;
+  if (n.n > 0) {
+    visit(n.a, E::kLayerNode, kAll, "layer_a", "");
+    visit(n.b, E::kLayerNode, kAll, "layer_b", "");
+    visit(n.crossing, E::kLayerNode, kAll, "layer_crossing", "");
+    visit(n.cross_a, E::kOther, kAll, "layer_cross_a", "");
+    visit(n.cross_b, E::kOther, kAll, "layer_cross_b", "");
+    visit(n.arm_a_x, E::kLayerNode, kOwn, "layer_arm_a_x", "m");
+    visit(n.arm_a_y, E::kLayerNode, kOwn, "layer_arm_a_y", "m");
+    visit(n.arm_b_x, E::kLayerNode, kOwn, "layer_arm_b_x", "m");
+    visit(n.arm_b_y, E::kLayerNode, kOwn, "layer_arm_b_y", "m");
+    visit(n.span_x, E::kLayerNode, kOwn, "layer_span_x", "m");
+    visit(n.span_y, E::kLayerNode, kOwn, "layer_span_y", "m");
+    visit(n.stiffness, E::kLayerNode, kOwn, "layer_stiffness", "N/m");
+    visit(n.strength, E::kLayerNode, kOwn, "layer_strength", "N");
+    visit(n.bond_energy, E::kLayerNode, kOwn, "layer_bond_energy", "J");
+    visit(n.bond_rate, E::kLayerNode, kOwn, "layer_bond_rate", "1/m");
   }
 }
 

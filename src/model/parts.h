@@ -54,6 +54,9 @@ void compile_links(const ModelSpec& spec, const geometry::Assembly& assembly, co
 // sections between the segments of frames.
 void compile_frames(const ModelSpec& spec, const geometry::Assembly& assembly, const BlockMap& map,
                     Model& model, FaultList& faults);
+// strands of layers: nodes on blocks, and where they cross joints; needs joints.
+void compile_layers(const ModelSpec& spec, const geometry::Assembly& assembly, const BlockMap& map,
+                    Model& model, FaultList& faults);
 // The load stage that asks for the floors, or the first gravity stage; the number of stages where none is to.
 [[nodiscard]] std::size_t stage_of_floors(const ModelSpec& spec, FaultList& faults);
 // stages with loads and driven blocks.

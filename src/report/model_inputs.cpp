@@ -325,6 +325,16 @@ std::string stretch_words(double x, double width) {
   return words;
 }
 
+std::string layer_words(const LayerSpec& l) {
+  std::string words;
+  const auto add = [&](const char* key, double value) {
+    if (std::isnan(value)) return;
+    words += fmt::format("{}{} = {:.4g} m", words.empty() ? "" : ", ", key, value);
+  };
+  add("x", l.x), add("y", l.y), add("width", l.width), add("height", l.height);
+  return words;
+}
+
 void add_floors_and_rings(const ModelSpec& spec, Carried& carried) {
   for (const RingBeamSpec& r : spec.ring_beam) {
     carried.add("ring_beam", r.name, level_words(r.storey, r.y) + stretch_words(r.x, r.width));
@@ -336,6 +346,17 @@ void add_floors_and_rings(const ModelSpec& spec, Carried& carried) {
     const std::string of = f.profile.empty() ? "" : ", " + f.profile;
     carried.add("frame", f.name, f.round + of);
     if (!f.grade.empty()) carried.word("material", f.grade);
+  }
+  for (const LayerSpec& l : spec.layer) {
+    carried.add("layer", l.name, layer_words(l));
+    carried.number("faces", l.sides, "", 1);
+    if (l.fibres.horizontal > 0) carried.number("level_fibres", l.fibres.horizontal, "mm²/m", 1e6);
+    if (l.fibres.vertical > 0) carried.number("upright_fibres", l.fibres.vertical, "mm²/m", 1e6);
+    carried.number("youngs_modulus", l.fibres.youngs_modulus, "GPa", 1e-9);
+    carried.number("fibre_strength", l.fibres.strength, "MPa", 1e-6);
+    carried.number("rupture_strain", l.fibres.strain_at_rupture, "‰", 1e3);
+    carried.number("bond_energy", l.bond.energy, "N/m", 1);
+    carried.number("bond_slip", l.bond.slip, "mm", 1e3);
   }
   for (const FloorSpec& f : spec.floor) {
     const bool in_space = !std::isnan(f.from.z);  // along a line of its own

@@ -209,6 +209,14 @@ Json frames_said(const Model& model, const Result& result) {
   return list;
 }
 
+// A sentence for each layer: what it bore at most and where, and whether fibres break.
+Json layers_said(const Model& model, const Result& result) {
+  Json list = Json::array();
+  for (std::size_t k = 0; k < result.layer_uses.size(); ++k)
+    list.push_back(said(sentence_of(result.layer_uses[k], model.layers.name[k])));
+  return list;
+}
+
 Json mode_of(const Model& model, const Result& result) {
   const FailureMode& mode = result.failure_mode;
   const Message& sentence = mode.sentence;
@@ -231,6 +239,7 @@ std::string run_data(const ModelSpec& spec, const Model& model, const Result& re
   say_messages(bundle.header["summary"]);
   bundle.header["mode"] = mode_of(model, result);
   if (model.frames.n > 0) bundle.header["frames_said"] = frames_said(model, result);
+  if (model.layers.n > 0) bundle.header["layers_said"] = layers_said(model, result);
   bundle.header["names"] = names_of(model);
   bundle.header["inputs"] = model_inputs(spec, model);
   bundle.header["model_text"] = write_model(spec);

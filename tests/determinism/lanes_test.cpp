@@ -242,6 +242,22 @@ TEST(Lanes, walls_with_frames_too) {
                                       compile(scenes::framed(scenes::small_wall(0.1e-3, 0.05)))));
 }
 
+TEST(Lanes, walls_with_layers_too) {
+  for (const int width : {2, 4, 8}) {
+    std::vector<std::unique_ptr<Wall>> walls;
+    for (const double strength : {1.0, 1.1, 0.9, 1.2, 0.8}) {
+      ModelSpec spec = scenes::layered(scenes::small_wall(0.1e-3, 0.05));
+      spec.layer[0].fibres.strength *= strength;
+      walls.push_back(std::make_unique<Wall>(spec, 1));
+    }
+    ASSERT_TRUE(dynamics::fit_together(walls[0]->model, walls[1]->model));
+    EXPECT_NE(walls[0]->alone, walls[1]->alone);
+    solve_together(walls, width);
+  }
+  EXPECT_FALSE(dynamics::fit_together(compile(scenes::small_wall(0.1e-3, 0.05)),
+                                      compile(scenes::layered(scenes::small_wall(0.1e-3, 0.05)))));
+}
+
 // Walls whose fields differ share a topology, alone and in lanes.
 std::vector<std::unique_ptr<Wall>> walls_with_fields() {
   std::vector<std::unique_ptr<Wall>> walls;
@@ -434,6 +450,9 @@ TEST(Lanes, curve_and_ledger_of_a_wall_with_ties) {
 }
 TEST(Lanes, curve_and_ledger_of_a_wall_with_a_frame) {
   expect_same_result(scenes::framed(scenes::small_wall(0.1e-3, 0.05)));
+}
+TEST(Lanes, curve_and_ledger_of_a_wall_with_layers) {
+  expect_same_result(scenes::layered(scenes::small_wall(0.1e-3, 0.05)));
 }
 TEST(Lanes, curve_and_ledger_of_a_wall_with_a_deformable_lintel) {
   expect_same_result(scenes::lintel_wall(LintelModel::kZones, 0.1e-3));

@@ -131,6 +131,10 @@ class Bytes {
         frames;
     add_all(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y);
   }
+  void add(const Layers& layers) {
+    const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v] = layers;
+    add_all(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v);
+  }
   void add(const Vec3& v) { add_all(v.x, v.y, v.z); }
   void add(const Polyhedron& part) {
     const auto& [vertex, face] = part;
@@ -178,12 +182,12 @@ class Bytes {
 // The bytes of each member of a model, in their order.
 std::vector<std::string> bytes_of(const Model& model) {
   const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y, z, aa, bb,
-               cc, dd, ee, ff, gg, hh, ii, jj, kk, ll, mm, nn, oo, pp, qq, rr] = model;
+               cc, dd, ee, ff, gg, hh, ii, jj, kk, ll, mm, nn, oo, pp, qq, rr, ss] = model;
   const auto each = [](const auto&... members) {
     return std::vector<std::string>{Bytes::of(members)...};
   };
   return each(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y, z, aa, bb,
-              cc, dd, ee, ff, gg, hh, ii, jj, kk, ll, mm, nn, oo, pp, qq, rr);
+              cc, dd, ee, ff, gg, hh, ii, jj, kk, ll, mm, nn, oo, pp, qq, rr, ss);
 }
 
 // A model's bytes, or the words of its refusal.
@@ -340,6 +344,7 @@ std::vector<std::pair<std::string, ModelSpec>> walls() {
           {"plates", plates_wall()},
           {"beam", beam_wall()},
           {"frame", scenes::framed(scenes::small_wall())},
+          {"layer", scenes::layered(scenes::small_wall())},
           {"file", file_wall()}};
 }
 

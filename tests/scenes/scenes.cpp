@@ -250,6 +250,23 @@ ModelSpec framed(ModelSpec spec) {
   return spec;
 }
 
+ModelSpec layered(ModelSpec spec) {
+  LayerSpec layer;
+  layer.name = "both";
+  layer.sides = 2;
+  layer.fibres.horizontal = 23e-6, layer.fibres.vertical = 46e-6;
+  layer.fibres.youngs_modulus = 72e9, layer.fibres.strength = 0.15e6;
+  layer.bond.energy = 0.01, layer.bond.slip = 1e-5;
+  spec.layer = {layer};
+  layer.name = "foot";
+  layer.sides = 1;
+  layer.height = 0.33;
+  layer.fibres.strength = 5e6;
+  layer.bond.energy = 2e-6, layer.bond.slip = 3e-8;
+  spec.layer.push_back(layer);
+  return spec;
+}
+
 namespace {
 
 BodySpec prism(const std::string& id, std::vector<std::array<double, 2>> polygon, double from,

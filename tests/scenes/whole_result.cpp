@@ -106,6 +106,8 @@ std::string whole(const Result& r) {
     text += "link" + bits({row.force, row.elongation, row.plastic}) + "\n";
   for (const FrameRow& row : r.frame_rows)
     text += "frame" + bits({row.normal, row.shear, row.moment}) + "\n";
+  for (const LayerRow& row : r.layer_rows)
+    text += "layer" + bits({row.use, row.detached, row.broken, row.x, row.y}) + "\n";
   text += readings(r.responses);
   const EnergyLedger& e = r.energy;
   text += "energy" +

@@ -11,6 +11,7 @@ import { ElementsView } from "./run_elements";
 import { FramesView } from "./run_frames";
 import { isShaken, shakeHistory, shakeSection } from "./run_shake";
 import { cyclesSection, drawEnvelopes, signOf, waysOf } from "./run_cyclic";
+import { layersSaid } from "./run_layers";
 import { energySection, trustSection, zip, type Curve } from "./run_trust";
 import { projectSection, sheetSection } from "./sheet";
 import { table } from "./tables";
@@ -104,6 +105,7 @@ class RunPage {
       shakeSection(this.bundle),
       { id: "failure", title: say("section.failure"), content: this.failure() },
       { id: "frames", title: say("section.frames"), content: FramesView.of(this.bundle, this.flat) },
+      { id: "layers", title: say("section.layers"), content: layersSaid(this.header) },
       { id: "energy", title: say("section.energy"), content: energySection(this.header) },
       { id: "trust", title: say("section.trust"), content: trustSection(this.s, this.curve) },
       {

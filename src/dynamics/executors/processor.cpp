@@ -3,13 +3,14 @@
 #include <algorithm>
 
 #include "dynamics/passes/frames.h"
+#include "dynamics/passes/layers.h"
 #include "dynamics/passes/links.h"
 #include "dynamics/passes/plane_bodies.h"
 
 namespace wythe::dynamics {
 
 void Executor::step() {
-  begin_step();  //          dead loads follow; forces of links and frames      passes/links.h, frames.h
+  begin_step();  //          dead loads follow; forces of links, frames, layers  passes/links.h, frames.h, layers.h
   run(kJoints);  //          openings and slips, the law, forces of joints      passes/joints.h
   run(kZones);   //          forces of deformable blocks on their nodes         passes/solids.h
   run(kEdges);   //          the law between these and rigid blocks
@@ -93,8 +94,13 @@ void place_loads(const Model& model, const State& state, const WallView& wall,
     add_carried(mass, state.gravity_x, state.gravity_y + model.solve.gravity, wall);
 }
 
-// Links pull, and frames bend, where the blocks are now; what they take goes into the ledger.
+// Links and layers pull, and frames bend, where the blocks are now; what they take goes into the ledger.
 void take_links(const Model& model, State& state, const WallView& wall) {
+  if (wall.layers > 0) {
+    const LayerWork work = pull_layers(wall);
+    state.dissipated_fracture += work.fracture;
+    state.work_damping -= work.damping;
+  }
   if (wall.frames > 0) state.dissipated_friction += bend_frames(wall);
   if (wall.links == 0) return;
   const LinkWork work = pull_links(wall, links_set(model, state));

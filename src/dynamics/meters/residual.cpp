@@ -71,6 +71,7 @@ double elastic_energy(const Model& model, const State& state) {
   for (const LinkReading& link : read_links(model, state))
     energy += 0.5 * link.force * link.force / link.stiffness;
   for (const FrameReading& section : read_frames(model, state)) energy += section.stored;
+  for (const LayerReading& node : read_layers(model, state)) energy += node.stored;
   return energy + reading::strain_energy(model, state) + reading::free_energy(model, state);
 }
 

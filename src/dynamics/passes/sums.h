@@ -43,6 +43,9 @@ WYTHE_INLINE double unbalance_of(const WallView& wall) {
     contact += sides * (magnitude(wall.of_four(wall.t.force, row, 0)) +
                         magnitude(wall.of_four(wall.t.force, row, 1)));
   }
+  for (int k = 0; k < wall.crossings; ++k)
+    contact += 2.0 * (magnitude(wall.of_four(wall.t.force, wall.first_crossing + k, 0)) +
+                      magnitude(wall.of_four(wall.t.force, wall.first_crossing + k, 1)));
   if (wall.first_free >= 0) contact += wall.of_four(wall.t.force, wall.first_free + wall.blocks, 3);
   if (contact > 0) return unbalanced / contact;
   return unbalanced > 0 ? 1.0 : 0.0;

@@ -23,6 +23,10 @@ static_assert(kFrameRightSet + 1 == fields_of(Entity::kFrameLink) &&
               kFrameLeftSet == row_of(&State::frame_left) &&
               kFrameMiddleSet == row_of(&State::frame_middle) &&
               kFrameRightSet == row_of(&State::frame_right));
+static_assert(kLayerBroken + 1 == fields_of(Entity::kLayerNode) &&
+              kLayerSlip == row_of(&State::layer_slip) &&
+              kLayerReached == row_of(&State::layer_reached) &&
+              kLayerBroken == row_of(&State::layer_broken));
 static_assert(kHistoryRows == fields_of(Entity::kPoint));
 
 // Cuts entities 0 .. n-1 into chunks of at most kChunk whose neighbours fit(i - 1, i), and gives each
@@ -190,9 +194,14 @@ class Filler {
       t_.frame_a[k] = pose_of(m_.frames.a[at(k)]);
       t_.frame_b[k] = pose_of(m_.frames.b[at(k)]);
     }
+    for (int k = 0; k < m_.layers.n; ++k) {
+      t_.layer_a[k] = pose_of(m_.layers.a[at(k)]);
+      t_.layer_b[k] = pose_of(m_.layers.b[at(k)]);
+      t_.layer_crossing[k] = m_.layers.crossing[at(k)];
+    }
   }
 
-  // Joints of each block in the model's order, then its links and sections: those of which it is side a, then b. Zone
+  // Joints of each block in the model's order, then its links, sections and crossings: those of which it is side a, then b. Zone
   // contacts.
   void fill_blocks() {
     std::int32_t next = 0, next_edge = 0;
@@ -210,6 +219,9 @@ class Filler {
     const auto add_links = [&](bool b, BlockId block) {
       add_rows(b ? m_.links.b : m_.links.a, m_.links.n, l_.joints, block);
       add_rows(b ? m_.frames.b : m_.frames.a, m_.frames.n, l_.joints + l_.links, block);
+      const std::vector<BlockId>& crossed = b ? m_.layers.cross_b : m_.layers.cross_a;
+      add_rows(crossed, static_cast<int>(crossed.size()), l_.joints + l_.links + l_.sections,
+               block);
     };
     for (int i = 0; i < l_.blocks; ++i) {
       t_.block_begin[i] = next;
@@ -221,7 +233,8 @@ class Filler {
       for (; e < m_.block_begin[at(i) + 1] && (m_.block_entry[at(e)] & 1) == 0; ++e)
         add(m_.block_entry[at(e)]);
       add_links(false, i);
-      if (l_.frees > 0) t_.block_entry[next++] = l_.joints + l_.links + l_.sections + i;
+      if (l_.frees > 0)
+        t_.block_entry[next++] = l_.joints + l_.links + l_.sections + l_.crossings + i;
       t_.block_middle[i] = next;
       for (; e < m_.block_begin[at(i) + 1]; ++e) add(m_.block_entry[at(e)]);
       add_links(true, i);
@@ -278,6 +291,8 @@ Layout::Layout(const Model& m, Kind of) : kind(of) {
   nodes = place_all(chunks[kNodes], kind, same);
   links = place_all(cut_plain(m.links.n, kind), kind, same);
   sections = place_all(cut_plain(m.frames.n, kind), kind, same);
+  layers = place_all(cut_plain(m.layers.n, kind), kind, same);
+  crossings = place_all(cut_plain(static_cast<int>(m.layers.cross_a.size()), kind), kind, same);
   place_points(chunks[kJoints], history);
   place_points(chunks[kEdges], history);
   history *= kind == kWalls ? 1 : kGroup;
@@ -288,7 +303,8 @@ Layout::Layout(const Model& m, Kind of) : kind(of) {
   contact_entries = s.contact_entry.size();
   shapes = s.shapes.size();
   frees = m.free.any() ? blocks + 1 : 0;
-  entries = m.block_entry.size() + 2 * (m.links.a.size() + m.frames.a.size()) +
+  entries = m.block_entry.size() +
+            2 * (m.links.a.size() + m.frames.a.size() + m.layers.cross_a.size()) +
             (frees > 0 ? at(m.n_block) : 0);
   edge_entries = at(std::count_if(s.contact_block.begin(), s.contact_block.end(),
                                   [&](BlockId block) { return block != m.n_block; }));

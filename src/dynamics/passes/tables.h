@@ -133,6 +133,28 @@ enum FrameRowName {
   kFrameMiddleYield,
   kFrameRows
 };
+// Rows of a node of a layer and of the fibres from it to the next: what it remembers, what follows from that, its law,
+// where it is.
+enum LayerRowName {
+  kLayerSlip,
+  kLayerReached,
+  kLayerBroken,
+  kLayerSecant,   // of its bond, from kLayerReached
+  kLayerStretch,  // of the fibres, in this step
+  kLayerShift,    // how far the node went in it
+  kLayerFlex,     // how far it goes for a force out of balance [m/N]
+  kLayerStiffness,
+  kLayerStrength,
+  kLayerEnergy,
+  kLayerRate,
+  kLayerArmAX,
+  kLayerArmAY,
+  kLayerArmBX,
+  kLayerArmBY,
+  kLayerSpanX,
+  kLayerSpanY,
+  kLayerRows
+};
 inline constexpr int kHistoryRows = static_cast<int>(contact::kHistory<double>.size());
 inline constexpr int kLawRows = static_cast<int>(contact::kConstants<double>.size());
 inline constexpr int kStrengths = contact::kStrengths, kOthers = kLawRows - kStrengths;
@@ -181,27 +203,31 @@ struct Tables {
   std::int32_t *edge_block, *edge_p, *edge_q;
   std::int32_t *link_a, *link_b;    // poses of the two ends
   std::int32_t *frame_a, *frame_b;  // the same of sections of frames
+  std::int32_t *layer_a, *layer_b,
+      *layer_crossing;  // the same of nodes of layers; row of their force, or -1
   std::int32_t* corner[4];
   std::int32_t *node_zone_begin, *node_zone_entry, *node_edge_begin, *node_edge_entry;
   ZoneShape* shapes;
 
   // each wall its own
-  double* law;         // of a chunk kStrengths rows and kOthers, or as many a group where they are
-                       // graded; of neighbours a number a lane
-  double* block;       // (n_block, kBlockRows); then the ground, at rest
-  double* cold;        // (n_block, kColdRows)
-  double* pose;        // rows of four: ux, uy, cos theta/2, sin theta/2; the ground's last
-  double* history;     // (points, kHistoryRows)
-  double* force;       // rows of four: fx, fy on side a, moments on a and b about their centroids;
-                       // of joints, of links, of frames, then of free contacts: one a block
-  double* link;        // (links, kLinkRows)
-  double* frame;       // (sections of frames, kFrameRows)
-  double* node;        // (n_node, kNodeRows)
-  double* zone_force;  // rows of four: forces on corners 0 and 1 of each zone; then, as
-  double* high_force;  // another table, those on 2 and 3
-  double* edge_block_force;            // rows of four: fx, fy, moment on the rigid block
-  double* edge_force;                  // rows of four: on nodes p and q
-  double* wall;                        // (kWallRows)
+  double* law;      // of a chunk kStrengths rows and kOthers, or as many a group where they are
+                    // graded; of neighbours a number a lane
+  double* block;    // (n_block, kBlockRows); then the ground, at rest
+  double* cold;     // (n_block, kColdRows)
+  double* pose;     // rows of four: ux, uy, cos theta/2, sin theta/2; the ground's last
+  double* history;  // (points, kHistoryRows)
+  double* force;    // rows of four: fx, fy on side a, moments on a and b about their centroids;
+      // of joints, of links, of frames, of crossings of layers, then of free contacts: one a
+      // block
+  double* link;              // (links, kLinkRows)
+  double* frame;             // (sections of frames, kFrameRows)
+  double* layer;             // (nodes of layers, kLayerRows)
+  double* node;              // (n_node, kNodeRows)
+  double* zone_force;        // rows of four: forces on corners 0 and 1 of each zone; then, as
+  double* high_force;        // another table, those on 2 and 3
+  double* edge_block_force;  // rows of four: fx, fy, moment on the rigid block
+  double* edge_force;        // rows of four: on nodes p and q
+  double* wall;              // (kWallRows)
   std::uint8_t *joint_way, *edge_way;  // that a face took in the last step (joints.h)
 };
 
@@ -218,9 +244,10 @@ struct Layout {
 
   // entities with those that fill up groups
   std::int32_t joints = 0, zones = 0, edges = 0, blocks = 0, nodes = 0, links = 0, history = 0;
-  std::int32_t sections = 0;  // of frames
-  std::int32_t frees = 0;     // rows of forces of free contacts: blocks and the ground, or none
-  std::int32_t laws = 0;      // rows
+  std::int32_t sections = 0;               // of frames
+  std::int32_t layers = 0, crossings = 0;  // nodes of layers; where their fibres cross a joint
+  std::int32_t frees = 0;  // rows of forces of free contacts: blocks and the ground, or none
+  std::int32_t laws = 0;   // rows
   std::size_t entries = 0, edge_entries = 0;
   // of the model: places of a rule, entries of the lists of nodes, shapes of zones
   std::size_t rule_points = 0, zone_entries = 0, contact_entries = 0, shapes = 0;
@@ -299,6 +326,9 @@ void each_table(const Layout& l, Tables& t, const Visit& visit, const Own& own) 
   visit(t.link_b, n(l.links));
   visit(t.frame_a, n(l.sections));
   visit(t.frame_b, n(l.sections));
+  visit(t.layer_a, n(l.layers));
+  visit(t.layer_b, n(l.layers));
+  visit(t.layer_crossing, n(l.layers));
   for (auto& corner : t.corner) visit(corner, n(l.zones));
   visit(t.node_zone_begin, n(l.nodes) + 1);
   visit(t.node_zone_entry, l.zone_entries);
@@ -309,9 +339,10 @@ void each_table(const Layout& l, Tables& t, const Visit& visit, const Own& own) 
   own(t.block, n(l.blocks + kGroup) * kBlockRows);
   own(t.cold, n(l.blocks) * kColdRows);
   own(t.history, n(l.history));
-  own(t.force, 4 * n(l.joints + l.links + l.sections + l.frees));
+  own(t.force, 4 * n(l.joints + l.links + l.sections + l.crossings + l.frees));
   own(t.link, n(l.links) * kLinkRows);
   own(t.frame, n(l.sections) * kFrameRows);
+  own(t.layer, n(l.layers) * kLayerRows);
   own(t.node, n(l.nodes) * kNodeRows);
   own(t.zone_force, 4 * n(l.zones));
   own(t.high_force, 4 * n(l.zones));  // right behind: lists of nodes go on into it

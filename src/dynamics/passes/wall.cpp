@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "contact/layer.h"
 #include "contact/parameters.h"
 #include "core/real.h"
 
@@ -32,6 +33,7 @@ void each_number(const Layout& l, const Tables& t, const Model& m, const StateFi
   if (field.entity == Entity::kNode) return plain(t.node, m.solids.n_node, kNodeRows, row);
   if (field.entity == Entity::kLink) return plain(t.link, m.links.n, kLinkRows, row);
   if (field.entity == Entity::kFrameLink) return plain(t.frame, m.frames.n, kFrameRows, row);
+  if (field.entity == Entity::kLayerNode) return plain(t.layer, m.layers.n, kLayerRows, row);
   if (field.entity != Entity::kPoint) return;  // of walls in space
   const auto points = [&](const std::vector<Chunk>& chunks, std::size_t first, int per) {
     for (const Chunk& chunk : chunks)
@@ -102,6 +104,32 @@ void put_frames(const WallView& wall, const Frames& frames) {
   }
 }
 
+void put_layers(const WallView& wall, const Layers& layers) {
+  constexpr double kShare = 0.5;  // of what would bring a node into balance (22.6)
+  double behind = 0;
+  for (int k = 0; k < layers.n; ++k) {
+    const auto put = [&](LayerRowName row, const std::vector<double>& of) {
+      wall.layer(k, row) = of[at(k)];
+    };
+    put(kLayerStiffness, layers.stiffness);
+    put(kLayerStrength, layers.strength);
+    put(kLayerEnergy, layers.bond_energy);
+    put(kLayerRate, layers.bond_rate);
+    put(kLayerArmAX, layers.arm_a_x);
+    put(kLayerArmAY, layers.arm_a_y);
+    put(kLayerArmBX, layers.arm_b_x);
+    put(kLayerArmBY, layers.arm_b_y);
+    put(kLayerSpanX, layers.span_x);
+    put(kLayerSpanY, layers.span_y);
+    const contact::LayerBond bond{layers.bond_energy[at(k)], layers.bond_rate[at(k)]};
+    const double ahead = layers.stiffness[at(k)];
+    wall.layer(k, kLayerFlex) = kShare / (behind + ahead + contact::bond_secant(bond, 0));
+    wall.layer(k, kLayerSecant) = contact::bond_secant(bond, wall.layer(k, kLayerReached));
+    wall.layer(k, kLayerStretch) = wall.layer(k, kLayerShift) = 0;
+    behind = ahead;
+  }
+}
+
 }  // namespace
 
 WallView view_of(const Layout& l, const Model& m, const Tables& t, int lane) {
@@ -119,8 +147,11 @@ WallView view_of(const Layout& l, const Model& m, const Tables& t, int lane) {
   view.links = m.links.n;
   view.linked = l.links;
   view.frames = m.frames.n;
+  view.layers = m.layers.n;
+  view.crossings = static_cast<int>(m.layers.cross_a.size());
+  view.first_crossing = l.joints + l.links + l.sections;
   view.moving_blocks = m.n_block;
-  if (l.frees > 0) view.first_free = l.joints + l.links + l.sections;
+  if (l.frees > 0) view.first_free = view.first_crossing + l.crossings;
   return view;
 }
 
@@ -151,6 +182,7 @@ void put_wall(const Layout& l, const Tables& t, int lane, const Model& m, const 
   }
   put_links(wall, m.links);
   put_frames(wall, m.frames);
+  put_layers(wall, m.layers);
   wall.of_four(t.pose, t.n_block, 2) = 1;  // the ground's cosine
   turn_all(wall);
 }

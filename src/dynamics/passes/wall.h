@@ -13,11 +13,13 @@ struct WallView {
   std::ptrdiff_t lane = 0;
   int shift = 0, mask = 0;  // of an entity's number: its group, its place in it
   int blocks = 0, joints = 0, first_ground = 0, nodes = 0, edges = 0;
-  int links = 0;          // without those that fill up a group
-  int linked = 0;         // rows of forces of links, with them
-  int frames = 0;         // sections of frames, without them
-  int moving_blocks = 0;  // of the model: nodes are numbered behind them
-  int first_free = -1;    // row of forces of block 0's free contacts, the ground's last; -1: none
+  int links = 0;                  // without those that fill up a group
+  int linked = 0;                 // rows of forces of links, with them
+  int frames = 0;                 // sections of frames, without them
+  int layers = 0, crossings = 0;  // nodes of layers and where their fibres cross joints, likewise
+  int first_crossing = 0;         // row of forces of the first
+  int moving_blocks = 0;          // of the model: nodes are numbered behind them
+  int first_free = -1;  // row of forces of block 0's free contacts, the ground's last; -1: none
 
   WYTHE_INLINE double& number(double* table, int rows, std::ptrdiff_t e, int row) const {
     const std::ptrdiff_t width = mask != 0 ? kGroup : t.lanes;
@@ -37,6 +39,9 @@ struct WallView {
   }
   WYTHE_INLINE double& frame(std::ptrdiff_t k, FrameRowName row) const {
     return number(t.frame, kFrameRows, k, row);
+  }
+  WYTHE_INLINE double& layer(std::ptrdiff_t k, LayerRowName row) const {
+    return number(t.layer, kLayerRows, k, row);
   }
   WYTHE_INLINE double& ux(std::ptrdiff_t i) const { return of_four(t.pose, i, 0); }
   WYTHE_INLINE double& uy(std::ptrdiff_t i) const { return of_four(t.pose, i, 1); }

@@ -9,6 +9,7 @@
 
 #include "dynamics/meters/balance.h"
 #include "dynamics/meters/frame_uses.h"
+#include "dynamics/meters/layer_uses.h"
 #include "dynamics/meters/residual.h"
 #include "reading/zones.h"
 
@@ -70,6 +71,7 @@ void Recorder::begin(double read_at) {
   result_.rise.clear();
   result_.links.clear();
   result_.frame_rows.clear();
+  result_.layer_rows.clear();
   result_.events.clear();
   result_.snapshots.clear();
   result_.readings.clear();
@@ -102,6 +104,7 @@ void Recorder::take(const WallAccess& access, State& state, const Controls& cont
       if (columns_of(model_).held_head) result_.curve.back().head_axial = head_axial(state);
       note_links(state, 0, 0);
       note_frames(state, 0, 0);
+      note_layers(state, 0, 0);
     }
     n_.damping_at_start = state.work_damping;
     take_snapshot("start", state);
@@ -316,6 +319,7 @@ void Recorder::close_row(const State& state) {
 
   note_links(state, row.displacement, row.reaction);
   note_frames(state, row.displacement, row.reaction);
+  note_layers(state, row.displacement, row.reaction);
   note_joints(state, row.displacement, row.reaction);
   note_limits(state, row.displacement, row.reaction);
   note_peak(state);
@@ -365,6 +369,18 @@ void Recorder::note_frames(const State& state, double displacement, double react
     const Message name{"event.frame_yields", {{"frame", model_.frames.name[frame]}}};
     if (!has_event(result_, name))
       result_.events.push_back({name, displacement, reaction, place_in_frame(model_, k)});
+  }
+}
+
+void Recorder::note_layers(const State& state, double displacement, double reaction) {
+  if (model_.layers.n == 0) return;
+  const std::vector<LayerRow> rows = read_layer_rows(model_, state);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    result_.layer_rows.push_back(rows[k]);
+    if (!(rows[k].broken > 0)) continue;
+    const Message name{"event.layer_breaks", {{"layer", model_.layers.name[k]}}};
+    if (!has_event(result_, name))
+      result_.events.push_back({name, displacement, reaction, place_in_layer(rows[k])});
   }
 }
 

@@ -54,6 +54,7 @@ class Recorder {
   }
   void note_links(const State& state, double displacement, double reaction);
   void note_frames(const State& state, double displacement, double reaction);
+  void note_layers(const State& state, double displacement, double reaction);
   void note_limits(const State& state, double displacement, double reaction);
   void take_snapshot(const std::string& label, const State& state);
   void take_states(const WallAccess& access, State& state);

@@ -9,6 +9,7 @@
 #include "dynamics/executors/executor.h"
 #include "dynamics/meters/balance.h"
 #include "dynamics/meters/frame_uses.h"
+#include "dynamics/meters/layer_uses.h"
 #include "dynamics/meters/residual.h"
 #include "dynamics/meters/responses.h"
 #include "dynamics/stages/shake.h"
@@ -160,6 +161,7 @@ Result WallRun::finish() {
   result.state_hash = state_hash(state_);
   add_curve_events(result);
   result.frame_uses = read_frame_uses(model_, result);
+  result.layer_uses = read_layer_uses(model_, result);
   result.wall_seconds = seconds();
   return std::move(result);
 }

@@ -16,6 +16,7 @@
 #include "io/keys/describe_building.h"
 #include "io/keys/describe_floors.h"
 #include "io/keys/describe_frames.h"
+#include "io/keys/describe_layers.h"
 #include "io/keys/describe_plan.h"
 #include "io/keys/describe_shaking.h"
 #include "io/keys/describe_space.h"
@@ -611,6 +612,9 @@ void describe(Visitor& v, ModelSpec& s) {
          .doc = "Beams within the masonry, elastic chains along a level (docs/theory/ring_beams.md)."});
   v.list("frame", s.frame, {.optional = true,
          .doc = "Frames of columns and beams, elastic and yielding, round an opening or free (docs/theory/frames.md)."});
+  v.list("layer", s.layer, {.optional = true,
+         .doc = "Fibres in mortar on the faces of the masonry: reinforced plaster, textile mortars, nets "
+                "(docs/theory/layers.md)."});
   v.list("floor", s.floor, {.optional = true,
          .doc = "Floors and roofs that lie on the wall, one table each: weight at their level."});
   v.list("tie", s.tie, {.optional = true, .doc = "Bars that only pull (docs/theory/links.md)."});

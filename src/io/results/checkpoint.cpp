@@ -215,6 +215,10 @@ void walk_result(A& archive, const Model& model, R& result) {
   archive.require(result.frame_rows.empty() ||
                       result.frame_rows.size() == result.curve.size() * model.frames.a.size(),
                   "it has rows of other frames");
+  archive.list(result.layer_rows, plain);
+  archive.require(result.layer_rows.empty() ||
+                      result.layer_rows.size() == result.curve.size() * model.layers.name.size(),
+                  "it has rows of other layers");
   archive.list(result.joint_crack_displacement, plain);
   const std::size_t joints = result.joint_crack_displacement.size();
   archive.require(joints == 0 || joints == static_cast<std::size_t>(model.n_joint),

@@ -99,4 +99,17 @@ std::string frames_csv(const Model& model, const Result& result) {
   return text + '\n';
 }
 
+std::string layers_csv(const Model& model, const Result& result) {
+  const std::size_t n = model.layers.name.size();
+  std::string text = "displacement_mm,layer,use,x_m,y_m,detached_percent,broken_percent";
+  for (std::size_t row = 0; (row + 1) * n <= result.layer_rows.size(); ++row)
+    for (std::size_t k = 0; k < n; ++k) {
+      const LayerRow& now = result.layer_rows[row * n + k];
+      text += fmt::format("\n{:.10g},{},{:.5g},{:.6g},{:.6g},{:.5g},{:.5g}",
+                          1e3 * result.curve[row].displacement, csv_cell(model.layers.name[k]),
+                          now.use, now.x, now.y, 100 * now.detached, 100 * now.broken);
+    }
+  return text + '\n';
+}
+
 }  // namespace wythe::io

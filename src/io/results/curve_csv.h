@@ -15,6 +15,8 @@ namespace wythe::io {
 [[nodiscard]] std::string history_csv(const ShakeHistory& history, bool in_space);
 // Frames only: N, V, M and use of every section at every row of the curve, a line each.
 [[nodiscard]] std::string frames_csv(const Model& model, const Result& result);
+// Layers only: largest use and where, what is detached and broken, of every layer at every row of the curve, a line each.
+[[nodiscard]] std::string layers_csv(const Model& model, const Result& result);
 // Force and elongation of each link at the end of each row of the curve.
 [[nodiscard]] std::string links_csv(const std::vector<std::string>& names, const Result& result);
 

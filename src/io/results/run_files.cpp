@@ -3,6 +3,7 @@
 //   force_displacement.csv   elements.csv   model.used.toml   state_blocks_NN.vtu   state_joints_NN.vtu
 //   state_zones_NN.vtu (with deformable blocks)
 //   frames.csv (with frames)
+//   layers.csv (with layers)
 //   links.csv (with ties, diaphragms or springs)
 //   history.csv, record_N.csv (of shakes)
 //   run.pvd                  summary.json, written last
@@ -54,9 +55,10 @@ bool is_numbered(const std::string& name) {
 
 // What `wythe run` writes; `replay` has two files more.
 bool is_file_of_run(const std::string& name, bool of_replay) {
-  for (const char* file : {"force_displacement.csv", "elements.csv", "links.csv", "frames.csv",
-                           "history.csv", "summary.json", "run.pvd", "report.html", "report.data",
-                           "model.used.toml", "blocks.json", kCheckpointFile, kOrigin})
+  for (const char* file :
+       {"force_displacement.csv", "elements.csv", "links.csv", "frames.csv", "layers.csv",
+        "history.csv", "summary.json", "run.pvd", "report.html", "report.data", "model.used.toml",
+        "blocks.json", kCheckpointFile, kOrigin})
     if (name == file) return true;
   return is_numbered(name) || (of_replay && (name == "model.toml" || name == "settings.txt"));
 }
@@ -353,6 +355,7 @@ void write_run(const std::string& folder, const ModelSpec& spec, const Model& mo
   if (model.links.n > 0)
     write_file(inside(folder, "links.csv"), io::links_csv(model.links.name, result));
   if (model.frames.n > 0) write_file(inside(folder, "frames.csv"), io::frames_csv(model, result));
+  if (model.layers.n > 0) write_file(inside(folder, "layers.csv"), io::layers_csv(model, result));
   write_file(inside(folder, "model.used.toml"), used_model(folder, spec, model));
   write_states(folder, model, result.snapshots);
   write_file(inside(folder, "summary.json"), summary_json(spec, model, result));

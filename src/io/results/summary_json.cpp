@@ -203,6 +203,24 @@ Json frames_json(const Model& model, const Result& result) {
   return list;
 }
 
+// Of each layer what it bore at most and where, when fibres broke, and what is detached and broken at the end.
+Json layers_json(const Model& model, const Result& result) {
+  Json list = Json::array();
+  for (std::size_t k = 0; k < result.layer_uses.size(); ++k) {
+    const LayerUse& use = result.layer_uses[k];
+    Json& json = list.emplace_back();
+    json["name"] = model.layers.name[k];
+    json["use"] = use.use;
+    json["displacement_mm"] = 1e3 * use.displacement;
+    io::put(json, "where", use.where);
+    json["detached_percent"] = 100 * use.detached;
+    json["broken_percent"] = 100 * use.broken;
+    json["breaks"] = !std::isnan(use.breaks_at);
+    if (!std::isnan(use.breaks_at)) json["breaks_at_mm"] = 1e3 * use.breaks_at;
+  }
+  return list;
+}
+
 Json stages_json(const std::vector<StageReport>& stages) {
   Json list = Json::array();
   for (const StageReport& stage : stages) {
@@ -508,6 +526,7 @@ std::string summary_json(const ModelSpec& spec, const Model& model, const Result
   json["stages"] = stages_json(result.stages);
   if (model.links.n > 0) json["links"] = links_json(model, result);
   if (model.frames.n > 0) json["frames"] = frames_json(model, result);
+  if (model.layers.n > 0) json["layers"] = layers_json(model, result);
   json["blocks"] = model.n_block;
   json["joints"] = model.n_joint;
   json["points"] = model.n_point();

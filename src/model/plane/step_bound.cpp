@@ -150,6 +150,25 @@ std::vector<Eigen::Matrix3d> frame_stiffness(const Model& m) {
   return sum;
 }
 
+// Stiffness that the fibres of layers give to each block where they cross joints, twice as of links.
+std::vector<Eigen::Matrix3d> layer_stiffness(const Model& m) {
+  const Layers& l = m.layers;
+  std::vector<Eigen::Matrix3d> sum(static_cast<std::size_t>(l.n > 0 ? m.n_block : 0),
+                                   Eigen::Matrix3d::Zero());
+  for (std::size_t k = 0; k < l.a.size(); ++k) {
+    if (l.crossing[k] < 0) continue;
+    const double length = std::hypot(l.span_x[k], l.span_y[k]);
+    const double nx = l.span_x[k] / length, ny = l.span_y[k] / length;
+    const auto add = [&](BlockId block, double rx, double ry) {
+      const Eigen::Vector3d along(nx, ny, rx * ny - ry * nx);
+      sum[static_cast<std::size_t>(block)] += 2 * l.stiffness[k] * along * along.transpose();
+    };
+    add(l.a[k], l.arm_a_x[k], l.arm_a_y[k]);
+    add(l.b[k], l.arm_b_x[k], l.arm_b_y[k]);
+  }
+  return sum;
+}
+
 // Stiffness that free contacts can give to a block: on all of its sides that no joint covers, with the stiffest
 // material of its joints. Zero where there are none.
 Eigen::Matrix3d free_stiffness(const Model& m, std::size_t i) {
@@ -334,6 +353,8 @@ void bound_step(Model& m) {
   std::vector<Eigen::Matrix3d> zones = contact_stiffness(m);
   const std::vector<Eigen::Matrix3d> frames = frame_stiffness(m);
   for (std::size_t i = 0; i < frames.size(); ++i) zones[i] += 0.5 * frames[i];  // zones count twice
+  const std::vector<Eigen::Matrix3d> layers = layer_stiffness(m);
+  for (std::size_t i = 0; i < layers.size(); ++i) zones[i] += 0.5 * layers[i];
   for (std::size_t i = 0; i < static_cast<std::size_t>(m.n_block); ++i)
     bound.push_back(own_bound(m, i, zones[i]));
   if (m.solve.raise_light_inertia) {

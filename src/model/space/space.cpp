@@ -47,6 +47,7 @@ void refuse_plane_parts(const ModelSpec& spec, FaultList& faults) {
   refuse("region", !spec.region.empty());
   refuse("ring_beam", !spec.ring_beam.empty());
   refuse("frame", !spec.frame.empty());
+  refuse("layer", !spec.layer.empty());
   refuse("wall.opening", !spec.wall.opening.empty());
   refuse("wall.beam", std::isfinite(spec.wall.beam.height));
   refuse("wall.foundation", !spec.wall.foundation.empty());

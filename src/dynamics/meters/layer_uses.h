@@ -1,0 +1,17 @@
+// What each layer bore over the curve: its largest use and where, when fibres broke, how much came off.
+#pragma once
+
+#include <vector>
+
+#include "wythe/result.h"
+
+namespace wythe::dynamics {
+
+// Of a state, one for each layer.
+[[nodiscard]] std::vector<LayerRow> read_layer_rows(const Model& model, const State& state);
+[[nodiscard]] std::vector<LayerUse> read_layer_uses(const Model& model, const Result& result);
+
+// "(1.20, 0.55) m".
+[[nodiscard]] Message place_in_layer(const LayerRow& row);
+
+}  // namespace wythe::dynamics
