@@ -250,6 +250,20 @@ class ShakeCompiler {
                               {"displacement_mm", 1e3 * m.displacement.back()}});
   }
 
+  // From time to time, or the least and the most of them.
+  static Message between(const std::vector<double>& time) {
+    constexpr double kEven = 0.02;  // times are written with few digits
+    double least = time[1] - time[0], most = least;
+    for (std::size_t k = 1; k + 1 < time.size(); ++k) {
+      least = std::min(least, time[k + 1] - time[k]);
+      most = std::max(most, time[k + 1] - time[k]);
+    }
+    if (most - least > kEven * most)
+      return {"shake.each_from", {{"least_ms", 1e3 * least}, {"most_ms", 1e3 * most}}};
+    const double mean = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
+    return {"shake.each", {{"step_ms", 1e3 * mean}}};
+  }
+
   // Of a file what was read of it too: a wrong column or unit shows here or nowhere.
   void note_record(const GroundMotion& m, const RecordSpec& r, double pga) {
     std::vector<Argument> said = {{"stage", stage_.spec.name},
@@ -267,7 +281,7 @@ class ShakeCompiler {
         {"column", r.column.empty() ? Message{} : Message{"shake.column", {{"name", r.column}}}});
     said.push_back({"unit", std::string(word_of(kRecordUnitWords, r.unit))});
     said.push_back({"count", count});
-    said.push_back({"step_ms", 1e3 * m.duration() / (count - 1)});
+    said.push_back({"each", between(m.time)});
     said.push_back({"mean_percent", peak > 0 ? 100 * sum / count / peak : 0});
     note("shake.record_file", std::move(said));
   }

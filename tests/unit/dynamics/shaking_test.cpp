@@ -809,15 +809,17 @@ TEST_F(RecordFile, one_slip_of_a_table_has_one_reason) {
 
 TEST_F(RecordFile, what_was_taken_is_told) {
   write("a.csv", ",time_s,acc_cm_s2\n0,0,10\n1,0.05,-20\n2,0.1,10\n3,0.15,20\n");
-  const std::string all = [&] {
+  const auto told = [&] {
     std::string text;
     for (const std::string& note : texts_of(
              compile(parse("record = { file = \"a.csv\", unit = \"cm/s2\" }\n")).anatomy.notes))
       text += note + "\n";
     return text;
-  }();
-  says(all, {"a.csv, column acc_cm_s2 in cm/s2, 4 accelerations, one each 50 ms",
-             "mean of 25 % of the peak", "0.0204 g"});
+  };
+  says(told(), {"a.csv, column acc_cm_s2 in cm/s2, 4 accelerations, one each 50 ms",
+                "mean of 25 % of the peak", "0.0204 g"});
+  write("a.csv", ",time_s,acc_cm_s2\n0,0,10\n1,0.05,-20\n2,0.1,10\n3,0.2,20\n");
+  says(told(), {"one each 50 to 100 ms"});
 }
 
 TEST_F(RecordFile, faults_are_named_with_their_lines) {
