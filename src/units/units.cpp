@@ -216,12 +216,24 @@ void refuse_doubtful_words(std::string_view unit, std::string_view si_unit) {
   }
 }
 
+bool has_one_of(const std::string& unit, std::initializer_list<const char*> words) {
+  return std::any_of(words.begin(), words.end(),
+                     [&](const char* word) { return unit.find(word) != std::string::npos; });
+}
+
+// Angles have no dimension, so a slope would pass as an angle.
+void refuse_slopes(const std::string& unit, std::string_view si_unit) {
+  if (si_unit == "rad" && !has_one_of(unit, {"rad", "deg", "°", "arc", "angular", "gon", "grad",
+                                             "turn", "circle", "cycle", "revolution", "rotation"}))
+    throw QuantityError(
+        fmt::format("a share in {} is a slope, no angle (of friction, the tangent goes to "
+                    "friction_tan)",
+                    unit),
+        "write it in deg");
+}
+
 double checked_factor(const std::string& unit, std::string_view si_unit) {
   refuse_doubtful_words(unit, si_unit);
-  if (si_unit == "rad" && unit.find('%') != std::string::npos)
-    throw QuantityError(
-        "a share in % is a slope, no angle (of friction, the tangent goes to friction_tan)",
-        "write it in deg");
   const Factor factor = unit_table().factor(unit, std::string(si_unit));
   const std::string cure = fmt::format("write it in {} or a multiple of it", si_unit);
   if (factor.verdict == Verdict::kUnknown)
@@ -229,6 +241,7 @@ double checked_factor(const std::string& unit, std::string_view si_unit) {
   if (factor.verdict == Verdict::kOtherDimension)
     throw QuantityError(fmt::format("{} is not the unit of {}", unit, dimension_name(si_unit)),
                         cure);
+  refuse_slopes(unit, si_unit);
   return factor.value;
 }
 

@@ -362,6 +362,26 @@ file = "values.csv"
         self.assertEqual(self.mean("rho [g/cm3]\n1.900\n2.000\n2.100\n"), 2000)
         self.assertEqual(self.mean('rho [g/cm3]\n"1,900"\n"2,000"\n"2,100"\n'), 2000)
 
+    def test_a_factor_in_the_head_is_refused(self):
+        for head in ("rho x100 [kg/m3]", "100*rho (kg/m3)", "rho/10 [kg/m3]", "rho [kg/m3] x 10", "log10(rho) [kg/m3]", "CoV of rho [kg/m3]",
+                     "1/rho [kg/m3]", "rho × 10 [kg/m3]"):
+            self.assertIn("may not be the value itself", self.refused(f"{head}\n1900.5\n2000\n"))
+        for head in ("rho 28 days [kg/m3]", "rho of wall 10 [kg/m3]", "rho (dry) [kg/m3]", "densité ρ [kg/m3]"):
+            self.said(f"{head}\n1900.5\n2000\n")
+
+    def test_degrees_are_no_tangent(self):
+        study = self.STUDY.replace("wall.unit.density", "material.joint.friction_tan")
+        for head in ("phi_deg", "phi [°]", "phi (degrees)"):
+            (self.root / "values.csv").write_text(f"{head}\n30\n31.5\n28\n")
+            (self.root / "study.toml").write_text(study)
+            self.assertIn("is of angles", self.wythe("check", self.root / "study.toml", code=2).stderr)
+
+    def test_a_mark_of_a_missing_value_is_refused(self):
+        for mark in ("99999", "-999", "-9999"):
+            line = self.refused(f"rho [kg/m3]\n19\n20.5\n{mark}\n21\n")
+            self.assertTrue("mark of a missing value" in line or "negative" in line or "below" in line, line)
+        self.said("rho [kg/m3]\n990\n999\n1010\n")
+
     def test_units_of_head_and_study(self):
         values = "1.90\n2.00\n2.10\n"
         unit = 'unit = "kg/m^3"'

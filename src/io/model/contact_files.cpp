@@ -85,6 +85,10 @@ class PathReader {
     for (std::size_t k = 0; k < table.width(); ++k) {
       const ColumnHead head = column_head(table.head()[k], {"m"});
       if (head.name != column.name || head.unit.empty()) continue;
+      if (const std::string factor = factor_in_head(table.head()[k]); !factor.empty())
+        context_.fault(column.name + "_mm", table.head_line(), table.head()[k],
+                       fmt::format("may not be the value itself: {} changes it", factor),
+                       "write the values under their name and unit alone");
       column.index = k;
       column.unit = spelt_unit(head.unit, "m");
       ++found;

@@ -211,6 +211,8 @@ class TableRecord {
 
   void read_rows(NumberTable& table) {
     FaultList faults;
+    Fault thousands;  // the first value that may have some
+    bool tells_decimals = false;
     const auto number = [&](std::size_t column) {
       const double value = table.number(column);
       if (std::isnan(value)) {
@@ -223,6 +225,14 @@ class TableRecord {
     while (!enough(faults) && table.next()) {
       const double a = number(column_), t = time_ == kNone ? 0 : number(time_);
       if (std::isnan(a) || std::isnan(t)) continue;
+      tells_decimals = tells_decimals || table.tells_decimals(column_);
+      if (thousands.value.empty() && table.may_be_thousands(column_))
+        thousands = {file_,
+                     path_ + ".file",
+                     table.cell(column_),
+                     "may have three decimals or marks of thousands",
+                     "write each value with a point, and with more or fewer than three decimals",
+                     table.line()};
       if (time_ != kNone && !numbers_.time.empty() && !(t > numbers_.time.back()))
         faults.add({file_, path_ + ".file",
                     fmt::format("{:g} s after {:g} s", t, numbers_.time.back()),
@@ -230,6 +240,7 @@ class TableRecord {
       if (time_ != kNone) numbers_.time.push_back(t);
       numbers_.acceleration.push_back(a);
     }
+    if (!thousands.value.empty() && !tells_decimals) faults.add(std::move(thousands));
     faults.throw_if_any();
     if (!is_named_ && rises_evenly(numbers_.acceleration))
       refuse("column", fmt::format("column {}", column_ + 1),
@@ -298,16 +309,11 @@ void look_for_gaps(ReadContext& context, const std::string& file, const std::str
 // A mark of missing data, 999 or -9999.99, that stands out from what is beside it.
 void look_for_marks(ReadContext& context, const std::string& file, const std::string& path,
                     const RecordNumbers& n) {
-  const auto is_mark = [](double value) {
-    const std::string digits = fmt::format("{:g}", std::fabs(value));
-    return std::count(digits.begin(), digits.end(), '9') >= 3 &&
-           digits.find_first_not_of("9.") == std::string::npos;
-  };
   double most = 0;  // of what is no mark
   for (const double a : n.acceleration)
-    if (!is_mark(a)) most = std::max(most, std::fabs(a));
+    if (!is_missing_mark(a)) most = std::max(most, std::fabs(a));
   for (std::size_t k = 0; k < n.acceleration.size(); ++k)
-    if (const double a = n.acceleration[k]; is_mark(a) && std::fabs(a) > 2 * most)
+    if (const double a = n.acceleration[k]; is_missing_mark(a) && std::fabs(a) > 2 * most)
       return context.faults.add(
           {file, path + ".file", fmt::format("{:g}", a),
            fmt::format(

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 #include <limits>
+#include <regex>
 #include <utility>
 
 #include <fmt/format.h>
@@ -240,6 +241,22 @@ void NumberTable::look_for_lines_before_the_numbers(std::string_view text) const
   if (before > 1 && has_number(lines.cells()))
     refuse(lines.line(), "", fmt::format("has {} lines before its first number", before),
            "leave one line with the names of the columns, and begin the others with #");
+}
+
+std::string factor_in_head(const std::string& head) {
+  std::string small = small_letters(head);
+  const std::size_t open = small.find_first_of("[("), close = small.find_first_of("])", open);
+  if (open != std::string::npos && close != std::string::npos) small.erase(open, close - open + 1);
+  static const std::regex factor(
+      R"((^|[\s_])x\s*\d[\d.e]*|(^|[^*])\*\s*\d+|\b\d+\s*\*|×|/\s*10*\b|\b1\s*/|\blog|\bln\b|\bcov\b)");
+  std::smatch found;
+  return std::regex_search(small, found, factor) ? std::string(trimmed(found.str())) : "";
+}
+
+bool is_missing_mark(double value) {
+  const std::string digits = fmt::format("{:g}", std::fabs(value));
+  return std::count(digits.begin(), digits.end(), '9') >= 3 &&
+         digits.find_first_not_of("9.") == std::string::npos;
 }
 
 bool NumberTable::next() {

@@ -24,6 +24,10 @@ struct ColumnHead {
 // "acc_m_per_s2" -> acc, m/s2 for {"m/s^2"}.
 [[nodiscard]] ColumnHead column_head(std::string_view cell,
                                      std::initializer_list<std::string_view> si_units);
+// What of a head beside its unit may change the numbers, "" where nothing does: "x100" of "ft x100 [MPa]", "/10", "log", "CoV".
+[[nodiscard]] std::string factor_in_head(const std::string& head);
+// 999, -9999.99 and the like, which stand for a value that is missing.
+[[nodiscard]] bool is_missing_mark(double value);
 // "cm/sec^2" for what heads write: "cm/sec**2", "cm per sec^2", "cm_sec^2".
 [[nodiscard]] std::string unit_spelling(std::string_view text);
 // A unit as heads spell it, "cm/sec**2", "m_per_s2", as UDUNITS reads it; "" where it is none of `si_unit`.

@@ -37,6 +37,7 @@ class ColumnReader {
       refuse(doubtful_, doubtful_line_, "may have three decimals or marks of thousands",
              fmt::format("write {} where it is thousands, or one more decimal, {}0",
                          without_mark(doubtful_), doubtful_));
+    if (good_) refuse_marks();
     if (good_ && are_row_numbers(shown_))
       refuse(head_.whole, line_, "holds row numbers, and no measured values",
              "name the column of the values; if these are some, name it after what they are, with "
@@ -95,6 +96,19 @@ class ColumnReader {
     return "name one: column = \"NAME\"" + (best.empty() ? "" : ", of " + joined(best, ", "));
   }
 
+  // A mark of missing data stands out from the values beside it.
+  void refuse_marks() {
+    double most = 0;
+    for (const double value : shown_)
+      if (!is_missing_mark(value)) most = std::max(most, std::fabs(value));
+    for (const double value : shown_)
+      if (is_missing_mark(value) && std::fabs(value) > 2 * most && most > 0)
+        return refuse(
+            fmt::format("{:g}", value), line_,
+            fmt::format("looks like a mark of a missing value: all others are below {:.4g}", most),
+            "leave that row out");
+  }
+
   // Row numbers: under such a name whole numbers, under another one that states no unit 0, 1, 2, ... or 1, 2, 3, ...
   [[nodiscard]] bool are_row_numbers(const std::vector<double>& shown) const {
     constexpr std::size_t kFew = 5;
@@ -111,6 +125,13 @@ class ColumnReader {
 
   // The unit as UDUNITS reads it; "" where it is none of the quantity, which is said.
   std::string known_unit(const std::string& stated) {
+    const bool is_angle =
+        stated.find("deg") != std::string::npos || stated.find("°") != std::string::npos;
+    if (request_.si_unit == "1" && is_angle) {
+      refuse(head_.whole, line_, stated + " is of angles, and this is a number without unit",
+             "write the number: of a friction angle its tangent");
+      return "";
+    }
     std::string unit = spelt_unit(stated, request_.si_unit);
     if (unit.empty()) try {
         (void)unit_factor(unit_spelling(stated), request_.si_unit);
@@ -139,6 +160,11 @@ class ColumnReader {
   }
 
   bool read_unit() {
+    if (const std::string factor = factor_in_head(head_.whole); !factor.empty()) {
+      refuse(head_.whole, line_, fmt::format("may not be the value itself: {} changes it", factor),
+             "write the values under their name and unit alone, e.g. ft [MPa]");
+      return false;
+    }
     if (head_.unit.empty())
       if (const std::string foreign = foreign_unit();
           !foreign.empty() && known_unit(foreign).empty())

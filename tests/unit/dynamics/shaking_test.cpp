@@ -577,6 +577,17 @@ TEST_F(RecordFile, a_mark_of_missing_data_is_no_peak) {
   EXPECT_EQ(told("0.1\n0.9\n-0.99\n0.4\n", "g"), "accepted");
 }
 
+TEST_F(RecordFile, thousands_or_decimals) {
+  const auto told = [&](const char* values) {
+    write("k.csv", std::string("time_s;acc_cm_s2\n") + values);
+    return refusal("record = { file = \"k.csv\" }\n");
+  };
+  says(told("0;0\n0.01;120\n0.02;-350\n0.03;1.150\n"),
+       {"k.csv:5", "1.150", "three decimals or marks of thousands"});
+  EXPECT_EQ(told("0;0.000\n0.01;12.345\n0.02;-35.250\n"), "accepted");
+  EXPECT_EQ(told("0;0\n0.01;120.5\n0.02;-35.250\n"), "accepted");
+}
+
 TEST_F(RecordFile, one_slip_of_a_record_is_one_fault) {
   const auto faults = [&](const std::string& lines) {
     const std::string said = refusal("record = { " + lines + " }\n");

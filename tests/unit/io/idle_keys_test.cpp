@@ -164,6 +164,17 @@ TEST(IdleKeys, a_share_is_no_angle) {
   expect_refused(text, {"friction_angle", "no angle", "friction_tan"});
 }
 
+TEST(IdleKeys, a_slope_is_no_angle) {
+  const auto with = [](const std::string& value) {
+    std::string text = kWall;
+    return text.replace(text.find("\"30 deg\""), 8, '"' + value + '"');
+  };
+  for (const char* slope : {"60 percent", "0.6 m/m", "0.6 kN/kN"})
+    expect_refused(with(slope), {"friction_angle", "no angle", "friction_tan"});
+  for (const char* angle : {"30 degrees", "0.53 rad", "530 mrad", "30°", "1800 arcmin"})
+    EXPECT_EQ(refusal(with(angle)), "") << angle;
+}
+
 TEST(IdleKeys, local_damping_in_a_shake_is_noted) {
   expect_noted(shaken(kPulse, "damping = 0.2\n"), "brakes every motion of a shake");
   expect_not_noted(shaken(kPulse), "brakes every motion");

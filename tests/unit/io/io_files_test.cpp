@@ -189,6 +189,13 @@ TEST(Path, is_read_as_spreadsheets_write_it) {
   }
 }
 
+TEST(PathRefused, factor_in_the_head) {
+  for (const char* head : {"opening [mm],slip [mm] x 10", "opening (mm) *100,slip (mm)"}) {
+    const std::string fault = path_fault(std::string(head) + "\n0,0\n");
+    EXPECT_NE(fault.find("may not be the value itself"), std::string::npos) << fault;
+  }
+}
+
 TEST(PathRefused, missing_column) {
   EXPECT_EQ(path_fault("opening_mm,slip\n0,0\n"),
             "p.csv:1: slip_mm: no such column in the header; the columns are opening_mm, slip; "
