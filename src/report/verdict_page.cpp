@@ -57,7 +57,7 @@ body{font-size:8.6pt;line-height:1.3}main{max-width:none;padding:0}.wide{overflo
 )css";
 
 // Letters of notes that the sheet has room for beside its pictures; where there are more all of them open the appendix.
-constexpr std::size_t kLettersOnSheet = 2200;
+constexpr std::size_t kLettersOnSheet = 2000;
 
 // Messages that say what is left out, not what is assumed.
 bool is_left_out(const Message& note) {
