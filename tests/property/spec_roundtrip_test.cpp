@@ -84,7 +84,8 @@ class Draw {
   }
   void integer(const char*, int& value, const Key& key) {
     const int low = static_cast<int>(key.range.low);
-    value = *rc::gen::inRange(low, low + 15);
+    const double most = std::min(key.range.high, low + 14.0);
+    value = *rc::gen::inRange(low, static_cast<int>(most) + 1);
   }
   void flag(const char*, bool& value, const Key& key) {
     if (!foreign(key)) value = coin(2);
