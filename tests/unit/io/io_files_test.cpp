@@ -6,6 +6,7 @@
 #include <fstream>
 #include <string>
 
+#include "io/text/table.h"
 #include "unit/io_helpers.h"
 #include "wythe/error.h"
 #include "wythe/io.h"
@@ -194,6 +195,15 @@ TEST(PathRefused, factor_in_the_head) {
     const std::string fault = path_fault(std::string(head) + "\n0,0\n");
     EXPECT_NE(fault.find("may not be the value itself"), std::string::npos) << fault;
   }
+}
+
+TEST(Heads, of_what_changes_the_numbers_and_of_what_does_not) {
+  for (const char* head :
+       {"ft x100 [MPa]", "100*ft (MPa)", "ft/10 [MPa]", "CoV of ft [MPa]", "log10(ft) [Pa]"})
+    EXPECT_NE(io::factor_in_head(head), "") << head;
+  for (const char* head : {"ft [MPa]", "cov", "cov_ft", "rho_kN/m3", "kn [N/mm**3]",
+                           "ft 28 days [MPa]", "Gf_N/m", "max ft [MPa]"})
+    EXPECT_EQ(io::factor_in_head(head), "") << head;
 }
 
 TEST(PathRefused, missing_column) {
