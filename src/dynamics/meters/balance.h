@@ -37,6 +37,11 @@ inline constexpr double kKnown = 0.25;
 // The force of a row that was applied and reached the ground: the smaller of both.
 [[nodiscard]] double passed_on(const CurveRow& row);
 
+// Whether a push outran the wall: whether reaction and base shear differ by more than kOutrun of the peak before
+// the wall's own force, their mean, is twice that. The rise is a jolt then.
+inline constexpr double kOutrun = 0.15;
+[[nodiscard]] bool outruns(const std::vector<CurveRow>& curve, double peak);
+
 // Why a curve has no force in balance.
 [[nodiscard]] Message why_out_of_balance(const std::vector<CurveRow>& curve);
 

@@ -65,18 +65,6 @@ double initial_stiffness_of(const std::vector<RisePoint>& rise, double peak) {
   return d3 > d1 ? 0.2 * peak / (d3 - d1) : kUnset;
 }
 
-// Up to 0.3 of the peak the wall's own force lies between reaction and base shear. Where these differ by half of that,
-// the push has outrun the wall and the rise is its jolt: the stiffness read there grew by 18 % with the velocity.
-constexpr double kRead = 0.3, kApart = 0.5;
-bool rises_with_the_wall(const Curve& curve, double peak) {
-  for (std::size_t i = 1; i < curve.size(); ++i) {
-    const double mean = 0.5 * std::fabs(curve[i].reaction + curve[i].base_shear);
-    if (std::fabs(curve[i].reaction - curve[i].base_shear) > kApart * kRead * peak) return false;
-    if (mean >= kRead * peak) break;
-  }
-  return true;
-}
-
 std::size_t raw_peak_row(const Curve& curve) {
   std::size_t peak = 0;
   for (std::size_t i = 1; i < curve.size(); ++i)
@@ -322,7 +310,7 @@ void read_after_peak(const Curve& curve, std::size_t peak, const ResponseOptions
   // A push that begins on a wall already pushed has no rise from zero, so neither stiffness is to be had.
   const bool begins_loaded =
       !options.rise.empty() && options.rise.front().force > 0.1 * r.peak_reaction;
-  const bool is_told = !begins_loaded && rises_with_the_wall(curve, r.peak_reaction);
+  const bool is_told = !begins_loaded && !dynamics::outruns(curve, r.peak_reaction);
   r.initial_stiffness = is_told ? initial_stiffness_of(rise, r.peak_reaction) : kUnset;
   r.work_to_peak = work_up_to(curve, row_place(curve, peak));
   r.work_to_80 = work_up_to(curve, at_80);
@@ -425,7 +413,7 @@ Message why_no_stiffness(const Responses& r) {
   if (r.cyclic.sense != 0) return {"stiffness.to_and_fro"};
   if (std::isnan(r.displacement_at_80)) return {"stiffness.load"};
   if (std::isnan(r.bilinear.stiffness)) return {"stiffness.no_rise"};
-  return {"stiffness.outrun", {{"apart_percent", 100 * kApart * kRead}}};
+  return {"stiffness.outrun", {{"apart_percent", 100 * dynamics::kOutrun}}};
 }
 
 Responses read_one_way(const std::vector<CurveRow>& curve, const ResponseOptions& options) {

@@ -126,10 +126,40 @@ TEST(Verdict, the_beginning_of_a_push_that_outruns_the_wall_is_no_strength) {
   EXPECT_TRUE(std::isnan(judged(result).lift));
 }
 
-TEST(Verdict, a_jolt_that_the_ground_does_not_feel_is_passed_over) {
+// The peak stays what the ground feels; but a wall that is hit is not pushed slowly.
+TEST(Verdict, a_jolt_that_the_ground_does_not_feel_is_no_strength) {
   Result result = pushed({});
   for (std::size_t i = 1; i < 10; ++i) result.curve[i].reaction += 150;  // the start of the push
+  EXPECT_EQ(read_responses(result.curve).peak_reaction, 100);
+  const RateVerdict q = judged(result);
+  EXPECT_EQ(q.judgement, "usable");
+  EXPECT_EQ(q.verdict.code, "rate.usable");
+}
+
+// A calm curve after the jolt does not show the bond that it broke: a pier with a layer had 79.5 kN at 120 mm/s and
+// 88.0 at 2 mm/s, and a pier without was "slow enough" at 300 mm/s.
+TEST(Verdict, a_jolt_on_a_wall_that_breaks_is_too_fast) {
+  Result result = pushed({});
+  for (std::size_t i = 1; i < 4; ++i) result.curve[i].base_shear = -20;
+  result.energy.fracture = 0.05 * result.curve.back().work_drive;
+  const RateVerdict q = judged(result);
+  EXPECT_EQ(q.judgement, "too fast");
+  EXPECT_TRUE(std::isnan(q.lift));
+
+  result.energy.fracture = 0;
+  EXPECT_EQ(judged(result).judgement, "usable");
+  result.energy.crushing = 0.05 * result.curve.back().work_drive;
+  EXPECT_EQ(judged(result).judgement, "too fast");
+}
+
+// The way up to 0.3 of the peak decides: beyond, the meters at the peak and the drag on the way do.
+TEST(Verdict, a_gap_of_a_seventh_of_the_peak_at_the_start_is_no_jolt) {
+  Result result = pushed({});
+  result.energy.fracture = 0.05 * result.curve.back().work_drive;
+  for (std::size_t i = 1; i < 4; ++i) result.curve[i].base_shear -= 14;
   EXPECT_EQ(judged(result).judgement, "slow enough");
+  result.curve[2].base_shear -= 2;
+  EXPECT_EQ(judged(result).judgement, "too fast");
 }
 
 TEST(Verdict, a_ledger_that_misses_a_percent_knows_nothing) {
