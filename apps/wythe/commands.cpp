@@ -333,12 +333,18 @@ void print_storeys(const ModelSpec& spec) {
   }
 }
 
+bool stops_early(const Model& model) {
+  return std::any_of(model.stages.begin(), model.stages.end(),
+                     [](const Stage& stage) { return stage.spec.stop_below > 0; });
+}
+
 // What a forecast cannot know: how often a push waits, and how long a wall is watched that falls.
 std::string bound_of(const Model& model, const RunEstimate& e) {
   constexpr double kLeast = 0.5, kMost = 2.5;  // of the forecast (docs/evidence/rate.md)
   if (adapts(model))
-    return fmt::format(" ({} to {}: the push waits where the wall cracks)",
-                       duration_text(kLeast * e.seconds), duration_text(kMost * e.seconds));
+    return fmt::format(" ({} to {}: the push waits where the wall cracks{})",
+                       duration_text(kLeast * e.seconds), duration_text(kMost * e.seconds),
+                       stops_early(model) ? "; less if the force falls to stop_below first" : "");
   const auto by_load = [](const Stage& stage) {
     return stage.spec.kind == StageKind::kBodyForce || stage.spec.kind == StageKind::kTilt;
   };
