@@ -1,6 +1,6 @@
 // Options side by side: a study with [[variant]] runs its base and every option on the same samples, each
 // a campaign in a folder of its own; then, and for any stores of equal samples, the comparison.
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
@@ -93,17 +93,41 @@ class ProgressOfAll {
   int before_ = 0;
 };
 
+// What options say of themselves: one line for those that say the same, without names where all do.
+class NotesOfOptions {
+ public:
+  void add(const std::string& option, const std::string& note) {
+    const auto known = std::find_if(notes_.begin(), notes_.end(),
+                                    [&](const auto& other) { return other.first == note; });
+    if (known == notes_.end())
+      notes_.push_back({note, {option}});
+    else
+      known->second.push_back(option);
+  }
+  void print(std::size_t options) const {
+    for (const auto& [note, names] : notes_) {
+      const bool all = names.size() == options;
+      fmt::print(stderr, "note: {}{}\n", all ? "" : readable(fmt::format("{}: ", fmt::join(names, ", "))),
+                 readable(note));
+    }
+  }
+
+ private:
+  std::vector<std::pair<std::string, std::vector<std::string>>> notes_;
+};
+
 // Opens or continues every store without running a sample: what can be refused is refused now.
 void open_all(std::vector<OptionRun>& runs, CampaignOptions options) {
   static const std::atomic<bool> kAtOnce{true};
   options.stop = &kAtOnce;
+  NotesOfOptions notes;
   for (OptionRun& run : runs) {
     const CampaignOutcome outcome = run_campaign(*run.study, run.build, run.folder, options);
     run.done = outcome.done, run.total = outcome.total;
     options.last = outcome.precise_at > 0 ? outcome.precise_at : options.last;
-    for (const Message& note : outcome.notes)
-      fmt::print(stderr, "note: {}: {}\n", readable(run.name), readable(text_of(note)));
+    for (const Message& note : outcome.notes) notes.add(run.name, text_of(note));
   }
+  notes.print(runs.size());
 }
 
 std::vector<ComparedCampaign> read_all(const std::vector<std::string>& folders) {
