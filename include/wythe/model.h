@@ -45,13 +45,15 @@ enum class BlockRole : std::uint8_t {
   kRingBeam = 4,
   kSill = 5,
   kSlab = 6,
-  kFrame = 7
+  kFrame = 7,
+  kCutOut = 8  // masonry where a stage cuts an opening
 };
 inline constexpr Word<BlockRole> kBlockRoleWords[] = {
     {"masonry", BlockRole::kMasonry},    {"lintel", BlockRole::kLintel},
     {"plate", BlockRole::kPlate},        {"beam", BlockRole::kBeam},
     {"ring_beam", BlockRole::kRingBeam}, {"sill", BlockRole::kSill},
-    {"slab", BlockRole::kSlab},          {"frame", BlockRole::kFrame}};
+    {"slab", BlockRole::kSlab},          {"frame", BlockRole::kFrame},
+    {"cut_out", BlockRole::kCutOut}};
 enum class JointKind : std::uint8_t {
   kBed = 0,
   kHead = 1,
@@ -284,6 +286,21 @@ struct Frames {
   std::vector<double> moved_x, moved_y;  // [m]
 };
 
+// What stands when, where stages cut openings and put up what goes into them (docs/theory/cutting.md): block i stands in
+// the stages from[i] to until[i] - 1, a joint or a section as long as what it joins. Empty: all stands always.
+struct Standing {
+  std::vector<std::int32_t> from, until;  // (n_block)
+  [[nodiscard]] bool any() const { return !from.empty(); }
+  [[nodiscard]] bool holds(BlockId block, int stage) const {
+    if (from.empty() || block < 0) return true;
+    const auto i = static_cast<std::size_t>(block);
+    return i >= from.size() || (from[i] <= stage && stage < until[i]);
+  }
+  [[nodiscard]] bool joins(BlockId a, BlockId b, int stage) const {
+    return holds(a, stage) && holds(b, stage);
+  }
+};
+
 // Layers of fibres on the masonry (docs/theory/layers.md): strands, and on each a chain of nodes, one row per node in
 // the order of its strand. A node is bonded to its block and slips on it; fibres pull between it and the next node.
 //
@@ -420,12 +437,13 @@ struct Model {
   std::vector<double> turn_freedom;            // 1, or 0 where rotation is blocked (n_block)
   std::vector<double> centroid_x, centroid_y;  // at the start [m] (n_block)
 
-  Solids solids;    // deformable blocks; empty in a wall of rigid ones
-  Links links;      // ties, diaphragms and springs
-  Frames frames;    // of steel or concrete
-  Layers layers;    // of fibres on the masonry
-  Space space;      // walls in space
-  FreeShapes free;  // what free contacts see; empty without them
+  Solids solids;      // deformable blocks; empty in a wall of rigid ones
+  Links links;        // ties, diaphragms and springs
+  Frames frames;      // of steel or concrete
+  Layers layers;      // of fibres on the masonry
+  Standing standing;  // where stages cut openings
+  Space space;        // walls in space
+  FreeShapes free;    // what free contacts see; empty without them
 
   // read once per run
   double omega_max = 0;        // bound on the highest circular frequency [1/s]
@@ -499,6 +517,12 @@ struct State {
   // written by the pass over frames (n_frame_link): elongation of a fibre that stays; left of the member's way, in
   // the axis, right of it [m]
   std::vector<double> frame_left, frame_middle, frame_right;
+  // how far sections had gone along and across, and turned, when a stage put them up: without force (n_frame_link, or
+  // empty) [m], [m], [rad]
+  std::vector<double> frame_along, frame_across, frame_turn;
+
+  // where a stage cuts an opening: what went left this on its neighbours; it fades (n_block, or empty) [N], [N m]
+  std::vector<double> release_x, release_y, release_m;
 
   // written by the pass over layers (n_layer_node)
   std::vector<double> layer_slip;     // of a node on its block, along the strand [m]

@@ -107,6 +107,8 @@ struct OpeningSpec {
   ArchSpec arch = {};
   std::string storey = "";  // its name: y counts from the storey's foot; "": from the wall's
   SillSpec sill = {};
+  std::string cut =
+      "";  // name of the stage that cuts it out of standing masonry; "": built with the wall
 };
 
 // Thickness of the mortar, for units given by their own size.
@@ -212,6 +214,8 @@ struct FrameSpec {
   double shear_modulus = kUnset;   // [Pa]
   std::string joint;               // joint material between it and what it touches
   double gap = 0;                  // between it and the jambs and head of its opening [m]
+  std::string stage =
+      "";  // name of the stage that puts it up; "": that which cuts its opening, or the first
 };
 
 // The fibres of a layer; of one face.
@@ -324,11 +328,11 @@ struct ContactRule {
   std::string material;              // joint material
 };
 
-enum class StageKind { kGravity, kLoad, kPush, kBodyForce, kTilt, kHold, kShake };
+enum class StageKind { kGravity, kLoad, kPush, kBodyForce, kTilt, kHold, kShake, kCut };
 inline constexpr Word<StageKind> kStageKindWords[] = {
     {"gravity", StageKind::kGravity},      {"load", StageKind::kLoad}, {"push", StageKind::kPush},
     {"body_force", StageKind::kBodyForce}, {"tilt", StageKind::kTilt}, {"hold", StageKind::kHold},
-    {"shake", StageKind::kShake}};
+    {"shake", StageKind::kShake},          {"cut", StageKind::kCut}};
 // How a stage acts on the wall. Load: kPressure or kPlate. Push: kSpreader or kEach.
 enum class Manner { kDefault, kPressure, kPlate, kSpreader, kEach };
 inline constexpr Word<Manner> kMannerWords[] = {{"pressure", Manner::kPressure},

@@ -133,6 +133,35 @@ struct Plan {
   std::vector<PlacedFrame> frames = {};
 };
 
+// The masonry in a box of the wall, cut at its sides: the courses less all that is round it.
+std::vector<Block> masonry_in(const Rect& box, const std::vector<Storey>& storeys) {
+  const Rect wall{0, 0, storeys.front().lattice.columns.extent, storeys.back().top()};
+  const std::vector<Rect> around{{wall.x0, wall.y0, box.x0, wall.y1},
+                                 {box.x1, wall.y0, wall.x1, wall.y1},
+                                 {box.x0, wall.y0, box.x1, box.y0},
+                                 {box.x0, box.y1, box.x1, wall.y1}};
+  return lay_masonry(storeys, around).blocks;
+}
+
+// What stands where a stage cuts an opening and puts in its lintel and sill.
+void add_cut_out(const PlacedOpening& opening, const std::vector<Storey>& storeys,
+                 std::vector<Block>& blocks) {
+  std::vector<Rect> boxes{opening.hole};
+  for (const std::vector<Rect>* chain : {&opening.segment, &opening.sill})
+    if (!chain->empty()) boxes.push_back(join(chain->front(), chain->back()));
+  int number = 0;
+  for (const Rect& box : boxes)
+    for (Block block : masonry_in(box, storeys)) {
+      block.id = "cut" + std::to_string(opening.index) + "_" + std::to_string(number++);
+      block.cut_from = opening.index;
+      blocks.push_back(block);
+    }
+}
+
+bool is_cut(const Shape& shape, const PlacedOpening& opening) {
+  return !shape.wall.opening[static_cast<std::size_t>(opening.index)].cut.empty();
+}
+
 void lay_blocks(const Shape& shape, const Plan& plan, Assembly& assembly) {
   const auto& [storeys, openings, ring_beams, ground, frames] = plan;
   std::vector<Rect> holes;
@@ -163,6 +192,8 @@ void lay_blocks(const Shape& shape, const Plan& plan, Assembly& assembly) {
     masonry.joined_pieces += cut_masonry(opening.arch, storeys, assembly.blocks);
     add_voussoirs(shape, opening, storeys, assembly.blocks);
   }
+  for (const PlacedOpening& opening : openings)
+    if (is_cut(shape, opening)) add_cut_out(opening, storeys, assembly.blocks);
   add_frames(frames, assembly);
   sort_blocks(assembly.blocks, storeys);
   if (masonry.joined_pieces == 0) return;
@@ -495,6 +526,25 @@ double Assembly::thickness_of(const Face& face) const {
                            : std::min(above, blocks[static_cast<std::size_t>(face.a)].thickness);
 }
 
+namespace {
+
+// What a stage cuts out never stands together with what is put in its place.
+void part_cut_out(const std::vector<Block>& blocks, ContactSearch& search) {
+  const auto part = [&](const auto& contact) {
+    const auto side = [&](int i) -> const Block& { return blocks[static_cast<std::size_t>(i)]; };
+    const auto takes_place = [](const Block& b) {
+      return b.role == Role::kFrame || b.role == Role::kLintel || b.role == Role::kSill;
+    };
+    if (contact.a == kGround) return false;
+    const Block &a = side(contact.a), &b = side(contact.b);
+    return (a.cut_from >= 0 && takes_place(b)) || (b.cut_from >= 0 && takes_place(a));
+  };
+  std::erase_if(search.contacts, part);
+  std::erase_if(search.lost, part);
+}
+
+}  // namespace
+
 Assembly build_assembly(const Shape& shape, FaultList& faults) {
   Assembly assembly;
   assembly.thickness = assembly.top_thickness = shape.wall.thickness;
@@ -506,6 +556,7 @@ Assembly build_assembly(const Shape& shape, FaultList& faults) {
     return assembly;
   }
   ContactSearch search = find_contacts(assembly.blocks);
+  part_cut_out(assembly.blocks, search);
   add_ground(shape, assembly, search.contacts);
   assembly.faces = name_faces(shape, assembly.blocks, search.contacts);
   note_lost(search.lost, assembly);

@@ -37,6 +37,7 @@ struct Block {
   int storey = -1;              // in the model's list; -1: the model has none
   int region = -1;              // the last of the model's list that holds its centroid; -1: none
   ZoneSpec zone;                // deformable where zone.zones > 0
+  int cut_from = -1;            // masonry that a stage cuts out: index of the opening
 };
 
 // A stone of an arch: masonry that belongs to an opening.

@@ -33,10 +33,10 @@ class Key {
   }
   void add(const FrameSpec& frame) {
     const auto& [name, round, line, feet, profile, count, section, beam_profile, beam_count,
-                 beam_section, grade, yield_strength, youngs_modulus, shear_modulus, joint, gap] =
-        frame;
+                 beam_section, grade, yield_strength, youngs_modulus, shear_modulus, joint, gap,
+                 stage] = frame;
     add_all(name, round, line, feet, profile, count, section, beam_profile, beam_count,
-            beam_section, joint, gap);  // grade and moduli shape nothing
+            beam_section, joint, gap, stage);  // grade and moduli shape nothing
   }
   void add(const RegionSpec& region) {
     const auto& [name, storey, pier, x, y, width, height, polygon, joints, density, thickness] =
@@ -113,8 +113,8 @@ class Key {
     add_density(density);
   }
   void add(const OpeningSpec& opening) {
-    const auto& [name, x, y, width, height, lintel, arch, storey, sill] = opening;
-    add_all(name, x, y, width, height, lintel, arch, storey, sill);
+    const auto& [name, x, y, width, height, lintel, arch, storey, sill, cut] = opening;
+    add_all(name, x, y, width, height, lintel, arch, storey, sill, cut);
   }
   void add(const SillSpec& sill) {
     const auto& [kind, depth, bearing, material, joint] = sill;

@@ -311,6 +311,10 @@ LimitAnswer limit_load(const Model& model, const LimitOptions& options, const Li
     refuse("frame", model.frames.name.front(),
            "bends and yields, and limit analysis knows no frames",
            "leave it out for this analysis; the run takes it");
+  if (model.standing.any())
+    refuse("wall.opening", "",
+           "is cut by a stage, and limit analysis knows one wall from the first stage on",
+           "leave cut out of the openings for this analysis");
   if (model.layers.n > 0)
     refuse("layer", model.layers.name.front(),
            "detaches and breaks, and limit analysis knows no layers",

@@ -131,7 +131,7 @@ BlockMap compile_blocks(const ModelSpec& spec, const Assembly& assembly, const F
     model.centroid_x.push_back(moments.centroid.x);
     model.centroid_y.push_back(moments.centroid.y);
     anatomy.block_id.push_back(block.id);
-    anatomy.block_role.push_back(role_of(block.role));
+    anatomy.block_role.push_back(block.cut_from >= 0 ? BlockRole::kCutOut : role_of(block.role));
     anatomy.block_course.push_back(block.course);
     anatomy.block_thickness.push_back(block.thickness);
     for (const Vec2& v : block.outline) {
@@ -196,7 +196,9 @@ Model fill(const ModelSpec& spec, const Assembly& assembly) {
   compile_links(spec, assembly, map, model, faults);
   compile_frames(spec, assembly, map, model, faults);
   compile_layers(spec, assembly, map, model, faults);
+  compile_standing(spec, assembly, map, model, faults);
   compile_stages(spec, assembly, map, floors, model, faults);
+  check_standing(model, faults);
   faults.throw_if_any();
   carry_floors(bare, model);
   fields.describe(spec, assembly, map, model);
@@ -208,7 +210,9 @@ Model fill(const ModelSpec& spec, const Assembly& assembly) {
   note_densities(spec, model);
   note_coarse_units(spec, model);
   set_push_ramps(model);
-  for (const double mass : model.heavy_mass) model.weight += mass * model.solve.gravity;
+  for (std::size_t i = 0; i < model.heavy_mass.size(); ++i)  // of what is cut out none is left
+    if (model.anatomy.block_role[i] != BlockRole::kCutOut)
+      model.weight += model.heavy_mass[i] * model.solve.gravity;
   for (const double mass : model.solids.node_heavy_mass) model.weight += mass * model.solve.gravity;
   model.topology = topology_of(model);
   return model;

@@ -39,6 +39,8 @@ enum class Entity {
   kHandedOver,  // joints of a wall with free contacts
   kMaxwell,     // points of the joints of a wall with Maxwell elements
   kMaxwellInSpace,
+  kFrameSet,  // a section of a wall where a stage puts something up
+  kRelease,   // a block of a wall where a stage cuts an opening
   kOther
 };
 
@@ -66,6 +68,8 @@ enum class Entity {
     case Entity::kHandedOver: return m.free.any() ? static_cast<std::size_t>(m.n_joint) : 0;
     case Entity::kMaxwell: return has_maxwell(m) ? static_cast<std::size_t>(m.n_point()) : 0;
     case Entity::kMaxwellInSpace: return m.in_space() ? count_of(m, Entity::kMaxwell) : 0;
+    case Entity::kFrameSet: return m.standing.any() ? count_of(m, Entity::kFrameLink) : 0;
+    case Entity::kRelease: return m.standing.any() ? count_of(m, Entity::kBlock) : 0;
     case Entity::kOther: break;
   }
   return 0;
@@ -154,6 +158,18 @@ inline constexpr std::array kStateFields{
                "the same in the axis"},
     StateField{&State::frame_right, Entity::kFrameLink, true, "frame_right", "m",
                "the same right of the way"},
+    StateField{&State::frame_along, Entity::kFrameSet, true, "frame_along", "m",
+               "how far a frame's section had gone along its member when a stage put it up"},
+    StateField{&State::frame_across, Entity::kFrameSet, true, "frame_across", "m",
+               "the same across it"},
+    StateField{&State::frame_turn, Entity::kFrameSet, true, "frame_turn", "rad",
+               "how far it had turned"},
+    StateField{
+        &State::release_x, Entity::kRelease, true, "release_x", "N",
+        "force along x that what was cut out left on its neighbours; of no length in other walls"},
+    StateField{&State::release_y, Entity::kRelease, true, "release_y", "N", "the same along y"},
+    StateField{&State::release_m, Entity::kRelease, true, "release_m", "N m",
+               "the same about the centroid"},
     StateField{&State::layer_slip, Entity::kLayerNode, true, "layer_slip", "m",
                "slip of a layer's node on its block"},
     StateField{&State::layer_reached, Entity::kLayerNode, true, "layer_reached", "m",
@@ -309,6 +325,11 @@ void each_model_field(M& m, const Visit& visit) {
     visit(f.fibre, E::kFrameLink, kOwn, "frame_fibre", "m");
     visit(f.outer_yield, E::kFrameLink, kOwn, "frame_outer_yield", "N");
     visit(f.middle_yield, E::kFrameLink, kOwn, "frame_middle_yield", "N");
+  }
+
+  if (m.standing.any()) {
+    visit(m.standing.from, E::kBlock, kAll, "stands_from", "");
+    visit(m.standing.until, E::kBlock, kAll, "stands_until", "");
   }
 
   auto& n = m.layers;

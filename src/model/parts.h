@@ -54,6 +54,11 @@ void compile_links(const ModelSpec& spec, const geometry::Assembly& assembly, co
 // sections between the segments of frames.
 void compile_frames(const ModelSpec& spec, const geometry::Assembly& assembly, const BlockMap& map,
                     Model& model, FaultList& faults);
+// what stands when, where stages cut openings and put up frames; needs frames.
+void compile_standing(const ModelSpec& spec, const geometry::Assembly& assembly,
+                      const BlockMap& map, Model& model, FaultList& faults);
+// loads, ties and pushes on masonry that a stage cuts out.
+void check_standing(const Model& model, FaultList& faults);
 // strands of layers: nodes on blocks, and where they cross joints; needs joints.
 void compile_layers(const ModelSpec& spec, const geometry::Assembly& assembly, const BlockMap& map,
                     Model& model, FaultList& faults);

@@ -202,7 +202,8 @@ Pace pace_of(const StageSpec& stage) {
   };
   switch (stage.kind) {
     case StageKind::kGravity:
-    case StageKind::kLoad: break;
+    case StageKind::kLoad:
+    case StageKind::kCut: break;
     case StageKind::kPush: {
       const StageSpec adapted = with_velocity(stage);
       // pushes that adapt took 1 to 5 times as many steps as at full speed (docs/evidence/rate.md)

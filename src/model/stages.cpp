@@ -373,7 +373,9 @@ class StageCompiler {
     Level all;
     all.share = 1;
     for (std::size_t b = 0; b < assembly_.blocks.size(); ++b)
-      if (map_[b] != kGroundBlock && !is_solid(map_[b]) && mass_of(b) > 0) all.blocks.push_back(b);
+      if (map_[b] != kGroundBlock && !is_solid(map_[b]) && mass_of(b) > 0 &&
+          assembly_.blocks[b].cut_from < 0)
+        all.blocks.push_back(b);
     return {all};
   }
 
@@ -390,7 +392,8 @@ class StageCompiler {
       Level level;
       level.height = s.levels[k];
       for (std::size_t b = 0; b < assembly_.blocks.size(); ++b)
-        if (is_pushed_at(b, bottom + level.height)) level.blocks.push_back(b);
+        if (is_pushed_at(b, bottom + level.height) && assembly_.blocks[b].cut_from < 0)
+          level.blocks.push_back(b);
       if (level.blocks.empty()) {
         fault(fmt::format("levels.{}", k), fmt::format("{:g} m", level.height),
               "no moving block stands at this height",

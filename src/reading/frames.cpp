@@ -42,9 +42,14 @@ std::vector<FrameReading> read_frames(const Model& m, const State& s) {
   for (std::size_t k = 0; k < read.size(); ++k) {
     const Side a = side_of(s, f.a[k], f.arm_a_x[k], f.arm_a_y[k]);
     const Side b = side_of(s, f.b[k], f.arm_b_x[k], f.arm_b_y[k]);
-    const contact::SectionJump jump =
+    contact::SectionJump jump =
         contact::section_jump(f.axis_x[k], f.axis_y[k], f.rest_x[k], f.rest_y[k], a.end, b.end,
                               a.turn, b.turn, a.cos, a.sin, b.cos, b.sin);
+    if (!s.frame_turn.empty()) {
+      jump.along -= s.frame_along[k];
+      jump.across -= s.frame_across[k];
+      jump.turn -= s.frame_turn[k];
+    }
     const contact::SectionLaw law{f.outer_stiffness[k], f.middle_stiffness[k], f.shear_stiffness[k],
                                   f.fibre[k],           f.outer_yield[k],      f.middle_yield[k]};
     const contact::SectionPull pull =
@@ -53,6 +58,10 @@ std::vector<FrameReading> read_frames(const Model& m, const State& s) {
     // a foot at the end of the way looks back along it
     const double forth = f.axis_x[k] * member.way_x + f.axis_y[k] * member.way_y;
     FrameReading& now = read[k];
+    const auto i = static_cast<std::size_t>(f.b[k]);
+    now.where = {m.centroid_x[i] + f.arm_b_x[k] + b.end.moved_x,
+                 m.centroid_y[i] + f.arm_b_y[k] + b.end.moved_y, 0};
+    if (!m.standing.joins(f.a[k], f.b[k], s.stage)) continue;  // not up yet
     now.normal = pull.normal;
     now.shear = -pull.shear;
     now.moment = forth < 0 ? -pull.moment : pull.moment;
@@ -62,9 +71,6 @@ std::vector<FrameReading> read_frames(const Model& m, const State& s) {
                             std::fabs(s.frame_right[k] + pull.right.flow)});
     now.stored = stored_in(law.outer, pull.left.force) + stored_in(law.outer, pull.right.force) +
                  stored_in(law.middle, pull.middle.force) + stored_in(law.shear, pull.shear);
-    const auto i = static_cast<std::size_t>(f.b[k]);
-    now.where = {m.centroid_x[i] + f.arm_b_x[k] + b.end.moved_x,
-                 m.centroid_y[i] + f.arm_b_y[k] + b.end.moved_y, 0};
   }
   return read;
 }

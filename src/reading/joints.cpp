@@ -172,9 +172,14 @@ std::vector<PointReading> read_points(const Model& m, const State& s) {
     const double phi = a == kGroundBlock ? 0.0 : 0.5 * (s.theta[a] + s.theta[b]);
     const FaceMotion face{m, s, block, j, sin_cos(phi)};
     const PointRange range = points_of(m, j);
+    const bool stands = m.standing.joins(a, b, s.stage);  // else nothing is read off it
     for (PointId p = range.begin; p < range.end; ++p) {
       const int k = p - range.begin;
-      points[p] = read_point(history.at(p), law(m.joint_material[j]), face.at(m.point_xi[k]));
+      const PointMotion at = face.at(m.point_xi[k]);
+      if (stands)
+        points[p] = read_point(history.at(p), law(m.joint_material[j]), at);
+      else
+        points[p].where = {at.x, at.y};
       if (!s.handed_over.empty() && s.handed_over[j] != 0)  // a free contact has its place
         points[p].normal_stress = points[p].shear_stress = 0;
       points[p].share = m.point_weight[k];
@@ -247,6 +252,8 @@ WallReading read_wall(const Model& model, const State& state) {
                               : sum_up(joint_shape(model, j), points_of(model, j), wall.points));
   for (std::size_t j = 0; j < state.handed_over.size(); ++j)
     wall.joints[j].handed_over = state.handed_over[j] != 0;
+  for (JointReading& joint : wall.joints)
+    if (!model.standing.joins(joint.shape.a, joint.shape.b, state.stage)) joint.handed_over = true;
   return wall;
 }
 

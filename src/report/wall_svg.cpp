@@ -85,6 +85,7 @@ std::string draw_blocks(const Model& model, const State& state, double scale,
   std::array<std::string, kTints> stones;
   std::string timber, plates;
   for (BlockId b = 0; b < block_count(model); ++b) {
+    if (!model.standing.holds(b, state.stage)) continue;
     std::vector<Pixel> outline;
     for (const Vec3& p : outline_now(model, state, b, scale)) outline.push_back(canvas(p));
     const BlockRole role = read_block(model, state, b).role;

@@ -8,7 +8,7 @@ import { aroundPrint } from "./page";
 import { Player } from "./player";
 import { table } from "./tables";
 import { capital, fixed, num, phrase, qty, say, sentence } from "./texts";
-import { bodyCss, fittingScale, kCarried, Pose, type Carried, type Frames, type Wall } from "./wall";
+import { bodyCss, fittingScale, isCutOut, kCarried, Pose, type Carried, type Frames, type Wall } from "./wall";
 import type { Canvas } from "./wall2d";
 import { scaleWords, type FrameInfo, type WallView } from "./wallview";
 
@@ -196,7 +196,7 @@ export class FramesView {
     const clip = fresh("clip"),
       walls = svg("g", { class: "behind", "clip-path": `url(#${clip})` });
     for (let b = 0; b < this.wall.blocks; ++b)
-      if (!isFrameBlock(this.wall, b))
+      if (!isFrameBlock(this.wall, b) && !isCutOut(this.wall, b))
         walls.appendChild(
           svg("path", { class: bodyCss(this.wall.role[b]) || "stone stone2", d: outlineOf(pose, b, canvas) }),
         );

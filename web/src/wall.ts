@@ -395,6 +395,9 @@ export class Pose {
   }
 }
 
+// Masonry that a stage cuts out of the wall: no view shows it.
+export const isCutOut = (wall: Wall, b: number): boolean => wall.role[b] === "cut_out";
+
 // Style of a block that is no masonry, else "".
 export const bodyCss = (role: string): string =>
   role === "lintel" || role === "sill" ? "timber" : role === "masonry" ? "" : "plate";

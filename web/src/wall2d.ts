@@ -9,6 +9,7 @@ import {
   crackOf,
   fieldOf,
   forcesOf,
+  isCutOut,
   isField,
   jointStress,
   kSteps,
@@ -65,6 +66,7 @@ export function canvasFor(wall: Wall, width: number, tallest = 560): Canvas {
 
 function drawBlocks(wall: Wall, pose: Pose, paths: Paths): void {
   for (let b = 0; b < wall.blocks; ++b) {
+    if (isCutOut(wall, b)) continue;
     const points: [number, number][] = [];
     for (let i = wall.outlineBegin[b]; i < wall.outlineBegin[b + 1]; ++i) points.push(pose.corner(b, i));
     paths.polygon(bodyCss(wall.role[b]) || `stone stone${tintOf(b)}`, points);

@@ -27,6 +27,7 @@ import {
   forcesOf,
   jointStress,
   fieldOf,
+  isCutOut,
   isField,
   kSteps,
   Pose,
@@ -66,6 +67,7 @@ function makePrisms(wall: Wall): Prisms {
   const vertex = (b: number, i: number, s: number): number =>
     block.push(b) && corner.push(i) && side.push(s) - 1;
   for (let b = 0; b < wall.blocks; ++b) {
+    if (isCutOut(wall, b)) continue;
     const from = wall.outlineBegin[b],
       n = wall.outlineBegin[b + 1] - from;
     const outline = Array.from(

@@ -35,6 +35,8 @@ class WallAccess {
   virtual void choose_driven(const std::vector<BlockId>& blocks) = 0;
   // Copies motion and history from where they are into the state's own arrays.
   virtual void bring_up(State& state) const = 0;
+  // Takes what was changed in the state anew.
+  virtual void put_again(State&) {}
 };
 
 // Of free contacts in the last step: pairs of parts that are near, those of them that may touch; searches so far.
@@ -81,9 +83,10 @@ class Executor {
 [[nodiscard]] std::unique_ptr<Executor> processor_for(const Model& model, int lanes,
                                                       int threads = 1);
 
-// True where the walls can be stepped side by side: one topology, and contacts that stay what they are.
+// True where the walls can be stepped side by side: one topology, and joints that stay what they are.
 [[nodiscard]] inline bool fit_together(const Model& a, const Model& b) {
-  return a.topology == b.topology && !a.free.any() && !b.free.any();
+  return a.topology == b.topology && !a.free.any() && !b.free.any() && !a.standing.any() &&
+         !b.standing.any();
 }
 
 }  // namespace wythe::dynamics

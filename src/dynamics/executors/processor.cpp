@@ -34,7 +34,7 @@ const Kernels& kernels_for(int lanes, const Kernels& most) {
 
 class HostWallAccess final : public WallAccess {
  public:
-  HostWallAccess(const Processor& processor, const Model& model, int lane)
+  HostWallAccess(Processor& processor, const Model& model, int lane)
       : processor_(processor), model_(model), lane_(lane), view_(processor.view(lane)) {}
 
   [[nodiscard]] double unbalance_ratio() const override { return unbalance_of(view_); }
@@ -51,11 +51,13 @@ class HostWallAccess final : public WallAccess {
   }
   void choose_driven(const std::vector<BlockId>& blocks) override {
     dynamics::choose_driven(view_, blocks);
+    if (model_.standing.any()) hold_still(view_, model_, processor_.state(lane_).stage);
   }
   void bring_up(State& state) const override { processor_.bring_up(lane_, state); }
+  void put_again(State& state) override { processor_.put(lane_, model_, state); }
 
  private:
-  const Processor& processor_;
+  Processor& processor_;
   const Model& model_;
   int lane_;
   WallView view_;
@@ -75,6 +77,20 @@ constexpr Terms terms_of(Pass pass) {
   }
 }
 
+// What a stage cuts out leaves its neighbours as it was carried off: its forces on them fade (docs/theory/cutting.md).
+void release(const Model& model, const State& state, const WallView& wall) {
+  const auto now = static_cast<std::size_t>(state.stage);
+  if (now >= model.stages.size() || model.stages[now].spec.kind != StageKind::kCut) return;
+  const double share = 1 - state.load_scale[now];
+  for (int i = 0; i < model.n_block; ++i) {
+    const auto b = static_cast<std::size_t>(i);
+    if (state.release_x[b] == 0 && state.release_y[b] == 0 && state.release_m[b] == 0) continue;
+    wall.block(i, kLoadX) += share * state.release_x[b];
+    wall.block(i, kLoadY) += share * state.release_y[b];
+    wall.block(i, kLoadM) += share * state.release_m[b];
+  }
+}
+
 // Dead loads of all stages, in their order, on their blocks as they are turned now.
 void place_loads(const Model& model, const State& state, const WallView& wall,
                  const FreeContacts<PlaneBodies>* free) {
@@ -82,12 +98,15 @@ void place_loads(const Model& model, const State& state, const WallView& wall,
     for (const PointLoad& load : stage.loads) clear_load(load.block, wall);
     for (const PointLoad& mass : stage.carried) clear_load(mass.block, wall);
   }
+  if (model.standing.any())
+    for (int i = 0; i < model.n_block; ++i) clear_load(i, wall);
   for (std::size_t k = 0; k < model.stages.size(); ++k) {
     const double scale = state.load_scale[k];
     if (scale == 0) continue;
     for (const PointLoad& load : model.stages[k].loads)
       add_load(load, free == nullptr ? scale : scale * free->load_share(load.block, wall), wall);
   }
+  if (model.standing.any()) release(model, state, wall);
   const auto now = static_cast<std::size_t>(state.stage);
   if (now >= model.stages.size()) return;
   for (const PointLoad& mass : model.stages[now].carried)
@@ -144,6 +163,7 @@ void Processor::put(int lane, const Model& model, State& state) {
   wall.brakes = {};
   wall.brakes.maxwell.put(state);
   put_wall(layout_, bank_of(lane).tables, lane % width_, model, state);
+  if (model.standing.any()) stand(layout_, bank_of(lane).tables, model, state);
   if (free_) free_->put(state, wall.view);
   set(lane, {});
 }

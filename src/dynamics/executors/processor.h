@@ -41,6 +41,7 @@ class Processor final : public Executor {
   [[nodiscard]] double reaction(int lane) const override { return wall_[at(lane)].reaction; }
 
   [[nodiscard]] const Layout& layout() const { return layout_; }
+  [[nodiscard]] const State& state(int lane) const { return *wall_[at(lane)].state; }
   [[nodiscard]] const WallView& view(int lane) const { return wall_[at(lane)].view; }
   // Motion, history and free contacts of the wall in a lane, into a state's own arrays.
   void bring_up(int lane, State& state) const;

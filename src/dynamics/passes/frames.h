@@ -13,15 +13,19 @@ WYTHE_INLINE double bend_frames(const WallView& wall) {
   for (int k = 0; k < wall.frames; ++k) {
     const auto of = [&](FrameRowName row) { return wall.frame(k, row); };
     const std::int32_t i = wall.t.frame_a[k], j = wall.t.frame_b[k];
+    if (j == wall.t.n_block) continue;  // it is not up yet, and has no force
     const contact::LinkEnd a = end_of(wall, i, of(kFrameArmAX), of(kFrameArmAY));
     const contact::LinkEnd b = end_of(wall, j, of(kFrameArmBX), of(kFrameArmBY));
     const auto pose = [&](std::int32_t block, int c) {
       return wall.of_four(wall.t.pose, block, c);
     };
-    const contact::SectionJump jump =
+    contact::SectionJump jump =
         contact::section_jump(of(kFrameAxisX), of(kFrameAxisY), of(kFrameRestX), of(kFrameRestY), a,
                               b, wall.block(i, kTheta), wall.block(j, kTheta), pose(i, 2),
                               pose(i, 3), pose(j, 2), pose(j, 3));
+    jump.along -= of(kFrameAlong);
+    jump.across -= of(kFrameAcross);
+    jump.turn -= of(kFrameTurn);
     const contact::SectionPull pull =
         contact::section_pull({of(kFrameOuter), of(kFrameMiddle), of(kFrameShear), of(kFrameFibre),
                                of(kFrameOuterYield), of(kFrameMiddleYield)},

@@ -9,6 +9,8 @@
 namespace wythe::dynamics {
 namespace {
 
+static_assert(kFrameAcross == kFrameAlong + row_of(&State::frame_across) &&
+              kFrameTurn == kFrameAlong + row_of(&State::frame_turn));
 static_assert(row_of(&State::ux) == 0 && row_of(&State::uy) == 1 &&
               row_of(&State::theta) == kTheta + 2 && row_of(&State::vx) == kVx + 2 &&
               row_of(&State::vy) == kVy + 2 && row_of(&State::omega) == kOmega + 2 &&
@@ -33,6 +35,8 @@ void each_number(const Layout& l, const Tables& t, const Model& m, const StateFi
   if (field.entity == Entity::kNode) return plain(t.node, m.solids.n_node, kNodeRows, row);
   if (field.entity == Entity::kLink) return plain(t.link, m.links.n, kLinkRows, row);
   if (field.entity == Entity::kFrameLink) return plain(t.frame, m.frames.n, kFrameRows, row);
+  if (field.entity == Entity::kFrameSet && m.standing.any())
+    return plain(t.frame, m.frames.n, kFrameRows, kFrameAlong + row);
   if (field.entity == Entity::kLayerNode) return plain(t.layer, m.layers.n, kLayerRows, row);
   if (field.entity != Entity::kPoint) return;  // of walls in space
   const auto points = [&](const std::vector<Chunk>& chunks, std::size_t first, int per) {
@@ -185,6 +189,42 @@ void put_wall(const Layout& l, const Tables& t, int lane, const Model& m, const 
   put_layers(wall, m.layers);
   wall.of_four(t.pose, t.n_block, 2) = 1;  // the ground's cosine
   turn_all(wall);
+}
+
+void stand(const Layout& l, const Tables& t, const Model& m, const State& s) {
+  const WallView wall = view_of(l, m, t, 0);
+  for (JointId j = 0; j < m.n_joint; ++j) {
+    const auto i = at(j);
+    const std::int32_t place = l.joint_place[i];
+    const bool stands = m.standing.joins(m.joint_a[i], m.joint_b[i], s.stage);
+    const std::int32_t a = m.joint_a[i] == kGroundBlock ? t.n_block : m.joint_a[i];
+    t.joint_a[place] =
+        stands ? a : t.n_block;  // else between the ground and itself, without an area
+    t.joint_b[place] = stands ? m.joint_b[i] : t.n_block;
+    t.joint[l.number(place, kJointRows, kArea, 1)] = stands ? m.area[i] : 0;
+    std::fill_n(t.force + 4 * static_cast<std::ptrdiff_t>(place), 4, 0.0);
+  }
+  for (int k = 0; k < m.frames.n; ++k) {
+    const auto i = at(k);
+    const bool stands = m.standing.joins(m.frames.a[i], m.frames.b[i], s.stage);
+    const std::int32_t a = m.frames.a[i] == kGroundBlock ? t.n_block : m.frames.a[i];
+    t.frame_a[k] = stands ? a : t.n_block;
+    t.frame_b[k] = stands ? m.frames.b[i] : t.n_block;
+    std::fill_n(t.force + 4 * static_cast<std::ptrdiff_t>(wall.joints + wall.linked + k), 4, 0.0);
+  }
+  for (int i = 0; i < m.n_block; ++i)
+    if (!m.standing.holds(i, s.stage) || s.release_x[at(i)] != 0 || s.release_y[at(i)] != 0 ||
+        s.release_m[at(i)] != 0)
+      wall.special(i) = 1;
+  hold_still(wall, m, s.stage);
+}
+
+void hold_still(const WallView& wall, const Model& m, int stage) {
+  for (int i = 0; i < m.n_block; ++i) {
+    if (m.standing.holds(i, stage)) continue;
+    wall.block(i, kIsFree) = 0;
+    wall.block(i, kVx) = wall.block(i, kVy) = wall.block(i, kOmega) = 0;
+  }
 }
 
 void read_wall(const Layout& l, const Tables& t, int lane, const Model& m, State& s) {

@@ -59,6 +59,11 @@ struct WallView {
 // A wall takes a lane: what it has for itself and where it is. Its time step is still to be set.
 void put_wall(const Layout& layout, const Tables& tables, int lane, const Model& model,
               const State& state);
+// Of a wall alone in its tables whose stages cut openings: joints and sections of what does not stand in the state's
+// stage have no force, and its blocks keep still.
+void stand(const Layout& layout, const Tables& tables, const Model& model, const State& state);
+// The latter alone, after a drive has chosen its blocks.
+void hold_still(const WallView& wall, const Model& model, int stage);
 // Its motion and history, into the state's own arrays.
 void read_wall(const Layout& layout, const Tables& tables, int lane, const Model& model,
                State& state);

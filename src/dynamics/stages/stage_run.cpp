@@ -7,6 +7,7 @@
 #include "core/real.h"
 #include "dynamics/meters/residual.h"
 #include "dynamics/passes/dashpots.h"
+#include "dynamics/stages/cutting.h"
 #include "dynamics/stages/recorder.h"
 #include "dynamics/stages/shake.h"
 #include "model/shaking.h"
@@ -25,8 +26,9 @@ double smooth_step(double x) {
 }
 
 double stage_mass_scaling(const Model& model, const Stage& stage) {
-  const bool quasi_static =
-      stage.spec.kind == StageKind::kGravity || stage.spec.kind == StageKind::kLoad;
+  const bool quasi_static = stage.spec.kind == StageKind::kGravity ||
+                            stage.spec.kind == StageKind::kLoad ||
+                            stage.spec.kind == StageKind::kCut;
   return quasi_static ? model.solve.mass_scaling : 1.0;
 }
 
@@ -203,8 +205,8 @@ StageEnd StageRun::fallen(const Furthest& furthest) const {
               {"force_kN", 1e-3 * force},
               {"stage", stage_.spec.name}}},
             false};
-  const bool loads =
-      stage_.spec.kind == StageKind::kGravity || stage_.spec.kind == StageKind::kLoad;
+  const bool loads = stage_.spec.kind == StageKind::kGravity ||
+                     stage_.spec.kind == StageKind::kLoad || stage_.spec.kind == StageKind::kCut;
   const std::optional<Message> why = loads ? crushed() : std::nullopt;
   Message reason{why     ? "block.moved_away_crushed"
                  : loads ? "block.cannot_stand"
@@ -284,8 +286,8 @@ class SettlingStage : public StageRun {
       state_.gravity_x = state_.gravity_z = 0;
       state_.gravity_y = -model_.solve.gravity * share;
     }
-    if (stage_.spec.kind == StageKind::kLoad || !stage_.loads.empty() ||
-        model_.links.set_by == state_.stage)
+    if (stage_.spec.kind == StageKind::kLoad || stage_.spec.kind == StageKind::kCut ||
+        !stage_.loads.empty() || model_.links.set_by == state_.stage)
       state_.load_scale[static_cast<std::size_t>(state_.stage)] = share;
   }
 
@@ -627,6 +629,7 @@ std::unique_ptr<StageRun> StageRun::start(WallUnderWay& wall, const Stage& stage
   switch (stage.spec.kind) {
     case StageKind::kGravity:
     case StageKind::kLoad: return std::make_unique<SettlingStage>(wall, stage);
+    case StageKind::kCut: begin_cut(wall); return std::make_unique<SettlingStage>(wall, stage);
     case StageKind::kPush: return std::make_unique<Push>(wall, stage);
     case StageKind::kBodyForce:
     case StageKind::kTilt: return std::make_unique<Factor>(wall, stage);

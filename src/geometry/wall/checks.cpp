@@ -49,7 +49,11 @@ std::vector<std::string> unsupported_blocks(const Assembly& assembly) {
   const std::size_t n = assembly.blocks.size();
   const auto index = [n](int i) { return i == kGround ? n : static_cast<std::size_t>(i); };
   Groups groups(n + 1);
-  for (const Face& face : assembly.faces) groups.join(index(face.a), index(face.b));
+  const auto goes = [&](int i) {
+    return i != kGround && assembly.blocks[static_cast<std::size_t>(i)].cut_from >= 0;
+  };
+  for (const Face& face : assembly.faces)  // what is cut out carries nothing in the end
+    if (!goes(face.a) && !goes(face.b)) groups.join(index(face.a), index(face.b));
   for (const PlacedFrame& frame : assembly.frames) {
     std::vector<std::size_t> block(frame.segments.size(), n);
     for (std::size_t i = 0; i < n; ++i)
@@ -63,7 +67,8 @@ std::vector<std::string> unsupported_blocks(const Assembly& assembly) {
   std::vector<std::string> ids;
   for (std::size_t i = 0; i < n; ++i) {
     const bool hangs = groups.root(i) != groups.root(n);
-    if (hangs && assembly.blocks[i].role != Role::kSupport) ids.push_back(assembly.blocks[i].id);
+    if (hangs && assembly.blocks[i].role != Role::kSupport && !goes(static_cast<int>(i)))
+      ids.push_back(assembly.blocks[i].id);
   }
   return ids;
 }

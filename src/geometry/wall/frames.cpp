@@ -432,7 +432,7 @@ void check_frames(const Assembly& assembly, FaultList& faults) {
   for (const auto& [i, j] : near_pairs(assembly.blocks, 0)) {
     const Block &a = assembly.blocks[static_cast<std::size_t>(i)],
                 &b = assembly.blocks[static_cast<std::size_t>(j)];
-    if (a.frame == b.frame) continue;
+    if (a.frame == b.frame || a.cut_from >= 0 || b.cut_from >= 0) continue;
     const Block &segment = a.frame >= 0 ? a : b, &other = a.frame >= 0 ? b : a;
     const Rect box = bounds(segment.outline);
     if (!overlaps(box, bounds(other.outline), tolerance) ||

@@ -32,7 +32,8 @@ inline constexpr Kinds kTiltStage = kind_bit(StageKind::kTilt);
 inline constexpr Kinds kHoldStage = kind_bit(StageKind::kHold);
 inline constexpr Kinds kShakeStage = kind_bit(StageKind::kShake);
 inline constexpr Kinds kDirectedStage = kPushStage | kBodyForceStage | kTiltStage;
-inline constexpr Kinds kRampedStage = kind_bit(StageKind::kGravity) | kLoadStage | kDirectedStage;
+inline constexpr Kinds kRampedStage =
+    kind_bit(StageKind::kGravity) | kind_bit(StageKind::kCut) | kLoadStage | kDirectedStage;
 
 // The descriptions are tables laid out by hand, two to four lines a key.
 // clang-format off
@@ -510,7 +511,7 @@ void describe(Visitor& v, StageSpec& s) {
          .doc = "Its name, different from the other stages'; `--set stage.push.velocity=...` "
                 "finds it by this."});
   v.choice("kind", s.kind, kStageKindWords, {.fallback = "follows from the other keys",
-           .example = "push", .doc = "What the stage does; a stage named gravity is one."});
+           .example = "push", .doc = "What the stage does; a stage named gravity is one. `cut`: takes the masonry out of the openings that name it (`wall.opening.cut`) and puts up the frames that do (`frame.stage`), which fades in over the ramp."});
   v.quantity("ramp", s.ramp, {.unit = "s", .shown = "s", .range = kNotNegative,
              .kinds = kRampedStage, .fallback = "push: 8 first periods of the wall; 0.1 s otherwise",
              .example = "0.1 s", .doc = "Duration of the smooth start."});

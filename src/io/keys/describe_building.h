@@ -161,6 +161,8 @@ void describe(Visitor& v, OpeningSpec& s) {
           .doc = "A stone or beam below it, laid as a lintel is above."});
   v.table("arch", s.arch, {.in_braces = true, .optional = true, .fallback = "no arch",
           .doc = "An arch of voussoirs over it, in the place of a lintel (docs/theory/conventions.md)."});
+  v.text("cut", s.cut, {.fallback = "built with the wall", .example = "new opening",
+         .doc = "Name of the stage of kind `cut` in which it is cut out of standing masonry; its lintel is put in then."});
 }
 
 template <class Visitor>

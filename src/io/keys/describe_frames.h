@@ -58,6 +58,8 @@ void describe(Visitor& v, FrameSpec& s) {
          .doc = "Name of the joint material between it and what it touches: dry for contact alone, with strengths for a mortar bed."});
   v.quantity("gap", s.gap, {.unit = "m", .shown = "mm", .range = kNotNegative, .example = "5 mm",
              .doc = "Between it and the jambs and head of its opening at the start, up to 50 mm; the joint is dry then. Under a base beam there is none."});
+  v.text("stage", s.stage, {.fallback = "the stage that cuts its opening, else the first", .example = "new opening",
+         .doc = "Name of the stage of kind `cut` that puts it up, without force; before that it is not there."});
 }
 
 // clang-format on

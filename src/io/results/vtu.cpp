@@ -145,6 +145,7 @@ std::string blocks_vtu(const Model& model, const State& state) {
   std::vector<BlockReading> blocks;
   std::vector<std::int32_t> role, course, block;
   for (BlockId b = 0; b < model.n_block; ++b) {
+    if (!model.standing.holds(b, state.stage)) continue;  // cut out, or not put up yet
     const BlockReading now = read_block(model, state, b);
     std::size_t cells = 1;
     if (model.in_space()) {

@@ -107,7 +107,10 @@ struct Part {
 
 // The mass of a deformable block lies in its nodes.
 double mass_of(const Model& model, BlockId block) {
-  if (block < model.n_block) return model.heavy_mass[static_cast<std::size_t>(block)];
+  if (block < model.n_block) {
+    const auto i = static_cast<std::size_t>(block);
+    return model.anatomy.block_role[i] == BlockRole::kCutOut ? 0.0 : model.heavy_mass[i];
+  }
   if (model.in_space()) {
     const SpaceSolids& solids = model.space.solids;
     const auto number = static_cast<std::size_t>(block - model.n_block - model.space.n_support);

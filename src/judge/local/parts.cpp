@@ -122,9 +122,10 @@ class Strip {
   [[nodiscard]] double thickness_at(BlockId block) const {
     return model_.anatomy.block_thickness[static_cast<std::size_t>(block)];
   }
-  // Steel is no masonry.
-  [[nodiscard]] bool is_frame(BlockId block) const {
-    return model_.anatomy.block_role[static_cast<std::size_t>(block)] == BlockRole::kFrame;
+  // Steel is no masonry, and what a stage cuts out is gone.
+  [[nodiscard]] bool is_no_masonry(BlockId block) const {
+    const BlockRole role = model_.anatomy.block_role[static_cast<std::size_t>(block)];
+    return role == BlockRole::kFrame || role == BlockRole::kCutOut;
   }
   [[nodiscard]] Polygon box(double y0, double y1) const {
     return {{x0_, y0}, {x1_, y0}, {x1_, y1}, {x0_, y1}};
@@ -133,7 +134,7 @@ class Strip {
     Piece piece;
     const Polygon frame = box(y0, y1);
     for (BlockId b = 0; b < model_.n_block; ++b) {
-      if (is_frame(b)) continue;
+      if (is_no_masonry(b)) continue;
       const Polygon outline = polygon_of(model_, b);
       const geometry::Rect around = geometry::bounds(outline);
       if (around.y1 <= y0 || around.y0 >= y1 || around.x1 <= x0_ || around.x0 >= x1_) continue;
@@ -159,7 +160,7 @@ class Strip {
   [[nodiscard]] std::vector<Stretch> stretches_at(double y) const {
     std::vector<Stretch> all;
     for (BlockId b = 0; b < model_.n_block; ++b) {
-      if (is_frame(b)) continue;
+      if (is_no_masonry(b)) continue;
       const Polygon outline = polygon_of(model_, b);
       const geometry::Rect around = geometry::bounds(outline);
       if (around.y0 > y || around.y1 < y) continue;
@@ -536,7 +537,7 @@ class Strip {
     constexpr double kApart = 1e-3;  // [m]
     std::vector<double> all, joints;
     for (BlockId b = 0; b < model_.n_block; ++b) {
-      if (is_frame(b)) continue;
+      if (is_no_masonry(b)) continue;
       double top = -std::numeric_limits<double>::infinity();
       for (const Vec3& corner : outline_of(model_, b)) top = std::max(top, corner.y);
       if (top > y0_ + kApart && top < y1_ - kApart) all.push_back(top - y0_);
@@ -549,11 +550,7 @@ class Strip {
 
   void say_what_is_left_out(LocalCheck& out) const {
     if (lying_.empty()) out.notes.push_back({"local.note.no_floors"});
-    for (BlockId b = 0; b < model_.n_block; ++b)
-      if (is_frame(b)) {
-        out.notes.push_back({"local.note.frame"});
-        break;
-      }
+    if (model_.frames.n > 0) out.notes.push_back({"local.note.frame"});
     if (other_ > 0 && other_ + out.floors > masonry_.weight)
       out.cautions.push_back(
           {"local.caution.heavy_loads",

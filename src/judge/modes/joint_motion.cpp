@@ -89,7 +89,8 @@ RigidMotion fitted(const std::vector<BlockMotion>& blocks, const Chosen& chosen)
 namespace {
 
 bool is_masonry(const BlockMotion& b) {
-  return b.role != BlockRole::kPlate && b.role != BlockRole::kBeam && b.role != BlockRole::kFrame;
+  return b.role != BlockRole::kPlate && b.role != BlockRole::kBeam && b.role != BlockRole::kFrame &&
+         b.role != BlockRole::kCutOut;
 }
 
 // Ways of all blocks against the rigid motion of the half or more of the wall that is nearest to rigid: fitted

@@ -455,6 +455,9 @@ Portal find_portal(const Model& model) {
   if (model.frames.n > 0)
     add_fault(faults, "frame", model.frames.name.front(),
               "helps to carry, and macro-blocks know no frames", "leave it out for the mechanisms");
+  if (model.standing.any())
+    add_fault(faults, "wall.opening", "", "is cut by a stage, and macro-blocks know no stages",
+              "leave cut out of the openings for the mechanisms");
   if (model.layers.n > 0)
     add_fault(faults, "layer", model.layers.name.front(),
               "helps to carry, and macro-blocks know no layers", "leave it out for the mechanisms");

@@ -15,7 +15,8 @@ constexpr double kToe = 0.25;   // of a pier's width: the compressed corner
 constexpr double kReach = 2.5;  // columns on either side of a jamb: the connection
 
 bool is_wall(BlockRole role) {
-  return role != BlockRole::kPlate && role != BlockRole::kBeam && role != BlockRole::kFrame;
+  return role != BlockRole::kPlate && role != BlockRole::kBeam && role != BlockRole::kFrame &&
+         role != BlockRole::kCutOut;
 }
 
 // Corners of a block.

@@ -1,0 +1,182 @@
+// What stands when: openings that a stage cuts, and what is put into them (docs/theory/cutting.md).
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "core/text.h"
+#include "model/parts.h"
+
+namespace wythe {
+namespace {
+
+constexpr std::int32_t kNever = std::numeric_limits<std::int32_t>::max();
+
+class StandingCompiler {
+ public:
+  StandingCompiler(const ModelSpec& spec, const geometry::Assembly& assembly, const BlockMap& map,
+                   Model& model, FaultList& faults)
+      : spec_(spec), assembly_(assembly), map_(map), model_(model), faults_(faults) {}
+
+  void run() {
+    const std::size_t before = faults_.all().size();
+    find_stages();
+    if (!any_) return note_idle_stages();
+    refuse_what_is_not_built();
+    if (faults_.all().size() > before) return;
+    note_idle_stages();
+    model_.standing.from.assign(static_cast<std::size_t>(model_.n_block), 0);
+    model_.standing.until.assign(static_cast<std::size_t>(model_.n_block), kNever);
+    for (std::size_t b = 0; b < map_.size(); ++b) place(assembly_.blocks[b], map_[b]);
+    for (std::size_t k = 0; k < cut_.size(); ++k)
+      if (cut_[k] > 0) note_cut(k);
+  }
+
+ private:
+  void fault(const std::string& path, const std::string& value, std::string problem,
+             std::string cure) {
+    faults_.add({"", path, value, std::move(problem), std::move(cure), 0});
+  }
+
+  // The stages that are named, or 0: none, which no stage of kind cut can be.
+  void find_stages() {
+    for (std::size_t k = 0; k < spec_.wall.opening.size(); ++k)
+      cut_.push_back(stage_named(fmt::format("wall.opening.{}.cut", k), spec_.wall.opening[k].cut));
+    for (std::size_t k = 0; k < spec_.frame.size(); ++k) {
+      const FrameSpec& frame = spec_.frame[k];
+      int stage = stage_named(fmt::format("frame.{}.stage", k), frame.stage);
+      for (std::size_t o = 0; frame.stage.empty() && o < cut_.size(); ++o)
+        if (!frame.round.empty() && spec_.wall.opening[o].name == frame.round) stage = cut_[o];
+      up_.push_back(stage);
+    }
+    const auto is_set = [](int stage) { return stage > 0; };
+    any_ = std::any_of(cut_.begin(), cut_.end(), is_set) ||
+           std::any_of(up_.begin(), up_.end(), is_set);
+  }
+
+  int stage_named(const std::string& path, const std::string& name) {
+    if (name.empty()) return 0;
+    std::vector<std::string> names;
+    bool stands = false;  // a stage of gravity came before
+    for (std::size_t k = 0; k < spec_.stage.size(); ++k) {
+      const StageSpec& stage = spec_.stage[k];
+      names.push_back(stage.name);
+      if (stage.name == name) {
+        if (stage.kind != StageKind::kCut)
+          fault(path, "\"" + name + "\"",
+                fmt::format("is a {} stage", word_of(kStageKindWords, stage.kind)),
+                "write kind = \"cut\" in a stage of its own, after gravity");
+        else if (!stands)
+          fault(path, "\"" + name + "\"", "comes before gravity: nothing stands there yet",
+                "put a stage of gravity before it");
+        return static_cast<int>(k);
+      }
+      stands = stands || stage.kind == StageKind::kGravity;
+    }
+    fault(path, "\"" + name + "\"", "no stage has this name",
+          names.empty()
+              ? "add [[stage]] with this name and kind = \"cut\""
+              : name_advice(name, names) + " Or add [[stage]] with this name and kind = \"cut\"");
+    return 0;
+  }
+
+  void refuse_what_is_not_built() {
+    for (std::size_t k = 0; k < cut_.size(); ++k) {
+      const OpeningSpec& opening = spec_.wall.opening[k];
+      const std::string path = fmt::format("wall.opening.{}", k);
+      if (cut_[k] > 0 && opening.arch.kind != ArchKind::kNone)
+        fault(path + ".cut", "\"" + opening.cut + "\"",
+              "an arch cannot be laid into standing masonry",
+              "give the opening a lintel or a frame, or leave cut out");
+    }
+    const auto refuse = [&](const char* path, bool is_there, const char* what) {
+      if (is_there)
+        fault(path, "", fmt::format("does not go with openings that a stage cuts: {}", what),
+              "leave it out, or build the opening with the wall (no cut)");
+    };
+    refuse("solve.contacts", spec_.solve.contacts == Contacts::kFree, "contacts are joints there");
+    refuse("layer", !spec_.layer.empty(), "layers are on the wall from the first stage on");
+    refuse("wall", !model_.solids.bodies.empty(), "its blocks are rigid, without zones");
+  }
+
+  void note_idle_stages() {
+    for (std::size_t k = 0; k < spec_.stage.size(); ++k) {
+      const auto is_this = [&](int stage) { return stage == static_cast<int>(k); };
+      if (spec_.stage[k].kind == StageKind::kCut &&
+          std::none_of(cut_.begin(), cut_.end(), is_this) &&
+          std::none_of(up_.begin(), up_.end(), is_this))
+        model_.anatomy.notes.push_back({"cut.nothing", {{"stage", spec_.stage[k].name}}});
+    }
+  }
+
+  void place(const geometry::Block& block, BlockId id) {
+    if (id < 0) return;
+    const auto i = static_cast<std::size_t>(id);
+    if (block.cut_from >= 0) {
+      model_.standing.until[i] = cut_[static_cast<std::size_t>(block.cut_from)];
+    } else if (block.frame >= 0) {
+      model_.standing.from[i] = up_[static_cast<std::size_t>(block.frame)];
+    } else if (block.opening >= 0) {  // a lintel or a sill
+      model_.standing.from[i] = cut_[static_cast<std::size_t>(block.opening)];
+    }
+  }
+
+  void note_cut(std::size_t opening) {
+    int blocks = 0;
+    double weight = 0;
+    for (std::size_t b = 0; b < map_.size(); ++b) {
+      if (assembly_.blocks[b].cut_from != static_cast<int>(opening) || map_[b] < 0) continue;
+      ++blocks;
+      weight += model_.heavy_mass[static_cast<std::size_t>(map_[b])] * model_.solve.gravity;
+    }
+    const std::string& name = spec_.wall.opening[opening].name;
+    model_.anatomy.notes.push_back(
+        {"cut.opening",
+         {{"opening", name.empty() ? std::to_string(opening + 1) : name},
+          {"stage", spec_.stage[static_cast<std::size_t>(cut_[opening])].name},
+          {"blocks", blocks},
+          {"weight_kN", 1e-3 * weight}}});
+  }
+
+  const ModelSpec& spec_;
+  const geometry::Assembly& assembly_;
+  const BlockMap& map_;
+  Model& model_;
+  FaultList& faults_;
+  std::vector<int> cut_, up_;  // of each opening, of each frame: its stage, 0 where none is named
+  bool any_ = false;
+};
+
+}  // namespace
+
+void compile_standing(const ModelSpec& spec, const geometry::Assembly& assembly,
+                      const BlockMap& map, Model& model, FaultList& faults) {
+  StandingCompiler(spec, assembly, map, model, faults).run();
+}
+
+void check_standing(const Model& model, FaultList& faults) {
+  if (!model.standing.any()) return;
+  const auto goes = [&](BlockId block) {
+    return block >= 0 && block < model.n_block &&
+           model.anatomy.block_role[static_cast<std::size_t>(block)] == BlockRole::kCutOut;
+  };
+  const auto refuse = [&](const std::string& path, BlockId block, const char* what) {
+    faults.add({"", path, model.anatomy.block_id[static_cast<std::size_t>(block)],
+                fmt::format("{} masonry that a stage cuts out", what),
+                "move it beside the opening, or build the opening with the wall (no cut)", 0});
+  };
+  for (std::size_t k = 0; k < model.stages.size(); ++k) {
+    const Stage& stage = model.stages[k];
+    const std::string path = fmt::format("stage.{}", k);
+    for (const PointLoad& load : stage.loads)
+      if (goes(load.block)) return refuse(path, load.block, "loads");
+    for (const BlockId block : stage.driven)
+      if (goes(block)) return refuse(path + ".at", block, "pushes");
+    if (goes(stage.control)) return refuse(path + ".control", stage.control, "follows");
+  }
+  for (std::size_t k = 0; k < model.links.a.size(); ++k)
+    for (const BlockId block : {model.links.a[k], model.links.b[k]})
+      if (goes(block)) return refuse("tie", block, "a tie or spring ends on");
+}
+
+}  // namespace wythe

@@ -1,0 +1,242 @@
+// Openings that a stage cuts out of standing masonry, against equilibrium, superposition and walls built with the
+// opening (docs/theory/cutting.md).
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "scenes/scenes.h"
+#include "verification/record.h"
+#include "wythe/error.h"
+#include "wythe/reading.h"
+#include "wythe/solve.h"
+
+namespace wythe::verification {
+namespace {
+
+constexpr double kLoad = 20e3;  // on each pier [N]
+
+StageSpec cut_stage() {
+  StageSpec cut;
+  cut.name = "cut";
+  cut.kind = StageKind::kCut;
+  return cut;
+}
+
+// The window of small_wall, cut under load; no push.
+ModelSpec cut_wall() {
+  ModelSpec spec = scenes::small_wall(1e-3, 0.02, kLoad);
+  spec.wall.opening[0].name = "window";
+  spec.wall.opening[0].cut = "cut";
+  spec.stage.back() = cut_stage();
+  spec.solve.settle_ratio = 1e-7;
+  return spec;
+}
+ModelSpec built_wall() {
+  ModelSpec spec = cut_wall();
+  spec.wall.opening[0].cut = "";
+  return spec;
+}
+ModelSpec elastic(ModelSpec spec) {
+  spec.material["joint"] = scenes::elastic_joint(20e9, 8e9);
+  spec.material["unit"] = scenes::elastic_joint(40e9, 16e9);
+  return spec;
+}
+
+struct Ran {
+  Model model;
+  State state;
+  Result result;
+};
+Ran solved(const ModelSpec& spec, std::int64_t steps = 0) {
+  Ran r{compile(spec), {}, {}};
+  r.state = initial_state(r.model);
+  SolveOptions options;
+  options.step_budget = steps;
+  r.result = solve(r.model, r.state, options);
+  return r;
+}
+// With one step of the last stage.
+Ran begun(const ModelSpec& spec) {
+  const Result whole = solved(spec).result;
+  return solved(spec, whole.steps - whole.stages.back().steps + 1);
+}
+
+std::map<std::string, std::vector<double>> motions(const Ran& r) {
+  std::map<std::string, std::vector<double>> all;
+  for (std::size_t i = 0; i < r.state.ux.size(); ++i)
+    if (r.model.anatomy.block_role[i] != BlockRole::kCutOut)
+      all[r.model.anatomy.block_id[i]] = {r.state.ux[i], r.state.uy[i], 0.1 * r.state.theta[i]};
+  return all;
+}
+
+double ground_force(const Ran& r) {
+  const WallReading wall = read_wall(r.model, r.state);
+  double sum = 0;
+  for (const JointReading& joint : wall.joints)
+    if (joint.shape.a == kGroundBlock) sum += joint.compression;
+  return sum;
+}
+
+// Elastic joints forget how a load came on, so the wall ends as if it had been built with its opening.
+TEST(Cutting, an_elastic_wall_ends_as_if_it_had_been_built_so) {
+  const Ran cut = solved(elastic(cut_wall())), built = solved(elastic(built_wall()));
+  ASSERT_EQ(cut.result.status, SolveStatus::kCompleted);
+  const auto was = motions(cut), wanted = motions(built);
+  ASSERT_EQ(was.size(), wanted.size());
+  double most = 0, apart = 0;
+  for (const auto& [id, motion] : wanted)
+    for (std::size_t k = 0; k < 3; ++k) {
+      most = std::max(most, std::fabs(motion[k]));
+      apart = std::max(apart, std::fabs(was.at(id)[k] - motion[k]));
+    }
+  verify({"CU01", "wall cut under load: displacement off that of a wall built with the opening", "",
+          0, 1e-3, "two settlings, finite turns", true},
+         apart / most);
+  EXPECT_GT(most, 1e-6);
+}
+
+// What was cut out bears nothing and weighs nothing; all else stands on the ground.
+TEST(Cutting, the_ground_bears_what_is_left) {
+  for (const bool is_elastic : {true, false}) {
+    const Ran r = solved(is_elastic ? elastic(cut_wall()) : cut_wall());
+    ASSERT_EQ(r.result.status, SolveStatus::kCompleted);
+    const Model built = compile(built_wall());
+    EXPECT_NEAR(r.model.weight, built.weight, 1e-9 * built.weight);
+    const double loads = kLoad * static_cast<double>(r.model.anatomy.pier_x0.size());
+    verify({"CU02", "wall cut under load: force on the ground", "N", built.weight + loads, 1e-4,
+            "settled to 1e-7"},
+           ground_force(r));
+    EXPECT_LT(r.result.energy.gap_ratio, 1e-3);
+  }
+}
+
+// At the start of the stage all neighbours are held as they were: nothing moves at once.
+TEST(Cutting, begins_without_a_jolt) {
+  const ModelSpec spec = elastic(cut_wall());
+  const Ran start = begun(spec);
+  double speed = 0;
+  for (std::size_t i = 0; i < start.state.vx.size(); ++i)
+    speed = std::max(speed, std::hypot(start.state.vx[i], start.state.vy[i]));
+  // a block let go falls by g dt in the first step
+  EXPECT_LT(speed, 0.01 * start.model.solve.gravity * start.result.time_step);
+}
+
+ModelSpec with_frame(ModelSpec spec) {
+  spec = scenes::framed(std::move(spec));
+  spec.frame[0].yield_strength = 500e6;
+  spec.frame[0].section.area *= 4;
+  spec.frame[0].section.mass *= 4;
+  return spec;
+}
+
+// A frame is put up without force, so it bears less than one that was there when the loads came.
+TEST(Cutting, a_frame_is_put_up_without_force) {
+  const ModelSpec spec = with_frame(cut_wall());
+  const auto most = [](const Ran& r) {
+    double force = 0;
+    for (const FrameReading& section : read_frames(r.model, r.state))
+      force = std::max({force, std::fabs(section.normal), std::fabs(section.shear)});
+    return force;
+  };
+  const Ran start = begun(spec), cut = solved(spec), built = solved(with_frame(built_wall()));
+  ASSERT_EQ(cut.result.status, SolveStatus::kCompleted);
+  EXPECT_LT(most(start), 1e-3 * most(cut));
+  EXPECT_GT(most(cut), 1.0);
+  EXPECT_LT(most(cut), most(built));
+  EXPECT_LT(cut.result.energy.gap_ratio, 1e-3);
+}
+
+// A lintel comes in as one piece and takes what is above it.
+TEST(Cutting, a_lintel_is_put_in_without_force_and_then_bears) {
+  ModelSpec spec = cut_wall();
+  LintelSpec& lintel = spec.wall.opening[0].lintel;
+  lintel.kind = "timber";
+  lintel.depth = 0.11;
+  lintel.bearing = 0.155;
+  lintel.material = "timber";
+  lintel.bond = "dry";
+  spec.material["timber"].density = 500;
+  spec.material["timber"].youngs_modulus = 10e9;
+  spec.material["timber"].shear_modulus = 0.6e9;
+  spec.material["dry"] = scenes::dry_joint(20e9, 8e9, 0.4);
+  const auto bearing = [](const Ran& r) {
+    double force = 0;
+    for (const JointReading& joint : read_wall(r.model, r.state).joints)
+      if (joint.shape.kind == JointKind::kLintelBond && joint.shape.b >= 0 &&
+          r.model.anatomy.block_role[static_cast<std::size_t>(joint.shape.b)] == BlockRole::kLintel)
+        force += joint.compression;
+    return force;
+  };
+  const Ran start = begun(spec), r = solved(spec);
+  ASSERT_EQ(r.result.status, SolveStatus::kCompleted);
+  EXPECT_GT(bearing(r), 100);
+  EXPECT_LT(std::fabs(bearing(start)), 0.05 * bearing(r));
+  EXPECT_LT(r.result.energy.gap_ratio, 1e-3);
+}
+
+TEST(Cutting, goes_on_from_the_middle_of_the_stage_with_the_same_bits) {
+  const ModelSpec spec = with_frame(cut_wall());
+  const Ran whole = solved(spec);
+  const std::int64_t last = whole.result.stages.back().steps;
+  Ran parts = solved(spec, whole.result.steps - last / 2);
+  ASSERT_EQ(parts.result.status, SolveStatus::kBudgetSpent);
+  const Result rest = solve(parts.model, parts.state, {});
+  EXPECT_EQ(rest.state_hash, whole.result.state_hash);
+}
+
+TEST(Cutting, threads_give_the_same_bits) {
+  const ModelSpec spec = cut_wall();
+  const Ran one = solved(spec);
+  Ran two{compile(spec), {}, {}};
+  two.state = initial_state(two.model);
+  SolveOptions options;
+  options.threads = 2;
+  EXPECT_EQ(solve(two.model, two.state, options).state_hash, one.result.state_hash);
+}
+
+// The path and the problem of the first fault.
+std::string fault_of(const ModelSpec& spec) {
+  try {
+    (void)compile(spec);
+  } catch (const InputError& error) {
+    return error.faults().front().path + ": " + error.faults().front().problem;
+  }
+  return "none";
+}
+
+TEST(Cutting, what_cannot_be_is_refused_with_its_place) {
+  ModelSpec spec = cut_wall();
+  spec.wall.opening[0].cut = "later";
+  EXPECT_EQ(fault_of(spec), "wall.opening.0.cut: no stage has this name");
+  spec.wall.opening[0].cut = "precompression";
+  EXPECT_EQ(fault_of(spec), "wall.opening.0.cut: is a load stage");
+  spec = cut_wall();
+  std::swap(spec.stage[0], spec.stage[2]);
+  EXPECT_EQ(fault_of(spec), "wall.opening.0.cut: comes before gravity: nothing stands there yet");
+  spec = cut_wall();
+  spec.wall.opening[0].arch.kind = ArchKind::kSegmental;
+  spec.wall.opening[0].arch.rise = 0.05;
+  spec.wall.opening[0].arch.depth = 0.11;
+  EXPECT_EQ(fault_of(spec), "wall.opening.0.cut: an arch cannot be laid into standing masonry");
+  spec = cut_wall();
+  spec.solve.contacts = Contacts::kFree;
+  EXPECT_NE(fault_of(spec).find("solve.contacts: does not go with openings that a stage cuts"),
+            std::string::npos);
+  spec = cut_wall();
+  spec.stage.push_back(scenes::push_stage("cut0_0", Direction::kPlusX, 0.02, 1e-3));
+  EXPECT_EQ(fault_of(spec), "stage.3.at: pushes masonry that a stage cuts out");
+}
+
+TEST(Cutting, a_stage_that_cuts_nothing_is_told) {
+  ModelSpec spec = built_wall();
+  const Model model = compile(spec);
+  bool told = false;
+  for (const Message& note : model.anatomy.notes) told = told || note.code == "cut.nothing";
+  EXPECT_TRUE(told);
+}
+
+}  // namespace
+}  // namespace wythe::verification
