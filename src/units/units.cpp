@@ -170,9 +170,32 @@ bool holds_number(std::string_view unit) {
   return leads || after_blank;
 }
 
+// "1234.5 N" for "1.234,5 N", and both readings of "150,000 N".
+std::string without_commas(std::string_view text) {
+  const std::string whole(trimmed(text));
+  const std::size_t end = std::min(whole.size(), whole.find_first_not_of("+-.,0123456789"));
+  std::string number = whole.substr(0, end);
+  const std::string unit(trimmed(std::string_view(whole).substr(end)));
+  const std::size_t comma = number.find(','), last = number.find_last_of(".,");
+  const auto plain = [](std::string digits) {
+    std::erase_if(digits, [](char c) { return c == ',' || c == '.'; });
+    return digits;
+  };
+  const std::string thousands = plain(number);
+  const std::string decimals = plain(number.substr(0, last)) + '.' + plain(number.substr(last));
+  const bool many = std::count(number.begin(), number.end(), number[last]) > 1;
+  const bool may_be_thousands = number.size() - last == 4 &&
+                                number.find('.') == std::string::npos && comma != 0 &&
+                                number[0] != '0';
+  if (many) return fmt::format("write \"{} {}\"", thousands, unit);
+  if (may_be_thousands)
+    return fmt::format("write \"{1} {0}\" for thousands, \"{2} {0}\" for decimals", unit, thousands,
+                       decimals);
+  return fmt::format("write \"{} {}\"", decimals, unit);
+}
+
 void refuse_second_number(std::string_view text, std::string_view unit) {
-  if (unit.starts_with(','))
-    throw QuantityError("has a decimal comma", "write the number with a point, e.g. 0.15");
+  if (unit.starts_with(',')) throw QuantityError("has a decimal comma", without_commas(text));
   if (holds_number(unit))
     throw QuantityError(fmt::format("'{}' is more than one number", text),
                         "write one number without blanks, then its unit");

@@ -11,14 +11,13 @@
 
 #include "core/limits.h"
 #include "core/text.h"
+#include "io/text/thousands.h"
 #include "units/quantity_error.h"
 #include "wythe/text.h"
 #include "wythe/units.h"
 
 namespace wythe::io {
 namespace {
-
-constexpr const char* kDigits = "0123456789";
 
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
@@ -317,11 +316,7 @@ double NumberTable::number(std::size_t column) {
 }
 
 bool NumberTable::may_be_thousands(std::size_t column) const {
-  const std::string cell = this->cell(column);
-  const std::size_t begin = cell.find_first_of("123456789"), mark = cell.find_first_of(".,");
-  return mark != std::string::npos && begin == cell.find_first_of(kDigits) && mark > begin &&
-         mark - begin <= 3 && cell.find_first_not_of(kDigits, mark + 1) == std::string::npos &&
-         cell.size() == mark + 4;
+  return io::may_be_thousands(this->cell(column));
 }
 
 bool NumberTable::tells_decimals(std::size_t column) const {
