@@ -164,10 +164,15 @@ std::optional<Split> split_quantity(std::string_view text) {
 bool holds_number(std::string_view unit) {
   const bool leads =
       !unit.empty() && std::isdigit(static_cast<unsigned char>(unit[0])) && !unit.starts_with("1/");
-  bool after_blank = false;
-  for (std::size_t i = 1; i < unit.size(); ++i)
-    after_blank |= unit[i - 1] == ' ' && std::isdigit(static_cast<unsigned char>(unit[i]));
-  return leads || after_blank;
+  // behind a blank or a mark of arithmetic, of which some end with the byte 0x97 or 0xb7: "MPa/10", "MPa×10"
+  constexpr std::string_view kMarks = " /\x97\xb7";
+  bool is_factor = false;
+  for (std::size_t i = 1; i < unit.size(); ++i) {
+    const bool is_times = unit[i - 1] == '*' && (i < 2 || unit[i - 2] != '*');
+    is_factor = is_factor || ((is_times || kMarks.find(unit[i - 1]) != std::string_view::npos) &&
+                              std::isdigit(static_cast<unsigned char>(unit[i])));
+  }
+  return leads || is_factor;
 }
 
 // "1234.5 N" for "1.234,5 N", and both readings of "150,000 N".
