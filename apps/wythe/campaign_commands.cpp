@@ -22,6 +22,7 @@
 #include "wythe/solve.h"
 #include "wythe/statistics.h"
 #include "wythe/stored_states.h"
+#include "wythe/study_notes.h"
 #include "wythe/text.h"
 #include "wythe/units.h"
 
@@ -465,15 +466,38 @@ void print_refusals(const SampleTable& samples, const ModelBuilder& build) {
   }
 }
 
+// The notes that no option before had; they are added to `told`.
+std::vector<Message> new_to(std::vector<Message>& told, const std::vector<Message>& notes) {
+  std::vector<Message> out;
+  for (const Message& note : notes)
+    if (std::find(told.begin(), told.end(), note) == told.end()) out.push_back(note);
+  told.insert(told.end(), out.begin(), out.end());
+  return out;
+}
+
+// What the base model says of itself: not of values, which samples may set, nor of records that a study replaces.
+std::vector<Message> notes_of_base(const Model& base, const StudySpec& study) {
+  std::vector<Message> notes;
+  for (const Message& note : base.anatomy.notes) {
+    const bool is_of_values =
+        note.code == "value.odd" || note.code == "density.odd" || note.code == "scatter.odd";
+    const bool is_replaced = study.shaking.is_asked() && note.code.starts_with("shake.");
+    if (!is_of_values && !is_replaced) notes.push_back(note);
+  }
+  return notes;
+}
+
 // Prints what is to be known of an option; the time of one of its samples [s].
-double check_option(const VariantSpec& option) {
+double check_option(const VariantSpec& option, std::vector<Message>& told) {
   const StudySpec& study = option.study;
   const ModelBuilder build = model_builder(study);
   const Model model = compile_option(study, build);
   fmt::print("variant \"{}\": blocks {}   joints {}   contact points {}\n", readable(option.name),
              model.n_block, model.n_joint, model.n_point());
+  const SampleTable samples = draw_samples(study);
   print_notes(notes_of(study, build({})), true);
-  print_refusals(draw_samples(study), build);
+  print_notes(new_to(told, notes_of_values(study, samples, build)), true);
+  print_refusals(samples, build);
   return estimate(model).seconds;
 }
 
@@ -489,14 +513,14 @@ int check_study_file(const CheckArguments& a) {
              base.n_point());
   print_inputs(samples);
   print_notes(notes_of(study, build({})), true);
+  std::vector<Message> told;
+  print_notes(new_to(told, notes_of_values(study, samples, build)), true);
   print_refusals(samples, build);
-  std::vector<Message> notes;
-  if (!study.shaking.is_asked()) add_record_notes(base, notes);
-  print_notes(notes, true);
+  print_notes(notes_of_base(base, study), true);
   double seconds = study.shaking.is_asked()
                        ? print_shakes_asked(study, samples, build) / samples.n_sample()
                        : estimate(base).seconds;
-  for (const VariantSpec& option : study.option) seconds += check_option(option);
+  for (const VariantSpec& option : study.option) seconds += check_option(option, told);
   const double cores = std::max(1U, std::thread::hardware_concurrency());
   const std::size_t each = 1 + study.option.size();
   fmt::print("{} samples{}, {}about {} on {:.0f} cores\n", samples.n_sample(),

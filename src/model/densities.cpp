@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "core/text.h"
 
@@ -46,33 +47,112 @@ void note_scale(Model& model) {
 }
 
 // A value in the range that its key admits, and a thousand times off what masonry has: a slip of the unit, most likely.
-void note_odd_values(const ModelSpec& spec, Model& model) {
-  const auto look = [&](const std::string& path, double value, double least, double most,
-                        const char* unit, double factor) {
+class OddValues {
+ public:
+  explicit OddValues(std::vector<Message>& notes) : notes_(notes) {}
+
+  // `shown`: the unit of the note, of which each is `factor` SI units.
+  void look(const std::string& path, double value, double least, double most, const char* shown,
+            double factor) {
     if (!std::isfinite(value) || value == 0 || (value >= least && value <= most)) return;
-    model.anatomy.notes.push_back({"value.odd",
-                                   {{"key", path},
-                                    {"value", value / factor},
-                                    {"unit", unit},
-                                    {"least", least / factor},
-                                    {"most", most / factor}}});
-  };
-  look("wall.thickness", spec.wall.thickness, 0.01, 10, "m", 1);
-  look("solve.gravity", spec.solve.gravity, 1, 30, "m/s^2", 1);
-  constexpr double kDegree = 3.14159265358979323846 / 180;
-  for (const auto& [name, m] : spec.material) {
-    const std::string path = "material." + name + ".";
+    notes_.push_back({"value.odd",
+                      {{"key", path},
+                       {"value", value / factor},
+                       {"unit", shown},
+                       {"least", least / factor},
+                       {"most", most / factor}}});
+  }
+  void of_law(const std::string& path, const JointMaterial& m) {
+    constexpr double kDegree = 3.14159265358979323846 / 180;
     look(path + "normal_stiffness", m.normal_stiffness, 1e7, 1e14, "GPa/m", 1e9);
     look(path + "shear_stiffness", m.shear_stiffness, 1e6, 1e14, "GPa/m", 1e9);
-    look(path + "tensile_strength", m.tensile_strength, 100, 50e6, "MPa", 1e6);
-    look(path + "cohesion", m.cohesion, 100, 100e6, "MPa", 1e6);
-    look(path + "compressive_strength", m.compressive_strength, 1e4, 1e9, "MPa", 1e6);
+    stress(path + "tensile_strength", m.tensile_strength, 1e3, 50e6);
+    stress(path + "cohesion", m.cohesion, 1e3, 100e6);
+    stress(path + "residual_cohesion", m.residual_cohesion, 100, 100e6);
+    stress(path + "compressive_strength", m.compressive_strength, 1e4, 1e9);
+    stress(path + "dilatancy_pressure", m.dilatancy_pressure, 1e3, 1e9);
     look(path + "friction_angle", m.friction_angle, 3 * kDegree, 80 * kDegree, "deg", kDegree);
     look(path + "mode_1_energy", m.mode_1_energy, 0.01, 3000, "N/m", 1);
     look(path + "mode_2_energy", m.mode_2_energy, 0.01, 30000, "N/m", 1);
+    look(path + "compressive_energy", m.compressive_energy, 30, 3e6, "N/m", 1);
+    modulus(path + "youngs_modulus", m.youngs_modulus, 1e6);
+    modulus(path + "shear_modulus", m.shear_modulus, 1e6);
   }
-  for (const StageSpec& stage : spec.stage)
-    look("stage." + stage.name + ".velocity", stage.velocity, 1e-9, 1, "m/s", 1);
+  void of_masonry(const MasonrySpec& m) {
+    stress("masonry.unit_strength", m.unit_strength, 1e5, 1e9);
+    stress("masonry.mortar_strength", m.mortar_strength, 1e4, 1e9);
+    stress("masonry.masonry_strength", m.masonry_strength, 1e4, 1e9);
+    stress("masonry.vertical_stress", m.vertical_stress, 1e3, 1e8);
+    stress("masonry.initial_shear_strength", m.initial_shear_strength, 1e3, 1e8);
+    stress("masonry.diagonal_shear_strength", m.diagonal_shear_strength, 1e3, 1e8);
+    modulus("masonry.youngs_modulus", m.youngs_modulus, 1e6);
+    modulus("masonry.shear_modulus", m.shear_modulus, 1e6);
+    modulus("masonry.unit_youngs_modulus", m.unit_youngs_modulus, 1e6);
+    modulus("masonry.mortar_youngs_modulus", m.mortar_youngs_modulus, 1e6);
+    look("masonry.weight", m.weight, 3e3, 5e4, "kN/m^3", 1e3);
+  }
+  // Steel, timber and fibres that hold a wall.
+  void of_ties(const ModelSpec& spec) {
+    for (const TieSpec& tie : spec.tie) {
+      modulus("tie." + tie.name + ".youngs_modulus", tie.youngs_modulus, 1e8);
+      stress("tie." + tie.name + ".yield_strength", tie.yield_strength, 1e6, 1e10);
+      stress("tie." + tie.name + ".prestress", tie.prestress, 1e4, 1e10);
+    }
+    for (const FrameSpec& frame : spec.frame) {
+      modulus("frame." + frame.name + ".youngs_modulus", frame.youngs_modulus, 1e8);
+      modulus("frame." + frame.name + ".shear_modulus", frame.shear_modulus, 1e8);
+      stress("frame." + frame.name + ".yield_strength", frame.yield_strength, 1e6, 1e10);
+    }
+  }
+
+ private:
+  void stress(const std::string& path, double value, double least, double most) {
+    look(path, value, least, most, "MPa", 1e6);
+  }
+  void modulus(const std::string& path, double value, double least) {
+    look(path, value, least, 2e12, "GPa", 1e9);
+  }
+  std::vector<Message>& notes_;
+};
+
+void note_odd_values(const ModelSpec& spec, std::vector<Message>& notes) {
+  OddValues odd(notes);
+  odd.look("wall.thickness", spec.wall.thickness, 0.01, 10, "m", 1);
+  odd.look("solve.gravity", spec.solve.gravity, 1, 30, "m/s^2", 1);
+  for (const auto& [name, law] : spec.material) odd.of_law("material." + name + ".", law);
+  odd.of_masonry(spec.masonry);
+  odd.of_ties(spec);
+  for (const FloorSpec& floor : spec.floor)
+    odd.look("floor." + floor.name + ".load", floor.load, 30, 3e6, "kN/m", 1e3);
+  for (const StageSpec& stage : spec.stage) {
+    odd.look("stage." + stage.name + ".velocity", stage.velocity, 1e-9, 1, "m/s", 1);
+    odd.look("stage." + stage.name + ".pressure", stage.pressure, 100, 1e8, "MPa", 1e6);
+  }
+}
+
+void note_odd_densities(const ModelSpec& spec, std::vector<Message>& notes) {
+  // Aerated concrete has 400 kg/m3, granite 3000; wood 350 and more, steel 7850.
+  constexpr double kLeast = 300, kMost = 5000, kMostOfMetals = 8000;
+  const auto look = [&](const std::string& path, double density, double most) {
+    if (std::isfinite(density) && density > 0 && (density < kLeast || density > most))
+      notes.push_back({"density.odd", {{"key", path}, {"density_kg_per_m3", density}}});
+  };
+  look("wall.unit.density", spec.wall.unit.density, kMost);
+  for (const StoreySpec& storey : spec.storey)
+    look("storey." + storey.name + ".unit.density", storey.unit.density, kMost);
+  for (const auto& [name, material] : spec.material)
+    look("material." + name + ".density", material.density, kMostOfMetals);
+}
+
+// 20 for 20 %: no value of a wall scatters by its own mean and more.
+void note_odd_scatter(const ModelSpec& spec, std::vector<Message>& notes) {
+  const auto look = [&](const std::string& path, double cov) {
+    if (is_scatter_odd(cov)) notes.push_back(note_of_scatter(path, cov));
+  };
+  for (const auto& [name, field] : spec.field) look("field." + name + ".cov", field.cov);
+  look("scatter.joint_tension", spec.scatter.joint_tension);
+  look("scatter.joint_cohesion", spec.scatter.joint_cohesion);
+  look("scatter.unit_tension", spec.scatter.unit_tension);
 }
 
 // In a shake local damping brakes every motion, a fall too.
@@ -99,22 +179,25 @@ void note_far_pushes(Model& model) {
 
 }  // namespace
 
+bool is_scatter_odd(double cov) { return cov >= 1; }
+
+Message note_of_scatter(const std::string& key, double cov) {
+  return {"scatter.odd",
+          {{"key", key}, {"cov", cov}, {"cov_percent", 100 * cov}, {"share", cov / 100}}};
+}
+
+std::vector<Message> notes_of_values(const ModelSpec& spec) {
+  std::vector<Message> notes;
+  note_odd_densities(spec, notes);
+  note_odd_values(spec, notes);
+  note_odd_scatter(spec, notes);
+  return notes;
+}
+
 void note_densities(const ModelSpec& spec, Model& model) {
-  // Aerated concrete has 400 kg/m3, granite 3000; wood 350 and more, steel 7850.
-  constexpr double kLeast = 300, kMost = 5000, kMostOfMetals = 8000;
-  const auto look = [&](const std::string& path, double density, double most) {
-    if (std::isfinite(density) && density > 0 && (density < kLeast || density > most))
-      model.anatomy.notes.push_back(
-          {"density.odd", {{"key", path}, {"density_kg_per_m3", density}}});
-  };
-  look("wall.unit.density", spec.wall.unit.density, kMost);
-  for (const StoreySpec& storey : spec.storey)
-    look("storey." + storey.name + ".unit.density", storey.unit.density, kMost);
-  for (const auto& [name, material] : spec.material)
-    look("material." + name + ".density", material.density, kMostOfMetals);
+  for (Message& note : notes_of_values(spec)) model.anatomy.notes.push_back(std::move(note));
   note_scale(model);
   note_far_pushes(model);
-  note_odd_values(spec, model);
   note_shake_damping(spec, model);
   if (const std::vector<std::string> names = unmatched(spec); !names.empty())
     model.anatomy.notes.push_back(

@@ -164,15 +164,43 @@ std::optional<Split> split_quantity(std::string_view text) {
 bool holds_number(std::string_view unit) {
   const bool leads =
       !unit.empty() && std::isdigit(static_cast<unsigned char>(unit[0])) && !unit.starts_with("1/");
-  bool after_blank = false;
-  for (std::size_t i = 1; i < unit.size(); ++i)
-    after_blank |= unit[i - 1] == ' ' && std::isdigit(static_cast<unsigned char>(unit[i]));
-  return leads || after_blank;
+  // behind a blank or a mark of arithmetic, of which some end with the byte 0x97 or 0xb7: "MPa/10", "MPa×10"
+  constexpr std::string_view kMarks = " /\x97\xb7";
+  bool is_factor = false;
+  for (std::size_t i = 1; i < unit.size(); ++i) {
+    const bool is_times = unit[i - 1] == '*' && (i < 2 || unit[i - 2] != '*');
+    is_factor = is_factor || ((is_times || kMarks.find(unit[i - 1]) != std::string_view::npos) &&
+                              std::isdigit(static_cast<unsigned char>(unit[i])));
+  }
+  return leads || is_factor;
+}
+
+// "1234.5 N" for "1.234,5 N", and both readings of "150,000 N".
+std::string without_commas(std::string_view text) {
+  const std::string whole(trimmed(text));
+  const std::size_t end = std::min(whole.size(), whole.find_first_not_of("+-.,0123456789"));
+  std::string number = whole.substr(0, end);
+  const std::string unit(trimmed(std::string_view(whole).substr(end)));
+  const std::size_t comma = number.find(','), last = number.find_last_of(".,");
+  const auto plain = [](std::string digits) {
+    std::erase_if(digits, [](char c) { return c == ',' || c == '.'; });
+    return digits;
+  };
+  const std::string thousands = plain(number);
+  const std::string decimals = plain(number.substr(0, last)) + '.' + plain(number.substr(last));
+  const bool many = std::count(number.begin(), number.end(), number[last]) > 1;
+  const bool may_be_thousands = number.size() - last == 4 &&
+                                number.find('.') == std::string::npos && comma != 0 &&
+                                number[0] != '0';
+  if (many) return fmt::format("write \"{} {}\"", thousands, unit);
+  if (may_be_thousands)
+    return fmt::format("write \"{1} {0}\" for thousands, \"{2} {0}\" for decimals", unit, thousands,
+                       decimals);
+  return fmt::format("write \"{} {}\"", decimals, unit);
 }
 
 void refuse_second_number(std::string_view text, std::string_view unit) {
-  if (unit.starts_with(','))
-    throw QuantityError("has a decimal comma", "write the number with a point, e.g. 0.15");
+  if (unit.starts_with(',')) throw QuantityError("has a decimal comma", without_commas(text));
   if (holds_number(unit))
     throw QuantityError(fmt::format("'{}' is more than one number", text),
                         "write one number without blanks, then its unit");

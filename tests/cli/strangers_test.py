@@ -366,6 +366,8 @@ file = "values.csv"
         for head in ("rho x100 [kg/m3]", "100*rho (kg/m3)", "rho/10 [kg/m3]", "rho [kg/m3] x 10", "log10(rho) [kg/m3]", "CoV of rho [kg/m3]",
                      "1/rho [kg/m3]", "rho × 10 [kg/m3]"):
             self.assertIn("may not be the value itself", self.refused(f"{head}\n1900.5\n2000\n"))
+        for head in ("rho [kg/m3/10]", "rho [10 kg/m3]", "rho (kg/m3*10)", "rho [kg/m3 × 10]", "rho [t/m3/1000]"):
+            self.refused(f"{head}\n1900.5\n2000\n")
         for head in ("rho 28 days [kg/m3]", "rho of wall 10 [kg/m3]", "rho (dry) [kg/m3]", "densité ρ [kg/m3]"):
             self.said(f"{head}\n1900.5\n2000\n")
 

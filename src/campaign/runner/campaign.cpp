@@ -19,6 +19,7 @@
 #include "core/files.h"
 #include "wythe/error.h"
 #include "wythe/statistics.h"
+#include "wythe/study_notes.h"
 
 namespace wythe {
 namespace study {
@@ -230,6 +231,8 @@ CampaignOutcome run_campaign(const StudySpec& asked, const ModelBuilder& build,
   study::Store store(folder, study::Store::Access::kWrite);
   if (there) plan = study::continue_store(store, asked, head);
   for (Message& note : notes_of(asked, build({}))) plan.notes.push_back(std::move(note));
+  for (Message& note : notes_of_values(asked, plan.samples, build))
+    plan.notes.push_back(std::move(note));
   return study::Runner(std::move(plan), store, build, options, lock, progress).run();
 }
 

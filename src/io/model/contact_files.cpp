@@ -67,6 +67,7 @@ class PathReader {
     const bool is_known = !table.is_empty() && context_.faults.empty();
     while (is_known && !enough(context_.faults) && table.next())
       rows.push_back({.opening = read_cell(table, opening_), .slip = read_cell(table, slip_)});
+    if (!thousands_.value.empty() && !tells_decimals_) context_.faults.add(std::move(thousands_));
     if (rows.empty() && context_.faults.empty())
       context_.fault("", 0, "", table.is_empty() ? "is empty" : "has no rows",
                      "write a header opening_mm,slip_mm and one row for each point of the path");
@@ -129,6 +130,14 @@ class PathReader {
       context_.faults.add(std::move(fault));
       return 0;
     }
+    tells_decimals_ = tells_decimals_ || table.tells_decimals(column.index);
+    if (thousands_.value.empty() && table.may_be_thousands(column.index))
+      thousands_ = {context_.file,
+                    column.name + '_' + column.unit,
+                    table.cell(column.index),
+                    "may have three decimals or marks of thousands",
+                    "write each value with a point, and with more or fewer than three decimals",
+                    table.line()};
     constexpr double kNoWay = 1e100;  // in any unit
     const double value = std::fabs(number) < kNoWay
                              ? parse_quantity(fmt::format("{} {}", number, column.unit), "m")
@@ -142,6 +151,8 @@ class PathReader {
 
   ReadContext context_;
   std::vector<std::string> missing_;
+  Fault thousands_;  // the first value that may have some
+  bool tells_decimals_ = false;
   Column opening_{.name = "opening", .unit = ""}, slip_{.name = "slip", .unit = ""};
 };
 

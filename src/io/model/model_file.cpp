@@ -13,6 +13,7 @@
 #include "io/keys/model_key.h"
 #include "io/model/builder_file.h"
 #include "io/model/record_file.h"
+#include "io/text/thousands.h"
 #include "io/text/toml_reader.h"
 #include "wythe/io.h"
 #include "wythe/study.h"
@@ -323,10 +324,46 @@ ModelSpec parse_model(const std::string& toml_text, const std::string& file_name
   return spec;
 }
 
+namespace io {
+namespace {
+
+// Quantities of a tree that are most likely meant as thousands: "12.000 kg".
+void note_thousands(const toml::node& node, const std::string& path, std::vector<Message>& notes) {
+  if (const toml::table* table = node.as_table())
+    for (const auto& [name, inner] : *table)
+      note_thousands(inner, under(path, std::string(name.str())), notes);
+  if (const toml::array* list = node.as_array())
+    for (std::size_t i = 0; i < list->size(); ++i) {
+      const toml::table* table = list->get(i)->as_table();
+      const auto name = table ? (*table)["name"].value<std::string>() : std::nullopt;
+      note_thousands(*list->get(i), under(path, name.value_or(std::to_string(i))), notes);
+    }
+  if (const auto* text = node.as_string())
+    if (const std::string thousands = as_thousands(text->get()); !thousands.empty())
+      notes.push_back(
+          {"value.thousands", {{"key", path}, {"value", text->get()}, {"thousands", thousands}}});
+}
+
+std::vector<Message> notes_of_text(const std::string& toml_text, const std::string& file,
+                                   const std::vector<std::string>& overrides) {
+  toml::table root = parse_toml(toml_text, file);
+  ReadContext context{file};
+  apply_overrides(context, root, overrides);
+  std::vector<Message> notes;
+  note_thousands(root, "", notes);
+  return notes;
+}
+
+}  // namespace
+}  // namespace io
+
 Model compile_model(const ModelSpec& spec, const std::string& toml_text,
                     const std::string& file_name, const std::vector<std::string>& overrides) {
   try {
-    return compile(spec);
+    Model model = compile(spec);
+    for (Message& note : io::notes_of_text(toml_text, file_name, overrides))
+      model.anatomy.notes.push_back(std::move(note));
+    return model;
   } catch (const InputError& error) {
     throw_with_lines(error, spec, toml_text, file_name, overrides);
   }

@@ -63,13 +63,13 @@ class TableRecord {
                        std::move(value), std::move(problem), std::move(cure), line}});
   }
 
-  // The lines that begin with # before the numbers.
+  // The comments before the numbers, with their marks.
   static std::string comments_before(std::string_view text) {
     std::string all;
     for (; !text.empty(); text.remove_prefix(std::min(text.size(), text.find('\n')) +
                                              (text.find('\n') == std::string_view::npos ? 0 : 1))) {
       const std::string_view line = trimmed(text.substr(0, text.find('\n')));
-      if (!line.empty() && line.front() != '#') break;
+      if (!line.empty() && !comment_in(line)) break;
       all += std::string(line.substr(0, 1000)) + '\n';
     }
     return all;
@@ -192,7 +192,7 @@ class TableRecord {
     for (std::string_view rest = all; !rest.empty(); ++number) {
       std::string_view line = rest.substr(0, rest.find('\n'));
       rest.remove_prefix(line.size() + 1);
-      while (line.starts_with('#')) line.remove_prefix(1);
+      line = comment_in(line).value_or(line);
       const std::string unit = unit_in_words(std::string(trimmed(line)));
       if (unit.empty()) continue;
       const RecordUnit told = stated_unit(unit);
@@ -212,6 +212,7 @@ class TableRecord {
   void read_rows(NumberTable& table) {
     FaultList faults;
     Fault thousands;  // the first value that may have some
+    std::vector<int> lines;
     bool tells_decimals = false;
     const auto number = [&](std::size_t column) {
       const double value = table.number(column);
@@ -233,19 +234,82 @@ class TableRecord {
                      "may have three decimals or marks of thousands",
                      "write each value with a point, and with more or fewer than three decimals",
                      table.line()};
-      if (time_ != kNone && !numbers_.time.empty() && !(t > numbers_.time.back()))
-        faults.add({file_, path_ + ".file",
-                    fmt::format("{:g} s after {:g} s", t, numbers_.time.back()),
-                    "times do not rise", "sort the rows, and give each time once", table.line()});
+      note_unchosen(table);
       if (time_ != kNone) numbers_.time.push_back(t);
       numbers_.acceleration.push_back(a);
+      lines.push_back(table.line());
     }
+    look_for_falls(lines, faults);
     if (!thousands.value.empty() && !tells_decimals) faults.add(std::move(thousands));
     faults.throw_if_any();
     if (!is_named_ && rises_evenly(numbers_.acceleration))
       refuse("column", fmt::format("column {}", column_ + 1),
              "rises evenly, as row numbers and times do: no acceleration",
              fmt::format("write {}.column = \"NAME\" or its number; columns: {}", path_, names()));
+    check_unchosen();
+  }
+
+  // Times that do not rise: rounded, in another column, backwards, or in disorder at one place.
+  void look_for_falls(const std::vector<int>& lines, FaultList& faults) const {
+    const std::vector<double>& time = numbers_.time;
+    std::size_t falls = 0, equals = 0, first = 0;
+    for (std::size_t k = 1; k < time.size(); ++k) {
+      if (time[k] > time[k - 1]) continue;
+      ++(time[k] < time[k - 1] ? falls : equals);
+      if (first == 0) first = k;
+    }
+    if (first == 0) return;
+    const bool backwards = falls + 1 == time.size();
+    const bool others_rise =
+        std::is_sorted(numbers_.acceleration.begin(), numbers_.acceleration.end()) &&
+        numbers_.acceleration.front() < numbers_.acceleration.back();
+    std::string problem = "times do not rise", cure = "sort the rows, and give each time once";
+    if (others_rise && falls > 0) {
+      problem = "times do not rise, and the accelerations do: the two columns are exchanged";
+      cure = has_head_ ? "exchange their heads" : "put the times first";
+    } else if (falls == 0 && equals > 1) {
+      problem = fmt::format("times are rounded: {} rows have the time of the row before", equals);
+      cure = "write them with more decimals; or leave them out, and write step = \"0.005 s\"";
+    } else if (backwards) {
+      problem = "times fall from row to row", cure = "turn the rows round";
+    } else if (4 * falls > time.size()) {
+      problem = fmt::format("are no times: they fall {} times in {} rows", falls, time.size());
+      cure = "name the column of times time_s; or leave it out, and write step = \"0.005 s\"";
+    }
+    faults.add({file_, path_ + ".file",
+                fmt::format("{:g} s after {:g} s", time[first], time[first - 1]),
+                std::move(problem), std::move(cure), lines[first]});
+  }
+
+  // Where the model gives the step, other columns may still be times.
+  void note_unchosen(const NumberTable& table) {
+    if (time_ != kNone || std::isnan(record_.step)) return;
+    unchosen_.resize(columns_.size());
+    for (std::size_t k = 0; k < columns_.size(); ++k) {
+      if (k == column_ || columns_[k].kind == ColumnKind::kIndex) continue;
+      std::string cell = table.cell(k);
+      std::replace(cell.begin(), cell.end(), ',', '.');
+      unchosen_[k].push_back(number_in(cell));
+    }
+  }
+
+  // Row numbers rise by one, and times by the step in s, ms or us.
+  void check_unchosen() const {
+    constexpr double kSame = 1e-3;
+    for (std::size_t k = 0; k < unchosen_.size(); ++k) {
+      const std::vector<double>& values = unchosen_[k];
+      if (!rises_evenly(values)) continue;
+      const double rise = (values.back() - values.front()) / static_cast<double>(values.size() - 1);
+      const auto is_step = [&](double unit) {
+        return std::fabs(rise * unit - record_.step) <= kSame * record_.step;
+      };
+      if (std::fabs(rise - 1) <= kSame || is_step(1) || is_step(1e-3) || is_step(1e-6)) continue;
+      refuse(
+          "step", fmt::format("{:g} s", record_.step),
+          fmt::format("is not the step of column {} of {}, which rises by {:g} a row",
+                      has_head_ ? columns_[k].head.whole : fmt::format("{}", k + 1), file_, rise),
+          "leave step out where these are the times; else take the column out of the file");
+    }
   }
 
   // Row numbers, and times in another unit, rise by more than any step of a record. Only a head can say that they are
@@ -261,9 +325,16 @@ class TableRecord {
       least = std::min(least, time[k] - time[k - 1]);
       most = std::max(most, time[k] - time[k - 1]);
     }
-    if (!(least > kCoarsest)) return;
     const std::string column =
         has_head_ ? columns_[time_].head.whole : fmt::format("{}", time_ + 1);
+    if (!(least > kCoarsest)) {
+      const std::string strange = strange_in_times(columns_[time_].head);
+      if (!strange.empty() && std::isnan(record_.step))
+        refuse("file", column, fmt::format("may be in another unit than seconds: {}", strange),
+               "write the head time_s where they are seconds, and step = \"0.005 s\" where not",
+               head_line_);
+      return;
+    }
     const bool is_even = are_whole ? least == most : most - least <= 1e-3 * most;
     if (!is_even)
       refuse(
@@ -290,6 +361,7 @@ class TableRecord {
   const std::string &path_, &file_;
   RecordNumbers numbers_;
   std::vector<Column> columns_;
+  std::vector<std::vector<double>> unchosen_;  // (n_column, n_row), where the model gives the step
   std::size_t time_ = kNone, column_ = kNone;
   int head_line_ = 0;
   bool has_head_ = false, is_named_ = false;

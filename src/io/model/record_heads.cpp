@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <functional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -51,6 +52,11 @@ std::string letters_of(const std::string& small) {
 
 // --- times
 
+bool is_seconds(std::string_view word) {
+  return is_one_of(word, {"s", "sec", "secs", "second", "seconds", "secondi", "secondes",
+                          "segundos", "sek", "sekunden"});
+}
+
 // The unit of time that a head states, in its own way too: timeMs, millis. "" where it states none.
 std::string time_unit(const ColumnHead& head) {
   if (!head.unit.empty() || head.in_brackets) return head.unit;
@@ -66,12 +72,33 @@ std::string time_unit(const ColumnHead& head) {
        {"timestamp", "time", "tempo", "temps", "zeit", "tiempo", "t", ""}) {
     if (!letters.starts_with(start)) continue;
     const std::string_view rest = std::string_view(letters).substr(start.size());
-    if (is_one_of(rest, {"sec", "secs", "second", "seconds"})) return "s";
+    if (rest != "s" && is_seconds(rest)) return "s";
     if (is_one_of(rest, {"msec", "msecs"}) || rest.starts_with("millis") || rest == "ms")
       return "ms";
     if (is_one_of(rest, {"usec", "us"}) || rest.starts_with("micros")) return "us";
   }
   return "";
+}
+
+// What is behind the name of a time in a word: "timesec" -> sec, "tempi" nothing.
+std::string_view behind_time(std::string_view word) {
+  for (const std::string_view name :
+       {"timestamps", "timestamp", "times", "time", "tempo", "tempi", "temps", "zeiten", "zeit",
+        "tiempos", "tiempo", "tempos", "tijd", "czas", "t"})
+    if (word.starts_with(name)) return word.substr(name.size());
+  return word;
+}
+
+bool is_of_times(std::string_view word) {
+  const std::string_view rest = behind_time(word);
+  return rest.empty() || is_seconds(rest) || (word.size() == 1 && is_ascii(word[0])) ||
+         is_one_of(word,
+                   {"when",   "elapsed", "relative", "rel",       "absolute", "abs",    "from",
+                    "since",  "start",   "begin",    "origin",    "trigger",  "of",     "the",
+                    "in",     "event",   "record",   "recording", "signal",   "axis",   "history",
+                    "series", "vector",  "base",     "local",     "utc",      "stamp",  "unit",
+                    "units",  "data",    "value",    "values",    "rec",      "motion", "input",
+                    "output", "di",      "de",       "der",       "la",       "le",     "el"});
 }
 
 // "time_s", "Zeit (sec)", "seconds", and not "frame_s" or "time x 0.05 s".
@@ -81,8 +108,7 @@ bool states_seconds(const std::string& small) {
   const std::string letters = letters_of(small);
   for (const std::string_view start :
        {"time", "tempo", "temps", "zeit", "tiempo", "t", "elapsed", "elapsedtime", "timein", ""})
-    if (letters.starts_with(start) && is_one_of(std::string_view(letters).substr(start.size()),
-                                                {"s", "sec", "secs", "second", "seconds"}))
+    if (letters.starts_with(start) && is_seconds(std::string_view(letters).substr(start.size())))
       return true;
   return false;
 }
@@ -138,9 +164,10 @@ std::string_view behind_name(std::string_view word) {
   return word;
 }
 
-// The first word or mark of a head without its unit that may change the unit; "" where there is none. `stated`: the
-// head states a unit in brackets, and other words are free.
-std::string strange_in(const std::string& rest, bool stated) {
+// The first word or mark of a head without its unit that may change the unit; "" where there is none. `is_known`: of
+// words; where the head states a unit in brackets all are free.
+std::string strange_in(const std::string& rest,
+                       const std::function<bool(std::string_view)>& is_known) {
   const std::string small = small_letters(rest);
   for (const std::string_view mark :
        {"%", "‰", "^", "*", "×", "·", "⋅", "pct", "percent", "prozent"})
@@ -175,16 +202,21 @@ std::string strange_in(const std::string& rest, bool stated) {
           is_one_of(word, {"milli", "micro", "kilo", "centi", "millig", "mg", "ug", "mgal",
                            "milligal", "kgal", "permille", "times"});
       if (is_scale) return word;
-      // accélération, but not acc²
-      const bool is_accented = (word.starts_with("acc") || word.starts_with("acel")) &&
-                               is_ascii(word.back()) &&
-                               !std::all_of(word.begin(), word.end(), is_ascii);
-      if (!stated && !is_accented && !is_harmless(word) && !is_harmless(behind_name(word)))
-        return word;
+      if (!is_known(word)) return word;
     }
     at = end;
   }
   return "";
+}
+
+bool is_any(std::string_view) { return true; }
+
+bool is_of_accelerations(std::string_view word) {
+  // accélération, but not acc²
+  const bool is_accented = (word.starts_with("acc") || word.starts_with("acel")) &&
+                           is_ascii(word.back()) &&
+                           !std::all_of(word.begin(), word.end(), is_ascii);
+  return is_accented || is_harmless(word) || is_harmless(behind_name(word));
 }
 
 // Brackets of other kinds as [ ], one that is not closed at the end; without the argument of a(t).
@@ -219,7 +251,7 @@ AccelerationHead acceleration_head(const std::string& whole) {
   if (head.in_brackets && head.unit.empty()) head.in_brackets = false;
   if (head.in_brackets) {
     const std::size_t close = text.find_last_of("])");
-    return {head, strange_in(head.name + ' ' + text.substr(close + 1), true)};
+    return {head, strange_in(head.name + ' ' + text.substr(close + 1), is_any)};
   }
   if (text.size() > kLongest) return {head, ""};
   const std::string small = small_letters(text);
@@ -240,7 +272,7 @@ AccelerationHead acceleration_head(const std::string& whole) {
       const std::string unit = text.substr(from, marks[last] - from);
       if (acceleration_unit(unit).empty()) continue;
       const std::string before = text.substr(0, marks[first]), after = text.substr(marks[last]);
-      std::string strange = strange_in(before + ' ' + after, false);
+      std::string strange = strange_in(before + ' ' + after, is_of_accelerations);
       const bool is_beside =
           (!before.empty() && is_digit(before.back())) || (after.size() > 1 && is_digit(after[1]));
       if (strange.empty() && is_beside) strange = "the number beside " + unit;
@@ -250,7 +282,7 @@ AccelerationHead acceleration_head(const std::string& whole) {
                                                         !unit.empty() && small.starts_with("acc") &&
                                                         !acceleration_unit(unit).empty())
     return {{whole, small.substr(0, small.size() - unit.size()), std::string(unit)}, ""};
-  return {head, head.unit.empty() ? strange_in(text, false) : ""};
+  return {head, head.unit.empty() ? strange_in(text, is_of_accelerations) : ""};
 }
 
 }  // namespace
@@ -260,6 +292,12 @@ bool tells_of_other_motion(const std::string& words) {
   const auto has = [&](std::string_view start) { return has_word(small, start); };
   return (has("vel") || has("disp") || has("spost") || has("geschw")) && !has("acc") &&
          !has("beschl") && !has("acel");
+}
+
+std::string strange_in_times(const ColumnHead& head) {
+  if (!head.in_brackets) return strange_in(head.unit.empty() ? head.whole : head.name, is_of_times);
+  const std::size_t close = head.whole.find_last_of("])}");
+  return strange_in(head.name + ' ' + head.whole.substr(close + 1), is_any);
 }
 
 Column column_of(const std::string& text) {

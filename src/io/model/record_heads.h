@@ -21,6 +21,10 @@ struct Column {
 // Whether words before the numbers speak of velocities or displacements, and not of accelerations.
 [[nodiscard]] bool tells_of_other_motion(const std::string& words);
 
+// The first word or number of the head of times that may change seconds: "minuti", "1000" of "time/1000 [s]"; "" where
+// there is none.
+[[nodiscard]] std::string strange_in_times(const ColumnHead& head);
+
 [[nodiscard]] Column column_of(const std::string& text);
 
 }  // namespace wythe::io

@@ -26,8 +26,11 @@ bool CsvLines::next() {
     rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
     ++line_;
     text_of_line_ = trimmed(line);
-    if (text_of_line_.starts_with('#')) comment_ = trimmed(text_of_line_.substr(1));
-    if (text_of_line_.empty() || text_of_line_.starts_with('#')) continue;
+    if (const auto comment = comment_in(text_of_line_)) {
+      comment_ = *comment;
+      continue;
+    }
+    if (text_of_line_.empty()) continue;
     if (++rows_ > kMostRows + 1) refuse(kMostRows, "rows");  // and the head
     // a first cell that is empty begins with the tab that ends it
     cells_ = cells_of(delimiter_ == '\t' ? line : text_of_line_, delimiter_, kMostColumns);
@@ -35,6 +38,17 @@ bool CsvLines::next() {
     return true;
   }
   return false;
+}
+
+std::optional<std::string_view> comment_in(std::string_view line) {
+  line = trimmed(line);
+  const bool is_unit = line.starts_with("%g") || line.starts_with("% g");  // of a head: "%g,%g"
+  for (const std::string_view mark : {"#", "%", "!", "//"})
+    if (line.starts_with(mark) && !is_unit) {
+      while (line.starts_with(mark)) line.remove_prefix(mark.size());
+      return trimmed(line);
+    }
+  return std::nullopt;
 }
 
 std::vector<std::string> cells_of(std::string_view line, char delimiter, std::size_t most) {

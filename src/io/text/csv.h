@@ -1,6 +1,7 @@
 // Lines of a text, one after the other, as cells: the one place that cuts them (core/limits.h).
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,13 +16,13 @@ class CsvLines {
   // `text` and `file` outlive it. A mark within quotes is a part of its cell.
   CsvLines(std::string_view text, const std::string& file, char delimiter = ',');
 
-  // To the next line that says something: neither blank nor a comment (#). False at the end. Throws
+  // To the next line that says something: neither blank nor a comment. False at the end. Throws
   // InputError at a line of more than kMostColumns cells, and at the line beyond kMostRows.
   bool next();
   [[nodiscard]] const std::vector<std::string>& cells() const { return cells_; }  // trimmed
   [[nodiscard]] const std::string& text() const { return text_of_line_; }         // trimmed
   [[nodiscard]] int line() const { return line_; }                                // from 1
-  // The last comment before the line, without its #.
+  // The last comment before the line, without its mark.
   [[nodiscard]] const std::string& comment() const { return comment_; }
 
  private:
@@ -35,6 +36,9 @@ class CsvLines {
   std::vector<std::string> cells_;
   int line_ = 0, rows_ = 0;
 };
+
+// The words of a comment, of a line that begins with # or with the mark of another program: % (MATLAB), ! (Fortran), //.
+[[nodiscard]] std::optional<std::string_view> comment_in(std::string_view line);
 
 // A line in cells, trimmed; `most` and one more at most.
 [[nodiscard]] std::vector<std::string> cells_of(std::string_view line, char delimiter,

@@ -11,14 +11,13 @@
 
 #include "core/limits.h"
 #include "core/text.h"
+#include "io/text/thousands.h"
 #include "units/quantity_error.h"
 #include "wythe/text.h"
 #include "wythe/units.h"
 
 namespace wythe::io {
 namespace {
-
-constexpr const char* kDigits = "0123456789";
 
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
@@ -200,6 +199,14 @@ NumberTable::NumberTable(std::string_view text, const std::string& file, HeadRul
   }
   look_for_lines_before_the_numbers(text);
   const bool begins_with_number = has_number(lines_.cells());
+  width_ = lines_.cells().size();
+  const std::vector<std::string> names = names_in_comment();
+  const bool may_be_head = width_ > 1 && names.size() == width_;
+  if (rule == HeadRule::kNeeded && begins_with_number && may_be_head) {
+    is_at_row_ = true;
+    read_head(names);
+    return;
+  }
   if (rule == HeadRule::kNeeded && begins_with_number)
     refuse(lines_.line(), lines_.text(), "a number stands where the names of the columns belong",
            "write a first line with their names, e.g. ft_MPa, or opening_mm,slip_mm of a path");
@@ -209,16 +216,17 @@ NumberTable::NumberTable(std::string_view text, const std::string& file, HeadRul
     return;
   }
   is_at_row_ = true;
-  width_ = lines_.cells().size();
-  // NumPy writes the names of the columns behind a #
-  const std::vector<std::string> names =
-      with_brackets(cells_of(lines_.comment(), delimiter_, kMostColumns));
   const bool tells_times = std::any_of(names.begin(), names.end(), [](const std::string& name) {
     const std::string word = small_letters(name);
     return word == "t" || word.starts_with("time") || word.starts_with("t_") ||
            word.starts_with("t [") || word.starts_with("t (");
   });
-  if (width_ > 1 && names.size() == width_ && tells_times) read_head(names);
+  if (may_be_head && tells_times) read_head(names);
+}
+
+// NumPy writes the names of the columns behind a #, others behind % or !.
+std::vector<std::string> NumberTable::names_in_comment() const {
+  return with_brackets(cells_of(lines_.comment(), delimiter_, kMostColumns));
 }
 
 void NumberTable::read_head(std::vector<std::string> cells) {
@@ -317,11 +325,7 @@ double NumberTable::number(std::size_t column) {
 }
 
 bool NumberTable::may_be_thousands(std::size_t column) const {
-  const std::string cell = this->cell(column);
-  const std::size_t begin = cell.find_first_of("123456789"), mark = cell.find_first_of(".,");
-  return mark != std::string::npos && begin == cell.find_first_of(kDigits) && mark > begin &&
-         mark - begin <= 3 && cell.find_first_not_of(kDigits, mark + 1) == std::string::npos &&
-         cell.size() == mark + 4;
+  return io::may_be_thousands(this->cell(column));
 }
 
 bool NumberTable::tells_decimals(std::size_t column) const {

@@ -174,6 +174,8 @@ std::optional<double> TableReader::read_quantity(const toml::node& node, const s
     return refuse_value(range_problem(broken), "write e.g. " + example);
   } catch (const QuantityError& error) {
     const bool bare = error.problem() == "has no unit";
+    if (error.problem() == "has a decimal comma")
+      return refuse_value(error.problem(), error.cure());
     if (const std::string cure = bare ? "" : load_by_area(text->get(), name, key); !cure.empty())
       return refuse_value("is a load by area, where one along the wall is asked for", cure);
     if (const std::string cure = bare ? "" : weight_and_mass(text->get(), name, key); !cure.empty())

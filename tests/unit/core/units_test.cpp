@@ -119,11 +119,13 @@ TEST(QuantityWritten, awkward_values_return_to_the_bit) {
 TEST(UnitFactor, converts_units_and_refuses_others) {
   EXPECT_EQ(unit_factor("mm", "m"), 0.001);
   EXPECT_THROW((void)unit_factor("mm", "s"), std::invalid_argument);
-  for (const char* with_number :
-       {"1000 mm", "4444fm", "mm 2", "1e3 m"})  // no unit: "0.5 1000 mm" is two numbers
+  for (const char* with_number : {"1000 mm", "4444fm", "mm 2", "1e3 m", "m/10", "m*10", "m×10",
+                                  "m·10"})  // no unit: "0.5 1000 mm" is two numbers
     EXPECT_THROW((void)unit_factor(with_number, "m"), std::invalid_argument) << with_number;
   EXPECT_EQ(unit_factor("1", "1"), 1);
   EXPECT_EQ(unit_factor("1/ms", "1/s"), 1000);
+  EXPECT_EQ(unit_factor("N/mm**2", "Pa"), 1e6);
+  EXPECT_EQ(unit_factor("kN·m-2", "Pa"), 1e3);
 }
 
 // UDUNITS keeps global state; the door must not let two threads at it.

@@ -588,6 +588,73 @@ TEST_F(RecordFile, thousands_or_decimals) {
   EXPECT_EQ(told("0;0\n0.01;120.5\n0.02;-35.250\n"), "accepted");
 }
 
+// Tables of three columns and more, of which the model names one.
+TEST_F(RecordFile, a_step_is_compared_with_columns_that_were_not_chosen) {
+  const auto told = [&](const std::string& head, double step, const char* asked) {
+    std::string text = head;
+    for (int k = 0; k < 9; ++k) text += fmt::format("{} {:g} {}.5 7\n", k, step * k, k % 3);
+    write("a.txt", text);
+    return refusal(std::string("record = { file = \"a.txt\", unit = \"cm/s2\", column = \"3\", ") +
+                   "step = \"" + asked + "\" }\n");
+  };
+  for (const char* head : {"", "n a b c\n", "# four columns\n"}) {
+    EXPECT_EQ(told(head, 0.01, "0.01 s"), "accepted") << head;
+    EXPECT_EQ(told(head, 10, "0.01 s"), "accepted") << head;
+    says(told(head, 0.01, "0.005 s"),
+         {"step = 0.005 s", "is not the step of column", "0.01 a row"});
+    says(told(head, 10, "0.005 s"), {"is not the step of column", "10 a row"});
+  }
+}
+
+TEST_F(RecordFile, times_in_words_are_seconds_or_refused) {
+  const auto told = [&](const char* head, const char* step = "") {
+    write("a.csv", std::string("\"") + head +
+                       "\",acc\n0,0.1\n0.0025,0.2\n0.005,-0.1\n0.0075,0.1\n0.01,0.2\n");
+    return refusal(std::string("record = { file = \"a.csv\", unit = \"g\"") + step + " }\n");
+  };
+  for (const char* head :
+       {"tempo_minuti", "Zeit_ms", "time/1000 [s]", "time in minutes", "Zeit (h)", "time x10 [s]",
+        "seconds*100", "tempo (1/100 s)", "heures", "Minuten", "t_min", "log time", "millisecondi",
+        "time_s/10", "frames", "10^3 s"})
+    EXPECT_NE(told(head), "accepted") << head;
+  says(told("tempo_minuti"), {"tempo_minuti", "minuti", "time_s"});
+  for (const char* head : {"t", "time", "tempo", "Zeit", "tempo [s]", "tempo_secondi", "Sekunden",
+                           "Time from trigger (s)", "elapsed time", "Time_s", "TIME", "when",
+                           "t (sec)", "tiempo (s)", "T", "x", "timestamp [s]", "time history (s)"})
+    EXPECT_EQ(told(head), "accepted") << head;
+  EXPECT_EQ(told("tick", ", step = \"0.0025 s\""), "accepted");
+}
+
+TEST_F(RecordFile, times_that_do_not_rise_are_told_for_what_they_are) {
+  const auto told = [&](const char* text) {
+    write("a.csv", text);
+    const std::string said = refusal("record = { file = \"a.csv\", unit = \"g\" }\n");
+    EXPECT_EQ(said.find('\n'), std::string::npos) << said;
+    return said;
+  };
+  says(told("time,acc\n0.1,0\n-0.2,0.01\n0.3,0.02\n0.1,0.03\n"), {"are exchanged", "heads"});
+  says(told("0.1 0\n-0.2 0.01\n0.3 0.02\n0.1 0.03\n"), {"are exchanged", "times first"});
+  says(told("time,acc\n0,0.1\n0,0.2\n0.01,0.3\n0.01,-0.1\n0.02,0.3\n0.02,0.2\n"),
+       {"a.csv:3", "are rounded", "3 rows", "more decimals"});
+  says(told("time,acc\n0.03,0.1\n0.02,0.2\n0.01,-0.3\n0,0.1\n"), {"fall from row to row"});
+  says(told("time,acc\n0.1,0.1\n-0.2,0.2\n0.3,-0.3\n-0.1,0.1\n"), {"are no times", "2 times in 4"});
+  says(told("time,acc\n0,0.1\n0.02,0.2\n0.01,-0.3\n0.03,0.1\n0.04,0.2\n"),
+       {"a.csv:4", "times do not rise", "sort the rows"});
+}
+
+TEST_F(RecordFile, comments_of_other_programs_are_heads_and_comments) {
+  for (const char* mark : {"#", "%", "!", "//", "%%", "% "}) {
+    write("a.txt",
+          std::string(mark) + " station 3\n" + mark + " time acc_cm_s2\n0 0.5\n0.01 1\n0.02 -2\n");
+    EXPECT_EQ(refusal("record = { file = \"a.txt\" }\n"), "accepted") << mark;
+    says(refusal("record = { file = \"a.txt\", unit = \"g\" }\n"), {"states another", "cm/s2"});
+    write("a.txt", std::string(mark) + " velocity in cm/s\n0 0.5\n0.01 1\n0.02 -2\n");
+    says(refusal("record = { file = \"a.txt\", unit = \"g\" }\n"), {"column: is missing"});
+    write("a.txt", std::string(mark) + " units: cm/s2\n0 0.5\n0.01 1\n0.02 -2\n");
+    says(refusal("record = { file = \"a.txt\", unit = \"g\" }\n"), {"is what a comment says"});
+  }
+}
+
 TEST_F(RecordFile, one_slip_of_a_record_is_one_fault) {
   const auto faults = [&](const std::string& lines) {
     const std::string said = refusal("record = { " + lines + " }\n");

@@ -249,11 +249,52 @@ TEST(IdleKeys, values_a_thousand_times_off_are_noted) {
                "material.joint.normal_stiffness");
   expect_noted(with("cohesion = \"0 MPa\"", "cohesion = \"0.15 N/m^2\""),
                "material.joint.cohesion");
+  expect_noted(
+      with("cohesion = \"0 MPa\"\nresidual_cohesion = \"0 MPa\"",
+           "cohesion = \"0.2 MPa\"\nresidual_cohesion = \"0.2 Pa\"\nmode_2_energy = \"50 N/m\""),
+      "material.joint.residual_cohesion");
+  expect_noted(pushed("until = \"2 mm\"\n") + "[masonry]\nunit_strength = \"20 N/m^2\"\n",
+               "masonry.unit_strength");
+  expect_noted(kWall + "[[stage]]\nname = \"weight\"\npressure = \"0.4 N/m^2\"\n",
+               "stage.weight.pressure");
   expect_noted(with("until = \"2 mm\"", "until = \"2 mm\"\nvelocity = \"10 m/s\""),
                "stage.push.velocity");
   expect_noted(pushed("until = \"2 mm\"\n") + "[solve]\ngravity = \"9810 m/s^2\"\n",
                "solve.gravity");
   expect_not_noted(pushed("until = \"2 mm\"\n"), "check its unit");
+}
+
+TEST(IdleKeys, three_decimals_that_are_thousands_are_noted) {
+  const auto loaded = [](const std::string& load) {
+    return kWall + "[[stage]]\nname = \"weight\"\nbeam_load = \"" + load + "\"\n";
+  };
+  expect_noted(loaded("150.000 N"),
+               "stage.weight.beam_load = \"150.000 N\" has three decimals here; for "
+               "thousands write \"150000 N\"");
+  expect_noted(loaded("12.000 kN"), "write \"12000 kN\"");
+  const auto with = [](const std::string& old, const std::string& other) {
+    std::string text = kWall;
+    return text.replace(text.find(old), old.size(), other);
+  };
+  expect_noted(with("1800 kg/m^3", "1.800 kg/m^3"), "write \"1800 kg/m^3\"");
+  expect_noted(with("1800 kg/m^3", "1.845 kg/m^3"), "write \"1845 kg/m^3\"");
+  expect_noted(with("200 mm", "1.200 mm"), "write \"1200 mm\"");
+  for (const char* load : {"0.150 kN", "12.125 kN", "12.00 kN", "1500.000 N"})
+    expect_not_noted(loaded(load), "thousands");
+  expect_not_noted(with("\"1.2 m\"", "\"1.200 m\""), "thousands");
+}
+
+TEST(IdleKeys, commas_are_refused_with_both_readings) {
+  const auto refused = [](const std::string& load) {
+    return refusal(kWall + "[[stage]]\nname = \"weight\"\nbeam_load = \"" + load + "\"\n");
+  };
+  const auto expect = [&](const std::string& load, const std::string& cure) {
+    EXPECT_NE(refused(load).find(cure), std::string::npos) << refused(load);
+  };
+  expect("0,15 kN", "write \"0.15 kN\"");
+  expect("1.234,5 N", "write \"1234.5 N\"");
+  expect("150,000 N", "write \"150000 N\" for thousands, \"150.000 N\" for decimals");
+  expect("1,234,567 N", "write \"1234567 N\"");
 }
 
 }  // namespace

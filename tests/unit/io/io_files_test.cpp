@@ -206,6 +206,15 @@ TEST(Heads, of_what_changes_the_numbers_and_of_what_does_not) {
     EXPECT_EQ(io::factor_in_head(head), "") << head;
 }
 
+TEST(PathRefused, thousands_or_decimals) {
+  for (const char* rows : {"0;0\n0;900\n0;1.050\n", "0;0\n1,200;4\n", "0;950\n-1.000;980\n"}) {
+    const std::string fault = path_fault(std::string("opening_mm;slip_mm\n") + rows);
+    EXPECT_NE(fault.find("three decimals or marks of thousands"), std::string::npos) << fault;
+  }
+  EXPECT_EQ(path_fault("opening_mm;slip_mm\n0;0.000\n0;1.050\n"), "");
+  EXPECT_EQ(path_fault("opening_mm;slip_mm\n0;0\n0.5;1.050\n"), "");
+}
+
 TEST(PathRefused, missing_column) {
   EXPECT_EQ(path_fault("opening_mm,slip\n0,0\n"),
             "p.csv:1: slip_mm: no such column in the header; the columns are opening_mm, slip; "

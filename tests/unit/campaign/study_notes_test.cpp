@@ -1,0 +1,75 @@
+// Values that no masonry has are noted of a study as of a model, by the same function.
+#include <gtest/gtest.h>
+
+#include "unit/study_text.h"
+#include "wythe/study_notes.h"
+
+namespace wythe {
+namespace {
+
+using io_tests::kStudy;
+using io_tests::parsed;
+
+std::string notes_with(const std::vector<std::string>& settings) {
+  const StudySpec study = parsed(kStudy, settings);
+  std::string all;
+  for (const std::string& note :
+       texts_of(notes_of_values(study, draw_samples(study), model_builder(study))))
+    all += note + '\n';
+  return all;
+}
+
+void expect_noted(const std::vector<std::string>& settings, const std::string& words) {
+  const std::string notes = notes_with(settings);
+  EXPECT_NE(notes.find(words), std::string::npos) << notes;
+}
+
+TEST(StudyNotes, none_of_values_that_masonry_has) { EXPECT_EQ(notes_with({}), ""); }
+
+TEST(StudyNotes, a_value_of_the_base_model) {
+  expect_noted({"wall.unit.density=1.8 kg/m^3"}, "wall.unit.density is 1.8 kg/m3");
+}
+
+TEST(StudyNotes, the_mean_of_a_variable) {
+  expect_noted({"variable.ft_j.mean=0.15 kPa"},
+               "material.joint.tensile_strength by variable.ft_j is 0.000");
+  expect_noted({"variable.phi.mean=0.6 deg", "variable.phi.lower=0.1 deg"},
+               "material.joint.friction_angle by variable.phi is 0.");
+}
+
+TEST(StudyNotes, what_follows_by_a_formula) {
+  expect_noted({"dependent.c.formula=1e-6 * ft_j"},
+               "material.joint.cohesion by dependent.c is 1.4");
+}
+
+TEST(StudyNotes, a_variable_sets_an_odd_value_of_the_base_model_right) {
+  const std::string line = "mode_1_energy = \"4.3 N/m\"";
+  std::string text = kStudy;
+  text.replace(text.find(line), line.size(), "mode_1_energy = \"430 kN/m\"");
+  const StudySpec study = parsed(text);
+  EXPECT_TRUE(notes_of_values(study, draw_samples(study), model_builder(study)).empty());
+}
+
+TEST(StudyNotes, percent_for_a_share) {
+  expect_noted({"variable.ft_j.cov=20"},
+               "variable.ft_j.cov is 20, a scatter of 2000 %: for 20 % write 0.2");
+  expect_noted({"variable.R.cov=5"}, "for 5 % write 0.05");
+}
+
+TEST(StudyNotes, a_deviation_in_another_unit_than_the_mean) {
+  const std::string text = [] {
+    std::string study = kStudy;
+    const std::string cov = "cov = 0.3";
+    return study.replace(study.find(cov), cov.size(), "standard_deviation = \"45 MPa\"");
+  }();
+  const StudySpec study = parsed(text);
+  const auto notes = notes_of_values(study, draw_samples(study), model_builder(study));
+  bool is_told = false;
+  for (const std::string& note : texts_of(notes))
+    is_told =
+        is_told || note.starts_with("variable.ft_j.standard_deviation is 30000 % of the mean");
+  EXPECT_TRUE(is_told);
+}
+
+}  // namespace
+}  // namespace wythe
