@@ -28,7 +28,7 @@ def run(wythe, folder_of, out, matches):
         key = change["wall"], change["change"]
         if not matches(" ".join(key)):
             continue
-        settings = walls.settings_of(models[change["wall"]]) + [o for o in change["settings"].split(";") if o]
+        settings = walls.settings_of(models[change["wall"]], [o for o in change["settings"].split(";") if o])
         folder = folder_of(os.path.join(out, "why"), " ".join(key))
         row = walls.predicted_row("", change["wall"], wythe(models[change["wall"]]["model"], settings, folder))
         keep({**{c: row.get(c, "") for c in COLUMNS}, "change": change["change"]})

@@ -4,10 +4,12 @@ import math
 import os
 import pathlib
 import random
+import subprocess
 import sys
 import tempfile
 import unittest
 
+WYTHE = os.path.abspath(os.environ.get("WYTHE", "build/release/wythe"))
 SOURCE = pathlib.Path(os.environ.get("SOURCE", ".")).resolve()
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(SOURCE / "validation"))
@@ -149,6 +151,15 @@ class Table(unittest.TestCase):
         known = walls.drift_bounds(self.tests["MI1"], {"at_80_mm": "8.302", "is_bound": ""})  # 0.4151 % of 2 m
         self.assertAlmostEqual(known[0], 0, places=3)
         self.assertIsNone(walls.drift_bounds(self.tests["WS.40"], {"at_80_mm": "30", "is_bound": "yes"}))  # bounds both
+
+    def test_the_program_takes_every_set_of_settings(self):
+        # one wall with numbers in its file and b by an override, one with all by rule
+        for wall in ("MI1", "MA1"):
+            for name, more in walls.SETS.items():
+                settings = walls.settings_of(self.tests[wall], walls.PUSH + more)
+                command = [WYTHE, "check", self.tests[wall]["model"]] + [part for s in settings for part in ("--set", s)]
+                done = subprocess.run(command, capture_output=True, text=True)
+                self.assertEqual(done.returncode, 0, f"{wall}, {name}: {done.stderr}")
 
     def test_the_page_is_what_the_tables_say(self):
         with tempfile.TemporaryDirectory() as folder:
