@@ -107,8 +107,8 @@ class NotesOfOptions {
   void print(std::size_t options) const {
     for (const auto& [note, names] : notes_) {
       const bool all = names.size() == options;
-      fmt::print(stderr, "note: {}{}\n", all ? "" : readable(fmt::format("{}: ", fmt::join(names, ", "))),
-                 readable(note));
+      fmt::print(stderr, "note: {}{}\n",
+                 all ? "" : readable(fmt::format("{}: ", fmt::join(names, ", "))), readable(note));
     }
   }
 

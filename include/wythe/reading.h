@@ -117,9 +117,8 @@ struct JointReading {
   double eccentricity = 0;                      // of the compression over half the face, -1 to 1; 0
       // where nothing presses; in space the larger of both
       // directions of the face
-  bool handed_over =
-      false;  // a free contact has its place, or it does not stand in this stage: it carries nothing, and its
-      // sides may be far apart
+  // a free contact has its place, or it does not stand in this stage: it carries nothing, and its sides may be far apart
+  bool handed_over = false;
   // in space, where shear and moment are their lengths
   Vec3 slip_vector;    // mean over the area [m]
   Vec3 shear_vector;   // force on a, along the face [N]
