@@ -344,6 +344,7 @@ std::vector<std::pair<std::string, ModelSpec>> walls() {
           {"plates", plates_wall()},
           {"beam", beam_wall()},
           {"frame", scenes::framed(scenes::small_wall())},
+          {"cut", scenes::cut_under_load(scenes::framed(scenes::small_wall()))},
           {"layer", scenes::layered(scenes::small_wall())},
           {"file", file_wall()}};
 }

@@ -220,6 +220,11 @@ TEST(Restart, a_wall_with_a_frame_that_yields_in_pieces_gives_the_same_result) {
   expect_invisible(spec, kPiece, {"gravity", "push", "cycle"});
 }
 
+TEST(Restart, a_wall_whose_opening_is_cut_in_pieces_gives_the_same_result) {
+  expect_invisible(scenes::cut_under_load(scenes::framed(scenes::small_wall(0.1e-3, 0.05))), kPiece,
+                   {"gravity", "cut", "push"});
+}
+
 TEST(Restart, a_wall_with_layers_that_come_off_and_break_in_pieces_gives_the_same_result) {
   ModelSpec spec = scenes::layered(scenes::small_wall(0.1e-3, 0.05));
   spec.stage.back().targets = {0.1e-3, -0.1e-3};

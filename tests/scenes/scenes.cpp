@@ -250,6 +250,15 @@ ModelSpec framed(ModelSpec spec) {
   return spec;
 }
 
+ModelSpec cut_under_load(ModelSpec spec) {
+  StageSpec cut;
+  cut.name = "cut";
+  cut.kind = StageKind::kCut;
+  spec.stage.insert(spec.stage.end() - 1, cut);
+  spec.wall.opening[0].cut = "cut";
+  return spec;
+}
+
 ModelSpec layered(ModelSpec spec) {
   LayerSpec layer;
   layer.name = "both";

@@ -83,6 +83,8 @@ struct BondSize {
 [[nodiscard]] ModelSpec tied(ModelSpec spec);
 // small_wall with a frame of soft bars in its window, which yields in the first tenth of a millimetre.
 [[nodiscard]] ModelSpec framed(ModelSpec spec);
+// small_wall, framed or not: its window is cut in a stage before the push.
+[[nodiscard]] ModelSpec cut_under_load(ModelSpec spec);
 // small_wall with weak fibres both ways, which come off and break in the first tenth of a millimetre.
 [[nodiscard]] ModelSpec layered(ModelSpec spec);
 

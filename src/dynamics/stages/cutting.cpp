@@ -141,14 +141,18 @@ class Fitter {
     }
   }
 
-  // The slip that is there when something is put up has no stress.
+  // The slip that is there when something is put up has no stress, nor has a bed that is narrower than the joints that it
+  // replaces: their closing under load counts as shortening (crush), as if fresh mortar had filled what room there was.
   void let_go_of_joints() {
     const std::vector<PointReading> points = read_points(m_, s_);
     for (JointId j = 0; j < m_.n_joint; ++j) {
       const BlockId a = m_.joint_a[at(j)], b = m_.joint_b[at(j)];
       if (!is_new(a) && !is_new(b)) continue;
       const PointRange range = points_of(m_, j);
-      for (PointId p = range.begin; p < range.end; ++p) s_.plastic_slip[at(p)] = points[at(p)].slip;
+      for (PointId p = range.begin; p < range.end; ++p) {
+        s_.plastic_slip[at(p)] = points[at(p)].slip;
+        s_.crush[at(p)] = std::fmax(0.0, -points[at(p)].opening);
+      }
     }
   }
 

@@ -308,7 +308,10 @@ std::vector<PlacedOpening> place_openings(const Shape& shape, const std::vector<
     if (given.sill) place_sill(opening.sill, storey->lattice, result, notes, faults);
     if (given.lintel) place_lintel(opening.lintel, storey->lattice, result, notes, faults);
     if (given.arch) place_arch(opening.arch, *storey, result, notes, faults);
-    if (opening.lintel.kind.empty() && opening.arch.kind == ArchKind::kNone)
+    const bool is_framed = std::any_of(
+        shape.frame.begin(), shape.frame.end(),
+        [&](const FrameSpec& f) { return !f.round.empty() && f.round == opening.name; });
+    if (opening.lintel.kind.empty() && opening.arch.kind == ArchKind::kNone && !is_framed)
       note_bare_head(result, top, spanning, notes);
     placed.push_back(result);
   }

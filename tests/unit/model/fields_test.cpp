@@ -41,10 +41,11 @@ bool is_of_space(const StateField& field) {
          field.entity == Entity::kSupport || field.entity == Entity::kSpaceNode;
 }
 
-// Whether a wall has it with free contacts or Maxwell elements alone.
+// Whether a wall has it with free contacts, Maxwell elements or openings that a stage cuts alone.
 bool is_of_free(const StateField& field) {
   return field.entity == Entity::kHandedOver || field.entity == Entity::kMaxwell ||
-         field.entity == Entity::kMaxwellInSpace;
+         field.entity == Entity::kMaxwellInSpace || field.entity == Entity::kFrameSet ||
+         field.entity == Entity::kRelease;
 }
 
 // Every number of every array its own.
