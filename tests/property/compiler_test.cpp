@@ -166,6 +166,10 @@ class Bytes {
     const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n] = free;
     add_all(a, b, c, d, e, f, g, h, i, j, k, l, m, n);
   }
+  void add(const Standing& standing) {
+    const auto& [from, until] = standing;
+    add_all(from, until);
+  }
   void add(const DrawnField& field) {
     const auto& [name, path, of_joint, of_block] = field;
     add_all(name, path, of_joint, of_block);
@@ -182,12 +186,12 @@ class Bytes {
 // The bytes of each member of a model, in their order.
 std::vector<std::string> bytes_of(const Model& model) {
   const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y, z, aa, bb,
-               cc, dd, ee, ff, gg, hh, ii, jj, kk, ll, mm, nn, oo, pp, qq, rr, ss] = model;
+               cc, dd, ee, ff, gg, hh, ii, jj, kk, ll, mm, nn, oo, pp, qq, rr, ss, tt] = model;
   const auto each = [](const auto&... members) {
     return std::vector<std::string>{Bytes::of(members)...};
   };
   return each(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y, z, aa, bb,
-              cc, dd, ee, ff, gg, hh, ii, jj, kk, ll, mm, nn, oo, pp, qq, rr, ss);
+              cc, dd, ee, ff, gg, hh, ii, jj, kk, ll, mm, nn, oo, pp, qq, rr, ss, tt);
 }
 
 // A model's bytes, or the words of its refusal.

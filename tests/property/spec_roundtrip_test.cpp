@@ -248,7 +248,8 @@ void make_valid(StageSpec& stage, std::size_t index) {
   const std::string plate_joint = stage.plate_joint;
   stage.plate_joint = StageSpec{}.plate_joint;
   switch (stage.kind) {
-    case StageKind::kGravity: break;
+    case StageKind::kGravity:
+    case StageKind::kCut: break;
     case StageKind::kLoad:
       make_one_load(stage);
       if (stage.as == Manner::kPlate) stage.plate_joint = plate_joint;
