@@ -524,6 +524,27 @@ TEST_F(RecordFile, heads_of_at2_that_are_in_use) {
   says(refusal("record = { file = \"a.AT2\", unit = \"g\" }\n"), {"names NPTS and DT"});
 }
 
+// Fortran leaves no blank between numbers of full width.
+TEST_F(RecordFile, numbers_of_at2_that_touch_are_parted) {
+  const auto told = [&](const char* rows) {
+    write("a.AT2", std::string("ACCELERATION IN UNITS OF G\nNPTS= 6, DT= .005 SEC\n") + rows);
+    return refusal("record = [{ file = \"a.AT2\" }]\n");
+  };
+  for (const char* rows :
+       {" .1E-01  -.2 .3\n-.123-0.456 .2\n", "-.1E-01-.2E-01-.3E-01 .1E-01-.2E+00+.3E-01\n",
+        "0.1-0.2-0.1-0.2-0.3-0.1\n"}) {
+    EXPECT_EQ(told(rows), "accepted") << rows;
+  }
+  const auto once = [&](const char* rows, const char* words) {
+    const std::string said = told(rows);
+    says(said, {words});
+    EXPECT_EQ(said.find('\n'), std::string::npos) << said;
+  };
+  once(".1 .2 .3\n-.123x4.56 .2\n", "is no number");
+  once(".1 .2 .3\n.4 .5 *******\n", "is no number");
+  once(".1 .2 .3\n.4 .5\n", "are not the 6");
+}
+
 TEST_F(RecordFile, at2_with_a_factor_or_two_units_or_of_a_spectrum_is_refused) {
   const auto told = [&](const std::string& head, const char* unit = "g") {
     write("f.AT2", "PEER NGA\nOwn\n" + head + ".1 .2 .3\n");
