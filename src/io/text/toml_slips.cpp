@@ -62,7 +62,8 @@ Slip foreign_mark(std::string_view line) {
   if (is_open && bare.ends_with(','))
     return {"has no } in its line", "write { ... } in one line, or its keys under a [table]"};
   for (const std::size_t comma : {bare.find(", }"), bare.find(",}")})
-    if (comma != std::string::npos)
+    if (comma != std::string::npos && !is_open &&
+        std::count(bare.begin(), bare.end(), '{') == std::count(bare.begin(), bare.end(), '}'))
       return {"has a comma before its }", "write " + without(comma, 1)};
   if (bare.ends_with(';') ||
       (bare.ends_with(',') && !in_list && bare.find('=') != std::string::npos))
@@ -289,6 +290,8 @@ Slip slip_of_parser(std::string_view description) {
     return {fmt::format("adds {} to a table in {{ }} above, which is complete", name),
             "write it within these { }"};
   }
+  if (says("end-of-file"))
+    return {"ends within a text or a list", "close what is open above: \"\"\", ] or }"};
   if (says("parsing array"))
     return {"stands within a list that is not closed", "write ] at the end of the list above"};
   if (says("control characters"))

@@ -676,6 +676,38 @@ TEST_F(RecordFile, comments_of_other_programs_are_heads_and_comments) {
   }
 }
 
+TEST_F(RecordFile, comments_about_the_numbers_agree_with_them_or_are_refused) {
+  const auto told = [&](const std::string& comment, const char* keys = ", step = \"0.01 s\"") {
+    write("a.csv", "# " + comment + "\nacc\n0.5\n1\n-2\n0.7\n");
+    return refusal(std::string("record = { file = \"a.csv\", unit = \"cm/s2\"") + keys + " }\n");
+  };
+  for (const char* comment :
+       {"dt = 0.005 s", "DT: 5 ms", "dt (ms): 5", "sampling rate 200 Hz",
+        "Sampling frequency: 200Hz", "sampling interval 0.005", "time step = 5e-3"})
+    says(told(comment), {"step", "is not the step that a comment of", "0.005 s"});
+  for (const char* comment :
+       {"dt = 0.01 s", "DT: 10 ms", "sampling rate: 100 Hz", "cutoff frequency 25 Hz", "NPTS = 4",
+        "scale factor: 1.0", "factor = 1"})
+    EXPECT_EQ(told(comment), "accepted") << comment;
+  for (const char* comment : {"multiply by 9.81", "scale factor: 0.01", "Scaled by 2.5",
+                              "factor = 980.665", "calibration factor 3.2"})
+    says(told(comment), {"a.csv:1", "may be a factor of the numbers below"});
+  says(told("NPTS = 100"), {"4 numbers", "are not the 100 that a comment states"});
+  write("a.csv", "# dt = 0.005 s\ntime,acc\n0,0.5\n0.01,1\n0.02,-2\n");
+  says(refusal("record = { file = \"a.csv\", unit = \"cm/s2\" }\n"),
+       {"is not the step that a comment"});
+  write("a.csv", "time,acc\n0,0.5\n0.01,1\n0.02,-2\ntime,acc\n0,0.5\n");
+  const std::string twice = refusal("record = { file = \"a.csv\", unit = \"cm/s2\" }\n");
+  says(twice, {"a.csv:5", "the head a second time"});
+  EXPECT_EQ(twice.find('\n'), std::string::npos) << twice;
+  for (const char* head : {"t/T1,acc", "time,|acc|"}) {
+    write("a.csv", std::string(head) + "\n0,0.5\n0.01,1\n0.02,-2\n");
+    EXPECT_NE(refusal("record = { file = \"a.csv\", unit = \"cm/s2\" }\n"), "accepted") << head;
+  }
+  write("a.csv", "t/s,acc\n0,0.5\n0.01,1\n0.02,-2\n");
+  EXPECT_EQ(refusal("record = { file = \"a.csv\", unit = \"cm/s2\" }\n"), "accepted");
+}
+
 TEST_F(RecordFile, one_slip_of_a_record_is_one_fault) {
   const auto faults = [&](const std::string& lines) {
     const std::string said = refusal("record = { " + lines + " }\n");

@@ -241,7 +241,7 @@ TEST(ModelRefused, what_no_toml_has_is_told_with_its_cure) {
       {"height = 99999999999999999999999", "larger than a whole number may be"},
       {"height = –3", "dash of a text program; write a minus sign"},
       {"height = '3.62 m", "lacks a quote"},
-      {"height = \"\"\"3.62 m", "no \"\"\" at its end"},
+      {"height = \"\"\"3.62 m", "ends within a text or a list; close what is open above"},
       {"\"height = \"3.62 m\"", "lacks a quote; write height = \"3.62 m\""},
       {"the height = \"3.62 m\"", "has a blank in its key; write the_height = \"3.62 m\""},
       {"wall..height = \"3.62 m\"", "without a name in its key"},
