@@ -714,7 +714,7 @@ class OtherFiles(Folder):
 
     def test_a_model_of_such_a_name_is_told_so(self):
         named = os.fsencode(self.root) + b"/m\xff.toml"
-        shutil.copy(FOLDER.parents[2] / "examples/brick_pier/model.toml", named)
+        shutil.copy(FOLDER.parents[2] / "examples/brick_facade/model.toml", named)
         shutil.copy(named, self.root / "n.toml")
         set_scatter = ["--set", "scatter.use=clay_brick"]
         for command in (["assess", named, "--walls", "2", *set_scatter], ["compare", named, self.root / "n.toml", *set_scatter]):
