@@ -141,11 +141,24 @@ def _encoded(name: str, text: Any) -> Any:
     return text
 
 
+_FLAGS = ("replace", "resume", "assessment", "curves")
+
+
 def _number(name: str, value: Any) -> float:
+    is_bool = type(value).__name__ in ("bool", "bool_")  # of Python and NumPy
+    if name in _FLAGS:
+        if not is_bool and not (isinstance(value, int) and value in (0, 1)):
+            raise refused(name, f"{value!r:.60}", "is neither True nor False", f"write {name}=True, or leave it out")
+        return float(value)
+    if is_bool:
+        raise refused(name, f"{value!r:.60}", "is no number", f"write {name}=0 for all cores, {name}=1 for one"
+                      if name in ("threads", "jobs") else "write a number")
     try:
+        if isinstance(value, (str, bytes, bytearray)):
+            raise ValueError
         return float(value)
     except (TypeError, ValueError, OverflowError):
-        raise refused(name, f"{value!r:.60}", "is no number", "write a number") from None
+        raise refused(name, f"{value!r:.60}", "is no number", "write a number, without quotes") from None
 
 
 # A thread that computes when the interpreter ends would be torn down amid the engine: stop its job and wait.

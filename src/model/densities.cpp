@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <set>
 #include <string>
 #include <utility>
 
 #include "core/text.h"
+#include "wythe/text.h"
 
 namespace wythe {
 namespace {
@@ -31,7 +33,7 @@ std::vector<std::string> unmatched(const ModelSpec& spec) {
 
 // Millimetres read as metres, or the other way, where blocks come from a file or a length is a slip: the tallest masonry has
 // 170 m, the longest walls of a building a few hundred.
-void note_scale(Model& model) {
+void note_scale(const ModelSpec& spec, Model& model) {
   constexpr double kTallest = 200, kLongest = 1000, kLowest = 0.03;  // [m]
   const Anatomy& a = model.anatomy;
   const double longest = std::max(a.length, a.height);
@@ -41,9 +43,18 @@ void note_scale(Model& model) {
                      : is_long                          ? "scale.long"
                      : longest > 0 && longest < kLowest ? "scale.small"
                                                         : nullptr;
-  if (code != nullptr)
-    model.anatomy.notes.push_back(
-        {code, {{"length_m", a.length}, {"height_m", a.height}, {"height_mm", 1e3 * a.height}}});
+  if (code == nullptr) return;
+  const std::string ending =
+      small_letters(std::filesystem::path(spec.wall.blocks).extension().string());
+  Message cure{"scale.as_mm", {{"number", is_high ? a.height : a.length}}};
+  if (ending == ".dxf") cure = {"scale.as_mm_in_drawing", {{"file", spec.wall.blocks}}};
+  if (ending == ".obj" || ending == ".stl" || ending == ".ply")
+    cure = {"scale.as_mm_of_mesh", {{"file", spec.wall.blocks}}};
+  model.anatomy.notes.push_back({code,
+                                 {{"length_m", a.length},
+                                  {"height_m", a.height},
+                                  {"height_mm", 1e3 * a.height},
+                                  {"cure", std::move(cure)}}});
 }
 
 // A value in the range that its key admits, and a thousand times off what masonry has: a slip of the unit, most likely.
@@ -196,7 +207,7 @@ std::vector<Message> notes_of_values(const ModelSpec& spec) {
 
 void note_densities(const ModelSpec& spec, Model& model) {
   for (Message& note : notes_of_values(spec)) model.anatomy.notes.push_back(std::move(note));
-  note_scale(model);
+  note_scale(spec, model);
   note_far_pushes(model);
   note_shake_damping(spec, model);
   if (const std::vector<std::string> names = unmatched(spec); !names.empty())

@@ -128,6 +128,39 @@ class Drawings(unittest.TestCase):
         self.assertIn("does not say its unit", done.stderr)
         self.assertIn("blocks_unit", done.stderr)
 
+    def notes(self, doc):
+        self.assertEqual(self.stones(doc).returncode, 0)
+        return self.wythe("check", "model.toml").stdout
+
+    def thick(self, thickness, insunits=4, per_metre=1000):
+        doc = drawing(insunits=insunits)
+        for layer, corners in STONES:
+            corners = [(x / 1000 * per_metre, y / 1000 * per_metre) for x, y in corners]
+            draw(doc, layer, corners).dxf.thickness = thickness
+        return doc
+
+    def test_a_thickness_of_the_drawing_is_told(self):
+        self.assertIn("outlines have a thickness of their own (4, the first 450 mm); it is left aside, and the wall is 0.3 m thick",
+                      self.notes(self.thick(450)))
+        self.assertIn("the first 0.45 m", self.notes(self.thick(0.45, 6, 1)))
+        for same in (0, 300, -300):
+            self.assertNotIn("thickness of their own", self.notes(self.thick(same)))
+
+    def test_a_drawing_in_millimetres_that_says_metres(self):
+        said = self.notes(self.thick(0, 6))
+        self.assertIn("the wall is 450.1 m high, more than any of masonry: if stones.dxf is drawn in millimetres, set that as its unit", said)
+        self.assertNotIn("in a blocks file", said)
+
+    def test_an_outline_that_is_drawn_twice_is_one_fault(self):
+        for again in (STONES[1:2], STONES[1:], STONES):
+            doc = drawing()
+            for layer, corners in STONES + again:
+                draw(doc, layer, corners)
+            done = self.stones(doc)
+            self.assertEqual(done.returncode, 2, done.stdout)
+            self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
+            self.assertIn("given twice", done.stderr)
+
     def test_what_is_no_outline_is_named_with_layer_and_line(self):
         spoilers = {
             "SPLINE": lambda s, a: s.add_spline([(0, 0), (1, 1), (2, 0)], dxfattribs=a),

@@ -712,6 +712,17 @@ class OtherFiles(Folder):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("one\\xff", json.loads((self.root / "c/comparison.json").read_text())["base"]["folder"])
 
+    def test_a_model_of_such_a_name_is_told_so(self):
+        named = os.fsencode(self.root) + b"/m\xff.toml"
+        shutil.copy(FOLDER.parents[2] / "examples/brick_facade/model.toml", named)
+        shutil.copy(named, self.root / "n.toml")
+        set_scatter = ["--set", "scatter.use=clay_brick"]
+        for command in (["assess", named, "--walls", "2", *set_scatter], ["compare", named, self.root / "n.toml", *set_scatter]):
+            done = subprocess.run([WYTHE, *command, "--out", self.root / "out"], capture_output=True, timeout=60)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn(b"that is no UTF-8 text; rename it", done.stderr)
+            self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
+
     def test_a_name_that_is_too_long_is_told_so(self):
         model, study = FOLDER / "paths/model.toml", FOLDER / "paths/study.toml"
         for path in (str(self.root) + "/" + "x" * 300, str(self.root) + "/not/there/" + "x" * 300, str(self.root) + "/x" * 2050):

@@ -147,6 +147,13 @@ class Clumsy(unittest.TestCase):
             self.refused(lambda: run(threads=wrong))
         for wrong in (-1, "x", float("nan"), 10**400):
             self.refused(lambda: batch({KN: ([7], "GPa/m")}, jobs=wrong))
+        for wrong in ("2", b"2", True, False, numpy.True_, "all"):
+            self.refused(lambda: run(threads=wrong), "threads", "is no number")
+            self.refused(lambda: batch({KN: ([7], "GPa/m")}, jobs=wrong), "jobs", "is no number")
+            self.refused(lambda: wythe.campaign(DRY, "nowhere", jobs=wrong), "jobs", "is no number")
+        for wrong in ("yes", "false", 2, 0.5, [True]):
+            self.refused(lambda: run(replace=wrong), "replace", "is neither True nor False")
+        run(threads=numpy.int64(1), replace=numpy.False_)
         self.refused(lambda: wythe.campaign(DRY, "nowhere", shard=3), "pair")
         self.refused(lambda: run(language=3), "is no text")
 

@@ -57,9 +57,10 @@ void note_scatter(const VariableSpec& variable, std::vector<Message>& notes) {
         note_of_scatter(table + "log_standard_deviation", variable.log_standard_deviation));
   // a number of formulas may lie about zero
   const double share = variable.standard_deviation / std::fabs(variable.mean);
-  if (!variable.path.empty() && is_scatter_odd(share))
+  constexpr double kLeast = 1e-3;
+  if (!variable.path.empty() && (is_scatter_odd(share) || share < kLeast))
     notes.push_back(
-        {"scatter.wide", {{"key", table + "standard_deviation"}, {"cov_percent", 100 * share}}});
+        {"scatter.unlike", {{"key", table + "standard_deviation"}, {"cov_percent", 100 * share}}});
 }
 
 }  // namespace

@@ -18,13 +18,24 @@ constexpr std::size_t kNamed = 5;  // blocks named in one message
 
 double longer_side(const Rect& box) { return std::max(box.x1 - box.x0, box.y1 - box.y0); }
 
-// Adds a fault if the two blocks overlap; true if they do.
-bool refuse_overlap(const Block& a, const Block& b, double tolerance, FaultList& faults) {
+// Pairs of blocks that are one and the same, "a12 and a31".
+using Twins = std::vector<std::string>;
+
+// Adds a fault if the two blocks overlap, or the two to `twins`; true if they overlap.
+bool refuse_overlap(const Block& a, const Block& b, double tolerance, Twins& twins,
+                    FaultList& faults) {
   const Rect box_a = bounds(a.outline), box_b = bounds(b.outline);
   if (!overlaps(box_a, box_b, tolerance)) return false;
   const double area = overlap_area(a.outline, b.outline);
   // A film of the contact tolerance along the whole side is still contact, not overlap.
   if (area <= tolerance * std::min(longer_side(box_a), longer_side(box_b))) return false;
+  constexpr double kSame = 1e-3;  // of the area
+  const double larger =
+      std::max(overlap_area(a.outline, a.outline), overlap_area(b.outline, b.outline));
+  if (area > (1 - kSame) * larger) {
+    twins.push_back(a.id + " and " + b.id);
+    return false;
+  }
   std::ostringstream text;
   text << "blocks \"" << a.id << "\" and \"" << b.id << "\" overlap by " << area << " m^2";
   add_fault(faults, "wall.blocks." + b.id, "", text.str(), "move their corners apart");
@@ -89,16 +100,23 @@ void check_overlaps(const std::vector<Block>& blocks, FaultList& faults) {
   const std::size_t most = kMostPairs * blocks.size();
   const auto pairs = near_pairs(blocks, 0, most);
   std::size_t refused = 0;
+  Twins twins;
   for (const auto& [i, j] : pairs) {
     const Block& a = blocks[static_cast<std::size_t>(i)];
     const Block& b = blocks[static_cast<std::size_t>(j)];
-    refused += refuse_overlap(a, b, tolerance, faults);
+    refused += refuse_overlap(a, b, tolerance, twins, faults);
     if (refused < kOverlapsTold) continue;
     add_fault(faults, "wall.blocks", std::to_string(blocks.size()) + " blocks",
               "only the first " + std::to_string(kOverlapsTold) + " overlaps are told",
               "mend these and check the file again");
     return;
   }
+  if (!twins.empty())
+    add_fault(faults, "wall.blocks", listed(twins),
+              twins.size() == 1
+                  ? "are one block, given twice"
+                  : std::to_string(twins.size()) + " pairs are one block each, given twice",
+              "leave one of each out");
   if (!pairs.empty() && pairs.size() >= most)
     add_fault(faults, "wall.blocks", std::to_string(blocks.size()) + " blocks",
               "more than " + std::to_string(kMostPairs) +

@@ -106,6 +106,13 @@ class Facade {
     std::sort(openings_.begin(), openings_.end(), [](const Box& a, const Box& b) {
       return std::abs(a.at.y0 - b.at.y0) > kClose ? a.at.y0 < b.at.y0 : a.at.x0 < b.at.x0;
     });
+    const auto are_same = [](const Rect& a, const Rect& b) {
+      return std::abs(a.x0 - b.x0) <= kClose && std::abs(a.x1 - b.x1) <= kClose &&
+             std::abs(a.y0 - b.y0) <= kClose && std::abs(a.y1 - b.y1) <= kClose;
+    };
+    for (std::size_t k = 1; k < openings_.size(); ++k)
+      if (are_same(openings_[k - 1].at, openings_[k].at))
+        fault(*openings_[k].drawn, "is drawn a second time", "keep one");
     for (Box& opening : openings_) {
       Rect& r = opening.at;
       if (r.x0 < wall_.x0 - kUpright || r.x1 > wall_.x1 + kUpright || r.y0 < wall_.y0 - kUpright ||
@@ -181,6 +188,9 @@ class Facade {
       text += fmt::format("# Left aside: layer {}, which is off or frozen\n", layer);
     if (drawing_.invisible > 0)
       text += fmt::format("# Left aside: {} invisible entities\n", drawing_.invisible);
+    if (drawing_.thick > 0)
+      text += fmt::format("# Left aside: the thickness of {} polylines, {:g} of the first\n",
+                          drawing_.thick, drawing_.thickness);
     return text.empty() ? text : "\n" + text;
   }
 
@@ -212,6 +222,17 @@ std::vector<Message> notes_of_drawing(const ModelSpec& spec) {
   if (drawing.invisible > 0)
     notes.push_back(
         {"drawing.invisible", {{"file", spec.wall.blocks}, {"count", drawing.invisible}}});
+  const double metre = io::units_in_a_metre(drawing.stated_unit);  // 0: not stated
+  constexpr double kSame = 1e-6;                                   // [m]
+  const bool is_walls =
+      metre > 0 && std::abs(std::abs(drawing.thickness) / metre - spec.wall.thickness) <= kSame;
+  if (drawing.thick > 0 && !is_walls)
+    notes.push_back({"drawing.thickness",
+                     {{"file", spec.wall.blocks},
+                      {"count", drawing.thick},
+                      {"drawn", drawing.thickness},
+                      {"unit", drawing.stated_unit},
+                      {"thickness_m", spec.wall.thickness}}});
   return notes;
 }
 

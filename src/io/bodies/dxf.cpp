@@ -197,7 +197,8 @@ struct Entity {
   int flags = 0;
   bool on_paper = false;  // a sheet, not the drawing itself
   bool is_invisible = false;
-  double normal = 1;  // z of the extrusion direction
+  double thickness = 0;  // as the file has it
+  double normal = 1;     // z of the extrusion direction
   std::vector<Vertex> vertices;
 };
 
@@ -339,6 +340,9 @@ class DrawingReader {
         if (!in_vertex_ && (entity.type == "LWPOLYLINE" || entity.type == "POLYLINE"))
           entity.flags = integer(group);
         break;
+      case 39:
+        if (!in_vertex_) entity.thickness = number(group);
+        break;
       case 230: entity.normal = number(group); break;
       case 10:
         if (!is_polyline) break;
@@ -408,6 +412,7 @@ class DrawingReader {
     if (!lay_arcs(entity, outline)) return;
     if (outline.corners.size() < 3)
       return leave(entity, "has fewer than 3 corners", "draw it anew, or take it out of the file");
+    if (entity.thickness != 0 && ++drawing_.thick == 1) drawing_.thickness = entity.thickness;
     drawing_.outlines.push_back(std::move(outline));
   }
 

@@ -43,6 +43,9 @@ struct Drawing {
   // entities that are invisible.
   std::vector<std::string> hidden;
   int invisible = 0;
+  // Outlines with a thickness of their own (group 39), and the first of these, in units of the file.
+  int thick = 0;
+  double thickness = 0;
   std::string stated_unit;  // by the file ($INSUNITS), "mm"; "" where it states none that is read
 };
 

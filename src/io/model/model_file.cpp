@@ -361,8 +361,15 @@ Model compile_model(const ModelSpec& spec, const std::string& toml_text,
                     const std::string& file_name, const std::vector<std::string>& overrides) {
   try {
     Model model = compile(spec);
-    for (Message& note : io::notes_of_text(toml_text, file_name, overrides))
-      model.anatomy.notes.push_back(std::move(note));
+    std::vector<Message>& notes = model.anatomy.notes;
+    for (Message& note : io::notes_of_text(toml_text, file_name, overrides)) {
+      // "1.800 kg/m^3" is odd too, for the same reason
+      std::erase_if(notes, [&](const Message& other) {
+        return (other.code == "value.odd" || other.code == "density.odd") &&
+               other.arguments.front() == note.arguments.front();
+      });
+      notes.push_back(std::move(note));
+    }
     return model;
   } catch (const InputError& error) {
     throw_with_lines(error, spec, toml_text, file_name, overrides);

@@ -48,6 +48,7 @@ class TableRecord {
     check_comments(text);
     read_rows(table);
     check_times();
+    check_told();
     RecordNumbers n = std::move(numbers_);
     n.column = has_head_ ? columns_[column_].head.whole : fmt::format("{}", column_ + 1);
     return n;
@@ -186,13 +187,19 @@ class TableRecord {
   }
 
   // A unit in the lines that begin with #, against what head and model state.
-  void check_comments(std::string_view text) const {
+  void check_comments(std::string_view text) {
     const std::string all = comments_before(text);
     int number = 0;
     for (std::string_view rest = all; !rest.empty(); ++number) {
       std::string_view line = rest.substr(0, rest.find('\n'));
       rest.remove_prefix(line.size() + 1);
       line = comment_in(line).value_or(line);
+      const Told told_here = told_in(std::string(line));
+      if (!told_here.factor.empty())
+        refuse("file", told_here.factor, "may be a factor of the numbers below",
+               "apply it, and take this comment out of the file", number + 1);
+      if (!std::isnan(told_here.step)) told_ = {told_here.step, told_.count, ""};
+      if (!std::isnan(told_here.count)) told_ = {told_.step, told_here.count, ""};
       const std::string unit = unit_in_words(std::string(trimmed(line)));
       if (unit.empty()) continue;
       const RecordUnit told = stated_unit(unit);
@@ -216,6 +223,9 @@ class TableRecord {
     bool tells_decimals = false;
     const auto number = [&](std::size_t column) {
       const double value = table.number(column);
+      if (std::isnan(value) && has_head_ && table.cell(column) == columns_[column].head.whole)
+        refuse("file", table.cell(column), "is the head a second time: two records in one file",
+               "give each a file of its own", table.line());
       if (std::isnan(value)) {
         Fault fault = table.no_number(column);
         fault.path = path_ + ".file";
@@ -312,6 +322,23 @@ class TableRecord {
     }
   }
 
+  // What comments say of step and length.
+  void check_told() {
+    const std::vector<double>& time = numbers_.time;
+    const auto count = static_cast<double>(numbers_.acceleration.size());
+    if (!std::isnan(told_.count) && told_.count != count)
+      refuse("file", fmt::format("{:.0f} numbers", count),
+             fmt::format("are not the {:.0f} that a comment states", told_.count),
+             "fetch the whole file, or correct the comment");
+    if (!(told_.step > 0)) return;
+    constexpr double kSame = 1e-3;
+    const double step = time.empty() ? record_.step : (time.back() - time.front()) / (count - 1);
+    if (!std::isnan(step) && std::fabs(step - told_.step) > kSame * told_.step)
+      refuse(time.empty() ? "step" : "file", fmt::format("{:g} s", step),
+             fmt::format("is not the step that a comment of {} states, {:g} s", file_, told_.step),
+             "make them agree");
+  }
+
   // Row numbers, and times in another unit, rise by more than any step of a record. Only a head can say that they are
   // seconds; else the model's step stands, where rows are even.
   void check_times() {
@@ -357,6 +384,7 @@ class TableRecord {
     return step > 0;
   }
 
+  Told told_;  // by comments
   const RecordSpec& record_;
   const std::string &path_, &file_;
   RecordNumbers numbers_;

@@ -103,6 +103,26 @@ std::vector<double> numbers_in(std::string_view text) {
   return numbers;
 }
 
+// Fortran writes numbers of full width without a blank between them: "-.123-4.56". Each has its point, so that the sign of an
+// exponent, 1.5-101, parts nothing.
+std::vector<std::string_view> touching_numbers(std::string_view cell) {
+  std::vector<std::string_view> parts;
+  for (std::size_t at = 1; at < cell.size(); ++at) {
+    const bool is_sign = cell[at] == '-' || cell[at] == '+';
+    const std::string_view before = cell.substr(0, at), behind = cell.substr(at + 1);
+    const bool has_points =
+        before.find('.') != std::string_view::npos &&
+        behind.substr(0, behind.find_first_of("+-")).find('.') != std::string_view::npos;
+    if (!is_sign || !has_points || std::isalpha(static_cast<unsigned char>(cell[at - 1])) != 0)
+      continue;
+    parts.push_back(before);
+    cell.remove_prefix(at);
+    at = 0;
+  }
+  parts.push_back(cell);
+  return parts;
+}
+
 // Numbers behind the head, any number a line; `stated` of them.
 std::vector<double> values_after(std::string_view text, const std::string& file, int head_lines,
                                  double stated, const char* says_so) {
@@ -116,15 +136,17 @@ std::vector<double> values_after(std::string_view text, const std::string& file,
     while (!enough(faults) && !rest.empty()) {  // a file may be one line
       const std::string_view cell = rest.substr(0, rest.find_first_of(" \t"));
       rest = trimmed(rest.substr(cell.size()));
-      const double value = number_in(cell);
-      if (std::isnan(value))
-        faults.add({file, "", std::string(cell), "is no number",
-                    "repair the file, or fetch it anew", lines.line()});
-      values.push_back(value);
+      for (const std::string_view one : touching_numbers(cell)) {
+        const double value = number_in(one);
+        if (std::isnan(value) && !enough(faults))
+          faults.add({file, "", std::string(cell), "is no number",
+                      "repair the file, or fetch it anew", lines.line()});
+        values.push_back(value);
+      }
     }
   }
   const auto found = static_cast<double>(values.size());
-  if (found != stated && !enough(faults))
+  if (found != stated && faults.empty())
     faults.add({file, "", fmt::format("{:.0f} numbers", found),
                 fmt::format("are not the {:.0f} that {} states: lines are {}", stated, says_so,
                             found < stated ? "missing" : "too many"),

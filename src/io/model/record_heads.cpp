@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cmath>
 #include <functional>
+#include <regex>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -169,6 +170,7 @@ std::string_view behind_name(std::string_view word) {
 std::string strange_in(const std::string& rest,
                        const std::function<bool(std::string_view)>& is_known) {
   const std::string small = small_letters(rest);
+  if (small.starts_with('|')) return "|";  // |acc|
   for (const std::string_view mark :
        {"%", "‰", "^", "*", "×", "·", "⋅", "pct", "percent", "prozent"})
     if (small.find(mark) != std::string::npos) return std::string(mark);
@@ -294,7 +296,35 @@ bool tells_of_other_motion(const std::string& words) {
          !has("beschl") && !has("acel");
 }
 
+Told told_in(const std::string& comment) {
+  const std::string small = small_letters(comment);
+  Told told;
+  std::smatch found;
+  static const std::regex step(
+      R"((?:\bdt|sampl\w*\s+(?:interval|step|period)|time\s+(?:step|interval))\s*(?:[(\[]\s*m?s(?:ec)?\s*[)\]])?\s*[:=]?\s*([\d.]+(?:e[-+]?\d+)?)\s*(m?s(?:ec\w*)?\b)?)");
+  static const std::regex rate(
+      R"(sampl\w*\s+(?:rate|freq\w*)\D{0,20}?([\d.]+)\s*(?:hz|sps|samples))");
+  static const std::regex count(R"((?:\bnpts|number of (?:points|samples|data))\s*[:=]?\s*(\d+))");
+  static const std::regex factor(
+      R"(multipl\w*|(?:scale|scaling|conversion|calibration)\s*factor|scaled\s+by|\bfactor\s*[:=])");
+  constexpr std::size_t kLongest = 300;
+  if (small.size() > kLongest) return told;
+  if (std::regex_search(small, found, step)) {
+    const bool is_ms = found[0].str().find("ms") != std::string::npos;
+    told.step = number_in(found[1].str()) * (is_ms ? 1e-3 : 1);
+  } else if (std::regex_search(small, found, rate)) {
+    told.step = 1 / number_in(found[1].str());
+  }
+  if (std::regex_search(small, found, count)) told.count = number_in(found[1].str());
+  static const std::regex one(R"(\D{0,20}1(?:\.0*)?\s*$)");
+  if (std::regex_search(small, found, factor) && !std::regex_match(found.suffix().str(), one))
+    told.factor = comment;
+  return told;
+}
+
 std::string strange_in_times(const ColumnHead& head) {
+  const std::size_t slash = head.unit.empty() ? head.whole.find('/') : std::string::npos;
+  if (slash != std::string::npos) return head.whole.substr(slash);  // t/T1
   if (!head.in_brackets) return strange_in(head.unit.empty() ? head.whole : head.name, is_of_times);
   const std::size_t close = head.whole.find_last_of("])}");
   return strange_in(head.name + ' ' + head.whole.substr(close + 1), is_any);

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "io/text/table.h"
+#include "wythe/contact_law.h"
 
 namespace wythe::io {
 
@@ -20,6 +21,14 @@ struct Column {
 
 // Whether words before the numbers speak of velocities or displacements, and not of accelerations.
 [[nodiscard]] bool tells_of_other_motion(const std::string& words);
+
+// What a comment says of the numbers below it.
+struct Told {
+  double step = kUnset;   // [s]
+  double count = kUnset;  // of numbers
+  std::string factor;     // words of one that is not 1: "multiply by 9.81"
+};
+[[nodiscard]] Told told_in(const std::string& comment);
 
 // The first word or number of the head of times that may change seconds: "minuti", "1000" of "time/1000 [s]"; "" where
 // there is none.

@@ -8,6 +8,7 @@
 
 #include "campaign/draws/energies.h"
 #include "core/files.h"
+#include "core/text.h"
 #include "io/study/study_file.h"
 #include "io/text/toml_reader.h"
 #include "io/text/toml_writer.h"
@@ -113,10 +114,17 @@ std::string text_of_study(const AskedWalls& asked) {
 
 std::string io::text_of_ways(const AskedWalls& asked, const std::vector<PushWay>& ways,
                              const std::string& tables) {
+  const std::string whole = std::filesystem::absolute(asked.model_file).string();
+  if (!is_utf8(whole))  // a study names its model in TOML
+    throw InputError(
+        {{.file = asked.model_file,
+          .path = "",
+          .value = "",
+          .problem = "has a name, or lies in a folder of a name, that is no UTF-8 text",
+          .cure = "rename it, or copy the model to another folder"}});
   std::string study = fmt::format(
       "[study]\nname = {}\nmodel = {}\nsamples = {}\nseed = {}\ndesign = \"monte_carlo\"\n",
-      io::quoted(asked.model_file),
-      io::quoted(std::filesystem::absolute(asked.model_file).string()), asked.walls, asked.seed);
+      io::quoted(asked.model_file), io::quoted(whole), asked.walls, asked.seed);
   study += tables;
   const PushWay& own = ways.front();
   for (std::size_t k = 1; k < ways.size(); ++k) {

@@ -256,7 +256,7 @@ std::string factor_in_head(const std::string& head) {
   const std::size_t open = small.find_first_of("[("), close = small.find_first_of("])", open);
   if (open != std::string::npos && close != std::string::npos) small.erase(open, close - open + 1);
   static const std::regex factor(
-      R"((^|[\s_])x\s*\d[\d.e]*|(^|[^*])\*\s*\d+|\b\d+\s*\*|×|/\s*10*\b|\b1\s*/|\blog|\bln\b|\bcov of\b)");
+      R"((^|[\s_])x\s*\d[\d.e]*|(^|[^*])\*\s*\d+|\b\d+\s*\*|×|/\s*10*\b|\b1\s*/|\blog|\bln\b|\bcov of\b|\bstd\b|\bst\.?\s?dev\.?|standard deviation|\bvariance\b)");
   std::smatch found;
   return std::regex_search(small, found, factor) ? std::string(trimmed(found.str())) : "";
 }

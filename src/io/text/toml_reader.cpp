@@ -462,14 +462,13 @@ toml::table parse_toml(const std::string& text, const std::string& file) {
     const std::string_view written = rest.substr(0, std::min(rest.find('\n'), kLongestLine));
     Slip slip = slip_in(written);
     if (slip.problem.empty()) slip = stated_twice(written, error.description());
-    throw InputError(
-        {Fault{.file = file,
-               .path = "",
-               .value = "",
-               .problem = "not valid TOML: " +
-                          (slip.problem.empty() ? std::string(error.description()) : slip.problem),
-               .cure = slip.cure,
-               .line = line}});
+    if (slip.problem.empty()) slip = slip_of_parser(error.description());
+    throw InputError({Fault{.file = file,
+                            .path = "",
+                            .value = "",
+                            .problem = "not valid TOML: " + slip.problem,
+                            .cure = slip.cure,
+                            .line = line}});
   }
 }
 

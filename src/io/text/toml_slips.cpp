@@ -57,6 +57,14 @@ Slip foreign_mark(std::string_view line) {
   const bool in_list =
       std::count(bare.begin(), bare.end(), '[') > std::count(bare.begin(), bare.end(), ']');
   if (bare.starts_with('=')) return {"has no key before its =", "write key = value"};
+  const bool is_open =
+      std::count(bare.begin(), bare.end(), '{') > std::count(bare.begin(), bare.end(), '}');
+  if (is_open && bare.ends_with(','))
+    return {"has no } in its line", "write { ... } in one line, or its keys under a [table]"};
+  for (const std::size_t comma : {bare.find(", }"), bare.find(",}")})
+    if (comma != std::string::npos && !is_open &&
+        std::count(bare.begin(), bare.end(), '{') == std::count(bare.begin(), bare.end(), '}'))
+      return {"has a comma before its }", "write " + without(comma, 1)};
   if (bare.ends_with(';') ||
       (bare.ends_with(',') && !in_list && bare.find('=') != std::string::npos))
     return {fmt::format("ends with a {}", bare.back()), "write " + without(line.size() - 1, 1)};
@@ -99,6 +107,78 @@ Slip foreign_mark(std::string_view line) {
   return {};
 }
 
+bool starts_with_any(std::string_view text, std::initializer_list<std::string_view> starts) {
+  return std::any_of(starts.begin(), starts.end(),
+                     [&](std::string_view start) { return text.starts_with(start); });
+}
+
+// Files and remarks of other formats, and heads of tables.
+Slip foreign_line(std::string_view line) {
+  if (line.starts_with('{'))
+    return {"is JSON, it seems, and a model is TOML",
+            "write tables as [wall] and values as key = value"};
+  if (line.starts_with('<'))
+    return {"is XML, it seems, and a model is TOML",
+            "write tables as [wall] and values as key = value"};
+  if (starts_with_any(line, {";", "%", "//", "/*", "!", "--"}))
+    return {"begins with a mark of remarks that TOML has not",
+            fmt::format("write # {}", trimmed(line.substr(line.find_first_not_of(";%/*!- "))))};
+  const bool is_head = line.starts_with('[') && line.find('=') == std::string_view::npos;
+  const std::size_t name = line.find_first_not_of("[] ");
+  if (is_head && name == std::string_view::npos) return {"names no table", "write e.g. [wall]"};
+  if (is_head && line.starts_with("[[") && line.ends_with(']') && !line.ends_with("]]"))
+    return {"has one ] where two belong", fmt::format("write {}]", line)};
+  if (line.ends_with(':') && line.find_first_of("=[{\"") == std::string_view::npos)
+    return {"is YAML, it seems, and a model is TOML",
+            fmt::format("write [{}]", line.substr(0, line.size() - 1))};
+  return {};
+}
+
+// A key that TOML takes no name from.
+Slip wrong_key(const std::string& key, std::string_view value) {
+  if (key.empty() || key.find_first_of("[]{}") != std::string::npos) return {};
+  const auto quotes = std::count(key.begin(), key.end(), '"');
+  std::string cured = key;
+  if (quotes == 1) {
+    std::erase(cured, '"');
+    return {"lacks a quote", fmt::format("write {} = {}", cured, value)};
+  }
+  if (quotes > 0 || key.find('\'') != std::string::npos) return {};
+  if (key.find("..") != std::string::npos || key.ends_with('.') || key.starts_with('.'))
+    return {"has a part without a name in its key", "write one dot between two names"};
+  if (const std::size_t blank = key.find_first_of(" \t");
+      blank != std::string::npos && key.find('.') == std::string::npos) {
+    std::replace(cured.begin(), cured.end(), ' ', '_');
+    return {"has a blank in its key", fmt::format("write {} = {}", cured, value)};
+  }
+  const bool is_ascii = std::all_of(key.begin(), key.end(), [](char c) { return c > 0; });
+  if (!is_ascii)
+    return {"has a letter in its key that no key has", "write the key with letters of English"};
+  return {};
+}
+
+// A number as TOML does not write it, "30." or ".5"; `key` for the cure.
+Slip wrong_number(const std::string& key, std::string_view value) {
+  const bool has_sign = value.starts_with('-') || value.starts_with('+');
+  std::string digits(value.substr(has_sign ? 1 : 0));
+  const std::string sign(value.substr(0, has_sign ? 1 : 0));
+  if (digits.empty() || digits.find_first_not_of("0123456789._") != std::string::npos) return {};
+  const std::string was = digits;
+  std::erase(digits, '_');
+  if (digits.starts_with('.')) digits = "0" + digits;
+  if (digits.ends_with('.')) digits += "0";
+  while (digits.size() > 1 && digits[0] == '0' && is_digit(digits[1])) digits.erase(0, 1);
+  if (std::count(digits.begin(), digits.end(), '.') > 1)
+    return {"has several points in a number", "write one point, before the decimals"};
+  if (digits == was)
+    return digits.size() > 18 && digits.find('.') == std::string::npos
+               ? Slip{"is larger than a whole number may be", fmt::format("write {} = 1e30", key)}
+               : Slip{};
+  return {"is no number as TOML has them",
+          fmt::format("write {0} = {1}{2}, or {0} = \"{1}{2} UNIT\" for a quantity", key, sign,
+                      digits)};
+}
+
 bool has_any(std::string_view text, std::initializer_list<std::string_view> parts) {
   return std::any_of(parts.begin(), parts.end(), [&](std::string_view part) {
     return text.find(part) != std::string_view::npos;
@@ -121,6 +201,7 @@ Slip slip_in(std::string_view written) {
   const std::string_view line = trimmed(without_comment(written));
   if (has_any(line, {"“", "”", "„", "‘", "’", "«", "»"}))
     return {"has quotes of a text program", "write straight ones: \""};
+  if (const Slip foreign = foreign_line(line); !foreign.problem.empty()) return foreign;
   if (line.starts_with('[') && !line.ends_with(']') && line.find('=') == std::string_view::npos)
     return {"has no ] at its end",
             fmt::format("write {}]{}", line, line.starts_with("[[") ? "]" : "")};
@@ -130,6 +211,17 @@ Slip slip_in(std::string_view written) {
     return line.starts_with('[') ? Slip{} : Slip{"has no =", "write key = value"};
   const std::string key(trimmed(line.substr(0, equals)));
   const std::string_view value = trimmed(line.substr(equals + 1));
+  if (value.starts_with('='))
+    return {"has == where TOML has =", fmt::format("write {} = {}", key, trimmed(value.substr(1)))};
+  if (const Slip wrong = wrong_key(key, value); !wrong.problem.empty()) return wrong;
+  if (starts_with_any(value, {"–", "—", "−"}))
+    return {"has a dash of a text program", "write a minus sign: -"};
+  if (value.starts_with("\"\"\""))
+    return {"has no \"\"\" at its end", "write the text between two \""};
+  if (std::count(value.begin(), value.end(), '\'') == 1 &&
+      value.find('"') == std::string_view::npos)
+    return {"lacks a quote", "write each text between two quotes"};
+  if (const Slip wrong = wrong_number(key, value); !wrong.problem.empty()) return wrong;
   const bool is_plain = !value.empty() && value.find_first_of("[]{}'") == std::string_view::npos;
   const auto quotes = std::count(value.begin(), value.end(), '"');
   if (is_plain && quotes == 1) {
@@ -185,6 +277,32 @@ Slip stated_twice(std::string_view written, std::string_view description) {
           fmt::format("put both under one [{0}]; several of a list are each under [[{0}]], "
                       "with two brackets",
                       name)};
+}
+
+Slip slip_of_parser(std::string_view description) {
+  const auto says = [&](std::string_view words) {
+    return description.find(words) != std::string_view::npos;
+  };
+  if (says("cannot insert")) {
+    const std::size_t open = description.find('\''), close = description.find('\'', open + 1);
+    const std::string name(
+        close == std::string_view::npos ? "table" : description.substr(open + 1, close - open - 1));
+    return {fmt::format("adds {} to a table in {{ }} above, which is complete", name),
+            "write it within these { }"};
+  }
+  if (says("end-of-file"))
+    return {"ends within a text or a list", "close what is open above: \"\"\", ] or }"};
+  if (says("parsing array"))
+    return {"stands within a list that is not closed", "write ] at the end of the list above"};
+  if (says("control characters"))
+    return {"has a control character within a text", "delete it, or write the text anew"};
+  if (says("parsing date") || says("parsing time"))
+    return {"is read as a date or a time", "write it in quotes"};
+  if (says("expected '\\n' after '\\r'"))
+    return {"has line ends of old Macs, CR alone", "save it with line ends of today, LF or CR LF"};
+  return {
+      "cannot be read",
+      "write each line as key = value or [table]: texts and quantities in quotes, lists in [ ]"};
 }
 
 std::string path_as_meant(std::string_view path) {

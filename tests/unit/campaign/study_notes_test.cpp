@@ -1,6 +1,10 @@
 // Values that no masonry has are noted of a study as of a model, by the same function.
 #include <gtest/gtest.h>
 
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "unit/study_text.h"
 #include "wythe/study_notes.h"
 
@@ -57,18 +61,22 @@ TEST(StudyNotes, percent_for_a_share) {
 }
 
 TEST(StudyNotes, a_deviation_in_another_unit_than_the_mean) {
-  const std::string text = [] {
-    std::string study = kStudy;
+  for (const auto& [deviation, share] :
+       {std::pair("45 MPa", "30000 %"), std::pair("45 N/m^2", "0.03 %")}) {
+    std::string text = kStudy;
     const std::string cov = "cov = 0.3";
-    return study.replace(study.find(cov), cov.size(), "standard_deviation = \"45 MPa\"");
-  }();
-  const StudySpec study = parsed(text);
-  const auto notes = notes_of_values(study, draw_samples(study), model_builder(study));
-  bool is_told = false;
-  for (const std::string& note : texts_of(notes))
-    is_told =
-        is_told || note.starts_with("variable.ft_j.standard_deviation is 30000 % of the mean");
-  EXPECT_TRUE(is_told);
+    text.replace(text.find(cov), cov.size(),
+                 std::string("standard_deviation = \"") + deviation + "\"");
+    const StudySpec study = parsed(text);
+    std::string all;
+    for (const std::string& note :
+         texts_of(notes_of_values(study, draw_samples(study), model_builder(study))))
+      all += note + '\n';
+    EXPECT_NE(all.find(std::string("variable.ft_j.standard_deviation is ") + share +
+                       " of the mean: check the units of both"),
+              std::string::npos)
+        << all;
+  }
 }
 
 }  // namespace

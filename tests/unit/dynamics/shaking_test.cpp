@@ -524,6 +524,27 @@ TEST_F(RecordFile, heads_of_at2_that_are_in_use) {
   says(refusal("record = { file = \"a.AT2\", unit = \"g\" }\n"), {"names NPTS and DT"});
 }
 
+// Fortran leaves no blank between numbers of full width.
+TEST_F(RecordFile, numbers_of_at2_that_touch_are_parted) {
+  const auto told = [&](const char* rows) {
+    write("a.AT2", std::string("ACCELERATION IN UNITS OF G\nNPTS= 6, DT= .005 SEC\n") + rows);
+    return refusal("record = [{ file = \"a.AT2\" }]\n");
+  };
+  for (const char* rows :
+       {" .1E-01  -.2 .3\n-.123-0.456 .2\n", "-.1E-01-.2E-01-.3E-01 .1E-01-.2E+00+.3E-01\n",
+        "0.1-0.2-0.1-0.2-0.3-0.1\n"}) {
+    EXPECT_EQ(told(rows), "accepted") << rows;
+  }
+  const auto once = [&](const char* rows, const char* words) {
+    const std::string said = told(rows);
+    says(said, {words});
+    EXPECT_EQ(said.find('\n'), std::string::npos) << said;
+  };
+  once(".1 .2 .3\n-.123x4.56 .2\n", "is no number");
+  once(".1 .2 .3\n.4 .5 *******\n", "is no number");
+  once(".1 .2 .3\n.4 .5\n", "are not the 6");
+}
+
 TEST_F(RecordFile, at2_with_a_factor_or_two_units_or_of_a_spectrum_is_refused) {
   const auto told = [&](const std::string& head, const char* unit = "g") {
     write("f.AT2", "PEER NGA\nOwn\n" + head + ".1 .2 .3\n");
@@ -653,6 +674,38 @@ TEST_F(RecordFile, comments_of_other_programs_are_heads_and_comments) {
     write("a.txt", std::string(mark) + " units: cm/s2\n0 0.5\n0.01 1\n0.02 -2\n");
     says(refusal("record = { file = \"a.txt\", unit = \"g\" }\n"), {"is what a comment says"});
   }
+}
+
+TEST_F(RecordFile, comments_about_the_numbers_agree_with_them_or_are_refused) {
+  const auto told = [&](const std::string& comment, const char* keys = ", step = \"0.01 s\"") {
+    write("a.csv", "# " + comment + "\nacc\n0.5\n1\n-2\n0.7\n");
+    return refusal(std::string("record = { file = \"a.csv\", unit = \"cm/s2\"") + keys + " }\n");
+  };
+  for (const char* comment :
+       {"dt = 0.005 s", "DT: 5 ms", "dt (ms): 5", "sampling rate 200 Hz",
+        "Sampling frequency: 200Hz", "sampling interval 0.005", "time step = 5e-3"})
+    says(told(comment), {"step", "is not the step that a comment of", "0.005 s"});
+  for (const char* comment :
+       {"dt = 0.01 s", "DT: 10 ms", "sampling rate: 100 Hz", "cutoff frequency 25 Hz", "NPTS = 4",
+        "scale factor: 1.0", "factor = 1"})
+    EXPECT_EQ(told(comment), "accepted") << comment;
+  for (const char* comment : {"multiply by 9.81", "scale factor: 0.01", "Scaled by 2.5",
+                              "factor = 980.665", "calibration factor 3.2"})
+    says(told(comment), {"a.csv:1", "may be a factor of the numbers below"});
+  says(told("NPTS = 100"), {"4 numbers", "are not the 100 that a comment states"});
+  write("a.csv", "# dt = 0.005 s\ntime,acc\n0,0.5\n0.01,1\n0.02,-2\n");
+  says(refusal("record = { file = \"a.csv\", unit = \"cm/s2\" }\n"),
+       {"is not the step that a comment"});
+  write("a.csv", "time,acc\n0,0.5\n0.01,1\n0.02,-2\ntime,acc\n0,0.5\n");
+  const std::string twice = refusal("record = { file = \"a.csv\", unit = \"cm/s2\" }\n");
+  says(twice, {"a.csv:5", "the head a second time"});
+  EXPECT_EQ(twice.find('\n'), std::string::npos) << twice;
+  for (const char* head : {"t/T1,acc", "time,|acc|"}) {
+    write("a.csv", std::string(head) + "\n0,0.5\n0.01,1\n0.02,-2\n");
+    EXPECT_NE(refusal("record = { file = \"a.csv\", unit = \"cm/s2\" }\n"), "accepted") << head;
+  }
+  write("a.csv", "t/s,acc\n0,0.5\n0.01,1\n0.02,-2\n");
+  EXPECT_EQ(refusal("record = { file = \"a.csv\", unit = \"cm/s2\" }\n"), "accepted");
 }
 
 TEST_F(RecordFile, one_slip_of_a_record_is_one_fault) {

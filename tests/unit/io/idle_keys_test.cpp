@@ -278,6 +278,7 @@ TEST(IdleKeys, three_decimals_that_are_thousands_are_noted) {
   };
   expect_noted(with("1800 kg/m^3", "1.800 kg/m^3"), "write \"1800 kg/m^3\"");
   expect_noted(with("1800 kg/m^3", "1.845 kg/m^3"), "write \"1845 kg/m^3\"");
+  expect_not_noted(with("1800 kg/m^3", "1.800 kg/m^3"), "check its unit");
   expect_noted(with("200 mm", "1.200 mm"), "write \"1200 mm\"");
   for (const char* load : {"0.150 kN", "12.125 kN", "12.00 kN", "1500.000 N"})
     expect_not_noted(loaded(load), "thousands");

@@ -199,7 +199,8 @@ TEST(PathRefused, factor_in_the_head) {
 
 TEST(Heads, of_what_changes_the_numbers_and_of_what_does_not) {
   for (const char* head :
-       {"ft x100 [MPa]", "100*ft (MPa)", "ft/10 [MPa]", "CoV of ft [MPa]", "log10(ft) [Pa]"})
+       {"ft x100 [MPa]", "100*ft (MPa)", "ft/10 [MPa]", "CoV of ft [MPa]", "log10(ft) [Pa]",
+        "std ft [MPa]", "ft (MPa) st.dev.", "standard deviation of ft [MPa]"})
     EXPECT_NE(io::factor_in_head(head), "") << head;
   for (const char* head : {"ft [MPa]", "cov", "cov_ft", "rho_kN/m3", "kn [N/mm**3]",
                            "ft 28 days [MPa]", "Gf_N/m", "max ft [MPa]"})

@@ -228,6 +228,50 @@ TEST(ModelRefused, slips_of_the_hand_with_their_cure) {
             std::string::npos);
 }
 
+// Each of these had the words of the parser's library and no cure.
+TEST(ModelRefused, what_no_toml_has_is_told_with_its_cure) {
+  const std::string right = "height = \"3.62 m\"";
+  const std::pair<const char*, const char*> slips[] = {
+      {"height == \"3.62 m\"", "has == where TOML has =; write height = \"3.62 m\""},
+      {"height = 30.", "write height = 30.0, or height = \"30.0 UNIT\""},
+      {"height = -.5", "write height = -0.5, or"},
+      {"height = 1__0", "write height = 10, or"},
+      {"height = 030", "write height = 30, or"},
+      {"height = 1.234.567", "several points in a number; write one point"},
+      {"height = 99999999999999999999999", "larger than a whole number may be"},
+      {"height = –3", "dash of a text program; write a minus sign"},
+      {"height = '3.62 m", "lacks a quote"},
+      {"height = \"\"\"3.62 m", "ends within a text or a list; close what is open above"},
+      {"\"height = \"3.62 m\"", "lacks a quote; write height = \"3.62 m\""},
+      {"the height = \"3.62 m\"", "has a blank in its key; write the_height = \"3.62 m\""},
+      {"wall..height = \"3.62 m\"", "without a name in its key"},
+      {"hauteür = \"3.62 m\"", "letters of English"},
+      {"height = 2026-13-40", "is read as a date"},
+      {"height = \"3.62\x01 m\"", "control character"},
+      {"height = { a = 1, }", "a comma before its }; write height = { a = 1 }"},
+      {"height = { a = 1,", "has no } in its line"},
+      {"; a remark", "mark of remarks that TOML has not; write # a remark"},
+      {"% a remark", "write # a remark"},
+      {"/* a remark */", "write # a remark"},
+      {"[[stage]", "has one ] where two belong; write [[stage]]"},
+      {"[]", "names no table; write e.g. [wall]"},
+      {"height:", "is YAML, it seems, and a model is TOML; write [height]"},
+      {"{\"wall\": 1}", "is JSON"},
+      {"<wall>", "is XML"},
+      {"height = [\"3.62 m\"", "list that is not closed; write ]"},
+      {"height = ?", "write each line as key = value or [table]"}};
+  for (const auto& [slip, told] : slips) {
+    const std::string fault = fault_of(right, slip);
+    EXPECT_NE(fault.find(told), std::string::npos) << slip << '\n' << fault;
+    EXPECT_EQ(fault.find("Error while"), std::string::npos) << fault;
+  }
+  EXPECT_NE(fault_of("[material.joint]",
+                     "[[wall.opening]]\nname = { a = 1 }\n[wall.opening.name.b]\n"
+                     "[material.joint]")
+                .find("write it within these { }"),
+            std::string::npos);
+}
+
 TEST(ModelRefused, a_path_of_windows_in_double_quotes) {
   for (const char* path : {"C:\\temp\\new.json", "data\\test.json", "b\\rows.json"}) {
     const std::string fault =
