@@ -19,7 +19,7 @@ from readings import read_curve
 PLAN, MEASURED, TEXT = "validation/protocol.csv", "validation/protocol_measured.csv", "validation/protocol.md"
 RESULTS, CYCLES = "validation/protocol_results.csv", "validation/protocol_cycles.csv"
 PUSHES = ["one way", "protocol"]
-DRAWN = {"J4D": (5, 60), "MI1": (10, 240)}  # walls with a figure: mm, kN
+DRAWN = {"J4D": (5, 60), "SW0.1": (7, 100), "HfBW0.1": (10, 140)}  # walls with a figure: mm, kN
 COLUMNS = ["wall", "push", "direction", "peak_kN", "at_peak_mm", "lasting_mm", "is_bound", "mode", "judgement", "steps", "state", "build"]
 CYCLE_COLUMNS = ["wall", "cycle", "repeat", "kind", "max_mm", "min_mm", "max_kN", "min_kN", "dissipated_J", "drag_J", "damping_ratio", "strength_kept"]
 
@@ -114,7 +114,7 @@ def drift_rows():
         drift = walls.measured_drift(test)
         measured = "–" if drift is None else f"{'> ' if drift[1] else ''}{10 * drift[0] * float(test['drift_height_m']):.3g}"
         rows.append([plan["wall"], plan["basis"], test["kind"], of["one way"][0]["peak_kN"], peaks, told(one_way), told(cyclic), ratio_of(cyclic, one_way),
-                     measured, of["one way"][0]["mode"], of["protocol"][0]["mode"]])
+                     measured, of["one way"][0]["mode"], of["protocol"][0]["mode"], of["protocol"][0]["build"]])
     return rows
 
 
@@ -146,7 +146,7 @@ def draw(out, folder_of, figures):
     """The envelopes of both directions over the push one way, where the runs are there; the lines that show them."""
     lines = []
     for wall, (far, force) in DRAWN.items():
-        name = f"protocol_{wall.lower()}.svg"
+        name = f"protocol_{wall.lower().replace('.', '_')}.svg"
         folders = [folder_of(os.path.join(out, "protocol"), f"{wall} {push}") for push in PUSHES]
         if all(os.path.exists(os.path.join(folder, "summary.json")) for folder in folders):
             figure = Figure("displacement (mm)", "force (kN)", far, force)
@@ -171,7 +171,7 @@ def write(page, out, folder_of):
         lines = ["# The test's own protocol: what cycles do to a drift", "", "<!-- written by tools/validation page; edit validation/protocol.md instead -->",
                  "", file.read().strip(), "", "## Drift to and fro, and one way", ""]
     lines += table(["wall", "protocol", "kind", "peak one way, kN", "peaks to and fro", "d(0.8) one way, mm", "to and fro", "ratio", "measured",
-                    "failure one way", "to and fro"], drift_rows())
+                    "failure one way", "to and fro", "build"], drift_rows())
     lines += draw(out, folder_of, os.path.join(os.path.dirname(page), "figures"))
     lines += ["## Energy of each cycle", ""]
     lines += table(["test", "level, mm", "measured, J", "computed, J", "ratio", "damping measured, %", "computed, %"], energy_rows())

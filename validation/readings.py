@@ -46,7 +46,7 @@ def read_quantity(folder, quantity):
         return bracket and 0.5 * (bracket["stood"] + bracket["fell"])
     plain = {"load factor of the ramp": "load_factor", "peak": "peak_reaction_kN",
              "initial stiffness": "initial_stiffness_kN_per_mm",
-             "displacement at 0.8 of the peak": "displacement_at_80_percent_mm"}
+             "displacement at 0.8 of the peak": "first_fall_80_percent_mm"}  # as the paper reads it
     if quantity in plain:
         return summary[plain[quantity]]
     curve = read_curve(os.path.join(folder, "force_displacement.csv"))
