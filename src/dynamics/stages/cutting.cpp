@@ -141,8 +141,8 @@ class Fitter {
     }
   }
 
-  // The slip that is there when something is put up has no stress, nor has a bed that is narrower than the joints that it
-  // replaces: their closing under load counts as shortening (crush), as if fresh mortar had filled what room there was.
+  // The slip and the opening that are there when something is put up have no stress, as if fresh mortar filled what room
+  // there is: a bed narrower than drawn counts as shortened (crush), a wider one as lengthened, as dilatancy does.
   void let_go_of_joints() {
     const std::vector<PointReading> points = read_points(m_, s_);
     for (JointId j = 0; j < m_.n_joint; ++j) {
@@ -151,7 +151,7 @@ class Fitter {
       const PointRange range = points_of(m_, j);
       for (PointId p = range.begin; p < range.end; ++p) {
         s_.plastic_slip[at(p)] = points[at(p)].slip;
-        s_.crush[at(p)] = std::fmax(0.0, -points[at(p)].opening);
+        s_.crush[at(p)] = -points[at(p)].opening;
       }
     }
   }

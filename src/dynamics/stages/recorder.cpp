@@ -402,10 +402,16 @@ void Recorder::note_joints(const State& state, double displacement, double react
     const auto j = static_cast<std::size_t>(joint);
     const auto& m = model_.materials[static_cast<std::size_t>(model_.joint_material[j])];
     const bool dry = m.tensile_strength == 0;
+    // what a stage put up began with the closing of the beds that it replaced (docs/theory/cutting.md)
+    constexpr double kBegunWith = 0.05;
+    const bool was_put_up =
+        model_.standing.any() && (!model_.standing.holds(model_.joint_a[j], 0) ||
+                                  !model_.standing.holds(model_.joint_b[j], 0));
+    const double least_crushing = was_put_up ? kBegunWith : 0.0;
     const PointRange range = points_of(model_, joint);
     for (PointId p = range.begin; p < range.end; ++p) {
       const PointReading& point = points[static_cast<std::size_t>(p)];
-      if (point.crushing > 0) mark(crushing, point);
+      if (point.crushing > least_crushing) mark(crushing, point);
       if (dry) continue;
       if (point.damage > 0) mark(crack, point);
       if (point.damage < kThrough) continue;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/text.h"
+#include "geometry/polygon.h"
 #include "model/parts.h"
 
 namespace wythe {
@@ -47,11 +48,28 @@ class StandingCompiler {
       int stage = stage_named(fmt::format("frame.{}.stage", k), frame.stage);
       for (std::size_t o = 0; frame.stage.empty() && o < cut_.size(); ++o)
         if (!frame.round.empty() && spec_.wall.opening[o].name == frame.round) stage = cut_[o];
+      if (frame.stage.empty() && frame.round.empty()) stage = cut_where_it_stands(k);
       up_.push_back(stage);
     }
     const auto is_set = [](int stage) { return stage > 0; };
     any_ = std::any_of(cut_.begin(), cut_.end(), is_set) ||
            std::any_of(up_.begin(), up_.end(), is_set);
+  }
+
+  // Of a frame along a line in an opening that is cut: the stage of that opening.
+  [[nodiscard]] int cut_where_it_stands(std::size_t frame) const {
+    const auto box_of = [](const geometry::Block& block) {
+      return geometry::bounds(block.outline);
+    };
+    constexpr double kTouch = 1e-6;  // [m]
+    for (const geometry::Block& cut : assembly_.blocks) {
+      if (cut.cut_from < 0) continue;
+      for (const geometry::Block& segment : assembly_.blocks)
+        if (segment.frame == static_cast<int>(frame) &&
+            geometry::overlaps(box_of(segment), box_of(cut), kTouch))
+          return cut_[static_cast<std::size_t>(cut.cut_from)];
+    }
+    return 0;
   }
 
   int stage_named(const std::string& path, const std::string& name) {
