@@ -3,6 +3,7 @@
 import csv
 import json
 import pathlib
+import shutil
 import sqlite3
 import subprocess
 import unittest
@@ -104,6 +105,32 @@ class Export(campaign_test.Base):
         blocks = read_table(self.out() / "state_blocks.csv")
         end = [r for r in blocks if r["state"] == blocks[-1]["state"]]
         self.assertGreater(max(float(r["displacement_x_mm"]) for r in end), 0.5)
+
+    def test_a_wall_whose_opening_is_cut_has_its_frame_and_no_more_its_masonry(self):
+        model = pathlib.Path(__file__).parent.parent.parent / "examples/opening/after.toml"
+        short = ("stage.push.until=0.2 mm", "stage.push.velocity=20 mm/s", "stage.push.fast_velocity=20 mm/s")
+        run = self.folder / "run_of_a_cut"
+        options = [word for key in short for word in ("--set", key)]
+        self.assertIn(wythe("run", model, "--out", run, "--quiet", "--set", 'output.states=["0.1 mm"]', *options).returncode, (0, 3))
+        (self.folder / "cut.toml").write_text(
+            f'[study]\nmodel = "{model}"\nsamples = 2\nseed = 1\ndesign = "monte_carlo"\nstates = ["0.1 mm"]\n'
+            '[variable.ft]\npath = "material.joint.tensile_strength"\ndistribution = "uniform"\nlow = "0.09 MPa"\nhigh = "0.1 MPa"\n')
+        campaign = self.folder / "campaign_of_a_cut"
+        done = wythe("campaign", self.folder / "cut.toml", "--out", campaign, "--quiet", *options)
+        self.assertIn(done.returncode, (0, 3), done.stderr)
+        for source in (run, campaign):
+            shutil.rmtree(self.out(), ignore_errors=True)
+            self.export(source)
+            joints = [r for r in read_table(self.out() / "state_joints.csv") if r["state"] == "0"]
+            roles = {r["block"]: r["role"] for r in read_table(self.out() / "state_blocks.csv")}
+            self.assertIn("cut_out", roles.values())
+            pressed = {"cut_out": 0.0, "frame": 0.0}
+            for r in joints:
+                for side in (r["block_a"], r["block_b"]):
+                    if roles.get(side) in pressed:
+                        pressed[roles[side]] = max(pressed[roles[side]], -float(r["normal_stress_MPa"]))
+            self.assertEqual(pressed["cut_out"], 0)  # gone
+            self.assertGreater(pressed["frame"], 0.01)  # and what is in its place bears
 
     def test_names_with_commas_quotes_and_newlines_come_back(self):
         # the reason of a refused sample is a text of several clauses

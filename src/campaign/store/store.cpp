@@ -442,11 +442,26 @@ void Store::add_samples(const SampleTable& samples, int first, const StudySpec& 
   transaction.commit();
 }
 
+namespace {
+// The stage that states are of: the last that has a curve. What stands in a state hangs on it.
+int stage_of_states(const Model& model) {
+  const auto has_curve = [](const Stage& stage) {
+    const StageKind kind = stage.spec.kind;
+    return kind == StageKind::kPush || kind == StageKind::kBodyForce || kind == StageKind::kTilt ||
+           kind == StageKind::kShake;
+  };
+  for (int k = static_cast<int>(model.stages.size()) - 1; k > 0; --k)
+    if (has_curve(model.stages[static_cast<std::size_t>(k)])) return k;
+  return 0;
+}
+}  // namespace
+
 std::vector<Snapshot> Store::states(int sample, const Model& model) {
   const OneMoment moment(database_);
   digests().check_states(sample);
   std::vector<Snapshot> states;
-  const State rest = initial_state(model);
+  State rest = initial_state(model);
+  rest.stage = stage_of_states(model);
   const std::size_t numbers = state_arrays(rest).size();
   const auto blocks = static_cast<std::int64_t>(rest.ux.size());
   const auto points = static_cast<std::int64_t>(rest.kappa.size());

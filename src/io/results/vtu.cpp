@@ -143,9 +143,9 @@ std::string blocks_vtu(const Model& model, const State& state) {
   if (model.in_space()) mesh.cell_type = kVtkPolyhedron;
   std::vector<double> displacement;
   std::vector<BlockReading> blocks;
-  std::vector<std::int32_t> role, course, block;
+  std::vector<std::int32_t> role, course, block,
+      stands;  // stands: 0 where it is cut out or not put up yet
   for (BlockId b = 0; b < model.n_block; ++b) {
-    if (!model.standing.holds(b, state.stage)) continue;  // cut out, or not put up yet
     const BlockReading now = read_block(model, state, b);
     std::size_t cells = 1;
     if (model.in_space()) {
@@ -162,6 +162,7 @@ std::string blocks_vtu(const Model& model, const State& state) {
       role.push_back(static_cast<std::int32_t>(now.role));
       course.push_back(model.anatomy.block_course[b]);
       block.push_back(b);
+      stands.push_back(model.standing.holds(b, state.stage) ? 1 : 0);
     }
   }
   return mesh_vtu(mesh, state,
@@ -169,7 +170,8 @@ std::string blocks_vtu(const Model& model, const State& state) {
                       (model.in_space() ? arrays_of(kSpaceBlockColumns, blocks)
                                         : arrays_of(kBlockColumns, blocks)) +
                       data_array("role", role) + data_array("course", course) +
-                      data_array("block", block));
+                      data_array("block", block) +
+                      (model.standing.any() ? data_array("stands", stands) : std::string()));
 }
 
 std::string joints_vtu(const Model& model, const State& state) {
@@ -177,7 +179,10 @@ std::string joints_vtu(const Model& model, const State& state) {
   mesh.cell_type = model.in_space() ? kVtkPolygon : kVtkLine;
   std::vector<std::int32_t> kind, id;
   std::vector<JointReading> joints = read_wall(model, state).joints;
-  std::erase_if(joints, [](const JointReading& joint) { return joint.handed_over; });
+  std::erase_if(
+      joints, [&](const JointReading& joint) {  // what does not stand stays, with no stress
+        return joint.handed_over && model.standing.joins(joint.shape.a, joint.shape.b, state.stage);
+      });
   for (const JointReading& joint : joints) {
     if (model.in_space())
       for (const Vec3& p : face_now(model, state, joint.shape.id)) mesh.add_point(p);
