@@ -165,6 +165,23 @@ ModelSpec with_lintel(ModelSpec spec, const JointMaterial& bond) {
   return spec;
 }
 
+// With a gap it stands off by that, and bears nothing before it has closed.
+TEST(Cutting, a_frame_with_a_gap_is_put_up_at_that_gap) {
+  ModelSpec spec = with_frame(cut_wall());
+  spec.frame[0].gap = 1e-3;
+  const Ran start = begun(spec);
+  int faces = 0;
+  for (const JointReading& joint : read_wall(start.model, start.state).joints) {
+    if (joint.shape.kind != JointKind::kFrame ||
+        joint.shape.normal.y > 0.5 * joint.shape.normal.x || joint.handed_over)
+      continue;
+    ++faces;  // at the jambs
+    EXPECT_NEAR(joint.opening, 1e-3, 0.05e-3);
+    EXPECT_EQ(joint.compression, 0);
+  }
+  EXPECT_GT(faces, 3);
+}
+
 // A lintel comes in as one piece and takes what is above it.
 TEST(Cutting, a_lintel_is_put_in_without_force_and_then_bears) {
   const ModelSpec spec = with_lintel(cut_wall(), scenes::dry_joint(20e9, 8e9, 0.4));

@@ -45,13 +45,13 @@ class Fitter {
     find_groups();
     find_mean();
     for (const auto& [group, blocks] : groups_) place(blocks);
+    let_go_of_joints();  // before the gap, which opens from there
     for (std::size_t k = 0; k < m_.frames.moved.size(); ++k) {
       const BlockId block = m_.frames.moved[k];
       if (!is_new(block)) continue;
       s_.ux[at(block)] += m_.frames.moved_x[k];
       s_.uy[at(block)] += m_.frames.moved_y[k];
     }
-    let_go_of_joints();
     let_go_of_sections();
   }
 
