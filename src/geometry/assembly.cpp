@@ -528,16 +528,17 @@ double Assembly::thickness_of(const Face& face) const {
 
 namespace {
 
-// What a stage cuts out never stands together with what is put in its place.
+// What a stage cuts out never stands together with the lintel and the sill of its opening, and frames are put up within it.
 void part_cut_out(const std::vector<Block>& blocks, ContactSearch& search) {
   const auto part = [&](const auto& contact) {
     const auto side = [&](int i) -> const Block& { return blocks[static_cast<std::size_t>(i)]; };
-    const auto takes_place = [](const Block& b) {
-      return b.role == Role::kFrame || b.role == Role::kLintel || b.role == Role::kSill;
+    const auto takes_place = [](const Block& b, const Block& of) {
+      return of.cut_from >= 0 &&
+             (b.role == Role::kFrame || (is_chain(b) && b.opening == of.cut_from));
     };
     if (contact.a == kGround) return false;
-    const Block &a = side(contact.a), &b = side(contact.b);
-    return (a.cut_from >= 0 && takes_place(b)) || (b.cut_from >= 0 && takes_place(a));
+    return takes_place(side(contact.a), side(contact.b)) ||
+           takes_place(side(contact.b), side(contact.a));
   };
   std::erase_if(search.contacts, part);
   std::erase_if(search.lost, part);

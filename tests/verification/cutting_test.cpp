@@ -220,6 +220,33 @@ TEST(Cutting, the_mortar_of_a_lintel_and_a_sill_is_put_in_whole) {
   for (const Event& event : r.result.events) EXPECT_NE(event.name.code, "event.first_crushing");
 }
 
+// What was built with the wall rests on masonry that is cut out later, as on any other.
+TEST(Cutting, a_sill_of_a_window_rests_on_the_masonry_of_the_door_below_it) {
+  ModelSpec spec = cut_wall();
+  OpeningSpec window = spec.wall.opening[0];  // courses 3 and 4 are cut; the sill is course 5
+  window.name = "window above";
+  window.cut = "";
+  window.y = 6 * 0.11;
+  window.height = 0.11;
+  window.sill = {
+      .kind = "stone", .depth = 0.11, .bearing = 0.155, .material = "stone", .joint = "joint"};
+  spec.material["stone"].density = 2400;
+  spec.material["stone"].youngs_modulus = 20e9;
+  spec.material["stone"].shear_modulus = 8e9;
+  spec.wall.opening.push_back(window);
+  const Model model = compile(spec);
+  int faces = 0;
+  for (std::size_t j = 0; j < model.joint_a.size(); ++j) {
+    const auto role = [&](BlockId block) {
+      return block < 0 ? BlockRole::kMasonry
+                       : model.anatomy.block_role[static_cast<std::size_t>(block)];
+    };
+    faces +=
+        role(model.joint_a[j]) == BlockRole::kCutOut && role(model.joint_b[j]) == BlockRole::kSill;
+  }
+  EXPECT_GT(faces, 0);
+}
+
 // Along a line in the opening it comes with the cut too.
 TEST(Cutting, a_frame_along_a_line_in_the_opening_comes_with_the_cut) {
   ModelSpec spec = with_frame(cut_wall());

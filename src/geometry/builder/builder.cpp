@@ -60,6 +60,12 @@ std::vector<BuiltBody> build_bodies(const Site& site, std::vector<Message>& note
     for (const auto& [key, name] :
          {std::pair(".material", wall.material), {".core_material", wall.core_material}})
       if (!name.empty()) (void)is_material(Shape(site.model), table + key, name, faults);
+    for (std::size_t k = 0; k < wall.opening.size(); ++k)
+      if (!wall.opening[k].cut.empty())
+        add_fault(faults, table + ".opening." + std::to_string(k) + ".cut",
+                  "\"" + wall.opening[k].cut + "\"",
+                  "an opening is cut by a stage in a wall in its plane, and this one is in space",
+                  "leave it out: the opening is built with the wall");
   }
   std::vector<StraightWall> walls;
   if (!site.spec.plan_wall.empty()) take(build_plan_walls(site, walls, notes, faults));

@@ -51,9 +51,11 @@ void refuse_plane_parts(const ModelSpec& spec, FaultList& faults) {
   refuse("wall.opening", !spec.wall.opening.empty());
   refuse("wall.beam", std::isfinite(spec.wall.beam.height));
   refuse("wall.foundation", !spec.wall.foundation.empty());
-  for (std::size_t k = 0; k < spec.stage.size(); ++k)
+  for (std::size_t k = 0; k < spec.stage.size(); ++k) {
     refuse(fmt::format("stage.{}.contraflexure", k).c_str(),
            std::isfinite(spec.stage[k].contraflexure));
+    refuse(fmt::format("stage.{}.kind", k).c_str(), spec.stage[k].kind == StageKind::kCut);
+  }
 }
 
 // A rule for two kinds of block of which the wall has none changes nothing, and nobody would see it.
