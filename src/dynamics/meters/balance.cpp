@@ -276,9 +276,9 @@ const RateVerdict& worse(const RateVerdict& a, const RateVerdict& b) {
 
 // A jolt at the start breaks bond that a slow push would keep, and the calm curve after it does not tell. Where
 // nothing broke, in a wall of dry joints, the force does not remember the jolt; but it is not slow.
-void judge_outrun(double spent, RateVerdict& q) {
+void judge_outrun(const EnergyLedger& energy, double work, RateVerdict& q) {
   const Message outran = share("meter.outran", kOutrun);
-  if (spent > kSpent) {
+  if (energy.fracture + energy.crushing > kSpent * work) {
     q.judgement = "too fast";
     q.verdict = {"rate.far_too_fast", {{"why", outran}}};
     q.lift = kUnset;
@@ -296,8 +296,7 @@ RateVerdict of_a_push(const Curve& curve, const EnergyLedger& energy) {
     read_meters(curve, *peak, q);
     q.beyond = force_beyond(curve, curve[*peak].reaction);
     judge(q);
-    if (outruns(curve, curve[*peak].reaction))
-      judge_outrun((energy.fracture + energy.crushing) / curve.back().work_drive, q);
+    if (outruns(curve, curve[*peak].reaction)) judge_outrun(energy, curve.back().work_drive, q);
     return q;
   }
   q.unbalance_ratio_mean = q.unbalance_ratio_max = q.kinetic_ratio_mean = q.kinetic_ratio_max =

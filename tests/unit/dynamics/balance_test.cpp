@@ -152,6 +152,15 @@ TEST(Verdict, a_jolt_on_a_wall_that_breaks_is_too_fast) {
   EXPECT_EQ(judged(result).judgement, "too fast");
 }
 
+// A wall that leans pulls the drive along: its work is then below zero, and no share of it bounds what broke.
+TEST(Verdict, a_jolt_on_a_wall_that_pulls_its_drive_along_is_too_fast) {
+  Result result = pushed({});
+  for (std::size_t i = 1; i < 4; ++i) result.curve[i].base_shear = -20;
+  for (std::size_t i = 1; i < result.curve.size(); ++i) result.curve[i].work_drive -= 1e6;
+  result.energy.fracture = 10;
+  EXPECT_EQ(judged(result).judgement, "too fast");
+}
+
 // The way up to 0.3 of the peak decides: beyond, the meters at the peak and the drag on the way do.
 TEST(Verdict, a_gap_of_a_seventh_of_the_peak_at_the_start_is_no_jolt) {
   Result result = pushed({});
