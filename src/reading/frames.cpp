@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/section.h"
 #include "core/rotation.h"
+#include "reading/frames.h"
 #include "wythe/reading.h"
 
 namespace wythe {
@@ -28,6 +28,25 @@ double stored_in(double stiffness, double force) {
 
 }  // namespace
 
+namespace reading {
+
+SectionPlace section_in(const Model& m, const State& s, std::size_t k) {
+  const Frames& f = m.frames;
+  const Side a = side_of(s, f.a[k], f.arm_a_x[k], f.arm_a_y[k]);
+  const Side b = side_of(s, f.b[k], f.arm_b_x[k], f.arm_b_y[k]);
+  contact::SectionJump jump =
+      contact::section_jump(f.axis_x[k], f.axis_y[k], f.rest_x[k], f.rest_y[k], a.end, b.end,
+                            a.turn, b.turn, a.cos, a.sin, b.cos, b.sin);
+  if (!s.frame_turn.empty()) {
+    jump.along -= s.frame_along[k];
+    jump.across -= s.frame_across[k];
+    jump.turn -= s.frame_turn[k];
+  }
+  return {jump, b.end};
+}
+
+}  // namespace reading
+
 double section_use(const FrameMember& m, double normal, double shear, double moment) {
   const double bent = std::fabs(moment) / (m.yield_strength * m.plastic_modulus);
   const double pulled = std::fabs(normal) / (m.yield_strength * m.area);
@@ -40,16 +59,7 @@ std::vector<FrameReading> read_frames(const Model& m, const State& s) {
   const Frames& f = m.frames;
   std::vector<FrameReading> read(f.a.size());
   for (std::size_t k = 0; k < read.size(); ++k) {
-    const Side a = side_of(s, f.a[k], f.arm_a_x[k], f.arm_a_y[k]);
-    const Side b = side_of(s, f.b[k], f.arm_b_x[k], f.arm_b_y[k]);
-    contact::SectionJump jump =
-        contact::section_jump(f.axis_x[k], f.axis_y[k], f.rest_x[k], f.rest_y[k], a.end, b.end,
-                              a.turn, b.turn, a.cos, a.sin, b.cos, b.sin);
-    if (!s.frame_turn.empty()) {
-      jump.along -= s.frame_along[k];
-      jump.across -= s.frame_across[k];
-      jump.turn -= s.frame_turn[k];
-    }
+    const auto [jump, end_b] = reading::section_in(m, s, k);
     const contact::SectionLaw law{f.outer_stiffness[k], f.middle_stiffness[k], f.shear_stiffness[k],
                                   f.fibre[k],           f.outer_yield[k],      f.middle_yield[k]};
     const contact::SectionPull pull =
@@ -59,8 +69,8 @@ std::vector<FrameReading> read_frames(const Model& m, const State& s) {
     const double forth = f.axis_x[k] * member.way_x + f.axis_y[k] * member.way_y;
     FrameReading& now = read[k];
     const auto i = static_cast<std::size_t>(f.b[k]);
-    now.where = {m.centroid_x[i] + f.arm_b_x[k] + b.end.moved_x,
-                 m.centroid_y[i] + f.arm_b_y[k] + b.end.moved_y, 0};
+    now.where = {m.centroid_x[i] + f.arm_b_x[k] + end_b.moved_x,
+                 m.centroid_y[i] + f.arm_b_y[k] + end_b.moved_y, 0};
     if (!m.standing.joins(f.a[k], f.b[k], s.stage)) continue;  // not up yet
     now.normal = pull.normal;
     now.shear = -pull.shear;

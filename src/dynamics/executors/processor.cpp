@@ -78,10 +78,9 @@ constexpr Terms terms_of(Pass pass) {
 }
 
 // What a stage cuts out leaves its neighbours as it was carried off: its forces on them fade (docs/theory/cutting.md).
+// When the stage has ended nothing of them is left.
 void release(const Model& model, const State& state, const WallView& wall) {
-  const auto now = static_cast<std::size_t>(state.stage);
-  if (now >= model.stages.size() || model.stages[now].spec.kind != StageKind::kCut) return;
-  const double share = 1 - state.load_scale[now];
+  const double share = 1 - state.load_scale[static_cast<std::size_t>(state.stage)];
   for (int i = 0; i < model.n_block; ++i) {
     const auto b = static_cast<std::size_t>(i);
     if (state.release_x[b] == 0 && state.release_y[b] == 0 && state.release_m[b] == 0) continue;
@@ -98,16 +97,17 @@ void place_loads(const Model& model, const State& state, const WallView& wall,
     for (const PointLoad& load : stage.loads) clear_load(load.block, wall);
     for (const PointLoad& mass : stage.carried) clear_load(mass.block, wall);
   }
-  if (model.standing.any())
-    for (int i = 0; i < model.n_block; ++i) clear_load(i, wall);
+  const auto now = static_cast<std::size_t>(state.stage);
+  const bool cuts = model.standing.any() && now < model.stages.size() &&
+                    model.stages[now].spec.kind == StageKind::kCut;
+  for (int i = 0; cuts && i < model.n_block; ++i) clear_load(i, wall);
   for (std::size_t k = 0; k < model.stages.size(); ++k) {
     const double scale = state.load_scale[k];
     if (scale == 0) continue;
     for (const PointLoad& load : model.stages[k].loads)
       add_load(load, free == nullptr ? scale : scale * free->load_share(load.block, wall), wall);
   }
-  if (model.standing.any()) release(model, state, wall);
-  const auto now = static_cast<std::size_t>(state.stage);
+  if (cuts) release(model, state, wall);
   if (now >= model.stages.size()) return;
   for (const PointLoad& mass : model.stages[now].carried)
     add_carried(mass, state.gravity_x, state.gravity_y + model.solve.gravity, wall);

@@ -5,10 +5,10 @@
 #include <map>
 #include <vector>
 
-#include "contact/section.h"
 #include "dynamics/executors/executor.h"
 #include "dynamics/executors/processor.h"
 #include "dynamics/meters/residual.h"
+#include "reading/frames.h"
 #include "wythe/reading.h"
 
 namespace wythe::dynamics {
@@ -160,27 +160,11 @@ class Fitter {
     const Frames& f = m_.frames;
     for (std::size_t k = 0; k < f.a.size(); ++k) {
       if (!is_new(f.b[k])) continue;
-      const Side a = side(f.a[k], f.arm_a_x[k], f.arm_a_y[k]);
-      const Side b = side(f.b[k], f.arm_b_x[k], f.arm_b_y[k]);
-      const contact::SectionJump jump =
-          contact::section_jump(f.axis_x[k], f.axis_y[k], f.rest_x[k], f.rest_y[k], a.end, b.end,
-                                a.turn, b.turn, a.cos, a.sin, b.cos, b.sin);
+      const contact::SectionJump jump = reading::section_in(m_, s_, k).jump;
       s_.frame_along[k] = jump.along;
       s_.frame_across[k] = jump.across;
       s_.frame_turn[k] = jump.turn;
     }
-  }
-
-  struct Side {
-    contact::LinkEnd end;
-    double turn, cos, sin;
-  };
-  [[nodiscard]] Side side(BlockId block, double arm_x, double arm_y) const {
-    if (block == kGroundBlock) return {{0, 0, 0, 0}, 0, 1, 0};
-    const auto i = at(block);
-    const SinCos<double> half = sin_cos(0.5 * s_.theta[i]);
-    return {contact::link_end(s_.ux[i], s_.uy[i], half.cos, half.sin, arm_x, arm_y), s_.theta[i],
-            half.cos, half.sin};
   }
 
   const Model& m_;

@@ -18,6 +18,11 @@ namespace {
 
 constexpr int kSettleEvery = 50;  // steps between looks at the unbalance
 
+// Loads that come on and are then waited for.
+bool settles(StageKind kind) {
+  return kind == StageKind::kGravity || kind == StageKind::kLoad || kind == StageKind::kCut;
+}
+
 }  // namespace
 
 double smooth_step(double x) {
@@ -26,10 +31,7 @@ double smooth_step(double x) {
 }
 
 double stage_mass_scaling(const Model& model, const Stage& stage) {
-  const bool quasi_static = stage.spec.kind == StageKind::kGravity ||
-                            stage.spec.kind == StageKind::kLoad ||
-                            stage.spec.kind == StageKind::kCut;
-  return quasi_static ? model.solve.mass_scaling : 1.0;
+  return settles(stage.spec.kind) ? model.solve.mass_scaling : 1.0;
 }
 
 // Dashpots act by the velocities of the half step before: omega^2 dt^2/4 + rate dt/2 <= 1. Impacts ask for
@@ -205,8 +207,7 @@ StageEnd StageRun::fallen(const Furthest& furthest) const {
               {"force_kN", 1e-3 * force},
               {"stage", stage_.spec.name}}},
             false};
-  const bool loads = stage_.spec.kind == StageKind::kGravity ||
-                     stage_.spec.kind == StageKind::kLoad || stage_.spec.kind == StageKind::kCut;
+  const bool loads = settles(stage_.spec.kind);
   const std::optional<Message> why = loads ? crushed() : std::nullopt;
   Message reason{why     ? "block.moved_away_crushed"
                  : loads ? "block.cannot_stand"

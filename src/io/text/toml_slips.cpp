@@ -151,7 +151,8 @@ Slip wrong_key(const std::string& key, std::string_view value) {
     std::replace(cured.begin(), cured.end(), ' ', '_');
     return {"has a blank in its key", fmt::format("write {} = {}", cured, value)};
   }
-  const bool is_ascii = std::all_of(key.begin(), key.end(), [](char c) { return c > 0; });
+  const bool is_ascii = std::all_of(key.begin(), key.end(),
+                                    [](char c) { return static_cast<unsigned char>(c) < 0x80; });
   if (!is_ascii)
     return {"has a letter in its key that no key has", "write the key with letters of English"};
   return {};

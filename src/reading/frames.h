@@ -1,0 +1,18 @@
+// How the two sides of a frame's section stand to each other in a state.
+#pragma once
+
+#include <cstddef>
+
+#include "contact/section.h"
+#include "wythe/model.h"
+
+namespace wythe::reading {
+
+// Less what it was when a stage put the section up (frame_along, frame_across, frame_turn), where one did.
+struct SectionPlace {
+  contact::SectionJump jump;
+  contact::LinkEnd b;  // its point on side b
+};
+[[nodiscard]] SectionPlace section_in(const Model& model, const State& state, std::size_t section);
+
+}  // namespace wythe::reading
