@@ -47,9 +47,9 @@ def verdict_text(found):
 
 
 def bias_text(b):
-    """delta; where the scatter is so large that the formulas for small ones mean nothing, the middle ratio."""
+    """delta; where the scatter is so large that the formulas for small ones mean nothing, the median ratio."""
     if b["sigma_M"] is not None and b["sigma_M"] > LARGE:
-        return f"– (middle ratio {b['median']:.2f})"
+        return f"– (median ratio {b['median']:.2f})"
     return figure_text(b["delta"]) + interval_text(b["delta_interval"])
 
 
@@ -69,7 +69,7 @@ def statistic_table(found):
 
 
 def constants_table():
-    return table(["kind", "masonry", "tests", "middle drift, %", "nine of ten, %", "sd of ln", "source"],
+    return table(["kind", "masonry", "tests", "median drift, %", "nine of ten, %", "sd of ln", "source"],
                  [[row["kind"], row["masonry"], row["walls"], row["median_percent"], f"{row['low_percent']} to {row['high_percent']}", row["log_scatter"],
                    row["source"]] for row in walls.read_csv(CONSTANTS)])
 
@@ -113,7 +113,7 @@ def space_table():
         difference = f"{percent:+.1f} %" if abs(percent) >= 0.05 else "below 0.1 %"
         rows.append([row["what"], row["reference"], shortened(reference), row["bracket"] or shortened(ours),
                      "within 3 %" if row["bracket"] else difference, row["case"]])
-    return table(["what was run", "reference", "by it", "ours", "difference", "test"], rows)
+    return table(["what was run", "reference", "its value", "ours", "difference", "test"], rows)
 
 
 def wall_rows(name):
@@ -143,7 +143,7 @@ def left_out_lines(tests):
     all_too = walls.statistics(everything=True)["peak"]
     told = "; ".join(f"{kind} {bias_text(all_too[kind])}" for kind in ("shear", "rocking", "all") if all_too[kind])
     return [f"- **{t['test']}**: {walls.left_out(t)}." for t in tests if walls.left_out(t)] + [
-        "", f"If the measured ones among them counted, δ would be: {told}.", ""]
+        "", f"If the measured peaks among them counted, δ would be: {told}.", ""]
 
 
 def kinds_agree(tests, answers):
@@ -266,21 +266,23 @@ def header(found):
 
 def first_lines(peak, drift, ensemble):
     def told(b):
-        return f"predicted over measured is {bias_text(b)}, the scatter about that {figure_text(b['sigma_M'])}"
+        large = b["sigma_M"] is not None and b["sigma_M"] > LARGE
+        ratio = f"the median ratio of predicted to measured is {b['median']:.2f}" if large else f"the ratio of predicted to measured is {bias_text(b)}"
+        return f"{ratio}, its scatter {figure_text(b['sigma_M'])}"
     lines = []
     for kind, called in (("shear", "Peak force of walls that fail in shear"), ("rocking", "Peak force of walls that rock")):
         if peak[kind]:
-            lines.append(f"**{called}** ({peak[kind]['n']} walls): {verdict_text(peak[kind])}; {told(peak[kind])}.")
+            lines.append(f"**{called}** ({peak[kind]['n']} walls): {verdict_text(peak[kind])}. T{told(peak[kind])[1:]}.")
     if peak["all"]:
         lines.append(f"**Peak force of all walls** ({peak['all']['n']}): {told(peak['all'])}.")
     if drift["all"]:
         lines.append(f"**Drift at 80 % of the peak** ({drift['all']['n']} walls, {drift['all']['censored']} more as bounds): "
-                     f"{verdict_text(drift['all'])}; {told(drift['all'])}.")
+                     f"{verdict_text(drift['all'])}. T{told(drift['all'])[1:]}.")
     for kind, called in (("shear", "walls that fail in shear"), ("mixed", "walls that flex or rock and crack")):
         b = ensemble[kind]
         if b:
-            lines.append(f"**The same by eight walls whose strengths scatter, of {called}** ({b['n']} walls, {b['censored']} more as bounds): "
-                         f"{verdict_text(b)}; {told(b)}.")
+            lines.append(f"**The same, median of eight walls, {called}** ({b['n']} walls, {b['censored']} more as bounds): "
+                         f"{verdict_text(b)}. T{told(b)[1:]}.")
     return [line + "\n" for line in lines]
 
 
@@ -292,7 +294,7 @@ def write(page, held=HELD):
     draw(figures, {"sigma_E": scatter, "all": found["peak"]["all"]})
     agree, named = kinds_agree(tests, answers)
     builds = sorted({row["build"] for row in answers.values()})
-    lines = ["# Validation: which walls the program may be believed for", "",
+    lines = ["# Validation: for which walls the program is reliable", "",
              "<!-- written by tools/validation page; edit validation/ instead -->", ""]
     eight = walls.statistics("eight walls")
     lines += first_lines(found["peak"], found["drift"], eight["drift"])
@@ -302,13 +304,13 @@ def write(page, held=HELD):
     lines += ["## Drift where the force has fallen to 80 % of the peak", "", "![predicted against measured drifts](figures/validation_drifts.svg)", ""]
     lines += ["One wall of mean values:", ""] + statistic_table(found["drift"])
     lines += ["Medians of eight walls whose strengths scatter:", ""] + statistic_table(eight["drift"])
-    lines += ["What a constant for each kind is worth instead, and how far tests of that kind went (validation/drift_constants.csv):", ""]
+    lines += ["A constant for each kind can replace a computed drift. These are drifts of tests (validation/drift_constants.csv):", ""]
     lines += constants_table() + [readme_part(".", "Limits"), ""] + limits_table()
-    lines += ["\\* The scatter is that of the tests: the model cannot be shown to be better than they are.", "",
+    lines += ["\\* The scatter equals that of the tests; these data cannot show a smaller one.", "",
               readme_part(".", "Reading"), "",
-              f"Here σ_E of peaks is {scatter:.2f}, from {pairs} walls that were tested twice, and of drifts {drift_scatter:.2f}, from replicates of "
-              f"brick and block walls that failed alike ({drift_pairs} degrees of freedom).", "", "## Wall by wall", ""]
-    lines += wall_table() + [f"The kind of failure is that of the test in {agree} of {named} tests. Builds: {', '.join(builds)}.", "",
+              f"Here σ_E of peaks is {scatter:.2f}, from {pairs} walls that were tested twice. For drifts it is {drift_scatter:.2f}, from replicates of "
+              f"brick and block walls with the same failure ({drift_pairs} degrees of freedom).", "", "## Wall by wall", ""]
+    lines += wall_table() + [f"The predicted kind of failure is that of the test in {agree} of {named} tests. Builds: {', '.join(builds)}.", "",
                              "Not counted:", ""] + left_out_lines(tests)
     lines += [readme_part(".", "Rules"), "", "### What was changed after a result had been seen", "",
               readme_part(".", "Changes").split("\n", 2)[2], "", "## What a setting moves", ""]
