@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""tools/check_words finds each kind of name that does not exist, and nothing in a tree without faults."""
+"""tools/check_words finds each kind of name that does not exist, long sentences, and nothing in a tree without faults."""
 import os
 import pathlib
 import subprocess
@@ -71,6 +71,16 @@ class Words(unittest.TestCase):
             with self.subTest(names):
                 output = check({**two, "src/README.md": rooms + names + "\n"})[1]
                 self.assertEqual(output.count("joints.h: not named in src/README.md"), missing, output)
+
+    def test_a_long_sentence_of_a_page_is_found(self):
+        words = lambda n: "This " + "and " * (n - 2) + "ends"
+        for name, text, found in (("README.md", words(33) + ".", 1), ("README.md", words(32) + ".", 0), ("docs/howto/a.md", "Good.\n\n" + words(33), 1),
+                                  ("docs/howto/a.md", f"- {words(20)}\n- {words(20)}", 0), ("README.md", f"{words(20)}. {words(20)}. `law.h` {words(20)}", 0),
+                                  ("README.md", f"```\n{words(40)}\n```\n| {words(40)} |\n# {words(40)}\n<!-- {words(40)} -->", 0),
+                                  ("README.md", f"{words(30)} `a b c` 1 2 3.", 0), ("docs/theory/a.md", words(40), 0), ("src/law/README.md", words(40), 0)):
+            with self.subTest(f"{name}: {text}"):
+                status, output = check({**GOOD, name: text + "\n"})
+                self.assertEqual((status, output.count("words, 32 at most")), (found, found), output)
 
     def test_code_is_not_taken_for_a_comment(self):
         tree = {**GOOD, "src/law.h": GOOD["src/law.h"] + 'const char* kName = "// (9.9) drive.cpp";\n'}
