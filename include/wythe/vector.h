@@ -18,10 +18,7 @@ struct Vec2 {
 [[nodiscard]] inline double dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
 [[nodiscard]] inline double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
 [[nodiscard]] inline double length(Vec2 a) { return std::sqrt(dot(a, a)); }
-[[nodiscard]] inline Vec2 turned(Vec2 a, double angle) {  // anticlockwise [rad]
-  const double c = std::cos(angle), s = std::sin(angle);
-  return {c * a.x - s * a.y, s * a.x + c * a.y};
-}
+[[nodiscard]] Vec2 turned(Vec2 a, double angle);  // anticlockwise [rad]
 
 struct Vec3 {
   double x = 0, y = 0, z = 0;
@@ -34,7 +31,7 @@ struct Vec3 {
 [[nodiscard]] inline Vec3 cross(Vec3 a, Vec3 b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-[[nodiscard]] inline double length(Vec3 a) { return std::hypot(std::hypot(a.x, a.y), a.z); }
+[[nodiscard]] inline double length(Vec3 a) { return std::sqrt(dot(a, a)); }
 
 // A turn about the axis `by`, by its length [rad], anticlockwise seen from the axis' tip. In a plane
 // wall by.z is the angle and the rest is 0.
@@ -43,17 +40,6 @@ struct Rotation {
 };
 // Where an arm v that starts at `about` ends once it is turned: about + R v, with the matrix of Rodrigues'
 // formula R v = v cos + (k x v) sin + k (k . v) (1 - cos) about the unit axis k.
-[[nodiscard]] inline Vec3 turned(Vec3 v, const Rotation& rotation, Vec3 about = {}) {
-  const double angle = length(rotation.by);
-  if (angle == 0) return about + v;
-  const Vec3 k = rotation.by / angle;
-  const double c = std::cos(angle), s = std::sin(angle), d = 1 - c;
-  return {about.x + (c + d * k.x * k.x) * v.x + (d * k.x * k.y - s * k.z) * v.y +
-              (d * k.x * k.z + s * k.y) * v.z,
-          about.y + (d * k.x * k.y + s * k.z) * v.x + (c + d * k.y * k.y) * v.y +
-              (d * k.y * k.z - s * k.x) * v.z,
-          about.z + (d * k.x * k.z - s * k.y) * v.x + (d * k.y * k.z + s * k.x) * v.y +
-              (c + d * k.z * k.z) * v.z};
-}
+[[nodiscard]] Vec3 turned(Vec3 v, const Rotation& rotation, Vec3 about = {});
 
 }  // namespace wythe

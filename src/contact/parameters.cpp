@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "contact/crushing.h"
+#include "core/elementary.h"
 #include "wythe/error.h"
 
 namespace wythe {
@@ -19,8 +20,8 @@ constexpr double kHardeningArea =
 constexpr double kHuge = 1e300;  // stands for "unlimited" where a product with it must stay finite
 
 double drop_of(const JointMaterial& m, double sn) {
-  const double t0 = m.cohesion + sn * std::tan(m.friction_angle);
-  const double tr = m.residual_cohesion + sn * std::tan(m.residual_friction_angle);
+  const double t0 = m.cohesion + sn * elementary::tan(m.friction_angle);
+  const double tr = m.residual_cohesion + sn * elementary::tan(m.residual_friction_angle);
   return t0 - tr;
 }
 
@@ -228,7 +229,7 @@ class Checker {
                         "MPa, so that cap and friction never meet",
                         at_rest * 1e-6, m_.cohesion * 1e-6),
             fmt::format("write less than {:g} or a smaller cohesion",
-                        std::pow(m_.compressive_strength / m_.cohesion, 2)));
+                        elementary::pow(m_.compressive_strength / m_.cohesion, 2)));
     check_dilatancy();
   }
 
@@ -424,8 +425,8 @@ LawConstants<double> constants_of(const JointMaterial& s) {
   m.twice_b = choice_of(s).rising ? 2.0 * s.mode_2_energy_per_pressure : 0.0;
   m.c_res = std::min(s.residual_cohesion, kHuge);
   m.c_drop = std::min(s.cohesion, kHuge) - m.c_res;
-  m.tan_res = std::tan(s.residual_friction_angle);
-  m.tan_drop = std::tan(s.friction_angle) - m.tan_res;
+  m.tan_res = elementary::tan(s.residual_friction_angle);
+  m.tan_drop = elementary::tan(s.friction_angle) - m.tan_res;
   const bool limited = std::isfinite(s.compressive_strength);
   m.fc = limited ? s.compressive_strength : kHuge;
   m.p_full = limited ? 2.0 * s.compressive_energy / m.fc : kHuge;
@@ -441,7 +442,7 @@ LawConstants<double> constants_of(const JointMaterial& s) {
     m.inv_p_full = 1.0 / m.p_full;
   }
   m.crush_rate = limited ? 1.0 / (m.p_full - m.harden) : 0.0;
-  m.tan_lift = s.dilatancy_angle > 0 ? std::tan(s.dilatancy_angle) : 0.0;
+  m.tan_lift = s.dilatancy_angle > 0 ? elementary::tan(s.dilatancy_angle) : 0.0;
   m.inv_lift_slip = s.dilatancy_slip > 0 ? 1.0 / s.dilatancy_slip : 0.0;
   m.inv_lift_stress = s.dilatancy_pressure > 0 ? 1.0 / s.dilatancy_pressure : 0.0;
   m.choice = choice_of(s);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/elementary.h"
 #include "core/text.h"
 #include "geometry/polygon.h"
 #include "geometry/text.h"
@@ -34,14 +35,15 @@ Polygon corners_of(const BlockSpec& block) {
   constexpr double kPrinted = 1e-5;  // [m]
   const double closes = std::max(near, std::min(kPrinted, 1e-3 * size));
   const auto apart = [&] {
-    return std::hypot(corners.back().x - corners.front().x, corners.back().y - corners.front().y);
+    return elementary::hypot(corners.back().x - corners.front().x,
+                             corners.back().y - corners.front().y);
   };
   while (corners.size() > 3 && apart() <= closes) corners.pop_back();
   const auto is_idle = [&](Vec2 before, Vec2 at, Vec2 after) {
-    const double to = std::hypot(at.x - before.x, at.y - before.y);
+    const double to = elementary::hypot(at.x - before.x, at.y - before.y);
     if (to <= near) return true;
     if (block.zone.zones > 0) return false;
-    const double x = after.x - before.x, y = after.y - before.y, length = std::hypot(x, y);
+    const double x = after.x - before.x, y = after.y - before.y, length = elementary::hypot(x, y);
     const double along = (at.x - before.x) * x + (at.y - before.y) * y;
     const double off = std::abs((at.x - before.x) * y - (at.y - before.y) * x);
     return length > near && off <= near * length && along > 0 && along < length * length;

@@ -4,6 +4,7 @@
 #include <map>
 #include <numeric>
 
+#include "core/elementary.h"
 #include "limit/limit_loads.h"
 #include "wythe/limit.h"
 
@@ -107,7 +108,8 @@ double to_millimetre(double length) { return std::round(1e3 * length) * 1e-3 + 0
 
 double to_digits(double value, int digits) {
   if (value == 0 || !std::isfinite(value)) return value;
-  const double scale = std::pow(10.0, digits - 1 - std::floor(std::log10(std::fabs(value))));
+  const double scale =
+      elementary::pow(10.0, digits - 1 - std::floor(elementary::log10(std::fabs(value))));
   return std::round(value * scale) / scale;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/elementary.h"
 #include "wythe/error.h"
 
 namespace wythe::limit {
@@ -28,8 +29,8 @@ Vec3 gravity_before(const Model& model, const Stage* grows) {
     if (s.spec.kind == StageKind::kBodyForce)
       gravity = Vec3{0, -g, 0} + g * s.spec.factor * s.drive();
     if (s.spec.kind == StageKind::kTilt)
-      gravity = g * std::sin(s.spec.tilt_until) * s.drive() +
-                Vec3{0, -g * std::cos(s.spec.tilt_until), 0};
+      gravity = g * elementary::sin(s.spec.tilt_until) * s.drive() +
+                Vec3{0, -g * elementary::cos(s.spec.tilt_until), 0};
   }
   return gravity;
 }
@@ -260,7 +261,7 @@ double friction_excess(const Model& m, const Units& units, const SpaceStaticAnsw
     const JointYield& y = yield.joint[at(j)];
     if (!slides(y)) continue;
     for (int p = m.space.point_begin[at(j)]; p < m.space.point_begin[at(j) + 1]; ++p) {
-      const double s = std::hypot(answer.shear_1[at(p)], answer.shear_2[at(p)]);
+      const double s = elementary::hypot(answer.shear_1[at(p)], answer.shear_2[at(p)]);
       const double radius = capacity_of(m, y, p, answer.compression[at(p)]);
       if (s - radius > kNothing * units.force)
         most = std::fmax(most, radius > 0 ? s / radius - 1 : 1.0);

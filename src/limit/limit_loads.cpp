@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/elementary.h"
 #include "geometry/polygon.h"
 #include "wythe/error.h"
 #include "wythe/limit.h"
@@ -27,7 +28,8 @@ Vec2 gravity_before(const Model& model, const Stage* grows) {
     if (now) break;
     if (s.spec.kind == StageKind::kBodyForce) gravity = {g * s.spec.factor * s.drive_x, -g};
     if (s.spec.kind == StageKind::kTilt)
-      gravity = {g * std::sin(s.spec.tilt_until) * s.drive_x, -g * std::cos(s.spec.tilt_until)};
+      gravity = {g * elementary::sin(s.spec.tilt_until) * s.drive_x,
+                 -g * elementary::cos(s.spec.tilt_until)};
   }
   return gravity;
 }
@@ -293,9 +295,9 @@ std::vector<Message> left_aside(const Model& model) {
 // Measured: 0.6 s for 5 600 rows, 12 s for 32 000 (docs/decisions/0017).
 // In space: 1 s for 1 200 points, 80 s for 16 600.
 double expected_seconds(const Model& model) {
-  if (model.in_space()) return 8 * std::pow(model.n_point() / 16600.0, 1.4);
+  if (model.in_space()) return 8 * elementary::pow(model.n_point() / 16600.0, 1.4);
   const double rows = 3.0 * model.n_block + 2.0 * (model.n_joint + model.solids.n_contact);
-  return 12 * std::pow(rows / 32000, 1.5);
+  return 12 * elementary::pow(rows / 32000, 1.5);
 }
 
 bool has_bond(const Model& model) {

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "core/elementary.h"
+
 namespace wythe::materials {
 namespace {
 
@@ -177,7 +179,7 @@ double allowed(const Entry& entry, const Correction& correction, double mortar) 
   const bool is_brick = name == "circolare_brick_lime";
   if (key == "good_mortar") {
     if (row->factor[kMortar] != kByMortar) return row->factor[kMortar];
-    return mortar > 2e6 ? std::pow(mortar / 1e6, 0.35) : std::nan("");
+    return mortar > 2e6 ? elementary::pow(mortar / 1e6, 0.35) : std::nan("");
   }
   if (key == "courses") return row->factor[kCourses];
   if (key == "injections") return row->factor[kInjections];

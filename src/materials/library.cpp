@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "core/elementary.h"
+
 namespace wythe::materials {
 namespace {
 
@@ -160,8 +162,8 @@ const Datum* datum_of(const Entry& entry, Role role, std::string_view key) {
 
 double cov_of(const Datum& datum) {
   if (!std::isnan(datum.cov) || !(datum.high > datum.low)) return datum.cov;
-  const double s = 0.5 * std::log(datum.high / datum.low);
-  return std::sqrt(std::expm1(s * s));
+  const double s = 0.5 * elementary::log(datum.high / datum.low);
+  return std::sqrt(elementary::expm1(s * s));
 }
 
 }  // namespace wythe::materials

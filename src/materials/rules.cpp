@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/elementary.h"
+
 namespace wythe::materials {
 namespace {
 
@@ -32,7 +34,8 @@ const UnitRatios& of(UnitType type) {
 
 double masonry_strength(const Inputs& in) {
   const UnitRatios& r = of(in.unit_type);
-  return kMPa * r.k * std::pow(in[0] / kMPa, r.alpha) * std::pow(in[1] / kMPa, r.beta);
+  return kMPa * r.k * elementary::pow(in[0] / kMPa, r.alpha) *
+         elementary::pow(in[1] / kMPa, r.beta);
 }
 double masonry_modulus(const Inputs& in) { return of(in.unit_type).stiffness * in[0]; }
 double masonry_shear_modulus(const Inputs& in) { return 0.4 * in[0]; }
@@ -40,8 +43,8 @@ double unit_modulus(const Inputs& in) { return 300 * in[0]; }
 // The first rule solved for fb.
 double unit_strength(const Inputs& in) {
   const UnitRatios& r = of(in.unit_type);
-  const double fm = in[0] / kMPa / (r.k * std::pow(in[1] / kMPa, r.beta));
-  return kMPa * std::pow(fm, 1 / r.alpha);
+  const double fm = in[0] / kMPa / (r.k * elementary::pow(in[1] / kMPa, r.beta));
+  return kMPa * elementary::pow(fm, 1 / r.alpha);
 }
 // A stepped crack through the bond, unloaded, at the shear of a panel that cracks along a diagonal: tau0, mu, h, l.
 double cohesion_of_panel(const Inputs& in) { return 1.5 * in[0] * (1 + in[1] * 2 * in[2] / in[3]); }
@@ -62,11 +65,13 @@ double shear_series(const Inputs& in) {
 }
 double stiffness_by_g(const Inputs& in) { return in[0] * in[1] / in[2]; }
 double same(const Inputs& in) { return in[0]; }
-double angle_of_tan(const Inputs& in) { return std::atan(in[0]); }
+double angle_of_tan(const Inputs& in) { return elementary::atan(in[0]); }
 double nothing(const Inputs&) { return 0; }
 double bond_of_cohesion(const Inputs& in) { return in[0] / 2.76; }
 double bond_as_published(const Inputs& in) { return in[0] / 1.5; }
-double joint_residual(const Inputs& in) { return std::min(in[0], std::atan(kPublishedFriction)); }
+double joint_residual(const Inputs& in) {
+  return std::min(in[0], elementary::atan(kPublishedFriction));
+}
 double bond_energy(const Inputs& in) { return 0.029e-3 * in[0]; }
 // c, phi, phi_res, ks, fc, b; the law's drop from peak to residual is greatest at fc, and a branch steeper
 // than ks could not be followed (docs/theory/joint_law.md, 3.13).
@@ -74,7 +79,8 @@ double slip_energy(const Inputs& in) {
   constexpr double kGreatest = 10e6;  // compression looked at where crushing is unlimited [Pa]
   const double fc = std::isfinite(in[4]) ? in[4] : kGreatest;
   const auto least = [&](double drop) { return 1.05 * drop * drop / (2 * in[3]); };
-  const double pressed = in[0] + fc * std::max(0.0, std::tan(in[1]) - std::tan(in[2]));
+  const double pressed =
+      in[0] + fc * std::max(0.0, elementary::tan(in[1]) - elementary::tan(in[2]));
   return std::max({0.093e-3 * in[0], least(in[0]), least(pressed) - in[5] * fc});
 }
 double slip_energy_per_pressure(const Inputs&) { return 0.13e-3; }
@@ -93,12 +99,14 @@ double half_unit(const Inputs& in) { return 2 * in[0] / in[1]; }
 double shear_of_unit(const Inputs& in) { return in[0] / (2 * (1 + kUnitPoisson)); }
 double unit_tension(const Inputs& in) {
   const double across = 1 - in[1] / in[0];  // compression across the bed lowers tension along it
-  return of(in.unit_type).tension * in[0] * std::pow(across, 1 / 0.58);
+  return of(in.unit_type).tension * in[0] * elementary::pow(across, 1 / 0.58);
 }
 double principal_tension(const Inputs& in) { return std::sqrt(in[0] * (in[0] + in[1])); }
-double crack_friction(const Inputs&) { return std::atan(kCrackFriction); }
-double crack_residual(const Inputs& in) { return std::min(in[0], std::atan(kCrackFriction)); }
-double unit_energy(const Inputs& in) { return 25 * std::pow(2 * in[0] / kMPa, 0.7); }
+double crack_friction(const Inputs&) { return elementary::atan(kCrackFriction); }
+double crack_residual(const Inputs& in) {
+  return std::min(in[0], elementary::atan(kCrackFriction));
+}
+double unit_energy(const Inputs& in) { return 25 * elementary::pow(2 * in[0] / kMPa, 0.7); }
 double unit_slip_energy(const Inputs& in) { return 10 * in[0]; }
 
 // clang-format off

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "contact/parameters.h"
+#include "core/elementary.h"
 #include "geometry/polygon.h"
 #include "model/parts.h"
 
@@ -261,7 +262,7 @@ void compile_free_in_space(const ModelSpec& spec, Model& m, FaultList& faults) {
     low = {std::fmin(from.x, low.x), std::fmin(from.y, low.y), std::fmin(from.z, low.z)};
     high = {std::fmax(to.x, high.x), std::fmax(to.y, high.y), std::fmax(to.z, high.z)};
     const Vec3 d = to - from;
-    if (body < static_cast<std::size_t>(m.n_block)) size += std::cbrt(d.x * d.y * d.z);
+    if (body < static_cast<std::size_t>(m.n_block)) size += elementary::cbrt(d.x * d.y * d.z);
   }
   f.bevel = kBevel * size / m.n_block;
   const double around = kWorld * std::max({high.x - low.x, high.y - low.y, high.z - low.z});

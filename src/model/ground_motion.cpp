@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/elementary.h"
+
 namespace wythe {
 namespace {
 
@@ -132,7 +134,8 @@ double spectral_displacement(const GroundMotion& m, double period, double dampin
   const auto advance = [&](double h, double a, double slope) {
     const double b = -slope / (omega * omega), c = (-a - 2 * decay * b) / (omega * omega);
     const double p = u - c, q = (v - b + decay * p) / turn;
-    const double e = std::exp(-decay * h), cosine = std::cos(turn * h), sine = std::sin(turn * h);
+    const double e = elementary::exp(-decay * h), cosine = elementary::cos(turn * h),
+                 sine = elementary::sin(turn * h);
     u = c + b * h + e * (p * cosine + q * sine);
     v = b + e * ((q * turn - decay * p) * cosine - (p * turn + decay * q) * sine);
     peak = std::max(peak, std::fabs(u));

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/elementary.h"
 #include "model/parts.h"
 
 namespace wythe {
@@ -94,7 +95,7 @@ class Elastic {
   void links() {
     const Links& l = m_.links;
     for (std::size_t k = 0; k < l.a.size(); ++k) {
-      const double length = std::hypot(l.span_x[k], l.span_y[k]);
+      const double length = elementary::hypot(l.span_x[k], l.span_y[k]);
       const double dx = l.span_x[k] / length, dy = l.span_y[k] / length;
       Row row;
       add_block(row, l.b[k], 1, dx, dy, l.arm_b_x[k], l.arm_b_y[k]);
@@ -199,7 +200,7 @@ constexpr double kUnknown = 0.05;  // where the period cannot be found [s]
 
 // Up to two digits: no bit of a run hangs on the last one of an eigenvalue.
 double rounded_up(double x) {
-  const double unit = std::pow(10.0, std::floor(std::log10(x)) - 1);
+  const double unit = elementary::pow(10.0, std::floor(elementary::log10(x)) - 1);
   return std::ceil(x / unit * (1 - 1e-9)) * unit;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/elementary.h"
 #include "core/hash.h"
 #include "model/parts.h"
 #include "model/rebound.h"
@@ -43,9 +44,9 @@ GroundMotion pulse_motion(const RecordSpec& r) {
   for (double k = 0; k <= turns * kSamples; ++k) {
     const double x = k / kSamples;
     const double z = M_PI * M_PI * (x - kHalfRicker) * (x - kHalfRicker);
-    const double shape = r.pulse == PulseShape::kRicker       ? (1 - 2 * z) * std::exp(-z)
+    const double shape = r.pulse == PulseShape::kRicker       ? (1 - 2 * z) * elementary::exp(-z)
                          : 2 * k == kSamples || k == kSamples ? 0.0
-                                                              : std::sin(2 * M_PI * x);
+                                                              : elementary::sin(2 * M_PI * x);
     time.push_back(x * r.period);
     acceleration.push_back(r.amplitude * shape);
   }
@@ -454,11 +455,12 @@ double fraction_of_restitution(double restitution) {
   constexpr double kMost = kNoRebound;
   const auto comes_back = [](double xi) {
     if (xi < 1) {
-      const double psi = std::asin(xi);
-      return std::exp(-std::tan(psi) * (M_PI - 2 * psi));
+      const double psi = elementary::asin(xi);
+      return elementary::exp(-elementary::tan(psi) * (M_PI - 2 * psi));
     }
     const double root = std::sqrt(xi * xi - 1);
-    return root == 0 ? std::exp(-2.0) : std::exp(-xi / root * std::log((xi + root) / (xi - root)));
+    return root == 0 ? elementary::exp(-2.0)
+                     : elementary::exp(-xi / root * elementary::log((xi + root) / (xi - root)));
   };
   if (restitution <= comes_back(kMost)) return kMost;
   double low = 0, high = kMost;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/elementary.h"
 #include "model/parts.h"
 #include "model/protocol.h"
 #include "model/shaking.h"
@@ -538,7 +539,7 @@ class StageCompiler {
       y0 = std::min(y0, v.y);
       y1 = std::max(y1, v.y);
     }
-    return std::hypot(std::max({0.0, x0 - x, x - x1}), std::max({0.0, y0 - y, y - y1}));
+    return elementary::hypot(std::max({0.0, x0 - x, x - x1}), std::max({0.0, y0 - y, y - y1}));
   }
 
   // course -1: any. Beyond the last block when there is none.
@@ -551,7 +552,7 @@ class StageCompiler {
       const Vec2 c = centroid_of(b);
       // the box first; the centroid decides between neighbours that both touch the point
       const double d = course >= 0 ? distance(b, x, c.y) : distance(b, x, y);
-      const double score = d + 1e-6 * std::hypot(c.x - x, course >= 0 ? 0.0 : c.y - y);
+      const double score = d + 1e-6 * elementary::hypot(c.x - x, course >= 0 ? 0.0 : c.y - y);
       if (score < least) {
         least = score;
         best = b;

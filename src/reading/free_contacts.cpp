@@ -5,6 +5,7 @@
 
 #include "contact/meeting.h"
 #include "contact/meeting_in_space.h"
+#include "core/elementary.h"
 #include "core/real.h"
 #include "model/free_shapes.h"
 #include "wythe/reading.h"
@@ -137,7 +138,7 @@ Debris read_debris(const Model& m, const State& s) {
     for (const PointLoad& load : m.stages[k].loads) {
       const double height = height_of(corners(load.block, false));
       debris.load += s.load_scale[k] * (1 - load_left(height, -s.uy[at(load.block)])) *
-                     std::hypot(load.fx, load.fy, load.fz);
+                     elementary::hypot(load.fx, load.fy, load.fz);
     }
   return debris;
 }

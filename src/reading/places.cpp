@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/elementary.h"
 #include "reading/zones_in_space.h"
 #include "wythe/reading.h"
 
@@ -155,7 +156,7 @@ Rotation rotation_of(double w, Vec3 v) {
   const double sine = length(v);
   if (sine == 0) return {};
   const double sense = w < 0 ? -1 : 1;
-  return {2 * sense * std::atan2(sine, sense * w) / sine * v};
+  return {2 * sense * elementary::atan2(sine, sense * w) / sine * v};
 }
 
 // A block, support n_block + i, or deformable block n_block + n_support + i.

@@ -5,6 +5,7 @@
 
 #include "contact/face_in_space.h"
 #include "contact/parameters.h"
+#include "core/elementary.h"
 #include "model/fields.h"
 #include "reading/zones_in_space.h"
 
@@ -65,7 +66,7 @@ PointReading read_point(const State& s, std::size_t p, const contact::LawConstan
   point.slip_vector = vec3(g.x * frame.t1 + g.y * frame.t2);
   point.slip = length(point.slip_vector);
   point.opened = s.kappa[p];
-  point.slid = std::hypot(s.plastic_slip[p], s.plastic_slip_2[p]);
+  point.slid = elementary::hypot(s.plastic_slip[p], s.plastic_slip_2[p]);
   point.crushed = s.crush[p];
   point.normal_stress = now.sigma;
   point.shear_stress = now.tau;

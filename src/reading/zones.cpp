@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/elementary.h"
 #include "reading/zones_in_space.h"
 #include "solids/zone.h"
 #include "wythe/curve.h"
@@ -39,7 +40,8 @@ double turn_of(const Solids& m, const SolidBody& body, const State& s, int colum
   const auto low = static_cast<std::size_t>(body.node(column, 0));
   const auto high = static_cast<std::size_t>(body.node(column, body.rows));
   const double height = m.node_y[high] - m.node_y[low];
-  return std::atan2(s.node_ux[low] - s.node_ux[high], height + s.node_uy[high] - s.node_uy[low]);
+  return elementary::atan2(s.node_ux[low] - s.node_ux[high],
+                           height + s.node_uy[high] - s.node_uy[low]);
 }
 
 // Axial force in one column of zones, in their own turned axes.
@@ -144,7 +146,7 @@ std::vector<ZoneReading> read_zones(const Model& model, const State& s) {
 
 std::pair<double, double> principal_stresses(const ZoneReading& zone) {
   const double middle = 0.5 * (zone.sigma_x + zone.sigma_y);
-  const double radius = std::hypot(0.5 * (zone.sigma_x - zone.sigma_y), zone.tau);
+  const double radius = elementary::hypot(0.5 * (zone.sigma_x - zone.sigma_y), zone.tau);
   return {middle + radius, middle - radius};
 }
 

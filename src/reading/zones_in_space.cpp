@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/elementary.h"
 #include "solids/hexahedron.h"
 
 namespace wythe {
@@ -33,7 +34,7 @@ Rotation rotation_of(const double (&r)[3][3]) {
   const Vec3 twice{r[2][1] - r[1][2], r[0][2] - r[2][0], r[1][0] - r[0][1]};
   const double sine = 0.5 * length(twice), cosine = 0.5 * (r[0][0] + r[1][1] + r[2][2] - 1);
   if (sine == 0) return {};
-  return {std::atan2(sine, cosine) / (2 * sine) * twice};
+  return {elementary::atan2(sine, cosine) / (2 * sine) * twice};
 }
 
 }  // namespace
@@ -149,7 +150,7 @@ class LintelStations {
       const Vec3 between = m_.node[up] - m_.node[low] + moved_of(s, up) - moved_of(s, low);
       along += dot(between, along_), high += between.y;
     }
-    return std::atan2(-along, high);
+    return elementary::atan2(-along, high);
   }
   // Axial force in one layer of zones across it.
   [[nodiscard]] double axial(const State& s, int layer) const {

@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "core/elementary.h"
 #include "solids/mesh.h"
 
 namespace wythe::solids {
@@ -21,7 +22,7 @@ double longest_side(const Outline& o, const Ear& t) {
   double longest = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto p = static_cast<std::size_t>(t[k]), q = static_cast<std::size_t>(t[(k + 1) % 3]);
-    longest = std::max(longest, std::hypot(o.x[q] - o.x[p], o.y[q] - o.y[p]));
+    longest = std::max(longest, elementary::hypot(o.x[q] - o.x[p], o.y[q] - o.y[p]));
   }
   return longest;
 }

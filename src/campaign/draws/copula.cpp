@@ -10,6 +10,7 @@
 
 #include "campaign/draws/few_values.h"
 #include "campaign/draws/study_check.h"
+#include "core/elementary.h"
 #include "core/text.h"
 
 namespace wythe {
@@ -118,8 +119,8 @@ std::string pairs_text(const StudySpec& study, const Copula& copula) {
 
 }  // namespace
 
-double gaussian_of_rank(double rank) { return 2 * std::sin(std::numbers::pi * rank / 6); }
-double rank_of_gaussian(double rho) { return 6 / std::numbers::pi * std::asin(rho / 2); }
+double gaussian_of_rank(double rank) { return 2 * elementary::sin(std::numbers::pi * rank / 6); }
+double rank_of_gaussian(double rho) { return 6 / std::numbers::pi * elementary::asin(rho / 2); }
 
 Copula copula_of(const StudySpec& study, bool all) {
   Copula out;

@@ -14,6 +14,7 @@
 #include <openturns/DistFunc.hxx>
 
 #include "campaign/draws/copula.h"
+#include "core/elementary.h"
 
 namespace wythe {
 namespace {
@@ -42,19 +43,20 @@ double variance_of(const std::vector<double>& shares) {
 
 // d Cov / d t at rho = sin t, of two step functions or of one and a continuous variable (no steps).
 double rate(double t, const std::vector<Step>& a, const std::vector<Step>& b) {
-  const double r = std::sin(t), c = std::cos(t);
+  const double r = elementary::sin(t), c = elementary::cos(t);
   double sum = 0;
   for (const Step& x : a) {
     if (b.empty()) {
       const double variance = 2 - r * r;
-      sum += x.height * c * std::exp(-0.5 * x.at * x.at - 0.5 * r * r * x.at * x.at / variance) /
+      sum += x.height * c *
+             elementary::exp(-0.5 * x.at * x.at - 0.5 * r * r * x.at * x.at / variance) /
              (2 * kPi * std::sqrt(variance));
       continue;
     }
     for (const Step& y : b) {
       const double apart = x.at - y.at;
       const double far = apart == 0 ? 0 : 0.5 * apart * apart / (c * c);
-      sum += x.height * y.height * std::exp(-far - x.at * y.at / (1 + r)) / (2 * kPi);
+      sum += x.height * y.height * elementary::exp(-far - x.at * y.at / (1 + r)) / (2 * kPi);
     }
   }
   return sum;
@@ -103,7 +105,7 @@ RankReached gaussian_of_rank(double rank, const std::vector<double>& of_a,
       const double middle = 0.5 * (low + high);
       (covariance + piece(k * h, middle) < wanted ? low : high) = middle;
     }
-    return {way * std::sin(k * h + high), rank};
+    return {way * elementary::sin(k * h + high), rank};
   }
   return {way, way * covariance / unit};
 }

@@ -21,6 +21,7 @@
 #include "campaign/draws/formula.h"
 #include "campaign/draws/sampling.h"
 #include "campaign/draws/scatter.h"
+#include "core/elementary.h"
 #include "core/text.h"
 #include "geometry/shape.h"
 #include "model/field_places.h"
@@ -386,7 +387,7 @@ double mean_of(const Margin& margin, int power = 1) {
   constexpr double kStep = 0.0625, kEnd = 8.25;
   double sum = 0, weights = 0;
   for (double z = -kEnd; z <= kEnd; z += kStep) {
-    const double weight = std::exp(-0.5 * z * z), value = margin.quantile(normal_share(z));
+    const double weight = elementary::exp(-0.5 * z * z), value = margin.quantile(normal_share(z));
     sum += weight * (power == 1 ? value : value * value);
     weights += weight;
   }
@@ -520,7 +521,7 @@ std::optional<FieldWall> space_wall(const ModelSpec& spec) {
   if (volume.empty()) return std::nullopt;
   const auto middle = volume.begin() + static_cast<std::ptrdiff_t>(volume.size() / 2);
   std::nth_element(volume.begin(), middle, volume.end());
-  const double side = std::cbrt(*middle);
+  const double side = elementary::cbrt(*middle);
   return FieldWall{side, side, [&spec, assembly](const FieldTarget& of) {
                      return field_places(spec, *assembly, of);
                    }};

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "campaign/draws/formula_parser.h"
+#include "core/elementary.h"
 #include "units/quantity_error.h"
 
 namespace wythe {
@@ -31,12 +32,12 @@ void need_number(const char* function, const Dimension& dimension) {
 double call_value(std::size_t function, std::span<const double> x) {
   switch (function) {
     case kSqrt: return std::sqrt(x[0]);
-    case kExp: return std::exp(x[0]);
-    case kLog: return std::log(x[0]);
-    case kTan: return std::tan(x[0]);
-    case kAtan: return std::atan(x[0]);
-    case kSin: return std::sin(x[0]);
-    case kCos: return std::cos(x[0]);
+    case kExp: return elementary::exp(x[0]);
+    case kLog: return elementary::log(x[0]);
+    case kTan: return elementary::tan(x[0]);
+    case kAtan: return elementary::atan(x[0]);
+    case kSin: return elementary::sin(x[0]);
+    case kCos: return elementary::cos(x[0]);
     case kMin: return *std::min_element(x.begin(), x.end());
     default: return *std::max_element(x.begin(), x.end());
   }
@@ -149,7 +150,7 @@ double Formula::value_at(std::size_t node, std::span<const double> inputs) const
     case Kind::kSubtract: return x[0] - x[1];
     case Kind::kTimes: return x[0] * x[1];
     case Kind::kOver: return x[0] / x[1];
-    case Kind::kPower: return std::pow(x[0], x[1]);
+    case Kind::kPower: return elementary::pow(x[0], x[1]);
     case Kind::kCall: break;
   }
   return call_value(n.which, x);

@@ -28,6 +28,7 @@
 
 #include "campaign/draws/distribution.h"
 #include "core/check.h"
+#include "core/elementary.h"
 #include "core/hash.h"
 
 namespace wythe {
@@ -83,11 +84,12 @@ Moments moments_of(const VariableSpec& s) {
 }
 
 OT::Distribution make_lognormal(const VariableSpec& s) {
-  if (is_set(s.median)) return OT::LogNormal(std::log(s.median), s.log_standard_deviation, 0.0);
+  if (is_set(s.median))
+    return OT::LogNormal(elementary::log(s.median), s.log_standard_deviation, 0.0);
   const auto [mean, deviation] = moments_of(s);
   const double ratio = deviation / mean;
-  const double spread = std::sqrt(std::log1p(ratio * ratio));
-  return OT::LogNormal(std::log(mean) - 0.5 * spread * spread, spread, 0.0);
+  const double spread = std::sqrt(elementary::log1p(ratio * ratio));
+  return OT::LogNormal(elementary::log(mean) - 0.5 * spread * spread, spread, 0.0);
 }
 
 OT::Distribution make_uniform(const VariableSpec& s) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/elementary.h"
 #include "core/rotation.h"
 #include "dynamics/passes/sums.h"
 #include "reading/free_contacts.h"
@@ -99,8 +100,8 @@ double top_displacement(const Model& model, const State& state) {
   const double top = *std::max_element(model.centroid_y.begin(), model.centroid_y.end());
   for (std::size_t i = 0; i < state.ux.size(); ++i)
     if (model.centroid_y[i] > top - 0.01 * model.anatomy.height)
-      moved = std::max(
-          moved, model.in_space() ? std::hypot(state.ux[i], state.uz[i]) : std::fabs(state.ux[i]));
+      moved = std::max(moved, model.in_space() ? elementary::hypot(state.ux[i], state.uz[i])
+                                               : std::fabs(state.ux[i]));
   return moved;
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "core/elementary.h"
+
 namespace wythe::dynamics {
 
 bool is_still_moving(const Model& model, const Result& result) {
@@ -17,7 +19,7 @@ bool is_still_moving(const Model& model, const Result& result) {
   double before = 0, last = 0, largest = 0;
   const auto way = [&](std::size_t k) {
     const PointMotion& u = result.history.motion[k * result.history.point.size()];
-    return std::hypot(u[0], u[2]);
+    return elementary::hypot(u[0], u[2]);
   };
   const bool is_watched = !result.history.point.empty();
   for (std::size_t k = 0; k < row.size(); ++k) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/elementary.h"
 #include "model/shaking.h"
 #include "wythe/reading.h"
 
@@ -31,7 +32,7 @@ Vec3 motion_of(const Model& m, const State& s, const WatchedPoint& point) {
 }
 double tilt_of(const Model& m, const State& s, std::size_t i) {
   if (!m.in_space()) return std::fabs(s.theta[i]);
-  return 2 * std::acos(std::min(1.0, std::fabs(s.qw[i])));
+  return 2 * elementary::acos(std::min(1.0, std::fabs(s.qw[i])));
 }
 
 // The blocks that hold the top of each storey; none at all where a storey has none, which is noted before the run.
@@ -160,7 +161,7 @@ class Shake final : public StageRun {
       const Vec3 u = motion_of(model_, state_, point);
       result_.history.motion.push_back({u.x, u.y, u.z});
       if (&point == model_.watched.data() && point.height > 0)
-        row.drift = std::hypot(u.x, u.z) / point.height;
+        row.drift = elementary::hypot(u.x, u.z) / point.height;
     }
     for (const std::vector<BlockId>& blocks : tops_)
       result_.history.storey_top.push_back(mean_of(blocks));
@@ -267,11 +268,11 @@ std::vector<StoreyDrift> read_storeys(const ShakeHistory& h, std::size_t tail) {
     double x = 0, z = 0;
     for (std::size_t r = 0; r < h.row.size(); ++r) {
       const auto [dx, dz] = storey_drift(h, r, k);
-      const double drift = std::hypot(dx, dz);
+      const double drift = elementary::hypot(dx, dz);
       if (drift > storey.peak) storey.peak = drift, storey.at = h.row[r].time;
       if (r >= tail) x += dx, z += dz;
     }
-    storey.residual = std::hypot(x, z) / static_cast<double>(h.row.size() - tail);
+    storey.residual = elementary::hypot(x, z) / static_cast<double>(h.row.size() - tail);
     out.push_back(storey);
   }
   return out;
@@ -312,7 +313,7 @@ void read_shaking(const Model& model, Result& result) {
     Vec3 mean{};
     for (std::size_t k = 0; k < rows; ++k) {
       const PointMotion& u = h.motion[k * points + p];
-      const double way = std::hypot(u[0], u[2]);
+      const double way = elementary::hypot(u[0], u[2]);
       if (way > peak.peak) peak.peak = way, peak.at = h.row[k].time;
       if (k >= tail) mean = mean + Vec3{u[0], 0, u[2]};
     }
@@ -322,7 +323,7 @@ void read_shaking(const Model& model, Result& result) {
   r.storey = read_storeys(h, tail);
   for (const ShakeRow& row : h.row) {
     r.peak_base_shear =
-        std::max(r.peak_base_shear, std::hypot(row.base_force[0], row.base_force[2]));
+        std::max(r.peak_base_shear, elementary::hypot(row.base_force[0], row.base_force[2]));
     r.largest_opening = std::max(r.largest_opening, row.opening);
     r.largest_slip = std::max(r.largest_slip, row.slip);
     r.peak_drift = std::max(r.peak_drift, row.drift);

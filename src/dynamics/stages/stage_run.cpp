@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/elementary.h"
 #include "core/real.h"
 #include "dynamics/meters/residual.h"
 #include "dynamics/passes/dashpots.h"
@@ -514,7 +515,7 @@ class Factor : public StageRun {
 
   void look(double) override {
     const double now = moved();
-    const double carried = tilting_ ? std::tan(factor_) : factor_;
+    const double carried = tilting_ ? elementary::tan(factor_) : factor_;
     recorder_.take(*wall_.access, state_, controls_, carried * model_.weight, now, carried,
                    factor_);
     if (state_.step % kSettleEvery == 0) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/elementary.h"
 #include "geometry/bodies/polygon_in_space.h"
 
 namespace wythe::geometry {
@@ -41,7 +42,7 @@ class Half {
     std::vector<std::pair<double, std::int32_t>> turn;
     for (const std::int32_t i : on) {
       const Vec2 p = axes.flat(solid_.vertex[at(i)]);
-      turn.emplace_back(std::atan2(p.y, p.x), i);
+      turn.emplace_back(elementary::atan2(p.y, p.x), i);
     }
     std::sort(turn.begin(), turn.end());
     std::vector<std::int32_t> face;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/elementary.h"
 #include "core/text.h"
 #include "geometry/builder/builder.h"
 #include "geometry/text.h"
@@ -121,7 +122,7 @@ void add_sides(const Site& site, int index, std::vector<StraightWall>& walls, Fa
     side.name = spec.name + (spec.line.size() > 2 ? "." + std::to_string(k + 1) : "");
     side.from = {spec.line[k][0], spec.line[k][1]};
     const Vec2 way = Vec2{spec.line[k + 1][0], spec.line[k + 1][1]} - side.from;
-    side.line = std::hypot(way.x, way.y);
+    side.line = elementary::hypot(way.x, way.y);
     if (!(side.line > wall.thickness)) {
       add_fault(faults, path + ".line", metres(side.line),
                 "is no longer than the wall is thick (" + metres(wall.thickness) + ")",

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "core/elementary.h"
 #include "core/limits.h"
 #include "geometry/builder/builder.h"
 #include "geometry/text.h"
@@ -25,7 +26,7 @@ Ring ring_of(double span, double rise, double depth) {
   ring.inner = (half * half + rise * rise) / (2 * rise);
   ring.outer = ring.inner + depth;
   ring.centre = rise - ring.inner;
-  ring.reach = std::atan2(half, -ring.centre);
+  ring.reach = elementary::atan2(half, -ring.centre);
   return ring;
 }
 
@@ -97,7 +98,7 @@ class ArchBuilder {
   ArchBuilder(const StandingArchSpec& spec, double rise, const PlanAxes& axes)
       : spec_(spec), site_(axes, spec), ring_(ring_of(spec.span, rise, spec.depth)) {
     const double turn = axes.z_up ? spec.turn : -spec.turn;
-    along_ = {std::cos(turn), std::sin(turn)};
+    along_ = {elementary::cos(turn), elementary::sin(turn)};
     if (spec.turn == 0) along_ = {1, 0};
     across_ = {-along_.y, along_.x};
   }
@@ -130,7 +131,7 @@ class ArchBuilder {
       return {side * spec_.span / 2 / ring_.inner, -ring_.centre / ring_.inner};
     }
     const double angle = ring_.reach * (1 - 2.0 * std::min(k, n - k) / n);
-    return {(2 * k < n ? -1 : 1) * std::sin(angle), std::cos(angle)};
+    return {(2 * k < n ? -1 : 1) * elementary::sin(angle), elementary::cos(angle)};
   }
 
   void add(const std::string& id, int k, double w0, double w1, bool fixed) {
@@ -165,7 +166,7 @@ class DomeBuilder {
  public:
   DomeBuilder(const DomeSpec& spec, double rise, const PlanAxes& axes)
       : spec_(spec), site_(axes, spec), ring_(ring_of(spec.span, rise, spec.depth)) {
-    eye_ = spec.oculus > 0 ? std::asin(spec.oculus / 2 / ring_.inner) : 0;
+    eye_ = spec.oculus > 0 ? elementary::asin(spec.oculus / 2 / ring_.inner) : 0;
     // without an eye the keystone takes half a course either side of the crown
     step_ =
         spec.oculus > 0 ? (ring_.reach - eye_) / spec.courses : ring_.reach / (spec.courses + 0.5);
@@ -191,9 +192,10 @@ class DomeBuilder {
     const int n = 2 * spec_.units;
     const double down = b == spec_.courses ? eye_ : ring_.reach - b * step_;
     const double turn = 2 * M_PI * (k % n) / n;
-    double out = r * std::sin(down), up = r * std::cos(down);
+    double out = r * elementary::sin(down), up = r * elementary::cos(down);
     if (b == 0) out = r * (spec_.span / 2 / ring_.inner), up = -r * (ring_.centre / ring_.inner);
-    return site_.place({out * std::cos(turn), out * std::sin(turn)}, ring_.centre + up);
+    return site_.place({out * elementary::cos(turn), out * elementary::sin(turn)},
+                       ring_.centre + up);
   }
 
   void add_unit(const std::string& id, int course, int k, bool fixed) {

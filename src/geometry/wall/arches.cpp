@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/elementary.h"
 #include "core/whole.h"
 #include "geometry/text.h"
 #include "geometry/wall/clip.h"
@@ -82,7 +83,7 @@ Circle circle_of(const ArchSpec& arch, const Rect& hole) {
   c.rise = arch.kind == ArchKind::kRound ? c.half_span : std::min(arch.rise, c.half_span);
   c.radius = (c.half_span * c.half_span + c.rise * c.rise) / (2 * c.rise);
   c.centre = {(hole.x0 + hole.x1) / 2, hole.y1 + c.rise - c.radius};
-  c.half_angle = std::atan2(c.half_span, c.radius - c.rise);
+  c.half_angle = elementary::atan2(c.half_span, c.radius - c.rise);
   return c;
 }
 
@@ -107,12 +108,12 @@ struct Corner {
 // The joint a share `u` of the way from the crown (0) to the left end (1).
 Corner flat_joint(const ArchSpec& arch, const Rect& hole, double u) {
   const double half = (hole.x1 - hole.x0) / 2, middle = (hole.x0 + hole.x1) / 2;
-  const double wider = half + arch.depth * std::tan(arch.skewback);
+  const double wider = half + arch.depth * elementary::tan(arch.skewback);
   return {{middle - u * half, hole.y1}, {middle - u * wider, hole.y1 + arch.depth}};
 }
 
 Corner round_joint(const ArchSpec& arch, const Circle& c, double u) {
-  const double sine = std::sin(u * c.half_angle), cosine = std::cos(u * c.half_angle);
+  const double sine = elementary::sin(u * c.half_angle), cosine = elementary::cos(u * c.half_angle);
   const double outer = c.radius + arch.depth;
   return {{c.centre.x - c.radius * sine, c.centre.y + c.radius * cosine},
           {c.centre.x - outer * sine, c.centre.y + outer * cosine}};

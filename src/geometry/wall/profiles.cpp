@@ -4,6 +4,8 @@
 #include <cctype>
 #include <cmath>
 
+#include "core/elementary.h"
+
 namespace wythe::geometry {
 namespace {
 
@@ -99,8 +101,8 @@ Section section_of(const Beam& p) {
   const Fillet corner = fillet(p.r);
   const double arm = web / 2 - corner.from_side;
   const double area = 2 * p.b * p.tf + web * p.tw + 4 * corner.area;
-  const double second = 2 * (p.b * std::pow(p.tf, 3) / 12 + p.b * p.tf * flange * flange) +
-                        p.tw * std::pow(web, 3) / 12 +
+  const double second = 2 * (p.b * elementary::pow(p.tf, 3) / 12 + p.b * p.tf * flange * flange) +
+                        p.tw * elementary::pow(web, 3) / 12 +
                         4 * (corner.second + corner.area * arm * arm);
   const double plastic = 2 * p.b * p.tf * flange + p.tw * web * web / 4 + 4 * corner.area * arm;
   return in_metres(p.h, p.b, area, p.tw * (p.h - p.tf), second, plastic);
@@ -119,7 +121,7 @@ Section section_of(const Tube& p) {
     const Fillet corner = fillet(r);
     const double arm = b / 2 - corner.from_side;
     return Sums{b * b - 4 * corner.area,
-                std::pow(b, 4) / 12 - 4 * (corner.second + corner.area * arm * arm),
+                elementary::pow(b, 4) / 12 - 4 * (corner.second + corner.area * arm * arm),
                 b * b * b / 4 - 4 * corner.area * arm};
   };
   const Sums whole = rounded(p.b, 1.5 * p.t), hole = rounded(p.b - 2 * p.t, p.t);

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "core/elementary.h"
 #include "core/file_kinds.h"
 #include "core/files.h"
 #include "core/limits.h"
@@ -96,7 +97,7 @@ void leave_repeats_out(std::vector<std::array<double, 2>>& outline) {
   for (const auto& p : outline)
     size = std::max({size, std::abs(p[0] - outline[0][0]), std::abs(p[1] - outline[0][1])});
   const auto repeat = [&](const auto& p, const auto& q) {
-    return std::hypot(p[0] - q[0], p[1] - q[1]) <= kRounding * size;
+    return elementary::hypot(p[0] - q[0], p[1] - q[1]) <= kRounding * size;
   };
   outline.erase(std::unique(outline.begin(), outline.end(), repeat), outline.end());
   while (outline.size() > 3 && repeat(outline.front(), outline.back())) outline.pop_back();

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "core/elementary.h"
 #include "core/file_kinds.h"
 #include "core/files.h"
 #include "core/limits.h"
@@ -126,12 +127,12 @@ using Corner = std::array<double, 2>;
 // nothing where they would be more than kMostChords. An arc run backwards has the same corners.
 std::optional<std::vector<Corner>> chords_of(const Corner& a, const Corner& b, double bulge) {
   std::vector<Corner> corners;
-  const double dx = b[0] - a[0], dy = b[1] - a[1], chord = std::hypot(dx, dy);
+  const double dx = b[0] - a[0], dy = b[1] - a[1], chord = elementary::hypot(dx, dy);
   const bool is_straight = std::abs(bulge) < 1 && std::abs(bulge) * chord / 2 <= kChordError;
   if (is_straight || chord == 0) return corners;  // a trace of rounding is no arc
-  const double angle = 4 * std::atan(bulge),
+  const double angle = 4 * elementary::atan(bulge),
                radius = chord * (1 + bulge * bulge) / 4 / std::abs(bulge);
-  const double widest = 2 * std::acos(std::max(0.0, 1 - kChordError / radius));
+  const double widest = 2 * elementary::acos(std::max(0.0, 1 - kChordError / radius));
   const double count = std::ceil(std::abs(angle) / widest - 1e-9);
   if (!(count <= kMostChords)) return std::nullopt;
   // the centre lies on the left of the chord by this share of it
@@ -139,7 +140,7 @@ std::optional<std::vector<Corner>> chords_of(const Corner& a, const Corner& b, d
   const Corner centre{(a[0] + b[0]) / 2 - off * dy, (a[1] + b[1]) / 2 + off * dx};
   const auto n = static_cast<int>(count);
   for (int k = 1; k < n; ++k) {
-    const double turn = angle * k / n, c = std::cos(turn), s = std::sin(turn);
+    const double turn = angle * k / n, c = elementary::cos(turn), s = elementary::sin(turn);
     const double x = a[0] - centre[0], y = a[1] - centre[1];
     corners.push_back({centre[0] + c * x - s * y, centre[1] + s * x + c * y});
   }
@@ -153,8 +154,9 @@ bool returns_to_start(const std::vector<Corner>& corners) {
     x0 = std::min(x0, c[0]), x1 = std::max(x1, c[0]);
     y0 = std::min(y0, c[1]), y1 = std::max(y1, c[1]);
   }
-  return std::hypot(corners.front()[0] - corners.back()[0],
-                    corners.front()[1] - corners.back()[1]) <= 1e-6 * std::max(x1 - x0, y1 - y0);
+  return elementary::hypot(corners.front()[0] - corners.back()[0],
+                           corners.front()[1] - corners.back()[1]) <=
+         1e-6 * std::max(x1 - x0, y1 - y0);
 }
 
 // A name with its characters beyond ASCII: "\\U+00E9" -> é.

@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include "core/elementary.h"
 #include "core/text.h"
 #include "io/model/office.h"
 #include "io/text/magnitude.h"
@@ -232,7 +233,7 @@ class Resolver {
       spoiled_.insert(under(table.path, angle));
       context_.follow_ups.insert(under(table.path, angle));
     } else {
-      put(table, angle, rounded(std::atan(*value), table.keys->at(angle)), Origin::kGiven,
+      put(table, angle, rounded(elementary::atan(*value), table.keys->at(angle)), Origin::kGiven,
           fmt::format("as {} {}", tangent, *value));
     }
     table.toml->erase(tangent);

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/elementary.h"
 #include "core/text.h"
 #include "io/model/record_formats.h"
 #include "io/text/csv.h"
@@ -190,7 +191,7 @@ std::string strange_in(const std::string& rest,
     const bool is_times = at > 0 && small[at - 1] == 'x' && (at < 2 || !is_alnum(small[at - 2]));
     if (number) {
       const double value = number_in(word);
-      const double power = std::log10(value);
+      const double power = elementary::log10(value);
       const bool is_power = value >= 10 && power == std::floor(power);
       const bool has_exponent =
           end + 1 < small.size() && small[end] == 'e' &&

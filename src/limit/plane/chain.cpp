@@ -11,6 +11,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/elementary.h"
 #include "wythe/error.h"
 #include "wythe/limit.h"
 
@@ -22,7 +23,9 @@ constexpr double kFarthest = 1.5;  // no chain turns farther [rad]
 constexpr int kStates = 500;       // of a curve
 constexpr double kLocked = 1e-9;   // b x c over their lengths
 
-double angle_between(Vec2 from, Vec2 to) { return std::atan2(cross(from, to), dot(from, to)); }
+double angle_between(Vec2 from, Vec2 to) {
+  return elementary::atan2(cross(from, to), dot(from, to));
+}
 
 // Bodies turned, first of all by `rotation` of the first.
 struct Pose {

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/elementary.h"
+
 namespace wythe::limit {
 namespace {
 
@@ -21,7 +23,7 @@ JointYield yield_of_joint(const JointMaterial& m, double area, const LimitOption
   const bool sticks = bonded || std::isinf(m.cohesion);
   const double c_res = std::isfinite(m.residual_cohesion) ? m.residual_cohesion : 0.0;
   y.cohesion = times_area(sticks ? m.cohesion : c_res, area);
-  y.friction = std::tan(residual ? m.residual_friction_angle : m.friction_angle);
+  y.friction = elementary::tan(residual ? m.residual_friction_angle : m.friction_angle);
   y.compression =
       o.crushing == CrushingChoice::kNone ? kUnlimited : times_area(m.compressive_strength, area);
   return y;
@@ -36,7 +38,7 @@ YieldModel yield_of(const Model& model, const LimitOptions& options, double time
   for (int j = 0; j < model.n_joint; ++j) {
     const JointMaterial& m = model.materials[model.joint_material[j]];
     JointYield y = yield_of_joint(m, times * model.area[j], options);
-    y.half_length = std::hypot(model.half_x[j], model.half_y[j]);
+    y.half_length = elementary::hypot(model.half_x[j], model.half_y[j]);
     yield.joint.push_back(y);
   }
   for (std::size_t k = 0; k < model.links.a.size(); ++k)

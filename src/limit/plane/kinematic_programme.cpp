@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/elementary.h"
 #include "limit/plane/programmes.h"
 
 namespace wythe::limit {
@@ -118,7 +119,7 @@ class KinematicProgramme {
   // A link lengthens or shortens at what it bears; where it bears no end, not at all.
   void add_link(std::size_t k) {
     const Links& l = m_.links;
-    const double length = std::hypot(l.span_x[k], l.span_y[k]);
+    const double length = elementary::hypot(l.span_x[k], l.span_y[k]);
     const std::array<double, 2> n{l.span_x[k] / length, l.span_y[k] / length};
     std::vector<Entry> row;
     add_motion(row, l.b[k], 1, n, l.arm_b_x[k], l.arm_b_y[k]);

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/elementary.h"
 #include "limit/plane/programmes.h"
 
 namespace wythe::limit {
@@ -115,7 +116,7 @@ class StaticProgramme {
   // Right behind the columns of the joints.
   void add_link(std::size_t k) {
     const Links& l = m_.links;
-    const double length = std::hypot(l.span_x[k], l.span_y[k]);
+    const double length = elementary::hypot(l.span_x[k], l.span_y[k]);
     const double x = l.span_x[k] / length, y = l.span_y[k] / length;
     const int column =
         lp_.add_column(-y_.link[k].compression / u_.force, y_.link[k].tension / u_.force, 0);
@@ -195,7 +196,7 @@ class StaticProgramme {
 
 Units units_of(const Model& model, const LimitLoads& loads, const YieldModel& yield) {
   Units units{0, 0};
-  for (const BlockForce& f : loads.dead) units.force += std::hypot(f.fx, f.fy);
+  for (const BlockForce& f : loads.dead) units.force += elementary::hypot(f.fx, f.fy);
   for (const JointYield& y : yield.joint) units.length += y.half_length;
   units.force /= std::max(1, model.n_block);
   units.length *= 2.0 / std::max(1, model.n_joint);

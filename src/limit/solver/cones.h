@@ -15,6 +15,8 @@
 #include <limits>
 #include <vector>
 
+#include "core/elementary.h"
+
 namespace wythe::limit {
 
 class Cones {
@@ -132,7 +134,7 @@ class Cones {
 
   // v0^2 - v1^2 - v2^2 without the cancellation near the boundary.
   [[nodiscard]] static double determinant(const Three& v) {
-    const double r = std::hypot(v[1], v[2]);
+    const double r = elementary::hypot(v[1], v[2]);
     return (v[0] - r) * (v[0] + r);
   }
   [[nodiscard]] static Three product(const Three& u, const Three& v) {

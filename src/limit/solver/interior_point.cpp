@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "core/elementary.h"
 #include "limit/solver/cones.h"
 #include "limit/solver/sparse_factor.h"
 
@@ -105,7 +106,7 @@ class InteriorPoint {
         q_ = best_point;
         take_residuals();
       }
-      const double done = std::log(first / best.accuracy) / std::log(first / kWanted);
+      const double done = elementary::log(first / best.accuracy) / elementary::log(first / kWanted);
       if (watch && watch(std::clamp(done, 0.0, 1.0))) {
         best.status = ProgrammeStatus::kStopped;
         return best;
@@ -366,7 +367,7 @@ class InteriorPoint {
       d.s = cones_.change(sz, q_.s, q_.z, d.z);
       d.kappa = (tk - q_.kappa * d.tau) / q_.tau;
       alpha = longest(d);
-      sigma = std::pow(1 - alpha, 3);
+      sigma = elementary::pow(1 - alpha, 3);
     }
     alpha = std::min(1.0, kShorten * alpha);
     // round-off must not carry a circle over its edge

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/elementary.h"
 #include "geometry/wall/joints.h"
 #include "model/parts.h"
 #include "solids/mesh.h"
@@ -106,7 +107,7 @@ class BodyBuilder {
       const Vec2 p = block.outline[k], q = block.outline[(k + 1) % block.outline.size()];
       outline.x.push_back(p.x);
       outline.y.push_back(p.y);
-      longest = std::max(longest, std::hypot(q.x - p.x, q.y - p.y));
+      longest = std::max(longest, elementary::hypot(q.x - p.x, q.y - p.y));
     }
     const double parts = std::clamp(std::round(longest / size_), 1.0, 1e3);
     outline.parts = static_cast<int>(parts);
@@ -179,7 +180,7 @@ class ContactBuilder {
     // n from the rigid block to the zones, on the left of the face
     p0_ = zone_is_b ? face.p0 : face.p1;
     const Vec2 p1 = zone_is_b ? face.p1 : face.p0;
-    length_ = std::hypot(p1.x - p0_.x, p1.y - p0_.y);
+    length_ = elementary::hypot(p1.x - p0_.x, p1.y - p0_.y);
     t_ = {(p1.x - p0_.x) / length_, (p1.y - p0_.y) / length_};
     for (const Overlap& overlap : overlaps()) push(overlap);
   }

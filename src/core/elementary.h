@@ -1,0 +1,250 @@
+// Elementary functions with the same bits on every machine: only +, -, *, / and the square root of IEEE 754 are used,
+// which all processors round alike; the libraries' own differ in the last bit. Each is computed with twice the digits
+// of a double (Dekker 1971) from its Taylor series and rounded once at the end, so it is within 0.5001 ulp. They take
+// about a microsecond, and belong where a model is built, not into a step (core/rotation.h has sin_cos for that).
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+namespace wythe::elementary {
+
+// hi + lo, where lo is below half an ulp of hi: some 106 bits.
+struct Twofold {
+  double hi, lo;
+};
+
+inline Twofold fast_sum(double a, double b) {  // |a| >= |b|
+  const double s = a + b;
+  return {s, b - (s - a)};
+}
+inline Twofold sum(double a, double b) {
+  const double s = a + b, t = s - a;
+  return {s, (a - (s - t)) + (b - t)};
+}
+inline Twofold product(double a, double b) {
+  const auto split = [](double x) {
+    const double c = 134217729.0 * x;  // 2^27 + 1
+    return c - (c - x);
+  };
+  const double p = a * b, a1 = split(a), a2 = a - a1, b1 = split(b), b2 = b - b1;
+  return {p, ((a1 * b1 - p) + a1 * b2 + a2 * b1) + a2 * b2};
+}
+inline Twofold operator+(const Twofold& a, const Twofold& b) {
+  const Twofold s = sum(a.hi, b.hi), t = sum(a.lo, b.lo);
+  const Twofold v = fast_sum(s.hi, s.lo + t.hi);
+  return fast_sum(v.hi, v.lo + t.lo);
+}
+inline Twofold operator-(const Twofold& a) { return {-a.hi, -a.lo}; }
+inline Twofold operator-(const Twofold& a, const Twofold& b) { return a + -b; }
+inline Twofold operator*(const Twofold& a, const Twofold& b) {
+  const Twofold p = product(a.hi, b.hi);
+  return fast_sum(p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi));
+}
+inline Twofold operator*(double a, const Twofold& b) { return Twofold{a, 0} * b; }
+inline Twofold operator/(const Twofold& a, const Twofold& b) {
+  const double q = a.hi / b.hi;
+  const Twofold r = a - q * b;
+  const double q2 = r.hi / b.hi;
+  const Twofold r2 = r - q2 * b;
+  return fast_sum(q, q2) + Twofold{r2.hi / b.hi, 0};
+}
+inline Twofold root(const Twofold& a) {
+  if (!(a.hi > 0)) return {std::sqrt(a.hi), 0};
+  const double s = std::sqrt(a.hi);
+  const Twofold rest = a - product(s, s);
+  return fast_sum(s, rest.hi / (2 * s));
+}
+inline double rounded(const Twofold& a) { return a.hi + a.lo; }
+
+inline constexpr Twofold kPi = {3.141592653589793116e+00, 1.224646799147353207e-16};
+inline constexpr double kPiRest = -2.994769809718339666e-33;  // of pi, behind kPi
+inline constexpr Twofold kLn2 = {6.931471805599452862e-01, 2.319046813846299558e-17};
+inline constexpr Twofold kOne = {1, 0};
+
+// Sum of terms while they count: first, then each the last times next(n).
+template <class Next>
+Twofold series(Twofold term, const Next& next) {
+  constexpr double kFaint = 1e-33;
+  Twofold total = term;
+  for (int n = 1; n < 60; ++n) {
+    term = next(term, n);
+    total = total + term;
+    if (std::fabs(term.hi) <= kFaint * std::fabs(total.hi)) break;
+  }
+  return total;
+}
+
+// --- exponential and logarithm --------------------------------------------------------------------
+
+struct Scaled {
+  Twofold value;  // 1 to 2, about
+  int power;      // of 2
+};
+inline Scaled exponential(const Twofold& x) {
+  constexpr int kHalvings = 5;
+  const double k = std::nearbyint(x.hi / kLn2.hi);
+  const Twofold r = (1.0 / 32) * (x - k * kLn2);
+  Twofold e = series(kOne, [&](const Twofold& t, int n) { return t * r / Twofold{double(n), 0}; });
+  for (int i = 0; i < kHalvings; ++i) e = e * e;
+  return {e, static_cast<int>(k)};
+}
+inline Twofold logarithm(const Twofold& x) {
+  int power = 0;
+  if (std::frexp(x.hi, &power) < 0.70710678118654752440) --power;
+  const Twofold m = {std::ldexp(x.hi, -power), std::ldexp(x.lo, -power)};  // about 1
+  const Twofold s = (m - kOne) / (m + kOne), s2 = s * s;
+  Twofold odd = s, total = s;
+  for (int n = 3; n < 61; n += 2) {
+    odd = odd * s2;
+    total = total + odd / Twofold{double(n), 0};
+  }
+  return double(power) * kLn2 + 2.0 * total;
+}
+
+inline double exp(double x) {
+  if (!(std::fabs(x) < 746))
+    return x != x ? x : x > 0 ? std::numeric_limits<double>::infinity() : 0;
+  const Scaled e = exponential({x, 0});
+  return std::ldexp(rounded(e.value), e.power);
+}
+inline double log(double x) {
+  if (!(x > 0) || x > std::numeric_limits<double>::max())
+    return x == 0  ? -std::numeric_limits<double>::infinity()
+           : x > 0 ? x
+                   : std::numeric_limits<double>::quiet_NaN();
+  return rounded(logarithm({x, 0}));
+}
+inline double expm1(double x) {
+  if (!(std::fabs(x) < 700)) return exp(x) - 1;
+  if (std::fabs(x) < 1e-300) return x;
+  const Scaled e = exponential({x, 0});
+  return rounded(Twofold{std::ldexp(e.value.hi, e.power), std::ldexp(e.value.lo, e.power)} - kOne);
+}
+inline double log1p(double x) {
+  if (!(x > -1) || x > std::numeric_limits<double>::max()) return log(1 + x);
+  return std::fabs(x) < 1e-300 ? x : rounded(logarithm(sum(1, x)));
+}
+inline double log10(double x) {
+  constexpr Twofold kLn10 = {2.302585092994045901e+00, -2.170756223382249351e-16};
+  return x > 0 && x <= std::numeric_limits<double>::max() ? rounded(logarithm({x, 0}) / kLn10)
+                                                          : log(x);
+}
+inline double pow(double x, double y) {
+  if (y == 0 || x == 1) return 1;
+  if (x != x || y != y) return x + y;
+  const double size = std::fabs(x);
+  const bool is_whole = std::nearbyint(y) == y;
+  const bool is_odd = is_whole && std::fabs(y) < 9007199254740992.0 && std::fmod(y, 2) != 0;
+  if (x < 0 && !is_whole) return std::numeric_limits<double>::quiet_NaN();
+  const double sign = x < 0 && is_odd ? -1 : 1;
+  if (size == 0 || std::isinf(x) || std::isinf(y)) {  // the same everywhere: nothing is rounded
+    return std::pow(x, y);
+  }
+  const Twofold e = Twofold{y, 0} * logarithm({size, 0});
+  if (!(std::fabs(e.hi) < 746))
+    return sign * (e.hi > 0 ? std::numeric_limits<double>::infinity() : 0);
+  const Scaled s = exponential(e);
+  return sign * std::ldexp(rounded(s.value), s.power);
+}
+inline double cbrt(double x) {
+  if (x == 0 || !(std::fabs(x) <= std::numeric_limits<double>::max())) return x;
+  const Scaled s = exponential(logarithm({std::fabs(x), 0}) / Twofold{3, 0});
+  return std::copysign(std::ldexp(rounded(s.value), s.power), x);
+}
+
+// --- angles ---------------------------------------------------------------------------------------
+
+struct Circle {
+  Twofold sine, cosine;
+};
+inline Circle circle(double x) {
+  const double k = std::nearbyint(x / (kPi.hi / 2));
+  const Twofold r = Twofold{x, 0} - (k / 2) * kPi - Twofold{k / 2 * kPiRest, 0}, r2 = r * r;
+  const auto next = [&](int first) {
+    return [&r2, first](const Twofold& t, int n) {
+      const double a = 2.0 * n + first - 1, b = 2.0 * n + first;
+      return -(t * r2 / Twofold{a * b, 0});
+    };
+  };
+  const Twofold s = series(r, next(1)), c = series(kOne, next(0));
+  switch (static_cast<long>(k) & 3) {
+    case 0: return {s, c};
+    case 1: return {c, -s};
+    case 2: return {-s, -c};
+    default: return {-c, s};
+  }
+}
+inline constexpr double kFarthest = 1e9;  // beyond, an angle has lost its digits [rad]
+inline double sin(double x) {
+  return std::fabs(x) < kFarthest ? (x == 0 ? x : rounded(circle(x).sine))
+                                  : std::numeric_limits<double>::quiet_NaN();
+}
+inline double cos(double x) {
+  return std::fabs(x) < kFarthest ? rounded(circle(x).cosine)
+                                  : std::numeric_limits<double>::quiet_NaN();
+}
+inline double tan(double x) {
+  if (x == 0) return x;
+  if (!(std::fabs(x) < kFarthest)) return std::numeric_limits<double>::quiet_NaN();
+  const Circle c = circle(x);
+  return rounded(c.sine / c.cosine);
+}
+
+// Of a quotient between 0 and 1.
+inline Twofold arctangent(Twofold t) {
+  for (int i = 0; i < 2; ++i) t = t / (kOne + root(kOne + t * t));
+  const Twofold t2 = t * t;
+  Twofold odd = t, total = t;
+  for (int n = 3; n < 61; n += 2) {
+    odd = -(odd * t2);
+    total = total + odd / Twofold{double(n), 0};
+  }
+  return 4.0 * total;
+}
+// Angle of (x, y), both as hi + lo and not both 0; y >= 0.
+inline Twofold angle(const Twofold& y, const Twofold& x) {
+  const bool left = x.hi < 0;
+  const Twofold ax = left ? -x : x;
+  const Twofold first = ax.hi >= y.hi ? arctangent(y / ax) : 0.5 * kPi - arctangent(ax / y);
+  return left ? kPi - first : first;
+}
+inline double atan2(double y, double x) {
+  if (x != x || y != y) return x + y;
+  if (y == 0) return std::signbit(x) ? std::copysign(kPi.hi, y) : y;
+  const double big = std::fmax(std::fabs(x), std::fabs(y));
+  if (std::isinf(big)) {
+    const double one = std::isinf(x) ? std::copysign(1, x) : 0, up = std::isinf(y) ? 1 : 0;
+    return std::copysign(up == 0 && one > 0 ? 0.0 : rounded(angle({up, 0}, {one, 0})), y);
+  }
+  int power = 0;
+  static_cast<void>(std::frexp(big, &power));
+  const double sy = std::ldexp(std::fabs(y), -power), sx = std::ldexp(x, -power);
+  if (sy == 0) return std::copysign(sx > 0 ? std::fabs(y) / x : kPi.hi, y);
+  return std::copysign(rounded(angle({sy, 0}, {sx, 0})), y);
+}
+inline double atan(double x) { return atan2(x, 1); }
+inline double asin(double x) {
+  if (x == 0) return x;
+  const Twofold c = root(sum(1, -std::fabs(x)) * sum(1, std::fabs(x)));
+  return std::fabs(x) <= 1 ? std::copysign(rounded(angle({std::fabs(x), 0}, c)), x)
+                           : std::numeric_limits<double>::quiet_NaN();
+}
+inline double acos(double x) {
+  if (x == 1) return 0;
+  const Twofold s = root(sum(1, -std::fabs(x)) * sum(1, std::fabs(x)));
+  return std::fabs(x) <= 1 ? rounded(angle(s, {x, 0})) : std::numeric_limits<double>::quiet_NaN();
+}
+inline double hypot(double x, double y) {
+  const double big = std::fmax(std::fabs(x), std::fabs(y));
+  if (std::isinf(x) || std::isinf(y)) return std::numeric_limits<double>::infinity();
+  if (x != x || y != y || big == 0) return x != x ? x : y != y ? y : 0;
+  int power = 0;
+  static_cast<void>(std::frexp(big, &power));
+  const double a = std::ldexp(x, -power), b = std::ldexp(y, -power);
+  return std::ldexp(rounded(root(product(a, a) + product(b, b))), power);
+}
+
+inline double hypot(double x, double y, double z) { return hypot(hypot(x, y), z); }
+
+}  // namespace wythe::elementary
