@@ -64,7 +64,8 @@ enum class JointKind : std::uint8_t {
   kPlate = 6,
   kBeam = 7,
   kOther = 8,
-  kFrame = 9
+  kFrame = 9,
+  kCoat = 10  // the mortar of a layer, beside the joint that it covers
 };
 inline constexpr Word<JointKind> kJointKindWords[] = {{"bed", JointKind::kBed},
                                                       {"head", JointKind::kHead},
@@ -75,7 +76,8 @@ inline constexpr Word<JointKind> kJointKindWords[] = {{"bed", JointKind::kBed},
                                                       {"plate", JointKind::kPlate},
                                                       {"beam", JointKind::kBeam},
                                                       {"other", JointKind::kOther},
-                                                      {"frame", JointKind::kFrame}};
+                                                      {"frame", JointKind::kFrame},
+                                                      {"coat", JointKind::kCoat}};
 // Codes of the messages that name them to a reader.
 inline constexpr Word<JointKind> kJointKindCodes[] = {{"joint.bed", JointKind::kBed},
                                                       {"joint.head", JointKind::kHead},
@@ -86,7 +88,8 @@ inline constexpr Word<JointKind> kJointKindCodes[] = {{"joint.bed", JointKind::k
                                                       {"joint.plate", JointKind::kPlate},
                                                       {"joint.beam", JointKind::kBeam},
                                                       {"joint.other", JointKind::kOther},
-                                                      {"joint.frame", JointKind::kFrame}};
+                                                      {"joint.frame", JointKind::kFrame},
+                                                      {"joint.coat", JointKind::kCoat}};
 
 // A dead load that keeps its direction and follows a point of a block.
 struct PointLoad {
@@ -223,11 +226,15 @@ struct Solids {
 };
 
 // A bar between two points: of two blocks, or of the ground (a) and a block (b).
-enum class LinkKind { kTie, kDiaphragm, kSpring };
+// An anchor of a frame is two links: it is pulled out (anchor) and sheared off (dowel).
+enum class LinkKind { kTie, kDiaphragm, kSpring, kAnchor, kDowel, kWedge };
 inline constexpr Word<LinkKind> kLinkKindWords[] = {
-    {"tie", LinkKind::kTie}, {"diaphragm", LinkKind::kDiaphragm}, {"spring", LinkKind::kSpring}};
+    {"tie", LinkKind::kTie},       {"diaphragm", LinkKind::kDiaphragm},
+    {"spring", LinkKind::kSpring}, {"anchor", LinkKind::kAnchor},
+    {"dowel", LinkKind::kDowel},   {"wedge", LinkKind::kWedge}};
 
-// Ties, diaphragms and springs (docs/theory/links.md), one row per link.
+// Ties, diaphragms and springs (docs/theory/links.md), anchors and wedges of frames (docs/theory/frames.md), one row
+// per link.
 struct Links {
   int n = 0;
   std::vector<BlockId> a, b;  // a is kGroundBlock at an anchor
@@ -241,6 +248,7 @@ struct Links {
   std::vector<double> tension;      // force at which it yields, 0: hangs slack [N]
   std::vector<double> compression;  // the same when pressed, as a positive number [N]
   std::vector<double> prestress;    // force drawn in along with the stage set_by [N]
+  std::vector<double> jack;         // force of a wedge, driven in by the stage that puts it up [N]
   std::vector<std::string> name;    // different from each other
   std::vector<LinkKind> kind;
   int set_by = -1;  // the stage whose smooth start draws them taut; -1: none is prestressed
@@ -298,6 +306,10 @@ struct Standing {
   }
   [[nodiscard]] bool joins(BlockId a, BlockId b, int stage) const {
     return holds(a, stage) && holds(b, stage);
+  }
+  // Whether what is between them is put up by this stage.
+  [[nodiscard]] bool begins(BlockId a, BlockId b, int stage) const {
+    return stage > 0 && joins(a, b, stage) && !joins(a, b, stage - 1);
   }
 };
 

@@ -195,6 +195,18 @@ inline constexpr Word<FrameFeet> kFrameFeetWords[] = {{"fixed", FrameFeet::kFixe
                                                       {"base_beam", FrameFeet::kBaseBeam},
                                                       {"resting", FrameFeet::kResting}};
 
+// Anchors that hold a frame to the masonry beside it, spread along its members (docs/theory/frames.md, "Anchors").
+struct AnchorSpec {
+  double spacing = kUnset;                  // along a member [m]
+  double depth = kUnset;                    // how far behind its face the masonry holds it [m]
+  double tension = kUnset, shear = kUnset;  // strength of one [N]
+  double slip = 1e-3;                       // at these strengths, from no force on [m]
+};
+// Wedges or jacks that press a frame's beam against the masonry above while it is put up.
+struct WedgeSpec {
+  double force = kUnset;    // of all together [N]
+  double spacing = kUnset;  // along the beam [m]
+};
 // A frame of columns and beams, round an opening or along a line, as a chain of rigid segments joined by
 // elastic-plastic sections (docs/theory/frames.md).
 struct FrameSpec {
@@ -216,6 +228,8 @@ struct FrameSpec {
   double gap = 0;                  // between it and the jambs and head of its opening [m]
   std::string stage =
       "";  // name of the stage that puts it up; "": that which cuts its opening, or the first
+  AnchorSpec anchors;
+  WedgeSpec wedges;
 };
 
 // The fibres of a layer; of one face.
@@ -231,6 +245,14 @@ struct LayerBondSpec {
   double energy = kUnset;  // to detach it by slip [N/m]
   double slip = kUnset;    // at the greatest bond stress [m]
 };
+// The mortar of a layer, where it bears more than the bond of its fibres (docs/theory/layers.md, "The mortar").
+struct LayerMortarSpec {
+  double thickness = kUnset;       // of one face [m]
+  double youngs_modulus = kUnset;  // [Pa]
+  std::string
+      joint;  // name of the joint material with its strengths, which cracks where a joint of the masonry does
+  double density = 0;  // [kg/m^3]
+};
 // Fibres in mortar on the faces of the masonry: reinforced plaster, textile mortars, nets.
 struct LayerSpec {
   std::string name;
@@ -239,6 +261,7 @@ struct LayerSpec {
   int sides = 0;                           // 1 or 2 faces
   LayerFibreSpec fibres;
   LayerBondSpec bond;
+  LayerMortarSpec mortar;
 };
 
 // What a floor or roof does to the wall at one level (docs/theory/integration.md, "Floors").

@@ -3,9 +3,10 @@
 //       a o------------------o b      its length is L0 + e        N > 0 pulls a and b together
 //            axis from a to b
 //
-//   N = k (e - e_p + d)     d: elongation that prestress draws in; cut at the limits in tension and
-//                           compression. Beyond a limit e_p grows; a limit of 0 has no flow: there the
-//                           link hangs slack, or has a gap, and takes force again where it let go
+//   N = k (e - e_p + d)     d: elongation that prestress or a jack draws in, or -e when it was put up;
+//                           cut at the limits in tension and compression. Beyond a limit e_p grows; a
+//                           limit of 0 has no flow: there the link hangs slack, or has a gap, and takes
+//                           force again where it let go
 //
 // Called by the step (dynamics/passes/links.h) and by what reads a state (reading/links.cpp).
 #pragma once

@@ -34,9 +34,10 @@ class Key {
   void add(const FrameSpec& frame) {
     const auto& [name, round, line, feet, profile, count, section, beam_profile, beam_count,
                  beam_section, grade, yield_strength, youngs_modulus, shear_modulus, joint, gap,
-                 stage] = frame;
+                 stage, anchors, wedges] = frame;
+    // grade, moduli and what holds it shape nothing
     add_all(name, round, line, feet, profile, count, section, beam_profile, beam_count,
-            beam_section, joint, gap, stage);  // grade and moduli shape nothing
+            beam_section, joint, gap, stage);
   }
   void add(const RegionSpec& region) {
     const auto& [name, storey, pier, x, y, width, height, polygon, joints, density, thickness] =

@@ -306,6 +306,7 @@ void each_model_field(M& m, const Visit& visit) {
   visit(l.tension, E::kLink, kOwn, "link_tension", "N");
   visit(l.compression, E::kLink, kOwn, "link_compression", "N");
   visit(l.prestress, E::kLink, kOwn, "link_prestress", "N");
+  visit(l.jack, E::kLink, kOwn, "link_jack", "N");
 
   auto& f = m.frames;
   if (f.n > 0) {

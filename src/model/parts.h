@@ -48,6 +48,27 @@ void compile_contacts(const geometry::Assembly& assembly, const BlockMap& map,
 // shapes of free contacts, where they are asked for; needs blocks and joints.
 void compile_free(const ModelSpec& spec, const geometry::Assembly& assembly, Model& model,
                   FaultList& faults);
+// The mortar of a layer over one joint of the masonry, and its mass on the units; needs blocks.
+struct Coat {
+  geometry::Face face;
+  double thickness;  // of all faces that have it [m]
+  JointMaterial law;
+  std::string name;  // of the material
+};
+[[nodiscard]] std::vector<Coat> compile_coats(const ModelSpec& spec,
+                                              const geometry::Assembly& assembly,
+                                              const BlockMap& map, Model& model, FaultList& faults);
+// A row of Links before it is one; arms and span as there.
+struct NewLink {
+  std::string name;
+  LinkKind kind;
+  BlockId a, b;
+  Vec3 arm_a, arm_b, span;
+  bool follows;
+  double stiffness, tension = kUnlimited, compression = kUnlimited;  // [N/m], [N]
+  double jack = 0;                                                   // [N]
+};
+void add_link(Links& links, const NewLink& link);
 // ties, diaphragms and springs.
 void compile_links(const ModelSpec& spec, const geometry::Assembly& assembly, const BlockMap& map,
                    Model& model, FaultList& faults);

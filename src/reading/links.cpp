@@ -53,12 +53,19 @@ std::vector<LinkReading> read_links(const Model& m, const State& s) {
     const contact::LinkLine line =
         contact::link_line(l.span_x[k], l.span_y[k], l.follows[k] > 0, a, b);
     const contact::LinkPull pull =
-        contact::link_pull({l.stiffness[k], l.tension[k], l.compression[k]}, line.elongation,
-                           s.link_plastic[k], s.link_drawn[k]);
+        m.standing.joins(l.a[k], l.b[k], s.stage)
+            ? contact::link_pull({l.stiffness[k], l.tension[k], l.compression[k]}, line.elongation,
+                                 s.link_plastic[k], s.link_drawn[k])
+            : contact::LinkPull{0, 0};
     const auto block = static_cast<std::size_t>(l.b[k]);
     const Vec3 end{m.centroid_x[block] + l.arm_b_x[k] + b.moved_x,
                    m.centroid_y[block] + l.arm_b_y[k] + b.moved_y, 0};
     Vec3 start = end;
+    if (l.a[k] != kGroundBlock && !(l.follows[k] > 0)) {
+      const auto other = static_cast<std::size_t>(l.a[k]);
+      start = {m.centroid_x[other] + l.arm_a_x[k] + a.moved_x,
+               m.centroid_y[other] + l.arm_a_y[k] + a.moved_y, 0};
+    }
     if (l.follows[k] > 0)
       start = {end.x - l.span_x[k] - (b.moved_x - a.moved_x),
                end.y - l.span_y[k] - (b.moved_y - a.moved_y), 0};

@@ -281,6 +281,9 @@ std::string draw_links(const Model& model, const State& state, double scale, con
       const auto e = static_cast<std::size_t>(end);
       return canvas(rest[k].ends[e] + scale * (now[k].ends[e] - rest[k].ends[e]));
     };
+    // a dowel is drawn as its anchor
+    if (l.kind[k] == LinkKind::kDowel || !model.standing.joins(l.a[k], l.b[k], state.stage))
+      continue;
     const bool is_spring = l.kind[k] == LinkKind::kSpring;
     const std::string shape =
         is_spring ? coil(at(1), -l.span_x[k], l.span_y[k]) : path_data({at(0), at(1)}, false);

@@ -119,8 +119,8 @@ class Bytes {
             cc, dd);
   }
   void add(const Links& links) {
-    const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t] = links;
-    add_all(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t);
+    const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u] = links;
+    add_all(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u);
   }
   void add(const FrameMember& member) {
     const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n] = member;

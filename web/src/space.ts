@@ -15,7 +15,7 @@ export interface Load {
 // A tie, a strip of a floor or a spring; a: -1 is the ground. Of a spring `along` is the way its block is held.
 export interface SolidLink {
   name: string;
-  kind: "tie" | "diaphragm" | "spring";
+  kind: "tie" | "diaphragm" | "spring" | "anchor" | "dowel" | "wedge";
   a: number;
   b: number;
   from: Vec;

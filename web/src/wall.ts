@@ -46,7 +46,7 @@ export interface Part {
 // A tie, diaphragm or spring; `along` from end a to end b at the start, of a spring a unit vector.
 export interface Link {
   name: string;
-  kind: "tie" | "diaphragm" | "spring";
+  kind: "tie" | "diaphragm" | "spring" | "anchor" | "dowel" | "wedge";
   a: number; // block, -1: a point that does not move
   b: number;
   arm_a: [number, number];

@@ -122,7 +122,7 @@ void take_links(const Model& model, State& state, const WallView& wall) {
   }
   if (wall.frames > 0) state.dissipated_friction += bend_frames(wall);
   if (wall.links == 0) return;
-  const LinkWork work = pull_links(wall, links_set(model, state));
+  const LinkWork work = pull_links(wall, links_set(model, state), jacks_set(model, state));
   state.dissipated_friction += work.dissipated;
   state.work_loads += work.tensioned;
 }

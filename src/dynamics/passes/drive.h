@@ -242,6 +242,14 @@ WYTHE_INLINE double drive_blocks(const Drive& d, const WallView& wall, double ve
                                 : state.load_scale[static_cast<std::size_t>(model.links.set_by)];
 }
 
+// The share of their force that wedges have which the present stage drives in; below 0 where it drives in none.
+[[nodiscard]] inline double jacks_set(const Model& model, const State& state) {
+  const auto now = static_cast<std::size_t>(state.stage);
+  const bool cuts = model.standing.any() && now < model.stages.size() &&
+                    model.stages[now].spec.kind == StageKind::kCut;
+  return cuts ? state.load_scale[now] : -1.0;
+}
+
 inline void advance_clock(State& state, const Controls& controls) {
   state.time += controls.dt;
   state.stage_time += controls.dt;

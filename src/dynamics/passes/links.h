@@ -19,16 +19,23 @@ WYTHE_INLINE contact::LinkEnd end_of(const WallView& wall, std::int32_t block, d
                            wall.of_four(wall.t.pose, block, 3), arm_x, arm_y);
 }
 
-// Forces of all links where the blocks are now; `set`: share of their prestress in force.
-WYTHE_INLINE LinkWork pull_links(const WallView& wall, double set) {
+// Forces of all links where the blocks are now; `set`: share of their prestress in force, `jacked`: of the force of
+// jacks at work, below 0 where there are none. A jack keeps its force however far it goes: it draws its link out to the
+// length at which the link has that force.
+WYTHE_INLINE LinkWork pull_links(const WallView& wall, double set, double jacked) {
   LinkWork work;
   for (int k = 0; k < wall.links; ++k) {
     const auto of = [&](LinkRowName row) { return wall.link(k, row); };
+    if (wall.t.link_b[k] == wall.t.n_block) continue;  // it is not up yet, and has no force
     const contact::LinkEnd a = end_of(wall, wall.t.link_a[k], of(kLinkArmAX), of(kLinkArmAY));
     const contact::LinkEnd b = end_of(wall, wall.t.link_b[k], of(kLinkArmBX), of(kLinkArmBY));
     const contact::LinkLine line =
         contact::link_line(of(kLinkSpanX), of(kLinkSpanY), of(kLinkFollows) > 0, a, b);
-    const double drawn = set * of(kLinkPrestress) / of(kLinkStiffness), before = of(kLinkForce);
+    const double before = of(kLinkForce);
+    double drawn = of(kLinkDrawn);
+    if (of(kLinkPrestress) != 0) drawn = set * of(kLinkPrestress) / of(kLinkStiffness);
+    if (jacked >= 0 && of(kLinkJack) > 0)
+      drawn = of(kLinkPlastic) - line.elongation - jacked * of(kLinkJack) / of(kLinkStiffness);
     const contact::LinkPull pull =
         contact::link_pull({of(kLinkStiffness), of(kLinkTension), of(kLinkCompression)},
                            line.elongation, of(kLinkPlastic), drawn);

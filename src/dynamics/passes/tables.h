@@ -103,6 +103,7 @@ enum LinkRowName {
   kLinkTension,
   kLinkCompression,
   kLinkPrestress,
+  kLinkJack,  // while it is driven in, else 0
   kLinkArmAX,
   kLinkArmAY,
   kLinkArmBX,

@@ -76,6 +76,7 @@ void put_links(const WallView& wall, const Links& links) {
     put(kLinkTension, links.tension);
     put(kLinkCompression, links.compression);
     put(kLinkPrestress, links.prestress);
+    wall.link(k, kLinkJack) = 0;
     put(kLinkArmAX, links.arm_a_x);
     put(kLinkArmAY, links.arm_a_y);
     put(kLinkArmBX, links.arm_b_x);
@@ -203,6 +204,15 @@ void stand(const Layout& l, const Tables& t, const Model& m, const State& s) {
     t.joint_b[place] = stands ? m.joint_b[i] : t.n_block;
     t.joint[l.number(place, kJointRows, kArea, 1)] = stands ? m.area[i] : 0;
     std::fill_n(t.force + 4 * static_cast<std::ptrdiff_t>(place), 4, 0.0);
+  }
+  for (int k = 0; k < m.links.n; ++k) {
+    const auto i = at(k);
+    const BlockId a = m.links.a[i], b = m.links.b[i];
+    const bool stands = m.standing.joins(a, b, s.stage);
+    t.link_a[k] = stands && a != kGroundBlock ? a : t.n_block;
+    t.link_b[k] = stands ? b : t.n_block;
+    wall.link(k, kLinkJack) = stands && m.standing.begins(a, b, s.stage) ? m.links.jack[i] : 0;
+    std::fill_n(t.force + 4 * static_cast<std::ptrdiff_t>(wall.joints + k), 4, 0.0);
   }
   for (int k = 0; k < m.frames.n; ++k) {
     const auto i = at(k);

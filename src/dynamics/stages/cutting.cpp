@@ -5,6 +5,7 @@
 #include <map>
 #include <vector>
 
+#include "core/elementary.h"
 #include "dynamics/executors/executor.h"
 #include "dynamics/executors/processor.h"
 #include "dynamics/meters/residual.h"
@@ -53,6 +54,7 @@ class Fitter {
       s_.uy[at(block)] += m_.frames.moved_y[k];
     }
     let_go_of_sections();
+    let_go_of_links();
   }
 
  private:
@@ -134,7 +136,8 @@ class Fitter {
     for (const BlockId block : blocks) {
       const auto i = at(block);
       const double x = m_.centroid_x[i] - cx, y = m_.centroid_y[i] - cy;
-      const double sine = std::sin(q.z), drop = -2 * std::pow(std::sin(0.5 * q.z), 2);
+      const double sine = elementary::sin(q.z),
+                   drop = -2 * elementary::pow(elementary::sin(0.5 * q.z), 2);
       s_.ux[i] = q.x + drop * x - sine * y;
       s_.uy[i] = q.y + sine * x + drop * y;
       s_.theta[i] = q.z;
@@ -165,6 +168,13 @@ class Fitter {
       s_.frame_across[k] = jump.across;
       s_.frame_turn[k] = jump.turn;
     }
+  }
+
+  void let_go_of_links() {
+    const std::vector<LinkReading> links = read_links(m_, s_);
+    for (std::size_t k = 0; k < links.size(); ++k)
+      if (m_.standing.begins(m_.links.a[k], m_.links.b[k], stage_))
+        s_.link_drawn[k] = -links[k].elongation;
   }
 
   const Model& m_;

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/elementary.h"
 #include "dynamics/meters/balance.h"
 #include "dynamics/meters/frame_uses.h"
 #include "dynamics/meters/layer_uses.h"
@@ -219,7 +220,7 @@ void Recorder::take_frame(const State& state, double travelled) {
   // frame k at (k/n)^1.5 of the path: most cracks open in its first tenth
   constexpr double kCloserAtFirst = 1.5;
   const auto due = [&] {
-    return path_ * std::pow(static_cast<double>(n_.next_frame) / frames_, kCloserAtFirst);
+    return path_ * elementary::pow(static_cast<double>(n_.next_frame) / frames_, kCloserAtFirst);
   };
   if (n_.next_frame > frames_ || travelled < due()) return;
   while (n_.next_frame <= frames_ && travelled >= due()) ++n_.next_frame;

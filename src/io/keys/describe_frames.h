@@ -27,6 +27,28 @@ void describe(Visitor& v, SectionSpec& s) {
 }
 
 template <class Visitor>
+void describe(Visitor& v, AnchorSpec& s) {
+  v.quantity("spacing", s.spacing, {.unit = "m", .shown = "mm", .range = kLength, .fallback = kRequired,
+             .example = "400 mm", .doc = "Between two of them along a member."});
+  v.quantity("depth", s.depth, {.unit = "m", .shown = "mm", .range = kLength, .fallback = kRequired,
+             .example = "200 mm", .doc = "Of the middle of the length that is bonded, behind the face of the masonry: the unit there holds it."});
+  v.quantity("tension", s.tension, {.unit = "N", .shown = "kN", .range = kPositive, .fallback = kRequired,
+             .example = "12 kN", .doc = "Strength of one when it is pulled out; it holds as much while it slips further."});
+  v.quantity("shear", s.shear, {.unit = "N", .shown = "kN", .range = kPositive, .fallback = kRequired,
+             .example = "15 kN", .doc = "Strength of one across its axis, likewise."});
+  v.quantity("slip", s.slip, {.unit = "m", .shown = "mm", .range = kPositive, .example = "1 mm",
+             .doc = "At both strengths: the stiffness is strength over slip."});
+}
+
+template <class Visitor>
+void describe(Visitor& v, WedgeSpec& s) {
+  v.quantity("force", s.force, {.unit = "N", .shown = "kN", .range = kPositive, .fallback = kRequired,
+             .example = "80 kN", .doc = "Of all of them together, when the stage that puts the frame up has ended."});
+  v.quantity("spacing", s.spacing, {.unit = "m", .shown = "mm", .range = kLength, .fallback = kRequired,
+             .example = "400 mm", .doc = "Between two of them along the beam."});
+}
+
+template <class Visitor>
 void describe(Visitor& v, FrameSpec& s) {
   v.text("name", s.name, {.fallback = "its number", .example = "F1",
          .doc = "A name for messages, for frames.csv and for `--set frame.F1.count=2`."});
@@ -60,6 +82,10 @@ void describe(Visitor& v, FrameSpec& s) {
              .doc = "Between it and the jambs and head of its opening at the start, up to 50 mm; the joint is dry then. Under a base beam there is none."});
   v.text("stage", s.stage, {.fallback = "the stage that cuts its opening, else the first", .example = "new opening",
          .doc = "Name of the stage of kind `cut` that puts it up, without force; before that it is not there."});
+  v.table("anchors", s.anchors, {.in_braces = true, .optional = true, .fallback = "none",
+          .doc = "Steel bars or studs that tie it to the masonry on both sides of its members, where masonry is."});
+  v.table("wedges", s.wedges, {.in_braces = true, .optional = true, .fallback = "none",
+          .doc = "Wedges or jacks between its beam and the masonry above, driven in by the stage that puts it up."});
 }
 
 // clang-format on

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "core/elementary.h"
 #include "geometry/polygon.h"
 #include "model/parts.h"
 #include "model/space/space.h"
@@ -106,10 +107,10 @@ class PlaneSite {
     for (std::size_t b = 0; b < assembly_.blocks.size(); ++b) {
       if (map_[b] == kGroundBlock) continue;
       const geometry::Rect box = geometry::bounds(assembly_.blocks[b].outline);
-      const double away = std::hypot(std::max({0.0, box.x0 - p.x, p.x - box.x1}),
-                                     std::max({0.0, box.y0 - p.y, p.y - box.y1}));
+      const double away = elementary::hypot(std::max({0.0, box.x0 - p.x, p.x - box.x1}),
+                                            std::max({0.0, box.y0 - p.y, p.y - box.y1}));
       const double middle =
-          std::hypot(0.5 * (box.x0 + box.x1) - p.x, 0.5 * (box.y0 + box.y1) - p.y);
+          elementary::hypot(0.5 * (box.x0 + box.x1) - p.x, 0.5 * (box.y0 + box.y1) - p.y);
       if (away < least - 1e-9 || (away <= least + 1e-9 && middle < nearest - 1e-9)) {
         least = std::min(least, away);
         nearest = middle;
@@ -307,26 +308,7 @@ class LinkCompiler {
     const auto arm = [&](const End& end) {
       return end.block == kGroundBlock ? Vec3{} : end.at - site_.centroid(end.block);
     };
-    const Vec3 arm_a = arm(a), arm_b = arm(b), span = b.at - a.at;
-    l.a.push_back(a.block);
-    l.b.push_back(b.block);
-    l.arm_a_x.push_back(arm_a.x);
-    l.arm_a_y.push_back(arm_a.y);
-    l.arm_a_z.push_back(arm_a.z);
-    l.arm_b_x.push_back(arm_b.x);
-    l.arm_b_y.push_back(arm_b.y);
-    l.arm_b_z.push_back(arm_b.z);
-    l.span_x.push_back(span.x);
-    l.span_y.push_back(span.y);
-    l.span_z.push_back(span.z);
-    l.follows.push_back(follows ? 1 : 0);
-    l.stiffness.push_back(stiffness);
-    l.tension.push_back(kUnlimited);
-    l.compression.push_back(kUnlimited);
-    l.prestress.push_back(0);
-    l.name.push_back(name);
-    l.kind.push_back(kind);
-    ++l.n;
+    add_link(l, {name, kind, a.block, b.block, arm(a), arm(b), b.at - a.at, follows, stiffness});
   }
 
   // A point that does not move, on the wall or off it.
@@ -407,6 +389,29 @@ class LinkCompiler {
 };
 
 }  // namespace
+
+void add_link(Links& l, const NewLink& link) {
+  l.a.push_back(link.a);
+  l.b.push_back(link.b);
+  l.arm_a_x.push_back(link.arm_a.x);
+  l.arm_a_y.push_back(link.arm_a.y);
+  l.arm_a_z.push_back(link.arm_a.z);
+  l.arm_b_x.push_back(link.arm_b.x);
+  l.arm_b_y.push_back(link.arm_b.y);
+  l.arm_b_z.push_back(link.arm_b.z);
+  l.span_x.push_back(link.span.x);
+  l.span_y.push_back(link.span.y);
+  l.span_z.push_back(link.span.z);
+  l.follows.push_back(link.follows ? 1 : 0);
+  l.stiffness.push_back(link.stiffness);
+  l.tension.push_back(link.tension);
+  l.compression.push_back(link.compression);
+  l.prestress.push_back(0);
+  l.jack.push_back(link.jack);
+  l.name.push_back(link.name);
+  l.kind.push_back(link.kind);
+  ++l.n;
+}
 
 void compile_links(const ModelSpec& spec, const Assembly& assembly, const BlockMap& map,
                    Model& model, FaultList& faults) {

@@ -22,6 +22,7 @@ class StandingCompiler {
   void run() {
     const std::size_t before = faults_.all().size();
     find_stages();
+    check_wedges();
     if (!any_) return note_idle_stages();
     refuse_what_is_not_built();
     if (faults_.all().size() > before) return;
@@ -54,6 +55,14 @@ class StandingCompiler {
     const auto is_set = [](int stage) { return stage > 0; };
     any_ = std::any_of(cut_.begin(), cut_.end(), is_set) ||
            std::any_of(up_.begin(), up_.end(), is_set);
+  }
+
+  void check_wedges() {
+    for (std::size_t k = 0; k < up_.size(); ++k)
+      if (spec_.frame[k].wedges.force > 0 && up_[k] == 0)
+        fault(fmt::format("frame.{}.wedges", k), "",
+              "are driven in while a stage puts the frame up, and this one stands from the start",
+              "write stage = \"the name of a stage of kind cut\", or cut in its opening");
   }
 
   // Of a frame along a line in an opening that is cut: the stage of that opening.

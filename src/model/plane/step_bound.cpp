@@ -7,6 +7,7 @@
 #include <numeric>
 #include <vector>
 
+#include "core/elementary.h"
 #include "model/shaking.h"
 
 namespace wythe {
@@ -85,7 +86,7 @@ std::vector<double> node_bounds(const Model& m) {
 // Direction of link `k` at one of its ends, in the (ux, uy, theta) of the block there.
 Eigen::Vector3d link_row(const Model& m, std::size_t k, bool is_b) {
   const Links& l = m.links;
-  const double length = std::hypot(l.span_x[k], l.span_y[k]);
+  const double length = elementary::hypot(l.span_x[k], l.span_y[k]);
   const double x = l.span_x[k] / length, y = l.span_y[k] / length;
   const double rx = is_b ? l.arm_b_x[k] : l.arm_a_x[k], ry = is_b ? l.arm_b_y[k] : l.arm_a_y[k];
   return {x, y, rx * y - ry * x};
@@ -114,6 +115,7 @@ void set_rigid_links(Model& m, double bound) {
   for (std::size_t k = 0; k < least.size(); ++k)
     if (std::isnan(m.links.stiffness[k])) {
       m.links.stiffness[k] = least[k];
+      if (m.links.kind[k] > LinkKind::kSpring) continue;  // the note of its frame tells of it
       m.anatomy.notes.push_back(
           {"link.rigid", {{"link", m.links.name[k]}, {"stiffness_kN_per_mm", 1e-6 * least[k]}}});
     }
@@ -157,7 +159,7 @@ std::vector<Eigen::Matrix3d> layer_stiffness(const Model& m) {
                                    Eigen::Matrix3d::Zero());
   for (std::size_t k = 0; k < l.a.size(); ++k) {
     if (l.crossing[k] < 0) continue;
-    const double length = std::hypot(l.span_x[k], l.span_y[k]);
+    const double length = elementary::hypot(l.span_x[k], l.span_y[k]);
     const double nx = l.span_x[k] / length, ny = l.span_y[k] / length;
     const auto add = [&](BlockId block, double rx, double ry) {
       const Eigen::Vector3d along(nx, ny, rx * ny - ry * nx);
@@ -196,7 +198,7 @@ Eigen::Matrix3d free_stiffness(const Model& m, std::size_t i) {
     const auto p = static_cast<std::size_t>(v),
                q = static_cast<std::size_t>(v + 1 == to ? from : v + 1);
     const double ex = a.outline_x[q] - a.outline_x[p], ey = a.outline_y[q] - a.outline_y[p];
-    const double length = std::hypot(ex, ey), tx = ex / length, ty = ey / length;
+    const double length = elementary::hypot(ex, ey), tx = ex / length, ty = ey / length;
     const double px = a.outline_x[p] - m.centroid_x[i], py = a.outline_y[p] - m.centroid_y[i];
     double covered = 0;
     joints([&](std::size_t j, bool is_b) {
@@ -205,7 +207,7 @@ Eigen::Matrix3d free_stiffness(const Model& m, std::size_t i) {
       const bool parallel = std::fabs(tx * m.tangent_y[j] - ty * m.tangent_x[j]) < 1e-3;
       const double along = tx * rx + ty * ry;
       if (parallel && std::fabs(tx * ry - ty * rx) < 1e-2 * length && along > 0 && along < length)
-        covered += 2 * std::hypot(m.half_x[j], m.half_y[j]);
+        covered += 2 * elementary::hypot(m.half_x[j], m.half_y[j]);
     });
     const double area = std::max(0.0, length - covered) * a.block_thickness[i];
     // two points of Gauss integrate a whole side exactly
