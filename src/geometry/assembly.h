@@ -60,7 +60,8 @@ enum class FaceKind {
   kPlate,
   kBeam,
   kOther,
-  kFrame
+  kFrame,
+  kCoat
 };
 
 inline constexpr int kGround = -1;

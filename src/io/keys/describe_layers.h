@@ -35,6 +35,18 @@ void describe(Visitor& v, LayerBondSpec& s) {
 }
 
 template <class Visitor>
+void describe(Visitor& v, LayerMortarSpec& s) {
+  v.quantity("thickness", s.thickness, {.unit = "m", .shown = "mm", .range = kLength, .fallback = kRequired, .example = "30 mm",
+             .doc = "Of one face."});
+  v.quantity("youngs_modulus", s.youngs_modulus, {.unit = "Pa", .shown = "GPa", .range = kPositive, .fallback = kRequired,
+             .example = "12 GPa", .doc = "E of the mortar; its shear modulus is E / 2.4."});
+  v.text("joint", s.joint, {.fallback = kRequired, .example = "plaster",
+         .doc = "Name of the joint material that has its strengths and energies: it cracks over the joints of the masonry. Stiffnesses there are not used."});
+  v.quantity("density", s.density, {.unit = "kg/m^3", .shown = "kg/m^3", .range = kNotNegative, .example = "1900 kg/m^3",
+             .doc = "For its weight, on the units that it covers."});
+}
+
+template <class Visitor>
 void describe(Visitor& v, LayerSpec& s) {
   v.text("name", s.name, {.fallback = "its number", .example = "east face",
          .doc = "A name for messages, for layers.csv and for `--set layer.east.sides=2`."});
@@ -50,6 +62,8 @@ void describe(Visitor& v, LayerSpec& s) {
             .doc = "How many faces of the wall have it: 1 or 2. One face acts in the middle of the wall, so it bends nothing."});
   v.table("fibres", s.fibres, {.in_braces = true, .doc = "The fibres of one face."});
   v.table("bond", s.bond, {.in_braces = true, .doc = "How it holds on to the masonry."});
+  v.table("mortar", s.mortar, {.in_braces = true, .optional = true, .fallback = "bears nothing by itself",
+          .doc = "Mortar that presses, shears and cracks with the masonry: reinforced plaster (CRM) or a jacket, held by connectors."});
 }
 
 // clang-format on

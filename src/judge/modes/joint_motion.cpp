@@ -51,7 +51,8 @@ WallMotion read_motion(const Model& m, const State& state) {
   WallMotion wall;
   for (JointId j = 0; j < m.n_joint; ++j) {  // contacts of deformable blocks have no part in modes
     const JointMotion joint = motion_of(m, now, now.joints[j]);
-    if (joint.kind == JointKind::kFrame) continue;  // a name says what the masonry does
+    // a name says what the masonry does
+    if (joint.kind == JointKind::kFrame || joint.kind == JointKind::kCoat) continue;
     const bool is_top = joint.kind == JointKind::kPlate || joint.kind == JointKind::kBeam;
     (is_top ? wall.top : wall.joints).push_back(joint);
   }

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "contact/parameters.h"
+#include "core/elementary.h"
 #include "model/field_places.h"
 #include "model/parts.h"
 #include "model/point_rule.h"
@@ -30,6 +31,7 @@ JointKind kind_of(FaceKind kind) {
     case FaceKind::kPlate: return JointKind::kPlate;
     case FaceKind::kBeam: return JointKind::kBeam;
     case FaceKind::kFrame: return JointKind::kFrame;
+    case FaceKind::kCoat: return JointKind::kCoat;
     case FaceKind::kOther: break;
   }
   return JointKind::kOther;
@@ -45,7 +47,7 @@ void set_points(Model& model) {
 }
 
 double length_of(const Face& face) {
-  return std::hypot(face.p1.x - face.p0.x, face.p1.y - face.p0.y);
+  return elementary::hypot(face.p1.x - face.p0.x, face.p1.y - face.p0.y);
 }
 
 // Turns material names into indices, checking each the first time it is used.
@@ -97,6 +99,17 @@ class MaterialTable {
            "keep step follow it by a formula ([field.NAME] formula)",
            0});
     }
+  }
+
+  // The mortar of a layer: one law for each distance of units.
+  int coat_index(const Coat& coat) {
+    const auto known = std::find_if(coats_.begin(), coats_.end(), [&](const auto& one) {
+      const double k = coat.law.normal_stiffness, other = one.first.law.normal_stiffness;
+      return one.first.name == coat.name && std::fabs(k - other) <= 1e-9 * k;
+    });
+    if (known != coats_.end()) return known->second;
+    coats_.emplace_back(coat, append(coat.name, coat.law));
+    return coats_.back().second;
   }
 
   // A lintel's chain: one derived material for each set of what chain_material() depends on.
@@ -169,7 +182,8 @@ class MaterialTable {
   std::set<std::string> bad_;                          // faulty as stated
   std::map<std::string, Drawn> drawn_;                 // by path of a key
   std::vector<Chain> chains_;
-  std::set<std::string> has_no_chain_;  // moduli whose lack is told
+  std::vector<std::pair<Coat, int>> coats_;  // and the index of their law
+  std::set<std::string> has_no_chain_;       // moduli whose lack is told
 };
 
 // Structural depth of the body a chain face belongs to; the face itself where none is stated.
@@ -205,8 +219,8 @@ std::vector<std::size_t> joint_order(const std::vector<Face>& faces, const Block
   return order;
 }
 
-void add_joint(const Face& face, int material, double half_scale, const BlockMap& map,
-               const Assembly& assembly, Model& m) {
+void add_joint(const Face& face, int material, double half_scale, double thickness,
+               const BlockMap& map, Model& m) {
   const BlockId a =
       face.a == geometry::kGround ? kGroundBlock : map[static_cast<std::size_t>(face.a)];
   const BlockId b = map[static_cast<std::size_t>(face.b)];
@@ -224,7 +238,7 @@ void add_joint(const Face& face, int material, double half_scale, const BlockMap
   m.tangent_y.push_back((face.p1.y - face.p0.y) / length);
   m.half_x.push_back(0.5 * half_scale * (face.p1.x - face.p0.x));
   m.half_y.push_back(0.5 * half_scale * (face.p1.y - face.p0.y));
-  m.area.push_back(length * assembly.thickness_of(face));
+  m.area.push_back(length * thickness);
   m.anatomy.joint_kind.push_back(kind_of(face.kind));
   ++m.n_joint;
   if (a != kGroundBlock) ++m.n_pair;
@@ -276,7 +290,7 @@ void compile_joints(const ModelSpec& spec, const Assembly& assembly, const Block
   set_points(model);
   MaterialTable table(spec, model, faults);
   std::vector<int> material;
-  std::vector<double> half_scale;
+  std::vector<double> half_scale, thickness;
   std::vector<Face> faces;  // between rigid blocks
   std::vector<SolidFace> solid_faces;
   for (std::size_t number = 0; number < assembly.faces.size(); ++number) {
@@ -286,6 +300,7 @@ void compile_joints(const ModelSpec& spec, const Assembly& assembly, const Block
       continue;
     }
     faces.push_back(face);
+    thickness.push_back(assembly.thickness_of(face));
     if (face.kind != FaceKind::kLintelChain) {
       material.push_back(table.index_of(face, static_cast<int>(number), fields));
       half_scale.push_back(1.0);
@@ -300,8 +315,14 @@ void compile_joints(const ModelSpec& spec, const Assembly& assembly, const Block
     half_scale.push_back(chain_half_scale(model, depth, length_of(face)));
   }
   table.report_drawn();
+  for (const Coat& coat : compile_coats(spec, assembly, map, model, faults)) {
+    faces.push_back(coat.face);
+    thickness.push_back(coat.thickness);
+    material.push_back(table.coat_index(coat));
+    half_scale.push_back(1.0);
+  }
   for (const std::size_t f : joint_order(faces, map, material, model))
-    add_joint(faces[f], material[f], half_scale[f], map, assembly, model);
+    add_joint(faces[f], material[f], half_scale[f], thickness[f], map, model);
   set_gather_lists(model);
   if (!model.solids.bodies.empty())
     compile_contacts(assembly, map, std::move(solid_faces), model, faults);

@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "core/elementary.h"
 #include "model/parts.h"
 
 namespace wythe {
@@ -110,6 +111,8 @@ class LayerCompiler {
     if (!is_area(f.horizontal) || !is_area(f.vertical))
       fault(".fibres", "", "has an area that is none, such as one below 0",
             "write e.g. vertical = \"46 mm^2/m\"");
+    else if (f.horizontal == 0 && f.vertical == 0 && layer.mortar.thickness > 0)
+      return faults_.all().size() == before;
     else if (f.horizontal == 0 && f.vertical == 0)
       fault(".fibres", "", "has no fibres in either direction",
             "write horizontal = \"46 mm^2/m\", vertical = \"46 mm^2/m\" or one of them");
@@ -174,6 +177,7 @@ class LayerCompiler {
     Span x, y;
     if (!check(layer) || !place(layer, x, y)) return;
     const LayerFibreSpec& f = layer.fibres;
+    if (f.horizontal == 0 && f.vertical == 0) return;  // mortar alone
     const double strength =
         std::isnan(f.strength) ? f.youngs_modulus * f.strain_at_rupture : f.strength;
     const std::size_t crossed = model_.layers.cross_a.size();
@@ -280,7 +284,7 @@ class LayerCompiler {
   [[nodiscard]] std::vector<Node> nodes_of(const LayerSpec& layer, const Fibres& fibres,
                                            const std::vector<Piece>& strand) {
     const double energy = layer.sides * layer.bond.energy;  // of a metre across and along
-    const double rate = std::log(2.0) / layer.bond.slip;
+    const double rate = elementary::log(2.0) / layer.bond.slip;
     const double decay_by_rate = std::sqrt(fibres.stiffness / (2 * energy));
     std::vector<Node> nodes;
     for (const Piece& piece : strand) {

@@ -1,0 +1,171 @@
+// The mortar of layers against closed forms (docs/theory/layers.md, "The mortar").
+//
+//     | b1 |  pulled or pushed      a dry joint between both blocks, mortar on both faces over it
+//    :+====+:
+//     | b0 |  held on the ground by a joint that does not fail
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "scenes/scenes.h"
+#include "verification/record.h"
+#include "wythe/error.h"
+#include "wythe/reading.h"
+#include "wythe/solve.h"
+
+namespace wythe::verification {
+namespace {
+
+constexpr double kLong = 1, kHigh = 0.5, kThick = 0.3;  // of a block [m]
+constexpr double kCoat = 0.03, kE = 12e9;               // of one face [m], [Pa]
+constexpr double kTension = 2e6, kCohesion = 3e6;       // of the mortar [Pa]
+constexpr double kArea = 2 * kCoat * kLong;
+
+ModelSpec plastered() {
+  ModelSpec spec = scenes::stack(2, kLong, kHigh, scenes::elastic_joint(2e11, 1e11), kThick, 2000);
+  spec.solve.gravity = 0;
+  spec.block[1].material = "upper";
+  spec.material["weak"] = scenes::dry_joint(2e10, 1e10, 1e-6);
+  spec.contact = {{{"masonry", "upper"}, "weak"}};
+  JointMaterial plaster = scenes::paper_joint();
+  plaster.tensile_strength = kTension, plaster.cohesion = kCohesion;
+  plaster.residual_cohesion = 0;
+  plaster.mode_1_energy = 100, plaster.mode_2_energy = 1000;
+  spec.material["plaster"] = plaster;
+  LayerSpec layer;
+  layer.name = "both";
+  layer.sides = 2;
+  layer.mortar = {.thickness = kCoat, .youngs_modulus = kE, .joint = "plaster"};
+  spec.layer = {layer};
+  return spec;
+}
+
+struct Ran {
+  Model model;
+  State state;
+  Result result;
+};
+Ran moved(ModelSpec spec, Direction direction, double until) {
+  StageSpec push = scenes::push_stage("b1", direction, 2e-3, until);
+  push.damping = 0.3;
+  spec.stage = {scenes::gravity_stage(), push};
+  Ran r{compile(spec), {}, {}};
+  r.state = initial_state(r.model);
+  r.result = solve(r.model, r.state);
+  return r;
+}
+double largest(const Ran& r) {
+  double most = 0;
+  for (const CurveRow& row : r.result.curve) most = std::max(most, std::fabs(row.reaction));
+  return most;
+}
+
+TEST(Coats, mortar_over_a_dry_joint_bears_its_own_tension) {
+  const Ran r = moved(plastered(), Direction::kPlusY, 0.5e-3);
+  ASSERT_EQ(r.result.status, SolveStatus::kCompleted);
+  verify({"LM01", "plaster over a dry joint, pulled apart: largest force", "N", kTension * kArea,
+          0.01, "rows of the curve and the damped motion"},
+         largest(r));
+  EXPECT_LT(r.result.energy.gap_ratio, 1e-3);
+}
+
+// Before it cracks, the strain of the mortar over the length from centroid to centroid lies in the joint.
+TEST(Coats, mortar_is_as_stiff_as_its_length_between_the_units) {
+  const Ran r = moved(plastered(), Direction::kPlusY, 0.02e-3);
+  const double own = kE / kHigh * kArea, ground = 2e11 * kThick * kLong;
+  const CurveRow& last = r.result.curve.back();
+  verify({"LM02", "plaster over a dry joint, pulled: stiffness", "N/m",
+          own * ground / (own + ground), 0.01, "the damped motion"},
+         std::fabs(last.reaction / last.displacement));
+}
+
+TEST(Coats, mortar_over_a_joint_without_friction_bears_its_own_shear) {
+  ModelSpec spec = plastered();
+  spec.material["plaster"].friction_angle = spec.material["plaster"].residual_friction_angle = 0;
+  StageSpec push = scenes::push_stage("b1", Direction::kPlusX, 2e-3, 0.6e-3);
+  push.damping = 0.3;
+  push.rotation = Freedom::kBlocked;
+  push.across = Freedom::kBlocked;
+  spec.stage = {scenes::gravity_stage(), push};
+  Ran r{compile(spec), {}, {}};
+  r.state = initial_state(r.model);
+  r.result = solve(r.model, r.state);
+  verify({"LM03", "plaster over a joint without friction, sheared: largest force", "N",
+          kCohesion * kArea, 0.02, "rows of the curve, the block below turns a little"},
+         largest(r));
+}
+
+// One face is half of two, and a rectangle covers what lies in it.
+TEST(Coats, faces_and_rectangle_say_how_much_there_is) {
+  const auto area = [](const ModelSpec& spec) {
+    const Model model = compile(spec);
+    double sum = 0;
+    for (std::size_t j = 0; j < model.area.size(); ++j)
+      if (model.anatomy.joint_kind[j] == JointKind::kCoat) sum += model.area[j];
+    return sum;
+  };
+  ModelSpec spec = plastered();
+  spec.stage = {scenes::gravity_stage()};
+  EXPECT_NEAR(area(spec), kArea, 1e-12);
+  spec.layer[0].sides = 1;
+  EXPECT_NEAR(area(spec), kArea / 2, 1e-12);
+  spec.layer[0].x = 0.25, spec.layer[0].width = 0.5;
+  EXPECT_NEAR(area(spec), kArea / 4, 1e-12);
+  spec.layer[0].y = kHigh,
+  spec.layer[0].height = kHigh;  // ends at the joint, which it does not cross
+  EXPECT_EQ(area(spec), 0);
+}
+
+TEST(Coats, mortar_weighs_what_it_is_said_to) {
+  ModelSpec spec = plastered();
+  spec.stage = {scenes::gravity_stage()};
+  spec.solve.gravity = 10;
+  const double bare = compile(spec).weight;
+  spec.layer[0].mortar.density = 1900;
+  EXPECT_NEAR(compile(spec).weight - bare, 10 * 1900 * kArea * 2 * kHigh, 1e-6);
+}
+
+// A name says what the masonry does, and the ledger holds what its mortar takes.
+TEST(Coats, a_plastered_wall_is_stronger_and_keeps_its_ledger) {
+  ModelSpec spec = scenes::small_wall(1e-3, 0.01, 20e3);
+  const auto peak = [](const ModelSpec& wall) {
+    Ran r{compile(wall), {}, {}};
+    r.state = initial_state(r.model);
+    r.result = solve(r.model, r.state);
+    EXPECT_EQ(r.result.status, SolveStatus::kCompleted);
+    EXPECT_LT(r.result.energy.gap_ratio, 0.01);
+    return largest(r);
+  };
+  const double plain = peak(spec);
+  spec.material["plaster"] = plastered().material["plaster"];
+  spec.layer = plastered().layer;
+  EXPECT_GT(peak(spec), 1.05 * plain);  // it rocks on its foundation, where the mortar ends
+}
+
+// The path and the problem of the first fault.
+std::string fault_of(ModelSpec spec) {
+  spec.stage = {scenes::gravity_stage()};
+  try {
+    (void)compile(spec);
+  } catch (const InputError& error) {
+    return error.faults().front().path + ": " + error.faults().front().problem;
+  }
+  return "none";
+}
+
+TEST(Coats, what_cannot_be_is_refused_with_its_place) {
+  EXPECT_EQ(fault_of(plastered()), "none");
+  ModelSpec spec = plastered();
+  spec.layer[0].mortar.joint = "plastre";
+  EXPECT_EQ(fault_of(spec), "layer.0.mortar.joint: is no [material.*] of this model");
+  spec = plastered();
+  spec.layer[0].mortar.youngs_modulus = kUnset;
+  EXPECT_EQ(fault_of(spec), "layer.0.mortar.youngs_modulus: is missing");
+  spec = plastered();
+  spec.layer[0].mortar.thickness = kUnset;
+  EXPECT_EQ(fault_of(spec), "layer.0.mortar.thickness: is missing");
+}
+
+}  // namespace
+}  // namespace wythe::verification
