@@ -383,13 +383,11 @@ int materials(const std::string& name) {
 int new_starter(const NewArguments& arguments) {
   const std::vector<std::string> files = write_starter(arguments.kind, arguments.folder);
   for (const std::string& file : files) fmt::print("wrote {}\n", file);
-  const char* command = arguments.kind == "study"     ? "campaign"
-                        : arguments.kind == "opening" ? "compare"
-                                                      : "run";
+  const bool is_pair = arguments.kind == "opening" || arguments.kind == "strengthening";
+  const char* command = arguments.kind == "study" ? "campaign" : is_pair ? "compare" : "run";
   std::vector<std::string> names;
   for (const std::string& file : files) names.push_back(shell_path(file));
-  const std::string models =
-      arguments.kind == "opening" ? fmt::format("{}", fmt::join(names, " ")) : names.front();
+  const std::string models = is_pair ? fmt::format("{}", fmt::join(names, " ")) : names.front();
   const std::string out = shell_path((std::filesystem::path(arguments.folder) / "result").string());
   fmt::print("next: wythe check {}\n      wythe {} {} --out {}\n", names.front(), command, models,
              out);

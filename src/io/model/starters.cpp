@@ -29,6 +29,8 @@ constexpr std::array kFiles = {StarterFile{"pier", "model.toml", io::kPierModel}
                                StarterFile{"arch", "model.toml", io::kArchModel},
                                StarterFile{"opening", "before.toml", io::kBeforeModel},
                                StarterFile{"opening", "after.toml", io::kAfterModel},
+                               StarterFile{"strengthening", "before.toml", io::kNetBefore},
+                               StarterFile{"strengthening", "after.toml", io::kNetAfter},
                                StarterFile{"study", "study.toml", io::kPierStudy},
                                StarterFile{"study", "model.toml", io::kPierModel}};
 

@@ -6,6 +6,6 @@
 namespace wythe::io {
 
 extern const std::string_view kPierModel, kPierStudy, kPortalModel, kFacadeModel, kArchModel,
-    kBeforeModel, kAfterModel;
+    kBeforeModel, kAfterModel, kNetBefore, kNetAfter;
 
 }  // namespace wythe::io

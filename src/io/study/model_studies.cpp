@@ -145,8 +145,9 @@ ReadModel read_one(const std::string& file, const std::vector<std::string>& over
   out.spec = parse_model(out.text, file, overrides);
   out.model = compile_model(out.spec, out.text, file, overrides);
   try {
-    out.way = study::both_directions(out.spec, out.model).ways;
-    if (says_pga(out.spec.assessment)) static_cast<void>(ways_of(out.spec, out.model));
+    // where a PGA is told, each model is pushed as wythe assess would, in two patterns where there are two
+    out.way = says_pga(out.spec.assessment) ? ways_of(out.spec, out.model).ways
+                                            : study::both_directions(out.spec, out.model).ways;
   } catch (const InputError& error) {
     throw_with_lines(error, out.spec, out.text, file, overrides);
   }
