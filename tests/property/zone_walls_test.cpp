@@ -180,6 +180,9 @@ Rig& pushed(Rig& rig) {
   return rig;
 }
 
+// Sums run in another order; 2000 steps over joints that crack make 1e-16 of it 1.2e-8 of the largest displacement.
+constexpr double kRounding = 1e-7;
+
 TEST(ZoneWalls, the_mirror_image_answers_alike) {
   Rig here(compile(portal(2))), there(compile(scenes::mirrored(portal(2))));
   pushed(here);
@@ -192,8 +195,8 @@ TEST(ZoneWalls, the_mirror_image_answers_alike) {
     for (int i = 0; i <= body.columns; ++i) {
       const auto a = static_cast<std::size_t>(body.node(i, j));
       const auto b = static_cast<std::size_t>(body.node(body.columns - i, j));
-      EXPECT_NEAR(here.state.node_ux[a], -there.state.node_ux[b], 1e-8 * largest);
-      EXPECT_NEAR(here.state.node_uy[a], there.state.node_uy[b], 1e-8 * largest);
+      EXPECT_NEAR(here.state.node_ux[a], -there.state.node_ux[b], kRounding * largest);
+      EXPECT_NEAR(here.state.node_uy[a], there.state.node_uy[b], kRounding * largest);
     }
 }
 
@@ -204,8 +207,8 @@ TEST(ZoneWalls, the_order_of_the_blocks_does_not_matter) {
   double largest = 0;
   for (const double u : here.state.node_ux) largest = std::max(largest, std::fabs(u));
   for (std::size_t i = 0; i < here.state.node_ux.size(); ++i) {
-    EXPECT_NEAR(here.state.node_ux[i], there.state.node_ux[i], 1e-8 * largest);
-    EXPECT_NEAR(here.state.node_uy[i], there.state.node_uy[i], 1e-8 * largest);
+    EXPECT_NEAR(here.state.node_ux[i], there.state.node_ux[i], kRounding * largest);
+    EXPECT_NEAR(here.state.node_uy[i], there.state.node_uy[i], kRounding * largest);
   }
 }
 
