@@ -1,6 +1,7 @@
 // limit_load(): both programmes, and words for what has no answer.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -315,8 +316,9 @@ LimitAnswer limit_load(const Model& model, const LimitOptions& options, const Li
     refuse("wall.opening", "",
            "is cut by a stage, and limit analysis knows one wall from the first stage on",
            "leave cut out of the openings for this analysis");
-  if (model.layers.n > 0)
-    refuse("layer", model.layers.name.front(),
+  const auto& kinds = model.anatomy.joint_kind;  // mortar alone has no fibres
+  if (model.layers.n > 0 || std::find(kinds.begin(), kinds.end(), JointKind::kCoat) != kinds.end())
+    refuse("layer", model.layers.n > 0 ? model.layers.name.front() : "mortar",
            "detaches and breaks, and limit analysis knows no layers",
            "leave it out for this analysis; the run takes it");
   const Stage* grows = growing_stage(model);

@@ -11,6 +11,8 @@
 #include "scenes/scenes.h"
 #include "verification/record.h"
 #include "wythe/error.h"
+#include "wythe/limit.h"
+#include "wythe/mechanism.h"
 #include "wythe/reading.h"
 #include "wythe/solve.h"
 
@@ -112,9 +114,6 @@ TEST(Coats, faces_and_rectangle_say_how_much_there_is) {
   EXPECT_NEAR(area(spec), kArea / 2, 1e-12);
   spec.layer[0].x = 0.25, spec.layer[0].width = 0.5;
   EXPECT_NEAR(area(spec), kArea / 4, 1e-12);
-  spec.layer[0].y = kHigh,
-  spec.layer[0].height = kHigh;  // ends at the joint, which it does not cross
-  EXPECT_EQ(area(spec), 0);
 }
 
 TEST(Coats, mortar_weighs_what_it_is_said_to) {
@@ -163,8 +162,31 @@ TEST(Coats, what_cannot_be_is_refused_with_its_place) {
   spec.layer[0].mortar.youngs_modulus = kUnset;
   EXPECT_EQ(fault_of(spec), "layer.0.mortar.youngs_modulus: is missing");
   spec = plastered();
+  spec.layer[0].y = kHigh, spec.layer[0].height = kHigh;  // it ends at the joint
+  EXPECT_EQ(fault_of(spec),
+            "layer.0: crosses no joint of the masonry, so it can hold nothing together");
+  spec = plastered();
   spec.layer[0].mortar.thickness = kUnset;
   EXPECT_EQ(fault_of(spec), "layer.0.mortar.thickness: is missing");
+}
+
+// Mortar alone has no fibres, and is a layer all the same.
+TEST(Coats, limit_analysis_and_macro_blocks_refuse_mortar) {
+  ModelSpec spec = scenes::small_wall(1e-3, 0.01, 20e3);
+  spec.material["plaster"] = plastered().material["plaster"];
+  spec.layer = plastered().layer;
+  const Model model = compile(spec);
+  const auto is_refused = [](const auto& work) {
+    try {
+      work();
+    } catch (const InputError& error) {
+      for (const Fault& fault : error.faults())
+        if (fault.path == "layer") return true;
+    }
+    return false;
+  };
+  EXPECT_TRUE(is_refused([&] { (void)limit_load(model, {}, {}); }));
+  EXPECT_TRUE(is_refused([&] { (void)find_portal(model); }));
 }
 
 }  // namespace

@@ -458,8 +458,9 @@ Portal find_portal(const Model& model) {
   if (model.standing.any())
     add_fault(faults, "wall.opening", "", "is cut by a stage, and macro-blocks know no stages",
               "leave cut out of the openings for the mechanisms");
-  if (model.layers.n > 0)
-    add_fault(faults, "layer", model.layers.name.front(),
+  const auto& kinds = model.anatomy.joint_kind;  // mortar alone has no fibres
+  if (model.layers.n > 0 || std::find(kinds.begin(), kinds.end(), JointKind::kCoat) != kinds.end())
+    add_fault(faults, "layer", model.layers.n > 0 ? model.layers.name.front() : "mortar",
               "helps to carry, and macro-blocks know no layers", "leave it out for the mechanisms");
   if (model.links.n > 0)
     add_fault(faults, std::string(word_of(kLinkKindWords, model.links.kind.front())),

@@ -111,7 +111,14 @@ class CoatBuilder {
           {own, layer.sides * layer.mortar.thickness, law(layer, own, length), layer.mortar.joint});
     }
     add_mass(layer, box);
-    if (coats_.size() == first) return;  // the layer itself is refused for that
+    if (coats_.size() == first) {
+      const bool has_fibres = layer.fibres.horizontal > 0 || layer.fibres.vertical > 0;
+      if (has_fibres) return;  // the layer is refused for them (layers.cpp)
+      faults_.add({"", fmt::format("layer.{}", number), layer.name,
+                   "crosses no joint of the masonry, so it can hold nothing together",
+                   "make it larger", 0});
+      return;
+    }
     for (const MaterialFault& f : check_joint_material(coats_.back().law))
       faults_.add({"", fmt::format("material.{}.{}", layer.mortar.joint, f.key), f.value, f.problem,
                    f.cure, 0});
