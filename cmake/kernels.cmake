@@ -24,7 +24,6 @@ foreach(set sse2 avx2 avx512)
   set_property(SOURCE src/dynamics/executors/kernels.cpp src/dynamics/executors/press_kernels.cpp
     src/dynamics/space/kernels.cpp APPEND PROPERTY COMPILE_DEFINITIONS ${known})
 endforeach()
-set_property(TARGET wythe PROPERTY SOURCES ${WYTHE_SOURCES} ${CMAKE_BINARY_DIR}/generated/assets.cpp)
 
 file(GLOB_RECURSE sources src/dynamics/*kernels_avx2.cpp)
 set_property(SOURCE ${sources} APPEND PROPERTY COMPILE_OPTIONS -mavx2)

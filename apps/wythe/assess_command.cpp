@@ -23,9 +23,6 @@
 namespace wythe::app {
 namespace {
 
-constexpr int kFailed = 3;
-constexpr int kMostWalls = 100'000;
-
 constexpr double kNarrowest = 0.05;  // interval of a share: 1560 walls
 constexpr int kPair = 2;             // walls that measure how long the others take
 

@@ -30,8 +30,6 @@ namespace wythe::app {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr int kFailed = 3;
-
 // "2/4" -> shard 2 of 4.
 void read_shard(const std::string& text, CampaignOptions& options) {
   if (text.empty()) return;

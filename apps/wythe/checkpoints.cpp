@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "campaign_commands.h"
 #include "interrupt.h"
 #include "wythe/error.h"
 #include "wythe/folders.h"
@@ -13,12 +14,6 @@
 
 namespace wythe::app {
 namespace {
-
-[[noreturn]] void refuse(const std::string& option, const std::string& value,
-                         const std::string& problem, const std::string& cure) {
-  throw InputError(
-      {{.file = option, .path = "", .value = value, .problem = problem, .cure = cure}});
-}
 
 double seconds_between(const std::string& text) {
   double seconds = 0;

@@ -6,6 +6,9 @@
 
 namespace wythe::app {
 
+inline constexpr int kFailed = 3;  // exit code of a run that failed
+inline constexpr int kMostWalls = 100'000;
+
 struct RunArguments {
   std::string model, out;
   std::string checkpoint;  // time between checkpoints, with its unit; "": none

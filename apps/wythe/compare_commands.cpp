@@ -22,8 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kFailed = 3;
-
 std::vector<OptionRun> runs_of(const StudySpec& study, const std::string& out) {
   std::vector<OptionRun> runs = {
       {&study, study.variant, out + "/" + kBaseFolder, model_builder(study)}};

@@ -24,9 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kFailed = 3;
-constexpr int kMostWalls = 100'000;
-
 // NaN where the option was not given.
 double share_of(const std::string& option, const std::string& text) {
   if (text.empty()) return kUnset;

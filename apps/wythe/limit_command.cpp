@@ -18,8 +18,6 @@
 namespace wythe::app {
 namespace {
 
-constexpr int kFailed = 3;
-
 // One line a part: onset, equivalent system, where it falls; then what each limit state asks.
 void print_local(const std::vector<LocalCheck>& checks) {
   for (const LocalCheck& c : checks) {

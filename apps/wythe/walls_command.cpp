@@ -22,8 +22,6 @@
 namespace wythe::app {
 namespace {
 
-constexpr int kMostWalls = 100'000;
-constexpr int kFailed = 3;
 constexpr int kFewestForInterval = 6;  // of a median (OfWalls)
 
 // A basic string of TOML.

@@ -13,6 +13,7 @@
 namespace wythe {
 
 inline constexpr double kUnset = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 inline constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
 // Shape of the softening branch in tension and shear; each holds the same area GI or GII.

@@ -630,7 +630,13 @@ struct ModelSpec {
   MasonrySpec masonry;  // inputs of rules
   std::map<std::string, JointMaterial> material;
   std::map<std::string, FieldSpec> field;  // what varies within the wall (study.h, draw_fields)
-  ScatterSpec scatter;                     // fields by the kind of masonry
+  // Whether a field is drawn, and does not only follow others by its formula.
+  [[nodiscard]] bool draws_fields() const {
+    for (const auto& one : field)
+      if (one.second.formula.empty()) return true;
+    return false;
+  }
+  ScatterSpec scatter;  // fields by the kind of masonry
   std::vector<ContactRule> contact;
   std::vector<StageSpec> stage;
   std::vector<HistorySpec> history;

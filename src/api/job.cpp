@@ -27,6 +27,10 @@ void refuse_others(const Map& given, const std::vector<std::string>& known, cons
 
 }  // namespace
 
+std::string dumped(const nlohmann::ordered_json& json) {
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
 void Inputs::check(const std::string& task, const std::vector<std::string>& texts,
                    const std::vector<std::string>& numbers, bool columns) const {
   FaultList faults;

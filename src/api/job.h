@@ -5,6 +5,8 @@
 // Answers may be made when they are first asked for: pictures and states cost time that most users don't need.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <atomic>
 #include <functional>
 #include <map>
@@ -12,6 +14,9 @@
 #include <vector>
 
 namespace wythe::api {
+
+// In one line; bytes that are no UTF-8 become U+FFFD.
+[[nodiscard]] std::string dumped(const nlohmann::ordered_json& json);
 
 struct Table {
   std::vector<std::string> column;

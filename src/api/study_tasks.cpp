@@ -22,10 +22,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string dumped(const Json& json) {
-  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
-
 [[noreturn]] void refuse(const std::string& path, const std::string& value,
                          const std::string& problem, const std::string& cure) {
   throw InputError({{.file = "", .path = path, .value = value, .problem = problem, .cure = cure}});

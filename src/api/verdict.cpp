@@ -25,8 +25,7 @@ double scatter_between(const StudySpec& study) {
 // What makes the walls differ.
 Message note_of_scatter(const ModelSpec& base, double between) {
   if (std::isnan(between)) return {"verdict.note.within_only"};
-  const bool within = std::any_of(base.field.begin(), base.field.end(),
-                                  [](const auto& field) { return field.second.formula.empty(); });
+  const bool within = base.draws_fields();
   return {within ? "verdict.note.between" : "verdict.note.between_only",
           {{"percent", 100 * between}}};
 }

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "contact/crushing.h"
 #include "core/elementary.h"
@@ -12,7 +13,6 @@
 namespace wythe {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kHardeningDrop =
     2.0 / 3.0;  // share of fc that comes with hardening: it starts at fc/3
 constexpr double kHardeningArea =
@@ -96,7 +96,9 @@ class Checker {
     faults_.push_back({key, std::move(value), std::move(problem), std::move(cure)});
   }
 
-  static std::string degrees(double angle) { return fmt::format("{:g} deg", angle * 180 / kPi); }
+  static std::string degrees(double angle) {
+    return fmt::format("{:g} deg", angle * 180 / std::numbers::pi);
+  }
 
   void require(const char* key, double value, double low, bool strict, const char* cure) {
     if (std::isnan(value)) {
@@ -127,7 +129,7 @@ class Checker {
   }
 
   void check_angle(const char* key, double angle) {
-    if (angle >= kPi / 2)
+    if (angle >= std::numbers::pi / 2)
       fault(key, degrees(angle), "must be below 90 deg",
             fmt::format("write e.g. {} = \"30 deg\"", key));
   }

@@ -23,6 +23,8 @@ namespace wythe {
 [[nodiscard]] std::string name_advice(std::string_view name,
                                       const std::vector<std::string>& candidates);
 
+// One of 0 to 9, whatever the locale.
+[[nodiscard]] constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 [[nodiscard]] std::string joined(const std::vector<std::string>& parts, std::string_view between);
 

@@ -12,7 +12,7 @@
 namespace wythe::geometry {
 namespace {
 
-constexpr std::size_t kMostCorners = 1000;  // all pairs of edges are compared
+constexpr std::size_t kMostOutlineCorners = 1000;  // all pairs of edges are compared
 
 std::string path_of(const BlockSpec& block) { return "wall.blocks." + block.id; }
 
@@ -28,7 +28,8 @@ Polygon corners_of(const BlockSpec& block) {
   constexpr double kRounding = 1e-6;  // of the outline's size, as for contacts
   Polygon corners;
   for (const auto& [x, y] : block.polygon) corners.push_back({x, y});
-  if (corners.empty() || corners.size() > kMostCorners || !is_finite(corners)) return corners;
+  if (corners.empty() || corners.size() > kMostOutlineCorners || !is_finite(corners))
+    return corners;
   const Rect box = bounds(corners);
   const double size = std::max(box.x1 - box.x0, box.y1 - box.y0), near = kRounding * size;
   // drawings close an outline by a corner that is off by what they print
@@ -67,7 +68,7 @@ bool add_outline(const BlockSpec& spec, Block& block, FaultList& faults) {
   const std::string problem = outline_problem(corners);
   if (!problem.empty()) {
     add_fault(faults, path_of(spec), std::to_string(spec.polygon.size()) + " corners", problem,
-              corners.size() > kMostCorners
+              corners.size() > kMostOutlineCorners
                   ? "leave out corners that lie nearly on the line of their neighbours"
                   : "list the corners once around the block, in metres");
     return false;
@@ -206,8 +207,8 @@ void check_names(const Shape& shape, const BlockNames& blocks, FaultList& faults
 std::string outline_problem(const Polygon& corners) {
   if (!is_finite(corners)) return "a corner is missing or not a finite number";
   if (corners.size() < 3) return "an outline needs at least 3 different corners";
-  if (corners.size() > kMostCorners)
-    return "an outline has at most " + std::to_string(kMostCorners) + " corners";
+  if (corners.size() > kMostOutlineCorners)
+    return "an outline has at most " + std::to_string(kMostOutlineCorners) + " corners";
   if (moments(corners).area == 0) return "the outline has no area";
   if (!is_simple(corners)) return "the outline crosses or touches itself";
   return "";

@@ -12,14 +12,8 @@ namespace {
 
 constexpr double kNothing = 1e-7;  // of the force unit: a circle that small has no say
 
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
-
-bool is_factor(const Stage& s) {
-  return s.spec.kind == StageKind::kBodyForce || s.spec.kind == StageKind::kTilt;
-}
-
 // Where the stages before the growing one leave gravity; a body force or a tilt stays in force.
-Vec3 gravity_before(const Model& model, const Stage* grows) {
+Vec3 space_gravity_before(const Model& model, const Stage* grows) {
   const double g = model.solve.gravity;
   Vec3 gravity;
   for (const Stage& s : model.stages) {
@@ -42,12 +36,12 @@ struct Place {
 Place place_of(const Model& m, int joint, int point) {
   const Space& s = m.space;
   Place p;
-  p.t1 = s.tangent[at(joint)];
-  p.n = s.normal[at(joint)];
+  p.t1 = s.tangent[joint];
+  p.n = s.normal[joint];
   p.t2 = cross(p.n, p.t1);
-  const Vec3 r = s.point_r1[at(point)] * p.t1 + s.point_r2[at(point)] * p.t2;
-  p.arm_a = s.arm_a[at(joint)] + r;
-  p.arm_b = s.arm_b[at(joint)] + r;
+  const Vec3 r = s.point_r1[point] * p.t1 + s.point_r2[point] * p.t2;
+  p.arm_a = s.arm_a[joint] + r;
+  p.arm_b = s.arm_b[joint] + r;
   return p;
 }
 
@@ -66,7 +60,7 @@ std::array<Vec3, 2> across(const Vec3& push) {
 }
 
 double capacity_of(const Model& m, const JointYield& y, int point, double compression) {
-  return y.cohesion * m.space.point_share[at(point)] + y.friction * compression;
+  return y.cohesion * m.space.point_share[point] + y.friction * compression;
 }
 
 bool slides(const JointYield& y) { return !std::isinf(y.cohesion); }
@@ -89,7 +83,7 @@ LinkPlace link_place(const Links& l, std::size_t k) {
 class StaticProgramme {
  public:
   StaticProgramme(const Model& m, const SpaceLoads& loads, const SpaceYield& y, const Units& u)
-      : m_(m), loads_(loads), y_(y), u_(u), balance_(6 * at(m.n_block)) {}
+      : m_(m), loads_(loads), y_(y), u_(u), balance_(6 * static_cast<std::size_t>(m.n_block)) {}
 
   // `elastic`: unbalanced forces are allowed at a cost, the load is nil.
   void build(bool elastic) {
@@ -109,9 +103,10 @@ class StaticProgramme {
 
   void add_circles() {
     for (int j = 0; j < m_.n_joint; ++j) {
-      const JointYield& y = y_.joint[at(j)];
+      const JointYield& y = y_.joint[j];
       if (!slides(y) || !resists(y)) continue;
-      for (int p = m_.space.point_begin[at(j)]; p < m_.space.point_begin[at(j) + 1]; ++p)
+      for (int p = m_.space.point_begin[j];
+           p < m_.space.point_begin[static_cast<std::size_t>(j) + 1]; ++p)
         lp_.add_circle({{{{column(p), y.friction}}, {{column(p) + 1, 1}}, {{column(p) + 2, 1}}}},
                        capacity_of(m_, y, p, 0) / u_.force);
     }
@@ -126,14 +121,14 @@ class StaticProgramme {
     if (answer.status == ProgrammeStatus::kUnbounded) answer.carrier = carrier(lp_.ray());
     if (answer.status != ProgrammeStatus::kOptimal) return answer;
     const std::vector<double>& x = lp_.solution();
-    answer.load = x[at(load_)] * (loads_.is_force ? u_.force : 1.0);
+    answer.load = x[load_] * (loads_.is_force ? u_.force : 1.0);
     for (int p = 0; p < m_.n_point(); ++p) {
-      answer.compression.push_back(x[at(column(p))] * u_.force);
-      answer.shear_1.push_back(x[at(column(p) + 1)] * u_.force);
-      answer.shear_2.push_back(x[at(column(p) + 2)] * u_.force);
+      answer.compression.push_back(x[column(p)] * u_.force);
+      answer.shear_1.push_back(x[column(p) + 1] * u_.force);
+      answer.shear_2.push_back(x[column(p) + 2] * u_.force);
     }
     for (std::size_t k = 0; k < y_.link.size(); ++k)
-      answer.link_force.push_back(x[at(column(m_.n_point())) + k] * u_.force);
+      answer.link_force.push_back(x[static_cast<std::size_t>(column(m_.n_point())) + k] * u_.force);
     return answer;
   }
 
@@ -159,14 +154,16 @@ class StaticProgramme {
     int joint = -1;
     double most = 0;
     for (int j = 0; j < m_.n_joint; ++j)
-      for (int p = m_.space.point_begin[at(j)]; p < m_.space.point_begin[at(j) + 1]; ++p)
+      for (int p = m_.space.point_begin[j];
+           p < m_.space.point_begin[static_cast<std::size_t>(j) + 1]; ++p)
         for (int c = 0; c < 3; ++c)
-          if (const std::size_t k = at(column(p) + c); k < ray.size() && std::fabs(ray[k]) > most) {
+          if (const std::size_t k = static_cast<std::size_t>(column(p) + c);
+              k < ray.size() && std::fabs(ray[k]) > most) {
             most = std::fabs(ray[k]);
             joint = j;
           }
     for (std::size_t i = 0; i < y_.link.size(); ++i)
-      if (const std::size_t k = at(column(m_.n_point())) + i;
+      if (const std::size_t k = static_cast<std::size_t>(column(m_.n_point())) + i;
           k < ray.size() && std::fabs(ray[k]) > most) {
         most = std::fabs(ray[k]);
         joint = m_.n_joint + static_cast<int>(i);
@@ -180,21 +177,23 @@ class StaticProgramme {
   }
   void put(BlockId block, int column, const std::array<double, 6>& values) {
     for (std::size_t c = 0; c < 6; ++c)
-      if (values[c] != 0) balance_[6 * at(block) + c].push_back({column, values[c]});
+      if (values[c] != 0)
+        balance_[6 * static_cast<std::size_t>(block) + c].push_back({column, values[c]});
   }
 
   void add_joint(int j) {
-    const JointYield& y = y_.joint[at(j)];
-    for (int p = m_.space.point_begin[at(j)]; p < m_.space.point_begin[at(j) + 1]; ++p) {
-      const double share = m_.space.point_share[at(p)] / u_.force;
+    const JointYield& y = y_.joint[j];
+    for (int p = m_.space.point_begin[j]; p < m_.space.point_begin[static_cast<std::size_t>(j) + 1];
+         ++p) {
+      const double share = m_.space.point_share[p] / u_.force;
       const Place place = place_of(m_, j, p);
       const Vec3 ways[] = {place.n, place.t1, place.t2};
       const double shear = slides(y) && !resists(y) ? 0 : kFree;
       for (int c = 0; c < 3; ++c) {
         const int k = c == 0 ? lp_.add_column(-y.tension * share, y.compression * share, 0)
                              : lp_.add_column(-shear, shear, 0);
-        act(m_.joint_b[at(j)], k, ways[c], place.arm_b);
-        act(m_.joint_a[at(j)], k, -1.0 * ways[c], place.arm_a);
+        act(m_.joint_b[j], k, ways[c], place.arm_b);
+        act(m_.joint_a[j], k, -1.0 * ways[c], place.arm_a);
       }
     }
   }
@@ -216,7 +215,7 @@ class StaticProgramme {
   void add_loads() {
     const double scale = loads_.is_force ? 1.0 : 1.0 / u_.force;
     for (int i = 0; i < m_.n_block; ++i) {
-      const BodyForce& g = loads_.growing[at(i)];
+      const BodyForce& g = loads_.growing[i];
       put(i, load_, parts(scale * g.force, scale * g.moment, u_.length));
     }
     if (!loads_.is_force) return;
@@ -237,7 +236,7 @@ class StaticProgramme {
   }
 
   void add_slack() {
-    slack_ = at(lp_.columns());
+    slack_ = static_cast<std::size_t>(lp_.columns());
     for (std::vector<Entry>& row : balance_)
       for (const double sign : {1.0, -1.0}) row.push_back({lp_.add_column(0, kFree, 1), sign});
   }
@@ -258,11 +257,12 @@ double friction_excess(const Model& m, const Units& units, const SpaceStaticAnsw
                        const SpaceYield& yield) {
   double most = 0;
   for (int j = 0; j < m.n_joint; ++j) {
-    const JointYield& y = yield.joint[at(j)];
+    const JointYield& y = yield.joint[j];
     if (!slides(y)) continue;
-    for (int p = m.space.point_begin[at(j)]; p < m.space.point_begin[at(j) + 1]; ++p) {
-      const double s = elementary::hypot(answer.shear_1[at(p)], answer.shear_2[at(p)]);
-      const double radius = capacity_of(m, y, p, answer.compression[at(p)]);
+    for (int p = m.space.point_begin[j]; p < m.space.point_begin[static_cast<std::size_t>(j) + 1];
+         ++p) {
+      const double s = elementary::hypot(answer.shear_1[p], answer.shear_2[p]);
+      const double radius = capacity_of(m, y, p, answer.compression[p]);
       if (s - radius > kNothing * units.force)
         most = std::fmax(most, radius > 0 ? s / radius - 1 : 1.0);
     }
@@ -272,9 +272,9 @@ double friction_excess(const Model& m, const Units& units, const SpaceStaticAnsw
 
 // Columns: velocity and spin of each block | multipliers >= 0. Rows: at each point slip and opening are what the
 // multipliers make; the load does unit power; what a rig holds stands still.
-class KinematicProgramme {
+class SpaceProgramme {
  public:
-  KinematicProgramme(const Model& m, const SpaceLoads& loads, const SpaceYield& y, const Units& u)
+  SpaceProgramme(const Model& m, const SpaceLoads& loads, const SpaceYield& y, const Units& u)
       : m_(m), loads_(loads), y_(y), u_(u) {}
 
   void build() {
@@ -282,7 +282,8 @@ class KinematicProgramme {
       for (const double part : parts(f.force, f.moment, u_.length))
         lp_.add_column(-kFree, kFree, -part / u_.force);
     for (int j = 0; j < m_.n_joint; ++j)
-      for (int p = m_.space.point_begin[at(j)]; p < m_.space.point_begin[at(j) + 1]; ++p)
+      for (int p = m_.space.point_begin[j];
+           p < m_.space.point_begin[static_cast<std::size_t>(j) + 1]; ++p)
         add_point(j, p);
     for (std::size_t k = 0; k < y_.link.size(); ++k) add_link(k);
     add_unit_power();
@@ -297,12 +298,12 @@ class KinematicProgramme {
     const std::vector<double>& x = lp_.solution();
     const double scale = loads_.is_force ? 1.0 : 1.0 / u_.force;
     for (int i = 0; i < m_.n_block; ++i) {
-      const double* v = &x[6 * at(i)];
+      const double* v = &x[6 * static_cast<std::size_t>(i)];
       answer.velocity.push_back(scale * Vec3{v[0], v[1], v[2]});
       answer.spin.push_back(scale / u_.length * Vec3{v[3], v[4], v[5]});
     }
     for (std::size_t k = 0; k < capacity_.size(); ++k)
-      answer.dissipation += capacity_[k] * x[6 * at(m_.n_block) + k];
+      answer.dissipation += capacity_[k] * x[6 * static_cast<std::size_t>(m_.n_block) + k];
     answer.dissipation *= u_.force * scale;
     return answer;
   }
@@ -323,19 +324,19 @@ class KinematicProgramme {
                   const Vec3& arm) const {
     if (!moves(m_, block)) return;
     const auto values = parts(way, cross(arm, way), u_.length);
-    for (int c = 0; c < 6; ++c) row.push_back({6 * block + c, sign * values[at(c)]});
+    for (int c = 0; c < 6; ++c) row.push_back({6 * block + c, sign * values[c]});
   }
   [[nodiscard]] std::vector<Entry> jump(int j, const Place& place, const Vec3& way) const {
     std::vector<Entry> row;
-    add_motion(row, m_.joint_b[at(j)], 1, way, place.arm_b);
-    add_motion(row, m_.joint_a[at(j)], -1, way, place.arm_a);
+    add_motion(row, m_.joint_b[j], 1, way, place.arm_b);
+    add_motion(row, m_.joint_a[j], -1, way, place.arm_a);
     return row;
   }
 
   void add_point(int j, int p) {
-    const JointYield& y = y_.joint[at(j)];
+    const JointYield& y = y_.joint[j];
     const Place place = place_of(m_, j, p);
-    const double share = m_.space.point_share[at(p)];
+    const double share = m_.space.point_share[p];
     std::vector<Entry> slip_1 = jump(j, place, place.t1), slip_2 = jump(j, place, place.t2),
                        opening = jump(j, place, place.n);
     if (slides(y) && resists(y)) {
@@ -368,7 +369,7 @@ class KinematicProgramme {
   void stand(BlockId block, const Vec3& velocity, const Vec3& spin, double value) {
     const auto values = parts(velocity, spin, 1);
     std::vector<Entry> row;
-    for (int c = 0; c < 6; ++c) row.push_back({6 * block + c, values[at(c)]});
+    for (int c = 0; c < 6; ++c) row.push_back({6 * block + c, values[c]});
     lp_.add_row(row, value, value);
   }
 
@@ -377,9 +378,9 @@ class KinematicProgramme {
     if (!loads_.together) {
       std::vector<Entry> power;
       for (int i = 0; i < m_.n_block; ++i) {
-        const BodyForce& g = loads_.growing[at(i)];
+        const BodyForce& g = loads_.growing[i];
         const auto values = parts(scale * g.force, scale * g.moment, u_.length);
-        for (int c = 0; c < 6; ++c) power.push_back({6 * i + c, values[at(c)]});
+        for (int c = 0; c < 6; ++c) power.push_back({6 * i + c, values[c]});
       }
       lp_.add_row(power, 1, 1);
     }
@@ -418,15 +419,15 @@ SpaceLoads space_loads(const Model& model, double secant, bool loads_are_masses)
   if (loads.is_force && !grows.driven.empty() && grows.driven.front() >= model.n_block)
     refuse("what grows moves a support, and a limit load needs a force",
            "run it, or add a push on blocks or a body_force stage");
-  loads.dead.resize(at(model.n_block));
-  loads.growing.resize(at(model.n_block));
-  const Vec3 gravity = gravity_before(model, loads.stage);
+  loads.dead.resize(static_cast<std::size_t>(model.n_block));
+  loads.growing.resize(static_cast<std::size_t>(model.n_block));
+  const Vec3 gravity = space_gravity_before(model, loads.stage);
   for (std::size_t i = 0; i < loads.dead.size(); ++i)
     loads.dead[i].force = model.heavy_mass[i] * gravity;
   for (const Stage& stage : model.stages) {
     if (&stage == loads.stage) break;
     for (const PointLoad& p : stage.loads) {
-      BodyForce& f = loads.dead[at(p.block)];
+      BodyForce& f = loads.dead[p.block];
       const Vec3 force = secant * Vec3{p.fx, p.fy, p.fz};
       f.force = f.force + force;
       f.moment = f.moment + cross(Vec3{p.arm_x, p.arm_y, p.arm_z}, force);
@@ -441,7 +442,7 @@ SpaceLoads space_loads(const Model& model, double secant, bool loads_are_masses)
       for (const PointLoad& p : stage.loads) {
         if (!(p.fy < 0)) continue;  // what lifts is no mass
         const Vec3 force = -p.fy * grows.drive();
-        BodyForce& f = loads.growing[at(p.block)];
+        BodyForce& f = loads.growing[p.block];
         f.force = f.force + force;
         f.moment = f.moment + cross(Vec3{p.arm_x, p.arm_y, p.arm_z}, force);
       }
@@ -451,7 +452,7 @@ SpaceLoads space_loads(const Model& model, double secant, bool loads_are_masses)
   loads.together = grows.spec.as == Manner::kEach;
   const auto n = static_cast<double>(grows.driven.size());
   for (std::size_t k = 0; k < grows.driven.size() && !loads.together; ++k)
-    loads.growing[at(grows.driven[k])].force = (grows.driven_share[k] / n) * loads.push;
+    loads.growing[grows.driven[k]].force = (grows.driven_share[k] / n) * loads.push;
   return loads;
 }
 
@@ -460,8 +461,8 @@ SpaceYield space_yield(const Model& model, const LimitOptions& options, double t
   for (std::size_t k = 0; k < model.links.a.size(); ++k)
     yield.link.push_back({times * model.links.tension[k], times * model.links.compression[k]});
   for (int j = 0; j < model.n_joint; ++j) {
-    const JointMaterial& m = model.materials[at(model.joint_material[at(j)])];
-    yield.joint.push_back(yield_of_joint(m, times * model.area[at(j)], options));
+    const JointMaterial& m = model.materials[model.joint_material[j]];
+    yield.joint.push_back(yield_of_joint(m, times * model.area[j], options));
   }
   return yield;
 }
@@ -490,7 +491,7 @@ SpaceStaticAnswer solve_static(const Model& model, const SpaceLoads& loads, cons
 SpaceKinematicAnswer solve_kinematic(const Model& model, const SpaceLoads& loads,
                                      const SpaceYield& yield, const Units& units,
                                      const Watch& watch) {
-  KinematicProgramme programme(model, loads, yield, units);
+  SpaceProgramme programme(model, loads, yield, units);
   programme.build();
   return programme.solve(watch);
 }

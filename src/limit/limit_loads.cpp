@@ -13,10 +13,6 @@
 namespace wythe::limit {
 namespace {
 
-bool is_factor(const Stage& s) {
-  return s.spec.kind == StageKind::kBodyForce || s.spec.kind == StageKind::kTilt;
-}
-
 // Where the stages before the growing one leave gravity: a body force or a tilt stays in force. Tests
 // built in code may leave gravity out; then blocks weigh nothing.
 Vec2 gravity_before(const Model& model, const Stage* grows) {

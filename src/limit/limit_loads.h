@@ -24,6 +24,11 @@ struct LimitLoads {
   std::vector<char> held_across, held_turn;  // motions the test rig prevents (n_block)
 };
 
+// Whether a stage grows by a factor on the masses.
+[[nodiscard]] inline bool is_factor(const Stage& s) {
+  return s.spec.kind == StageKind::kBodyForce || s.spec.kind == StageKind::kTilt;
+}
+
 // Reads what is in force when the last growing stage begins. `secant` multiplies the dead loads
 // that keep their direction while the ground tilts (limit_load.cpp). `loads_are_masses`: LimitOptions. Throws InputError
 // when no stage grows.

@@ -34,10 +34,10 @@ std::vector<std::string> unmatched(const ModelSpec& spec) {
 // Millimetres read as metres, or the other way, where blocks come from a file or a length is a slip: the tallest masonry has
 // 170 m, the longest walls of a building a few hundred.
 void note_scale(const ModelSpec& spec, Model& model) {
-  constexpr double kTallest = 200, kLongest = 1000, kLowest = 0.03;  // [m]
+  constexpr double kTallest = 200, kLongestWall = 1000, kLowest = 0.03;  // [m]
   const Anatomy& a = model.anatomy;
   const double longest = std::max(a.length, a.height);
-  const bool is_high = a.height > kTallest, is_long = a.length > kLongest;
+  const bool is_high = a.height > kTallest, is_long = a.length > kLongestWall;
   const char* code = is_high && is_long                 ? "scale.large"
                      : is_high                          ? "scale.high"
                      : is_long                          ? "scale.long"

@@ -30,13 +30,11 @@ constexpr FieldKey kKeys[] = {
     {"shear_stiffness", &JointMaterial::shear_stiffness, "Pa/m", "GPa/m"},
     {"density", &JointMaterial::density, "kg/m^3", "kg/m^3"}};
 
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
-
 Vec2 centre_of(const Block& block) { return geometry::moments(block.outline).centroid; }
 
 // A block of no unit of several is a unit of its own; they are numbered from above those of the assembly.
 int unit_of(const Assembly& assembly, int block) {
-  const int unit = assembly.blocks[at(block)].unit;
+  const int unit = assembly.blocks[block].unit;
   return unit >= 0 ? 2 * unit : 2 * block + 1;
 }
 
@@ -80,7 +78,7 @@ std::vector<FieldPlace> field_places(const ModelSpec& spec, const Assembly& asse
   std::vector<FieldPlace> places;
   if (target.is_density()) {
     for (int b = 0; b < static_cast<int>(assembly.blocks.size()); ++b) {
-      const Block& block = assembly.blocks[at(b)];
+      const Block& block = assembly.blocks[b];
       if (!has_density_of(spec, block, target.material)) continue;
       const Vec2 centre = centre_of(block);
       places.push_back({b, centre.x, centre.y, block.course, unit_of(assembly, b)});
@@ -88,9 +86,9 @@ std::vector<FieldPlace> field_places(const ModelSpec& spec, const Assembly& asse
     return places;
   }
   for (int f = 0; f < static_cast<int>(assembly.faces.size()); ++f) {
-    const Face& face = assembly.faces[at(f)];
+    const Face& face = assembly.faces[f];
     if (face.material != target.material || face.kind == geometry::FaceKind::kLintelChain) continue;
-    const Block& above = assembly.blocks[at(face.b)];
+    const Block& above = assembly.blocks[face.b];
     places.push_back({f, 0.5 * (face.p0.x + face.p1.x), 0.5 * (face.p0.y + face.p1.y), above.course,
                       unit_of(assembly, face.b)});
   }
@@ -124,8 +122,8 @@ class SpaceGroups {
       course_.push_back(course ? courses.try_emplace({*course, foot}, number).first->second : -1);
     }
   }
-  [[nodiscard]] int unit(int body) const { return unit_[at(body)]; }
-  [[nodiscard]] int course(int body) const { return course_[at(body)]; }
+  [[nodiscard]] int unit(int body) const { return unit_[body]; }
+  [[nodiscard]] int course(int body) const { return course_[body]; }
 
  private:
   static constexpr double kSameFoot = 1e-4;  // [m]
@@ -138,7 +136,7 @@ int upper_of(const geometry::SpaceAssembly& assembly, const geometry::JointFace&
   const Vec3 n = face.normal;
   const double up = std::fabs(n.y) > 0.5 ? n.y : std::fabs(n.x) > kAlong ? n.x : n.z;
   const int upper = up > 0 ? face.b : face.a, other = up > 0 ? face.a : face.b;
-  return assembly.body[at(upper)].fixed ? other : upper;
+  return assembly.body[upper].fixed ? other : upper;
 }
 
 }  // namespace
@@ -152,14 +150,14 @@ std::vector<FieldPlace> field_places(const ModelSpec& spec, const geometry::Spac
   };
   if (target.is_density()) {
     for (int b = 0; b < static_cast<int>(assembly.body.size()); ++b)
-      if (has_density_of(spec, assembly.body[at(b)], target.material))
-        add(b, assembly.moments[at(b)].centroid, b);
+      if (has_density_of(spec, assembly.body[b], target.material))
+        add(b, assembly.moments[b].centroid, b);
     return places;
   }
   const geometry::Shape shape(spec);
   for (int f = 0; f < static_cast<int>(assembly.faces.size()); ++f) {
-    const geometry::JointFace& face = assembly.faces[at(f)];
-    const BodySpec &a = assembly.body[at(face.a)], &b = assembly.body[at(face.b)];
+    const geometry::JointFace& face = assembly.faces[f];
+    const BodySpec &a = assembly.body[face.a], &b = assembly.body[face.b];
     if ((a.fixed && b.fixed) || is_chain(a, b) ||
         joint_material_of(shape, a, b, face.normal) != target.material)
       continue;
@@ -184,8 +182,7 @@ void FieldValues::take(const ModelSpec& spec, const Assembly& assembly, std::siz
     }
     Item item{*target, field.formula.empty(), {}};
     item.value.assign(target->is_density() ? blocks : assembly.faces.size(), kUnset);
-    for (std::size_t k = 0; k < places.size(); ++k)
-      item.value[at(places[k].entity)] = field.drawn[k];
+    for (std::size_t k = 0; k < places.size(); ++k) item.value[places[k].entity] = field.drawn[k];
     items_.push_back(std::move(item));
   }
 }
@@ -205,7 +202,7 @@ bool FieldValues::act_on(const std::string& material) const {
 }
 
 double FieldValues::put(const Item& item, int entity, double stated) {
-  const double drawn = item.value[at(entity)];
+  const double drawn = item.value[entity];
   if (std::isnan(drawn)) return stated;
   return item.is_factor ? stated * drawn : drawn;
 }
@@ -237,14 +234,14 @@ void FieldValues::put_into(const ModelSpec& spec, const BlockMap& map, const Den
     const FieldTarget& target = drawn.target;
     DrawnField shown{name, field.path, {}, {}};
     if (target.is_density()) {
-      shown.of_block.assign(at(model.n_block), kUnset);
+      shown.of_block.assign(static_cast<std::size_t>(model.n_block), kUnset);
       for (std::size_t b = 0; b < map.size(); ++b)
         if (map[b] >= 0 && map[b] < model.n_block && !std::isnan(drawn.value[b]))
-          shown.of_block[at(map[b])] = put(drawn, static_cast<int>(b), density(b));
+          shown.of_block[map[b]] = put(drawn, static_cast<int>(b), density(b));
     } else {
       for (const std::int32_t m : model.joint_material) {
-        const bool own = model.stated(m) != m && model.material_names[at(m)] == target.material;
-        shown.of_joint.push_back(own ? model.materials[at(m)].*target.key->value : kUnset);
+        const bool own = model.stated(m) != m && model.material_names[m] == target.material;
+        shown.of_joint.push_back(own ? model.materials[m].*target.key->value : kUnset);
       }
     }
     model.anatomy.fields.push_back(std::move(shown));

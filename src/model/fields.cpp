@@ -9,8 +9,6 @@
 namespace wythe {
 namespace {
 
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
-
 void add(Hash& hash, const std::vector<double>& numbers) { hash.add(numbers); }
 void add(Hash& hash, const std::vector<std::int32_t>& ids) {
   hash.add(ids.data(), ids.size() * sizeof(std::int32_t));
@@ -72,9 +70,9 @@ std::string state_hash(const State& s) {
 }
 
 bool varies_beyond_strengths(const Model& model, std::int32_t stated) {
-  const auto base = contact::constants_of(model.materials[at(stated)]);
+  const auto base = contact::constants_of(model.materials[stated]);
   const auto differs = [&](std::int32_t other) {
-    const auto law = contact::constants_of(model.materials[at(other)]);
+    const auto law = contact::constants_of(model.materials[other]);
     return std::any_of(contact::kConstants<double>.begin() + contact::kStrengths,
                        contact::kConstants<double>.end(),
                        [&](auto number) { return law.*number != base.*number; });

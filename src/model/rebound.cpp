@@ -8,8 +8,6 @@
 namespace wythe {
 namespace {
 
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
-
 struct Bed {
   int low, high;  // blocks; low -1: the ground
   double k, c;    // [N/m], [N s/m]
@@ -24,34 +22,34 @@ bool is_flat(const Model& m, std::size_t j) {
 std::vector<Bed> beds_of(const Model& m, const Dashpots& d) {
   std::vector<Bed> beds;
   for (int j = 0; j < m.n_joint; ++j) {
-    if (!is_flat(m, at(j))) continue;
-    const double area = m.area[at(j)];
-    const double k = m.materials[at(m.joint_material[at(j)])].normal_stiffness * area;
-    int low = j < m.n_pair ? m.joint_a[at(j)] : -1, high = m.joint_b[at(j)];
-    if (low >= 0 && m.centroid_y[at(low)] > m.centroid_y[at(high)]) std::swap(low, high);
-    beds.push_back({low, high, k, d.normal[at(j)] * area});
+    if (!is_flat(m, static_cast<std::size_t>(j))) continue;
+    const double area = m.area[j];
+    const double k = m.materials[m.joint_material[j]].normal_stiffness * area;
+    int low = j < m.n_pair ? m.joint_a[j] : -1, high = m.joint_b[j];
+    if (low >= 0 && m.centroid_y[low] > m.centroid_y[high]) std::swap(low, high);
+    beds.push_back({low, high, k, d.normal[j] * area});
   }
   return beds;
 }
 
 // Beds between each block and the ground, at least; -1: none lead there.
 std::vector<int> levels_of(int blocks, const std::vector<Bed>& beds) {
-  std::vector<std::vector<int>> next(at(blocks));
-  std::vector<int> level(at(blocks), -1);
+  std::vector<std::vector<int>> next(static_cast<std::size_t>(blocks));
+  std::vector<int> level(static_cast<std::size_t>(blocks), -1);
   std::queue<int> open;
   for (const Bed& bed : beds) {
     if (bed.low >= 0) {
-      next[at(bed.low)].push_back(bed.high);
-      next[at(bed.high)].push_back(bed.low);
-    } else if (level[at(bed.high)] < 0) {
-      level[at(bed.high)] = 1;
+      next[bed.low].push_back(bed.high);
+      next[bed.high].push_back(bed.low);
+    } else if (level[bed.high] < 0) {
+      level[bed.high] = 1;
       open.push(bed.high);
     }
   }
   for (; !open.empty(); open.pop())
-    for (const int other : next[at(open.front())])
-      if (level[at(other)] < 0) {
-        level[at(other)] = level[at(open.front())] + 1;
+    for (const int other : next[open.front()])
+      if (level[other] < 0) {
+        level[other] = level[open.front()] + 1;
         open.push(other);
       }
   return level;
@@ -69,49 +67,51 @@ std::optional<double> rebound_of_wall(const Model& m, const Dashpots& d) {
   const std::vector<int> level = levels_of(m.n_block, beds);
   double all = 0, held = 0;
   for (int i = 0; i < m.n_block; ++i) {
-    all += m.mass[at(i)];
-    if (level[at(i)] > 0) held += m.mass[at(i)];
+    all += m.mass[i];
+    if (level[i] > 0) held += m.mass[i];
   }
   const int levels = *std::max_element(level.begin(), level.end());
   if (levels < 2 || held < kNearlyAll * all) return std::nullopt;
 
   // stable, and fine enough that an impact's first step does not count
-  std::vector<double> stiff(at(m.n_block)), viscous(at(m.n_block));
+  std::vector<double> stiff(static_cast<std::size_t>(m.n_block)),
+      viscous(static_cast<std::size_t>(m.n_block));
   double slowest = std::numeric_limits<double>::infinity(), dt = slowest;
   for (const Bed& bed : beds)
     for (const int block : {bed.low, bed.high}) {
       if (block < 0) continue;
-      stiff[at(block)] += 2 * bed.k, viscous[at(block)] += 2 * bed.c;
+      stiff[block] += 2 * bed.k, viscous[block] += 2 * bed.c;
     }
   for (int i = 0; i < m.n_block; ++i) {
-    if (level[at(i)] <= 0) continue;
-    const double omega = std::sqrt(stiff[at(i)] / m.mass[at(i)]);
-    const double xi = 0.5 * viscous[at(i)] / (m.mass[at(i)] * omega);
+    if (level[i] <= 0) continue;
+    const double omega = std::sqrt(stiff[i] / m.mass[i]);
+    const double xi = 0.5 * viscous[i] / (m.mass[i] * omega);
     slowest = std::min(slowest, omega);
     dt = std::min(dt, 0.1 * 2 / omega * (std::sqrt(1 + xi * xi) - xi));
   }
   const double over = 2 * M_PI * levels / slowest;  // the shock has run up and down
 
-  std::vector<double> y(at(m.n_block), 0.0), v(at(m.n_block), -1.0), force(at(m.n_block));
+  std::vector<double> y(static_cast<std::size_t>(m.n_block), 0.0),
+      v(static_cast<std::size_t>(m.n_block), -1.0), force(static_cast<std::size_t>(m.n_block));
   bool touched = false;
   double apart = 0;
   for (int step = 0; step < kMostSteps && apart < over; ++step) {
     std::fill(force.begin(), force.end(), 0.0);
     bool presses = false;
     for (const Bed& bed : beds) {
-      if (level[at(bed.high)] <= 0) continue;
-      const double gap = y[at(bed.high)] - (bed.low < 0 ? 0 : y[at(bed.low)]);
+      if (level[bed.high] <= 0) continue;
+      const double gap = y[bed.high] - (bed.low < 0 ? 0 : y[bed.low]);
       if (!(gap < 0)) continue;
-      const double rate = v[at(bed.high)] - (bed.low < 0 ? 0 : v[at(bed.low)]);
+      const double rate = v[bed.high] - (bed.low < 0 ? 0 : v[bed.low]);
       const double f = std::fmax(0, -bed.k * gap - bed.c * rate);
-      force[at(bed.high)] += f;
-      if (bed.low >= 0) force[at(bed.low)] -= f;
+      force[bed.high] += f;
+      if (bed.low >= 0) force[bed.low] -= f;
       presses = presses || (bed.low < 0 && f > 0);
     }
     for (int i = 0; i < m.n_block; ++i) {
-      if (level[at(i)] <= 0) continue;
-      v[at(i)] += dt * force[at(i)] / m.mass[at(i)];
-      y[at(i)] += dt * v[at(i)];
+      if (level[i] <= 0) continue;
+      v[i] += dt * force[i] / m.mass[i];
+      y[i] += dt * v[i];
     }
     touched = touched || presses;
     apart = touched && !presses ? apart + dt : 0;
@@ -119,7 +119,7 @@ std::optional<double> rebound_of_wall(const Model& m, const Dashpots& d) {
   if (apart < over) return std::nullopt;
   double momentum = 0;
   for (int i = 0; i < m.n_block; ++i)
-    if (level[at(i)] > 0) momentum += m.mass[at(i)] * v[at(i)];
+    if (level[i] > 0) momentum += m.mass[i] * v[i];
   return momentum / held;
 }
 

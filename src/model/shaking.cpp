@@ -18,7 +18,6 @@ namespace {
 constexpr double kStandardGravity = 9.80665;  // of what is told in g [m/s^2]
 constexpr double kLeastShake = 1e-4;          // less is no earthquake [g]
 
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 bool is_set(double number) { return !std::isnan(number); }
 bool says_something(const PlaceSpec& p) {
   return is_set(p.x) || is_set(p.y) || is_set(p.z) || is_set(p.width) || !p.block.empty() ||
@@ -355,9 +354,9 @@ class ShakeCompiler {
 };
 
 double mass_between(const Model& m, std::size_t joint) {
-  const double b = m.mass[at(m.joint_b[joint])];
+  const double b = m.mass[m.joint_b[joint]];
   if (static_cast<int>(joint) >= m.n_pair) return b;
-  const double a = m.mass[at(m.joint_a[joint])];
+  const double a = m.mass[m.joint_a[joint]];
   return a * b / (a + b);
 }
 
@@ -383,8 +382,8 @@ void compile_shake(const std::string& path, const WallPlaces& places, Model& mod
 void compile_watched(const std::vector<HistorySpec>& history, const WallPlaces& places,
                      Model& model, FaultList& faults) {
   const auto centroid = [&](BlockId i) {
-    return Vec3{model.centroid_x[at(i)], model.centroid_y[at(i)],
-                model.in_space() ? model.space.centroid[at(i)].z : 0.0};
+    return Vec3{model.centroid_x[i], model.centroid_y[i],
+                model.in_space() ? model.space.centroid[i].z : 0.0};
   };
   for (std::size_t k = 0; k < history.size(); ++k) {
     const std::vector<BlockId> found = places.blocks(history[k].at);
@@ -496,8 +495,8 @@ namespace {
 
 // One row a joint.
 void put_dashpots(const Model& m, Dashpots& d) {
-  for (std::size_t j = 0; j < at(m.n_joint); ++j) {
-    const JointMaterial& law = m.materials[at(m.joint_material[j])];
+  for (std::size_t j = 0; j < static_cast<std::size_t>(m.n_joint); ++j) {
+    const JointMaterial& law = m.materials[m.joint_material[j]];
     const double share = mass_between(m, j) / m.area[j];
     const auto dashpot = [&](double stiffness) {
       return d.proportional * stiffness + 2 * d.impact * std::sqrt(stiffness * share);
@@ -622,8 +621,9 @@ std::vector<std::vector<BlockId>> blocks_at_tops(const Model& m) {
   std::vector<std::vector<BlockId>> found(a.storey_top.size());
   const double slack = 1e-6 * a.height;
   for (BlockId b = 0; b < m.n_block && !found.empty(); ++b) {
-    const auto [low, high] = std::minmax_element(a.outline_y.begin() + a.outline_begin[at(b)],
-                                                 a.outline_y.begin() + a.outline_begin[at(b) + 1]);
+    const auto [low, high] =
+        std::minmax_element(a.outline_y.begin() + a.outline_begin[b],
+                            a.outline_y.begin() + a.outline_begin[static_cast<std::size_t>(b) + 1]);
     for (std::size_t k = 0; k < found.size(); ++k)
       if (a.storey_top[k] > *low + slack && a.storey_top[k] <= *high + slack) found[k].push_back(b);
   }

@@ -21,14 +21,12 @@ contact::BodyFrame frame_of(const Model& m, const State& s, std::int32_t body) {
           2 * half.sin * half.cos};
 }
 
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
 contact::SpaceFrame frame_in_space(const Model& m, const State& s, std::int32_t body) {
   const Quaternion<double> none{1, {0, 0, 0}};
   const int support = body - m.n_block;
   if (support >= m.space.n_support) return {{0, 0, 0}, none};
-  const Vec3& start = m.space.centroid[at(body)];
-  const auto i = at(support < 0 ? body : support);
+  const Vec3& start = m.space.centroid[body];
+  const auto i = static_cast<std::size_t>(support < 0 ? body : support);
   if (support >= 0)
     return {{start.x + s.support_x[i], start.y + s.support_y[i], start.z + s.support_z[i]}, none};
   return {{start.x + s.ux[i], start.y + s.uy[i], start.z + s.uz[i]},
@@ -39,8 +37,8 @@ template <class Visit>
 void each_in_space(const Model& m, const State& s, const Visit& visit) {
   const contact::SpaceParts parts = free_parts(m);
   for (const FreeContact& c : s.free_contacts) {
-    const auto a = contact::part_of(parts, m.free.part_begin[at(c.a)] + c.part_a);
-    const auto b = contact::part_of(parts, m.free.part_begin[at(c.b)] + c.part_b);
+    const auto a = contact::part_of(parts, m.free.part_begin[c.a] + c.part_a);
+    const auto b = contact::part_of(parts, m.free.part_begin[c.b] + c.part_b);
     const contact::SpaceFrame fa = frame_in_space(m, s, c.a), fb = frame_in_space(m, s, c.b);
     visit(c, free_law_of(m, c.a, c.b),
           c.feature >= 0
@@ -56,8 +54,8 @@ void each_contact(const Model& m, const State& s, const Visit& visit) {
   if (m.in_space()) return each_in_space(m, s, visit);
   const contact::PartEdges edges(m.free);
   for (const FreeContact& c : s.free_contacts) {
-    const contact::Part a = edges.part(m.free.part_begin[at(c.a)] + c.part_a);
-    const contact::Part b = edges.part(m.free.part_begin[at(c.b)] + c.part_b);
+    const contact::Part a = edges.part(m.free.part_begin[c.a] + c.part_a);
+    const contact::Part b = edges.part(m.free.part_begin[c.b] + c.part_b);
     const contact::BodyFrame fa = frame_of(m, s, c.a), fb = frame_of(m, s, c.b);
     visit(c, free_law_of(m, c.a, c.b),
           c.feature >= 0
@@ -75,18 +73,17 @@ double height_of(const std::vector<Vec3>& outline) {
 double volume_of(const Model& m, BlockId i) {
   double volume = 0;
   if (m.in_space()) {  // a sum over tetrahedra to the origin
-    for (const Polyhedron& part : m.space.body[at(i)].part)
+    for (const Polyhedron& part : m.space.body[i].part)
       for (const auto& face : part.face)
         for (std::size_t k = 1; k + 1 < face.size(); ++k)
-          volume += dot(part.vertex[at(face[0])],
-                        cross(part.vertex[at(face[k])], part.vertex[at(face[k + 1])])) /
-                    6;
+          volume +=
+              dot(part.vertex[face[0]], cross(part.vertex[face[k]], part.vertex[face[k + 1]])) / 6;
     return volume;
   }
   const std::vector<Vec3> outline = outline_of(m, i);
   for (std::size_t p = 0, q = outline.size() - 1; p < outline.size(); q = p++)
     volume += 0.5 * (outline[q].x * outline[p].y - outline[p].x * outline[q].y);
-  return volume * m.anatomy.block_thickness[at(i)];
+  return volume * m.anatomy.block_thickness[i];
 }
 
 }  // namespace
@@ -116,7 +113,7 @@ Debris read_debris(const Model& m, const State& s) {
   const auto corners = [&](BlockId i, bool now) {
     if (!m.in_space()) return now ? outline_now(m, s, i) : outline_of(m, i);
     std::vector<Vec3> all;
-    for (const Polyhedron& part : now ? solid_now(m, s, i) : m.space.body[at(i)].part)
+    for (const Polyhedron& part : now ? solid_now(m, s, i) : m.space.body[i].part)
       all.insert(all.end(), part.vertex.begin(), part.vertex.end());
     return all;
   };
@@ -127,17 +124,17 @@ Debris read_debris(const Model& m, const State& s) {
       high = {std::fmax(high.x, v.x), 0, std::fmax(high.z, v.z)};
     }
   for (BlockId i = 0; i < m.n_block; ++i) {
-    if (-s.uy[at(i)] <= 0.5 * height_of(corners(i, false))) continue;
+    if (-s.uy[i] <= 0.5 * height_of(corners(i, false))) continue;
     ++debris.blocks;
     debris.volume += volume_of(m, i);
-    debris.mass += m.heavy_mass[at(i)];
+    debris.mass += m.heavy_mass[i];
     for (const Vec3& v : corners(i, true))
       debris.reach = std::max({debris.reach, v.x - high.x, low.x - v.x, v.z - high.z, low.z - v.z});
   }
   for (std::size_t k = 0; k < m.stages.size(); ++k)
     for (const PointLoad& load : m.stages[k].loads) {
       const double height = height_of(corners(load.block, false));
-      debris.load += s.load_scale[k] * (1 - load_left(height, -s.uy[at(load.block)])) *
+      debris.load += s.load_scale[k] * (1 - load_left(height, -s.uy[load.block])) *
                      elementary::hypot(load.fx, load.fy, load.fz);
     }
   return debris;

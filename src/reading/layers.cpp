@@ -4,16 +4,13 @@
 #include "contact/layer.h"
 #include "contact/link.h"
 #include "core/rotation.h"
+#include "reading/frames.h"
 #include "wythe/reading.h"
 
 namespace wythe {
 namespace {
 
-contact::LinkEnd end_in(const State& s, BlockId block, double arm_x, double arm_y) {
-  const auto i = static_cast<std::size_t>(block);
-  const SinCos<double> half = sin_cos(0.5 * s.theta[i]);
-  return contact::link_end(s.ux[i], s.uy[i], half.cos, half.sin, arm_x, arm_y);
-}
+using reading::end_in;
 
 // Of the fibres from node k to the next one.
 double stretch_in(const Layers& l, const State& s, std::size_t k) {

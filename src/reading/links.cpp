@@ -3,14 +3,17 @@
 #include "wythe/reading.h"
 
 namespace wythe {
-namespace {
 
-contact::LinkEnd end_in(const State& s, BlockId block, double arm_x, double arm_y) {
+contact::LinkEnd reading::end_in(const State& s, BlockId block, double arm_x, double arm_y) {
   if (block == kGroundBlock) return {0, 0, 0, 0};
   const auto i = static_cast<std::size_t>(block);
   const SinCos<double> half = sin_cos(0.5 * s.theta[i]);
   return contact::link_end(s.ux[i], s.uy[i], half.cos, half.sin, arm_x, arm_y);
 }
+
+namespace {
+
+using reading::end_in;
 
 contact::SpaceLinkEnd end_in_space(const State& s, BlockId block, const Vector<double>& arm) {
   if (block == kGroundBlock) return {{0, 0, 0}, {0, 0, 0}};

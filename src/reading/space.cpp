@@ -14,12 +14,11 @@ namespace {
 
 using Vec = Vector<double>;
 
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 Vec vec(Vec3 v) { return {v.x, v.y, v.z}; }
 Vec3 vec3(const Vec& v) { return {v.x, v.y, v.z}; }
 
 contact::Pose<double> pose_of(const State& s, BlockId block) {
-  const auto i = at(block);
+  const auto i = static_cast<std::size_t>(block);
   return {{s.ux[i], s.uy[i], s.uz[i]}, {s.qw[i], {s.qx[i], s.qy[i], s.qz[i]}}};
 }
 
@@ -29,11 +28,11 @@ struct Gap {
   contact::Frame<double> frame;
 };
 Gap gap_of(const Model& m, const State& s, JointId joint) {
-  const auto j = at(joint);
+  const auto j = static_cast<std::size_t>(joint);
   const Space& w = m.space;
   const contact::Pose<double> b = pose_of(s, m.joint_b[j]);
   if (const int support = m.joint_a[j] - m.n_block; support >= 0) {
-    const auto k = at(support);
+    const auto k = static_cast<std::size_t>(support);
     const contact::SupportFace<double> face({s.support_x[k], s.support_y[k], s.support_z[k]}, b,
                                             vec(w.arm_b[j]), vec(w.tangent[j]), vec(w.normal[j]));
     return {face.gap(), face.frame};
@@ -47,7 +46,7 @@ contact::History<double> history_of(const State& s, std::size_t p) {
   contact::History<double> h{};
   for (const StateField& field : kStateFields)
     if (field.entity == Entity::kPoint && !(s.*field.array).empty())
-      h.*contact::kHistory<double>[at(row_of(field.array))] = (s.*field.array)[p];
+      h.*contact::kHistory<double>[row_of(field.array)] = (s.*field.array)[p];
   return h;
 }
 
@@ -83,15 +82,16 @@ PointReading read_point(const State& s, std::size_t p, const contact::LawConstan
 void read_contacts(const Model& m, const State& s, std::vector<PointReading>& points) {
   const SpaceSolids& z = m.space.solids;
   for (int contact = 0; contact < z.n_contact; ++contact) {
-    const std::size_t c = at(contact);
-    const auto law = contact::constants_of(m.materials[at(z.contact_material[c])]);
+    const std::size_t c = static_cast<std::size_t>(contact);
+    const auto law = contact::constants_of(m.materials[z.contact_material[c]]);
     const RigidSide rigid = rigid_side(m, s, contact);
     const Vec t1 = vec(z.contact_tangent[c]), n = vec(z.contact_normal[c]), t2 = cross(n, t1);
     const contact::Frame<double> frame{turned(rigid.q, t1), turned(rigid.q, t2),
                                        turned(rigid.q, n)};
     const JointShape shape = contact_in_space(m, contact);
     const double reach = length(shape.half);
-    for (auto p = at(z.point_begin[c]); p < at(z.point_begin[c + 1]); ++p) {
+    for (auto p = static_cast<std::size_t>(z.point_begin[c]);
+         p < static_cast<std::size_t>(z.point_begin[c + 1]); ++p) {
       const double r1 = m.space.point_r1[p], r2 = m.space.point_r2[p];
       const Vec arm = vec(z.contact_arm[c]) + r1 * t1 + r2 * t2;
       const Vec moved = vec(side_moved(m, s, contact, p));
@@ -107,21 +107,22 @@ void read_contacts(const Model& m, const State& s, std::vector<PointReading>& po
 }  // namespace
 
 std::vector<PointReading> points_in_space(const Model& m, const State& s) {
-  std::vector<PointReading> points(at(m.n_history()));
+  std::vector<PointReading> points(static_cast<std::size_t>(m.n_history()));
   std::int32_t last = -1;
   contact::LawConstants<double> law{};
   for (JointId j = 0; j < m.n_joint; ++j) {
-    const std::int32_t material = m.joint_material[at(j)];
-    if (material != last) law = contact::constants_of(m.materials[at(material)]);
+    const std::int32_t material = m.joint_material[j];
+    if (material != last) law = contact::constants_of(m.materials[material]);
     last = material;
     const Gap face = gap_of(m, s, j);
     const JointShape shape = joint_shape(m, j);
     const double reach = length(shape.half);
     const BlockReading b = read_block(m, s, shape.b);
-    for (auto p = at(m.space.point_begin[at(j)]); p < at(m.space.point_begin[at(j) + 1]); ++p) {
+    for (auto p = static_cast<std::size_t>(m.space.point_begin[j]);
+         p < static_cast<std::size_t>(m.space.point_begin[static_cast<std::size_t>(j) + 1]); ++p) {
       const double r1 = m.space.point_r1[p], r2 = m.space.point_r2[p];
       points[p] = read_point(s, p, law, face.gap.j + r1 * face.gap.a + r2 * face.gap.b, face.frame);
-      if (!s.handed_over.empty() && s.handed_over[at(j)] != 0) {  // a free contact has its place
+      if (!s.handed_over.empty() && s.handed_over[j] != 0) {  // a free contact has its place
         points[p].normal_stress = points[p].shear_stress = 0;
         points[p].shear_vector = {};
       }
@@ -144,7 +145,8 @@ JointReading joint_in_space(const Model& m, JointId j, const std::vector<PointRe
   joint.opening = -1e300;
   const Vec3 t1 = joint.shape.along, t2 = cross(joint.shape.normal, t1);
   double reach_1 = 0, reach_2 = 0, about_1 = 0, about_2 = 0;
-  for (auto p = at(joint.points.begin); p < at(joint.points.end); ++p) {
+  for (auto p = static_cast<std::size_t>(joint.points.begin);
+       p < static_cast<std::size_t>(joint.points.end); ++p) {
     const PointReading& point = points[p];
     const double area = joint.shape.area * point.share;
     const double r1 = m.space.point_r1[p], r2 = m.space.point_r2[p];
@@ -183,7 +185,7 @@ namespace {
 // Whether a place lies beyond the box round support `s`, by more than a hundredth of its size.
 bool is_beyond(const Model& m, BlockId s, Vec3 place) {
   Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
-  for (const Polyhedron& part : m.space.body[at(s)].part)
+  for (const Polyhedron& part : m.space.body[s].part)
     for (const Vec3& v : part.vertex) {
       low = {std::fmin(low.x, v.x), std::fmin(low.y, v.y), std::fmin(low.z, v.z)};
       high = {std::fmax(high.x, v.x), std::fmax(high.y, v.y), std::fmax(high.z, v.z)};
@@ -201,20 +203,21 @@ bool slid_off_in_space(const Model& m, const std::vector<PointReading>& points, 
   const Vec3 t1 = shape.along, t2 = cross(shape.normal, t1);
   Vec3 slip;
   bool pressed = false;
-  for (auto p = at(range.begin); p < at(range.end); ++p) {
+  for (auto p = static_cast<std::size_t>(range.begin); p < static_cast<std::size_t>(range.end);
+       ++p) {
     slip = slip + points[p].share * points[p].slip_vector;
     pressed = pressed || points[p].opening < 0;
   }
   const double way = length(slip);
   if (!pressed || way == 0) return false;
   double reach = 0;  // of the face, the way it slid
-  for (auto p = at(range.begin); p < at(range.end); ++p) {
+  for (auto p = static_cast<std::size_t>(range.begin); p < static_cast<std::size_t>(range.end);
+       ++p) {
     const Vec3 arm = m.space.point_r1[p] * t1 + m.space.point_r2[p] * t2;
     reach = std::fmax(reach, std::fabs(dot(arm, slip)) / way);
   }
   if (way <= reach) return false;
-  const BlockId a =
-      j < m.n_joint ? m.joint_a[at(j)] : m.space.solids.contact_block[at(j - m.n_joint)];
+  const BlockId a = j < m.n_joint ? m.joint_a[j] : m.space.solids.contact_block[j - m.n_joint];
   if (a < m.n_block) return true;
   return is_beyond(m, a, shape.centre + slip);
 }

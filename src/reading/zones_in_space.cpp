@@ -10,8 +10,6 @@ namespace wythe {
 namespace reading {
 namespace {
 
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
-
 Vec3 moved_of(const State& s, std::size_t node) {
   return {s.node_ux[node], s.node_uy[node], s.node_uz[node]};
 }
@@ -19,14 +17,14 @@ Vec3 moved_of(const State& s, std::size_t node) {
 solids::HexahedronVectors displacements(const SpaceSolids& m, const State& s, std::size_t zone) {
   solids::HexahedronVectors u;
   for (std::size_t k = 0; k < 8; ++k) {
-    const Vec3 moved = moved_of(s, at(m.corner[8 * zone + k]));
+    const Vec3 moved = moved_of(s, static_cast<std::size_t>(m.corner[8 * zone + k]));
     u[k] = {moved.x, moved.y, moved.z};
   }
   return u;
 }
 
 const HexahedronShape& shape_of(const SpaceSolids& m, std::size_t zone) {
-  return m.shapes[at(m.zone_shape[zone])];
+  return m.shapes[m.zone_shape[zone]];
 }
 
 // Of a turn by less than half a one.
@@ -41,7 +39,7 @@ Rotation rotation_of(const double (&r)[3][3]) {
 
 JointShape contact_in_space(const Model& model, int contact) {
   const SpaceSolids& s = model.space.solids;
-  const std::size_t c = at(contact);
+  const std::size_t c = static_cast<std::size_t>(contact);
   JointShape shape;
   shape.id = model.n_joint + contact;
   shape.kind = JointKind::kLintelBond;
@@ -50,11 +48,12 @@ JointShape contact_in_space(const Model& model, int contact) {
   shape.b = model.n_block + model.space.n_support + s.contact_body[c];
   shape.material = s.contact_material[c];
   shape.area = s.contact_area[c];
-  shape.centre = model.space.centroid[at(rigid)] + s.contact_arm[c];
+  shape.centre = model.space.centroid[rigid] + s.contact_arm[c];
   shape.along = s.contact_tangent[c];
   shape.normal = s.contact_normal[c];
   double reach = 0;
-  for (auto p = at(s.point_begin[c]); p < at(s.point_begin[c + 1]); ++p)
+  for (auto p = static_cast<std::size_t>(s.point_begin[c]);
+       p < static_cast<std::size_t>(s.point_begin[c + 1]); ++p)
     reach = std::fmax(reach, std::fabs(model.space.point_r1[p]));
   shape.half = reach * shape.along;
   if (shape.a != kGroundBlock) shape.arm_a = s.contact_arm[c];
@@ -65,27 +64,29 @@ Vec3 side_moved(const Model& model, const State& state, int contact, std::size_t
   const SpaceSolids& s = model.space.solids;
   Vec3 sum;
   for (std::size_t k = 0; k < 4; ++k)
-    sum = sum + s.node_share[4 * (point - at(s.point_begin[0])) + k] *
-                    moved_of(state, at(s.contact_node[4 * at(contact) + k]));
+    sum = sum + s.node_share[4 * (point - static_cast<std::size_t>(s.point_begin[0])) + k] *
+                    moved_of(state, static_cast<std::size_t>(
+                                        s.contact_node[4 * static_cast<std::size_t>(contact) + k]));
   return sum;
 }
 
 RigidSide rigid_side(const Model& model, const State& s, int contact) {
-  const BlockId block = model.space.solids.contact_block[at(contact)];
+  const BlockId block = model.space.solids.contact_block[contact];
   if (const int support = block - model.n_block; support >= 0) {
-    const std::size_t i = at(support);
+    const std::size_t i = static_cast<std::size_t>(support);
     return {{1, {0, 0, 0}}, {s.support_x[i], s.support_y[i], s.support_z[i]}};
   }
-  const std::size_t i = at(block);
+  const std::size_t i = static_cast<std::size_t>(block);
   return {{s.qw[i], {s.qx[i], s.qy[i], s.qz[i]}}, {s.ux[i], s.uy[i], s.uz[i]}};
 }
 
 BlockReading body_in_space(const Model& model, const State& state, int body) {
   const SpaceSolids& s = model.space.solids;
-  const SpaceSolidBody& of = s.bodies[at(body)];
+  const SpaceSolidBody& of = s.bodies[body];
   Vec3 sum;
   double mass = 0;
-  for (std::size_t i = at(of.first_node); i < at(of.first_node + of.n_node); ++i) {
+  for (std::size_t i = static_cast<std::size_t>(of.first_node);
+       i < static_cast<std::size_t>(of.first_node + of.n_node); ++i) {
     sum = sum + s.node_heavy_mass[i] * moved_of(state, i);
     mass += s.node_heavy_mass[i];
   }
@@ -95,7 +96,7 @@ BlockReading body_in_space(const Model& model, const State& state, int body) {
 double strain_energy_in_space(const Model& model, const State& state) {
   const SpaceSolids& s = model.space.solids;
   double energy = 0;
-  for (std::size_t z = 0; z < at(s.n_zone); ++z)
+  for (std::size_t z = 0; z < static_cast<std::size_t>(s.n_zone); ++z)
     energy += solids::hexahedron_energy(shape_of(s, z), displacements(s, state, z));
   return energy;
 }
@@ -105,13 +106,14 @@ std::vector<BeyondLimit> beyond_limits_in_space(const Model& model, const State&
   const SpaceSolids& s = model.space.solids;
   for (const SpaceSolidBody& body : s.bodies) {
     if (!std::isfinite(body.tension_limit) && !std::isfinite(body.compression_limit)) continue;
-    for (std::size_t z = at(body.first_zone); z < at(body.first_zone + body.n_zone); ++z) {
+    for (std::size_t z = static_cast<std::size_t>(body.first_zone);
+         z < static_cast<std::size_t>(body.first_zone + body.n_zone); ++z) {
       const auto u = displacements(s, state, z);
       const auto principal = solids::principal_of(solids::hexahedron_stress(shape_of(s, z), u));
       Vec3 middle;
       for (std::size_t k = 0; k < 8; ++k)
-        middle = middle + 0.125 * (s.node[at(s.corner[8 * z + k])] +
-                                   moved_of(state, at(s.corner[8 * z + k])));
+        middle = middle + 0.125 * (s.node[s.corner[8 * z + k]] +
+                                   moved_of(state, static_cast<std::size_t>(s.corner[8 * z + k])));
       if (principal[0] > body.tension_limit)
         found.push_back({&body.body.id, true, principal[0], body.tension_limit, middle});
       if (-principal[2] > body.compression_limit)
@@ -125,8 +127,8 @@ std::vector<BeyondLimit> beyond_limits_in_space(const Model& model, const State&
 class LintelStations {
  public:
   LintelStations(const SpaceSolids& m, const SpaceSolidBody& body) : m_(m), body_(body) {
-    const Vec3 a = m.node[at(body.node(body.count[0], 0, 0))] - m.node[at(body.node(0, 0, 0))],
-               c = m.node[at(body.node(0, 0, body.count[2]))] - m.node[at(body.node(0, 0, 0))];
+    const Vec3 a = m.node[body.node(body.count[0], 0, 0)] - m.node[body.node(0, 0, 0)],
+               c = m.node[body.node(0, 0, body.count[2])] - m.node[body.node(0, 0, 0)];
     runs_along_c_ = length(c) > length(a);
     along_ = runs_along_c_ ? c / length(c) : a / length(a);
     is_reversed_ = along_.x < -1e-9 || (std::fabs(along_.x) <= 1e-9 && along_.z < 0);
@@ -137,8 +139,7 @@ class LintelStations {
   // Sag, mean through the section at a station.
   [[nodiscard]] double sag(const State& s, int station) const {
     double sum = 0, n = 0;
-    each_place(1,
-               [&](int across, int up) { sum -= s.node_uy[at(node(station, up, across))], ++n; });
+    each_place(1, [&](int across, int up) { sum -= s.node_uy[node(station, up, across)], ++n; });
     return sum / n;
   }
   // Turn of a section, from its lowest nodes to its highest, in the plane of the lintel and the vertical.
@@ -146,7 +147,8 @@ class LintelStations {
     const int top = body_.count[1];
     double along = 0, high = 0;
     for (int across = 0; across <= others(); ++across) {
-      const std::size_t low = at(node(station, 0, across)), up = at(node(station, top, across));
+      const std::size_t low = static_cast<std::size_t>(node(station, 0, across)),
+                        up = static_cast<std::size_t>(node(station, top, across));
       const Vec3 between = m_.node[up] - m_.node[low] + moved_of(s, up) - moved_of(s, low);
       along += dot(between, along_), high += between.y;
     }
@@ -154,14 +156,14 @@ class LintelStations {
   }
   // Axial force in one layer of zones across it.
   [[nodiscard]] double axial(const State& s, int layer) const {
-    const Vec3 up = m_.node[at(node(0, body_.count[1], 0))] - m_.node[at(node(0, 0, 0))],
-               wide = m_.node[at(node(0, 0, others()))] - m_.node[at(node(0, 0, 0))];
+    const Vec3 up = m_.node[node(0, body_.count[1], 0)] - m_.node[node(0, 0, 0)],
+               wide = m_.node[node(0, 0, others())] - m_.node[node(0, 0, 0)];
     const double area = length(cross(up, wide)) / (body_.count[1] * others());
     double force = 0;
     each_place(0, [&](int across, int row) {
       const int i = is_reversed_ ? count() - 1 - layer : layer;
-      const std::size_t z =
-          at(runs_along_c_ ? body_.zone(across, row, i) : body_.zone(i, row, across));
+      const std::size_t z = static_cast<std::size_t>(runs_along_c_ ? body_.zone(across, row, i)
+                                                                   : body_.zone(i, row, across));
       const auto [xx, yy, zz, xy, yz, zx] =
           solids::hexahedron_stress(shape_of(m_, z), displacements(m_, s, z));
       const Vec3 d = along_;

@@ -15,7 +15,7 @@ namespace wythe {
 namespace {
 
 // Pages are sent about: of the compared folder only its own name, in the notes too.
-void drop_folders(report::Json& opinion) {
+void drop_compared_folder(report::Json& opinion) {
   report::Json& comparison = opinion["comparison"];
   if (!comparison.is_object()) return;
   const std::string with = comparison.value("with", "");
@@ -38,7 +38,7 @@ std::string limit_data(const ModelSpec& spec, const Model& model,
   bundle.header["title"] = spec.name;
   bundle.header["note"] = spec.note;
   bundle.header["opinion"] = Json::parse(mechanisms_json);
-  drop_folders(bundle.header["opinion"]);
+  drop_compared_folder(bundle.header["opinion"]);
   say_messages(bundle.header["opinion"]);
   bundle.header["inputs"] = model_inputs(spec, model);
   bundle.header["model_text"] = write_model(spec);

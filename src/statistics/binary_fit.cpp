@@ -12,7 +12,6 @@
 namespace wythe::study {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // A slope beyond is no answer: P goes from 5 to 95 % within 0.2 standard deviations of the input.
 constexpr double kSteepest = 30;
 constexpr double kChi95 = kNormal95 * kNormal95;

@@ -17,7 +17,6 @@
 namespace wythe {
 namespace {
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kRounding = 1e-6;  // a smaller relative difference is none
 
 // --- one change ------------------------------------------------------------------------------------
@@ -37,13 +36,13 @@ Interval reach_of(const Change& change) {
   const bool has_interval = !std::isnan(change.ratio.interval.low);
   const double low = has_interval ? change.ratio.interval.low : change.ratio.value;
   const double high = has_interval ? change.ratio.interval.high : change.ratio.value;
-  return {change.at_most ? 0 : low, change.at_least ? kInfinite : high};
+  return {change.at_most ? 0 : low, change.at_least ? kInfinity : high};
 }
 
 ChangeAnswer answer_of(const Change& change, double least, double most) {
   const Interval reach = reach_of(change);
   const double low = least * (1 - kRounding);
-  const double high = std::isnan(most) ? kInfinite : most * (1 + kRounding);
+  const double high = std::isnan(most) ? kInfinity : most * (1 + kRounding);
   if (reach.low >= low && reach.high <= high) return ChangeAnswer::kYes;
   if (reach.high < low || reach.low > high) return ChangeAnswer::kNo;
   return ChangeAnswer::kNotShown;

@@ -10,7 +10,6 @@
 namespace wythe::study {
 namespace {
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kDeviance95 = 3.841458820694124;  // 95 % of chi-square with one degree
 constexpr int kSteps = 200;
 constexpr double kFar = 60;  // standard deviations of the brackets' ends: beyond, nothing is known
@@ -45,7 +44,7 @@ double crossing(const std::function<double(double)>& f, double from, double sign
   while (f(far) > 0) {
     near = far;
     far = from + sign * (step *= 1.5);
-    if (step > kFar) return sign * kInfinite;
+    if (step > kFar) return sign * kInfinity;
   }
   for (int k = 0; k < kSteps; ++k) {
     const double middle = 0.5 * (near + far);
@@ -72,7 +71,7 @@ std::vector<Between> taken_together(std::vector<Between> data) {
 
 // Whether a finite median and dispersion are likeliest, as far as the brackets' ends tell.
 LimitStateVerdict verdict_of(const std::vector<Between>& data) {
-  double lowest_high = kInfinite, highest_low = 0;
+  double lowest_high = kInfinity, highest_low = 0;
   bool any_low = false, any_high = false;
   for (const Between& d : data) {
     any_low = any_low || d.low > 0;
@@ -109,10 +108,10 @@ LognormalFit::Slope LognormalFit::slope(double a, double b) const {
   Slope s;
   for (const Between& d : data_) {
     // b x + a, infinite ends as they are for any b
-    const double u = std::isinf(d.high) ? kInfinite : a + b * d.high;
-    const double l = std::isinf(d.low) ? -kInfinite : a + b * d.low;
+    const double u = std::isinf(d.high) ? kInfinity : a + b * d.high;
+    const double l = std::isinf(d.low) ? -kInfinity : a + b * d.low;
     const double p = between(l, u);
-    if (!(p > 0)) return {.value = -kInfinite, .first = {}, .second = {}};
+    if (!(p > 0)) return {.value = -kInfinity, .first = {}, .second = {}};
     const double xu = std::isinf(d.high) ? 0 : d.high, xl = std::isinf(d.low) ? 0 : d.low;
     const double du = density(u) / p, dl = density(l) / p;
     const double uu = -leaning(u) / p - du * du, ll = leaning(l) / p - dl * dl, ul = du * dl;

@@ -11,7 +11,6 @@
 namespace wythe::study {
 namespace {
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kLevel = 0.05;
 constexpr int kFewestForGain = 10;  // pairs to correlate with an input
 constexpr int kFewestBesideBounds =
@@ -236,7 +235,7 @@ std::vector<double> holm(const std::vector<double>& p) {
 
 Interval difference_bounds(const PairValue& pair) {
   const double d = pair.option.value - pair.base.value;
-  return {pair.base.censored ? -kInfinite : d, pair.option.censored ? kInfinite : d};
+  return {pair.base.censored ? -kInfinity : d, pair.option.censored ? kInfinity : d};
 }
 
 PairedResponse paired_response(std::vector<PairValue> pairs, bool cut, int lost) {

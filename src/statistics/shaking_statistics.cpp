@@ -25,7 +25,6 @@ namespace wythe {
 namespace study {
 namespace {
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr int kCurvePoints = 41;
 constexpr double kMostLostReplicates = 0.05;  // of a bootstrap, without a fit
 constexpr std::uint64_t kSeed = 0x46524147u;
@@ -86,7 +85,7 @@ std::vector<Shaken> shaken_of(const Campaign& campaign) {
 // A bracket, and where it would end if the shakes that were lost had reached the limit state, or not.
 struct Found {
   Bracket bracket;
-  double if_reached = kInfinite, if_not = 0;
+  double if_reached = kInfinity, if_not = 0;
 };
 
 Found bracket_of(const LimitStateSpec& limit, const Shaken& sample) {
@@ -94,7 +93,7 @@ Found bracket_of(const LimitStateSpec& limit, const Shaken& sample) {
   Bracket& b = found.bracket;
   b.sample = sample.sample->sample;
   b.wall = sample.of.wall, b.record = std::max(0, sample.of.record);
-  b.high = kInfinite;
+  b.high = kInfinity;
   for (const ShakeAnswer* shake : sample.shakes)
     if (shake->counts() && reaches(limit, *shake)) b.high = std::min(b.high, shake->intensity);
   for (const ShakeAnswer* shake : sample.shakes) {
@@ -173,7 +172,7 @@ double median_if(const std::vector<Found>& found, bool reached) {
   std::vector<Between> data = betweens(found);
   for (const Found& f : found)
     if (!f.bracket.is_known)
-      data.push_back(reached ? Between{f.bracket.low, f.if_reached} : Between{f.if_not, kInfinite});
+      data.push_back(reached ? Between{f.bracket.low, f.if_reached} : Between{f.if_not, kInfinity});
   return LognormalFit(data).median();
 }
 
@@ -338,7 +337,7 @@ void fit_counts(LimitStateFragility& out) {
   std::vector<Between> data;
   for (const LimitStateCount& c : out.count) {
     data.push_back({0, c.intensity, static_cast<double>(c.reached)});
-    data.push_back({c.intensity, kInfinite, static_cast<double>(c.n - c.reached)});
+    data.push_back({c.intensity, kInfinity, static_cast<double>(c.n - c.reached)});
   }
   const LognormalFit fit(data);
   out.count_median = fit.median();
@@ -396,7 +395,7 @@ IntensitySummary intensity_summary(const ShakingSpec& shaking, double intensity,
     const bool fell = after || (counts && shake->collapsed);
     out.lost += counts ? 0 : 1;
     out.collapsed += fell ? 1 : 0;
-    if (counts) drift.push_back(fell ? kInfinite : shake->peak_drift);
+    if (counts) drift.push_back(fell ? kInfinity : shake->peak_drift);
     cells.push_back(
         {sample.record_rank, sample.of.wall,
          counts && !fell && shake->peak_drift > 0 ? std::log(shake->peak_drift) : kUnset});
@@ -408,7 +407,7 @@ IntensitySummary intensity_summary(const ShakingSpec& shaking, double intensity,
     if (drift.empty()) return static_cast<double>(kUnset);
     const auto above =
         static_cast<std::size_t>(std::ceil(p * static_cast<double>(drift.size() - 1)));
-    return std::isinf(drift[above]) ? kInfinite : quantile_of(drift, p);
+    return std::isinf(drift[above]) ? kInfinity : quantile_of(drift, p);
   };
   out.drift_16 = share(0.16), out.drift_50 = share(0.5), out.drift_84 = share(0.84);
   out.scatter = scatter_of(cells, 0);

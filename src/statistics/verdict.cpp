@@ -19,7 +19,6 @@ namespace {
 constexpr double kHalf =
     0.5;  // of the walls: codes judge one wall of mean strengths, the one in the middle
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 // Standard deviation of ln of the peaks of tested walls of one masonry, size and pressure (docs/theory/assessment.md):
 // a hundred equal walls know no more than one, and one tenth of what tests scatter is as good as equal.
 constexpr double kTestedScatter = 0.085, kAlike = 0.1;
@@ -32,7 +31,7 @@ bool is_in_plane(const Model& model, const std::string& mode) {
 // drift of tested walls its force falls; `seen` is what its pushes showed of it.
 struct Range {
   Reading seen;
-  double low = 0, high = kInfinite, least = 0, most = kInfinite;
+  double low = 0, high = kInfinity, least = 0, most = kInfinity;
 };
 
 Range range_of(const JudgedWall& wall, LimitState state) {

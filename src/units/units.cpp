@@ -34,7 +34,7 @@ struct FreeUnit {
 using Unit = std::unique_ptr<ut_unit, FreeUnit>;
 
 enum class Verdict { kGood, kUnknown, kOtherDimension };
-struct Factor {
+struct Conversion {
   Verdict verdict = Verdict::kUnknown;
   double value = 0;
 };
@@ -58,7 +58,7 @@ class UnitTable {
   UnitTable(const UnitTable&) = delete;
   UnitTable& operator=(const UnitTable&) = delete;
 
-  Factor factor(const std::string& unit, const std::string& si_unit) {
+  Conversion factor(const std::string& unit, const std::string& si_unit) {
     const std::lock_guard lock(mutex_);
     const auto key = std::pair(unit, si_unit);
     if (const auto found = known_.find(key); found != known_.end()) return found->second;
@@ -83,12 +83,12 @@ class UnitTable {
     return Unit(ut_parse(system_, whole.c_str(), UT_UTF8));
   }
 
-  [[nodiscard]] Factor look_up(const std::string& unit, const std::string& si_unit) const {
+  [[nodiscard]] Conversion look_up(const std::string& unit, const std::string& si_unit) const {
     const Unit from = parse(unit), to = parse(si_unit);
     if (!from || !to) return {Verdict::kUnknown, 0};
     cv_converter* converter = ut_get_converter(from.get(), to.get());
     if (!converter) return {Verdict::kOtherDimension, 0};
-    Factor out{Verdict::kOtherDimension, 0};
+    Conversion out{Verdict::kOtherDimension, 0};
     if (is_proportional(converter)) out = {Verdict::kGood, cv_convert_double(converter, 1.0)};
     cv_free(converter);
     return out;
@@ -96,7 +96,7 @@ class UnitTable {
 
   ut_system* system_ = nullptr;
   std::mutex mutex_;
-  std::map<std::pair<std::string, std::string>, Factor> known_;
+  std::map<std::pair<std::string, std::string>, Conversion> known_;
 };
 
 UnitTable& unit_table() {
@@ -262,7 +262,7 @@ void refuse_slopes(const std::string& unit, std::string_view si_unit) {
 
 double checked_factor(const std::string& unit, std::string_view si_unit) {
   refuse_doubtful_words(unit, si_unit);
-  const Factor factor = unit_table().factor(unit, std::string(si_unit));
+  const Conversion factor = unit_table().factor(unit, std::string(si_unit));
   const std::string cure = fmt::format("write it in {} or a multiple of it", si_unit);
   if (factor.verdict == Verdict::kUnknown)
     throw QuantityError(fmt::format("the unit {} is not known", unit), cure);

@@ -17,7 +17,7 @@
 #include "wythe/checkpoint.h"
 #include "wythe/solve.h"
 
-namespace wythe {
+namespace wythe::collapse_test {
 namespace {
 
 // A dry portal, pushed until it falls.
@@ -208,4 +208,4 @@ TEST(Collapse, makes_no_energy) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::collapse_test

@@ -10,7 +10,7 @@
 #include "scenes/shares.h"
 #include "scenes/zones.h"
 
-namespace wythe {
+namespace wythe::kernels_test {
 namespace {
 
 using dynamics::Kernels;
@@ -150,4 +150,4 @@ TEST(Kernels, one_is_chosen_for_this_processor) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::kernels_test

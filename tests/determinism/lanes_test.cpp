@@ -19,7 +19,7 @@
 #include "wythe/io.h"
 #include "wythe/lanes.h"
 
-namespace wythe {
+namespace wythe::lanes_test {
 namespace {
 
 using dynamics::LaneSolver;
@@ -535,4 +535,4 @@ TEST(Lanes, a_wrong_number_of_lanes_is_refused) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::lanes_test

@@ -14,7 +14,7 @@
 #include "wythe/checkpoint.h"
 #include "wythe/solve.h"
 
-namespace wythe {
+namespace wythe::space_test {
 namespace {
 
 using dynamics::space::SpaceProcessor;
@@ -157,4 +157,4 @@ TEST(SpaceBits, a_run_that_was_cut_anywhere_ends_with_the_same_bits) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::space_test

@@ -10,7 +10,7 @@
 #include "scenes/zones.h"
 #include "wythe/solve.h"
 
-namespace wythe {
+namespace wythe::threads_test {
 namespace {
 
 struct End {
@@ -120,4 +120,4 @@ TEST(Determinism, the_hash_sees_every_bit) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::threads_test

@@ -9,7 +9,7 @@
 #include "geometry/bodies/joint_faces.h"
 #include "scenes/solids.h"
 
-namespace wythe::geometry {
+namespace wythe::geometry::bodies_property_test {
 namespace {
 
 using scenes::box_body;
@@ -98,4 +98,4 @@ RC_GTEST_PROP(Bodies, free_and_joint_areas_add_up_to_the_surface, ()) {
 }
 
 }  // namespace
-}  // namespace wythe::geometry
+}  // namespace wythe::geometry::bodies_property_test

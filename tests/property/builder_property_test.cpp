@@ -10,7 +10,7 @@
 #include "geometry/bodies/joint_faces.h"
 #include "geometry/builder/builder.h"
 
-namespace wythe::geometry {
+namespace wythe::geometry::builder_property_test {
 namespace {
 
 using Points = std::vector<std::array<double, 2>>;
@@ -447,4 +447,4 @@ TEST(Builder, bad_numbers_are_refused_all_at_once) {
 }
 
 }  // namespace
-}  // namespace wythe::geometry
+}  // namespace wythe::geometry::builder_property_test

@@ -23,7 +23,7 @@
 #include "wythe/io.h"
 #include "wythe/study.h"
 
-namespace wythe::io {
+namespace wythe::io::compiler_test {
 namespace {
 
 // Fixed unless the environment asks for another.
@@ -443,4 +443,4 @@ TEST(Compiler, samples_of_the_tuff_study_share_one_shape_and_keep_their_bits) {
 }
 
 }  // namespace
-}  // namespace wythe::io
+}  // namespace wythe::io::compiler_test

@@ -14,7 +14,7 @@
 #include "scenes/scenes.h"
 #include "scenes/shares.h"
 
-namespace wythe {
+namespace wythe::contacts_test {
 namespace {
 
 using scenes::Rig;
@@ -244,4 +244,4 @@ TEST(FreeContact, two_free_blocks_keep_their_momentum) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::contacts_test

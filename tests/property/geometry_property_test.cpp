@@ -13,7 +13,7 @@
 #include "geometry/polygon.h"
 #include "geometry/wall/checks.h"
 
-namespace wythe::geometry {
+namespace wythe::geometry::geometry_property_test {
 namespace {
 
 constexpr double kColumn = 0.12, kCourse = 0.08;  // half unit and course [m]
@@ -328,4 +328,4 @@ TEST(geometry_determinism, the_same_spec_gives_the_same_faces) {
 }
 
 }  // namespace
-}  // namespace wythe::geometry
+}  // namespace wythe::geometry::geometry_property_test

@@ -10,7 +10,7 @@
 #include "scenes/scenes.h"
 #include "wythe/solve.h"
 
-namespace wythe {
+namespace wythe::mechanics_test {
 namespace {
 
 using scenes::Rig;
@@ -208,4 +208,4 @@ TEST(Points, statics_do_not_depend_on_the_number_of_points) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::mechanics_test

@@ -14,7 +14,7 @@
 #include "geometry/polygon.h"
 #include "scenes/shares.h"
 
-namespace wythe::dynamics {
+namespace wythe::dynamics::pressing_test {
 namespace {
 
 using scenes::Shares;
@@ -148,4 +148,4 @@ TEST(Pressing, has_the_bits_of_two_parts_alone_at_every_width) {
 }
 
 }  // namespace
-}  // namespace wythe::dynamics
+}  // namespace wythe::dynamics::pressing_test

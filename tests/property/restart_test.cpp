@@ -19,7 +19,7 @@
 #include "wythe/io.h"
 #include "wythe/solve.h"
 
-namespace wythe {
+namespace wythe::restart_test {
 namespace {
 
 using scenes::Rig;
@@ -263,4 +263,4 @@ TEST(Restart, a_body_force_that_stands_still_in_pieces_gives_the_same_result) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::restart_test

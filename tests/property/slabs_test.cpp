@@ -9,7 +9,7 @@
 #include "geometry/bodies/solid_cut.h"
 #include "geometry/builder/builder.h"
 
-namespace wythe::geometry {
+namespace wythe::geometry::slabs_test {
 namespace {
 
 using Points = std::vector<std::array<double, 2>>;
@@ -323,4 +323,4 @@ TEST(SolidCut, what_is_left_of_a_solid_hangs_together_unless_it_was_cut_through)
 }
 
 }  // namespace
-}  // namespace wythe::geometry
+}  // namespace wythe::geometry::slabs_test

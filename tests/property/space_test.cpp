@@ -12,7 +12,7 @@
 
 #include "scenes/space_rig.h"
 
-namespace wythe {
+namespace wythe::space_test {
 namespace {
 
 using scenes::box;
@@ -194,4 +194,4 @@ TEST(SpaceWorld, a_face_cut_in_two_carries_the_same_while_it_is_elastic) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::space_test

@@ -20,7 +20,7 @@
 #include "wythe/io.h"
 #include "wythe/units.h"
 
-namespace wythe::io {
+namespace wythe::io::spec_roundtrip_test {
 namespace {
 
 // Fixed unless the environment asks for another.
@@ -398,4 +398,4 @@ RC_GTEST_PROP(QuantityRoundTrip, every_finite_double_returns, (std::uint64_t bit
 }
 
 }  // namespace
-}  // namespace wythe::io
+}  // namespace wythe::io::spec_roundtrip_test

@@ -15,7 +15,7 @@
 #include "scenes/rig.h"
 #include "scenes/scenes.h"
 
-namespace wythe {
+namespace wythe::symmetry_test {
 namespace {
 
 using scenes::Rig;
@@ -178,4 +178,4 @@ TEST(Symmetry, three_times_the_size_gives_the_scaled_answer) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::symmetry_test

@@ -12,7 +12,7 @@
 #include "scenes/zones.h"
 #include "wythe/solve.h"
 
-namespace wythe {
+namespace wythe::zone_walls_test {
 namespace {
 
 using scenes::Rig;
@@ -282,4 +282,4 @@ TEST(ZoneWalls, bearing_and_top_of_a_lintel_take_their_own_bonds) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::zone_walls_test

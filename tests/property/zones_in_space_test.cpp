@@ -16,7 +16,7 @@
 #include "wythe/error.h"
 #include "wythe/solve.h"
 
-namespace wythe {
+namespace wythe::zones_in_space_test {
 namespace {
 
 using scenes::Column;
@@ -338,4 +338,4 @@ TEST(ZonesInSpace, what_zones_cannot_do_is_refused_by_name) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::zones_in_space_test

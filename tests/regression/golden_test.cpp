@@ -12,7 +12,7 @@
 #include "scenes/scenes.h"
 #include "wythe/solve.h"
 
-namespace wythe {
+namespace wythe::golden_test {
 namespace {
 
 std::string describe_run(const ModelSpec& spec) {
@@ -60,4 +60,4 @@ TEST(Golden, first_millimetre_of_the_tuff_wall) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::golden_test

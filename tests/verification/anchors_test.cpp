@@ -11,7 +11,7 @@
 #include "wythe/reading.h"
 #include "wythe/solve.h"
 
-namespace wythe::verification {
+namespace wythe::verification::anchors_test {
 namespace {
 
 constexpr double kTension = 5e3, kShear = 3e3, kSlip = 1e-3;  // of one anchor [N], [m]
@@ -255,4 +255,4 @@ TEST(Anchors, what_cannot_be_is_refused_with_its_place) {
 }
 
 }  // namespace
-}  // namespace wythe::verification
+}  // namespace wythe::verification::anchors_test

@@ -11,7 +11,7 @@
 #include "verification/record.h"
 #include "wythe/solve.h"
 
-namespace wythe::verification {
+namespace wythe::verification::arch_pulse_test {
 namespace {
 
 using scenes::degrees;
@@ -330,4 +330,4 @@ TEST(ArchUnderPulse, the_ledger_of_the_undamped_arch_closes) {
 }
 
 }  // namespace
-}  // namespace wythe::verification
+}  // namespace wythe::verification::arch_pulse_test

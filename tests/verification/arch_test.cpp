@@ -14,7 +14,7 @@
 #include "wythe/reading.h"
 #include "wythe/solve.h"
 
-namespace wythe::verification {
+namespace wythe::verification::arch_test {
 namespace {
 
 using scenes::degrees;
@@ -337,4 +337,4 @@ TEST(Arch, CF30_on_supports_that_part_falls_where_its_hinges_say) {
 }
 
 }  // namespace
-}  // namespace wythe::verification
+}  // namespace wythe::verification::arch_test

@@ -12,7 +12,7 @@
 #include "wythe/reading.h"
 #include "wythe/solve.h"
 
-namespace wythe {
+namespace wythe::built_space_test {
 namespace {
 
 using scenes::Outcome;
@@ -110,4 +110,4 @@ TEST(BuiltSpace, an_arch_on_spreading_supports_thrusts_the_least_and_weighs_its_
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::built_space_test

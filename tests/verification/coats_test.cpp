@@ -16,7 +16,7 @@
 #include "wythe/reading.h"
 #include "wythe/solve.h"
 
-namespace wythe::verification {
+namespace wythe::verification::coats_test {
 namespace {
 
 constexpr double kLong = 1, kHigh = 0.5, kThick = 0.3;  // of a block [m]
@@ -190,4 +190,4 @@ TEST(Coats, limit_analysis_and_macro_blocks_refuse_mortar) {
 }
 
 }  // namespace
-}  // namespace wythe::verification
+}  // namespace wythe::verification::coats_test

@@ -20,7 +20,7 @@
 #include "wythe/reading.h"
 #include "wythe/solve.h"
 
-namespace wythe {
+namespace wythe::compas_test {
 namespace {
 
 using scenes::Outcome;
@@ -278,4 +278,4 @@ TEST(Compas, a_dome_stands) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::compas_test

@@ -12,7 +12,7 @@
 #include "scenes/space_rig.h"
 #include "wythe/solve.h"
 
-namespace wythe::verification {
+namespace wythe::verification::contacts_in_space_test {
 namespace {
 
 using contact::SpaceFrame;
@@ -525,4 +525,4 @@ TEST(ContactInSpace, a_block_pushed_off_falls_on_the_ground) {
 }
 
 }  // namespace
-}  // namespace wythe::verification
+}  // namespace wythe::verification::contacts_in_space_test

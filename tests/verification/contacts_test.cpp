@@ -9,7 +9,7 @@
 #include "scenes/scenes.h"
 #include "wythe/solve.h"
 
-namespace wythe::verification {
+namespace wythe::verification::contacts_test {
 namespace {
 
 using scenes::degrees;
@@ -380,4 +380,4 @@ TEST(FreeContacts, a_block_pushed_off_its_neighbour_falls) {
 }
 
 }  // namespace
-}  // namespace wythe::verification
+}  // namespace wythe::verification::contacts_test

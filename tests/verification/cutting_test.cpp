@@ -13,7 +13,7 @@
 #include "wythe/reading.h"
 #include "wythe/solve.h"
 
-namespace wythe::verification {
+namespace wythe::verification::cutting_test {
 namespace {
 
 constexpr double kLoad = 20e3;  // on each pier [N]
@@ -314,4 +314,4 @@ TEST(Cutting, a_stage_that_cuts_nothing_is_told) {
 }
 
 }  // namespace
-}  // namespace wythe::verification
+}  // namespace wythe::verification::cutting_test

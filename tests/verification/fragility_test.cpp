@@ -13,7 +13,7 @@
 #include "statistics/statistics_parts.h"
 #include "verification/record.h"
 
-namespace wythe::verification {
+namespace wythe::verification::fragility_test {
 namespace {
 
 using namespace study;
@@ -279,4 +279,4 @@ TEST(Measuring, takes_the_share_of_an_additive_model) {
 }
 
 }  // namespace
-}  // namespace wythe::verification
+}  // namespace wythe::verification::fragility_test

@@ -17,7 +17,7 @@
 #include "wythe/reading.h"
 #include "wythe/solve.h"
 
-namespace wythe::verification {
+namespace wythe::verification::frames_test {
 namespace {
 
 constexpr double kSpan = 4, kHeight = 3;  // of the axis [m]
@@ -325,4 +325,4 @@ TEST(Frames, energy_balances_over_a_plastic_cycle) {
 }
 
 }  // namespace
-}  // namespace wythe::verification
+}  // namespace wythe::verification::frames_test

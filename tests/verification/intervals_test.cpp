@@ -17,7 +17,7 @@
 #include "statistics/survival.h"
 #include "verification/record.h"
 
-namespace wythe::verification {
+namespace wythe::verification::intervals_test {
 namespace {
 
 using namespace study;
@@ -267,4 +267,4 @@ TEST(Estimators, first_order_index_has_no_bias_for_an_idle_input) {
 }
 
 }  // namespace
-}  // namespace wythe::verification
+}  // namespace wythe::verification::intervals_test

@@ -9,7 +9,7 @@
 #include "wythe/contact_law.h"
 #include "wythe/solve.h"
 
-namespace wythe::verification {
+namespace wythe::verification::joint_law_test {
 namespace {
 
 using scenes::degrees;
@@ -216,4 +216,4 @@ TEST(ClosedForm, CF15_closure_at_zero_compressive_stress) {
 }
 
 }  // namespace
-}  // namespace wythe::verification
+}  // namespace wythe::verification::joint_law_test

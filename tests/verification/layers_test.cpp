@@ -20,7 +20,7 @@
 #include "wythe/reading.h"
 #include "wythe/solve.h"
 
-namespace wythe::verification {
+namespace wythe::verification::layers_test {
 namespace {
 
 constexpr double kBreadth = 0.1, kThick = 0.1;                 // of the column [m]
@@ -291,4 +291,4 @@ TEST(Layers, a_column_that_is_pulled_apart_keeps_its_ledger) {
 }
 
 }  // namespace
-}  // namespace wythe::verification
+}  // namespace wythe::verification::layers_test

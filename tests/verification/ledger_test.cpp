@@ -11,7 +11,7 @@
 #include "verification/record.h"
 #include "wythe/solve.h"
 
-namespace wythe::verification {
+namespace wythe::verification::ledger_test {
 namespace {
 
 using scenes::degrees;
@@ -120,4 +120,4 @@ TEST(Ledger, a_joint_with_dilatancy_that_slides_to_and_fro) {
 }
 
 }  // namespace
-}  // namespace wythe::verification
+}  // namespace wythe::verification::ledger_test

@@ -12,7 +12,7 @@
 #include "wythe/io.h"
 #include "wythe/limit.h"
 
-namespace wythe {
+namespace wythe::limit_in_space_test {
 namespace {
 
 using scenes::box;
@@ -282,4 +282,4 @@ TEST(LimitInSpace, a_stone_stands_below_the_friction_of_its_bed_and_not_above) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::limit_in_space_test

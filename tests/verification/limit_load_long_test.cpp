@@ -8,7 +8,7 @@
 #include "wythe/io.h"
 #include "wythe/limit.h"
 
-namespace wythe::verification {
+namespace wythe::verification::limit_load_long_test {
 namespace {
 
 // Two storeys, six windows and a door. The figure is that of another program, Clp's interior point, on
@@ -27,4 +27,4 @@ TEST(LargeLimitLoad, facade_of_4660_blocks_within_a_minute) {
 }
 
 }  // namespace
-}  // namespace wythe::verification
+}  // namespace wythe::verification::limit_load_long_test

@@ -14,7 +14,7 @@
 #include "wythe/limit.h"
 #include "wythe/solve.h"
 
-namespace wythe::verification {
+namespace wythe::verification::limit_load_test {
 namespace {
 
 using scenes::degrees;
@@ -604,4 +604,4 @@ TEST(LimitLoad, nothing_that_grows_is_refused) {
 }
 
 }  // namespace
-}  // namespace wythe::verification
+}  // namespace wythe::verification::limit_load_test

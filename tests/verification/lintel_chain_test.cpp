@@ -18,7 +18,7 @@
 #include "verification/record.h"
 #include "wythe/solve.h"
 
-namespace wythe::verification {
+namespace wythe::verification::lintel_chain_test {
 namespace {
 
 using scenes::Rig;
@@ -294,4 +294,4 @@ TEST(RingBeam, compiled_has_the_stiffnesses_of_its_stated_section) {
 }
 
 }  // namespace
-}  // namespace wythe::verification
+}  // namespace wythe::verification::lintel_chain_test

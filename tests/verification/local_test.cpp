@@ -13,7 +13,7 @@
 #include "wythe/local_check.h"
 #include "wythe/second_opinion.h"
 
-namespace wythe {
+namespace wythe::local_test {
 namespace {
 
 using verification::verify;
@@ -665,4 +665,4 @@ TEST(Local, limit_analysis_pushes_a_floor_in_space_as_the_strip_does) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::local_test

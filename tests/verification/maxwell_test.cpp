@@ -14,7 +14,7 @@
 #include "verification/record.h"
 #include "wythe/solve.h"
 
-namespace wythe::verification {
+namespace wythe::verification::maxwell_test {
 namespace {
 
 using scenes::degrees;
@@ -217,4 +217,4 @@ TEST(FreeDashpots, a_block_that_falls_flat_comes_back_with_its_restitution) {
 }
 
 }  // namespace
-}  // namespace wythe::verification
+}  // namespace wythe::verification::maxwell_test

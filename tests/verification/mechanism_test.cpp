@@ -13,7 +13,7 @@
 #include "wythe/error.h"
 #include "wythe/limit.h"
 
-namespace wythe::verification {
+namespace wythe::verification::mechanism_test {
 namespace {
 
 // --- one block -------------------------------------------------------------------------------------
@@ -534,4 +534,4 @@ TEST(MacroBlock, peaks_beside_the_bracket_of_the_model) {
 }
 
 }  // namespace
-}  // namespace wythe::verification
+}  // namespace wythe::verification::mechanism_test

@@ -8,7 +8,7 @@
 #include "scenes/scenes.h"
 #include "verification/record.h"
 
-namespace wythe::verification {
+namespace wythe::verification::motion_test {
 namespace {
 
 using scenes::degrees;
@@ -201,4 +201,4 @@ TEST(ClosedForm, CF08_local_damping_amplitude_ratio) {
 }
 
 }  // namespace
-}  // namespace wythe::verification
+}  // namespace wythe::verification::motion_test

@@ -10,7 +10,7 @@
 #include "wythe/reading.h"
 #include "wythe/solve.h"
 
-namespace wythe {
+namespace wythe::office_test {
 namespace {
 
 using verification::verify;
@@ -75,4 +75,4 @@ TEST(Office, a_wall_at_lc1_with_coefficients_and_a_floor) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::office_test

@@ -9,7 +9,7 @@
 #include "verification/record.h"
 #include "wythe/solve.h"
 
-namespace wythe::verification {
+namespace wythe::verification::rocking_test {
 namespace {
 
 using scenes::degrees;
@@ -227,4 +227,4 @@ TEST(ClosedForm, CF18_free_rocking_period) {
 }
 
 }  // namespace
-}  // namespace wythe::verification
+}  // namespace wythe::verification::rocking_test

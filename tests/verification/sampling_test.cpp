@@ -14,7 +14,7 @@
 #include "wythe/statistics.h"
 #include "wythe/study.h"
 
-namespace wythe {
+namespace wythe::sampling_test {
 namespace {
 
 using verification::verify;
@@ -511,4 +511,4 @@ TEST(Samples, of_a_larger_monte_carlo_study_begin_with_those_of_a_smaller) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::sampling_test

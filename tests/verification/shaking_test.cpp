@@ -11,7 +11,7 @@
 #include "verification/record.h"
 #include "wythe/solve.h"
 
-namespace wythe::verification {
+namespace wythe::verification::shaking_test {
 namespace {
 
 using scenes::box;
@@ -513,4 +513,4 @@ TEST(Shaking, the_storey_whose_stone_slides_has_the_drift) {
 }
 
 }  // namespace
-}  // namespace wythe::verification
+}  // namespace wythe::verification::shaking_test

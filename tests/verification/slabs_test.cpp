@@ -11,7 +11,7 @@
 #include "wythe/reading.h"
 #include "wythe/solve.h"
 
-namespace wythe {
+namespace wythe::slabs_test {
 namespace {
 
 using verification::verify;
@@ -253,4 +253,4 @@ TEST(Slab, on_walls_that_stand_free_it_slides_as_on_fixed_ones) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::slabs_test

@@ -17,7 +17,7 @@
 #include "statistics/statistics_parts.h"
 #include "statistics/survival.h"
 
-namespace wythe::verification {
+namespace wythe::verification::small_samples_test {
 namespace {
 
 using namespace study;
@@ -273,4 +273,4 @@ TEST(SmallSamples, a_bootstrap_of_few_is_withheld) {
 }
 
 }  // namespace
-}  // namespace wythe::verification
+}  // namespace wythe::verification::small_samples_test

@@ -9,7 +9,7 @@
 #include "record.h"
 #include "scenes/space_rig.h"
 
-namespace wythe {
+namespace wythe::space_motion_test {
 namespace {
 
 using scenes::box;
@@ -280,4 +280,4 @@ TEST(SpaceMotion, two_blocks_swing_against_each_other_in_six_ways) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::space_motion_test

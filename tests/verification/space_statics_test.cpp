@@ -12,7 +12,7 @@
 #include "scenes/space_rig.h"
 #include "wythe/io.h"
 
-namespace wythe {
+namespace wythe::space_statics_test {
 namespace {
 
 using scenes::box;
@@ -279,4 +279,4 @@ TEST(SpaceStatics, a_block_rocks_about_each_edge_in_the_time_of_its_closed_form)
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::space_statics_test

@@ -11,7 +11,7 @@
 #include "wythe/reading.h"
 #include "wythe/solve.h"
 
-namespace wythe {
+namespace wythe::space_test {
 namespace {
 
 using scenes::box;
@@ -168,4 +168,4 @@ TEST(Space, a_wall_of_prisms_is_the_plane_wall) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::space_test

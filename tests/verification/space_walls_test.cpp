@@ -15,7 +15,7 @@
 #include "wythe/limit.h"
 #include "wythe/solve.h"
 
-namespace wythe {
+namespace wythe::space_walls_test {
 namespace {
 
 using scenes::box;
@@ -453,4 +453,4 @@ TEST(SpaceWalls, cubes_share_the_faces_that_their_places_say) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::space_walls_test

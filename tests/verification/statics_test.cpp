@@ -8,7 +8,7 @@
 #include "verification/record.h"
 #include "wythe/solve.h"
 
-namespace wythe::verification {
+namespace wythe::verification::statics_test {
 namespace {
 
 using scenes::degrees;
@@ -188,4 +188,4 @@ TEST(ClosedForm, CF20_uplift_acceleration) {
 }
 
 }  // namespace
-}  // namespace wythe::verification
+}  // namespace wythe::verification::statics_test

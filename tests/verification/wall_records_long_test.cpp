@@ -10,7 +10,7 @@
 #include "verification/held_wall.h"
 #include "verification/record.h"
 
-namespace wythe::verification {
+namespace wythe::verification::wall_records_long_test {
 namespace {
 
 // Stationary noise between 0.5 and 8 Hz by 60 cosines of drawn phase and frequency, under an envelope that grows, stays and fades;
@@ -99,4 +99,4 @@ TEST(WallRecords, a_wall_under_many_records_falls_as_often_as_two_rocking_bodies
 }
 
 }  // namespace
-}  // namespace wythe::verification
+}  // namespace wythe::verification::wall_records_long_test

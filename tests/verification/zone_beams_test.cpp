@@ -15,7 +15,7 @@
 #include "scenes/zones.h"
 #include "verification/record.h"
 
-namespace wythe::verification {
+namespace wythe::verification::zone_beams_test {
 namespace {
 
 using scenes::NodeVectors;
@@ -318,4 +318,4 @@ TEST(ZoneBeams, an_axial_wave_runs_at_the_speed_of_sound) {
 }
 
 }  // namespace
-}  // namespace wythe::verification
+}  // namespace wythe::verification::zone_beams_test

@@ -10,7 +10,7 @@
 #include "scenes/space_rig.h"
 #include "scenes/zones_in_space.h"
 
-namespace wythe {
+namespace wythe::zones_in_space_test {
 namespace {
 
 using scenes::Column;
@@ -308,4 +308,4 @@ TEST(ZonesInSpace, a_lintel_on_two_bearings_sags_as_a_beam) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::zones_in_space_test

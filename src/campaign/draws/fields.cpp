@@ -41,7 +41,7 @@ constexpr double kSame = 1e-6;       // places nearer than this are one [m]
 constexpr double kMostWork = 4e9;    // operations to draw: some seconds
 constexpr double kShortest = 0.2;    // of a half unit: there exp(-5) of correlation is left
 constexpr double kMostScatter = 10;  // cov
-constexpr double kLongest = 100;     // times the wall: its ends are correlated by 0.99
+constexpr double kFarthest = 100;    // times the wall: its ends are correlated by 0.99
 
 bool is_set(double value) { return !std::isnan(value); }
 
@@ -209,7 +209,7 @@ class Checker {
                       1e3 * unit, 1e3 * course),
           "write by = \"joint\", which says so");
     const double wide = grid.width(), high = grid.height();
-    if (s.along > kLongest * wide && s.across > kLongest * high && field.places.size() > 1)
+    if (s.along > kFarthest * wide && s.across > kFarthest * high && field.places.size() > 1)
       refuse(
           field, "along", fmt::format("{:g} m, across = {:g} m", s.along, s.across),
           fmt::format("is so long, against the wall's {:g} x {:g} m, that all of it has one value",

@@ -15,7 +15,6 @@ namespace {
 
 using Kind = FormulaNode::Kind;
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool begins_word(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '%';
 }
@@ -30,8 +29,8 @@ std::size_t function_named(std::string_view name) {
 }
 
 // Longer or deeper ones are a slip, and would cost stack.
-constexpr int kDeepest = 100;           // nested parentheses and powers
-constexpr std::size_t kLongest = 2000;  // characters
+constexpr int kDeepest = 100;                  // nested parentheses and powers
+constexpr std::size_t kLongestFormula = 2000;  // characters
 
 }  // namespace
 
@@ -41,8 +40,8 @@ bool is_function_name(const std::string& name) {
 
 std::size_t FormulaParser::read() {
   if (trimmed(text_).empty()) throw FormulaError("is empty", "write e.g. formula = \"1.5 * ft_j\"");
-  if (text_.size() > kLongest)
-    throw FormulaError(fmt::format("has more than {} characters", kLongest),
+  if (text_.size() > kLongestFormula)
+    throw FormulaError(fmt::format("has more than {} characters", kLongestFormula),
                        "split it into several dependents");
   const std::size_t root = expression();
   skip_blanks();

@@ -34,7 +34,6 @@
 namespace wythe {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Of nearest_positive_definite(), times n: rounding every entry to three digits, ranks or not, moves
 // an eigenvalue by at most 5.3e-4 (n - 1).
 constexpr double kLeastEigenvalue = 6e-4;

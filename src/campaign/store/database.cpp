@@ -290,13 +290,13 @@ Database::Database(const std::filesystem::path& file, Access access) : name_(fil
 }
 
 int Database::open(const std::string& how, int flags) {
-  constexpr std::size_t kLongest = 500;  // SQLite takes 512, the ending of a journal included
+  constexpr std::size_t kLongestPath = 500;  // SQLite takes 512, the ending of a journal included
   if (const std::size_t length = std::filesystem::absolute(name_).string().size();
-      length > kLongest)
+      length > kLongestPath)
     throw IoError(
         fmt::format("{}: its path has {} characters, and a store takes {} at most; choose a "
                     "shorter folder",
-                    name_, length, kLongest));
+                    name_, length, kLongestPath));
   sqlite3* handle = nullptr;
   const int code = sqlite3_open_v2(address(name_, how).c_str(), &handle,
                                    flags | SQLITE_OPEN_URI | SQLITE_OPEN_NOMUTEX, nullptr);

@@ -7,14 +7,12 @@
 namespace wythe::dynamics {
 namespace {
 
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
 // Axes by how far the moving boxes are spread along them, the widest first: there the fewest are open at a time.
 std::array<int, 3> axes_by_spread(const std::vector<Box>& boxes, std::int32_t moving) {
   double spread[3];
   for (int k = 0; k < 3; ++k) {
     double low = 1e300, high = -1e300;
-    for (std::size_t i = 0; i < at(moving); ++i) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(moving); ++i) {
       low = std::min(low, boxes[i].low[k]);
       high = std::max(high, boxes[i].low[k]);
     }
@@ -32,7 +30,7 @@ struct Strips {
 
   Strips(const std::vector<Box>& boxes, std::int32_t moving, int axis) {
     double high = -1e300, sizes = 0;
-    for (std::size_t i = 0; i < at(moving); ++i) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(moving); ++i) {
       low = std::min(low, boxes[i].low[axis]);
       high = std::max(high, boxes[i].high[axis]);
       sizes += boxes[i].high[axis] - boxes[i].low[axis];
@@ -52,14 +50,15 @@ using Pairs = std::vector<std::pair<std::int32_t, std::int32_t>>;
 
 // By a, then by b: those of each a are few.
 Pairs sorted(const Pairs& pairs, std::int32_t moving) {
-  std::vector<std::size_t> begin(at(moving) + 1, 0);
-  for (const auto& [a, b] : pairs) ++begin[at(a) + 1];
+  std::vector<std::size_t> begin(static_cast<std::size_t>(moving) + 1, 0);
+  for (const auto& [a, b] : pairs) ++begin[static_cast<std::size_t>(a) + 1];
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   Pairs out(pairs.size());
   std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
-  for (const auto& pair : pairs) out[next[at(pair.first)]++] = pair;
+  for (const auto& pair : pairs) out[next[pair.first]++] = pair;
   const auto place = [&](std::size_t k) { return out.begin() + static_cast<std::ptrdiff_t>(k); };
-  for (std::size_t a = 0; a < at(moving); ++a) std::sort(place(begin[a]), place(begin[a + 1]));
+  for (std::size_t a = 0; a < static_cast<std::size_t>(moving); ++a)
+    std::sort(place(begin[a]), place(begin[a + 1]));
   return out;
 }
 
@@ -72,22 +71,22 @@ Pairs near_pairs(const std::vector<Box>& boxes, std::int32_t moving, double marg
   std::vector<std::int32_t> order(boxes.size());
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(), [&](std::int32_t i, std::int32_t j) {
-    const double li = boxes[at(i)].low[x], lj = boxes[at(j)].low[x];
+    const double li = boxes[i].low[x], lj = boxes[j].low[x];
     return li != lj ? li < lj : i < j;
   });
   // each in all strips that it reaches, in the order of the sweep
   const Strips strips(boxes, moving, y);
   std::vector<std::vector<std::int32_t>> of_strip(strips.count);
   for (const std::int32_t i : order) {
-    const std::size_t last = strips.of(boxes[at(i)].high[y] + gap);
-    for (std::size_t k = strips.of(boxes[at(i)].low[y]); k <= last; ++k) of_strip[k].push_back(i);
+    const std::size_t last = strips.of(boxes[i].high[y] + gap);
+    for (std::size_t k = strips.of(boxes[i].low[y]); k <= last; ++k) of_strip[k].push_back(i);
   }
   Pairs pairs;
   std::vector<Box> in_strip;
   for (std::size_t strip = 0; strip < strips.count; ++strip) {
     const std::vector<std::int32_t>& bodies = of_strip[strip];
     in_strip.clear();
-    for (const std::int32_t i : bodies) in_strip.push_back(boxes[at(i)]);
+    for (const std::int32_t i : bodies) in_strip.push_back(boxes[i]);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       const Box& box = in_strip[i];
       const double end = box.high[x] + gap;

@@ -10,8 +10,6 @@ namespace {
 using contact::BodyFrame;
 using contact::EdgeAxes;
 
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
-
 constexpr double kBoxMargin = 0.05;  // of boxes, over the mean size of a block
 constexpr double kSlop = 0.25;       // by how many bevels another face has to be better
 
@@ -37,15 +35,16 @@ PlaneBodies::PlaneBodies(const Model& model, const Layout& layout, int width)
       layout_(layout),
       width_(width),
       edges_(model.free),
-      now_(at(model.n_block + model.free.n_fixed), Now{{0, 0, 1, 0}, 0, 0, 0, 0}),
+      now_(static_cast<std::size_t>(model.n_block + model.free.n_fixed),
+           Now{{0, 0, 1, 0}, 0, 0, 0, 0}),
       corner_rows_(rows_of_corners(edges_)),
       press_(press_kernel(width)) {
   const FreeShapes& f = model.free;
   double size = 0;
-  for (std::size_t i = 0; i < at(model.n_block); ++i) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(model.n_block); ++i) {
     double reach = 0, low = 1e300, high = -1e300;
-    for (auto k = at(f.corner_begin[at(f.part_begin[i])]);
-         k < at(f.corner_begin[at(f.part_begin[i + 1])]); ++k) {
+    for (auto k = static_cast<std::size_t>(f.corner_begin[f.part_begin[i]]);
+         k < static_cast<std::size_t>(f.corner_begin[f.part_begin[i + 1]]); ++k) {
       reach = maximum(reach, f.corner_x[k] * f.corner_x[k] + f.corner_y[k] * f.corner_y[k]);
       low = minimum(low, f.corner_y[k]), high = maximum(high, f.corner_y[k]);
     }
@@ -56,32 +55,34 @@ PlaneBodies::PlaneBodies(const Model& model, const Layout& layout, int width)
   margin_ = kBoxMargin * size / maximum(1.0, model.n_block);
   for (const JointMaterial& material : model.materials)
     law_.push_back(contact::free_law(contact::constants_of(material), 1.0));
-  chunk_of_.resize(at(model.n_joint));
+  chunk_of_.resize(static_cast<std::size_t>(model.n_joint));
   for (int c = 0; c < static_cast<int>(layout.chunks[kJoints].size()); ++c) {
-    const Chunk& chunk = layout.chunks[kJoints][at(c)];
-    for (int n = 0; n < chunk.n; ++n) chunk_of_[at(chunk.first + n)] = {c, n};
+    const Chunk& chunk = layout.chunks[kJoints][c];
+    for (int n = 0; n < chunk.n; ++n) chunk_of_[chunk.first + n] = {c, n};
   }
 }
 
 contact::FreeLaw PlaneBodies::law_of(std::int32_t a, std::int32_t b) const {
-  contact::FreeLaw law = law_[at(free_material_of(m_, a, b))];
-  law.thickness = minimum(m_.free.thickness[at(a)], m_.free.thickness[at(b)]);
+  contact::FreeLaw law = law_[free_material_of(m_, a, b)];
+  law.thickness = minimum(m_.free.thickness[a], m_.free.thickness[b]);
   return law;
 }
 
 BodyFrame PlaneBodies::frame_of(std::int32_t body, const WallView& wall) const {
   if (body >= m_.n_block) return {0, 0, 1, 0};
   const double c = wall.of_four(wall.t.pose, body, 2), s = wall.of_four(wall.t.pose, body, 3);
-  return {m_.centroid_x[at(body)] + wall.ux(body), m_.centroid_y[at(body)] + wall.uy(body),
-          1 - 2 * s * s, 2 * s * c};
+  return {m_.centroid_x[body] + wall.ux(body), m_.centroid_y[body] + wall.uy(body), 1 - 2 * s * s,
+          2 * s * c};
 }
 
 Box PlaneBodies::box_of(std::int32_t body, const WallView& wall) const {
   const FreeShapes& f = m_.free;
   const BodyFrame frame = frame_of(body, wall);
   Box box{{1e300, 1e300, 0}, {-1e300, -1e300, 0}};
-  for (auto i = at(f.corner_begin[at(f.part_begin[at(body)])]);
-       i < at(f.corner_begin[at(f.part_begin[at(body) + 1])]); ++i) {
+  for (auto i = static_cast<std::size_t>(f.corner_begin[f.part_begin[body]]);
+       i <
+       static_cast<std::size_t>(f.corner_begin[f.part_begin[static_cast<std::size_t>(body) + 1]]);
+       ++i) {
     const Direction2 arm = turned(frame, f.corner_x[i], f.corner_y[i]);
     const double place[2] = {frame.x + arm.x, frame.y + arm.y};
     for (int k = 0; k < 2; ++k) {
@@ -94,7 +95,7 @@ Box PlaneBodies::box_of(std::int32_t body, const WallView& wall) const {
 
 double PlaneBodies::speed_of(BlockId i, const WallView& wall) const {
   return magnitude(wall.block(i, kVx)) + magnitude(wall.block(i, kVy)) +
-         reach_[at(i)] * magnitude(wall.block(i, kOmega));
+         reach_[i] * magnitude(wall.block(i, kOmega));
 }
 
 double PlaneBodies::fall_of(BlockId block, const WallView& wall) const { return -wall.uy(block); }
@@ -124,13 +125,13 @@ Vector<double> PlaneBodies::out_of(std::int32_t body, const Vector<double>& v,
 
 void PlaneBodies::look_at(std::int32_t body, const WallView& wall) {
   const Push rates = rates_of(body, wall);
-  now_[at(body)] = {frame_of(body, wall), rates.f.x, rates.f.y, rates.m.z, 0};
+  now_[body] = {frame_of(body, wall), rates.f.x, rates.f.y, rates.m.z, 0};
 }
 
 PlaneBodies::Meeting PlaneBodies::meeting(const FreeContact& c) const {
   const FreeShapes& f = m_.free;
-  return {edges_.part(f.part_begin[at(c.a)] + c.part_a),
-          edges_.part(f.part_begin[at(c.b)] + c.part_b), now_[at(c.a)].frame, now_[at(c.b)].frame};
+  return {edges_.part(f.part_begin[c.a] + c.part_a), edges_.part(f.part_begin[c.b] + c.part_b),
+          now_[c.a].frame, now_[c.b].frame};
 }
 
 contact::Overlap PlaneBodies::overlap(const Meeting& m, std::int32_t feature, double rest) {
@@ -236,8 +237,8 @@ PlaneBodies::Rubbed PlaneBodies::rub(FreePair& pair, const Meeting& m, const Ove
 bool PlaneBodies::add_to(Packed& packed, const FreePair& pair) const {
   const FreeContact& c = pair.memory;
   const bool of_a = c.feature >= 0;
-  const auto part_a = at(m_.free.part_begin[at(c.a)] + c.part_a);
-  const auto part_b = at(m_.free.part_begin[at(c.b)] + c.part_b);
+  const auto part_a = static_cast<std::size_t>(m_.free.part_begin[c.a] + c.part_a);
+  const auto part_b = static_cast<std::size_t>(m_.free.part_begin[c.b] + c.part_b);
   const contact::PartEdges::Range &ref = edges_.range[of_a ? part_a : part_b],
                                   &other = edges_.range[of_a ? part_b : part_a];
   if (other.corners > kMostCorners) return false;
@@ -284,7 +285,7 @@ double PlaneBodies::mobility(const FreeContact& c, const Rubbed& r) const {
   const bool of_a = c.feature >= 0;
   const auto of = [&](std::int32_t body, double x, double y) {
     if (body >= m_.n_block) return 0.0;
-    return 1 / m_.mass[at(body)] + (x * x + y * y) / m_.inertia[at(body)];
+    return 1 / m_.mass[body] + (x * x + y * y) / m_.inertia[body];
   };
   return of(of_a ? c.a : c.b, r.ref_x, r.ref_y) + of(of_a ? c.b : c.a, r.other_x, r.other_y);
 }
@@ -333,18 +334,18 @@ void PlaneBodies::add(std::int32_t a, std::int32_t b, const Push& on_a, const Pu
 // --- joints ---------------------------------------------------------------------------------------------
 
 std::pair<std::int32_t, std::int32_t> PlaneBodies::sides_of(JointId joint) const {
-  const BlockId a = m_.joint_a[at(joint)], b = m_.joint_b[at(joint)];
+  const BlockId a = m_.joint_a[joint], b = m_.joint_b[joint];
   if (a != kGroundBlock) return std::minmax(a, b);
   const std::int32_t support = support_of(m_, joint);
   return support < 0 ? std::pair(-1, -1) : std::pair(b, support);
 }
 
 PlaneBodies::Gap PlaneBodies::gap_of(JointId joint, const WallView& wall) const {
-  const auto j = at(joint);
+  const auto j = static_cast<std::size_t>(joint);
   const BlockId ja = m_.joint_a[j], jb = m_.joint_b[j];
   const BodyFrame b = frame_of(jb, wall);
   const Direction2 arm_b = turned(b, m_.arm_b_x[j], m_.arm_b_y[j]);
-  double ax = m_.centroid_x[at(jb)] + m_.arm_b_x[j], ay = m_.centroid_y[at(jb)] + m_.arm_b_y[j];
+  double ax = m_.centroid_x[jb] + m_.arm_b_x[j], ay = m_.centroid_y[jb] + m_.arm_b_y[j];
   double tilt = wall.block(jb, kTheta);
   if (ja != kGroundBlock) {
     const BodyFrame a = frame_of(ja, wall);
@@ -357,7 +358,7 @@ PlaneBodies::Gap PlaneBodies::gap_of(JointId joint, const WallView& wall) const 
 }
 
 PlaneBodies::Jump PlaneBodies::jump_of(JointId joint, const WallView& wall) const {
-  const auto j = at(joint);
+  const auto j = static_cast<std::size_t>(joint);
   const BlockId ja = m_.joint_a[j];
   const bool ground = ja == kGroundBlock;
   const auto [jx, jy, tilt] = gap_of(joint, wall);
@@ -383,7 +384,7 @@ bool is_tilted(double tilt) {
 bool PlaneBodies::gives_way(JointId joint, const WallView& wall) const {
   constexpr double kSlipped = 0.05;  // of the face; or opened, all of it
   const Gap gap = gap_of(joint, wall);
-  const double hx = m_.half_x[at(joint)], hy = m_.half_y[at(joint)];
+  const double hx = m_.half_x[joint], hy = m_.half_y[joint];
   const double most = 4 * kSlipped * kSlipped * (hx * hx + hy * hy);
   if (is_tilted(gap.tilt)) return true;
   if (gap.x * gap.x + gap.y * gap.y <= most) return false;  // most joints: no way is longer
@@ -394,74 +395,72 @@ bool PlaneBodies::gives_way(JointId joint, const WallView& wall) const {
 
 contact::History<double> PlaneBodies::history_of(JointId joint, int point,
                                                  const WallView& wall) const {
-  const auto& [chunk, n] = chunk_of_[at(joint)];
-  const Chunk& run = layout_.chunks[kJoints][at(chunk)];
+  const auto& [chunk, n] = chunk_of_[joint];
+  const Chunk& run = layout_.chunks[kJoints][chunk];
   contact::History<double> h{};
   for (int row = 0; row < run.rows; ++row)
-    h.*contact::kHistory<double>[at(row)] =
-        wall.t.history[layout_.point_number(run, n, point, row, 1)];
+    h.*contact::kHistory<double>[row] = wall.t.history[layout_.point_number(run, n, point, row, 1)];
   return h;
 }
 
 // A joint that has tilted bears on an edge, whose point need not be damaged.
 bool PlaneBodies::holds(JointId joint, const WallView& wall) const {
   constexpr double kBroken = 0.999;  // damage of a point
-  const auto law = contact::constants_of(m_.materials[at(m_.joint_material[at(joint)])]);
+  const auto law = contact::constants_of(m_.materials[m_.joint_material[joint]]);
   const Jump jump = jump_of(joint, wall);
   for (int k = 0; k < m_.n_face_point; ++k) {
     const contact::History<double> h = history_of(joint, k, wall);
     const double tension = contact::tension_left<contact::AnyVariant>(law, h.kappa);
     const double left =
         contact::strength_left<contact::AnyVariant>(law, tension, 1 - h.shear_damage);
-    const bool closed = jump.normal + m_.point_xi[at(k)] * jump.growth + h.crush <= 0;
+    const bool closed = jump.normal + m_.point_xi[k] * jump.growth + h.crush <= 0;
     if (left > 1 - kBroken && !(is_tilted(jump.tilt) && closed)) return true;
   }
   return false;
 }
 
 Push PlaneBodies::push_of(JointId joint, std::int32_t on, const WallView& wall) const {
-  const double* row =
-      wall.t.force + 4 * static_cast<std::ptrdiff_t>(layout_.joint_place[at(joint)]);
-  if (m_.joint_a[at(joint)] == on) return {{row[0], row[1], 0}, {0, 0, row[2]}};
+  const double* row = wall.t.force + 4 * static_cast<std::ptrdiff_t>(layout_.joint_place[joint]);
+  if (m_.joint_a[joint] == on) return {{row[0], row[1], 0}, {0, 0, row[2]}};
   return {{-row[0], -row[1], 0}, {0, 0, row[3]}};
 }
 
 double PlaneBodies::elastic_energy(JointId joint, const WallView& wall) const {
-  const auto j = at(joint);
-  const JointMaterial& material = m_.materials[at(m_.joint_material[j])];
+  const auto j = static_cast<std::size_t>(joint);
+  const JointMaterial& material = m_.materials[m_.joint_material[j]];
   const auto law = contact::constants_of(material);
   const Jump jump = jump_of(joint, wall);
   double energy = 0;
   for (int k = 0; k < m_.n_face_point; ++k) {
     contact::History<double> h = history_of(joint, k, wall);
-    const double w = jump.normal + m_.point_xi[at(k)] * jump.growth;
+    const double w = jump.normal + m_.point_xi[k] * jump.growth;
     const auto now = contact::update<contact::AnyVariant>(law, w, jump.along, h);
     const bool secant = now.sigma > 0 && material.unloading == Unloading::kSecant;
     const double normal =
         secant ? 0.5 * now.sigma * (w + h.crush) : 0.5 * now.sigma * now.sigma * law.inv_kn;
-    energy += m_.area[j] * m_.point_weight[at(k)] * (normal + 0.5 * now.tau * now.tau * law.inv_ks);
+    energy += m_.area[j] * m_.point_weight[k] * (normal + 0.5 * now.tau * now.tau * law.inv_ks);
   }
   return energy;
 }
 
 void PlaneBodies::restore(const WallView& wall) const {
   for (JointId j = 0; j < m_.n_joint; ++j) {
-    const std::int32_t place = layout_.joint_place[at(j)];
-    const BlockId a = m_.joint_a[at(j)];
+    const std::int32_t place = layout_.joint_place[j];
+    const BlockId a = m_.joint_a[j];
     wall.t.joint_a[place] = a == kGroundBlock ? wall.t.n_block : a;
-    wall.t.joint_b[place] = m_.joint_b[at(j)];
-    wall.t.joint[layout_.number(place, kJointRows, kArea, 1)] = m_.area[at(j)];
+    wall.t.joint_b[place] = m_.joint_b[j];
+    wall.t.joint[layout_.number(place, kJointRows, kArea, 1)] = m_.area[j];
   }
 }
 
 // Between the ground and itself, without an area.
 void PlaneBodies::release(JointId joint, const WallView& wall) const {
-  const std::int32_t place = layout_.joint_place[at(joint)];
+  const std::int32_t place = layout_.joint_place[joint];
   wall.t.joint_a[place] = wall.t.joint_b[place] = wall.t.n_block;
   wall.t.joint[layout_.number(place, kJointRows, kArea, 1)] = 0;
   std::fill_n(wall.t.force + 4 * static_cast<std::ptrdiff_t>(place), 4, 0.0);
-  const auto& [number, n] = chunk_of_[at(joint)];
-  const Chunk& chunk = layout_.chunks[kJoints][at(number)];
+  const auto& [number, n] = chunk_of_[joint];
+  const Chunk& chunk = layout_.chunks[kJoints][number];
   for (int k = 0; k < m_.n_face_point; ++k)
     for (const int row : {row_of(&State::crush), row_of(&State::plastic_slip)})
       wall.t.history[layout_.point_number(chunk, n, k, row, 1)] = 0;

@@ -9,8 +9,6 @@
 namespace wythe::dynamics {
 namespace {
 
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
-
 // The rows are those of the table of fields.
 static_assert(kNodeVy + 1 == fields_of(Entity::kNode) && kNodeUx == row_of(&State::node_ux) &&
               kNodeUy == row_of(&State::node_uy) && kNodeVx == row_of(&State::node_vx) &&
@@ -83,18 +81,17 @@ void follow_law(const Model& m, std::int32_t material, Chunk& chunk) {
   chunk.material = m.stated(material);
   chunk.graded = chunk.material != material;
   chunk.graded_others = chunk.graded && varies_beyond_strengths(m, chunk.material);
-  chunk.choice = contact::choice_of(m.materials[at(material)]);
+  chunk.choice = contact::choice_of(m.materials[material]);
 }
 
 std::vector<Chunk> cut_joints(const Model& m, Layout::Kind kind) {
   return cut(
       m.n_joint, kind,
       [&](int i, int j) {
-        return m.stated(m.joint_material[at(i)]) == m.stated(m.joint_material[at(j)]) &&
-               j != m.n_pair;
+        return m.stated(m.joint_material[i]) == m.stated(m.joint_material[j]) && j != m.n_pair;
       },
       [&](int j, Chunk& chunk) {
-        follow_law(m, m.joint_material[at(j)], chunk);
+        follow_law(m, m.joint_material[j], chunk);
         chunk.on_ground = j >= m.n_pair;
         chunk.points = m.n_face_point;
         chunk.at_ends = m.n_face_point == 2 && m.point_xi[0] == -1 && m.point_xi[1] == 1;
@@ -105,9 +102,9 @@ std::vector<Chunk> cut_edges(const Model& m, Layout::Kind kind) {
   const auto& material = m.solids.contact_material;
   return cut(
       m.solids.n_contact, kind,
-      [&](int i, int j) { return m.stated(material[at(i)]) == m.stated(material[at(j)]); },
+      [&](int i, int j) { return m.stated(material[i]) == m.stated(material[j]); },
       [&](int j, Chunk& chunk) {
-        follow_law(m, material[at(j)], chunk);
+        follow_law(m, material[j], chunk);
         chunk.points = 2;
         chunk.rule = static_cast<std::int32_t>(m.point_xi.size());
       });
@@ -115,8 +112,8 @@ std::vector<Chunk> cut_edges(const Model& m, Layout::Kind kind) {
 
 std::vector<Chunk> cut_zones(const Solids& s, Layout::Kind kind) {
   return cut(
-      s.n_zone, kind, [&](int i, int j) { return s.zone_shape[at(i)] == s.zone_shape[at(j)]; },
-      [&](int j, Chunk& chunk) { chunk.material = s.zone_shape[at(j)]; });
+      s.n_zone, kind, [&](int i, int j) { return s.zone_shape[i] == s.zone_shape[j]; },
+      [&](int j, Chunk& chunk) { chunk.material = s.zone_shape[j]; });
 }
 
 std::vector<Chunk> cut_plain(int n, Layout::Kind kind) {
@@ -151,7 +148,7 @@ class Filler {
     std::fill_n(t_.joint_a, l_.joints, t_.n_block);
     std::fill_n(t_.joint_b, l_.joints, t_.n_block);
     for (int j = 0; j < m_.n_joint; ++j) {
-      const auto i = at(j);
+      const auto i = static_cast<std::size_t>(j);
       const std::int32_t place = l_.joint_place[i];
       t_.joint_a[place] = pose_of(m_.joint_a[i]);
       t_.joint_b[place] = pose_of(m_.joint_b[i]);
@@ -172,7 +169,7 @@ class Filler {
     const Solids& s = m_.solids;
     std::fill_n(t_.edge_block, l_.edges, t_.n_block);
     for (int c = 0; c < s.n_contact; ++c) {
-      const auto i = at(c);
+      const auto i = static_cast<std::size_t>(c);
       const std::int32_t place = l_.edge_place[i];
       t_.edge_block[place] = s.contact_block[i] == m_.n_block ? t_.n_block : s.contact_block[i];
       t_.edge_p[place] = s.contact_p[i];
@@ -187,17 +184,17 @@ class Filler {
 
   void fill_links() {
     for (int k = 0; k < m_.links.n; ++k) {
-      t_.link_a[k] = pose_of(m_.links.a[at(k)]);
-      t_.link_b[k] = pose_of(m_.links.b[at(k)]);
+      t_.link_a[k] = pose_of(m_.links.a[k]);
+      t_.link_b[k] = pose_of(m_.links.b[k]);
     }
     for (int k = 0; k < m_.frames.n; ++k) {
-      t_.frame_a[k] = pose_of(m_.frames.a[at(k)]);
-      t_.frame_b[k] = pose_of(m_.frames.b[at(k)]);
+      t_.frame_a[k] = pose_of(m_.frames.a[k]);
+      t_.frame_b[k] = pose_of(m_.frames.b[k]);
     }
     for (int k = 0; k < m_.layers.n; ++k) {
-      t_.layer_a[k] = pose_of(m_.layers.a[at(k)]);
-      t_.layer_b[k] = pose_of(m_.layers.b[at(k)]);
-      t_.layer_crossing[k] = m_.layers.crossing[at(k)];
+      t_.layer_a[k] = pose_of(m_.layers.a[k]);
+      t_.layer_b[k] = pose_of(m_.layers.b[k]);
+      t_.layer_crossing[k] = m_.layers.crossing[k];
     }
   }
 
@@ -205,16 +202,16 @@ class Filler {
   // contacts.
   void fill_blocks() {
     std::int32_t next = 0, next_edge = 0;
-    std::vector<std::vector<std::int32_t>> edges_of(at(m_.n_block));
+    std::vector<std::vector<std::int32_t>> edges_of(static_cast<std::size_t>(m_.n_block));
     for (int c = 0; c < m_.solids.n_contact; ++c)
-      if (const BlockId block = m_.solids.contact_block[at(c)]; block != m_.n_block)
-        edges_of[at(block)].push_back(l_.edge_place[at(c)]);
+      if (const BlockId block = m_.solids.contact_block[c]; block != m_.n_block)
+        edges_of[block].push_back(l_.edge_place[c]);
     const auto add = [&](std::int32_t entry) {
-      t_.block_entry[next++] = l_.joint_place[at(entry >> 1)];
+      t_.block_entry[next++] = l_.joint_place[entry >> 1];
     };
     const auto add_rows = [&](const std::vector<BlockId>& side, int n, int first, BlockId block) {
       for (int k = 0; k < n; ++k)
-        if (side[at(k)] == block) t_.block_entry[next++] = first + k;
+        if (side[k] == block) t_.block_entry[next++] = first + k;
     };
     const auto add_links = [&](bool b, BlockId block) {
       add_rows(b ? m_.links.b : m_.links.a, m_.links.n, l_.joints, block);
@@ -228,17 +225,18 @@ class Filler {
       t_.block_edge_begin[i] = next_edge;
       t_.block_middle[i] = next;
       if (i >= m_.n_block) continue;
-      t_.turn_freedom[i] = m_.turn_freedom[at(i)];
-      auto e = m_.block_begin[at(i)];
-      for (; e < m_.block_begin[at(i) + 1] && (m_.block_entry[at(e)] & 1) == 0; ++e)
-        add(m_.block_entry[at(e)]);
+      t_.turn_freedom[i] = m_.turn_freedom[i];
+      auto e = m_.block_begin[i];
+      for (; e < m_.block_begin[static_cast<std::size_t>(i) + 1] && (m_.block_entry[e] & 1) == 0;
+           ++e)
+        add(m_.block_entry[e]);
       add_links(false, i);
       if (l_.frees > 0)
         t_.block_entry[next++] = l_.joints + l_.links + l_.sections + l_.crossings + i;
       t_.block_middle[i] = next;
-      for (; e < m_.block_begin[at(i) + 1]; ++e) add(m_.block_entry[at(e)]);
+      for (; e < m_.block_begin[static_cast<std::size_t>(i) + 1]; ++e) add(m_.block_entry[e]);
       add_links(true, i);
-      for (const std::int32_t edge : edges_of[at(i)]) t_.block_edge_entry[next_edge++] = edge;
+      for (const std::int32_t edge : edges_of[i]) t_.block_edge_entry[next_edge++] = edge;
     }
     t_.block_begin[l_.blocks] = next;
     t_.block_edge_begin[l_.blocks] = next_edge;
@@ -247,14 +245,12 @@ class Filler {
   void fill_solids() {
     const Solids& s = m_.solids;
     for (int k = 0; k < 4; ++k)
-      for (int z = 0; z < s.n_zone; ++z)
-        t_.corner[k][l_.zone_place[at(z)]] = s.corner[at(k)][at(z)];
+      for (int z = 0; z < s.n_zone; ++z) t_.corner[k][l_.zone_place[z]] = s.corner[k][z];
     std::copy(s.shapes.begin(), s.shapes.end(), t_.shapes);
     std::copy(s.node_free_x.begin(), s.node_free_x.end(), t_.node_free_x);
     std::copy(s.node_free_y.begin(), s.node_free_y.end(), t_.node_free_y);
     const auto list = [&](const std::vector<std::int32_t>& begin, std::int32_t* to) {
-      for (int i = 0; i <= l_.nodes; ++i)
-        to[i] = begin.empty() ? 0 : begin[at(std::min(i, s.n_node))];
+      for (int i = 0; i <= l_.nodes; ++i) to[i] = begin.empty() ? 0 : begin[std::min(i, s.n_node)];
     };
     list(s.zone_begin, t_.node_zone_begin);
     list(s.contact_begin, t_.node_edge_begin);
@@ -262,11 +258,10 @@ class Filler {
     for (std::size_t e = 0; e < s.zone_entry.size(); ++e) {
       const std::int32_t was = s.zone_entry[e], low = 4 * s.n_zone;
       const std::int32_t z = (was % low) / 4;
-      t_.node_zone_entry[e] = (was >= low ? 4 * l_.zones : 0) + 4 * l_.zone_place[at(z)] + was % 4;
+      t_.node_zone_entry[e] = (was >= low ? 4 * l_.zones : 0) + 4 * l_.zone_place[z] + was % 4;
     }
     for (std::size_t e = 0; e < s.contact_entry.size(); ++e)
-      t_.node_edge_entry[e] =
-          4 * l_.edge_place[at(s.contact_entry[e] / 4)] + s.contact_entry[e] % 4;
+      t_.node_edge_entry[e] = 4 * l_.edge_place[s.contact_entry[e] / 4] + s.contact_entry[e] % 4;
   }
 
   const Layout& l_;
@@ -305,9 +300,10 @@ Layout::Layout(const Model& m, Kind of) : kind(of) {
   frees = m.free.any() ? blocks + 1 : 0;
   entries = m.block_entry.size() +
             2 * (m.links.a.size() + m.frames.a.size() + m.layers.cross_a.size()) +
-            (frees > 0 ? at(m.n_block) : 0);
-  edge_entries = at(std::count_if(s.contact_block.begin(), s.contact_block.end(),
-                                  [&](BlockId block) { return block != m.n_block; }));
+            (frees > 0 ? static_cast<std::size_t>(m.n_block) : 0);
+  edge_entries =
+      static_cast<std::size_t>(std::count_if(s.contact_block.begin(), s.contact_block.end(),
+                                             [&](BlockId block) { return block != m.n_block; }));
 }
 
 Tables make_tables(const Layout& l, const Model& m, int walls, Memory& memory) {
@@ -315,7 +311,7 @@ Tables make_tables(const Layout& l, const Model& m, int walls, Memory& memory) {
   t.lanes = l.kind == Layout::kWalls ? walls : 1;
   t.n_block = l.blocks;
   // once to count, once to point
-  const auto lanes = at(t.lanes);
+  const auto lanes = static_cast<std::size_t>(t.lanes);
   std::size_t shared = 0, own = 0, ids = 0, ways = 0;
   const auto count = [&](auto*& table, std::size_t n) {
     using T = std::remove_cvref_t<decltype(*table)>;

@@ -16,8 +16,6 @@ static_assert(row_of(&State::ux) == 0 && row_of(&State::uy) == 1 &&
               row_of(&State::vy) == kVy + 2 && row_of(&State::omega) == kOmega + 2 &&
               fields_of(Entity::kBlock) == kOmega + 3);
 
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
-
 // act(entity of the model, its number in the table) for all entities of a field.
 template <class Act>
 void each_number(const Layout& l, const Tables& t, const Model& m, const StateField& field,
@@ -25,11 +23,13 @@ void each_number(const Layout& l, const Tables& t, const Model& m, const StateFi
   const int walls = static_cast<int>(t.lanes), row = row_of(field.array);
   // a displacement is a column of the pose; the rows of a block begin behind both
   if (field.array == &State::ux || field.array == &State::uy) {
-    for (int i = 0; i < m.n_block; ++i) act(at(i), t.pose + (4 * i + row) * walls);
+    for (int i = 0; i < m.n_block; ++i)
+      act(static_cast<std::size_t>(i), t.pose + (4 * i + row) * walls);
     return;
   }
   const auto plain = [&](double* table, int n, int rows, int r) {
-    for (int i = 0; i < n; ++i) act(at(i), table + l.number(i, rows, r, walls));
+    for (int i = 0; i < n; ++i)
+      act(static_cast<std::size_t>(i), table + l.number(i, rows, r, walls));
   };
   if (field.entity == Entity::kBlock) return plain(t.block, m.n_block, kBlockRows, row - 2);
   if (field.entity == Entity::kNode) return plain(t.node, m.solids.n_node, kNodeRows, row);
@@ -43,11 +43,12 @@ void each_number(const Layout& l, const Tables& t, const Model& m, const StateFi
     for (const Chunk& chunk : chunks)
       for (int n = 0; row < chunk.rows && n < chunk.n; ++n)
         for (int k = 0; k < per; ++k)
-          act(first + at(chunk.first + n) * at(per) + at(k),
+          act(first + static_cast<std::size_t>(chunk.first + n) * static_cast<std::size_t>(per) +
+                  static_cast<std::size_t>(k),
               t.history + l.point_number(chunk, n, k, row, walls));
   };
   points(l.chunks[kJoints], 0, m.n_face_point);
-  points(l.chunks[kEdges], at(m.n_point()), 2);
+  points(l.chunks[kEdges], static_cast<std::size_t>(m.n_point()), 2);
 }
 
 // The law of each entity of chunks; of one material to all alike, and a group is filled up with its last.
@@ -59,10 +60,10 @@ void put_laws(const Layout& l, const Tables& t, int lane, const Model& m,
     for (int n = 0; n < filled; ++n) {
       const int entity = chunk.first + (chunk.graded ? std::min(n, chunk.n - 1) : 0);
       const contact::LawConstants<double> law =
-          contact::constants_of(m.materials[at(material[at(entity)])]);
+          contact::constants_of(m.materials[material[entity]]);
       for (int k = 0; k < kLawRows; ++k)
         t.law[l.law_number(chunk, n, k, static_cast<int>(t.lanes)) + lane] =
-            law.*contact::kConstants<double>[at(k)];
+            law.*contact::kConstants<double>[k];
     }
   }
 }
@@ -70,7 +71,7 @@ void put_laws(const Layout& l, const Tables& t, int lane, const Model& m,
 void put_links(const WallView& wall, const Links& links) {
   for (int k = 0; k < links.n; ++k) {
     const auto put = [&](LinkRowName row, const std::vector<double>& of) {
-      wall.link(k, row) = of[at(k)];
+      wall.link(k, row) = of[k];
     };
     put(kLinkStiffness, links.stiffness);
     put(kLinkTension, links.tension);
@@ -90,7 +91,7 @@ void put_links(const WallView& wall, const Links& links) {
 void put_frames(const WallView& wall, const Frames& frames) {
   for (int k = 0; k < frames.n; ++k) {
     const auto put = [&](FrameRowName row, const std::vector<double>& of) {
-      wall.frame(k, row) = of[at(k)];
+      wall.frame(k, row) = of[k];
     };
     put(kFrameArmAX, frames.arm_a_x);
     put(kFrameArmAY, frames.arm_a_y);
@@ -114,7 +115,7 @@ void put_layers(const WallView& wall, const Layers& layers) {
   double behind = 0;
   for (int k = 0; k < layers.n; ++k) {
     const auto put = [&](LayerRowName row, const std::vector<double>& of) {
-      wall.layer(k, row) = of[at(k)];
+      wall.layer(k, row) = of[k];
     };
     put(kLayerStiffness, layers.stiffness);
     put(kLayerStrength, layers.strength);
@@ -126,8 +127,8 @@ void put_layers(const WallView& wall, const Layers& layers) {
     put(kLayerArmBY, layers.arm_b_y);
     put(kLayerSpanX, layers.span_x);
     put(kLayerSpanY, layers.span_y);
-    const contact::LayerBond bond{layers.bond_energy[at(k)], layers.bond_rate[at(k)]};
-    const double ahead = layers.stiffness[at(k)];
+    const contact::LayerBond bond{layers.bond_energy[k], layers.bond_rate[k]};
+    const double ahead = layers.stiffness[k];
     wall.layer(k, kLayerFlex) = kShare / (behind + ahead + contact::bond_secant(bond, 0));
     wall.layer(k, kLayerSecant) = contact::bond_secant(bond, wall.layer(k, kLayerReached));
     wall.layer(k, kLayerStretch) = wall.layer(k, kLayerShift) = 0;
@@ -146,7 +147,7 @@ WallView view_of(const Layout& l, const Model& m, const Tables& t, int lane) {
   view.mask = grouped ? kGroup - 1 : 0;
   view.blocks = l.blocks;
   view.joints = l.joints;
-  view.first_ground = m.n_pair < m.n_joint ? l.joint_place[at(m.n_pair)] : l.joints;
+  view.first_ground = m.n_pair < m.n_joint ? l.joint_place[m.n_pair] : l.joints;
   view.nodes = l.nodes;
   view.edges = l.edges;
   view.links = m.links.n;
@@ -170,11 +171,11 @@ void put_wall(const Layout& l, const Tables& t, int lane, const Model& m, const 
   std::fill_n(t.edge_way, l.edges * t.lanes, std::uint8_t{0});
   const WallView wall = view_of(l, m, t, lane);
   for (int i = 0; i < m.n_block; ++i) {
-    wall.block(i, kHeavyMass) = m.heavy_mass[at(i)];
+    wall.block(i, kHeavyMass) = m.heavy_mass[i];
     wall.block(i, kIsFree) = 1;
     wall.block(i, kLoadX) = wall.block(i, kLoadY) = wall.block(i, kLoadM) = 0;
-    wall.cold(i, kMass) = m.mass[at(i)];
-    wall.cold(i, kInertia) = m.inertia[at(i)];
+    wall.cold(i, kMass) = m.mass[i];
+    wall.cold(i, kInertia) = m.inertia[i];
   }
   for (const Stage& stage : m.stages) {
     for (const PointLoad& load : stage.loads) wall.special(load.block) = 1;
@@ -182,8 +183,8 @@ void put_wall(const Layout& l, const Tables& t, int lane, const Model& m, const 
     for (const BlockId block : stage.driven) wall.special(block) = 1;
   }
   for (int i = 0; i < m.solids.n_node; ++i) {
-    wall.node(i, kNodeHeavyMass) = m.solids.node_heavy_mass[at(i)];
-    wall.node(i, kNodeMass) = m.solids.node_mass[at(i)];
+    wall.node(i, kNodeHeavyMass) = m.solids.node_heavy_mass[i];
+    wall.node(i, kNodeMass) = m.solids.node_mass[i];
   }
   put_links(wall, m.links);
   put_frames(wall, m.frames);
@@ -195,7 +196,7 @@ void put_wall(const Layout& l, const Tables& t, int lane, const Model& m, const 
 void stand(const Layout& l, const Tables& t, const Model& m, const State& s) {
   const WallView wall = view_of(l, m, t, 0);
   for (JointId j = 0; j < m.n_joint; ++j) {
-    const auto i = at(j);
+    const auto i = static_cast<std::size_t>(j);
     const std::int32_t place = l.joint_place[i];
     const bool stands = m.standing.joins(m.joint_a[i], m.joint_b[i], s.stage);
     const std::int32_t a = m.joint_a[i] == kGroundBlock ? t.n_block : m.joint_a[i];
@@ -206,7 +207,7 @@ void stand(const Layout& l, const Tables& t, const Model& m, const State& s) {
     std::fill_n(t.force + 4 * static_cast<std::ptrdiff_t>(place), 4, 0.0);
   }
   for (int k = 0; k < m.links.n; ++k) {
-    const auto i = at(k);
+    const auto i = static_cast<std::size_t>(k);
     const BlockId a = m.links.a[i], b = m.links.b[i];
     const bool stands = m.standing.joins(a, b, s.stage);
     t.link_a[k] = stands && a != kGroundBlock ? a : t.n_block;
@@ -215,7 +216,7 @@ void stand(const Layout& l, const Tables& t, const Model& m, const State& s) {
     std::fill_n(t.force + 4 * static_cast<std::ptrdiff_t>(wall.joints + k), 4, 0.0);
   }
   for (int k = 0; k < m.frames.n; ++k) {
-    const auto i = at(k);
+    const auto i = static_cast<std::size_t>(k);
     const bool stands = m.standing.joins(m.frames.a[i], m.frames.b[i], s.stage);
     const std::int32_t a = m.frames.a[i] == kGroundBlock ? t.n_block : m.frames.a[i];
     t.frame_a[k] = stands ? a : t.n_block;
@@ -223,8 +224,8 @@ void stand(const Layout& l, const Tables& t, const Model& m, const State& s) {
     std::fill_n(t.force + 4 * static_cast<std::ptrdiff_t>(wall.joints + wall.linked + k), 4, 0.0);
   }
   for (int i = 0; i < m.n_block; ++i)
-    if (!m.standing.holds(i, s.stage) || s.release_x[at(i)] != 0 || s.release_y[at(i)] != 0 ||
-        s.release_m[at(i)] != 0)
+    if (!m.standing.holds(i, s.stage) || s.release_x[i] != 0 || s.release_y[i] != 0 ||
+        s.release_m[i] != 0)
       wall.special(i) = 1;
   hold_still(wall, m, s.stage);
 }

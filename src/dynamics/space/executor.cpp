@@ -9,8 +9,6 @@
 namespace wythe::dynamics::space {
 namespace {
 
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
-
 // Of those that fill no more than the lanes, the widest.
 const KernelSet& kernels_for(int lanes, const KernelSet& most) {
   const KernelSet* widest = &scalar_kernels();
@@ -74,17 +72,17 @@ SpaceProcessor::SpaceProcessor(const Model& model, int lanes, int threads, const
       width_(lanes == 1 ? 1 : kernels_.width),
       layout_(model, lanes == 1 ? dynamics::Layout::kNeighbours : dynamics::Layout::kWalls),
       rest_(initial_state(model)),
-      wall_(at(lanes)),
-      bank_(at(lanes / width_)),
+      wall_(static_cast<std::size_t>(lanes)),
+      bank_(static_cast<std::size_t>(lanes / width_)),
       workers_(lanes == 1 ? threads : 1) {
   for (Bank& bank : bank_) {
     bank.tables = make_tables(layout_, model_, width_, bank.memory);
-    bank.joint_works.resize(layout_.joints.size() * kTerms * at(width_));
-    bank.block_works.resize(layout_.blocks.size() * kTerms * at(width_));
+    bank.joint_works.resize(layout_.joints.size() * kTerms * static_cast<std::size_t>(width_));
+    bank.block_works.resize(layout_.blocks.size() * kTerms * static_cast<std::size_t>(width_));
   }
   for (int lane = 0; lane < lanes; ++lane) {
-    Wall& wall = wall_[at(lane)];
-    wall.view = view_of(layout_, model_, bank_[at(lane / width_)].tables, lane % width_);
+    Wall& wall = wall_[lane];
+    wall.view = view_of(layout_, model_, bank_[lane / width_].tables, lane % width_);
     put_wall(wall.view, model_, rest_);
     set(lane, {});
   }
@@ -97,7 +95,7 @@ SpaceProcessor::~SpaceProcessor() = default;
 FreeCounts SpaceProcessor::free_counts() const { return free_ ? free_->counts() : FreeCounts{}; }
 
 void SpaceProcessor::put(int lane, const Model& model, State& state) {
-  Wall& wall = wall_[at(lane)];
+  Wall& wall = wall_[lane];
   wall.model = &model;
   wall.state = &state;
   wall.brakes = {};
@@ -111,7 +109,7 @@ void SpaceProcessor::put(int lane, const Model& model, State& state) {
 }
 
 void SpaceProcessor::drop(int lane) {
-  Wall& wall = wall_[at(lane)];
+  Wall& wall = wall_[lane];
   bring_up(lane, *wall.state);
   wall.model = nullptr;
   wall.state = nullptr;
@@ -121,11 +119,11 @@ void SpaceProcessor::drop(int lane) {
 }
 
 std::unique_ptr<WallAccess> SpaceProcessor::access(int lane) {
-  return std::make_unique<SpaceWallAccess>(*this, *wall_[at(lane)].model, lane);
+  return std::make_unique<SpaceWallAccess>(*this, *wall_[lane].model, lane);
 }
 
 void SpaceProcessor::set(int lane, const Controls& controls) {
-  Wall& wall = wall_[at(lane)];
+  Wall& wall = wall_[lane];
   const bool same =
       wall.controls.dt == controls.dt && wall.controls.mass_scaling == controls.mass_scaling;
   wall.controls = controls;
@@ -220,13 +218,14 @@ void SpaceProcessor::run(Pass pass) {
   for (Bank& bank : bank_) {
     std::vector<double>& works = pass == kJoints ? bank.joint_works : bank.block_works;
     workers_.for_each_chunk(static_cast<int>(chunks.size()), [&](int c) {
-      run_chunk(kernel, bank, chunks[at(c)], &works[at(c) * kTerms * at(width_)]);
+      run_chunk(kernel, bank, chunks[c],
+                &works[static_cast<std::size_t>(c) * kTerms * static_cast<std::size_t>(width_)]);
     });
   }
 }
 
 void SpaceProcessor::bring_up(int lane, State& state) const {
-  const Wall& wall = wall_[at(lane)];
+  const Wall& wall = wall_[lane];
   read_wall(wall.view, *wall.model, state);
   wall.brakes.maxwell.bring_up(state);
   if (wall.zones) wall.zones->bring_up(state);
@@ -261,15 +260,16 @@ void SpaceProcessor::drive() {
 
 void SpaceProcessor::end_step() {
   for (int lane = 0; lane < lanes(); ++lane) {
-    const Wall& wall = wall_[at(lane)];
+    const Wall& wall = wall_[lane];
     if (wall.model == nullptr) continue;
     double* const ledger[kTerms] = {
         &wall.state->dissipated_friction, &wall.state->dissipated_fracture,
         &wall.state->dissipated_crushing, &wall.state->work_loads, &wall.state->work_damping};
-    const Bank& bank = bank_[at(lane / width_)];
+    const Bank& bank = bank_[lane / width_];
     for (const std::vector<double>* works : {&bank.joint_works, &bank.block_works})
-      for (std::size_t k = at(lane % width_); k < works->size(); k += at(width_))
-        *ledger[k / at(width_) % kTerms] += (*works)[k];
+      for (std::size_t k = static_cast<std::size_t>(lane % width_); k < works->size();
+           k += static_cast<std::size_t>(width_))
+        *ledger[k / static_cast<std::size_t>(width_) % kTerms] += (*works)[k];
     if (wall.zones) wall.zones->tell(*wall.state);
     if (free_) free_->moved(*wall.state, wall.controls.dt, wall.view);
     if (wall.controls.dashpots != nullptr)

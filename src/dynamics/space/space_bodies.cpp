@@ -13,8 +13,6 @@ namespace {
 using contact::Facet;
 using contact::SpaceFrame;
 
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
-
 constexpr double kBoxMargin = 0.05;  // of boxes, over the mean size of a block
 constexpr double kSlop = 0.25;       // by how many bevels another face has to be better
 
@@ -33,15 +31,17 @@ SpaceBodies::SpaceBodies(const Model& model, const Layout& layout, int width)
     : m_(model),
       layout_(layout),
       width_(width),
-      now_(at(model.n_block + model.free.n_fixed), Now{{{0, 0, 0}, {1, {0, 0, 0}}}, {}}) {
+      now_(static_cast<std::size_t>(model.n_block + model.free.n_fixed),
+           Now{{{0, 0, 0}, {1, {0, 0, 0}}}, {}}) {
   parts_ = free_parts(model);
   double size = 0;
   for (std::int32_t i = 0; i < model.n_block; ++i) {
     double reach = 0, low = 1e300, high = -1e300;
-    for (auto part = model.free.part_begin[at(i)]; part < model.free.part_begin[at(i) + 1]; ++part)
+    for (auto part = model.free.part_begin[i];
+         part < model.free.part_begin[static_cast<std::size_t>(i) + 1]; ++part)
       for (const Facet& facet : parts_.facets_of(part))
         for (auto c = facet.begin; c < facet.end; ++c) {
-          const Vec& corner = parts_.corner[at(c)];
+          const Vec& corner = parts_.corner[c];
           reach = maximum(reach, length(corner));
           low = minimum(low, corner.y), high = maximum(high, corner.y);
         }
@@ -52,16 +52,16 @@ SpaceBodies::SpaceBodies(const Model& model, const Layout& layout, int width)
   margin_ = kBoxMargin * size / maximum(1.0, model.n_block);
   for (const JointMaterial& material : model.materials)
     law_.push_back(contact::free_law(contact::constants_of(material), 1.0));
-  chunk_of_.resize(at(model.n_joint));
+  chunk_of_.resize(static_cast<std::size_t>(model.n_joint));
   for (int c = 0; c < static_cast<int>(layout.joints.size()); ++c) {
-    const Chunk& chunk = layout.joints[at(c)];
-    for (int n = 0; n < chunk.n; ++n) chunk_of_[at(chunk.first + n)] = {c, n};
+    const Chunk& chunk = layout.joints[c];
+    for (int n = 0; n < chunk.n; ++n) chunk_of_[chunk.first + n] = {c, n};
   }
 }
 
 contact::FreeLaw SpaceBodies::law_of(std::int32_t a, std::int32_t b) const {
-  contact::FreeLaw law = law_[at(free_material_of(m_, a, b))];
-  law.thickness = minimum(m_.free.thickness[at(a)], m_.free.thickness[at(b)]);
+  contact::FreeLaw law = law_[free_material_of(m_, a, b)];
+  law.thickness = minimum(m_.free.thickness[a], m_.free.thickness[b]);
   return law;
 }
 
@@ -69,7 +69,7 @@ contact::FreeLaw SpaceBodies::law_of(std::int32_t a, std::int32_t b) const {
 SpaceFrame SpaceBodies::frame_of(std::int32_t body, const WallView& wall) const {
   const int support = body - m_.n_block;
   if (support >= m_.space.n_support) return {{0, 0, 0}, {1, {0, 0, 0}}};
-  const Vec start = vec(m_.space.centroid[at(body)]);
+  const Vec start = vec(m_.space.centroid[body]);
   if (support < 0) return {start + wall.shift(body), wall.turn(body)};
   return {start + Vec{wall.of_four(wall.t.support, support, 0),
                       wall.of_four(wall.t.support, support, 1),
@@ -81,10 +81,11 @@ Box SpaceBodies::box_of(std::int32_t body, const WallView& wall) const {
   const SpaceFrame frame = frame_of(body, wall);
   Box box{{1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}};
   const FreeShapes& f = m_.free;
-  for (auto part = f.part_begin[at(body)]; part < f.part_begin[at(body) + 1]; ++part)
+  for (auto part = f.part_begin[body]; part < f.part_begin[static_cast<std::size_t>(body) + 1];
+       ++part)
     for (const Facet& facet : parts_.facets_of(part))
       for (auto c = facet.begin; c < facet.end; ++c) {
-        const Vec p = frame.at + turned(frame.turn, parts_.corner[at(c)]);
+        const Vec p = frame.at + turned(frame.turn, parts_.corner[c]);
         const double place[3] = {p.x, p.y, p.z};
         for (int k = 0; k < 3; ++k) {
           box.low[k] = minimum(box.low[k], place[k]);
@@ -96,7 +97,7 @@ Box SpaceBodies::box_of(std::int32_t body, const WallView& wall) const {
 
 double SpaceBodies::speed_of(std::int32_t body, const WallView& wall) const {
   const Push rates = rates_of(body, wall);
-  return length(rates.f) + reach_[at(body)] * length(rates.m);
+  return length(rates.f) + reach_[body] * length(rates.m);
 }
 
 double SpaceBodies::turned_in(double dt, std::int32_t body, const WallView& wall) const {
@@ -105,7 +106,7 @@ double SpaceBodies::turned_in(double dt, std::int32_t body, const WallView& wall
   // a momentum turns a body no faster than about the axis of its least inertia
   double light = 0;
   for (int k = 0; k < 3; ++k) light = maximum(light, wall.body(body, kInverse + k));
-  return kMore * dt * reach_[at(body)] * light * length(wall.body_vector(body, kL));
+  return kMore * dt * reach_[body] * light * length(wall.body_vector(body, kL));
 }
 
 double SpaceBodies::fall_of(BlockId block, const WallView& wall) const {
@@ -145,14 +146,13 @@ Vec SpaceBodies::out_of(std::int32_t body, const Vec& v, const WallView& wall) c
 // --- two parts ------------------------------------------------------------------------------------------
 
 void SpaceBodies::look_at(std::int32_t body, const WallView& wall) {
-  now_[at(body)] = {frame_of(body, wall), rates_of(body, wall)};
+  now_[body] = {frame_of(body, wall), rates_of(body, wall)};
 }
 
 SpaceBodies::Meeting SpaceBodies::meeting(const FreeContact& c) const {
   const FreeShapes& f = m_.free;
-  return {contact::part_of(parts_, f.part_begin[at(c.a)] + c.part_a),
-          contact::part_of(parts_, f.part_begin[at(c.b)] + c.part_b), now_[at(c.a)].frame,
-          now_[at(c.b)].frame};
+  return {contact::part_of(parts_, f.part_begin[c.a] + c.part_a),
+          contact::part_of(parts_, f.part_begin[c.b] + c.part_b), now_[c.a].frame, now_[c.b].frame};
 }
 
 contact::SpaceOverlap SpaceBodies::overlap(const Meeting& m, std::int32_t feature, double rest) {
@@ -206,8 +206,7 @@ SpaceBodies::Rubbed SpaceBodies::rub(FreePair& pair, const Meeting& m, const Ove
   const double over = overlap.force.z > 0 ? 1 / overlap.force.z : 0.0;
   const Vec arm = origin + (-overlap.moment.y * over) * x + (overlap.moment.x * over) * y;
   const Vec arm_other = ref.at + arm - other.at;
-  const Push &of_ref = now_[at(of_a ? c.a : c.b)].rates,
-             &of_other = now_[at(of_a ? c.b : c.a)].rates;
+  const Push &of_ref = now_[of_a ? c.a : c.b].rates, &of_other = now_[of_a ? c.b : c.a].rates;
   // arms and axes as they were half a step ago, in the middle of that motion
   const auto back = [&](const Push& rates, const Vec& r) {
     return r - (0.5 * dt) * cross(rates.m, r);
@@ -257,9 +256,9 @@ double SpaceBodies::mobility(const FreeContact& c, const Rubbed& r) const {
   const bool of_a = c.feature >= 0;
   const auto of = [&](std::int32_t body, const Vec& arm) {
     if (body >= m_.n_block) return 0.0;
-    const Vec3& inertia = m_.space.inertia[at(body)];
+    const Vec3& inertia = m_.space.inertia[body];
     const double least = minimum(inertia.x, minimum(inertia.y, inertia.z));
-    return 1 / m_.mass[at(body)] + (dot(arm, arm) + r.radius * r.radius) / least;
+    return 1 / m_.mass[body] + (dot(arm, arm) + r.radius * r.radius) / least;
   };
   return of(of_a ? c.a : c.b, r.ref) + of(of_a ? c.b : c.a, r.other);
 }
@@ -311,15 +310,15 @@ void SpaceBodies::add(std::int32_t a, std::int32_t b, const Push& on_a, const Pu
 // --- joints ---------------------------------------------------------------------------------------------
 
 std::pair<std::int32_t, std::int32_t> SpaceBodies::sides_of(JointId joint) const {
-  return std::minmax(m_.joint_a[at(joint)], m_.joint_b[at(joint)]);
+  return std::minmax(m_.joint_a[joint], m_.joint_b[joint]);
 }
 
 int SpaceBodies::points_of_face(JointId joint) const {
-  return m_.space.point_begin[at(joint) + 1] - m_.space.point_begin[at(joint)];
+  return m_.space.point_begin[static_cast<std::size_t>(joint) + 1] - m_.space.point_begin[joint];
 }
 
 SpaceBodies::Jump SpaceBodies::jump_of(JointId joint, const WallView& wall) const {
-  const auto j = at(joint);
+  const auto j = static_cast<std::size_t>(joint);
   const Space& s = m_.space;
   const auto pose = [&](BlockId i) { return contact::Pose<double>{wall.shift(i), wall.turn(i)}; };
   const contact::Pose<double> b = pose(m_.joint_b[j]);
@@ -345,7 +344,7 @@ bool SpaceBodies::gives_way(JointId joint, const WallView& wall) const {
   constexpr double kSlipped = 0.05;  // of the face's size; or opened, all of it
   const Jump jump = jump_of(joint, wall);
   const Vec& g = jump.gap.j;
-  const double most = kSlipped * square_root(m_.area[at(joint)]);
+  const double most = kSlipped * square_root(m_.area[joint]);
   if (is_tilted(jump) || square_root(g.x * g.x + g.y * g.y) > most) return true;
   if (!(g.z > most)) return false;
   for (int k = 0; k < points_of_face(joint); ++k)
@@ -354,31 +353,31 @@ bool SpaceBodies::gives_way(JointId joint, const WallView& wall) const {
 }
 
 double& SpaceBodies::remembered(JointId joint, int point, int row, const WallView& wall) const {
-  const auto& [number, n] = chunk_of_[at(joint)];
-  const Chunk& chunk = layout_.joints[at(number)];
+  const auto& [number, n] = chunk_of_[joint];
+  const Chunk& chunk = layout_.joints[number];
   return wall.t.history[layout_.point_number(chunk, chunk.history, n, point, chunk.rows, row, 1)];
 }
 int SpaceBodies::rows_of(JointId joint) const {
-  return layout_.joints[at(chunk_of_[at(joint)].first)].rows;
+  return layout_.joints[chunk_of_[joint].first].rows;
 }
 
 contact::History<double> SpaceBodies::history_of(JointId joint, int point,
                                                  const WallView& wall) const {
   contact::History<double> h{};
   for (int row = 0; row + 1 < rows_of(joint); ++row)
-    h.*contact::kHistory<double>[at(row)] = remembered(joint, point, row, wall);
+    h.*contact::kHistory<double>[row] = remembered(joint, point, row, wall);
   return h;
 }
 
 Vec SpaceBodies::gap_at(JointId joint, int point, const Jump& jump) const {
-  const auto p = at(m_.space.point_begin[at(joint)] + point);
+  const auto p = static_cast<std::size_t>(m_.space.point_begin[joint] + point);
   return jump.gap.j + m_.space.point_r1[p] * jump.gap.a + m_.space.point_r2[p] * jump.gap.b;
 }
 
 // A joint that has tilted bears on an edge, whose points need not be damaged.
 bool SpaceBodies::holds(JointId joint, const WallView& wall) const {
   constexpr double kBroken = 0.999;  // damage of a point
-  const auto law = contact::constants_of(m_.materials[at(m_.joint_material[at(joint)])]);
+  const auto law = contact::constants_of(m_.materials[m_.joint_material[joint]]);
   const Jump jump = jump_of(joint, wall);
   for (int k = 0; k < points_of_face(joint); ++k) {
     const contact::History<double> h = history_of(joint, k, wall);
@@ -392,17 +391,17 @@ bool SpaceBodies::holds(JointId joint, const WallView& wall) const {
 }
 
 Push SpaceBodies::push_of(JointId joint, std::int32_t on, const WallView& wall) const {
-  const std::int32_t place = layout_.joint_place[at(joint)];
+  const std::int32_t place = layout_.joint_place[joint];
   const auto of = [&](double* rows) {
     return Vec{wall.of_four(rows, place, 0), wall.of_four(rows, place, 1),
                wall.of_four(rows, place, 2)};
   };
-  if (m_.joint_a[at(joint)] == on) return {of(wall.t.force), of(wall.t.moment_a)};
+  if (m_.joint_a[joint] == on) return {of(wall.t.force), of(wall.t.moment_a)};
   return {-1.0 * of(wall.t.force), of(wall.t.moment_b)};
 }
 
 double SpaceBodies::elastic_energy(JointId joint, const WallView& wall) const {
-  const JointMaterial& material = m_.materials[at(m_.joint_material[at(joint)])];
+  const JointMaterial& material = m_.materials[m_.joint_material[joint]];
   const auto law = contact::constants_of(material);
   const Jump jump = jump_of(joint, wall);
   double energy = 0;
@@ -416,7 +415,7 @@ double SpaceBodies::elastic_energy(JointId joint, const WallView& wall) const {
     const bool secant = now.sigma > 0 && material.unloading == Unloading::kSecant;
     const double normal =
         secant ? 0.5 * now.sigma * (g.z + h.crush) : 0.5 * now.sigma * now.sigma * law.inv_kn;
-    energy += m_.area[at(joint)] * m_.space.point_share[at(m_.space.point_begin[at(joint)] + k)] *
+    energy += m_.area[joint] * m_.space.point_share[m_.space.point_begin[joint] + k] *
               (normal + 0.5 * now.tau * now.tau * law.inv_ks);
   }
   return energy;
@@ -424,18 +423,18 @@ double SpaceBodies::elastic_energy(JointId joint, const WallView& wall) const {
 
 void SpaceBodies::restore(const WallView& wall) const {
   for (JointId j = 0; j < m_.n_joint; ++j) {
-    const std::int32_t place = layout_.joint_place[at(j)];
-    const BlockId a = m_.joint_a[at(j)];
+    const std::int32_t place = layout_.joint_place[j];
+    const BlockId a = m_.joint_a[j];
     wall.t.joint_a[place] = a >= m_.n_block ? a - m_.n_block : a;
-    wall.t.joint_b[place] = m_.joint_b[at(j)];
-    wall.t.face[layout_.number(place, kFaceRows, kFaceArea, 1)] = m_.area[at(j)];
+    wall.t.joint_b[place] = m_.joint_b[j];
+    wall.t.face[layout_.number(place, kFaceRows, kFaceArea, 1)] = m_.area[j];
   }
 }
 
 // Between what rests and itself, without an area.
 void SpaceBodies::release(JointId joint, const WallView& wall) const {
-  const std::int32_t place = layout_.joint_place[at(joint)];
-  const bool on_support = m_.joint_a[at(joint)] >= m_.n_block;
+  const std::int32_t place = layout_.joint_place[joint];
+  const bool on_support = m_.joint_a[joint] >= m_.n_block;
   wall.t.joint_a[place] = on_support ? m_.space.n_support : wall.t.n_block;
   wall.t.joint_b[place] = wall.t.n_block;
   wall.t.face[layout_.number(place, kFaceRows, kFaceArea, 1)] = 0;

@@ -9,27 +9,25 @@
 namespace wythe::dynamics::space {
 namespace {
 
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
-
 int points_of_face(const Model& m, int j) {
-  return m.space.point_begin[at(j) + 1] - m.space.point_begin[at(j)];
+  return m.space.point_begin[static_cast<std::size_t>(j) + 1] - m.space.point_begin[j];
 }
 
 // Runs of joints of one law, one kind of support and one number of points.
 void cut_joints(const Model& m, Layout& l) {
   const auto fits = [&](int i, int j) {
-    return m.stated(m.joint_material[at(i)]) == m.stated(m.joint_material[at(j)]) &&
-           j != m.n_pair && points_of_face(m, i) == points_of_face(m, j);
+    return m.stated(m.joint_material[i]) == m.stated(m.joint_material[j]) && j != m.n_pair &&
+           points_of_face(m, i) == points_of_face(m, j);
   };
   for (int j = 0; j < m.n_joint; ++j) {
     if (l.joints.empty() || l.joints.back().n == kChunk || !fits(j - 1, j)) {
       Chunk chunk;
       if (!l.joints.empty()) chunk.begin = l.joints.back().end;
       chunk.first = j;
-      const std::int32_t material = m.joint_material[at(j)];
+      const std::int32_t material = m.joint_material[j];
       chunk.material = m.stated(material);
       chunk.graded = chunk.material != material;
-      chunk.choice = contact::choice_of(m.materials[at(material)]);
+      chunk.choice = contact::choice_of(m.materials[material]);
       chunk.on_ground = j >= m.n_pair;
       chunk.points = points_of_face(m, j);
       chunk.rows = contact::remembered(chunk.choice) + 1;  // and the second slip
@@ -85,33 +83,39 @@ struct Placed {
 };
 
 void place(const Layout& l, const Model& m, Tables& t, Placed& to) {
-  const std::size_t joints = at(l.n_joint), blocks = at(l.n_block), walls = at(t.lanes);
+  const std::size_t joints = static_cast<std::size_t>(l.n_joint),
+                    blocks = static_cast<std::size_t>(l.n_block),
+                    walls = static_cast<std::size_t>(t.lanes);
   const std::size_t group = l.grouped() ? kGroup : 1;
   to.take(t.face, joints * kFaceRows);
-  to.take(t.point, at(l.points) * group);
+  to.take(t.point, static_cast<std::size_t>(l.points) * group);
   to.take(t.axes, (blocks + kGroup) * kAxisRows);  // then what rests
   to.take(t.joint_a, joints);
   to.take(t.joint_b, joints);
   to.take(t.block_begin, blocks + 1);
   to.take(t.block_middle, blocks);
-  const std::size_t frees = m.free.any() ? at(m.n_block + m.free.n_fixed) : 0;
-  to.take(t.block_entry, m.block_entry.size() + 2 * at(l.n_link) + (frees > 0 ? at(m.n_block) : 0) +
-                             at(l.n_contact));
-  to.take(t.link_a, at(l.n_link));
-  to.take(t.link_b, at(l.n_link));
+  const std::size_t frees = m.free.any() ? static_cast<std::size_t>(m.n_block + m.free.n_fixed) : 0;
+  to.take(t.block_entry, m.block_entry.size() + 2 * static_cast<std::size_t>(l.n_link) +
+                             (frees > 0 ? static_cast<std::size_t>(m.n_block) : 0) +
+                             static_cast<std::size_t>(l.n_contact));
+  to.take(t.link_a, static_cast<std::size_t>(l.n_link));
+  to.take(t.link_b, static_cast<std::size_t>(l.n_link));
   to.take(t.special, blocks);
-  to.take(t.law, at(l.laws) * group * walls);
+  to.take(t.law, static_cast<std::size_t>(l.laws) * group * walls);
   to.take(t.body, (blocks + kGroup) * kBodyRows * walls);
   to.take(t.still, blocks * kStillRows * walls);
-  to.take(t.history, at(l.history) * group * walls);
+  to.take(t.history, static_cast<std::size_t>(l.history) * group * walls);
   to.take(t.wall, kWallRows * walls);
   to.take(t.shift, 4 * (blocks + 1) * walls);
   to.take(t.turn, 4 * (blocks + 1) * walls);
-  to.take(t.support, 4 * at(m.space.n_support + 1) * walls);
-  to.take(t.link, at(l.n_link) * kSpaceLinkRows * walls);
+  to.take(t.support, 4 * static_cast<std::size_t>(m.space.n_support + 1) * walls);
+  to.take(t.link, static_cast<std::size_t>(l.n_link) * kSpaceLinkRows * walls);
   // of joints, of links, of free contacts: one a body; of contacts of zones
   for (double** rows : {&t.force, &t.moment_a, &t.moment_b})
-    to.take(*rows, 4 * (joints + at(l.n_link) + frees + at(l.n_contact)) * walls);
+    to.take(*rows, 4 *
+                       (joints + static_cast<std::size_t>(l.n_link) + frees +
+                        static_cast<std::size_t>(l.n_contact)) *
+                       walls);
   to.take(t.way, joints * walls);
 }
 
@@ -123,20 +127,20 @@ void fill_joints(const Layout& l, const Model& m, Tables& t) {
   for (const Chunk& chunk : l.joints)
     for (int n = 0; n < chunk.n; ++n) {
       const int j = chunk.first + n;
-      const std::int32_t spot = l.joint_place[at(j)];
-      t.joint_a[spot] = chunk.on_ground ? m.joint_a[at(j)] - m.n_block : m.joint_a[at(j)];
-      t.joint_b[spot] = m.joint_b[at(j)];
+      const std::int32_t spot = l.joint_place[j];
+      t.joint_a[spot] = chunk.on_ground ? m.joint_a[j] - m.n_block : m.joint_a[j];
+      t.joint_b[spot] = m.joint_b[j];
       const auto put = [&](int row, const Vec3& v) {
         const double all[3] = {v.x, v.y, v.z};
         for (int c = 0; c < 3; ++c) t.face[l.number(spot, kFaceRows, row + c, 1)] = all[c];
       };
-      put(kArmA, m.space.arm_a[at(j)]);
-      put(kArmB, m.space.arm_b[at(j)]);
-      put(kTangent, m.space.tangent[at(j)]);
-      put(kNormal, m.space.normal[at(j)]);
-      t.face[l.number(spot, kFaceRows, kFaceArea, 1)] = m.area[at(j)];
+      put(kArmA, m.space.arm_a[j]);
+      put(kArmB, m.space.arm_b[j]);
+      put(kTangent, m.space.tangent[j]);
+      put(kNormal, m.space.normal[j]);
+      t.face[l.number(spot, kFaceRows, kFaceArea, 1)] = m.area[j];
       for (int k = 0; k < chunk.points; ++k) {
-        const std::size_t p = at(m.space.point_begin[at(j)] + k);
+        const std::size_t p = static_cast<std::size_t>(m.space.point_begin[j] + k);
         const auto row = [&](int r) -> double& {
           return t.point[l.point_number(chunk, chunk.rule, n, k, kPointRows, r, 1)];
         };
@@ -153,32 +157,32 @@ void fill_blocks(const Layout& l, const Model& m, Tables& t) {
   std::int32_t next = 0;
   const auto add_links = [&](const std::vector<BlockId>& side, BlockId block) {
     for (int k = 0; k < l.n_link; ++k)
-      if (side[at(k)] == block) t.block_entry[next++] = l.n_joint + k;
+      if (side[k] == block) t.block_entry[next++] = l.n_joint + k;
   };
   for (int i = 0; i < l.n_block; ++i) {
     t.block_begin[i] = t.block_middle[i] = next;
     if (i >= m.n_block) continue;
-    const Vec3* axes[3] = {&m.space.axis_1[at(i)], &m.space.axis_2[at(i)], &m.space.axis_3[at(i)]};
+    const Vec3* axes[3] = {&m.space.axis_1[i], &m.space.axis_2[i], &m.space.axis_3[i]};
     for (int k = 0; k < 3; ++k) {
       const double all[3] = {axes[k]->x, axes[k]->y, axes[k]->z};
       for (int c = 0; c < 3; ++c) t.axes[l.number(i, kAxisRows, 3 * k + c, 1)] = all[c];
     }
-    auto e = m.block_begin[at(i)];
-    const auto last = m.block_begin[at(i) + 1];
-    for (; e < last && (m.block_entry[at(e)] & 1) == 0; ++e)
-      t.block_entry[next++] = l.joint_place[at(m.block_entry[at(e)] >> 1)];
+    auto e = m.block_begin[i];
+    const auto last = m.block_begin[static_cast<std::size_t>(i) + 1];
+    for (; e < last && (m.block_entry[e] & 1) == 0; ++e)
+      t.block_entry[next++] = l.joint_place[m.block_entry[e] >> 1];
     add_links(m.links.a, i);
     if (m.free.any()) t.block_entry[next++] = l.n_joint + l.n_link + i;
     for (std::int32_t c = 0; c < l.n_contact; ++c)
-      if (m.space.solids.contact_block[at(c)] == i) t.block_entry[next++] = l.first_contact + c;
+      if (m.space.solids.contact_block[c] == i) t.block_entry[next++] = l.first_contact + c;
     t.block_middle[i] = next;
-    for (; e < last; ++e) t.block_entry[next++] = l.joint_place[at(m.block_entry[at(e)] >> 1)];
+    for (; e < last; ++e) t.block_entry[next++] = l.joint_place[m.block_entry[e] >> 1];
     add_links(m.links.b, i);
   }
   for (int k = 0; k < l.n_link; ++k) {
-    const BlockId a = m.links.a[at(k)];
+    const BlockId a = m.links.a[k];
     t.link_a[k] = a == kGroundBlock ? l.n_block : a;
-    t.link_b[k] = m.links.b[at(k)];
+    t.link_b[k] = m.links.b[k];
   }
   t.block_begin[l.n_block] = next;
 }

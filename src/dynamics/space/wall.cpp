@@ -9,14 +9,12 @@
 namespace wythe::dynamics::space {
 namespace {
 
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
-
 // act(array of the state, entity, number in the tables) for all that a step keeps of a wall.
 template <class S, class Act>
 void each_number(const WallView& w, const Model& m, S& s, const Act& act) {
   const Layout& l = *w.layout;
   for (int i = 0; i < m.n_block; ++i) {
-    const std::size_t k = at(i);
+    const std::size_t k = static_cast<std::size_t>(i);
     const auto four = [&](auto& array, double* rows, int c) {
       act(array[k], w.of_four(rows, i, c));
     };
@@ -27,21 +25,21 @@ void each_number(const WallView& w, const Model& m, S& s, const Act& act) {
     act(s.lx[k], w.body(i, kL)), act(s.ly[k], w.body(i, kL + 1)), act(s.lz[k], w.body(i, kL + 2));
   }
   for (int i = 0; i < m.space.n_support; ++i) {
-    const std::size_t k = at(i);
+    const std::size_t k = static_cast<std::size_t>(i);
     act(s.support_x[k], w.of_four(w.t.support, i, 0));
     act(s.support_y[k], w.of_four(w.t.support, i, 1));
     act(s.support_z[k], w.of_four(w.t.support, i, 2));
   }
   for (int k = 0; k < w.links; ++k) {
-    act(s.link_force[at(k)], w.link(k, kLinkForce));
-    act(s.link_plastic[at(k)], w.link(k, kLinkPlastic));
-    act(s.link_drawn[at(k)], w.link(k, kLinkDrawn));
+    act(s.link_force[k], w.link(k, kLinkForce));
+    act(s.link_plastic[k], w.link(k, kLinkPlastic));
+    act(s.link_drawn[k], w.link(k, kLinkDrawn));
   }
   for (const Chunk& chunk : l.joints) {
     const auto history = [&](auto& array, int r) {
       for (int n = 0; n < chunk.n; ++n)
         for (int k = 0; k < chunk.points; ++k)
-          act(array[at(m.space.point_begin[at(chunk.first + n)] + k)],
+          act(array[m.space.point_begin[chunk.first + n] + k],
               w.t.history[l.point_number(chunk, chunk.history, n, k, chunk.rows, r, w.t.lanes) +
                           w.lane]);
     };
@@ -59,12 +57,12 @@ void put_laws(const WallView& w, const Model& m) {
     for (int n = 0; n < entries * l.group(); ++n) {
       const int joint = chunk.first + (chunk.graded ? std::min(n, chunk.n - 1) : 0);
       const contact::LawConstants<double> law =
-          contact::constants_of(m.materials[at(m.joint_material[at(joint)])]);
+          contact::constants_of(m.materials[m.joint_material[joint]]);
       for (int k = 0; k < kLawRows; ++k) {
         const std::ptrdiff_t number = chunk.strengths + n / l.group() * kLawRows + k;
         const std::ptrdiff_t place =
             l.grouped() ? number * kGroup + n % kGroup : number * w.t.lanes;
-        w.t.law[place + w.lane] = law.*contact::kConstants<double>[at(k)];
+        w.t.law[place + w.lane] = law.*contact::kConstants<double>[k];
       }
     }
   }
@@ -86,7 +84,7 @@ void put_links(const WallView& w, const Links& links) {
                                                              {kLinkSpanZ, &links.span_z},
                                                              {kLinkFollows, &links.follows}};
   for (int k = 0; k < w.links; ++k)
-    for (const auto& [row, of] : rows) w.link(k, row) = (*of)[at(k)];
+    for (const auto& [row, of] : rows) w.link(k, row) = (*of)[k];
 }
 
 double length(const Vec& v) { return square_root(dot(v, v)); }
@@ -216,12 +214,12 @@ void put_wall(const WallView& w, const Model& m, const State& s) {
   put_links(w, m.links);
   each_number(w, m, s, [](double of, double& to) { to = of; });
   for (int i = 0; i < m.n_block; ++i) {
-    const Vec3& inertia = m.space.inertia[at(i)];
-    w.body(i, kHeavy) = m.heavy_mass[at(i)];
+    const Vec3& inertia = m.space.inertia[i];
+    w.body(i, kHeavy) = m.heavy_mass[i];
     w.body(i, kFree) = 1;
     w.put_body({0, 0, 0}, i, kLoad);
     w.put_body({0, 0, 0}, i, kLoadMoment);
-    w.still(i, kBodyMass) = m.mass[at(i)];
+    w.still(i, kBodyMass) = m.mass[i];
     w.put_still(vec(inertia), i, kBodyInertia);
   }
   for (const Stage& stage : m.stages) {
@@ -396,7 +394,7 @@ double unbalance_of(const WallView& w, const Model& m, const ZoneRun* zones) {
                   length(contact_now.m + w.body_vector(i, kLoadMoment)) / radius_of(i, w);
   }
   for (int j = 0; j < m.n_joint; ++j) {
-    const std::int32_t e = w.layout->joint_place[at(j)];
+    const std::int32_t e = w.layout->joint_place[j];
     const double sides = j < m.n_pair ? 2.0 : 1.0;
     contact += sides * length({w.of_four(w.t.force, e, 0), w.of_four(w.t.force, e, 1),
                                w.of_four(w.t.force, e, 2)});
@@ -429,7 +427,7 @@ double kinetic_of(const WallView& w, double mass_scaling) {
 double shear_of(const WallView& w, const Model& m, const Vec3& along) {
   double sum = 0;  // the force on side a, the support, resists with the opposite sign
   for (int j = m.n_pair; j < m.n_joint; ++j) {
-    const std::int32_t e = w.layout->joint_place[at(j)];
+    const std::int32_t e = w.layout->joint_place[j];
     if (w.is_driven_support(w.t.joint_a[e])) continue;
     sum += w.of_four(w.t.force, e, 0) * along.x + w.of_four(w.t.force, e, 1) * along.y +
            w.of_four(w.t.force, e, 2) * along.z;

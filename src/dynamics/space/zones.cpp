@@ -12,14 +12,14 @@ namespace {
 
 constexpr int kZoneChunk = 32, kContactChunk = 32, kNodeChunk = 256;
 
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 int chunks_of(int n, int chunk) { return (n + chunk - 1) / chunk; }
 
 // act(i, chunk) for i = 0 .. n-1, chunk by chunk.
 template <class Act>
 void each(Workers* workers, int n, int size, const Act& act) {
   const auto work = [&](int chunk) {
-    for (int i = chunk * size; i < std::min(n, (chunk + 1) * size); ++i) act(at(i), at(chunk));
+    for (int i = chunk * size; i < std::min(n, (chunk + 1) * size); ++i)
+      act(static_cast<std::size_t>(i), static_cast<std::size_t>(chunk));
   };
   if (workers != nullptr) return workers->for_each_chunk(chunks_of(n, size), work);
   for (int chunk = 0; chunk < chunks_of(n, size); ++chunk) work(chunk);
@@ -32,26 +32,26 @@ double length_of(const Vec& v) { return square_root(dot(v, v)); }
 ZoneRun::ZoneRun(const Model& model, const State& s)
     : m_(model),
       s_(model.space.solids),
-      u_(at(s_.n_node)),
-      v_(at(s_.n_node)),
-      total_(at(s_.n_node), Vec{0, 0, 0}),
-      corner_force_(8 * at(s_.n_zone), Vec{0, 0, 0}),
-      side_force_(4 * at(s_.n_contact), Vec{0, 0, 0}),
-      joint_work_(at(chunks_of(s_.n_contact, kContactChunk))),
-      node_work_(at(chunks_of(s_.n_node, kNodeChunk))) {
+      u_(static_cast<std::size_t>(s_.n_node)),
+      v_(static_cast<std::size_t>(s_.n_node)),
+      total_(static_cast<std::size_t>(s_.n_node), Vec{0, 0, 0}),
+      corner_force_(8 * static_cast<std::size_t>(s_.n_zone), Vec{0, 0, 0}),
+      side_force_(4 * static_cast<std::size_t>(s_.n_contact), Vec{0, 0, 0}),
+      joint_work_(static_cast<std::size_t>(chunks_of(s_.n_contact, kContactChunk))),
+      node_work_(static_cast<std::size_t>(chunks_of(s_.n_node, kNodeChunk))) {
   for (std::size_t i = 0; i < u_.size(); ++i) {
     u_[i] = {s.node_ux[i], s.node_uy[i], s.node_uz[i]};
     v_[i] = {s.node_vx[i], s.node_vy[i], s.node_vz[i]};
   }
   for (const JointMaterial& material : model.materials)
     law_.push_back(contact::constants_of(material));
-  const std::size_t first = at(s_.point_begin.front());
-  point_.resize(at(s_.point_begin.back()) - first);
+  const std::size_t first = static_cast<std::size_t>(s_.point_begin.front());
+  point_.resize(static_cast<std::size_t>(s_.point_begin.back()) - first);
   for (std::size_t p = 0; p < point_.size(); ++p) {
     point_[p].history = {};
     for (const StateField& field : kStateFields)
       if (field.entity == Entity::kPoint && !(s.*field.array).empty())
-        point_[p].history.*contact::kHistory<double>[at(row_of(field.array))] =
+        point_[p].history.*contact::kHistory<double>[row_of(field.array)] =
             (s.*field.array)[first + p];
     point_[p].plastic_2 = s.plastic_slip_2[first + p];
   }
@@ -62,12 +62,12 @@ void ZoneRun::bring_up(State& s) const {
     s.node_ux[i] = u_[i].x, s.node_uy[i] = u_[i].y, s.node_uz[i] = u_[i].z;
     s.node_vx[i] = v_[i].x, s.node_vy[i] = v_[i].y, s.node_vz[i] = v_[i].z;
   }
-  const std::size_t first = at(s_.point_begin.front());
+  const std::size_t first = static_cast<std::size_t>(s_.point_begin.front());
   for (std::size_t p = 0; p < point_.size(); ++p) {
     for (const StateField& field : kStateFields)
       if (field.entity == Entity::kPoint && !(s.*field.array).empty())
         (s.*field.array)[first + p] =
-            point_[p].history.*contact::kHistory<double>[at(row_of(field.array))];
+            point_[p].history.*contact::kHistory<double>[row_of(field.array)];
     s.plastic_slip_2[first + p] = point_[p].plastic_2;
   }
 }
@@ -75,9 +75,8 @@ void ZoneRun::bring_up(State& s) const {
 void ZoneRun::deform(Workers* workers) {
   each(workers, s_.n_zone, kZoneChunk, [&](std::size_t z, std::size_t) {
     solids::HexahedronVectors u;
-    for (std::size_t k = 0; k < 8; ++k) u[k] = u_[at(s_.corner[8 * z + k])];
-    const solids::HexahedronVectors f =
-        solids::hexahedron_force(s_.shapes[at(s_.zone_shape[z])], u);
+    for (std::size_t k = 0; k < 8; ++k) u[k] = u_[s_.corner[8 * z + k]];
+    const solids::HexahedronVectors f = solids::hexahedron_force(s_.shapes[s_.zone_shape[z]], u);
     std::copy(f.begin(), f.end(), corner_force_.begin() + static_cast<std::ptrdiff_t>(8 * z));
   });
 }
@@ -93,7 +92,7 @@ ZoneRun::Meeting ZoneRun::meeting(std::size_t c, const contact::Pose<double>& po
   const Vec n = turned(pose.q, vec(s_.contact_normal[c]));
   Meeting m{pose, t1, cross(n, t1), n, {}};
   for (std::size_t k = 0; k < 4; ++k) {
-    const std::size_t i = at(s_.contact_node[4 * c + k]);
+    const std::size_t i = static_cast<std::size_t>(s_.contact_node[4 * c + k]);
     m.node[k] = u_[i] - back * v_[i];
   }
   return m;
@@ -101,7 +100,7 @@ ZoneRun::Meeting ZoneRun::meeting(std::size_t c, const contact::Pose<double>& po
 
 // A point of it: from a's centroid, and how far the side is from the face.
 ZoneRun::Spot ZoneRun::spot(std::size_t c, std::size_t p, const Meeting& m) const {
-  const double* share = &s_.node_share[4 * (p - at(s_.point_begin.front()))];
+  const double* share = &s_.node_share[4 * (p - static_cast<std::size_t>(s_.point_begin.front()))];
   const Vec t0 = vec(s_.contact_tangent[c]), across = cross(vec(s_.contact_normal[c]), t0);
   const Vec on_side =
       (share[0] * m.node[0] + share[1] * m.node[1]) + (share[2] * m.node[2] + share[3] * m.node[3]);
@@ -127,7 +126,7 @@ ZoneRun::Meeting ZoneRun::meeting_before(std::size_t c, const WallView& w) const
 // The points of one contact through the law of variant V.
 template <class V>
 void ZoneRun::ask(std::size_t c, const WallView& w, JointWork<double>& work) {
-  const contact::LawConstants<double>& law = law_[at(s_.contact_material[c])];
+  const contact::LawConstants<double>& law = law_[s_.contact_material[c]];
   const BlockId block = s_.contact_block[c];
   const bool on_block = block < w.blocks;
   const auto support = [&](int k) { return w.of_four(w.t.support, block - w.blocks, k); };
@@ -135,8 +134,9 @@ void ZoneRun::ask(std::size_t c, const WallView& w, JointWork<double>& work) {
   const Quaternion<double> q = on_block ? w.turn(block) : Quaternion<double>{1, {0, 0, 0}};
   const Meeting m = meeting(c, {moved, q}, 0);
   Vec sum{0, 0, 0}, moment{0, 0, 0}, side[4] = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
-  const std::size_t first = at(s_.point_begin.front());
-  for (auto p = at(s_.point_begin[c]); p < at(s_.point_begin[c + 1]); ++p) {
+  const std::size_t first = static_cast<std::size_t>(s_.point_begin.front());
+  for (auto p = static_cast<std::size_t>(s_.point_begin[c]);
+       p < static_cast<std::size_t>(s_.point_begin[c + 1]); ++p) {
     const double* share = &s_.node_share[4 * (p - first)];
     const Spot now = spot(c, p, m);
     Point& point = point_[p - first];
@@ -181,7 +181,7 @@ void ZoneRun::ask(std::size_t c, const WallView& w, JointWork<double>& work) {
 void ZoneRun::press(const WallView& wall, Workers* workers) {
   std::fill(joint_work_.begin(), joint_work_.end(), JointWork<double>{0, 0, 0});
   each(workers, s_.n_contact, kContactChunk, [&](std::size_t c, std::size_t chunk) {
-    contact::with_variant(law_[at(s_.contact_material[c])].choice,
+    contact::with_variant(law_[s_.contact_material[c]].choice,
                           [&](auto chosen) { ask<decltype(chosen)>(c, wall, joint_work_[chunk]); });
   });
 }
@@ -192,10 +192,12 @@ void ZoneRun::move(const WallView& w, double dt, double mass_scaling, Workers* w
   const Vec gravity = w.gravity();
   each(workers, s_.n_node, kNodeChunk, [&](std::size_t i, std::size_t chunk) {
     Vec f{0, 0, 0};
-    for (auto e = at(s_.zone_begin[i]); e < at(s_.zone_begin[i + 1]); ++e)
-      f = f + corner_force_[at(s_.zone_entry[e])];
-    for (auto e = at(s_.contact_begin[i]); e < at(s_.contact_begin[i + 1]); ++e)
-      f = f + side_force_[at(s_.contact_entry[e])];
+    for (auto e = static_cast<std::size_t>(s_.zone_begin[i]);
+         e < static_cast<std::size_t>(s_.zone_begin[i + 1]); ++e)
+      f = f + corner_force_[s_.zone_entry[e]];
+    for (auto e = static_cast<std::size_t>(s_.contact_begin[i]);
+         e < static_cast<std::size_t>(s_.contact_begin[i + 1]); ++e)
+      f = f + side_force_[s_.contact_entry[e]];
     const Vec load = s_.node_heavy_mass[i] * gravity;
     f = f + load;
     total_[i] = f;
@@ -230,7 +232,7 @@ double ZoneRun::pressed(const WallView& w) const {
   double sum = 0;
   for (int c = 0; c < s_.n_contact; ++c) {
     const std::ptrdiff_t row = w.layout->first_contact + c;
-    const double sides = s_.contact_block[at(c)] < w.blocks ? 2.0 : 1.0;
+    const double sides = s_.contact_block[c] < w.blocks ? 2.0 : 1.0;
     sum += sides * length_of({w.of_four(w.t.force, row, 0), w.of_four(w.t.force, row, 1),
                               w.of_four(w.t.force, row, 2)});
   }
@@ -247,7 +249,7 @@ double ZoneRun::kinetic(double mass_scaling) const {
 double ZoneRun::shear(const WallView& w, const Vec3& along) const {
   double sum = 0;
   for (int c = 0; c < s_.n_contact; ++c) {
-    const std::int32_t support = s_.contact_block[at(c)] - w.blocks;
+    const std::int32_t support = s_.contact_block[c] - w.blocks;
     if (support < 0 || w.is_driven_support(support)) continue;
     const std::ptrdiff_t row = w.layout->first_contact + c;
     sum += w.of_four(w.t.force, row, 0) * along.x + w.of_four(w.t.force, row, 1) * along.y +

@@ -15,15 +15,13 @@
 namespace wythe::dynamics {
 namespace {
 
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
-
 // Displacement of a place on a block [m]; `arm` from its centroid.
 struct Moved2 {
   double x, y;
 };
 Moved2 moved_at(const State& s, BlockId block, double arm_x, double arm_y) {
   if (block == kGroundBlock) return {0, 0};
-  const auto i = at(block);
+  const auto i = static_cast<std::size_t>(block);
   const SinCos<double> half = sin_cos(0.5 * s.theta[i]);
   const contact::LinkEnd end =
       contact::link_end(s.ux[i], s.uy[i], half.cos, half.sin, arm_x, arm_y);
@@ -50,8 +48,8 @@ class Fitter {
     for (std::size_t k = 0; k < m_.frames.moved.size(); ++k) {
       const BlockId block = m_.frames.moved[k];
       if (!is_new(block)) continue;
-      s_.ux[at(block)] += m_.frames.moved_x[k];
-      s_.uy[at(block)] += m_.frames.moved_y[k];
+      s_.ux[block] += m_.frames.moved_x[k];
+      s_.uy[block] += m_.frames.moved_y[k];
     }
     let_go_of_sections();
     let_go_of_links();
@@ -59,21 +57,21 @@ class Fitter {
 
  private:
   [[nodiscard]] bool is_new(BlockId block) const {
-    return block >= 0 && m_.standing.from[at(block)] == stage_ && stage_ > 0;
+    return block >= 0 && m_.standing.from[block] == stage_ && stage_ > 0;
   }
 
   // A segment of a frame is placed by itself; a lintel or sill is one stiff body, held together by its chain.
   void find_groups() {
-    std::vector<BlockId> group(at(m_.n_block));
-    for (BlockId i = 0; i < m_.n_block; ++i) group[at(i)] = i;
+    std::vector<BlockId> group(static_cast<std::size_t>(m_.n_block));
+    for (BlockId i = 0; i < m_.n_block; ++i) group[i] = i;
     const auto root = [&](BlockId i) {
-      while (group[at(i)] != i) i = group[at(i)];
+      while (group[i] != i) i = group[i];
       return i;
     };
     for (JointId j = 0; j < m_.n_joint; ++j)
-      if (m_.anatomy.joint_kind[at(j)] == JointKind::kLintelChain && is_new(m_.joint_a[at(j)]) &&
-          is_new(m_.joint_b[at(j)]))
-        group[at(root(m_.joint_a[at(j)]))] = root(m_.joint_b[at(j)]);
+      if (m_.anatomy.joint_kind[j] == JointKind::kLintelChain && is_new(m_.joint_a[j]) &&
+          is_new(m_.joint_b[j]))
+        group[root(m_.joint_a[j])] = root(m_.joint_b[j]);
     for (BlockId i = 0; i < m_.n_block; ++i)
       if (is_new(i)) groups_[root(i)].push_back(i);
   }
@@ -82,7 +80,7 @@ class Fitter {
   // where something new meets what stands.
   template <class Act>
   void each_meeting(const Act& act) const {
-    for (std::size_t j = 0; j < at(m_.n_joint); ++j) {
+    for (std::size_t j = 0; j < static_cast<std::size_t>(m_.n_joint); ++j) {
       const BlockId a = m_.joint_a[j], b = m_.joint_b[j];
       if (is_new(a) == is_new(b) || !m_.standing.joins(a, b, stage_)) continue;
       for (std::size_t p = 0; p < m_.point_xi.size(); ++p) {
@@ -112,7 +110,7 @@ class Fitter {
   // and faintly along them and to the mean of all, where the faces leave it free.
   void place(const std::vector<BlockId>& blocks) {
     constexpr double kAlong = 1e-3, kFaint = 1e-6;
-    const auto first = at(blocks.front());
+    const auto first = static_cast<std::size_t>(blocks.front());
     const double cx = m_.centroid_x[first], cy = m_.centroid_y[first];
     Vec3 normal[3] = {}, wanted;  // rows of the equations of least squares
     const auto want = [&](const Vec3& row, double value, double weight) {
@@ -123,7 +121,7 @@ class Fitter {
     double weights = 0;
     each_meeting([&](BlockId own, Vec2 arm, Moved2 to, Vec2 t, double weight) {
       if (std::find(blocks.begin(), blocks.end(), own) == blocks.end()) return;
-      const double x = m_.centroid_x[at(own)] + arm.x - cx, y = m_.centroid_y[at(own)] + arm.y - cy;
+      const double x = m_.centroid_x[own] + arm.x - cx, y = m_.centroid_y[own] + arm.y - cy;
       want({-t.y, t.x, x * t.x + y * t.y}, to.y * t.x - to.x * t.y, weight);
       want({t.x, t.y, x * t.y - y * t.x}, to.x * t.x + to.y * t.y, kAlong * weight);
       weights += weight;
@@ -134,7 +132,7 @@ class Fitter {
     want({0, 0, 1}, 0, faint);
     const Vec3 q = solved(normal, wanted);
     for (const BlockId block : blocks) {
-      const auto i = at(block);
+      const auto i = static_cast<std::size_t>(block);
       const double x = m_.centroid_x[i] - cx, y = m_.centroid_y[i] - cy;
       const double sine = elementary::sin(q.z),
                    drop = -2 * elementary::pow(elementary::sin(0.5 * q.z), 2);
@@ -149,12 +147,12 @@ class Fitter {
   void let_go_of_joints() {
     const std::vector<PointReading> points = read_points(m_, s_);
     for (JointId j = 0; j < m_.n_joint; ++j) {
-      const BlockId a = m_.joint_a[at(j)], b = m_.joint_b[at(j)];
+      const BlockId a = m_.joint_a[j], b = m_.joint_b[j];
       if (!is_new(a) && !is_new(b)) continue;
       const PointRange range = points_of(m_, j);
       for (PointId p = range.begin; p < range.end; ++p) {
-        s_.plastic_slip[at(p)] = points[at(p)].slip;
-        s_.crush[at(p)] = -points[at(p)].opening;
+        s_.plastic_slip[p] = points[p].slip;
+        s_.crush[p] = -points[p].opening;
       }
     }
   }
@@ -189,17 +187,17 @@ std::vector<BlockId> touched(const Model& m, int stage) {
   const auto changes = [&](BlockId i) {
     return i >= 0 && m.standing.holds(i, stage) != m.standing.holds(i, stage - 1);
   };
-  std::vector<bool> found(at(m.n_block), false);
+  std::vector<bool> found(static_cast<std::size_t>(m.n_block), false);
   const auto join = [&](BlockId a, BlockId b) {
     for (const auto& [own, other] : {std::pair(a, b), std::pair(b, a)})
       if (own >= 0 && m.standing.holds(own, stage) && (changes(own) || changes(other)))
-        found[at(own)] = true;
+        found[own] = true;
   };
   for (std::size_t j = 0; j < m.joint_a.size(); ++j) join(m.joint_a[j], m.joint_b[j]);
   for (std::size_t k = 0; k < m.frames.a.size(); ++k) join(m.frames.a[k], m.frames.b[k]);
   std::vector<BlockId> blocks;
   for (BlockId i = 0; i < m.n_block; ++i)
-    if (found[at(i)]) blocks.push_back(i);
+    if (found[i]) blocks.push_back(i);
   return blocks;
 }
 
@@ -219,9 +217,9 @@ void set_release(const Model& m, State& s, double dt) {
   for (const BlockId i : touched(m, s.stage)) {
     const BlockForce<double> f = contact_force(wall.t, i, 0);
     const double heavy = wall.block(i, kHeavyMass);
-    s.release_x[at(i)] = -(f.x + wall.block(i, kLoadX) + heavy * wall.of_wall(kGravityX));
-    s.release_y[at(i)] = -(f.y + wall.block(i, kLoadY) + heavy * wall.of_wall(kGravityY));
-    s.release_m[at(i)] = -(f.m + wall.block(i, kLoadM));
+    s.release_x[i] = -(f.x + wall.block(i, kLoadX) + heavy * wall.of_wall(kGravityX));
+    s.release_y[i] = -(f.y + wall.block(i, kLoadY) + heavy * wall.of_wall(kGravityY));
+    s.release_m[i] = -(f.m + wall.block(i, kLoadM));
   }
 }
 
@@ -240,7 +238,7 @@ void begin_cut(WallUnderWay& wall) {
   wall.access->bring_up(state);
   const double before = stored(model, state, state.stage - 1);
   Fitter(model, state).fit();
-  set_release(model, state, stage_time_step(model, model.stages[at(state.stage)]));
+  set_release(model, state, stage_time_step(model, model.stages[state.stage]));
   // what was stored in what is gone leaves with it
   state.work_loads += stored(model, state, state.stage) - before;
   wall.access->put_again(state);

@@ -13,8 +13,6 @@ namespace {
 constexpr int kForceEvery = 8;      // steps between samples of the ground's force
 constexpr double kMostTilt = 1.05;  // of a block [rad]: past it no block of a wall comes back
 
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
-
 // alpha with which velocities fall [1/s].
 double decay_of(const ViscousSpec& viscous) {
   return 2 * viscous.fraction * 2 * M_PI * viscous.frequency;
@@ -22,7 +20,7 @@ double decay_of(const ViscousSpec& viscous) {
 
 // A wall's point against the base, and how far it is turned [rad].
 Vec3 motion_of(const Model& m, const State& s, const WatchedPoint& point) {
-  const std::size_t i = at(point.block);
+  const std::size_t i = static_cast<std::size_t>(point.block);
   if (!m.in_space()) {
     const Vec3 tip = turned(point.arm, Rotation{{0, 0, s.theta[i]}});
     return Vec3{s.ux[i], s.uy[i], 0} + tip - point.arm;
@@ -114,9 +112,9 @@ class Shake final : public StageRun {
     PointMotion sum = {};
     double mass = 0;
     for (const BlockId b : blocks) {
-      const double m = model_.mass[at(b)];
-      sum[0] += m * state_.ux[at(b)], sum[1] += m * state_.uy[at(b)];
-      if (model_.in_space()) sum[2] += m * state_.uz[at(b)];
+      const double m = model_.mass[b];
+      sum[0] += m * state_.ux[b], sum[1] += m * state_.uy[b];
+      if (model_.in_space()) sum[2] += m * state_.uz[b];
       mass += m;
     }
     for (double& u : sum) u /= mass;
@@ -177,11 +175,11 @@ class Shake final : public StageRun {
       if (has_slid_off(model_, points, j) && joints++ == 0) first = j;
     Validity& validity = result_.validity;
     if (joints > 0 && validity.joints == 0) {
-      const PointReading& point = points[at(points_of(model_, first).begin)];
+      const PointReading& point = points[points_of(model_, first).begin];
       validity.overlap_lost = std::fabs(control_now());
       validity.where = {
           "place.joint",
-          {{"joint", Message{word_of(kJointKindCodes, model_.anatomy.joint_kind[at(first)])}},
+          {{"joint", Message{word_of(kJointKindCodes, model_.anatomy.joint_kind[first])}},
            {"x_m", std::round(1e2 * point.where.x) / 1e2 + 0.0},
            {"y_m", std::round(1e2 * point.where.y) / 1e2 + 0.0}}};
     }

@@ -14,7 +14,6 @@ namespace wythe::geometry {
 namespace {
 
 std::string path_of(const BodySpec& body) { return "wall.blocks." + body.id; }
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 double surface_of(const BodySpec& body) {
   double sum = 0;
@@ -54,8 +53,7 @@ Hull hull_of(const Polyhedron& part) {
   for (const auto& face : part.face) {
     add_direction(hull.normal, facet_of(part, face).normal);
     for (std::size_t i = 0; i < face.size(); ++i)
-      add_direction(hull.edge,
-                    part.vertex[at(face[(i + 1) % face.size()])] - part.vertex[at(face[i])]);
+      add_direction(hull.edge, part.vertex[face[(i + 1) % face.size()]] - part.vertex[face[i]]);
   }
   return hull;
 }
@@ -95,8 +93,8 @@ double depth_between(const Hull& a, const Hull& b, double enough) {
 }
 
 bool same_body(const SpaceAssembly& assembly, int i, int k) {
-  const SolidMoments &a = assembly.moments[at(i)], &b = assembly.moments[at(k)];
-  const Box3 x = box_of(assembly.body[at(i)]), y = box_of(assembly.body[at(k)]);
+  const SolidMoments &a = assembly.moments[i], &b = assembly.moments[k];
+  const Box3 x = box_of(assembly.body[i]), y = box_of(assembly.body[k]);
   const double close = 1e-3 * x.longest();
   return norm(a.centroid - b.centroid) < close && norm(x.low - y.low) < close &&
          norm(x.high - y.high) < close && std::abs(a.volume - b.volume) < 1e-2 * a.volume;
@@ -118,19 +116,19 @@ class OverlapCheck {
   void run() {
     for (const auto& [i, k] : near_pairs(boxes_, 0)) {
       if (enough(faults_)) return;
-      if (assembly_.body[at(i)].fixed && assembly_.body[at(k)].fixed) continue;
-      const double most = kDeepestOverlap * std::min(thickness_[at(i)], thickness_[at(k)]) +
-                          warp_[at(i)] + warp_[at(k)];
+      if (assembly_.body[i].fixed && assembly_.body[k].fixed) continue;
+      const double most =
+          kDeepestOverlap * std::min(thickness_[i], thickness_[k]) + warp_[i] + warp_[k];
       double depth = 0;
-      for (const Hull& a : hulls_[at(i)])
-        for (const Hull& b : hulls_[at(k)]) depth = std::max(depth, depth_between(a, b, most));
+      for (const Hull& a : hulls_[i])
+        for (const Hull& b : hulls_[k]) depth = std::max(depth, depth_between(a, b, most));
       if (depth > most) refuse(i, k, depth, most);
     }
   }
 
  private:
   void refuse(int i, int k, double depth, double most) {
-    const BodySpec &a = assembly_.body[at(i)], &b = assembly_.body[at(k)];
+    const BodySpec &a = assembly_.body[i], &b = assembly_.body[k];
     if (same_body(assembly_, i, k))
       return add_fault(faults_, path_of(b), "", "is the same body as " + a.id,
                        "leave one of the two out");
@@ -153,12 +151,12 @@ class Groups {
     for (std::size_t i = 0; i < n; ++i) above_[i] = static_cast<int>(i);
   }
   int root(int i) {
-    while (above_[at(i)] != i) i = above_[at(i)] = above_[at(above_[at(i)])];
+    while (above_[i] != i) i = above_[i] = above_[above_[i]];
     return i;
   }
   void join(int a, int b) {
     const int x = root(a), y = root(b);
-    above_[at(std::max(x, y))] = std::min(x, y);
+    above_[std::max(x, y)] = std::min(x, y);
   }
 
  private:
@@ -229,11 +227,11 @@ void check_support(SpaceAssembly& assembly, FaultList& faults) {
   for (const JointFace& face : assembly.faces) groups.join(face.a, face.b);
   std::vector<bool> held(body.size(), false);
   for (std::size_t i = 0; i < body.size(); ++i)
-    if (body[i].fixed) held[at(groups.root(static_cast<int>(i)))] = true;
+    if (body[i].fixed) held[groups.root(static_cast<int>(i))] = true;
   std::vector<std::vector<std::string>> names(body.size());
   for (std::size_t i = 0; i < body.size(); ++i) {
     const int root = groups.root(static_cast<int>(i));
-    if (!held[at(root)]) names[at(root)].push_back(body[i].id);
+    if (!held[root]) names[root].push_back(body[i].id);
   }
   const std::string lost =
       assembly.lost_faces == 0

@@ -20,8 +20,6 @@ namespace {
 using Corners = std::vector<std::int32_t>;
 using Edge = std::pair<std::int32_t, std::int32_t>;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 std::string shown(Vec3 p) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", p.x, p.y, p.z); }
 std::string shown(Vec3 p, Vec3 q) { return shown(p) + " - " + shown(q); }
 
@@ -89,18 +87,18 @@ bool turn_alike(std::vector<Corners>& faces, bool& changed) {
         if (found == edges.end()) return true;
         for (const int g : found->second) {
           if (g == f) continue;
-          if (turn[at(g)] == 0) {
-            turn[at(g)] = wanted;
+          if (turn[g] == 0) {
+            turn[g] = wanted;
             queue.push_back(g);
           }
-          if (turn[at(g)] != wanted) return false;
+          if (turn[g] != wanted) return false;
         }
         return true;
       };
-      const Corners& face = faces[at(f)];
+      const Corners& face = faces[f];
       for (std::size_t i = 0; i < face.size(); ++i) {
         const std::int32_t p = face[i], r = face[(i + 1) % face.size()];
-        if (!meets({r, p}, turn[at(f)]) || !meets({p, r}, -turn[at(f)])) return false;
+        if (!meets({r, p}, turn[f]) || !meets({p, r}, -turn[f])) return false;
       }
     }
   }
@@ -118,7 +116,7 @@ std::vector<std::vector<Corners>> pieces_of(const Polyhedron& part) {
   if (!is_closed(part.face)) {
     for (const std::vector<int>& solid : solids_of(part.vertex, part.face)) {
       pieces.emplace_back();
-      for (const int f : solid) pieces.back().push_back(part.face[at(f)]);
+      for (const int f : solid) pieces.back().push_back(part.face[f]);
     }
     return pieces;
   }
@@ -132,13 +130,13 @@ std::vector<std::vector<Corners>> pieces_of(const Polyhedron& part) {
       const auto others = edges.find(edge);
       if (others == edges.end()) return;
       for (const int g : others->second)
-        if (!taken[at(g)]) {
-          taken[at(g)] = true;
+        if (!taken[g]) {
+          taken[g] = true;
           found.push_back(g);
         }
     };
     for (std::size_t i = 0; i < found.size(); ++i) {
-      const Corners& face = part.face[at(found[i])];
+      const Corners& face = part.face[found[i]];
       for (std::size_t k = 0; k < face.size(); ++k) {
         const std::int32_t p = face[k], r = face[(k + 1) % face.size()];
         take({p, r});
@@ -147,7 +145,7 @@ std::vector<std::vector<Corners>> pieces_of(const Polyhedron& part) {
     }
     std::sort(found.begin(), found.end());
     pieces.emplace_back();
-    for (const int f : found) pieces.back().push_back(part.face[at(f)]);
+    for (const int f : found) pieces.back().push_back(part.face[f]);
   }
   return pieces;
 }
@@ -156,7 +154,7 @@ std::vector<std::vector<Corners>> pieces_of(const Polyhedron& part) {
 Polyhedron with_used_corners(const std::vector<Vec3>& vertex, std::vector<Corners> faces) {
   std::vector<std::int32_t> number(vertex.size(), -1);
   for (const Corners& face : faces)
-    for (const std::int32_t i : face) number[at(i)] = 0;
+    for (const std::int32_t i : face) number[i] = 0;
   Polyhedron part;
   for (std::size_t i = 0; i < vertex.size(); ++i)
     if (number[i] == 0) {
@@ -164,7 +162,7 @@ Polyhedron with_used_corners(const std::vector<Vec3>& vertex, std::vector<Corner
       part.vertex.push_back(vertex[i]);
     }
   for (Corners& face : faces)
-    for (std::int32_t& i : face) i = number[at(i)];
+    for (std::int32_t& i : face) i = number[i];
   part.face = std::move(faces);
   return part;
 }
@@ -175,14 +173,14 @@ Mesh mesh_of(const Polyhedron& part) {
   for (std::size_t f = 0; f < part.face.size(); ++f) {
     const Corners& face = part.face[f];
     std::vector<Vec3> corners;
-    for (const std::int32_t i : face) corners.push_back(part.vertex[at(i)]);
+    for (const std::int32_t i : face) corners.push_back(part.vertex[i]);
     if (face.size() > kMostCorners)
       throw Problem{
           fmt::format("{} corners", face.size()),
           fmt::format("a face of a body that is not convex has at most {} corners", kMostCorners),
           "give the body in convex parts, or with fewer corners"};
     for (const auto& t : triangles_of(corners)) {
-      mesh.triangle.push_back({face[at(t[0])], face[at(t[1])], face[at(t[2])]});
+      mesh.triangle.push_back({face[t[0]], face[t[1]], face[t[2]]});
       mesh.source.push_back(static_cast<int>(f));
     }
   }
@@ -224,9 +222,9 @@ class FaceJoiner {
   }
 
  private:
-  [[nodiscard]] bool is_one(int f, int g) const { return source_[at(f)] == source_[at(g)]; }
+  [[nodiscard]] bool is_one(int f, int g) const { return source_[f] == source_[g]; }
   [[nodiscard]] bool is_flat_edge(int f, int g) const {
-    const Facet &a = facets_[at(f)], &b = facets_[at(g)];
+    const Facet &a = facets_[f], &b = facets_[g];
     if (a.area == 0 || b.area == 0) return true;
     return dot(a.normal, b.normal) > 0 && norm(cross(a.normal, b.normal)) <= kFlatEdge;
   }
@@ -241,13 +239,13 @@ class FaceJoiner {
       taken[first] = true;
       std::vector<int> found = {static_cast<int>(first)};
       for (std::size_t i = 0; i < found.size(); ++i) {
-        const Corners& face = part_.face[at(found[i])];
+        const Corners& face = part_.face[found[i]];
         for (std::size_t k = 0; k < face.size(); ++k) {
           const auto other = edges_.find({face[(k + 1) % face.size()], face[k]});
           if (other == edges_.end()) continue;
           const int g = other->second.front();
-          if (taken[at(g)] || !one(found[i], g)) continue;
-          taken[at(g)] = true;
+          if (taken[g] || !one(found[i], g)) continue;
+          taken[g] = true;
           found.push_back(g);
         }
       }
@@ -261,7 +259,7 @@ class FaceJoiner {
   bool add(const std::vector<int>& group, const std::vector<std::vector<int>>& alone,
            std::vector<Corners>& joined) const {
     if (group.size() == 1) {
-      joined.push_back(part_.face[at(group.front())]);
+      joined.push_back(part_.face[group.front()]);
       return false;
     }
     if (const Corners one = outline(group); !one.empty()) {
@@ -275,7 +273,7 @@ class FaceJoiner {
       changed = changed || !one.empty();
       if (!one.empty()) joined.push_back(one);
       for (std::size_t i = 0; one.empty() && i < set.size(); ++i)
-        joined.push_back(part_.face[at(set[i])]);
+        joined.push_back(part_.face[set[i]]);
     }
     return changed;
   }
@@ -284,7 +282,7 @@ class FaceJoiner {
   [[nodiscard]] Corners outline(const std::vector<int>& set) const {
     std::map<std::int32_t, std::int32_t> next;
     for (const int f : set) {
-      const Corners& face = part_.face[at(f)];
+      const Corners& face = part_.face[f];
       for (std::size_t k = 0; k < face.size(); ++k) {
         const Edge edge = {face[k], face[(k + 1) % face.size()]};
         const int other = edges_.at({edge.second, edge.first}).front();
@@ -315,18 +313,18 @@ class FaceJoiner {
   void drop_straight_corners(std::vector<Corners>& faces) const {
     std::vector<int> uses(part_.vertex.size(), 0);
     for (const Corners& face : faces)
-      for (const std::int32_t v : face) ++uses[at(v)];
+      for (const std::int32_t v : face) ++uses[v];
     std::vector<bool> idle(uses.size(), false);
     for (const Corners& face : faces)
       for (std::size_t i = 0; i < face.size(); ++i) {
         const std::size_t n = face.size();
-        const Vec3 p = part_.vertex[at(face[(i + n - 1) % n])], q = part_.vertex[at(face[i])],
-                   r = part_.vertex[at(face[(i + 1) % n])];
+        const Vec3 p = part_.vertex[face[(i + n - 1) % n]], q = part_.vertex[face[i]],
+                   r = part_.vertex[face[(i + 1) % n]];
         const double off = norm(cross(r - p, q - p));
-        idle[at(face[i])] = uses[at(face[i])] == 2 && off <= kWidestStraight * dot(r - p, r - p);
+        idle[face[i]] = uses[face[i]] == 2 && off <= kWidestStraight * dot(r - p, r - p);
       }
     for (Corners& face : faces)
-      if (face.size() > 3) std::erase_if(face, [&](std::int32_t v) { return idle[at(v)]; });
+      if (face.size() > 3) std::erase_if(face, [&](std::int32_t v) { return idle[v]; });
   }
 
   static constexpr double kWidestStraight = 1e-4;
@@ -359,7 +357,7 @@ void check_numbers(const Polyhedron& part) {
                   "simplify its surface, or cut it into blocks (docs/reference/limits.md)"};
   for (const Corners& face : part.face)
     for (const std::int32_t i : face)
-      if (i < 0 || at(i) >= part.vertex.size())
+      if (i < 0 || static_cast<std::size_t>(i) >= part.vertex.size())
         throw Problem{std::to_string(i), "a face names a corner that is not there",
                       fmt::format("name corners 0 to {}", part.vertex.size() - 1)};
 }
@@ -369,7 +367,7 @@ void check_closed(const std::vector<Vec3>& vertex, const std::vector<Corners>& a
   for (const auto& [edge, faces] : edges) {
     const std::size_t users_of = faces.size() + users(edges, {edge.second, edge.first});
     if (users_of == 2) continue;
-    const std::string where = shown(vertex[at(edge.first)], vertex[at(edge.second)]);
+    const std::string where = shown(vertex[edge.first], vertex[edge.second]);
     if (users_of == 1)
       throw Problem{where, "is open: this edge has one face only",
                     "close the surface; corners at one place must have the same coordinates"};

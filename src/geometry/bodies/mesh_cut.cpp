@@ -17,11 +17,9 @@ using Triangle = std::array<int, 3>;
 constexpr double kMostTrials = 3e8;       // heights computed to find one plane
 constexpr std::size_t kMostPlanes = 100;  // tried one after the other: a cap may touch itself
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 Vec3 normal_of(const Mesh& mesh, const Triangle& t) {
-  const Vec3 a = mesh.vertex[at(t[0])];
-  return unit(cross(mesh.vertex[at(t[1])] - a, mesh.vertex[at(t[2])] - a));
+  const Vec3 a = mesh.vertex[t[0]];
+  return unit(cross(mesh.vertex[t[1]] - a, mesh.vertex[t[2]] - a));
 }
 
 std::map<Edge, int> edges_of(const Mesh& mesh) {
@@ -99,13 +97,13 @@ class PlaneChoice {
   };
 
   void add_hinge(Edge edge, int t, int u) {
-    const Triangle &a = mesh_.triangle[at(t)], &b = mesh_.triangle[at(u)];
+    const Triangle &a = mesh_.triangle[t], &b = mesh_.triangle[u];
     const Vec3 na = normal_of(mesh_, a), nb = normal_of(mesh_, b);
     if (norm(cross(na, nb)) <= kFlatEdge && dot(na, nb) >= 0) return;
     const Hinge hinge{edge, third(a, edge), third(b, edge)};
     sharp_.push_back(edge);
-    const Vec3 start = mesh_.vertex[at(edge.first)];
-    const double height = dot(mesh_.vertex[at(hinge.right)] - start, na);
+    const Vec3 start = mesh_.vertex[edge.first];
+    const double height = dot(mesh_.vertex[hinge.right] - start, na);
     if (height > 0) reflex_.push_back(hinge);
     if (height > 4 * close_) deep_.push_back(hinge);  // 4: what a warped quadrilateral has
   }
@@ -115,14 +113,14 @@ class PlaneChoice {
   }
 
   void judge(const Hinge& hinge, Vec3 through) {
-    const Vec3 p = mesh_.vertex[at(hinge.edge.first)], q = mesh_.vertex[at(hinge.edge.second)];
+    const Vec3 p = mesh_.vertex[hinge.edge.first], q = mesh_.vertex[hinge.edge.second];
     const Vec3 across = cross(q - p, through - p);
     const double breadth = norm(across) / std::max(norm(q - p), 1e-300);
     if (breadth <= close_) return;
     const Plane plane{p, unit(across)};
     // the plane must lie between the two faces: one on either side of it
-    const double left = plane.height(mesh_.vertex[at(hinge.left)]),
-                 right = plane.height(mesh_.vertex[at(hinge.right)]);
+    const double left = plane.height(mesh_.vertex[hinge.left]),
+                 right = plane.height(mesh_.vertex[hinge.right]);
     const double slack = 1e-9 * close_;
     if ((left > slack && right > slack) || (left < -slack && right < -slack)) return;
     count(plane);
@@ -139,9 +137,9 @@ class PlaneChoice {
     if (above == 0 || below == 0) return;
     Judged judged{plane, 0, 0, std::abs(above - below)};
     for (const Edge& edge : sharp_)
-      judged.crossings += sides_[at(edge.first)] * sides_[at(edge.second)] < 0;
+      judged.crossings += sides_[edge.first] * sides_[edge.second] < 0;
     for (const Hinge& hinge : deep_)
-      judged.notches += sides_[at(hinge.edge.first)] == 0 && sides_[at(hinge.edge.second)] == 0;
+      judged.notches += sides_[hinge.edge.first] == 0 && sides_[hinge.edge.second] == 0;
     judged_.push_back(judged);
   }
 
@@ -175,7 +173,7 @@ class Cut {
 
  private:
   [[nodiscard]] int side(int v) const {
-    const double h = height_[at(v)];
+    const double h = height_[v];
     return h > close_ ? 1 : h < -close_ ? -1 : 0;
   }
 
@@ -184,8 +182,8 @@ class Cut {
     const Edge edge = std::minmax(p, q);
     const auto found = cut_edge_.find(edge);
     if (found != cut_edge_.end()) return found->second;
-    const Vec3 a = all_[at(edge.first)], b = all_[at(edge.second)];
-    const double t = height_[at(edge.first)] / (height_[at(edge.first)] - height_[at(edge.second)]);
+    const Vec3 a = all_[edge.first], b = all_[edge.second];
+    const double t = height_[edge.first] / (height_[edge.first] - height_[edge.second]);
     all_.push_back(a + t * (b - a));
     return cut_edge_[edge] = static_cast<int>(all_.size()) - 1;
   }
@@ -241,11 +239,11 @@ class Cut {
 
   bool add_cap(const std::vector<int>& loop, int source) {
     std::vector<Vec3> corners;
-    for (const int v : loop) corners.push_back(all_[at(v)]);
+    for (const int v : loop) corners.push_back(all_[v]);
     if (corners.size() < 3 || dot(measured(corners).normal, plane_.normal) <= 0) return false;
     const std::vector<Triangle> triangles = triangles_of(corners);
     for (const Triangle& t : triangles) {
-      const Triangle low = {loop[at(t[0])], loop[at(t[1])], loop[at(t[2])]};
+      const Triangle low = {loop[t[0]], loop[t[1]], loop[t[2]]};
       below_.triangle.push_back(low);
       above_.triangle.push_back({low[0], low[2], low[1]});
       below_.source.push_back(source);
@@ -268,29 +266,29 @@ Mesh part_of(const Mesh& mesh, const std::vector<int>& triangles) {
   std::map<int, int> number;
   std::vector<int> used;
   for (const int t : triangles)
-    for (const int v : mesh.triangle[at(t)]) used.push_back(v);
+    for (const int v : mesh.triangle[t]) used.push_back(v);
   std::sort(used.begin(), used.end());
   used.erase(std::unique(used.begin(), used.end()), used.end());
   for (const int v : used) {
     number[v] = static_cast<int>(part.vertex.size());
-    part.vertex.push_back(mesh.vertex[at(v)]);
+    part.vertex.push_back(mesh.vertex[v]);
   }
   for (const int t : triangles) {
-    const Triangle& old = mesh.triangle[at(t)];
+    const Triangle& old = mesh.triangle[t];
     part.triangle.push_back({number[old[0]], number[old[1]], number[old[2]]});
-    part.source.push_back(mesh.source[at(t)]);
+    part.source.push_back(mesh.source[t]);
   }
   return part;
 }
 
 // Whether the segment pq runs through the inside of triangle t, clear of its border.
 bool pierces(const Mesh& mesh, Vec3 p, Vec3 q, const Triangle& t, double margin) {
-  const Vec3 a = mesh.vertex[at(t[0])], n = normal_of(mesh, t);
+  const Vec3 a = mesh.vertex[t[0]], n = normal_of(mesh, t);
   const double hp = dot(p - a, n), hq = dot(q - a, n);
   if (!((hp > margin && hq < -margin) || (hp < -margin && hq > margin))) return false;
   const Vec3 x = p + (hp / (hp - hq)) * (q - p);
   for (std::size_t k = 0; k < 3; ++k) {
-    const Vec3 from = mesh.vertex[at(t[k])], to = mesh.vertex[at(t[(k + 1) % 3])];
+    const Vec3 from = mesh.vertex[t[k]], to = mesh.vertex[t[(k + 1) % 3]];
     if (dot(unit(cross(n, to - from)), x - from) <= margin) return false;
   }
   return true;
@@ -338,8 +336,7 @@ double volume_of(const Mesh& mesh) {
   double sum = 0;
   const Vec3 o = mesh.vertex.front();
   for (const Triangle& t : mesh.triangle)
-    sum +=
-        dot(mesh.vertex[at(t[0])] - o, cross(mesh.vertex[at(t[1])] - o, mesh.vertex[at(t[2])] - o));
+    sum += dot(mesh.vertex[t[0]] - o, cross(mesh.vertex[t[1]] - o, mesh.vertex[t[2]] - o));
   return sum / 6;
 }
 
@@ -353,10 +350,10 @@ std::vector<Mesh> connected_pieces(const Mesh& mesh) {
     piece[first] = static_cast<int>(pieces.size());
     for (std::size_t i = 0; i < found.size(); ++i)
       for (std::size_t k = 0; k < 3; ++k) {
-        const Triangle& t = mesh.triangle[at(found[i])];
+        const Triangle& t = mesh.triangle[found[i]];
         const auto other = edges.find({t[(k + 1) % 3], t[k]});
-        if (other == edges.end() || piece[at(other->second)] >= 0) continue;
-        piece[at(other->second)] = piece[first];
+        if (other == edges.end() || piece[other->second] >= 0) continue;
+        piece[other->second] = piece[first];
         found.push_back(other->second);
       }
     std::sort(found.begin(), found.end());
@@ -369,13 +366,12 @@ std::optional<std::array<Vec3, 2>> crossing_edge(const Mesh& mesh) {
   const double margin = 1e-6 * size_of(mesh);
   std::vector<Box3> boxes;
   for (const Triangle& t : mesh.triangle) {
-    const std::array<Vec3, 3> p = {mesh.vertex[at(t[0])], mesh.vertex[at(t[1])],
-                                   mesh.vertex[at(t[2])]};
+    const std::array<Vec3, 3> p = {mesh.vertex[t[0]], mesh.vertex[t[1]], mesh.vertex[t[2]]};
     boxes.push_back(box_of(p));
   }
   for (const auto& [edge, own] : edges_of(mesh)) {
     if (edge.first > edge.second) continue;
-    const std::array<Vec3, 2> ends = {mesh.vertex[at(edge.first)], mesh.vertex[at(edge.second)]};
+    const std::array<Vec3, 2> ends = {mesh.vertex[edge.first], mesh.vertex[edge.second]};
     const Box3 box = box_of(ends);
     for (std::size_t t = 0; t < boxes.size(); ++t)
       if (near(box, boxes[t], 0) && pierces(mesh, ends[0], ends[1], mesh.triangle[t], margin))
@@ -456,7 +452,7 @@ std::vector<Convex> upper_base(const Mesh& mesh, const PlaneAxes& axes) {
   for (const Triangle& t : mesh.triangle)
     if (dot(normal_of(mesh, t), axes.normal) > 0.5) {
       Convex corners;
-      for (const int v : t) corners.push_back(axes.flat(mesh.vertex[at(v)]));
+      for (const int v : t) corners.push_back(axes.flat(mesh.vertex[v]));
       base.push_back(std::move(corners));
     }
   return base;

@@ -10,8 +10,6 @@ namespace {
 
 using Edge = std::pair<std::int32_t, std::int32_t>;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 bool is_before(Vec3 a, Vec3 b) {
   if (a.x != b.x) return a.x < b.x;
   return a.y != b.y ? a.y < b.y : a.z < b.z;
@@ -31,7 +29,7 @@ class Surfaces {
       : vertex_(vertex), faces_(faces) {
     for (std::size_t f = 0; f < faces.size(); ++f) {
       std::vector<Vec3> corners;
-      for (const std::int32_t i : faces[f]) corners.push_back(vertex[at(i)]);
+      for (const std::int32_t i : faces[f]) corners.push_back(vertex[i]);
       facets_.push_back(measured(std::move(corners)));
       for (std::size_t k = 0; k < faces[f].size(); ++k)
         if (const Edge edge = edge_of(faces[f], k); edge.first != edge.second)
@@ -47,12 +45,12 @@ class Surfaces {
       std::vector<int> found = {static_cast<int>(first)};
       taken[first] = true;
       for (std::size_t i = 0; i < found.size(); ++i) {
-        const auto& face = faces_[at(found[i])];
+        const auto& face = faces_[found[i]];
         for (std::size_t k = 0; k < face.size(); ++k) {
           const Edge edge = edge_of(face, k);
           const int next = edge.first != edge.second ? beyond(found[i], edge) : -1;
-          if (next < 0 || taken[at(next)]) continue;
-          taken[at(next)] = true;
+          if (next < 0 || taken[next]) continue;
+          taken[next] = true;
           found.push_back(next);
         }
       }
@@ -73,13 +71,13 @@ class Surfaces {
     const auto back = edges_.find({edge.second, edge.first});
     if (back == edges_.end()) return turned_beside(f, edge);
     if (back->second.size() == 1) return back->second.front();
-    const Vec3 line = unit(vertex_[at(edge.second)] - vertex_[at(edge.first)]);
-    const Vec3 normal = facets_[at(f)].normal;
+    const Vec3 line = unit(vertex_[edge.second] - vertex_[edge.first]);
+    const Vec3 normal = facets_[f].normal;
     const Vec3 into = cross(normal, line);  // in the face, away from the edge
     int best = -1;
     double least = 5;
     for (const int g : back->second) {
-      const Vec3 other = cross(facets_[at(g)].normal, -1 * line);
+      const Vec3 other = cross(facets_[g].normal, -1 * line);
       double turn = turn_of(dot(other, into), -dot(other, normal));
       if (turn < 1e-9) turn = 4;  // the face of a neighbour that lies on this one
       if (turn >= least) continue;
@@ -108,14 +106,14 @@ void weld_corners(const std::vector<Vec3>& vertex, FaceList& faces) {
   std::vector<std::int32_t> order(vertex.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<std::int32_t>(i);
   std::stable_sort(order.begin(), order.end(),
-                   [&](int a, int b) { return is_before(vertex[at(a)], vertex[at(b)]); });
+                   [&](int a, int b) { return is_before(vertex[a], vertex[b]); });
   std::vector<std::int32_t> first(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool repeats = i > 0 && !is_before(vertex[at(order[i - 1])], vertex[at(order[i])]);
-    first[at(order[i])] = repeats ? first[at(order[i - 1])] : order[i];
+    const bool repeats = i > 0 && !is_before(vertex[order[i - 1]], vertex[order[i]]);
+    first[order[i]] = repeats ? first[order[i - 1]] : order[i];
   }
   for (auto& face : faces)
-    for (std::int32_t& i : face) i = first[at(i)];
+    for (std::int32_t& i : face) i = first[i];
 }
 
 std::size_t most_faces_at_an_edge(const FaceList& faces) {

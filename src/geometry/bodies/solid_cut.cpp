@@ -10,16 +10,14 @@
 namespace wythe::geometry {
 namespace {
 
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
-
 // Collects corners of one half; those on one place are one.
 class Half {
  public:
   explicit Half(const Polyhedron& whole) : of_(whole.vertex.size(), -1) {}
 
   std::int32_t corner(std::int32_t index, Vec3 place) {
-    if (of_[at(index)] < 0) of_[at(index)] = add(place);
-    return of_[at(index)];
+    if (of_[index] < 0) of_[index] = add(place);
+    return of_[index];
   }
   // Where the edge between two corners crosses the plane.
   std::int32_t crossing(std::int32_t a, std::int32_t b, Vec3 place) {
@@ -37,11 +35,11 @@ class Half {
   void close(const std::vector<std::int32_t>& on, Vec3 outward) {
     if (on.size() < 3) return;
     std::vector<Vec3> places;
-    for (const std::int32_t i : on) places.push_back(solid_.vertex[at(i)]);
+    for (const std::int32_t i : on) places.push_back(solid_.vertex[i]);
     const PlaneAxes axes = axes_of(mean(places), outward);
     std::vector<std::pair<double, std::int32_t>> turn;
     for (const std::int32_t i : on) {
-      const Vec2 p = axes.flat(solid_.vertex[at(i)]);
+      const Vec2 p = axes.flat(solid_.vertex[i]);
       turn.emplace_back(elementary::atan2(p.y, p.x), i);
     }
     std::sort(turn.begin(), turn.end());
@@ -76,14 +74,14 @@ Polyhedron half_of(const Polyhedron& part, const std::vector<int>& side,
     bool is_in_plane = true;
     for (std::size_t k = 0; k < corners.size(); ++k) {
       const std::int32_t a = corners[k], b = corners[(k + 1) % corners.size()];
-      const Vec3 pa = part.vertex[at(a)], pb = part.vertex[at(b)];
-      is_in_plane &= side[at(a)] == 0;
-      if (side[at(a)] <= 0) {
+      const Vec3 pa = part.vertex[a], pb = part.vertex[b];
+      is_in_plane &= side[a] == 0;
+      if (side[a] <= 0) {
         const std::int32_t i = half.corner(a, pa);
-        kept.push_back(side[at(a)] == 0 ? note(i) : i);
+        kept.push_back(side[a] == 0 ? note(i) : i);
       }
-      if (side[at(a)] * side[at(b)] < 0) {
-        const double share = height[at(a)] / (height[at(a)] - height[at(b)]);
+      if (side[a] * side[b] < 0) {
+        const double share = height[a] / (height[a] - height[b]);
         kept.push_back(note(half.crossing(a, b, pa + share * (pb - pa))));
       }
     }

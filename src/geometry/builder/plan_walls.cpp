@@ -22,8 +22,6 @@ constexpr double kMargin = 1e-9;  // [m]
 constexpr double kLeastPiece =
     0.25;  // of a half unit's face: smaller ones below a gable are joined
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 void replace_all(std::string& text, const std::string& what, const std::string& by) {
   for (std::size_t k = text.find(what); k != std::string::npos; k = text.find(what, k + by.size()))
     text.replace(k, what.size(), by);
@@ -44,7 +42,7 @@ bool states(const PlanWallSpec& spec, const std::string& key) {
 // What the plane's builder finds of one wall, at the keys of its table.
 void take_faults(const Site& site, const StraightWall& wall, const FaultList& found,
                  FaultList& faults) {
-  const PlanWallSpec& spec = site.spec.plan_wall[at(wall.index)];
+  const PlanWallSpec& spec = site.spec.plan_wall[wall.index];
   for (Fault fault : found.all()) {
     if (enough(faults)) return;
     const std::string key = fault.path.starts_with("wall.") ? fault.path.substr(5) : "";
@@ -98,7 +96,7 @@ class WallBuilder {
  public:
   WallBuilder(const Site& site, const std::vector<StraightWall>& walls, const StraightWall& wall)
       : site_(site),
-        spec_(site.spec.plan_wall[at(wall.index)]),
+        spec_(site.spec.plan_wall[wall.index]),
         axes_{site.z_up()},
         walls_(walls),
         wall_(wall) {
@@ -126,7 +124,7 @@ class WallBuilder {
     if (wall_.base == 0) add_ground();
     for (const Block& block : blocks_) add_solids(block);
     for (const PlacedOpening& opening : openings) {
-      const LintelSpec& lintel = spec_.opening[at(opening.index)].lintel;
+      const LintelSpec& lintel = spec_.opening[opening.index].lintel;
       if (!opening.segment.empty() && !bends(lintel) && lintel.model == LintelModel::kSegments)
         notes.push_back({"lintel.rigid", {{"opening", opening.words}, {"wall", wall_.name}}});
       add_spanning(opening);
@@ -206,11 +204,11 @@ class WallBuilder {
     for (int e = 0; e < 2; ++e) {
       const WallEnd& end = wall_.end[e];
       if (end.kind == EndKind::kFree || !end.toothed) continue;
-      const StraightWall& other = walls_[at(end.other)];
+      const StraightWall& other = walls_[end.other];
       check(other, e == 0 ? 0 : length() - other.thickness, e == 0 ? other.thickness : length());
     }
     for (const Tee& tee : wall_.tees) {
-      const StraightWall& other = walls_[at(tee.other)];
+      const StraightWall& other = walls_[tee.other];
       const double x = tee.at - wall_.begin(), half = 0.5 * other.thickness;
       if (other.end[tee.end].toothed) check(other, x - half, x + half);
     }
@@ -221,13 +219,13 @@ class WallBuilder {
     for (int e = 0; e < 2; ++e) {
       const WallEnd& end = wall_.end[e];
       if (end.kind == EndKind::kFree || !end.toothed) continue;
-      const StraightWall& other = walls_[at(end.other)];
+      const StraightWall& other = walls_[end.other];
       const double x0 = e == 0 ? 0 : length() - other.thickness;
       for (int row = 0; row < std::min(courses().count, other.rows()); ++row)
         if (!wall_.goes_through(e, row)) holes.push_back(band(row, x0, x0 + other.thickness));
     }
     for (const Tee& tee : wall_.tees) {
-      const StraightWall& other = walls_[at(tee.other)];
+      const StraightWall& other = walls_[tee.other];
       if (!other.end[tee.end].toothed) continue;
       const double x = tee.at - wall_.begin(), half = 0.5 * other.thickness;
       for (int row = 0; row < std::min(courses().count, other.rows()); ++row) {
@@ -471,7 +469,7 @@ class WallBuilder {
 
   // A sill is one rigid block; voussoirs stand for themselves.
   void add_spanning(const PlacedOpening& opening) {
-    const OpeningSpec& spec = spec_.opening[at(opening.index)];
+    const OpeningSpec& spec = spec_.opening[opening.index];
     const double half = wall_.thickness / 2;
     const auto add = [&](const std::string& id, const std::string& material,
                          const Polygon& outline) {
@@ -541,7 +539,7 @@ double count_of(const StraightWall& wall, const PlanWallSpec& spec) {
 bool check_count(const Site& site, const std::vector<StraightWall>& walls, FaultList& faults) {
   double count = 0;
   for (const StraightWall& wall : walls) {
-    const double own = count_of(wall, site.spec.plan_wall[at(wall.index)]);
+    const double own = count_of(wall, site.spec.plan_wall[wall.index]);
     if (own > 0) count += own;
   }
   if (count <= static_cast<double>(kMostBuilt)) return true;

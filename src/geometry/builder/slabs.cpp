@@ -24,11 +24,9 @@ namespace {
 constexpr double kSameHeight = 1e-3;  // between beds of two walls that carry one slab [m]
 constexpr double kNearBed = 0.01;     // how far the stated level may lie off a bed joint [m]
 constexpr double kSquare = 1e-6;      // sine between walls that make a rectangle
-constexpr double kMargin = 1e-6;      // [m]
+constexpr double kSlabMargin = 1e-6;  // [m]
 constexpr double kLeastRest = 0.25;   // of a unit: smaller ends that come loose are left out
 constexpr double kBesideEnds = 0.25;  // of the clear length: where walls beside a slab may stand
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 double top_of(const StraightWall& wall) {
   return wall.base + wall.storeys.front().lattice.courses.end();
@@ -80,7 +78,7 @@ class SlabBuilder {
               std::vector<Message>& notes, FaultList& faults)
       : site_(site),
         walls_(walls),
-        spec_(site.spec.slab[at(index)]),
+        spec_(site.spec.slab[index]),
         path_("slab." + std::to_string(index)),
         notes_(notes),
         faults_(faults) {}
@@ -189,8 +187,8 @@ class SlabBuilder {
   }
 
   static bool covers(const Convex& part, const StraightWall& wall) {
-    const Convex both = common_part(part, oriented(footprint(wall)), kMargin);
-    return both.size() >= 3 && area_of(both) > kMargin;
+    const Convex both = common_part(part, oriented(footprint(wall)), kSlabMargin);
+    return both.size() >= 3 && area_of(both) > kSlabMargin;
   }
   static Convex oriented(Convex polygon) {
     if (!is_anticlockwise(polygon)) std::reverse(polygon.begin(), polygon.end());
@@ -207,7 +205,7 @@ class SlabBuilder {
       const std::string& name = spec_.walls[k];
       const std::size_t before = found.size();
       for (const StraightWall& wall : walls_)
-        if ((wall.name == name || site_.spec.plan_wall[at(wall.index)].name == name) &&
+        if ((wall.name == name || site_.spec.plan_wall[wall.index].name == name) &&
             std::find(found.begin(), found.end(), &wall) == found.end())
           found.push_back(&wall);
       if (found.size() == before)
@@ -231,7 +229,7 @@ class SlabBuilder {
                     "a slab rests on two parallel walls, or on three or four sides of a rectangle",
                     "name these, or give its outline");
     for (const StraightWall* wall : slab.on)
-      if (spec_.bearing > wall->thickness + kMargin)
+      if (spec_.bearing > wall->thickness + kSlabMargin)
         refuse("bearing", metres(spec_.bearing),
                "is more than the wall " + wall->name + " is thick",
                "write " + metres(wall->thickness) + " or less");
@@ -264,7 +262,7 @@ class SlabBuilder {
     const Range a = range_along(footprint(*along[0]), u), b = range_along(footprint(*along[1]), u);
     Range length{std::fmax(a.low, b.low), std::fmin(a.high, b.high)};
     const Range clear = across_range;
-    if (!(length.high - length.low > kMargin) || !(clear.high - clear.low > 2 * spec_.bearing))
+    if (!(length.high - length.low > kSlabMargin) || !(clear.high - clear.low > 2 * spec_.bearing))
       return refuse("walls", "", "do not lie opposite each other", "give the slab's outline");
     if (across.size() == 2) {
       length = inner(across, u);
@@ -294,9 +292,10 @@ class SlabBuilder {
       if (std::find(slab.on.begin(), slab.on.end(), &wall) != slab.on.end()) continue;
       const Range own = range_along(footprint(wall), v), at_u = range_along(footprint(wall), u);
       const double level = level_wanted(slab);
-      if (own.high < clear.low + kMargin || own.low > clear.high - kMargin) continue;
-      if (at_u.high < whole.low + kMargin || at_u.low > whole.high - kMargin) continue;
-      if (level > top_of(wall) - kMargin || level + spec_.thickness < wall.base + kMargin) continue;
+      if (own.high < clear.low + kSlabMargin || own.low > clear.high - kSlabMargin) continue;
+      if (at_u.high < whole.low + kSlabMargin || at_u.low > whole.high - kSlabMargin) continue;
+      if (level > top_of(wall) - kSlabMargin || level + spec_.thickness < wall.base + kSlabMargin)
+        continue;
       const double place = (middle(at_u) - whole.low) / (whole.high - whole.low);
       if (place < kBesideEnds)
         length.low = std::fmax(length.low, at_u.high + spec_.gap);
@@ -317,7 +316,7 @@ class SlabBuilder {
   void find_level(Placed& slab) {
     if (std::isnan(spec_.level))
       for (const StraightWall* wall : slab.on) {
-        if (site_.spec.plan_wall[at(wall->index)].gable > 0)
+        if (site_.spec.plan_wall[wall->index].gable > 0)
           return refuse("level", "", "is missing, and the wall " + wall->name + " has a gable",
                         "write the height of the slab's underside");
         if (std::fabs(top_of(*wall) - top_of(*slab.on.front())) > kSameHeight)
@@ -345,7 +344,7 @@ class SlabBuilder {
                           metres(bed),
                       "give both walls courses of one height");
     }
-    if (std::fabs(slab.level - stated) > kMargin)
+    if (std::fabs(slab.level - stated) > kSlabMargin)
       notes_.push_back({"slab.moved",
                         {{"slab", spec_.name},
                          {"from_m", stated},

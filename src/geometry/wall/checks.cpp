@@ -105,6 +105,7 @@ void check_overlaps(const std::vector<Block>& blocks, FaultList& faults) {
     const Block& a = blocks[static_cast<std::size_t>(i)];
     const Block& b = blocks[static_cast<std::size_t>(j)];
     refused += refuse_overlap(a, b, tolerance, twins, faults);
+    if (twins.size() > blocks.size()) break;  // blocks given more than twice: pairs beyond number
     if (refused < kOverlapsTold) continue;
     add_fault(faults, "wall.blocks", std::to_string(blocks.size()) + " blocks",
               "only the first " + std::to_string(kOverlapsTold) + " overlaps are told",
@@ -113,8 +114,10 @@ void check_overlaps(const std::vector<Block>& blocks, FaultList& faults) {
   }
   if (!twins.empty())
     add_fault(faults, "wall.blocks", listed(twins),
-              twins.size() == 1
-                  ? "are one block, given twice"
+              twins.size() == 1 ? "are one block, given twice"
+              : twins.size() > blocks.size()
+                  ? "more than " + std::to_string(blocks.size()) +
+                        " pairs are one block each, given several times"
                   : std::to_string(twins.size()) + " pairs are one block each, given twice",
               "leave one of each out");
   if (!pairs.empty() && pairs.size() >= most)

@@ -46,7 +46,7 @@ bool numbers_are_sound(const std::vector<FoundationStep>& steps, const WallSpec&
 }
 
 // An edge of a step against one axis.
-struct Edge {
+struct StepEdge {
   std::size_t step;
   std::string key;       // "x" or "y"
   double stated, reach;  // [m]
@@ -54,8 +54,8 @@ struct Edge {
 };
 
 // The edge on a joint line where one is near; as stated where units are cut; else a fault.
-double settle(const Edge& edge, const Axis& axis, const Storey& storey, std::vector<Message>& notes,
-              FaultList& faults) {
+double settle(const StepEdge& edge, const Axis& axis, const Storey& storey,
+              std::vector<Message>& notes, FaultList& faults) {
   const double line = axis.line(axis.nearest(edge.stated));
   const double off = std::abs(line - edge.stated);
   if (off <= edge.reach + 1e-9) {

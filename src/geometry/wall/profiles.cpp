@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <numbers>
 
 #include "core/elementary.h"
 
@@ -75,19 +76,18 @@ constexpr Tube kTubes[] = {
     {"SHS 160x8", 160, 8},     {"SHS 180x8", 180, 8},     {"SHS 200x8", 200, 8},
     {"SHS 200x10", 200, 10}};
 
-constexpr double kPi = 3.14159265358979323846;
-
 // A quarter of the square r x r that a circle of r leaves at its corner: area, its centroid from the square's
 // outer sides, second moment about that centroid.
 struct Fillet {
   double area, from_side, second;
 };
 Fillet fillet(double r) {
-  const double area = (1 - kPi / 4) * r * r;
-  const double first = (0.5 - (kPi / 4 - 1.0 / 3)) * r * r * r;  // square less quarter of a circle
+  const double area = (1 - std::numbers::pi / 4) * r * r;
+  const double first =
+      (0.5 - (std::numbers::pi / 4 - 1.0 / 3)) * r * r * r;  // square less quarter of a circle
   const double from_side = area > 0 ? first / area : 0;
   // about the outer side: of the square r^4/3; of the quarter, whose centre lies r away
-  const double quarter = kPi / 16 - 2.0 / 3 + kPi / 4;
+  const double quarter = std::numbers::pi / 16 - 2.0 / 3 + std::numbers::pi / 4;
   return {area, from_side, (1.0 / 3 - quarter) * r * r * r * r - area * from_side * from_side};
 }
 

@@ -21,7 +21,7 @@ struct Site {
 };
 
 // One region, for messages.
-struct Named {
+struct NamedRegion {
   const RegionSpec& spec;
   int index;
   [[nodiscard]] std::string path(const std::string& key = "") const {
@@ -50,7 +50,7 @@ bool changes_something(const RegionSpec& r) {
 }
 
 // Exactly one way to say where; a storey alone is one.
-bool has_one_place(const Named& region, FaultList& faults) {
+bool has_one_place(const NamedRegion& region, FaultList& faults) {
   const RegionSpec& r = region.spec;
   const int ways = (r.pier > 0) + has_box(r) + !r.polygon.empty();
   if (ways == 1 || (ways == 0 && !r.storey.empty())) return true;
@@ -61,7 +61,7 @@ bool has_one_place(const Named& region, FaultList& faults) {
   return false;
 }
 
-std::optional<Area> pier_area(const Named& region, const Storey& storey, const Site& site) {
+std::optional<Area> pier_area(const NamedRegion& region, const Storey& storey, const Site& site) {
   std::vector<PlacedOpening> beside;
   for (const PlacedOpening& opening : site.openings)
     if (site.storeys[static_cast<std::size_t>(opening.storey)].index == storey.index)
@@ -76,7 +76,7 @@ std::optional<Area> pier_area(const Named& region, const Storey& storey, const S
   return std::nullopt;
 }
 
-std::optional<Area> box_area(const Named& region, double base, FaultList& faults) {
+std::optional<Area> box_area(const NamedRegion& region, double base, FaultList& faults) {
   const RegionSpec& r = region.spec;
   bool given = is_positive({region.path("width"), r.width, "m", "1.20 m"}, faults);
   given &= is_positive({region.path("height"), r.height, "m", "0.60 m"}, faults);
@@ -90,7 +90,7 @@ std::optional<Area> box_area(const Named& region, double base, FaultList& faults
   return Area{{r.x, r.y + base, r.x + r.width, r.y + base + r.height}, {}};
 }
 
-std::optional<Area> polygon_area(const Named& region, double base, FaultList& faults) {
+std::optional<Area> polygon_area(const NamedRegion& region, double base, FaultList& faults) {
   Area area;
   for (const auto& [x, y] : region.spec.polygon) area.polygon.push_back({x, y + base});
   const std::string problem = outline_problem(area.polygon);
@@ -100,7 +100,7 @@ std::optional<Area> polygon_area(const Named& region, double base, FaultList& fa
   return std::nullopt;
 }
 
-std::optional<Area> area_of(const Named& region, const Site& site) {
+std::optional<Area> area_of(const NamedRegion& region, const Site& site) {
   if (!changes_something(region.spec)) {
     add_fault(site.faults, region.path(), "", region.called() + " changes nothing",
               "write joint, head_joint, unit_joint, density or thickness, or leave it out");
@@ -195,7 +195,7 @@ void assign_regions(const Shape& shape, const std::vector<Storey>& storeys,
   if (!shape.region.empty())
     for (const Block& block : assembly.blocks) centre.push_back(moments(block.outline).centroid);
   for (std::size_t i = 0; i < shape.region.size(); ++i) {
-    const Named region{shape.region[i], static_cast<int>(i)};
+    const NamedRegion region{shape.region[i], static_cast<int>(i)};
     const std::optional<Area> area = area_of(region, site);
     if (!area || fill(shape, region.index, *area, centre, assembly)) continue;
     add_fault(faults, region.path(), "",

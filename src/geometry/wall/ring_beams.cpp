@@ -13,7 +13,7 @@ namespace wythe::geometry {
 namespace {
 
 // One ring beam, for messages.
-struct Named {
+struct NamedBeam {
   const RingBeamSpec& spec;
   int index;
   [[nodiscard]] std::string path(const std::string& key = "") const {
@@ -28,7 +28,7 @@ struct Named {
   }
 };
 
-bool is_given(const Shape& shape, const Named& beam, FaultList& faults) {
+bool is_given(const Shape& shape, const NamedBeam& beam, FaultList& faults) {
   const std::size_t before = faults.all().size();
   const RingBeamSpec& b = beam.spec;
   if (std::isfinite(b.y) == !b.storey.empty())
@@ -53,8 +53,8 @@ struct Rows {
   int bottom, top;
 };
 
-std::optional<Rows> rows_of(const Named& beam, const Storey& storey, std::vector<Message>& notes,
-                            FaultList& faults) {
+std::optional<Rows> rows_of(const NamedBeam& beam, const Storey& storey,
+                            std::vector<Message>& notes, FaultList& faults) {
   const Axis& courses = storey.lattice.courses;
   const int rows = whole_steps(beam.spec.height, courses.step);
   const bool by_storey = !beam.spec.storey.empty();
@@ -79,7 +79,7 @@ std::optional<Rows> rows_of(const Named& beam, const Storey& storey, std::vector
 }
 
 // Ends on half units, as a lintel's.
-bool place_ends(const Named& beam, const Axis& columns, Rect& body, std::vector<Message>& notes,
+bool place_ends(const NamedBeam& beam, const Axis& columns, Rect& body, std::vector<Message>& notes,
                 FaultList& faults) {
   const RingBeamSpec& b = beam.spec;
   const double from = std::isnan(b.x) ? 0 : b.x;
@@ -111,7 +111,7 @@ bool place_ends(const Named& beam, const Axis& columns, Rect& body, std::vector<
   return true;
 }
 
-bool is_as_thin_as_wall(const Named& beam, const Storey& storey, FaultList& faults) {
+bool is_as_thin_as_wall(const NamedBeam& beam, const Storey& storey, FaultList& faults) {
   if (!(beam.spec.thickness > storey.thickness * (1 + 1e-9))) return true;
   add_fault(faults, beam.path("thickness"), metres(beam.spec.thickness),
             beam.called() + " is thicker than the masonry there, " + metres(storey.thickness),
@@ -131,7 +131,7 @@ std::vector<Body> bodies_of(const Shape& shape, const std::vector<PlacedOpening>
                             const std::vector<PlacedRingBeam>& beams) {
   std::vector<Body> bodies;
   for (const PlacedRingBeam& beam : beams) {
-    const Named named{shape.ring_beam[static_cast<std::size_t>(beam.index)], beam.index};
+    const NamedBeam named{shape.ring_beam[static_cast<std::size_t>(beam.index)], beam.index};
     bodies.push_back(
         {named.path("y"), named.called(), join(beam.segment.front(), beam.segment.back())});
     if (!named.spec.storey.empty()) bodies.back().path = named.path("storey");
@@ -158,7 +158,7 @@ std::vector<PlacedRingBeam> place_ring_beams(const Shape& shape, const std::vect
                                              std::vector<Message>& notes, FaultList& faults) {
   std::vector<PlacedRingBeam> placed;
   for (std::size_t k = 0; k < shape.ring_beam.size(); ++k) {
-    const Named beam{shape.ring_beam[k], static_cast<int>(k)};
+    const NamedBeam beam{shape.ring_beam[k], static_cast<int>(k)};
     if (!is_given(shape, beam, faults)) continue;
     const Storey* storey = beam.spec.storey.empty() ? &storey_at(storeys, beam.spec.y + 1e-9)
                                                     : find_storey(storeys, beam.spec.storey,

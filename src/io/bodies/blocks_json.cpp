@@ -29,11 +29,10 @@
 namespace wythe::io {
 namespace {
 
-using Json = nlohmann::json;
 using Point = std::array<double, 2>;
 
-std::string short_dump(const Json& json) {
-  const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+std::string short_dump(const nlohmann::json& json) {
+  const std::string text = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   return text.size() <= 60 ? text : text.substr(0, 57) + "...";
 }
 
@@ -48,7 +47,7 @@ class BlocksReader {
   [[nodiscard]] const std::string& up() const { return up_; }
 
   void read(const std::string& text) {
-    const Json json = parse_json(text, file_);
+    const nlohmann::json json = parse_json(text, file_);
     is_compas_ = io::is_compas(json);
     if (is_compas_) {
       up_ = "z";
@@ -85,7 +84,7 @@ class BlocksReader {
         {.file = file_, .path = path, .value = value, .problem = problem, .cure = cure});
   }
 
-  void read_compas(const Json& json) {
+  void read_compas(const nlohmann::json& json) {
     FaultList faults;
     spec_.body = compas_bodies(json, file_, faults);
     for (Fault fault : faults.all()) {
@@ -94,8 +93,8 @@ class BlocksReader {
     }
   }
 
-  void read_units(const Json& json) {
-    const Json units = json.value("units", Json());
+  void read_units(const nlohmann::json& json) {
+    const nlohmann::json units = json.value("units", nlohmann::json());
     if (units == "mm") scale_ = 1e3;
     if (units == "m" || units == "mm") return;
     const std::string value = units.is_null() ? "" : short_dump(units);
@@ -103,14 +102,14 @@ class BlocksReader {
            R"(write "units": "m" or "units": "mm")");
   }
 
-  void read_up(const Json& json) {
-    const Json up = json.value("up", Json("y"));
+  void read_up(const nlohmann::json& json) {
+    const nlohmann::json up = json.value("up", nlohmann::json("y"));
     if (up != "y" && up != "z")
       return refuse("up", short_dump(up), R"(must be "y" or "z")", R"(write "up": "z")");
     if (spec_.wall.up.empty()) up_ = up.get<std::string>();
   }
 
-  void read_thickness(const Json& json) {
+  void read_thickness(const nlohmann::json& json) {
     if (!json.contains("thickness") || json["thickness"].is_null()) return;
     const auto value = read_number(json["thickness"]);
     if (!value || *value <= 0 || !magnitude_problem(*value, "m").empty())
@@ -121,12 +120,12 @@ class BlocksReader {
   }
 
   // In metres; divides, so that 200 mm is the double nearest to 0.2.
-  [[nodiscard]] std::optional<double> read_number(const Json& json) const {
+  [[nodiscard]] std::optional<double> read_number(const nlohmann::json& json) const {
     if (!json.is_number() || !kCoordinate.holds(json.get<double>() / scale_)) return std::nullopt;
     return json.get<double>() / scale_;
   }
 
-  void read_polygons(const Json& blocks) {
+  void read_polygons(const nlohmann::json& blocks) {
     if (!blocks.is_array() || blocks.empty())
       return refuse("blocks", short_dump(blocks), "must be a list of blocks", kForms);
     for (std::size_t i = 0; i < blocks.size() && !enough(context_.faults); ++i)
@@ -139,7 +138,7 @@ class BlocksReader {
              R"(give every block a depth, e.g. "z": [0, 0.25])");
   }
 
-  void read_body_block(const Json& json, std::size_t index) {
+  void read_body_block(const nlohmann::json& json, std::size_t index) {
     BodySpec body;
     body.id = "b" + std::to_string(index + 1);
     read_word(json, "id", body.id, body.id);
@@ -151,8 +150,8 @@ class BlocksReader {
     read_zones(json, body.id, body.zone);
     refuse_unknown(json, body.id, kBodyKeys);
     read_body_parts(json, body,
-                    [&](const std::string& where, const Json& value, const std::string& problem,
-                        const std::string& cure) {
+                    [&](const std::string& where, const nlohmann::json& value,
+                        const std::string& problem, const std::string& cure) {
                       refuse(body.id + '.' + where, value.is_null() ? "" : short_dump(value),
                              value.is_null() ? "is missing or null" : problem, cure);
                     });
@@ -160,7 +159,7 @@ class BlocksReader {
     spec_.body.push_back(std::move(body));
   }
 
-  void read_polygon_block(const Json& json, std::size_t index) {
+  void read_polygon_block(const nlohmann::json& json, std::size_t index) {
     if (!json.is_object())
       return refuse(std::to_string(index), short_dump(json), "must be a JSON object", kForms);
     BlockSpec block;
@@ -171,13 +170,14 @@ class BlocksReader {
     read_flag(json, "beam", block.beam, block.id);
     read_zones(json, block.id, block.zone);
     refuse_unknown(json, block.id, kBlockKeys);
-    read_outline(json.value("polygon", Json()), block);
+    read_outline(json.value("polygon", nlohmann::json()), block);
     keep(std::move(block));
   }
 
-  void read_word(const Json& json, const char* name, std::string& value, const std::string& id) {
+  void read_word(const nlohmann::json& json, const char* name, std::string& value,
+                 const std::string& id) {
     if (!json.contains(name)) return;
-    const Json& found = json[name];
+    const nlohmann::json& found = json[name];
     if (found.is_string() && !found.get<std::string>().empty())
       value = found.get<std::string>();
     else if (found.is_number_integer() && std::string_view(name) == "id")
@@ -186,7 +186,7 @@ class BlocksReader {
       refuse(id + '.' + name, short_dump(found), "must be a text", "");
   }
 
-  void read_flag(const Json& json, const char* name, bool& value, const std::string& id) {
+  void read_flag(const nlohmann::json& json, const char* name, bool& value, const std::string& id) {
     if (!json.contains(name)) return;
     if (json[name].is_boolean())
       value = json[name].get<bool>();
@@ -194,9 +194,9 @@ class BlocksReader {
       refuse(id + '.' + name, short_dump(json[name]), "must be true or false", "");
   }
 
-  void read_zones(const Json& json, const std::string& id, ZoneSpec& zone) {
+  void read_zones(const nlohmann::json& json, const std::string& id, ZoneSpec& zone) {
     if (json.contains("zones")) {
-      const Json& count = json["zones"];
+      const nlohmann::json& count = json["zones"];
       if (count.is_number_integer() && count.get<std::int64_t>() >= 0 && count < 10000)
         zone.zones = count.get<int>();
       else
@@ -220,8 +220,8 @@ class BlocksReader {
   }
 
   template <class Enum, std::size_t n>
-  void read_choice(const Json& json, const char* name, const Word<Enum> (&words)[n], Enum& value,
-                   const std::string& id) {
+  void read_choice(const nlohmann::json& json, const char* name, const Word<Enum> (&words)[n],
+                   Enum& value, const std::string& id) {
     if (!json.contains(name)) return;
     std::string allowed;
     for (const Word<Enum>& word : words) {
@@ -240,7 +240,7 @@ class BlocksReader {
       "id", "material", "fixed",       "vertices",  "faces", "parts", "polygon",
       "z",  "zones",    "zone_length", "zone_kind", "plane", "role"};
 
-  void refuse_unknown(const Json& json, const std::string& id,
+  void refuse_unknown(const nlohmann::json& json, const std::string& id,
                       const std::vector<std::string>& known) {
     for (const auto& item : json.items())
       if (!enough(context_.faults) &&
@@ -249,13 +249,13 @@ class BlocksReader {
                name_advice(item.key(), known));
   }
 
-  void read_outline(const Json& json, BlockSpec& block) {
+  void read_outline(const nlohmann::json& json, BlockSpec& block) {
     const std::string where = block.id + ".polygon";
     if (json.is_null())
       return refuse(where, "", "is missing", R"(write e.g. "polygon": [[0, 0], [1, 0], [1, 1]])");
     if (!json.is_array() || json.size() < 3)
       return refuse(where, short_dump(json), "must have 3 vertices or more", "");
-    for (const Json& vertex : json) {
+    for (const nlohmann::json& vertex : json) {
       if (enough(context_.faults)) return;
       const bool pair = vertex.is_array() && vertex.size() == 2;
       const auto x = pair ? read_number(vertex[0]) : std::nullopt;
@@ -268,13 +268,14 @@ class BlocksReader {
   }
 
   // Whether these are numbers and one is beyond 10 km, as in coordinates of a survey: one fault, told once.
-  bool is_far(const std::string& where, const Json& numbers) {
+  bool is_far(const std::string& where, const nlohmann::json& numbers) {
     if (!numbers.is_array() || numbers.empty() ||
-        !std::all_of(numbers.begin(), numbers.end(),
-                     [](const Json& n) { return n.is_number() && std::isfinite(n.get<double>()); }))
+        !std::all_of(numbers.begin(), numbers.end(), [](const nlohmann::json& n) {
+          return n.is_number() && std::isfinite(n.get<double>());
+        }))
       return false;
     const bool far = std::any_of(numbers.begin(), numbers.end(),
-                                 [this](const Json& n) { return !read_number(n); });
+                                 [this](const nlohmann::json& n) { return !read_number(n); });
     if (far && !is_far_told_)
       refuse(where, short_dump(numbers), "lies more than 10 km from the origin",
              "move all blocks towards the origin, or check their unit");
@@ -282,8 +283,8 @@ class BlocksReader {
     return far;
   }
 
-  void read_boxes(const Json& json) {
-    const Json& boxes = json["blocks_xyxy"];
+  void read_boxes(const nlohmann::json& json) {
+    const nlohmann::json& boxes = json["blocks_xyxy"];
     if (!boxes.is_array() || boxes.empty())
       return refuse("blocks_xyxy", short_dump(boxes), "must be a list of boxes",
                     R"(write e.g. "blocks_xyxy": [[0, 0, 0.2, 0.1]])");
@@ -299,9 +300,9 @@ class BlocksReader {
     read_box(json["loading_beam_xyxy"], std::move(beam));
   }
 
-  void read_box(const Json& json, BlockSpec block) {
+  void read_box(const nlohmann::json& json, BlockSpec block) {
     std::vector<double> at;
-    for (const Json& item : json.is_array() ? json : Json::array())
+    for (const nlohmann::json& item : json.is_array() ? json : nlohmann::json::array())
       if (const auto value = read_number(item)) at.push_back(*value);
     const bool good =
         json.is_array() && json.size() == 4 && at.size() == 4 && at[0] < at[2] && at[1] < at[3];
@@ -486,7 +487,7 @@ void read_blocks(ReadContext& context, const toml::table& root, ModelSpec& spec,
 }
 
 std::string blocks_text(const std::vector<BlockSpec>& blocks, double thickness) {
-  Json list = Json::array();
+  nlohmann::json list = nlohmann::json::array();
   for (const BlockSpec& block : blocks) {
     list.push_back({{"id", block.id},
                     {"polygon", block.polygon},
@@ -499,7 +500,7 @@ std::string blocks_text(const std::vector<BlockSpec>& blocks, double thickness) 
     list.back()["zone_kind"] = word_of(kZoneKindWords, block.zone.kind);
     list.back()["plane"] = word_of(kPlaneWords, block.zone.plane);
   }
-  Json file = {{"units", "m"}};
+  nlohmann::json file = {{"units", "m"}};
   if (std::isfinite(thickness)) file["thickness"] = thickness;
   file["blocks"] = std::move(list);
   return file.dump(1) + "\n";

@@ -21,7 +21,6 @@ namespace wythe::io {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
 
 std::string ending_of(const std::string& file) { return fs::path(file).extension().string(); }
 
@@ -58,13 +57,15 @@ std::vector<std::string> files_like(const std::string& pattern) {
   return found;
 }
 
-bool is_point(const Json& json) {
+bool is_point(const nlohmann::json& json) {
   return json.is_array() && json.size() == 3 &&
-         std::all_of(json.begin(), json.end(), [](const Json& x) { return x.is_number(); });
+         std::all_of(json.begin(), json.end(),
+                     [](const nlohmann::json& x) { return x.is_number(); });
 }
 
-void read_solid(const Json& json, BodySpec& body, const RefuseBlock& refuse) {
-  const Json vertices = json.value("vertices", Json()), faces = json.value("faces", Json());
+void read_solid(const nlohmann::json& json, BodySpec& body, const RefuseBlock& refuse) {
+  const nlohmann::json vertices = json.value("vertices", nlohmann::json()),
+                       faces = json.value("faces", nlohmann::json());
   if (!vertices.is_array() || vertices.size() < 4)
     return refuse("vertices", vertices, "must be a list of 4 corners or more",
                   R"(write e.g. "vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])");
@@ -72,13 +73,14 @@ void read_solid(const Json& json, BodySpec& body, const RefuseBlock& refuse) {
     return refuse("faces", faces, "must be a list of 4 faces or more",
                   R"(write e.g. "faces": [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])");
   Polyhedron part;
-  for (const Json& v : vertices) {
+  for (const nlohmann::json& v : vertices) {
     if (!is_point(v)) return refuse("vertices", v, "must be three numbers [x, y, z]", "");
     part.vertex.push_back({v[0].get<double>(), v[1].get<double>(), v[2].get<double>()});
   }
-  for (const Json& f : faces) {
+  for (const nlohmann::json& f : faces) {
     part.face.emplace_back();
-    for (const Json& i : f.is_array() && f.size() >= 3 ? f : Json::array({nullptr})) {
+    for (const nlohmann::json& i :
+         f.is_array() && f.size() >= 3 ? f : nlohmann::json::array({nullptr})) {
       const bool good = i.is_number_integer() && i >= 0 && i < vertices.size();
       if (!good)
         return refuse("faces", f,
@@ -104,19 +106,19 @@ void leave_repeats_out(std::vector<std::array<double, 2>>& outline) {
 }
 
 // The outline of the block between two depths z.
-void read_prism(const Json& json, BodySpec& body, const RefuseBlock& refuse) {
-  const Json& z = json["z"];
+void read_prism(const nlohmann::json& json, BodySpec& body, const RefuseBlock& refuse) {
+  const nlohmann::json& z = json["z"];
   const bool good = z.is_array() && z.size() == 2 && z[0].is_number() && z[1].is_number() &&
                     z[0].get<double>() < z[1].get<double>();
   if (!good)
     return refuse("z", z, "must be two numbers, the smaller one first",
                   R"(write e.g. "z": [0, 0.25])");
-  const Json polygon = json.value("polygon", Json());
+  const nlohmann::json polygon = json.value("polygon", nlohmann::json());
   if (!polygon.is_array() || polygon.size() < 3)
     return refuse("polygon", polygon, "must have 3 vertices or more", "");
   std::vector<std::array<double, 2>> outline;
   double twice = 0;
-  for (const Json& p : polygon) {
+  for (const nlohmann::json& p : polygon) {
     if (!p.is_array() || p.size() != 2 || !p[0].is_number() || !p[1].is_number())
       return refuse("polygon", p, "must be two numbers [x, y]", "");
     outline.push_back({p[0].get<double>(), p[1].get<double>()});
@@ -132,7 +134,7 @@ void read_prism(const Json& json, BodySpec& body, const RefuseBlock& refuse) {
   }
   if (twice < 0) std::reverse(outline.begin(), outline.end());
   Polyhedron part;
-  for (const Json& depth : z)
+  for (const nlohmann::json& depth : z)
     for (const auto& p : outline) part.vertex.push_back({p[0], p[1], depth.get<double>()});
   part.face.resize(2);
   for (std::int32_t i = 0; i < n; ++i) {
@@ -197,19 +199,19 @@ std::vector<BodySpec> read_mesh_bodies(const std::string& file, FaultList& fault
   return bodies;
 }
 
-bool is_in_space(const Json& block) {
+bool is_in_space(const nlohmann::json& block) {
   return block.is_object() &&
          (block.contains("vertices") || block.contains("parts") || block.contains("z"));
 }
 
-void read_body_parts(const Json& block, BodySpec& body, const RefuseBlock& refuse) {
+void read_body_parts(const nlohmann::json& block, BodySpec& body, const RefuseBlock& refuse) {
   if (block.contains("z")) return read_prism(block, body, refuse);
   if (!block.contains("parts")) return read_solid(block, body, refuse);
-  const Json& parts = block["parts"];
+  const nlohmann::json& parts = block["parts"];
   if (!parts.is_array() || parts.empty())
     return refuse("parts", parts, "must be a list of solids",
                   R"(write e.g. "parts": [{"vertices": [...], "faces": [...]}])");
-  for (const Json& part : parts) {
+  for (const nlohmann::json& part : parts) {
     if (!part.is_object() || part.contains("parts") || !is_in_space(part))
       return refuse("parts", part, "must be an object with vertices and faces, or polygon and z",
                     "");
@@ -254,13 +256,13 @@ void fix_supports(std::vector<BodySpec>& bodies, const std::vector<std::string>&
 }
 
 std::string bodies_text(const std::vector<BodySpec>& bodies, bool z_up) {
-  Json list = Json::array();
+  nlohmann::json list = nlohmann::json::array();
   for (const BodySpec& body : bodies) {
-    Json parts = Json::array();
+    nlohmann::json parts = nlohmann::json::array();
     for (const Polyhedron& part : body.part) {
-      Json vertices = Json::array();
+      nlohmann::json vertices = nlohmann::json::array();
       for (const Vec3 v : part.vertex)
-        vertices.push_back(z_up ? Json{v.x, -v.z, v.y} : Json{v.x, v.y, v.z});
+        vertices.push_back(z_up ? nlohmann::json{v.x, -v.z, v.y} : nlohmann::json{v.x, v.y, v.z});
       parts.push_back({{"vertices", std::move(vertices)}, {"faces", part.face}});
     }
     list.push_back({{"id", body.id},
@@ -276,7 +278,9 @@ std::string bodies_text(const std::vector<BodySpec>& bodies, bool z_up) {
       list.back()["zone_kind"] = word_of(kZoneKindWords, zone.kind);
     if (zone.plane != Plane::kStress) list.back()["plane"] = word_of(kPlaneWords, zone.plane);
   }
-  return Json{{"units", "m"}, {"up", z_up ? "z" : "y"}, {"blocks", std::move(list)}}.dump(1) + "\n";
+  return nlohmann::json{{"units", "m"}, {"up", z_up ? "z" : "y"}, {"blocks", std::move(list)}}.dump(
+             1) +
+         "\n";
 }
 
 }  // namespace wythe::io

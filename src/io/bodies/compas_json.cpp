@@ -22,13 +22,11 @@
 namespace wythe::io {
 namespace {
 
-using Json = nlohmann::json;
-
 constexpr const char* kShapes[] = {"block", "geometry", "shape", "mesh", "_geometry"};
 
 // The object itself, out of its wrappers.
-const Json& opened(const Json& json) {
-  const Json* inner = &json;
+const nlohmann::json& opened(const nlohmann::json& json) {
+  const nlohmann::json* inner = &json;
   for (int depth = 0; depth < kMostDepth && inner->is_object(); ++depth) {
     if (inner->contains("data") && (*inner)["data"].is_structured())
       inner = &(*inner)["data"];
@@ -40,27 +38,27 @@ const Json& opened(const Json& json) {
   return *inner;
 }
 
-bool is_mesh(const Json& json) {
+bool is_mesh(const nlohmann::json& json) {
   return json.is_object() && json.contains("vertex") && json.contains("face") &&
          json["vertex"].is_object() && json["face"].is_object();
 }
 
-bool is_before_1(const Json& json) {
+bool is_before_1(const nlohmann::json& json) {
   return json.is_object() && json.contains("assembly") && json["assembly"].is_object() &&
          json.contains("blocks") && json["blocks"].is_object();
 }
 
-bool is_flagged(const Json& json, const char* name) {
+bool is_flagged(const nlohmann::json& json, const char* name) {
   return json.is_object() && json.contains(name) && json[name].is_boolean() &&
          json[name].get<bool>();
 }
 
-std::string key_text(const Json& key) {
+std::string key_text(const nlohmann::json& key) {
   return key.is_string() ? key.get<std::string>() : key.dump();
 }
 
 // Keys that are numbers in their order, then the others.
-std::vector<std::string> sorted_keys(const Json& object) {
+std::vector<std::string> sorted_keys(const nlohmann::json& object) {
   std::vector<std::pair<long long, std::string>> keys;
   for (const auto& item : object.items()) {
     long long number = std::numeric_limits<long long>::max();
@@ -79,8 +77,8 @@ class CompasReader {
  public:
   CompasReader(const std::string& file, FaultList& faults) : file_(file), faults_(faults) {}
 
-  std::vector<BodySpec> read(const Json& json) {
-    const Json& top = opened(json);
+  std::vector<BodySpec> read(const nlohmann::json& json) {
+    const nlohmann::json& top = opened(json);
     if (is_before_1(top))
       read_before_1(top);
     else if (top.is_array())
@@ -101,33 +99,35 @@ class CompasReader {
     if (!enough(faults_)) faults_.add({file_, "", value, problem, cure, 0});
   }
 
-  static const Json* graph_of(const Json& top) {
-    const Json* graph = top.contains("graph") ? &opened(top["graph"]) : &top;
+  static const nlohmann::json* graph_of(const nlohmann::json& top) {
+    const nlohmann::json* graph = top.contains("graph") ? &opened(top["graph"]) : &top;
     return graph->is_object() && graph->contains("node") && (*graph)["node"].is_object() ? graph
                                                                                          : nullptr;
   }
 
-  void read_list(const Json& list) {
+  void read_list(const nlohmann::json& list) {
     int number = 0;
-    for (const Json& item : list)
+    for (const nlohmann::json& item : list)
       read_block(std::to_string(number++), item.is_array() && item.size() == 1 ? item[0] : item,
                  false);
   }
 
   // Blocks by the keys of their nodes.
-  void read_before_1(const Json& top) {
-    const Json& graph = opened(top["assembly"]);
-    const Json nodes = graph.is_object() ? graph.value("node", Json::object()) : Json::object();
+  void read_before_1(const nlohmann::json& top) {
+    const nlohmann::json& graph = opened(top["assembly"]);
+    const nlohmann::json nodes = graph.is_object() ? graph.value("node", nlohmann::json::object())
+                                                   : nlohmann::json::object();
     for (const std::string& key : sorted_keys(top["blocks"]))
       read_block(key, top["blocks"][key],
                  nodes.is_object() && nodes.contains(key) && is_flagged(nodes[key], "is_support"));
   }
 
-  void read_nodes(const Json& graph) {
-    const Json defaults = graph.value("default_node_attributes", Json::object());
+  void read_nodes(const nlohmann::json& graph) {
+    const nlohmann::json defaults =
+        graph.value("default_node_attributes", nlohmann::json::object());
     const bool fixed = is_flagged(defaults, "is_support");
     for (const std::string& key : sorted_keys(graph["node"])) {
-      const Json& node = graph["node"][key];
+      const nlohmann::json& node = graph["node"][key];
       const bool own =
           node.is_object() && node.contains("is_support") && !node["is_support"].is_null();
       read_block(key, node, own ? is_flagged(node, "is_support") : fixed);
@@ -135,15 +135,16 @@ class CompasReader {
   }
 
   // In the order of the graph, where there is one: it numbers the blocks.
-  void read_elements(const Json& top) {
-    const Json& elements = top["elements"];
+  void read_elements(const nlohmann::json& top) {
+    const nlohmann::json& elements = top["elements"];
     if (elements.is_array()) return read_list(elements);
     if (!elements.is_object()) return refuse("elements", "is no list of blocks", "save it again");
     std::map<std::string, bool> taken;
-    if (const Json* graph = graph_of(top))
+    if (const nlohmann::json* graph = graph_of(top))
       for (const std::string& key : sorted_keys((*graph)["node"])) {
-        const Json& node = (*graph)["node"][key];
-        const Json guid = node.is_object() ? node.value("element", Json()) : Json();
+        const nlohmann::json& node = (*graph)["node"][key];
+        const nlohmann::json guid =
+            node.is_object() ? node.value("element", nlohmann::json()) : nlohmann::json();
         if (!guid.is_string() || !elements.contains(guid.get<std::string>())) continue;
         if (!taken.emplace(guid.get<std::string>(), true).second) continue;
         read_block(key, elements[guid.get<std::string>()], false);
@@ -154,10 +155,10 @@ class CompasReader {
   }
 
   // A node, an element or a mesh, with what hangs at it on the way.
-  void read_block(const std::string& id, const Json& json, bool fixed) {
+  void read_block(const std::string& id, const nlohmann::json& json, bool fixed) {
     if (enough(faults_)) return;
-    const Json* inner = &opened(json);
-    std::vector<const Json*> moves;
+    const nlohmann::json* inner = &opened(json);
+    std::vector<const nlohmann::json*> moves;
     for (int depth = 0; depth < kMostDepth && inner->is_object() && !is_mesh(*inner); ++depth) {
       fixed = fixed || is_flagged(*inner, "is_support");
       if (inner->contains("transformation")) moves.push_back(&(*inner)["transformation"]);
@@ -183,7 +184,8 @@ class CompasReader {
     if (!body.part.empty()) bodies_.push_back(std::move(body));
   }
 
-  static double coordinate(const Json& mesh, const Json& corner, const char* axis) {
+  static double coordinate(const nlohmann::json& mesh, const nlohmann::json& corner,
+                           const char* axis) {
     for (const char* name : {"default_vertex_attributes", "dva"})
       if (!corner.contains(axis) && mesh.contains(name) && mesh[name].is_object() &&
           mesh[name].contains(axis) && mesh[name][axis].is_number())
@@ -192,11 +194,11 @@ class CompasReader {
     return corner[axis].is_number() ? corner[axis].get<double>() : std::nan("");
   }
 
-  void read_mesh(const Json& mesh, BodySpec& body) {
+  void read_mesh(const nlohmann::json& mesh, BodySpec& body) {
     Polyhedron part;
     std::map<std::string, std::int32_t> number;
     for (const std::string& key : sorted_keys(mesh["vertex"])) {
-      const Json& corner = mesh["vertex"][key];
+      const nlohmann::json& corner = mesh["vertex"][key];
       Vec3 at = {std::nan(""), 0, 0};
       if (corner.is_object())
         at = {coordinate(mesh, corner, "x"), coordinate(mesh, corner, "y"),
@@ -228,10 +230,10 @@ class CompasReader {
   }
 
   // A list of keys, or half-edges {"3": "7", "7": "5", ...} from each corner to the next.
-  static std::vector<std::string> corners_of(const Json& face) {
+  static std::vector<std::string> corners_of(const nlohmann::json& face) {
     std::vector<std::string> corners;
     if (face.is_array())
-      for (const Json& key : face) corners.push_back(key_text(key));
+      for (const nlohmann::json& key : face) corners.push_back(key_text(key));
     if (!face.is_object() || face.empty()) return corners;
     const std::string first = face.begin().key();
     for (std::string key = first; corners.size() < face.size();) {
@@ -244,10 +246,10 @@ class CompasReader {
   }
 
   // {"dtype": ".../Transformation", "data": {"matrix": 4 x 4}}
-  void transform(const Json& json, BodySpec& body) {
+  void transform(const nlohmann::json& json, BodySpec& body) {
     if (json.is_null()) return;
-    const Json& inner = opened(json);
-    const Json rows = inner.is_object() ? inner.value("matrix", Json()) : inner;
+    const nlohmann::json& inner = opened(json);
+    const nlohmann::json rows = inner.is_object() ? inner.value("matrix", nlohmann::json()) : inner;
     double m[3][4];
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t k = 0; k < 4; ++k) {
@@ -272,12 +274,13 @@ class CompasReader {
 
 }  // namespace
 
-bool is_compas(const Json& json) {
+bool is_compas(const nlohmann::json& json) {
   if (json.is_object() && (json.contains("dtype") || is_before_1(opened(json)))) return true;
   return json.is_array() && !json.empty();
 }
 
-std::vector<BodySpec> compas_bodies(const Json& json, const std::string& file, FaultList& faults) {
+std::vector<BodySpec> compas_bodies(const nlohmann::json& json, const std::string& file,
+                                    FaultList& faults) {
   return CompasReader(file, faults).read(json);
 }
 

@@ -13,8 +13,6 @@
 namespace wythe::io {
 namespace {
 
-std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
 std::optional<Vec3> point_in(const std::vector<std::string_view>& words, std::size_t first) {
   if (words.size() < first + 3) return std::nullopt;
   const auto x = mesh_number<double>(words[first]), y = mesh_number<double>(words[first + 1]),
@@ -281,7 +279,7 @@ BodySpec body_of_faces(std::string id, const std::vector<Vec3>& vertex,
     for (const std::int32_t i : face) number[i] = 0;
   for (auto& [old, now] : number) {
     now = static_cast<std::int32_t>(part.vertex.size());
-    part.vertex.push_back(vertex[at(old)]);
+    part.vertex.push_back(vertex[old]);
   }
   part.face = faces;
   for (auto& face : part.face)
@@ -300,7 +298,7 @@ std::vector<Vec3> take_own(const std::vector<Vec3>& vertex, geometry::FaceList& 
   std::sort(used.begin(), used.end());
   used.erase(std::unique(used.begin(), used.end()), used.end());
   std::vector<Vec3> own;
-  for (const std::int32_t i : used) own.push_back(vertex[at(i)]);
+  for (const std::int32_t i : used) own.push_back(vertex[i]);
   for (auto& face : faces)
     for (std::int32_t& i : face)
       i = static_cast<std::int32_t>(std::lower_bound(used.begin(), used.end(), i) - used.begin());
@@ -329,7 +327,7 @@ std::vector<BodySpec> bodies_of_solids(const std::string& name, const std::vecto
   }
   for (const std::vector<int>& solid : solids) {
     geometry::FaceList own;
-    for (const int f : solid) own.push_back(faces[at(f)]);
+    for (const int f : solid) own.push_back(faces[f]);
     const std::string id = solids.size() == 1 ? name : fmt::format("{}{}", name, bodies.size() + 1);
     bodies.push_back(body_of_faces(id, vertex, own));
   }

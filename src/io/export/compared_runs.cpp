@@ -22,7 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace io;
-using Json = nlohmann::json;
 
 // Rows of a curve while the push goes on; a cyclic one gives its envelope of first loading.
 std::vector<CurveRow> first_loading(const std::vector<CurveRow>& rows) {
@@ -104,20 +103,20 @@ void set_bound(const Model& model, ComparedRun& run) {
 }
 
 // A number, or NaN for null.
-double number_of(const Json& value) {
+double number_of(const nlohmann::json& value) {
   return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
 }
 
 // What summary.json says under a key; IoError where it does not say it.
 struct Summary {
   const std::string& file;
-  const Json& json;
-  [[nodiscard]] const Json& at(const std::string& key) const {
+  const nlohmann::json& json;
+  [[nodiscard]] const nlohmann::json& at(const std::string& key) const {
     if (!json.is_object() || !json.contains(key)) refuse(key, "is missing");
     return json.at(key);
   }
   [[nodiscard]] std::string text(const std::string& table, const std::string& key) const {
-    const Json& in = at(table);
+    const nlohmann::json& in = at(table);
     if (!in.is_object() || !in.contains(key)) refuse(table + "." + key, "is missing");
     if (!in.at(key).is_string()) refuse(table + "." + key, "is no text");
     return in.at(key).get<std::string>();
@@ -147,11 +146,11 @@ ComparedRun read_run(const fs::path& folder) {
   ComparedRun run{.name = "run", .mode = ""};
   std::vector<CurveRow> rows = read_curve((folder / "force_displacement.csv").string());
   const std::string file = (folder / "summary.json").string();
-  const Json summary = parse_json(read_text(file, kMostJson), file);
+  const nlohmann::json summary = parse_json(read_text(file, kMostJson), file);
   const Summary said{file, summary};
   run.mode = said.text("failure_mode", "name");
   run.load_factor = std::fmax(0.0, number_of(said.at("load_factor")));
-  const Json& meter = said.at("quasi_static");
+  const nlohmann::json& meter = said.at("quasi_static");
   const std::string verdict = said.text("quasi_static", "verdict");
   const std::string data = meter.contains("verdict_message") ? meter["verdict_message"].dump() : "";
   run.rate_verdict = message_of(data, verdict);

@@ -13,7 +13,6 @@
 namespace wythe::io {
 namespace {
 
-using Json = nlohmann::json;
 using Cells = std::vector<ExportCell>;
 
 const ExportColumn kSample{"sample", "", "number of the sample, from 1; of a run 1"};
@@ -76,8 +75,8 @@ void add_fall(Cells& cells, double fraction, const std::string& displacement,
 }
 
 // What a summary has at "bilinear.force_kN", as a cell.
-std::string text_at(const Json& summary, const std::string& path) {
-  const Json* at = &summary;
+std::string text_at(const nlohmann::json& summary, const std::string& path) {
+  const nlohmann::json* at = &summary;
   std::size_t begin = 0;
   while (at != nullptr && begin <= path.size()) {
     const std::size_t dot = std::min(path.find('.', begin), path.size());
@@ -130,7 +129,7 @@ std::vector<ExportCell> sample_cells(const Campaign& campaign, const SampleRecor
   return cells;
 }
 
-std::vector<ExportCell> run_cells(const Json& summary) {
+std::vector<ExportCell> run_cells(const nlohmann::json& summary) {
   Cells cells = {
       {kSample, "1"}, {kStatus, text_at(summary, "status")}, {kReason, text_at(summary, "reason")}};
   const auto add = [&](const study::AnswerKey& key, const auto& value) {
@@ -139,7 +138,7 @@ std::vector<ExportCell> run_cells(const Json& summary) {
   const SampleRecord any;
   study::each_response(add, any.responses);
   if (const auto falls = summary.find("falls"); falls != summary.end() && falls->is_array())
-    for (const Json& fall : *falls) {
+    for (const nlohmann::json& fall : *falls) {
       const auto fraction = fall.is_object() ? fall.find("fraction") : fall.end();
       if (!fall.is_object() || fraction == fall.end() || !fraction->is_number()) continue;
       if (std::fabs(fraction->get<double>() - 0.8) < 1e-9) continue;

@@ -26,8 +26,6 @@ std::vector<double> more_fractions(const StudySpec& study) {
   return fractions;
 }
 
-std::string number(double value) { return std::isnan(value) ? "" : fmt::format("{:.10g}", value); }
-
 const FallTo* fall_to(const Responses& responses, double fraction) {
   for (const FallTo& fall : responses.falls)
     if (std::fabs(fall.fraction - fraction) < 1e-9) return &fall;
@@ -59,7 +57,7 @@ std::vector<Cell> cyclic_cells(const CyclicReadings& c) {
     if constexpr (std::is_same_v<decltype(value), bool>)
       cells.push_back({title, value ? "1" : "0"});
     else
-      cells.push_back({title, number(value)});
+      cells.push_back({title, io::short_cell(value)});
   };
   study::each_direction_column(add, "positive", c.positive);
   study::each_direction_column(add, "negative", c.negative);
@@ -77,7 +75,7 @@ std::vector<Cell> answer_cells(const Campaign& campaign, const SampleRecord& rec
     using Value = std::decay_t<decltype(value)>;
     if (key.listed != study::Listed::kCsv) return;
     if constexpr (std::is_same_v<Value, double>)
-      cells.push_back({key.column, number(key.to_unit * value)});
+      cells.push_back({key.column, io::short_cell(key.to_unit * value)});
     else if constexpr (std::is_same_v<Value, bool>)
       cells.push_back({key.column, value ? "1" : "0"});
     else if constexpr (std::is_same_v<Value, Message>)
@@ -90,7 +88,7 @@ std::vector<Cell> answer_cells(const Campaign& campaign, const SampleRecord& rec
     for (const double fraction : more_fractions(campaign.study)) {
       const FallTo* fall = fall_to(r, fraction);
       cells.push_back({fmt::format("displacement_at_{:g}_percent_mm", 100 * fraction),
-                       fall ? number(1e3 * fall->displacement) : ""});
+                       fall ? io::short_cell(1e3 * fall->displacement) : ""});
       cells.push_back({fmt::format("censored_{:g}", 100 * fraction), !fall            ? ""
                                                                      : fall->censored ? "1"
                                                                                       : "0"});
@@ -131,7 +129,7 @@ std::string samples_csv(const Campaign& campaign) {
     text += std::to_string(record.sample);
     for (std::size_t i = 0; i < record.inputs.size(); ++i) {
       const InputColumn& column = campaign.samples.column[i];
-      text += "," + number(record.inputs[i] * column.to_unit + column.offset);
+      text += "," + io::short_cell(record.inputs[i] * column.to_unit + column.offset);
     }
     text += "," + io::csv_cell(record.status);
     for (const Cell& cell : answer_cells(campaign, record)) text += "," + cell.text;

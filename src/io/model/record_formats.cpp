@@ -539,12 +539,12 @@ std::vector<CosmosChannel> cosmos_channels(std::string_view text, const std::str
   static const std::regex kData(
       R"(\s*(\d{1,8})\s+acc\w*\.?\s+(?:pts|points)\b.*?approx\s+([\d.]{1,12})\s+secs?,\s*units\s*=\s*([^,(]+?)\s*(?:\(\s*\d+\s*\))?\s*,\s*format\s*=\s*\((\d{0,3})[feidg](\d{1,2})(?:\..*|\).*))",
       std::regex::icase);
-  constexpr std::size_t kLongest = 300;  // of a line of words
+  constexpr std::size_t kLongestLine = 300;  // of a line of words
   const std::vector<std::string_view> lines = whole_lines(text);
   std::vector<CosmosChannel> out;
   std::vector<double> head;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (lines[i].size() > kLongest || lines[i].find('=') == std::string_view::npos) continue;
+    if (lines[i].size() > kLongestLine || lines[i].find('=') == std::string_view::npos) continue;
     const std::string line(lines[i]);
     std::smatch found;
     if (std::regex_match(line, found, kHead)) {

@@ -28,8 +28,6 @@ bool is_one_of(std::string_view word, Words words) {
 
 bool is_alnum(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
 bool is_ascii(char c) { return static_cast<unsigned char>(c) < 0x80; }
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
-
 // Whether a word of the name begins so: "ground acc" with acc.
 bool has_word(const std::string& name, std::string_view start) {
   for (std::size_t at = name.find(start); at != std::string::npos; at = name.find(start, at + 1))
@@ -247,7 +245,7 @@ struct AccelerationHead {
 
 // A head with its unit, g and gal too: UDUNITS has grams and gallons.
 AccelerationHead acceleration_head(const std::string& whole) {
-  constexpr std::size_t kLongest = 100, kLongestUnit = 24;
+  constexpr std::size_t kLongestHead = 100, kLongestUnit = 24;
   const std::string text = with_plain_brackets(whole);
   ColumnHead head = column_head(text, {"m/s^2", "m/s", "m"});
   head.whole = whole;
@@ -256,7 +254,7 @@ AccelerationHead acceleration_head(const std::string& whole) {
     const std::size_t close = text.find_last_of("])");
     return {head, strange_in(head.name + ' ' + text.substr(close + 1), is_any)};
   }
-  if (text.size() > kLongest) return {head, ""};
+  if (text.size() > kLongestHead) return {head, ""};
   const std::string small = small_letters(text);
   if (stated_unit(text) != RecordUnit::kNone ||
       is_one_of(small, {"%g", "mg", "m/s", "cm/s", "mm/s", "in/s2", "ft/s2"}))
@@ -308,8 +306,8 @@ Told told_in(const std::string& comment) {
   static const std::regex count(R"((?:\bnpts|number of (?:points|samples|data))\s*[:=]?\s*(\d+))");
   static const std::regex factor(
       R"(multipl\w*|(?:scale|scaling|conversion|calibration)\s*factor|scaled\s+by|\bfactor\s*[:=])");
-  constexpr std::size_t kLongest = 300;
-  if (small.size() > kLongest) return told;
+  constexpr std::size_t kLongestLine = 300;
+  if (small.size() > kLongestLine) return told;
   if (std::regex_search(small, found, step)) {
     const bool is_ms = found[0].str().find("ms") != std::string::npos;
     told.step = number_in(found[1].str()) * (is_ms ? 1e-3 : 1);

@@ -12,14 +12,12 @@
 namespace wythe::io {
 namespace {
 
-std::string number(double value) { return std::isnan(value) ? "" : fmt::format("{:.10g}", value); }
-
-struct Column {
+struct ShakeColumn {
   const char* title;
   double ShakeAnswer::*value;
   double to_unit;
 };
-constexpr Column kColumns[] = {
+constexpr ShakeColumn kColumns[] = {
     {"pga_m_per_s2", &ShakeAnswer::pga, 1},
     {"pgv_m_per_s", &ShakeAnswer::pgv, 1},
     {"sa_m_per_s2", &ShakeAnswer::sa, 1},
@@ -49,7 +47,7 @@ std::string inputs_of(const Campaign& campaign, const SampleRecord& record) {
   std::string text;
   for (std::size_t i = 0; i < record.inputs.size(); ++i) {
     const InputColumn& column = campaign.samples.column[i];
-    text += "," + number(record.inputs[i] * column.to_unit + column.offset);
+    text += "," + short_cell(record.inputs[i] * column.to_unit + column.offset);
   }
   return text;
 }
@@ -61,14 +59,15 @@ std::string shake_titles(const StudySpec& study) {
   if (study.shaking.is_asked())
     text += fmt::format(",intensity_{}_{}", word_of(kIntensityMeasureWords, study.shaking.measure),
                         unit_in_title(study.shaking.measure));
-  for (const Column& column : kColumns) text += fmt::format(",{}", column.title);
+  for (const ShakeColumn& column : kColumns) text += fmt::format(",{}", column.title);
   return text + ",shaken_to_collapse,counts,limit_states";
 }
 
 std::string shake_cells(const StudySpec& study, const ShakeAnswer& shake) {
   std::string text;
-  if (study.shaking.is_asked()) text += "," + number(shake.intensity);
-  for (const Column& column : kColumns) text += "," + number(shake.*column.value * column.to_unit);
+  if (study.shaking.is_asked()) text += "," + short_cell(shake.intensity);
+  for (const ShakeColumn& column : kColumns)
+    text += "," + short_cell(shake.*column.value * column.to_unit);
   return text + fmt::format(",{},{},{}", shake.collapsed ? 1 : 0, shake.counts() ? 1 : 0,
                             states_reached(study, shake));
 }

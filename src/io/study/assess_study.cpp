@@ -20,11 +20,6 @@
 namespace wythe {
 namespace {
 
-bool scatters(const ModelSpec& spec) {
-  return std::any_of(spec.field.begin(), spec.field.end(),
-                     [](const auto& field) { return field.second.formula.empty(); });
-}
-
 // "plus x, uniform": the name of a way makes that of its folder, which has no signs.
 std::string name_of(const PushWay& way, bool is_own) {
   std::string direction = is_own ? "forth" : "back";
@@ -94,7 +89,7 @@ std::string text_of_study(const AskedWalls& asked) {
   const Model model = compile_model(spec, text, file, asked.overrides);
   PushWays ways;
   try {
-    if (!scatters(spec) && std::isnan(asked.between))
+    if (!spec.draws_fields() && std::isnan(asked.between))
       throw InputError(
           {{.file = "",
             .path = "scatter",

@@ -32,11 +32,6 @@ struct ReadModel {
   std::vector<PushWay> way;
 };
 
-bool scatters(const ModelSpec& spec) {
-  return std::any_of(spec.field.begin(), spec.field.end(),
-                     [](const auto& field) { return field.second.formula.empty(); });
-}
-
 // Units and joints draw by where they stand, so that an opening leaves all others as they were.
 std::string in_place(const ModelSpec& spec) {
   std::string settings;
@@ -95,8 +90,8 @@ std::vector<Fault> differences(const ReadModel& base, const ReadModel& other) {
         "model both in their plane, or both in space");
     return faults;
   }
-  const bool scatter = scatters(base.spec);
-  if (scatter != scatters(other.spec)) {
+  const bool scatter = base.spec.draws_fields();
+  if (scatter != other.spec.draws_fields()) {
     add("scatter",
         fmt::format("{} in {} and {} here", scatter ? "is given" : "is missing", base.file,
                     scatter ? "is missing" : "is given"),
@@ -181,7 +176,7 @@ std::vector<StudySpec> studies_of_models(const AskedModels& asked) {
   std::vector<StudySpec> studies;
   for (const ReadModel& model : models) {
     const AskedWalls walls{.model_file = model.file,
-                           .walls = scatters(model.spec) ? asked.walls : 1,
+                           .walls = model.spec.draws_fields() ? asked.walls : 1,
                            .seed = asked.seed};
     const std::filesystem::path file = std::filesystem::absolute(model.file);
     studies.push_back(io::parse_study_text(io::text_of_ways(walls, model.way, in_place(model.spec)),

@@ -112,10 +112,14 @@ std::string text_of_cell(std::string_view cell) {
 
 std::string csv_cell(double value) { return std::isnan(value) ? "" : fmt::format("{}", value); }
 
+std::string short_cell(double value) {
+  return std::isnan(value) ? "" : fmt::format("{:.10g}", value);
+}
+
 double number_in(std::string_view cell) {
-  constexpr std::size_t kLongest =
+  constexpr std::size_t kLongestNumber =
       2000;  // every double has fewer digits; 64 MB of them take seconds
-  if (cell.size() > kLongest) return std::numeric_limits<double>::quiet_NaN();
+  if (cell.size() > kLongestNumber) return std::numeric_limits<double>::quiet_NaN();
   if (cell.starts_with('+')) cell.remove_prefix(1);
   double number = 0;
   const char* end = cell.data() + cell.size();

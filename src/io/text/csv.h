@@ -51,6 +51,7 @@ class CsvLines {
 [[nodiscard]] std::string text_of_cell(std::string_view cell);
 // The shortest digits that read back as the same number; "" for NaN.
 [[nodiscard]] std::string csv_cell(double value);
+[[nodiscard]] std::string short_cell(double value);  // ten digits
 
 // A whole cell as a finite number, a leading + allowed; NaN for anything else.
 [[nodiscard]] double number_in(std::string_view cell);

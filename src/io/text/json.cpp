@@ -12,8 +12,6 @@
 namespace wythe::io {
 namespace {
 
-using Json = nlohmann::json;
-
 [[noreturn]] void refuse(const std::string& file, const std::string& problem,
                          const std::string& cure, std::ptrdiff_t line = 0) {
   throw InputError({{.file = file,
@@ -25,7 +23,7 @@ using Json = nlohmann::json;
 }
 
 // Looks at keys alone. A pass of its own: the parser's callback costs the square of a long list.
-class Keys : public nlohmann::json_sax<Json> {
+class Keys : public nlohmann::json_sax<nlohmann::json> {
  public:
   explicit Keys(const std::string& file) : file_(file) {}
   bool key(std::string& name) override {
@@ -42,11 +40,11 @@ class Keys : public nlohmann::json_sax<Json> {
   bool number_unsigned(number_unsigned_t) override { return true; }
   bool number_float(number_float_t, const std::string&) override { return true; }
   bool string(std::string&) override { return true; }
-  bool binary(Json::binary_t&) override { return true; }
+  bool binary(nlohmann::json::binary_t&) override { return true; }
   bool start_array(std::size_t) override { return true; }
   bool end_array() override { return true; }
   // the parse that follows says what is wrong
-  bool parse_error(std::size_t, const std::string&, const Json::exception&) override {
+  bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception&) override {
     return false;
   }
 
@@ -57,18 +55,18 @@ class Keys : public nlohmann::json_sax<Json> {
 
 }  // namespace
 
-Json parse_json(const std::string& text, const std::string& file) {
+nlohmann::json parse_json(const std::string& text, const std::string& file) {
   check_shape(text, Syntax::kJson, file);
   Keys keys(file);
-  static_cast<void>(Json::sax_parse(text, &keys));
+  static_cast<void>(nlohmann::json::sax_parse(text, &keys));
   try {
-    return Json::parse(text);
-  } catch (const Json::parse_error& error) {
+    return nlohmann::json::parse(text);
+  } catch (const nlohmann::json::parse_error& error) {
     const auto at = static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
     refuse(file, fmt::format("not valid JSON at byte {}", error.byte),
            "correct it there, or write the file again",
            std::count(text.begin(), text.begin() + at, '\n') + 1);
-  } catch (const Json::out_of_range&) {
+  } catch (const nlohmann::json::out_of_range&) {
     refuse(file, "holds a number beyond 1.8e308", "write smaller numbers");
   }
 }

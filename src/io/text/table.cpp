@@ -19,8 +19,6 @@
 namespace wythe::io {
 namespace {
 
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
-
 std::string unquoted(const std::string& cell) { return std::string(trimmed(text_of_cell(cell))); }
 
 // "0,05": a number whose decimals follow a comma.
@@ -144,7 +142,7 @@ std::string spelt_unit(std::string_view text, std::string_view si_unit) {
 
 ColumnHead column_head(std::string_view cell, std::initializer_list<std::string_view> si_units) {
   constexpr std::string_view kMarks = "_ ,/";
-  constexpr std::size_t kLongest = 100;  // of a head with a unit that is not in brackets
+  constexpr std::size_t kLongestHead = 100;  // of a head with a unit that is not in brackets
   const std::string whole(trimmed(cell));
   const std::size_t open = whole.find_last_of("[({"), close = whole.find_last_of("])}");
   if (open != std::string::npos && close != std::string::npos && open < close) {
@@ -153,7 +151,7 @@ ColumnHead column_head(std::string_view cell, std::initializer_list<std::string_
     return {whole, std::string(name),
             std::string(trimmed(std::string_view(whole).substr(open + 1, close - open - 1))), true};
   }
-  if (whole.size() > kLongest) return {whole, whole, ""};
+  if (whole.size() > kLongestHead) return {whole, whole, ""};
   for (std::size_t at = whole.find_first_of(kMarks); at != std::string::npos;
        at = whole.find_first_of(kMarks, at + 1))
     for (const std::string_view si_unit : si_units) {

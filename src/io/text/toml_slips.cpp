@@ -10,8 +10,6 @@
 namespace wythe::io {
 namespace {
 
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
-
 // Without its comment; quotes of either kind hold a # in.
 std::string_view without_comment(std::string_view line) {
   char open = '\0';

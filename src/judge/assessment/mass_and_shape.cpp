@@ -100,7 +100,7 @@ std::vector<MovedBlocks> shapes_of(const Model& model, const Result& result) {
 namespace {
 
 // Every mass that moves with the wall; `block` is whose motion it follows, -1 that of the control point.
-struct Part {
+struct MovingMass {
   double mass = 0, height = 0;
   BlockId block = -1;
 };
@@ -124,9 +124,9 @@ double mass_of(const Model& model, BlockId block) {
   return mass;
 }
 
-std::vector<Part> parts_of(const AssessmentSpec& spec, const Model& model, double control,
-                           MassAndShape& out) {
-  std::vector<Part> parts;
+std::vector<MovingMass> moving_masses(const AssessmentSpec& spec, const Model& model,
+                                      double control, MassAndShape& out) {
+  std::vector<MovingMass> parts;
   const State rest = initial_state(model);
   const double foot = study::foot_of(model);
   for (const BlockId b : study::moving_blocks(model)) {
@@ -176,7 +176,7 @@ MassAndShape mass_and_linear_shape(const AssessmentSpec& spec, const Model& mode
   const Stage* push = study::push_of(model);
   if (push == nullptr || !(push->load_height > 0)) return out;
   double first = 0, second = 0;
-  for (const Part& part : parts_of(spec, model, push->load_height, out)) {
+  for (const MovingMass& part : moving_masses(spec, model, push->load_height, out)) {
     const double phi = part.height / push->load_height;
     first += part.mass * phi;
     second += part.mass * phi * phi;
@@ -189,14 +189,14 @@ MassAndShape mass_and_linear_shape(const AssessmentSpec& spec, const Model& mode
 std::vector<MovedMass> study::moved_masses(const AssessmentSpec& spec, const Model& model,
                                            const Result& result, MassAndShape& masses) {
   const Stage* push = push_of(model);
-  const std::vector<Part> parts = parts_of(spec, model, push->load_height, masses);
+  const std::vector<MovingMass> parts = moving_masses(spec, model, push->load_height, masses);
   std::vector<MovedMass> out;
   std::vector<double> before(parts.size(), 0.0);
   for (const auto& [displacement, moved] : shapes_of(model, result)) {
     MovedMass& sum = out.emplace_back();
     sum.displacement = displacement;
     for (std::size_t k = 0; k < parts.size(); ++k) {
-      const Part& part = parts[k];
+      const MovingMass& part = parts[k];
       double u = displacement;  // goes with the control point
       if (part.block >= 0)
         u = moved[static_cast<std::size_t>(part.block)];

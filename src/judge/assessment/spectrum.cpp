@@ -6,14 +6,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "judge/assessment/assessment_parts.h"
 #include "wythe/assessment.h"
 
 namespace wythe {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 struct Ground {
   double S, TB, TC, TD;  // [-], [s]
@@ -239,10 +238,12 @@ double ElasticSpectrum::acceleration(double T) const {
 }
 
 double ElasticSpectrum::displacement(double T) const {
-  return acceleration(T) * (T / (2 * kPi)) * (T / (2 * kPi));
+  return acceleration(T) * (T / (2 * std::numbers::pi)) * (T / (2 * std::numbers::pi));
 }
 
-double EquivalentSystem::period() const { return 2 * kPi * std::sqrt(mass / stiffness); }
+double EquivalentSystem::period() const {
+  return 2 * std::numbers::pi * std::sqrt(mass / stiffness);
+}
 
 // (A.9) to (A.11). Se m* / Fy* is Sde / dy*, since T* is of the same m* and k*.
 SpectralDemand demand_of(const EquivalentSystem& system, const ElasticSpectrum& spectrum,

@@ -3,6 +3,7 @@
 // Equations (21.9) to (21.14) of docs/theory/local_mechanisms.md. Called by `wythe limit --assessment`.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "judge/assessment/assessment_parts.h"
 #include "judge/local/local_parts.h"
@@ -13,7 +14,6 @@
 namespace wythe {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kBehaviour = 2;            // q at life safety, C8.7.1.2.1.7
 constexpr double kFactorLeastKnown = 1.35;  // of LC1 and KL1
 constexpr double kFrom = 0.8, kTo = 1.1;    // a and b of C7.2.3, of T1
@@ -24,8 +24,8 @@ struct Way {
   double period;   // T over sqrt(d*/a(d*))
   double damping;  // of the part
 };
-constexpr Way kLifeSafety = {0.4, 1.68 * kPi, 0.08};
-constexpr Way kNearCollapse = {0.6, 1.56 * kPi, 0.10};
+constexpr Way kLifeSafety = {0.4, 1.68 * std::numbers::pi, 0.08};
+constexpr Way kNearCollapse = {0.6, 1.56 * std::numbers::pi, 0.10};
 
 // The most that a table asks up to a period: its displacements may fall again, and a part passes all shorter periods.
 double most_of_table(const ElasticSpectrum& table, double until) {
@@ -64,7 +64,9 @@ class SpectrumAt {
   [[nodiscard]] static double larger(double a, double b) {
     return std::isnan(a) || std::isnan(b) ? kUnset : std::max(a, b);
   }
-  [[nodiscard]] static double squared(double T) { return (T / (2 * kPi)) * (T / (2 * kPi)); }
+  [[nodiscard]] static double squared(double T) {
+    return (T / (2 * std::numbers::pi)) * (T / (2 * std::numbers::pi));
+  }
   // A table has a damping of its own.
   [[nodiscard]] double of_ground(double T, double damping) const {
     if (ground_.kind == SpectrumKind::kTable) return most_of_table(ground_, T);

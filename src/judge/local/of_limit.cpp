@@ -21,14 +21,14 @@ namespace {
 
 constexpr double kSame = 1e-6;  // of the largest velocity
 
-struct Piece {
+struct MovingPiece {
   Vec3 at_origin, spin;  // per unit velocity of the load
   double weight = 0;     // [N]
   Vec3 sum;              // of weight and place
   double low = std::numeric_limits<double>::infinity();
   [[nodiscard]] Vec3 velocity(const Vec3& at) const { return at_origin + cross(spin, at); }
 };
-struct Lying {
+struct LyingPiece {
   std::size_t piece = 0;
   Vec3 at, force;
 };
@@ -54,13 +54,13 @@ class Mechanism {
 
   // (21.7): of one piece that turns about a line per unit turn, else per unit velocity of the load.
   [[nodiscard]] LocalCapacity capacity(double gravity) const {
-    const Piece* turning = moving() == 1 ? first_moving() : nullptr;
+    const MovingPiece* turning = moving() == 1 ? first_moving() : nullptr;
     const double spin = turning != nullptr ? length(turning->spin) : 0;
     const bool turns =
         spin > 0 && std::fabs(dot(turning->at_origin, turning->spin)) <= kSame * spin * fastest_;
     const double unit = turns ? 1 / spin : 1;
     std::vector<LocalWeight> weights;
-    each_weight([&](const Piece& p, const Vec3& at, double weight) {
+    each_weight([&](const MovingPiece& p, const Vec3& at, double weight) {
       const Vec3 v = unit * p.velocity(at);
       LocalWeight w{.weight = weight, .pushed = weight, .travel = dot(v, along_), .rise = v.y};
       w.drop = -cross(unit * p.spin, v).y;
@@ -68,7 +68,7 @@ class Mechanism {
     });
     // links and level loads; of dry joints friction does no work, for it is associated
     double resisted = unit * answer_.dissipation;
-    for (const Lying& l : lying_) {
+    for (const LyingPiece& l : lying_) {
       const Vec3 v = unit * pieces_[l.piece].velocity(l.at);
       resisted -= l.force.x * v.x + l.force.z * v.z + std::max(l.force.y, 0.0) * v.y;
     }
@@ -90,7 +90,7 @@ class Mechanism {
   // Between where it goes and the load, level [rad].
   [[nodiscard]] double off() const {
     Vec3 way;
-    each_weight([&](const Piece& p, const Vec3& at, double weight) {
+    each_weight([&](const MovingPiece& p, const Vec3& at, double weight) {
       const Vec3 v = p.velocity(at);
       way = way + weight * Vec3{v.x, 0, v.z};
     });
@@ -99,19 +99,19 @@ class Mechanism {
   }
   [[nodiscard]] double low() const {
     double low = std::numeric_limits<double>::infinity();
-    for (const Piece& p : pieces_)
+    for (const MovingPiece& p : pieces_)
       if (is_moving(p)) low = std::min(low, p.low);
     return low;
   }
   [[nodiscard]] double high() const { return high_; }
   [[nodiscard]] double masonry() const {
     double sum = 0;
-    for (const Piece& p : pieces_) sum += is_moving(p) ? p.weight : 0;
+    for (const MovingPiece& p : pieces_) sum += is_moving(p) ? p.weight : 0;
     return sum;
   }
   [[nodiscard]] double loads() const {
     double sum = 0;
-    for (const Lying& l : lying_)
+    for (const LyingPiece& l : lying_)
       sum += is_moving(pieces_[l.piece]) ? std::max(0.0, -l.force.y) : 0;
     return sum;
   }
@@ -130,12 +130,12 @@ class Mechanism {
     for (std::size_t i = 0; i < n; ++i) {
       const Vec3 at = place_of(static_cast<BlockId>(i));
       const Vec3 v = velocity(i), w = spin(i);
-      const auto same = std::find_if(pieces_.begin(), pieces_.end(), [&](const Piece& p) {
+      const auto same = std::find_if(pieces_.begin(), pieces_.end(), [&](const MovingPiece& p) {
         const double size = size_of(static_cast<BlockId>(i));
         return length(p.velocity(at) - v) < kSame * fastest_ &&
                length(p.spin - w) * size < kSame * fastest_;
       });
-      Piece& piece = same != pieces_.end() ? *same : pieces_.emplace_back();
+      MovingPiece& piece = same != pieces_.end() ? *same : pieces_.emplace_back();
       if (piece.weight == 0) piece.at_origin = v - cross(w, at), piece.spin = w;
       piece_of_[i] = static_cast<std::size_t>(&piece - pieces_.data());
       const double weight = model_.solve.gravity * model_.heavy_mass[i];
@@ -150,9 +150,9 @@ class Mechanism {
   // Pieces that move and loads on them, by what they weigh: what stands still has no part in M* and e*.
   template <class Each>
   void each_weight(Each each) const {
-    for (const Piece& p : pieces_)
+    for (const MovingPiece& p : pieces_)
       if (is_moving(p)) each(p, p.sum / p.weight, p.weight);
-    for (const Lying& l : lying_)
+    for (const LyingPiece& l : lying_)
       if (l.force.y < 0 && is_moving(pieces_[l.piece])) each(pieces_[l.piece], l.at, -l.force.y);
   }
 
@@ -168,15 +168,15 @@ class Mechanism {
     const Extent extent = extent_of(model_, b);
     return extent.high - extent.low;
   }
-  [[nodiscard]] bool is_moving(const Piece& p) const {
+  [[nodiscard]] bool is_moving(const MovingPiece& p) const {
     return p.weight > 0 && length(p.velocity(p.sum / p.weight)) > kSame * fastest_;
   }
   [[nodiscard]] int moving() const {
     return static_cast<int>(std::count_if(pieces_.begin(), pieces_.end(),
-                                          [&](const Piece& p) { return is_moving(p); }));
+                                          [&](const MovingPiece& p) { return is_moving(p); }));
   }
-  [[nodiscard]] const Piece* first_moving() const {
-    for (const Piece& p : pieces_)
+  [[nodiscard]] const MovingPiece* first_moving() const {
+    for (const MovingPiece& p : pieces_)
       if (is_moving(p)) return &p;
     return nullptr;
   }
@@ -197,9 +197,9 @@ class Mechanism {
   const LimitAnswer& answer_;
   Vec3 along_, top_velocity_;
   double fastest_ = 0, high_ = -std::numeric_limits<double>::infinity();
-  std::vector<Piece> pieces_;
+  std::vector<MovingPiece> pieces_;
   std::vector<std::size_t> piece_of_;
-  std::vector<Lying> lying_;
+  std::vector<LyingPiece> lying_;
 };
 
 }  // namespace

@@ -59,7 +59,7 @@ double level_of(const FloorSpec& floor, const Anatomy& a, double foot) {
 }
 
 // Masonry between two heights.
-struct Piece {
+struct PartPiece {
   double weight = 0, first = 0, across = 0,
          volume = 0;  // sums of weight, weight height, weight t/2
   [[nodiscard]] double height() const { return first / weight; }
@@ -130,8 +130,8 @@ class Strip {
   [[nodiscard]] Polygon box(double y0, double y1) const {
     return {{x0_, y0}, {x1_, y0}, {x1_, y1}, {x0_, y1}};
   }
-  [[nodiscard]] Piece between(double y0, double y1) const {
-    Piece piece;
+  [[nodiscard]] PartPiece between(double y0, double y1) const {
+    PartPiece piece;
     const Polygon frame = box(y0, y1);
     for (BlockId b = 0; b < model_.n_block; ++b) {
       if (is_no_masonry(b)) continue;
@@ -279,7 +279,7 @@ class Strip {
   using Found = std::map<const FloorSpec*, double>;  // loads told so far [N]
   [[nodiscard]] Brought floor_at(BlockId block, double x, double y, double weight,
                                  Found& found) const {
-    constexpr double kSame = 1e-6;
+    constexpr double kSameWeight = 1e-6;
     Brought by{nullptr, half_of(block, x, y)};
     for (const FloorSpec& floor : spec_.floor) {
       const double level = level_of(floor, model_.anatomy, wall_.foot);
@@ -288,13 +288,13 @@ class Strip {
       const double half = floor.joists.empty() ? std::min({by.half, x - from, to - x}) : 0;
       const bool is_its_own =
           floor.joists.empty()
-              ? std::fabs(weight - floor.load * 2 * half) < kSame * weight
+              ? std::fabs(weight - floor.load * 2 * half) < kSameWeight * weight
               : std::any_of(floor.joists.begin(), floor.joists.end(), [&](double joist) {
                   return std::fabs(wall_.left + joist - x) < kNear;
                 });
       by.beside = &floor;
       double& told = found[&floor];
-      if (!is_its_own || weight < 0 || told + weight > (1 + kSame) * floor.load * (to - from))
+      if (!is_its_own || weight < 0 || told + weight > (1 + kSameWeight) * floor.load * (to - from))
         continue;
       told += weight;
       return {&floor, half};
@@ -373,7 +373,7 @@ class Strip {
 
   // What stands on the part presses its head where that is held; where it is free, it would fall along.
   void gather_above() {
-    const Piece masonry = y1_ < wall_.top - 1e-6 ? between(y1_, wall_.top) : Piece{};
+    const PartPiece masonry = y1_ < wall_.top - 1e-6 ? between(y1_, wall_.top) : PartPiece{};
     if (masonry.weight > 0) above_.push_back({y1_ - y0_, masonry.behind(), masonry.weight});
     double weight = 0;
     for (const Lying& load : above_) weight += load.weight;
@@ -500,13 +500,13 @@ class Strip {
                       .at_hinge = section.thickness,
                       .at_head = head_thickness,
                       .inset = std::max(inset_, inset_on(hinge, section.length))};
-      const auto masonry = [&](const Piece& piece) {
+      const auto masonry = [&](const PartPiece& piece) {
         return BentStrip::Weight{.height = piece.height(),
                                  .behind = piece.behind(),
                                  .weight = piece.weight,
                                  .pushed = piece.weight};
       };
-      const Piece below = between(y0_, y0_ + hinge), above = between(y0_ + hinge, y1_);
+      const PartPiece below = between(y0_, y0_ + hinge), above = between(y0_ + hinge, y1_);
       if (below.weight > 0) strip.lower.push_back(masonry(below));
       if (above.weight > 0) strip.upper.push_back(masonry(above));
       for (const Lying& l : lying_) {
@@ -579,7 +579,7 @@ class Strip {
   double inset_ = 0, lifted_ = 0, pressed_ = 0, other_ = 0;
   double strength_ = std::numeric_limits<double>::infinity();  // in compression [Pa]
   bool crushes_ = false;
-  Piece masonry_;
+  PartPiece masonry_;
   std::vector<Lying> lying_, above_;
 };
 

@@ -212,10 +212,10 @@ void doubt_slid_off(const WallParts& parts, const WallMotion& motion, const Vali
 }
 
 // What each part showed at the states up to the one that is read.
-std::vector<study::Reading> readings_up_to(const Model& model, const WallParts& parts,
-                                           const Result& result, const Snapshot* read,
-                                           const ModeRules& rules) {
-  std::vector<study::Reading> readings;
+std::vector<study::ElementReading> readings_up_to(const Model& model, const WallParts& parts,
+                                                  const Result& result, const Snapshot* read,
+                                                  const ModeRules& rules) {
+  std::vector<study::ElementReading> readings;
   readings.reserve(result.readings.size());
   for (const Snapshot& s : result.readings) {
     const WallMotion then = study::read_motion(model, s.state);
@@ -328,13 +328,15 @@ FailureMode mode_of_push(const Model& model, const Result& result, double read_a
   const WallParts parts = study::find_parts(model);
   const WallMotion motion = study::read_motion(model, read->state);
   const ModeRules rules = rules_at(model, result, *read, read_at);
-  const std::vector<study::Reading> readings = readings_up_to(model, parts, result, read, rules);
+  const std::vector<study::ElementReading> readings =
+      readings_up_to(model, parts, result, read, rules);
   const double later = study::spandrel_later(parts, readings, rules);
   FailureMode mode = study::name_parts(parts, motion, rules, later);
   doubt_slid_off(parts, motion, result.validity, mode);
   mode.read_at = read->displacement;
   mode.reading = words_for(model, result, *read, read_at);
-  for (const study::Reading& r : readings) note_first(r.elements, r.displacement, mode.elements);
+  for (const study::ElementReading& r : readings)
+    note_first(r.elements, r.displacement, mode.elements);
   // when a part that is sound so far fails later: limit states may lie beyond the state that is read
   for (std::size_t i = readings.size(); i < result.readings.size() && !is_cyclic(model, *read);
        ++i) {

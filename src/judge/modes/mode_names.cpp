@@ -328,12 +328,12 @@ FailureMode name_parts(const WallParts& parts, const WallMotion& motion, const M
   return Namer(parts, motion, rules, spandrel_later).name();
 }
 
-double spandrel_later(const WallParts& parts, const std::vector<Reading>& readings,
+double spandrel_later(const WallParts& parts, const std::vector<ElementReading>& readings,
                       const ModeRules& rules) {
   constexpr double kFarther = 1.3;  // of the way then: at once is neither's turn
   if (!is_two_pier_wall(parts)) return 0;
   const auto first = [&](const char* kind) {
-    for (const Reading& r : readings)
+    for (const ElementReading& r : readings)
       for (const ElementState& e : r.elements)
         for (const ElementSign& s : e.signs)
           if (e.kind == kind && (s.state == kDiagonal || s.state == kSliding) && s.holds())

@@ -16,11 +16,12 @@ namespace wythe::study {
                                      const ModeRules& rules, double spandrel_later = 0);
 [[nodiscard]] bool is_two_pier_wall(const WallParts& parts);
 // That truth, from the states up to the one that is read, `readings` being their element states.
-struct Reading {
+struct ElementReading {
   double displacement = 0;  // [m]
   ElementStates elements;
 };
-[[nodiscard]] double spandrel_later(const WallParts& parts, const std::vector<Reading>& readings,
+[[nodiscard]] double spandrel_later(const WallParts& parts,
+                                    const std::vector<ElementReading>& readings,
                                     const ModeRules& rules);
 // The same with the mechanism of the whole wall.
 struct Named {

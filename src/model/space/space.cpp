@@ -34,8 +34,6 @@ using geometry::JointFace;
 using geometry::Shape;
 using geometry::SpaceAssembly;
 
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
-
 // What a wall in space cannot have yet, named.
 void refuse_plane_parts(const ModelSpec& spec, FaultList& faults) {
   const auto refuse = [&](const char* path, bool is_there) {
@@ -90,7 +88,7 @@ class Materials {
                    fault.key.empty() ? "material." + name : "material." + name + "." + fault.key,
                    fault.value, fault.problem, fault.cure, 0});
     }
-    model_.materials[at(index)] = stated->second;
+    model_.materials[index] = stated->second;
     return index;
   }
 
@@ -99,7 +97,7 @@ class Materials {
                         const FieldValues& fields) {
     const std::int32_t stated = index_of(name, shares_bed);
     if (!fields.act_on(name)) return stated;
-    JointMaterial own = fields.of_face(number, model_.materials[at(index_of(name))]);
+    JointMaterial own = fields.of_face(number, model_.materials[index_of(name)]);
     if (!bad_.contains(name))
       for (const MaterialFault& fault : check_joint_material(own)) note(name, face, fault);
     if (shares_bed && own.head_joint_bond < 1) own = contact::head_joint_law(own);
@@ -132,7 +130,7 @@ class Materials {
  private:
   // The law of head joints beside beds of law `bed`.
   std::int32_t head_index(const std::string& name, std::int32_t bed) {
-    const JointMaterial law = model_.materials[at(bed)];
+    const JointMaterial law = model_.materials[bed];
     if (!(law.head_joint_bond < 1)) return bed;
     model_.anatomy.notes.push_back(head_bond_note(name, law));
     return append(name, contact::head_joint_law(law));
@@ -212,8 +210,9 @@ void fill_blocks(const ModelSpec& spec, const SpaceAssembly& assembly, const Fie
       anatomy.block_role.push_back(role_of(body));
       anatomy.block_course.push_back(-1);
     }
-  model.inertia.assign(at(model.n_block), 0.0);  // of turns in the plane: not used
-  model.turn_freedom.assign(at(model.n_block), 1.0);
+  model.inertia.assign(static_cast<std::size_t>(model.n_block),
+                       0.0);  // of turns in the plane: not used
+  model.turn_freedom.assign(static_cast<std::size_t>(model.n_block), 1.0);
 }
 
 // The frame of a face: t1 along its longest side, so that it does not hang on where the polygon begins.
@@ -257,8 +256,8 @@ void append(const Placed& joint, Model& model) {
   model.joint_b.push_back(joint.b);
   model.joint_material.push_back(joint.material);
   model.area.push_back(joint.area);
-  space.arm_a.push_back(joint.face->centre - space.centroid[at(joint.a)]);
-  space.arm_b.push_back(joint.face->centre - space.centroid[at(joint.b)]);
+  space.arm_a.push_back(joint.face->centre - space.centroid[joint.a]);
+  space.arm_b.push_back(joint.face->centre - space.centroid[joint.b]);
   space.tangent.push_back(joint.tangent);
   space.normal.push_back(joint.normal);
   space.face.push_back(joint.outline);
@@ -319,22 +318,23 @@ std::array<Placed, 2> chain_joints(Placed joint, const std::string& of, const Jo
 void add_solid_face(const SpaceAssembly& assembly, const JointFace& face,
                     const std::vector<BlockId>& id, std::vector<SpaceSolidFace>& faces,
                     FaultList& faults) {
-  const bool zones_are_b = has_zones(assembly.body[at(face.b)]);
+  const bool zones_are_b = has_zones(assembly.body[face.b]);
   const int solid = zones_are_b ? face.b : face.a, rigid = zones_are_b ? face.a : face.b;
-  if (has_zones(assembly.body[at(rigid)]))
-    faults.add({"", "wall.blocks." + assembly.body[at(solid)].id + ".zones", "",
+  if (has_zones(assembly.body[rigid]))
+    faults.add({"", "wall.blocks." + assembly.body[solid].id + ".zones", "",
                 "two blocks of zones touch each other",
                 "make one of them rigid, or put a rigid course between them", 0});
-  faces.push_back({&face, id[at(rigid)], solid_of(id[at(solid)]), 0, tangent_of(face), zones_are_b,
-                   assembly.moments[at(rigid)].centroid});
+  faces.push_back({&face, id[rigid], solid_of(id[solid]), 0, tangent_of(face), zones_are_b,
+                   assembly.moments[rigid].centroid});
 }
 
 // As in the plane (geometry/assembly.cpp).
 void note_foundation(const ModelSpec& spec, Model& model) {
   std::set<std::string> names;
   const std::string& named = spec.wall.joints.joint;
-  for (std::size_t j = at(model.n_pair); j < at(model.n_joint); ++j) {
-    const std::string& name = model.material_names[at(model.joint_material[j])];
+  for (std::size_t j = static_cast<std::size_t>(model.n_pair);
+       j < static_cast<std::size_t>(model.n_joint); ++j) {
+    const std::string& name = model.material_names[model.joint_material[j]];
     if (name == (named.empty() ? "joint" : named)) names.insert("[material." + name + "]");
   }
   if (!spec.material.contains("foundation") && !names.empty())
@@ -354,7 +354,7 @@ void fill_joints(const ModelSpec& spec, const SpaceAssembly& assembly,
   std::vector<SpaceSolidFace> solids;
   for (std::size_t number = 0; number < assembly.faces.size(); ++number) {
     const JointFace& face = assembly.faces[number];
-    const BodySpec &a = assembly.body[at(face.a)], &b = assembly.body[at(face.b)];
+    const BodySpec &a = assembly.body[face.a], &b = assembly.body[face.b];
     if (a.fixed && b.fixed) continue;
     const auto material = [&] {
       return materials.index_of(joint_material_of(shape, a, b, face.normal),
@@ -378,20 +378,19 @@ void fill_joints(const ModelSpec& spec, const SpaceAssembly& assembly,
         continue;
       }
       const double spacing = std::fabs(
-          dot(assembly.moments[at(face.b)].centroid - assembly.moments[at(face.a)].centroid,
-              face.normal));
-      Placed joint = placed(face, id[at(face.a)], id[at(face.b)], 0, choice);
+          dot(assembly.moments[face.b].centroid - assembly.moments[face.a].centroid, face.normal));
+      Placed joint = placed(face, id[face.a], id[face.b], 0, choice);
       for (const Placed& half :
            chain_joints(std::move(joint), a.material, body->second, spacing, materials))
         joints.push_back(half);
       continue;
     }
-    joints.push_back(placed(face, id[at(face.a)], id[at(face.b)], material(), choice));
+    joints.push_back(placed(face, id[face.a], id[face.b], material(), choice));
   }
   materials.report_drawn();
   faults.throw_if_any();
   const auto variant = [&](const Placed& joint) {
-    const contact::LawChoice c = contact::choice_of(model.materials[at(joint.material)]);
+    const contact::LawChoice c = contact::choice_of(model.materials[joint.material]);
     return std::array{static_cast<int>(c.softening), static_cast<int>(c.coupling),
                       static_cast<int>(c.unloading), static_cast<int>(c.cap)};
   };
@@ -412,11 +411,11 @@ void fill_joints(const ModelSpec& spec, const SpaceAssembly& assembly,
 
 // Of each block first the joints of which it is side a, then those of which it is b.
 void fill_lists(Model& model) {
-  std::vector<std::vector<std::int32_t>> of(at(model.n_block));
+  std::vector<std::vector<std::int32_t>> of(static_cast<std::size_t>(model.n_block));
   for (const bool is_b : {false, true})
     for (int j = 0; j < model.n_joint; ++j) {
-      const BlockId block = is_b ? model.joint_b[at(j)] : model.joint_a[at(j)];
-      if (block < model.n_block) of[at(block)].push_back(2 * j + (is_b ? 1 : 0));
+      const BlockId block = is_b ? model.joint_b[j] : model.joint_a[j];
+      if (block < model.n_block) of[block].push_back(2 * j + (is_b ? 1 : 0));
     }
   model.block_begin.push_back(0);
   for (const std::vector<std::int32_t>& entries : of) {
@@ -443,8 +442,8 @@ void measure(const SpaceAssembly& assembly, Model& model) {
   anatomy.lost_joints = assembly.lost_faces;
   anatomy.notes.insert(anatomy.notes.begin(), assembly.notes.begin(), assembly.notes.end());
   anatomy.support_begin = {0};
-  anatomy.outline_begin.assign(at(model.n_block) + 1, 0);
-  anatomy.block_thickness.assign(at(model.n_block), anatomy.thickness);
+  anatomy.outline_begin.assign(static_cast<std::size_t>(model.n_block) + 1, 0);
+  anatomy.block_thickness.assign(static_cast<std::size_t>(model.n_block), anatomy.thickness);
   if (std::isnan(model.solve.collapse_displacement))
     model.solve.collapse_displacement = model.solve.contacts == Contacts::kFree
                                             ? std::numeric_limits<double>::infinity()

@@ -18,8 +18,6 @@ namespace {
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
-
 Vector6 row(Vec3 direction, Vec3 arm) {
   const Vec3 turn = cross(arm, direction);
   Vector6 r;
@@ -37,7 +35,8 @@ Matrix6 own_stiffness(const Model& m, std::size_t j, const Springs& springs, Vec
   const Space& s = m.space;
   const Vec3 t1 = s.tangent[j], n = s.normal[j], t2 = cross(n, t1);
   Matrix6 sum = Matrix6::Zero();
-  for (auto p = at(s.point_begin[j]); p < at(s.point_begin[j + 1]); ++p) {
+  for (auto p = static_cast<std::size_t>(s.point_begin[j]);
+       p < static_cast<std::size_t>(s.point_begin[j + 1]); ++p) {
     const Vec3 to = arm + s.point_r1[p] * t1 + s.point_r2[p] * t2;
     const double area = m.area[j] * s.point_share[p];
     const auto spring = [&](Vec3 direction, double stiffness) {
@@ -55,14 +54,14 @@ Matrix6 own_stiffness(const Model& m, std::size_t j, const Springs& springs, Vec
 // stiffest material of its joints. Zero where there are none.
 Matrix6 free_stiffness(const Model& m, const contact::SpaceParts& parts, std::size_t i) {
   Matrix6 sum = Matrix6::Zero();
-  const JointMaterial& own = m.materials[at(m.free.material[i])];
+  const JointMaterial& own = m.materials[m.free.material[i]];
   double kn = own.normal_stiffness, ks = own.shear_stiffness;
   const auto each_joint = [&](const auto& visit) {
     for (auto e = m.block_begin[i]; e < m.block_begin[i + 1]; ++e)
-      visit(at(m.block_entry[at(e)] >> 1), (m.block_entry[at(e)] & 1) != 0);
+      visit(static_cast<std::size_t>(m.block_entry[e] >> 1), (m.block_entry[e] & 1) != 0);
   };
   each_joint([&](std::size_t j, bool) {
-    const JointMaterial& other = m.materials[at(m.joint_material[j])];
+    const JointMaterial& other = m.materials[m.joint_material[j]];
     kn = std::fmax(kn, other.normal_stiffness);
     ks = std::fmax(ks, other.shear_stiffness);
   });
@@ -74,8 +73,8 @@ Matrix6 free_stiffness(const Model& m, const contact::SpaceParts& parts, std::si
       Matrix6 all = Matrix6::Zero();
       // triangles, exactly: a third of each at the middle of each side
       for (auto c = facet.begin + 1; c + 1 < facet.end; ++c) {
-        const Vec3 corner[3] = {vec3(parts.corner[at(facet.begin)]), vec3(parts.corner[at(c)]),
-                                vec3(parts.corner[at(c + 1)])};
+        const Vec3 corner[3] = {vec3(parts.corner[facet.begin]), vec3(parts.corner[c]),
+                                vec3(parts.corner[c + 1])};
         const double of = 0.5 * length(cross(corner[1] - corner[0], corner[2] - corner[0]));
         area += of;
         for (int k = 0; k < 3; ++k) {
@@ -110,8 +109,9 @@ Vector6 link_row(const Model& m, std::size_t k, bool is_b) {
 template <class Visit>
 void each_link_end(const Model& m, const Visit& visit) {
   for (std::size_t k = 0; k < m.links.a.size(); ++k) {
-    if (m.links.a[k] != kGroundBlock) visit(k, at(m.links.a[k]), link_row(m, k, false));
-    visit(k, at(m.links.b[k]), link_row(m, k, true));
+    if (m.links.a[k] != kGroundBlock)
+      visit(k, static_cast<std::size_t>(m.links.a[k]), link_row(m, k, false));
+    visit(k, static_cast<std::size_t>(m.links.b[k]), link_row(m, k, true));
   }
 }
 
@@ -136,8 +136,8 @@ template <class SpringsAt>
 double highest_eigenvalue(const Model& m, std::size_t i, Matrix6 k, const SpringsAt& springs_at) {
   const Space& s = m.space;
   for (auto e = m.block_begin[i]; e < m.block_begin[i + 1]; ++e) {
-    const auto entry = m.block_entry[at(e)];
-    const auto j = at(entry >> 1);
+    const auto entry = m.block_entry[e];
+    const auto j = static_cast<std::size_t>(entry >> 1);
     const double share = static_cast<int>(j) < m.n_pair ? 2.0 : 1.0;
     k += share * own_stiffness(m, j, springs_at(j), (entry & 1) != 0 ? s.arm_b[j] : s.arm_a[j]);
   }
@@ -150,7 +150,7 @@ double highest_eigenvalue(const Model& m, std::size_t i, Matrix6 k, const Spring
 
 double own_bound(const Model& m, std::size_t i, const Matrix6& links) {
   return highest_eigenvalue(m, i, links, [&](std::size_t j) {
-    const JointMaterial& law = m.materials[at(m.joint_material[j])];
+    const JointMaterial& law = m.materials[m.joint_material[j]];
     return Springs{law.normal_stiffness, law.shear_stiffness};
   });
 }
@@ -184,18 +184,19 @@ void raise_light_inertia(Model& m, std::vector<double>& bound) {
 // Adds to `sum`, of each block, what the contacts of zones give it, counted twice.
 void add_contacts(const Model& m, std::vector<Matrix6>& sum) {
   const SpaceSolids& s = m.space.solids;
-  for (std::size_t c = 0; c < at(s.n_contact); ++c) {
+  for (std::size_t c = 0; c < static_cast<std::size_t>(s.n_contact); ++c) {
     if (s.contact_block[c] >= m.n_block) continue;
-    const JointMaterial& law = m.materials[at(s.contact_material[c])];
+    const JointMaterial& law = m.materials[s.contact_material[c]];
     const Vec3 t1 = s.contact_tangent[c], n = s.contact_normal[c], t2 = cross(n, t1);
-    for (auto p = at(s.point_begin[c]); p < at(s.point_begin[c + 1]); ++p) {
+    for (auto p = static_cast<std::size_t>(s.point_begin[c]);
+         p < static_cast<std::size_t>(s.point_begin[c + 1]); ++p) {
       const Vec3 to = s.contact_arm[c] + m.space.point_r1[p] * t1 + m.space.point_r2[p] * t2;
       const double area = 2 * s.contact_area[c] * m.space.point_share[p];
       for (const auto& [direction, stiffness] : {std::pair(n, law.normal_stiffness),
                                                  {t1, law.shear_stiffness},
                                                  {t2, law.shear_stiffness}}) {
         const Vector6 r = row(direction, to);
-        sum[at(s.contact_block[c])] += area * stiffness * r * r.transpose();
+        sum[s.contact_block[c]] += area * stiffness * r * r.transpose();
       }
     }
   }
@@ -235,7 +236,7 @@ void raise_light_nodes(Model& m, double rigid, std::vector<double>& bound) {
     double before = 0, added = 0, worst = 1;
     std::size_t at_node = 0;
     for (int k = body.first_node; k < body.first_node + body.n_node; ++k) {
-      const std::size_t i = at(k);
+      const std::size_t i = static_cast<std::size_t>(k);
       before += s.node_mass[i];
       if (!(bound[i] > limit)) continue;
       const double factor = bound[i] / limit;
@@ -275,8 +276,8 @@ double bound_nodes(Model& m, double blocks) {
   if (blocks > 0 && !raises)
     m.anatomy.notes.push_back({"step.ruled_by_node",
                                {{"block", body->body.id},
-                                {"x_m", s.node[at(node)].x},
-                                {"y_m", s.node[at(node)].y},
+                                {"x_m", s.node[node].x},
+                                {"y_m", s.node[node].y},
                                 {"times", std::sqrt(*greatest / blocks)}}});
   return *greatest;
 }
@@ -324,25 +325,28 @@ double bound_links(Model& m, const std::vector<Matrix6>& free, double before) {
 double dashpot_rate_in_space(const Model& m, const Dashpots& dashpots) {
   double most = 0;
   for (int i = 0; i < m.n_block; ++i)
-    most = std::fmax(most, highest_eigenvalue(m, at(i), Matrix6::Zero(), [&](std::size_t j) {
-                       return Springs{dashpots.normal[j], dashpots.shear[j]};
-                     }));
+    most = std::fmax(most, highest_eigenvalue(
+                               m, static_cast<std::size_t>(i), Matrix6::Zero(), [&](std::size_t j) {
+                                 return Springs{dashpots.normal[j], dashpots.shear[j]};
+                               }));
   return most;
 }
 
 void bound_space_step(Model& m) {
   std::vector<double> bound;
-  std::vector<Matrix6> free(at(m.n_block), Matrix6::Zero());
+  std::vector<Matrix6> free(static_cast<std::size_t>(m.n_block), Matrix6::Zero());
   if (m.free.any()) {
     const contact::SpaceParts parts = free_parts(m);
-    for (int i = 0; i < m.n_block; ++i) free[at(i)] = free_stiffness(m, parts, at(i));
+    for (int i = 0; i < m.n_block; ++i)
+      free[i] = free_stiffness(m, parts, static_cast<std::size_t>(i));
   }
   add_contacts(m, free);
-  for (int i = 0; i < m.n_block; ++i) bound.push_back(own_bound(m, at(i), free[at(i)]));
+  for (int i = 0; i < m.n_block; ++i)
+    bound.push_back(own_bound(m, static_cast<std::size_t>(i), free[i]));
   if (m.solve.raise_light_inertia) raise_light_inertia(m, bound);
   double most = 0;
   for (int i = 0; i < m.n_block; ++i)
-    if (bound[at(i)] > most) most = bound[at(i)], m.stiffest_block = i;
+    if (bound[i] > most) most = bound[i], m.stiffest_block = i;
   if (m.links.n > 0) most = bound_links(m, free, most);
   m.omega_max = std::sqrt(bound_nodes(m, most));
 }

@@ -20,10 +20,6 @@ using geometry::SpaceAssembly;
 
 constexpr double kReach = 0.01;       // how far a line may lie off the face that it loads [m]
 constexpr double kFewMicrons = 5e-6;  // a gap that is round-off of what users write [m]
-constexpr double kFacing = 0.5;       // cosine from which on a face looks that way
-
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
-bool has(double number) { return std::isfinite(number); }
 
 struct Stretch {
   std::size_t body;
@@ -177,7 +173,7 @@ std::vector<PointLoad> stated_loads(const StageSpec& s, const SpacePlaces& place
   if (!d) return {};
   const auto centroid = [&](std::size_t k) { return assembly.moments[k].centroid; };
   std::vector<PointLoad> loads;
-  if (has(s.line_load)) {
+  if (std::isfinite(s.line_load)) {
     const std::optional<Line> line = line_of(s.from, s.to, places, path, faults);
     if (!line) return {};
     const Vec3 along = geometry::unit(line->to - line->from);
@@ -250,10 +246,10 @@ class SpaceFloors {
     };
     const char* line = "write from and to, the ends of the line that the floor lies on";
     refuse(".storey", !f.storey.empty(), line);
-    refuse(".y", has(f.y), line);
-    refuse(".x", has(f.x), line);
-    refuse(".width", has(f.width), line);
-    refuse(".bearing", has(f.bearing),
+    refuse(".y", std::isfinite(f.y), line);
+    refuse(".x", std::isfinite(f.x), line);
+    refuse(".width", std::isfinite(f.width), line);
+    refuse(".bearing", std::isfinite(f.bearing),
            "leave it out: in space the line itself says how far from the wall's middle the floor "
            "bears");
     refuse(".thrust", f.thrust != 0, "write a load stage with line_load and along");
@@ -306,7 +302,7 @@ class SpaceFloors {
     if (load > 0)
       loads_.push_back(
           load_at(id_[body], where, assembly_.moments[body].centroid, {0, -share * load, 0}));
-    model_.mass[at(id_[body])] += share * mass;
+    model_.mass[id_[body]] += share * mass;
   }
 
   const ModelSpec& spec_;

@@ -12,8 +12,6 @@ namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
-
 // Of one component of a point's jump the six shares of each block's motion; a support has none.
 struct Row {
   std::int32_t block[2] = {-1, -1};
@@ -37,10 +35,11 @@ Sparse stiffness_of(const Model& m) {
                                stiffness * row.share[i / 6][i % 6] * row.share[j / 6][j % 6]);
   };
   const Space& s = m.space;
-  for (std::size_t j = 0; j < at(m.n_joint); ++j) {
-    const JointMaterial& law = m.materials[at(m.joint_material[j])];
+  for (std::size_t j = 0; j < static_cast<std::size_t>(m.n_joint); ++j) {
+    const JointMaterial& law = m.materials[m.joint_material[j]];
     const Vec3 n = s.normal[j], t1 = s.tangent[j], t2 = cross(n, t1);
-    for (auto p = at(s.point_begin[j]); p < at(s.point_begin[j + 1]); ++p) {
+    for (auto p = static_cast<std::size_t>(s.point_begin[j]);
+         p < static_cast<std::size_t>(s.point_begin[j + 1]); ++p) {
       const Vec3 to = s.point_r1[p] * t1 + s.point_r2[p] * t2;
       const double area = m.area[j] * s.point_share[p];
       for (const auto& [along, stiffness] : {std::pair(n, law.normal_stiffness),
@@ -67,7 +66,7 @@ double first_period_in_space(const Model& m, Vec3 along) {
   if (solver.info() != Eigen::Success) return kUnset;
   Eigen::VectorXd force = Eigen::VectorXd::Zero(6 * m.n_block);
   for (int i = 0; i < m.n_block; ++i) {
-    const double mass = m.mass[at(i)];
+    const double mass = m.mass[i];
     force[6 * i] = mass * along.x, force[6 * i + 1] = mass * along.y;
     force[6 * i + 2] = mass * along.z;
   }
@@ -77,10 +76,10 @@ double first_period_in_space(const Model& m, Vec3 along) {
     const Vec3 shift{u[6 * i], u[6 * i + 1], u[6 * i + 2]};
     const Vec3 turn{u[6 * i + 3], u[6 * i + 4], u[6 * i + 5]};
     const Space& s = m.space;
-    const Vec3 own = s.inertia[at(i)];
-    const double about_1 = dot(turn, s.axis_1[at(i)]), about_2 = dot(turn, s.axis_2[at(i)]),
-                 about_3 = dot(turn, s.axis_3[at(i)]);
-    moving += m.mass[at(i)] * dot(shift, shift) + own.x * about_1 * about_1 +
+    const Vec3 own = s.inertia[i];
+    const double about_1 = dot(turn, s.axis_1[i]), about_2 = dot(turn, s.axis_2[i]),
+                 about_3 = dot(turn, s.axis_3[i]);
+    moving += m.mass[i] * dot(shift, shift) + own.x * about_1 * about_1 +
               own.y * about_2 * about_2 + own.z * about_3 * about_3;
   }
   const double omega_squared = u.dot(force) / moving;

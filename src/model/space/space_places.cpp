@@ -13,8 +13,6 @@ namespace {
 using geometry::Facet;
 using geometry::SpaceAssembly;
 
-bool has(double number) { return std::isfinite(number); }
-
 // How far outside of a convex part a point lies; below 0 inside.
 double outside(const Polyhedron& part, Vec3 p) {
   double most = -1e300;
@@ -51,13 +49,15 @@ Vec3 SpacePlaces::in_wall(Vec3 v) const { return z_up() ? Vec3{v.x, v.z, -v.y} :
 Vec3 SpacePlaces::in_file(Vec3 v) const { return z_up() ? Vec3{v.x, -v.z, v.y} : v; }
 
 std::vector<std::size_t> SpacePlaces::find(const PlaceSpec& place) const {
-  const bool is_box = has(place.width) || has(place.height) || has(place.depth);
-  const bool is_point = !is_box && (has(place.x) || has(place.y) || has(place.z));
+  const bool is_box =
+      std::isfinite(place.width) || std::isfinite(place.height) || std::isfinite(place.depth);
+  const bool is_point =
+      !is_box && (std::isfinite(place.x) || std::isfinite(place.y) || std::isfinite(place.z));
   std::vector<std::size_t> found;
   for (std::size_t k = 0; k < assembly_.body.size(); ++k) {
     const Vec3 c = in_file(assembly_.moments[k].centroid);
     const auto within = [](double x, double from, double width) {
-      return !has(from) || (x >= from && (!has(width) || x <= from + width));
+      return !std::isfinite(from) || (x >= from && (!std::isfinite(width) || x <= from + width));
     };
     const bool matches = !place.block.empty() ? is_named(assembly_.body[k], place.block)
                          : is_box             ? within(c.x, place.x, place.width) &&
@@ -72,13 +72,15 @@ std::vector<std::size_t> SpacePlaces::find(const PlaceSpec& place) const {
 
 bool SpacePlaces::holds_point(std::size_t k, const PlaceSpec& place) const {
   const Vec3 c = in_file(assembly_.moments[k].centroid);
-  const Vec3 p = in_wall(
-      {has(place.x) ? place.x : c.x, has(place.y) ? place.y : c.y, has(place.z) ? place.z : c.z});
+  const Vec3 p =
+      in_wall({std::isfinite(place.x) ? place.x : c.x, std::isfinite(place.y) ? place.y : c.y,
+               std::isfinite(place.z) ? place.z : c.z});
   return outside(assembly_.body[k], p) <= 1e-6 * box_[k].longest();
 }
 
 std::optional<Vec3> SpacePlaces::point_of(const PlaceSpec& place) const {
-  if (!has(place.x) || !has(place.y) || !has(place.z)) return std::nullopt;
+  if (!std::isfinite(place.x) || !std::isfinite(place.y) || !std::isfinite(place.z))
+    return std::nullopt;
   return in_wall({place.x, place.y, place.z});
 }
 

@@ -14,6 +14,8 @@
 
 namespace wythe {
 
+inline constexpr double kFacing = 0.5;  // cosine to a direction from which on a face looks that way
+
 class SpacePlaces {
  public:
   SpacePlaces(const ModelSpec& spec, const geometry::SpaceAssembly& assembly);

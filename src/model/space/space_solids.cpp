@@ -30,8 +30,6 @@ constexpr int kEnds[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
 constexpr int kSides[6][4] = {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4},
                               {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}};
 
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
-
 // --- the corners of a block in the order of a zone's ------------------------------------------------------
 
 // Neighbours along the edges of corner v, of a solid whose faces have four corners each.
@@ -62,15 +60,15 @@ bool order_corners(const BodySpec& body, HexahedronCorners& corners) {
     return false;
   std::int32_t first = 0;
   const auto sum = [&](std::int32_t v) {
-    const Vec3& p = part.vertex[at(v)];
+    const Vec3& p = part.vertex[v];
     return p.x + p.y + p.z;
   };
   for (std::int32_t v = 1; v < 8; ++v)
     if (sum(v) < sum(first)) first = v;
   std::vector<std::int32_t> next = neighbours(part, first);
   if (next.size() != 3) return false;
-  const Vec3 origin = part.vertex[at(first)];
-  const auto edge = [&](std::int32_t v) { return part.vertex[at(v)] - origin; };
+  const Vec3 origin = part.vertex[first];
+  const auto edge = [&](std::int32_t v) { return part.vertex[v] - origin; };
   const auto upright = [&](std::int32_t v) { return std::fabs(geometry::unit(edge(v)).y); };
   std::size_t up = 0;
   for (std::size_t k = 1; k < 3; ++k)
@@ -84,7 +82,7 @@ bool order_corners(const BodySpec& body, HexahedronCorners& corners) {
   const std::int32_t order[8] = {first, a, ab, b, c, ac, last, bc};
   for (std::size_t k = 0; k < 8; ++k) {
     if (order[k] < 0) return false;
-    corners[k] = part.vertex[at(order[k])];
+    corners[k] = part.vertex[order[k]];
   }
   return true;
 }
@@ -249,12 +247,12 @@ class BodyBuilder {
     std::array<std::int32_t, 8> node{};
     for (std::size_t c = 0; c < 8; ++c) {
       node[c] = body.node(i + kEnds[c][0], j + kEnds[c][1], k + kEnds[c][2]);
-      place[c] = s_.node[at(node[c])];
+      place[c] = s_.node[node[c]];
       s_.corner.push_back(node[c]);
     }
     if (!same_shape) s_.shapes.push_back(solids::make_hexahedron(place, elasticity_, density_));
     const HexahedronShape& shape = s_.shapes.back();
-    for (std::size_t c = 0; c < 8; ++c) s_.node_mass[at(node[c])] += shape.share[c] * shape.mass;
+    for (std::size_t c = 0; c < 8; ++c) s_.node_mass[node[c]] += shape.share[c] * shape.mass;
     s_.zone_shape.push_back(static_cast<std::int32_t>(s_.shapes.size()) - 1);
     ++s_.n_zone;
   }
@@ -286,11 +284,11 @@ std::vector<Side> outer_sides(const SpaceSolids& s, const SpaceSolidBody& body) 
       for (int i = 0; i < body.count[0]; ++i) {
         const int index[3] = {i, j, k};
         for (int side = 0; side < 6; ++side) {
-          const int d = side / 2, last = side % 2 == 1 ? body.count[at(d)] - 1 : 0;
+          const int d = side / 2, last = side % 2 == 1 ? body.count[d] - 1 : 0;
           if (index[d] != last) continue;
           Side& one = sides.emplace_back();
           for (std::size_t c = 0; c < 4; ++c)
-            one[c] = s.corner[at(8 * body.zone(i, j, k) + kSides[side][c])];
+            one[c] = s.corner[8 * body.zone(i, j, k) + kSides[side][c]];
         }
       }
   return sides;
@@ -337,9 +335,9 @@ class ContactBuilder {
     if (!of.from_rigid) std::reverse(outline.begin(), outline.end());
     const double size = std::sqrt(face.area);
     double found = 0;
-    for (const Side& side : sides_[at(of.body)]) {
+    for (const Side& side : sides_[of.body]) {
       std::array<Vec3, 4> corner;
-      for (std::size_t k = 0; k < 4; ++k) corner[k] = s_.node[at(side[3 - k])];  // seen along n
+      for (std::size_t k = 0; k < 4; ++k) corner[k] = s_.node[side[3 - k]];  // seen along n
       const geometry::Facet facet =
           geometry::measured(std::vector<Vec3>(corner.begin(), corner.end()));
       if (dot(facet.normal, normal) < 0.999) continue;
@@ -400,13 +398,13 @@ class ContactBuilder {
 // Of each node the numbers k for which node[k] is that node.
 void list_by_node(int n_node, const std::vector<std::int32_t>& node,
                   std::vector<std::int32_t>& begin, std::vector<std::int32_t>& entry) {
-  begin.assign(at(n_node) + 1, 0);
-  for (const std::int32_t n : node) ++begin[at(n) + 1];
+  begin.assign(static_cast<std::size_t>(n_node) + 1, 0);
+  for (const std::int32_t n : node) ++begin[static_cast<std::size_t>(n) + 1];
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   entry.resize(node.size());
   std::vector<std::int32_t> next(begin.begin(), begin.end() - 1);
   for (std::size_t k = 0; k < node.size(); ++k)
-    entry[at(next[at(node[k])]++)] = static_cast<std::int32_t>(k);
+    entry[next[node[k]]++] = static_cast<std::int32_t>(k);
 }
 
 }  // namespace
@@ -427,7 +425,7 @@ void compile_space_contacts(const std::vector<SpaceSolidFace>& faces, const Poin
   ContactBuilder builder(choice, model);
   for (const SpaceSolidFace& face : faces)
     if (const double share = builder.add(face); share < kWhole)
-      faults.add({"", "wall.blocks." + s.bodies[at(face.body)].body.id + ".zones",
+      faults.add({"", "wall.blocks." + s.bodies[face.body].body.id + ".zones",
                   fmt::format("{:.3g} %", 100 * share),
                   "is all of a joint's face that meets the block's zones",
                   "check the block's faces: they must be plane", 0});
@@ -437,20 +435,21 @@ void compile_space_contacts(const std::vector<SpaceSolidFace>& faces, const Poin
 
 std::vector<double> space_node_bounds(const Model& m) {
   const SpaceSolids& s = m.space.solids;
-  std::vector<double> sum(at(s.n_node), 0.0);
+  std::vector<double> sum(static_cast<std::size_t>(s.n_node), 0.0);
   for (std::size_t k = 0; k < s.corner.size(); ++k) {
-    const HexahedronShape& shape = s.shapes[at(s.zone_shape[k / 8])];
-    sum[at(s.corner[k])] += shape.share[k % 8] * shape.mass * shape.omega_squared;
+    const HexahedronShape& shape = s.shapes[s.zone_shape[k / 8]];
+    sum[s.corner[k]] += shape.share[k % 8] * shape.mass * shape.omega_squared;
   }
-  for (std::size_t c = 0; c < at(s.n_contact); ++c) {
-    const JointMaterial& law = m.materials[at(s.contact_material[c])];
+  for (std::size_t c = 0; c < static_cast<std::size_t>(s.n_contact); ++c) {
+    const JointMaterial& law = m.materials[s.contact_material[c]];
     const double k = std::fmax(law.normal_stiffness, law.shear_stiffness);
     const double sides = s.contact_block[c] < m.n_block ? 2.0 : 1.0;
-    for (auto p = at(s.point_begin[c]); p < at(s.point_begin[c + 1]); ++p)
+    for (auto p = static_cast<std::size_t>(s.point_begin[c]);
+         p < static_cast<std::size_t>(s.point_begin[c + 1]); ++p)
       for (std::size_t n = 0; n < 4; ++n)
-        sum[at(s.contact_node[4 * c + n])] += sides * k * s.contact_area[c] *
-                                              m.space.point_share[p] *
-                                              s.node_share[4 * (p - at(s.point_begin[0])) + n];
+        sum[s.contact_node[4 * c + n]] +=
+            sides * k * s.contact_area[c] * m.space.point_share[p] *
+            s.node_share[4 * (p - static_cast<std::size_t>(s.point_begin[0])) + n];
   }
   for (std::size_t i = 0; i < sum.size(); ++i) sum[i] /= s.node_mass[i];
   return sum;

@@ -18,10 +18,6 @@ using geometry::OuterFace;
 using geometry::SpaceAssembly;
 
 constexpr double kLoadRamp = 0.1;  // documented default of a load's smooth start [s]
-constexpr double kFacing = 0.5;    // cosine to a direction from which on a face looks that way
-
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
-bool has(double number) { return std::isfinite(number); }
 
 class SpaceStages {
  public:
@@ -83,12 +79,12 @@ class SpaceStages {
       if (is_solid(block)) solids.insert(block);
     if (is_solid(stage.control)) solids.insert(stage.control);
     const StageSpec& s = stage.spec;
-    const char* key = s.kind != StageKind::kLoad ? "at"
-                      : has(s.force)             ? "at"
-                      : has(s.line_load)         ? "line_load"
-                                                 : "on";
+    const char* key = s.kind != StageKind::kLoad   ? "at"
+                      : std::isfinite(s.force)     ? "at"
+                      : std::isfinite(s.line_load) ? "line_load"
+                                                   : "on";
     for (const BlockId block : solids)
-      fault(key, model_.space.solids.bodies[at(solid_of(block))].body.id,
+      fault(key, model_.space.solids.bodies[solid_of(block)].body.id,
             "is a block of zones; loads and pushes act on rigid blocks",
             "name rigid blocks beside it, or leave the block's zones out");
   }
@@ -120,10 +116,10 @@ class SpaceStages {
       return ids;
     };
     places.point = [this](const PlaceSpec& p, BlockId block) {
-      const Vec3 c = places_.in_file(model_.space.centroid[at(block)]);
-      return places_.in_wall({has(p.x) && !has(p.width) ? p.x : c.x,
-                              has(p.y) && !has(p.height) ? p.y : c.y,
-                              has(p.z) && !has(p.depth) ? p.z : c.z});
+      const Vec3 c = places_.in_file(model_.space.centroid[block]);
+      return places_.in_wall({std::isfinite(p.x) && !std::isfinite(p.width) ? p.x : c.x,
+                              std::isfinite(p.y) && !std::isfinite(p.height) ? p.y : c.y,
+                              std::isfinite(p.z) && !std::isfinite(p.depth) ? p.z : c.z});
     };
     places.lowest = 1e300;  // of what moves: the supports are the base
     for (std::size_t k = 0; k < assembly_.body.size(); ++k)
@@ -144,12 +140,12 @@ class SpaceStages {
     const StageSpec& s = stage.spec;
     for (const auto& [key, load] :
          {std::pair("pier_load", s.pier_load), {"beam_load", s.beam_load}})
-      if (has(load))
+      if (std::isfinite(load))
         fault(key, "", "is for walls in their plane; this one is in space",
               "write pressure, and face and on for where it acts");
-    if (has(s.force) || has(s.line_load))
+    if (std::isfinite(s.force) || std::isfinite(s.line_load))
       stage.loads = stated_loads(s, places_, assembly_, id_, path_, faults_);
-    if (!has(s.pressure)) return;
+    if (!std::isfinite(s.pressure)) return;
     Vec3 looks{0, 1, 0};
     if (!s.face.empty()) {
       const auto* word =
@@ -161,7 +157,7 @@ class SpaceStages {
     }
     const std::vector<std::size_t> bodies = places_.find(s.on);
     for (const OuterFace& face : assembly_.outer) {
-      const auto k = at(face.body);
+      const auto k = static_cast<std::size_t>(face.body);
       if (assembly_.body[k].fixed || dot(face.normal, looks) < kFacing) continue;
       if (!std::binary_search(bodies.begin(), bodies.end(), k)) continue;
       const geometry::Facet facet = geometry::measured(face.polygon);
@@ -216,13 +212,13 @@ class SpaceStages {
     for (std::size_t b = 0; b < s.bodies.size(); ++b) {
       double area = 0, own = 0, mass = 0;
       for (std::size_t c = 0; c < s.contact_body.size(); ++c) {
-        if (at(s.contact_body[c]) != b) continue;
+        if (static_cast<std::size_t>(s.contact_body[c]) != b) continue;
         area += s.contact_area[c];
         if (s.contact_block[c] == block) own += s.contact_area[c];
       }
       if (!(own > 0)) continue;
       for (int k = s.bodies[b].first_node; k < s.bodies[b].first_node + s.bodies[b].n_node; ++k)
-        mass += s.node_heavy_mass[at(k)];
+        mass += s.node_heavy_mass[k];
       sum += mass * own / area;
     }
     return sum;
@@ -235,7 +231,7 @@ class SpaceStages {
     if (floors_lie_)
       for (const PointLoad& load : floors_) weight -= load.block == id_[k] ? load.fy : 0.0;
     const double g = model_.solve.gravity;
-    return model_.heavy_mass[at(id_[k])] + zone_mass_beside(id_[k]) + (g > 0 ? weight / g : 0.0);
+    return model_.heavy_mass[id_[k]] + zone_mass_beside(id_[k]) + (g > 0 ? weight / g : 0.0);
   }
 
   // Of a body's free faces, what looks against the push, laid across it [m^2].
@@ -243,14 +239,15 @@ class SpaceStages {
     const Vec3 d{stage.drive_x, stage.drive_y, stage.drive_z};
     double area = 0;
     for (const OuterFace& face : assembly_.outer)
-      if (at(face.body) == k && -dot(face.normal, d) > kFacing)
+      if (static_cast<std::size_t>(face.body) == k && -dot(face.normal, d) > kFacing)
         area -= face.area * dot(face.normal, d);
     return area;
   }
 
   void set_control(Stage& stage, bool fixed) {
     const PlaceSpec& c = stage.spec.control;
-    if (c.block.empty() && !has(c.x) && !has(c.y) && !has(c.z)) return;
+    if (c.block.empty() && !std::isfinite(c.x) && !std::isfinite(c.y) && !std::isfinite(c.z))
+      return;
     const std::vector<std::size_t> found = places_.find(c);
     if (found.empty() || fixed || assembly_.body[found.front()].fixed)
       return fault("control", "", fixed ? "cannot steer a support" : "finds no block that moves",

@@ -22,7 +22,7 @@
 #include "wythe/statistics.h"
 #include "wythe/stored_states.h"
 
-namespace wythe {
+namespace wythe::campaign_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -465,4 +465,4 @@ TEST(ColumnTitle, carries_the_unit_without_signs) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::campaign_test

@@ -10,7 +10,7 @@
 
 #include "units/dimension.h"
 
-namespace wythe {
+namespace wythe::formula_test {
 namespace {
 
 const std::vector<std::string> kNames = {"ft", "E", "x"};
@@ -106,4 +106,4 @@ TEST(FormulaRefused, where_it_can_not_be_read) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::formula_test

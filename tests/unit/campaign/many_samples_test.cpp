@@ -16,7 +16,7 @@
 #include "wythe/report.h"
 #include "wythe/statistics.h"
 
-namespace wythe {
+namespace wythe::many_samples_test {
 namespace {
 
 using namespace study;
@@ -171,4 +171,4 @@ TEST(ManySamples, the_page_shows_some_and_says_so) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::many_samples_test

@@ -17,7 +17,7 @@
 #include "wythe/study.h"
 #include "wythe/verdict.h"
 
-namespace wythe {
+namespace wythe::scatter_test {
 namespace {
 
 // A wall of 5 x 5 m in brick, whose units may crack.
@@ -349,4 +349,4 @@ TEST(Scatter, bad_input_is_named_and_cured) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::scatter_test

@@ -16,7 +16,7 @@
 #include "wythe/statistics.h"
 #include "wythe/text.h"
 
-namespace wythe {
+namespace wythe::shaken_campaign_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -436,4 +436,4 @@ TEST(ShakenStudy, refuses_what_belongs_to_pushes) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::shaken_campaign_test

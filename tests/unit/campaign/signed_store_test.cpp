@@ -15,7 +15,7 @@
 #include "wythe/error.h"
 #include "wythe/io.h"
 
-namespace wythe::study {
+namespace wythe::study::signed_store_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -154,4 +154,4 @@ TEST_F(SignedStore, a_rule_that_was_met_ends_with_a_merge) {
 }
 
 }  // namespace
-}  // namespace wythe::study
+}  // namespace wythe::study::signed_store_test

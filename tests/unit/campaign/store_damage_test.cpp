@@ -21,7 +21,7 @@
 #include "wythe/solve.h"
 #include "wythe/statistics.h"
 
-namespace wythe::study {
+namespace wythe::study::store_damage_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -335,4 +335,4 @@ TEST_F(ChangedStore, no_column_crashes_anything) {
 }
 
 }  // namespace
-}  // namespace wythe::study
+}  // namespace wythe::study::store_damage_test

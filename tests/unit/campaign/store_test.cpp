@@ -22,7 +22,7 @@
 #include "wythe/io.h"
 #include "wythe/stored_states.h"
 
-namespace wythe::study {
+namespace wythe::study::store_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -539,4 +539,4 @@ TEST(StoreSchema, a_version_belongs_to_its_tables) {
 }
 
 }  // namespace
-}  // namespace wythe::study
+}  // namespace wythe::study::store_test

@@ -4,7 +4,7 @@
 
 #include "unit/study_text.h"
 
-namespace wythe {
+namespace wythe::study_faults_test {
 namespace {
 
 using namespace io_tests;
@@ -349,4 +349,4 @@ TEST(StudyRefused, everything_at_once_in_order_of_lines) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::study_faults_test

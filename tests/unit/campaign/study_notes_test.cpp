@@ -8,7 +8,7 @@
 #include "unit/study_text.h"
 #include "wythe/study_notes.h"
 
-namespace wythe {
+namespace wythe::study_notes_test {
 namespace {
 
 using io_tests::kStudy;
@@ -80,4 +80,4 @@ TEST(StudyNotes, a_deviation_in_another_unit_than_the_mean) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::study_notes_test

@@ -19,7 +19,7 @@
 #include "wythe/error.h"
 #include "wythe/stored_states.h"
 
-namespace wythe::study {
+namespace wythe::study::untouched_store_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -194,4 +194,4 @@ TEST_F(UntouchedStore, with_a_rollback_journal_it_is_refused_as_it_is) {
 }
 
 }  // namespace
-}  // namespace wythe::study
+}  // namespace wythe::study::untouched_store_test

@@ -12,7 +12,7 @@
 #include "scenes/scenes.h"
 #include "wythe/contact_law.h"
 
-namespace wythe {
+namespace wythe::compression_cap_test {
 namespace {
 
 using contact::History;
@@ -244,4 +244,4 @@ TEST(CompressionCap, what_makes_no_sense_is_refused_with_its_numbers) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::compression_cap_test

@@ -11,7 +11,7 @@
 #include "scenes/scenes.h"
 #include "wythe/contact_law.h"
 
-namespace wythe {
+namespace wythe::contact_law_test {
 namespace {
 
 using scenes::degrees;
@@ -482,4 +482,4 @@ TEST(ContactLaw, missing_and_inadmissible_parameters_are_all_named) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::contact_law_test

@@ -8,7 +8,7 @@
 
 #include "dynamics/space/blocks.h"
 
-namespace wythe {
+namespace wythe::face_in_space_test {
 namespace {
 
 using Vec = Vector<double>;
@@ -225,4 +225,4 @@ TEST(Spin, is_of_second_order_and_reversible) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::face_in_space_test

@@ -17,7 +17,7 @@
 #include "scenes/rig.h"
 #include "scenes/scenes.h"
 
-namespace wythe {
+namespace wythe::law_shortcuts_test {
 namespace {
 
 // Repeatable numbers.
@@ -384,4 +384,4 @@ TEST(FaceFrame, forces_and_moments_are_those_of_plain_vectors_at_any_turn) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::law_shortcuts_test

@@ -14,7 +14,7 @@
 #include "scenes/scenes.h"
 #include "wythe/contact_law.h"
 
-namespace wythe {
+namespace wythe::rising_energy_test {
 namespace {
 
 constexpr Softening kSoftenings[] = {Softening::kBilinear, Softening::kExponential,
@@ -237,4 +237,4 @@ TEST(RisingEnergy, a_fault_says_how_much_the_pressure_gives) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::rising_energy_test

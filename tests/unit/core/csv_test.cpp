@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace wythe {
+namespace wythe::csv_test {
 namespace {
 
 TEST(CsvCell, a_text_that_a_spreadsheet_would_run_is_guarded) {
@@ -33,4 +33,4 @@ TEST(CsvCell, reads_back_as_what_was_written) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::csv_test

@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-namespace wythe {
+namespace wythe::elementary_test {
 namespace {
 
 // Rounded from 113 bits (libquadmath of GCC 12).
@@ -100,4 +100,4 @@ TEST(Elementary, exact_values_and_edges) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::elementary_test

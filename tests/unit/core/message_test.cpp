@@ -17,7 +17,7 @@
 #include "core/messages.h"
 #include "scenes/places.h"
 
-namespace wythe {
+namespace wythe::message_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -236,4 +236,4 @@ TEST(MessageTable, arguments_are_those_of_the_words) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::message_test

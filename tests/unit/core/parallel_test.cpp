@@ -5,7 +5,7 @@
 
 #include "core/parallel.h"
 
-namespace wythe {
+namespace wythe::parallel_test {
 namespace {
 
 TEST(Workers, every_chunk_is_done_once_in_every_round) {
@@ -45,4 +45,4 @@ TEST(Workers, a_team_that_is_never_asked_ends) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::parallel_test

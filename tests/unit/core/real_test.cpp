@@ -10,7 +10,7 @@
 #include "core/real.h"
 #include "scenes/scenes.h"
 
-namespace wythe {
+namespace wythe::real_test {
 namespace {
 
 TEST(Real, exp_of_minus_agrees_with_the_library) {
@@ -180,4 +180,4 @@ TEST(LawTangent, dual_numbers_agree_with_central_differences_in_every_variant) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::real_test

@@ -8,7 +8,7 @@
 
 #include "dynamics/passes/shuffle.h"
 
-namespace wythe::dynamics {
+namespace wythe::dynamics::shuffle_test {
 namespace {
 
 typedef double Two __attribute__((vector_size(16)));
@@ -45,4 +45,4 @@ TYPED_TEST(Shuffle, scattered_rows_become_columns_and_go_back) {
 }
 
 }  // namespace
-}  // namespace wythe::dynamics
+}  // namespace wythe::dynamics::shuffle_test

@@ -13,7 +13,7 @@
 #include "geometry/wall/fit.h"
 #include "wythe/units.h"
 
-namespace wythe {
+namespace wythe::units_test {
 namespace {
 
 struct Reading {
@@ -202,4 +202,4 @@ TEST(NearestName, is_the_first_of_the_least_distance) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::units_test

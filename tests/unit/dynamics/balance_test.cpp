@@ -8,7 +8,7 @@
 
 #include "dynamics/meters/responses.h"
 
-namespace wythe {
+namespace wythe::balance_test {
 namespace {
 
 // A push to 4 that peaks at 2 with 100; rows of 0.02 and what the meters show in each.
@@ -313,4 +313,4 @@ TEST(Verdict, no_curve_is_no_push) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::balance_test

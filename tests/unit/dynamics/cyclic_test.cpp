@@ -15,7 +15,7 @@
 
 #include "wythe/io.h"
 
-namespace wythe {
+namespace wythe::cyclic_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -570,4 +570,4 @@ TEST(CyclicSamples, other_campaigns_keep_their_columns) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::cyclic_test

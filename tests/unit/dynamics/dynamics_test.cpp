@@ -13,7 +13,7 @@
 #include "wythe/failure_mode.h"
 #include "wythe/solve.h"
 
-namespace wythe {
+namespace wythe::dynamics_test {
 namespace {
 
 using scenes::Rig;
@@ -482,4 +482,4 @@ TEST(Stages, a_cyclic_push_visits_its_targets) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::dynamics_test

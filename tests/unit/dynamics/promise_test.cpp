@@ -9,7 +9,7 @@
 #include "dynamics/meters/balance.h"
 #include "dynamics/meters/responses.h"
 
-namespace wythe {
+namespace wythe::promise_test {
 namespace {
 
 // A push to 4 mm. It rises to 100 at 1 mm, jumps by `fall` at 2 mm, and falls to 60 at 3 mm.
@@ -185,4 +185,4 @@ TEST(Promise, the_cure_is_that_of_the_push) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::promise_test

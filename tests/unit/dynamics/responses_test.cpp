@@ -18,7 +18,7 @@
 #include "wythe/promise.h"
 #include "wythe/result.h"
 
-namespace wythe {
+namespace wythe::responses_test {
 namespace {
 
 std::vector<CurveRow> curve_of(const std::vector<std::pair<double, double>>& points) {
@@ -605,4 +605,4 @@ TEST(DrivenPath, adds_up_the_legs_of_a_cyclic_push) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::responses_test

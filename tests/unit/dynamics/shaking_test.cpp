@@ -17,7 +17,7 @@
 #include "unit/io_helpers.h"
 #include "wythe/solve.h"
 
-namespace wythe {
+namespace wythe::shaking_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -1233,4 +1233,4 @@ TEST(Shake, in_space_as_in_the_plane) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::shaking_test

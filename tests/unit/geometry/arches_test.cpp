@@ -12,7 +12,7 @@
 #include "geometry/wall/joints.h"
 #include "scenes/scenes.h"
 
-namespace wythe::geometry {
+namespace wythe::geometry::arches_test {
 namespace {
 
 using scenes::degrees;
@@ -302,4 +302,4 @@ TEST(Arches, neighbours_and_lintels_are_not_run_into) {
 }
 
 }  // namespace
-}  // namespace wythe::geometry
+}  // namespace wythe::geometry::arches_test

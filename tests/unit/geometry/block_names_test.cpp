@@ -4,7 +4,7 @@
 
 #include "geometry/assembly.h"
 
-namespace wythe::geometry {
+namespace wythe::geometry::block_names_test {
 namespace {
 
 BlockSpec square(const std::string& id, double y, const std::string& material) {
@@ -102,4 +102,4 @@ TEST(Outlines, of_one_shape_are_one_whatever_corners_describe_them) {
 }
 
 }  // namespace
-}  // namespace wythe::geometry
+}  // namespace wythe::geometry::block_names_test

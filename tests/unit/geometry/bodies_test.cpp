@@ -11,7 +11,7 @@
 #include "scenes/solids.h"
 #include "wythe/message.h"
 
-namespace wythe::geometry {
+namespace wythe::geometry::bodies_test {
 namespace {
 
 using scenes::body_of;
@@ -427,4 +427,4 @@ TEST(BadBodies, depth_is_that_of_the_nearest_way_out) {
 }
 
 }  // namespace
-}  // namespace wythe::geometry
+}  // namespace wythe::geometry::bodies_test

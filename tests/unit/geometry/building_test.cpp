@@ -17,7 +17,7 @@
 #include "wythe/model.h"
 #include "wythe/solve.h"
 
-namespace wythe::geometry {
+namespace wythe::geometry::building_test {
 namespace {
 
 const std::string kFacade = source_dir() + "/tests/data/two_storeys.toml";
@@ -651,4 +651,4 @@ TEST(Facade, a_storey_that_says_nothing_of_crack_planes_has_the_walls) {
 }
 
 }  // namespace
-}  // namespace wythe::geometry
+}  // namespace wythe::geometry::building_test

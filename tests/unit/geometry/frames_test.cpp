@@ -19,7 +19,7 @@
 #include "wythe/reading.h"
 #include "wythe/solve.h"
 
-namespace wythe::geometry {
+namespace wythe::geometry::frames_test {
 namespace {
 
 // --- profiles --------------------------------------------------------------------------------------------
@@ -399,4 +399,4 @@ TEST(Frames, bad_input_is_named_located_and_cured) {
 }
 
 }  // namespace
-}  // namespace wythe::geometry
+}  // namespace wythe::geometry::frames_test

@@ -9,7 +9,7 @@
 
 #include "geometry/polygon.h"
 
-namespace wythe::geometry {
+namespace wythe::geometry::geometry_test {
 namespace {
 
 // The paper's wall (examples/tuff_wall).
@@ -595,4 +595,4 @@ TEST(geometry_blocks_file, inclined_faces_of_an_arch_meet) {
 }
 
 }  // namespace
-}  // namespace wythe::geometry
+}  // namespace wythe::geometry::geometry_test

@@ -14,7 +14,7 @@
 #include "wythe/model.h"
 #include "wythe/solve.h"
 
-namespace wythe::geometry {
+namespace wythe::geometry::ring_beams_test {
 namespace {
 
 JointMaterial body(double density = 2500) {
@@ -496,4 +496,4 @@ TEST(RingBeam, counts_as_rigid_in_the_limit_load_and_is_named) {
 }
 
 }  // namespace
-}  // namespace wythe::geometry
+}  // namespace wythe::geometry::ring_beams_test

@@ -10,7 +10,7 @@
 #include "wythe/message.h"
 #include "wythe/model.h"
 
-namespace wythe {
+namespace wythe::idle_keys_test {
 namespace {
 
 const std::string kWall = R"(
@@ -299,4 +299,4 @@ TEST(IdleKeys, commas_are_refused_with_both_readings) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::idle_keys_test

@@ -10,7 +10,7 @@
 #include "unit/study_text.h"
 #include "wythe/campaign.h"
 
-namespace wythe {
+namespace wythe::input_names_test {
 namespace {
 
 using namespace io_tests;
@@ -87,4 +87,4 @@ TEST(InputName, every_column_that_is_written_is_barred) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::input_names_test

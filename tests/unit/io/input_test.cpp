@@ -26,7 +26,7 @@
 #include "wythe/io.h"
 #include "wythe/model.h"
 
-namespace wythe {
+namespace wythe::input_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -480,4 +480,4 @@ TEST_F(Drawings, of_many_faults_tell_a_hundred) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::input_test

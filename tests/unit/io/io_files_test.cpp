@@ -11,7 +11,7 @@
 #include "wythe/error.h"
 #include "wythe/io.h"
 
-namespace wythe {
+namespace wythe::io_files_test {
 namespace {
 
 using namespace io_tests;
@@ -278,4 +278,4 @@ TEST(Answer, a_device_and_a_missing_folder_are_refused) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::io_files_test

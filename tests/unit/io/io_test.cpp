@@ -12,7 +12,7 @@
 #include "wythe/error.h"
 #include "wythe/io.h"
 
-namespace wythe {
+namespace wythe::io_test {
 namespace {
 
 using namespace io_tests;
@@ -578,4 +578,4 @@ TEST(Written, texts_and_names_are_escaped) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::io_test

@@ -7,7 +7,7 @@
 #include "io/keys/same_spec.h"
 #include "unit/io_helpers.h"
 
-namespace wythe::io_tests {
+namespace wythe::io_tests::material_input_test {
 namespace {
 
 // A wall whose joints come by rule from tests, with a crack plane in its units. Line numbers count from here.
@@ -568,4 +568,4 @@ TEST(MaterialInput, a_region_has_the_course_height_of_its_storey) {
 }
 
 }  // namespace
-}  // namespace wythe::io_tests
+}  // namespace wythe::io_tests::material_input_test

@@ -9,7 +9,7 @@
 #include "materials/rules.h"
 #include "wythe/contact_law.h"
 
-namespace wythe::materials {
+namespace wythe::materials::materials_test {
 namespace {
 
 double by(Role role, const char* key, const char* name, std::vector<double> inputs,
@@ -193,4 +193,4 @@ TEST(MaterialRules, every_rule_states_source_formula_and_the_range_of_its_inputs
 }
 
 }  // namespace
-}  // namespace wythe::materials
+}  // namespace wythe::materials::materials_test

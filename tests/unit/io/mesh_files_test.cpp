@@ -23,7 +23,7 @@
 #include "scenes/solids.h"
 #include "wythe/io.h"
 
-namespace wythe {
+namespace wythe::mesh_files_test {
 namespace {
 
 using scenes::ascii_stl;
@@ -575,4 +575,4 @@ TEST(MeshFiles, damaged_files_are_refused_or_read) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::mesh_files_test

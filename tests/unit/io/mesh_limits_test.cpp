@@ -13,7 +13,7 @@
 #include "wythe/io.h"
 #include "wythe/model.h"
 
-namespace wythe {
+namespace wythe::mesh_limits_test {
 namespace {
 
 std::string said(const FaultList& faults) {
@@ -139,4 +139,4 @@ TEST(RecordLimits, a_line_of_words_gives_no_more_faults_than_are_told) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::mesh_limits_test

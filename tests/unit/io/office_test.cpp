@@ -8,7 +8,7 @@
 #include "io/keys/same_spec.h"
 #include "unit/io_helpers.h"
 
-namespace wythe::io_tests {
+namespace wythe::io_tests::office_test {
 namespace {
 
 const std::string kWall = R"([wall]
@@ -344,4 +344,4 @@ TEST(Office, a_floor_is_refused_key_by_key) {
 }
 
 }  // namespace
-}  // namespace wythe::io_tests
+}  // namespace wythe::io_tests::office_test

@@ -17,7 +17,7 @@
 #include "wythe/error.h"
 #include "wythe/io.h"
 
-namespace wythe {
+namespace wythe::run_files_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -256,4 +256,4 @@ TEST(Vtu, values_that_are_no_numbers_survive) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::run_files_test

@@ -14,7 +14,7 @@
 #include "wythe/model.h"
 #include "wythe/study.h"
 
-namespace wythe {
+namespace wythe::slips_test {
 namespace {
 
 // By rule from tests, with an opening, a storey that is named elsewhere, a load and a push.
@@ -393,4 +393,4 @@ TEST(Slips, marks_within_a_text_are_its_own) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::slips_test

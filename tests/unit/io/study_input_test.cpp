@@ -15,7 +15,7 @@
 #include "wythe/io.h"
 #include "wythe/study.h"
 
-namespace wythe {
+namespace wythe::study_input_test {
 namespace {
 
 using namespace io_tests;
@@ -281,4 +281,4 @@ TEST(StudyReference, has_every_key) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::study_input_test

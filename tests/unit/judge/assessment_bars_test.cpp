@@ -13,7 +13,7 @@
 #include "wythe/error.h"
 #include "wythe/solve.h"
 
-namespace wythe {
+namespace wythe::assessment_bars_test {
 namespace {
 
 using namespace test;
@@ -459,4 +459,4 @@ TEST(Assessment, notes_masses_and_spectra_that_are_more_often_a_slip) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::assessment_bars_test

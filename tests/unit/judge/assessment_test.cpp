@@ -12,7 +12,7 @@
 #include "wythe/solve.h"
 #include "wythe/statistics.h"
 
-namespace wythe {
+namespace wythe::assessment_test {
 namespace {
 
 using namespace test;
@@ -785,4 +785,4 @@ TEST(AssessmentFile, names_what_a_spectrum_lacks_and_what_it_does_not_know) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::assessment_test

@@ -13,7 +13,7 @@
 #include "scenes/scenes.h"
 #include "wythe/failure_mode.h"
 
-namespace wythe {
+namespace wythe::bare_wall_modes_test {
 namespace {
 
 using scenes::Mechanism;
@@ -196,4 +196,4 @@ TEST(SlidOff, name_is_not_vouched_for_where_half_a_section_has_no_face_left) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::bare_wall_modes_test

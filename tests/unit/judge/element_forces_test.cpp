@@ -14,7 +14,7 @@
 #include "wythe/failure_mode.h"
 #include "wythe/solve.h"
 
-namespace wythe {
+namespace wythe::element_forces_test {
 namespace {
 
 using scenes::Rig;
@@ -204,4 +204,4 @@ TEST(ElementForces, of_a_push_are_read_each_millimetre_and_sum_to_the_base_shear
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::element_forces_test

@@ -23,7 +23,7 @@
 #include "scenes/scenes.h"
 #include "wythe/mechanism.h"
 
-namespace wythe {
+namespace wythe::failure_mode_test {
 namespace {
 
 using scenes::Mechanism;
@@ -586,4 +586,4 @@ TEST(Features, sum_the_joints_of_each_region) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::failure_mode_test

@@ -13,7 +13,7 @@
 #include "wythe/failure_mode.h"
 #include "wythe/mechanism.h"
 
-namespace wythe {
+namespace wythe::modes_in_space_test {
 namespace {
 
 using scenes::box;
@@ -357,4 +357,4 @@ TEST(ModesInSpace, the_push_tells_which_walls_it_goes_across) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::modes_in_space_test

@@ -6,7 +6,7 @@
 
 #include "wythe/assessment.h"
 
-namespace wythe {
+namespace wythe::spectrum_test {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
@@ -150,4 +150,4 @@ TEST(N2, at_the_scale_for_a_displacement_asks_for_that_displacement) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::spectrum_test

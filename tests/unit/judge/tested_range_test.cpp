@@ -9,7 +9,7 @@
 #include "scenes/mechanism.h"
 #include "scenes/scenes.h"
 
-namespace wythe {
+namespace wythe::tested_range_test {
 namespace {
 
 using study::TestedKind;
@@ -183,4 +183,4 @@ TEST(TestedRange, NamesOfFailuresHaveTheirKinds) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::tested_range_test

@@ -15,7 +15,7 @@
 #include "wythe/failure_mode.h"
 #include "wythe/mechanism.h"
 
-namespace wythe {
+namespace wythe::wall_parts_test {
 namespace {
 
 using scenes::Mechanism;
@@ -597,4 +597,4 @@ TEST(Mechanism, share_of_piers_half_way_between_two_leaves_both_as_candidates) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::wall_parts_test

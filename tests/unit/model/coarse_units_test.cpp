@@ -16,7 +16,7 @@
 #include "scenes/scenes.h"
 #include "wythe/model.h"
 
-namespace wythe {
+namespace wythe::coarse_units_test {
 namespace {
 
 struct Row {
@@ -119,4 +119,4 @@ TEST(CoarseUnits, move_capacity_over_demand_between_force_and_displacement) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::coarse_units_test

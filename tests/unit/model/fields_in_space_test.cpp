@@ -17,7 +17,7 @@
 #include "wythe/solve.h"
 #include "wythe/study.h"
 
-namespace wythe {
+namespace wythe::fields_in_space_test {
 namespace {
 
 std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
@@ -264,4 +264,4 @@ TEST(FieldsInSpace, what_cannot_be_is_refused_as_in_the_plane) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::fields_in_space_test

@@ -15,7 +15,7 @@
 #include "wythe/solve.h"
 #include "wythe/study.h"
 
-namespace wythe {
+namespace wythe::fields_test {
 namespace {
 
 // With a law that remembers all there is to remember, a link, and a frame.
@@ -207,4 +207,4 @@ TEST(Fields, a_topology_tells_whether_fields_vary_more_than_strengths) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::fields_test

@@ -11,7 +11,7 @@
 #include "wythe/reading.h"
 #include "wythe/solve.h"
 
-namespace wythe {
+namespace wythe::floors_test {
 namespace {
 
 constexpr double kGravity = 9.81;
@@ -294,4 +294,4 @@ TEST(Floors, the_pressure_under_a_bearing_is_held_against_the_strength) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::floors_test

@@ -22,7 +22,7 @@
 #include "wythe/reading.h"
 #include "wythe/solve.h"
 
-namespace wythe {
+namespace wythe::head_joints_test {
 namespace {
 
 std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
@@ -362,4 +362,4 @@ TEST(HeadJoints, have_their_share_of_a_field_at_their_place) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::head_joints_test

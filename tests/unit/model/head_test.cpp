@@ -13,7 +13,7 @@
 #include "wythe/limit.h"
 #include "wythe/solve.h"
 
-namespace wythe {
+namespace wythe::head_test {
 namespace {
 
 using scenes::Rig;
@@ -222,4 +222,4 @@ TEST(Head, that_is_free_to_rise_has_no_such_column) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::head_test

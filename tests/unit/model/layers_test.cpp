@@ -13,7 +13,7 @@
 #include "wythe/reading.h"
 #include "wythe/solve.h"
 
-namespace wythe {
+namespace wythe::layers_test {
 namespace {
 
 // 8 x 8 half units of 0.155 m x 0.11 m, a hole of 2 x 2 in the middle.
@@ -191,4 +191,4 @@ TEST(Layers, a_run_says_what_they_bore) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::layers_test

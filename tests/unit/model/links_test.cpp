@@ -14,7 +14,7 @@
 #include "wythe/reading.h"
 #include "wythe/solve.h"
 
-namespace wythe {
+namespace wythe::links_test {
 namespace {
 
 using scenes::Rig;
@@ -421,4 +421,4 @@ TEST(Links, columns_of_links_csv_name_the_links) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::links_test

@@ -13,7 +13,7 @@
 #include "wythe/limit.h"
 #include "wythe/solve.h"
 
-namespace wythe {
+namespace wythe::pattern_test {
 namespace {
 
 using scenes::Rig;
@@ -362,4 +362,4 @@ TEST(PlaneWall, refuses_what_only_a_wall_in_space_has) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::pattern_test

@@ -9,7 +9,7 @@
 #include "scenes/scenes.h"
 #include "wythe/reading.h"
 
-namespace wythe {
+namespace wythe::point_rule_test {
 namespace {
 
 double integral(const FacePointRule& rule, int power) {
@@ -132,4 +132,4 @@ TEST(PointRule, the_opening_of_a_joint_is_that_of_its_wider_end) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::point_rule_test

@@ -8,7 +8,7 @@
 #include "wythe/model.h"
 #include "wythe/solve.h"
 
-namespace wythe {
+namespace wythe::protocol_test {
 namespace {
 
 StageSpec levels(std::vector<double> amplitudes, std::vector<double> cycles = {}) {
@@ -112,4 +112,4 @@ TEST(Protocol, is_as_long_as_its_targets) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::protocol_test

@@ -18,7 +18,7 @@
 #include "wythe/solve.h"
 #include "wythe/study.h"
 
-namespace wythe {
+namespace wythe::random_fields_test {
 namespace {
 
 std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
@@ -596,4 +596,4 @@ TEST(random_field, a_distribution_that_is_none_is_refused_in_words_at_its_place)
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::random_fields_test

@@ -13,7 +13,7 @@
 #include "wythe/reading.h"
 #include "wythe/solve.h"
 
-namespace wythe {
+namespace wythe::space_loads_test {
 namespace {
 
 using scenes::box;
@@ -504,4 +504,4 @@ TEST(SpaceLoads, a_load_stage_knows_which_keys_go_together) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::space_loads_test

@@ -22,7 +22,7 @@
 #include "wythe/report.h"
 #include "wythe/statistics.h"
 
-namespace wythe {
+namespace wythe::columns_test {
 namespace {
 
 // Rows in which every value of every column differs.
@@ -239,4 +239,4 @@ TEST(Words, are_read_back_as_the_value_that_they_name) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::columns_test

@@ -12,7 +12,7 @@
 #include "scenes/zones.h"
 #include "wythe/solve.h"
 
-namespace wythe {
+namespace wythe::reading_test {
 namespace {
 
 using scenes::Rig;
@@ -133,4 +133,4 @@ TEST(Reading, of_the_bearings_of_a_deformable_lintel_the_forces_carry_its_weight
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::reading_test

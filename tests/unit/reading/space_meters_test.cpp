@@ -8,7 +8,7 @@
 #include "scenes/space_rig.h"
 #include "wythe/solve.h"
 
-namespace wythe {
+namespace wythe::space_meters_test {
 namespace {
 
 using scenes::box;
@@ -110,4 +110,4 @@ TEST(SupportRate, a_settlement_of_all_supports_is_slow_until_it_is_not) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::space_meters_test

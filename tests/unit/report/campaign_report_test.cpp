@@ -13,7 +13,7 @@
 #include "wythe/report.h"
 #include "wythe/study.h"
 
-namespace wythe {
+namespace wythe::campaign_report_test {
 namespace {
 
 using report::header_of;
@@ -262,4 +262,4 @@ TEST(StatisticsJson, what_is_not_a_number_is_null) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::campaign_report_test

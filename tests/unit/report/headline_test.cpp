@@ -14,7 +14,7 @@
 #include "wythe/limit.h"
 #include "wythe/report.h"
 
-namespace wythe {
+namespace wythe::headline_test {
 namespace {
 
 using namespace report;
@@ -256,4 +256,4 @@ TEST(Headline, runs_above_their_limit_load_are_told_the_allowance_the_program_us
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::headline_test

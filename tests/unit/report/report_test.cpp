@@ -28,7 +28,7 @@
 #include "wythe/solve.h"
 #include "wythe/statistics.h"
 
-namespace wythe {
+namespace wythe::report_test {
 namespace {
 
 using namespace report;
@@ -563,4 +563,4 @@ TEST(ReportInputs, floors_ring_beams_sills_and_storeys_stand_in_the_list) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::report_test

@@ -9,7 +9,7 @@
 
 #include "solids/hexahedron.h"
 
-namespace wythe {
+namespace wythe::hexahedra_test {
 namespace {
 
 using solids::HexahedronCorners;
@@ -357,4 +357,4 @@ TEST(Hexahedra, the_grain_lies_where_it_is_said_to) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::hexahedra_test

@@ -17,7 +17,7 @@
 #include "wythe/report.h"
 #include "wythe/solve.h"
 
-namespace wythe {
+namespace wythe::zone_input_test {
 namespace {
 
 using namespace io_tests;
@@ -309,4 +309,4 @@ TEST(ZoneResults, principal_stresses_are_those_of_mohr_s_circle) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::zone_input_test

@@ -12,7 +12,7 @@
 #include "scenes/zones.h"
 #include "solids/zone.h"
 
-namespace wythe {
+namespace wythe::zones_test {
 namespace {
 
 using scenes::NodeVectors;
@@ -329,4 +329,4 @@ TEST(Elasticity, timber_is_stiff_along_the_grain_and_soft_across_it) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::zones_test

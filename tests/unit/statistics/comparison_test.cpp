@@ -15,7 +15,7 @@
 #include "wythe/error.h"
 #include "wythe/io.h"
 
-namespace wythe {
+namespace wythe::comparison_test {
 namespace {
 
 using scenes::sample_campaign;
@@ -570,4 +570,4 @@ TEST(Pairs, of_made_up_walls_have_finite_numbers_in_json) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::comparison_test

@@ -8,7 +8,7 @@
 
 #include "statistics/bootstrap.h"
 
-namespace wythe::study {
+namespace wythe::study::correlation_test {
 namespace {
 
 TEST(Correlation, ranks_share_ties) {
@@ -91,4 +91,4 @@ TEST(FirstOrder, bins_hold_equal_counts) {
 }
 
 }  // namespace
-}  // namespace wythe::study
+}  // namespace wythe::study::correlation_test

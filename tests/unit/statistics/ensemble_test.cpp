@@ -6,7 +6,7 @@
 
 #include "wythe/statistics.h"
 
-namespace wythe {
+namespace wythe::ensemble_test {
 namespace {
 
 TEST(OfWalls, the_interval_of_a_median_is_that_of_the_binomial) {
@@ -68,4 +68,4 @@ TEST(OfWalls, bounds_count_as_bounds) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::ensemble_test

@@ -13,7 +13,7 @@
 #include "wythe/error.h"
 #include "wythe/io.h"
 
-namespace wythe {
+namespace wythe::fragility_test {
 namespace {
 
 using namespace study;
@@ -417,4 +417,4 @@ TEST(Fragility, stands_in_the_file_as_numbers_or_null) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::fragility_test

@@ -12,7 +12,7 @@
 #include "statistics/pairs.h"
 #include "wythe/comparison.h"
 
-namespace wythe {
+namespace wythe::intervention_test {
 namespace {
 
 using Sides = std::vector<std::pair<Reading, Reading>>;  // before, after
@@ -177,4 +177,4 @@ TEST(Intervention, another_failure_is_told_with_its_counts) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::intervention_test

@@ -10,7 +10,7 @@
 #include "statistics/intervals.h"
 #include "statistics/scatter.h"
 
-namespace wythe::study {
+namespace wythe::study::lognormal_fit_test {
 namespace {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
@@ -266,4 +266,4 @@ TEST(Scatter, intervals_hold_the_truth_as_often_as_they_say) {
 }
 
 }  // namespace
-}  // namespace wythe::study
+}  // namespace wythe::study::lognormal_fit_test

@@ -11,7 +11,7 @@
 #include "scenes/scenes.h"
 #include "wythe/model.h"
 
-namespace wythe {
+namespace wythe::one_push_test {
 namespace {
 
 // A push as the pages of evidence had them.
@@ -85,4 +85,4 @@ TEST(OnePush, advises_nothing_that_is_done_already) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::one_push_test

@@ -9,7 +9,7 @@
 #include "wythe/io.h"
 #include "wythe/statistics.h"
 
-namespace wythe {
+namespace wythe::shaking_statistics_test {
 namespace {
 
 ShakeAnswer answer(double intensity, double capacity, double drift = 0.01) {
@@ -292,4 +292,4 @@ TEST(ShakingStatistics, the_bootstrap_of_both_holds_median_and_dispersion) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::shaking_statistics_test

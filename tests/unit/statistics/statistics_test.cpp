@@ -17,7 +17,7 @@
 #include "wythe/io.h"
 #include "wythe/report.h"
 
-namespace wythe {
+namespace wythe::statistics_test {
 namespace {
 
 using namespace study;
@@ -609,4 +609,4 @@ TEST(Precision, first_met_and_held_are_told_apart) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::statistics_test

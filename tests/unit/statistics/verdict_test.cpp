@@ -14,7 +14,7 @@
 
 #include "statistics/intervals.h"
 
-namespace wythe {
+namespace wythe::verdict_test {
 namespace {
 
 constexpr double kDemand = 0.2 * kStandardGravity;
@@ -597,4 +597,4 @@ TEST(Walls, that_grow_hold_the_share_almost_as_often_as_said) {
 }
 
 }  // namespace
-}  // namespace wythe
+}  // namespace wythe::verdict_test
