@@ -48,7 +48,7 @@ struct Group {
 }
 
 template <class T>
-std::optional<T> number_in(std::string_view text) {
+std::optional<T> from_text(std::string_view text) {
   text = trimmed(text);
   if (text.starts_with('+')) text.remove_prefix(1);
   T value{};
@@ -67,7 +67,7 @@ class Groups {
     if (rest_.find_first_not_of(" \t\r\n") == std::string_view::npos) return false;
     group.line = line_ + 1;
     const std::string_view code = take_line();
-    const auto number = number_in<int>(code);
+    const auto number = from_text<int>(code);
     if (!number)
       refuse(file_, std::string(trimmed(code).substr(0, 40)),
              "is no group code: a DXF file is pairs of lines, a number and its value", kSaveAsDxf,
@@ -241,7 +241,7 @@ class DrawingReader {
     std::string variable;
     while (groups_.next(group) && !(group.code == 0 && group.value == "ENDSEC")) {
       if (group.code == 9) variable = group.value;
-      if (group.code == 70 && variable == "$INSUNITS") stated_ = number_in<int>(group.value);
+      if (group.code == 70 && variable == "$INSUNITS") stated_ = from_text<int>(group.value);
     }
   }
 
@@ -261,9 +261,9 @@ class DrawingReader {
       } else if (in_layer && group.code == 2) {
         name = plain_name(trimmed(group.value));
       } else if (in_layer && group.code == 70) {
-        is_hidden = is_hidden || (number_in<int>(group.value).value_or(0) & kFrozen) != 0;
+        is_hidden = is_hidden || (from_text<int>(group.value).value_or(0) & kFrozen) != 0;
       } else if (in_layer && group.code == 62) {
-        is_hidden = is_hidden || number_in<int>(group.value).value_or(0) < 0;
+        is_hidden = is_hidden || from_text<int>(group.value).value_or(0) < 0;
       }
     }
   }
@@ -309,7 +309,7 @@ class DrawingReader {
   }
 
   double number(const Group& group) {
-    const auto value = number_in<double>(group.value);
+    const auto value = from_text<double>(group.value);
     if (!value || !std::isfinite(*value))
       refuse(file_, std::string(group.value.substr(0, 40)), "must be a number", "export it again",
              group.line + 1);
@@ -317,7 +317,7 @@ class DrawingReader {
   }
 
   int integer(const Group& group) {
-    const auto value = number_in<int>(group.value);
+    const auto value = from_text<int>(group.value);
     if (!value)
       refuse(file_, std::string(group.value.substr(0, 40)), "must be a whole number",
              "export it again", group.line + 1);
