@@ -328,8 +328,8 @@ void print_sample(const Model& model, const Result& result) {
 }
 
 // The last shake of the replay among those that the store has; NULL: none.
-const ShakeAnswer* shake_in(const SampleRecord& stored, const SampleRun& run) {
-  for (const ShakeAnswer& shake : stored.shakes)
+const ShakeResult* shake_in(const SampleRecord& stored, const SampleRun& run) {
+  for (const ShakeResult& shake : stored.shakes)
     if (run.shakes.empty() || shake.intensity == run.shakes.back().intensity ||
         std::isnan(shake.intensity))
       return &shake;
@@ -343,7 +343,7 @@ int compare_replay(const ReplayArguments& a, const SampleRecord* stored_sample,
   fmt::print("sample {}: {}{}\n", a.sample, status, run.refused.empty() ? "" : ": " + run.refused);
   if (run.refused.empty()) print_sample(run.model, run.result);
   const bool shaken = stored_sample != nullptr && !stored_sample->shakes.empty();
-  const ShakeAnswer* shake = shaken ? shake_in(*stored_sample, run) : nullptr;
+  const ShakeResult* shake = shaken ? shake_in(*stored_sample, run) : nullptr;
   if (stored_sample == nullptr || (shaken && shake == nullptr)) {
     fmt::print("the campaign has not run this sample: nothing to compare\n");
     return 0;

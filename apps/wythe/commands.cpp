@@ -23,7 +23,7 @@
 #include "wythe/io.h"
 #include "wythe/mechanism.h"
 #include "wythe/notes.h"
-#include "wythe/promise.h"
+#include "wythe/slow_push.h"
 #include "wythe/solve.h"
 #include "wythe/starter.h"
 #include "wythe/tested_range.h"
@@ -156,7 +156,8 @@ void print_assessment(const ModelSpec& spec, const Model& model, const Result& r
 }
 
 // Beyond the force. Why a displacement is not known the first line says already.
-void print_promises(const Promise& displacement, const Promise& mode, bool is_usable) {
+void print_slow_push(const SlowPushVerdict& displacement, const SlowPushVerdict& mode,
+                     bool is_usable) {
   if (mode.verdict == "no push" || (mode.reason.code == "promise.force" && !is_usable)) return;
   const bool is_new = mode.is_missing() && !displacement.is_missing();
   fmt::print("rate, for the displacement: {}; for the failure mode: {}{}\n", displacement.verdict,
@@ -222,8 +223,8 @@ void print_result(const ModelSpec& spec, const Model& model, const Result& r,
       fmt::print("{}\n", text_of(sentence_of(r.frame_uses[k], model.frames.name[k])));
     for (std::size_t k = 0; k < r.layer_uses.size(); ++k)
       fmt::print("{}\n", text_of(sentence_of(r.layer_uses[k], model.layers.name[k])));
-    print_promises(promised_displacement(model, r), promised_mode(model, r),
-                   r.quasi_static.judgement == "usable");
+    print_slow_push(displacement_of_slow_push(model, r), mode_of_slow_push(model, r),
+                    r.quasi_static.judgement == "usable");
     print_assessment(spec, model, r);
     const TestedRange range = compare_with_tests(model, r);
     if (const Message note = drift_note_of(range); !note.empty())

@@ -50,7 +50,7 @@ void print_opinion(const SecondOpinion& opinion) {
                word_of(kHypothesisWords, m.hypothesis), 1e-3 * m.curve.states.front().force,
                1e3 * m.curve.states.back().displacement, word_of(kChainEndWords, m.curve.end));
   for (const NamedLimit& limit : opinion.limits) {
-    const LimitAnswer& a = limit.answer;
+    const LimitResult& a = limit.answer;
     const double unit = a.is_force ? 1e-3 : 1;
     fmt::print("limit load {:<36} {:10.5g}{}   gap of the theorems {:.1e}   {:.1f} s\n", limit.name,
                a.load * unit, a.is_force ? " kN" : "", a.load != 0 ? a.kinematic / a.load - 1 : 0,

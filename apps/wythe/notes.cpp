@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "wythe/notes.h"
-#include "wythe/promise.h"
+#include "wythe/slow_push.h"
 #include "wythe/text.h"
 
 namespace wythe::app {

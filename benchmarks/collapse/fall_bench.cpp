@@ -63,7 +63,7 @@ class Timed {
         state_(initial_state(model_)),
         threads_(threads),
         executor_(dynamics::processor_for(model_, 1, threads)) {
-    executor_->put(0, model_, state_);
+    executor_->load_wall(0, model_, state_);
   }
 
   void run() {
@@ -101,7 +101,7 @@ class Timed {
     return steps;
   }
   void time_moment(const char* name) {
-    executor_->access(0)->bring_up(state_);
+    executor_->access(0)->store_state(state_);
     const State before = state_;
     const double start = now_;
     double seconds = 1e300;
@@ -109,13 +109,13 @@ class Timed {
     for (int run = 0; run < kRuns; ++run) {
       now_ = start;
       state_ = before;
-      executor_->put(0, model_, state_);
+      executor_->load_wall(0, model_, state_);
       executor_->set(0, controls_);
       const double begin = clock();
       steps = step_for(kTimed);
       seconds = std::min(seconds, clock() - begin);
     }
-    executor_->access(0)->bring_up(state_);
+    executor_->access(0)->store_state(state_);
     std::size_t joints = 0, touching = 0;
     for (const double gone : state_.handed_over) joints += gone == 0 ? 1 : 0;
     for (const FreeContact& c : state_.free_contacts) touching += c.area > 0 ? 1 : 0;

@@ -337,7 +337,7 @@ struct SpaceStep {
     }
   }
 
-  WYTHE_INLINE Real of_wall(int row) const {
+  WYTHE_INLINE Real wall_value(int row) const {
     if constexpr (many) return get<Real>(v.wall, row);
     return Real(v.wall[row]);
   }
@@ -354,7 +354,7 @@ struct SpaceStep {
     for (std::ptrdiff_t k = 0; k < v.first_ground; ++k) face<false>(k, law, work);
     for (std::ptrdiff_t k = v.first_ground; k < v.n_pack; ++k) face<true>(k, law, work);
     Real loads = zero, damped = zero;
-    const Real dt = of_wall(kDt), lambda = of_wall(kDamping);
+    const Real dt = wall_value(kDt), lambda = wall_value(kDamping);
     const std::ptrdiff_t blocks = many ? v.n_block : (v.n_block + kW - 1) / kW;
     for (std::ptrdiff_t i = 0; i < blocks; ++i) block(i, dt, lambda, loads, damped);
     book(kFriction, work.friction), book(kFracture, work.fracture);

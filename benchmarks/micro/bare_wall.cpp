@@ -69,8 +69,8 @@ Blocks blocks_of(const BareStart& start, const std::vector<BareLoad>& loads) {
   for (std::size_t i = 0; i < at(start.model.n_block); ++i) {
     all.rate.push_back(start.dt / start.model.mass[i]);
     all.turn_rate.push_back(start.model.turn_freedom[i] * start.dt / start.model.inertia[i]);
-    all.load_x.push_back(start.model.heavy_mass[i] * start.state.gravity_x);
-    all.load_y.push_back(start.model.heavy_mass[i] * start.state.gravity_y);
+    all.load_x.push_back(start.model.gravity_mass[i] * start.state.gravity_x);
+    all.load_y.push_back(start.model.gravity_mass[i] * start.state.gravity_y);
   }
   for (const BlockId i : start.held) all.rate[at(i)] = all.turn_rate[at(i)] = 0;
   for (const BareLoad& load : loads) {

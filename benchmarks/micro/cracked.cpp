@@ -121,14 +121,14 @@ State engine_after(int steps) {
   const Cracked& wall = cracked();
   State state = wall.held;
   dynamics::Processor processor(wall.model, 1);
-  processor.put(0, wall.model, state);
+  processor.load_wall(0, wall.model, state);
   processor.access(0)->choose_driven(wall.push().driven);
   dynamics::Controls controls;
   controls.dt = wall.dt;
   controls.damping = kLambda;
   processor.set(0, controls);
   for (int k = 0; k < steps; ++k) processor.step();
-  processor.drop(0);
+  processor.unload_wall(0);
   return ledger_since(state, wall.held);
 }
 
@@ -152,11 +152,11 @@ Cost engine_cost(int lanes) {
   const dynamics::Layout layout(m, dynamics::Layout::kWalls);
   dynamics::Memory memory;
   const dynamics::Tables t = dynamics::make_tables(layout, m, 1, memory);
-  dynamics::put_wall(layout, t, 0, m, cracked().held);
+  dynamics::load_lane(layout, t, 0, m, cracked().held);
   const dynamics::WallView wall = dynamics::view_of(layout, m, t, 0);
   dynamics::set_rates(wall, cracked().dt, 1);
-  wall.of_wall(dynamics::kDt) = cracked().dt;
-  wall.of_wall(dynamics::kDamping) = kLambda;
+  wall.wall_value(dynamics::kDt) = cracked().dt;
+  wall.wall_value(dynamics::kDamping) = kLambda;
   const auto step = [&] {
     double works[dynamics::kTerms * dynamics::kGroup] = {};
     for (const dynamics::Chunk& chunk : layout.chunks[dynamics::kJoints])

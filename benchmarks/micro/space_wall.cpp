@@ -108,14 +108,14 @@ constexpr std::array kArrays{&State::ux,
 State engine_after(const SpaceWall& wall, int steps) {
   State state = wall.held;
   dynamics::space::SpaceProcessor processor(wall.model, 1);
-  processor.put(0, wall.model, state);
+  processor.load_wall(0, wall.model, state);
   processor.access(0)->choose_driven(wall.push().driven);
   dynamics::Controls controls;
   controls.dt = wall.dt;
   controls.damping = kLambda;
   processor.set(0, controls);
   for (int k = 0; k < steps; ++k) processor.step();
-  processor.drop(0);
+  processor.unload_wall(0);
   return state;
 }
 
@@ -290,7 +290,7 @@ void BareSpaceRun::fill_blocks() {
       for (std::size_t r = 0; r < 3; ++r)
         axes_[many_ ? i * 9 + 3 * k + r : at(i, 9, 3 * k + r)] = c[r];
     }
-    const double free = driven[i] ? 0 : 1, heavy = free * m.heavy_mass[i];
+    const double free = driven[i] ? 0 : 1, heavy = free * m.gravity_mass[i];
     const Vec3 inertia = m.space.inertia[i];
     const double rows[kBareF] = {now.vx[i],
                                  now.vy[i],

@@ -99,7 +99,7 @@ void engine_joints(benchmark::State& bench, int threads, const dynamics::Kernels
                    const Cracked& wall = cracked()) {
   State s = wall.state;
   dynamics::Processor processor(wall.model, 1, threads, kernels);
-  processor.put(0, wall.model, s);
+  processor.load_wall(0, wall.model, s);
   processor.access(0)->choose_driven(wall.push().driven);
   processor.set(0, push_controls(wall));
   for (auto _ : bench) processor.step();
@@ -115,8 +115,9 @@ void engine_walls(benchmark::State& bench, int lanes, std::size_t sets,
     auto& processor =
         *processors.emplace_back(std::make_unique<dynamics::Processor>(wall.model, lanes));
     for (int lane = 0; lane < lanes; ++lane) {
-      processor.put(lane, wall.model,
-                    states[set * static_cast<std::size_t>(lanes) + static_cast<std::size_t>(lane)]);
+      processor.load_wall(
+          lane, wall.model,
+          states[set * static_cast<std::size_t>(lanes) + static_cast<std::size_t>(lane)]);
       processor.access(lane)->choose_driven(wall.push().driven);
       processor.set(lane, push_controls(wall));
     }
@@ -133,7 +134,7 @@ void engine_walls(benchmark::State& bench, int lanes, std::size_t sets,
 double engine_space_bytes(const Model& m, int walls) {
   const auto np = static_cast<double>(m.space.point_r1.size());
   const double nj = m.n_joint, nb = m.n_block;
-  const int history = contact::remembered(contact::choice_of(m.materials.front())) + 1;
+  const int history = contact::history_size(contact::choice_of(m.materials.front())) + 1;
   constexpr int kPoint = dynamics::space::kPointRows, kFace = dynamics::space::kFaceRows + 1,
                 kBlock = dynamics::space::kAxisRows + 4;
   const double own = history * np + 2 * 12 * nj + (2 * (8 + 6) + 12) * nb;
@@ -165,7 +166,7 @@ void engine_space(benchmark::State& bench, const SpaceWall& wall, int lanes,
   controls.damping = 0.8;
   controls.push = &wall.push();
   for (int lane = 0; lane < lanes; ++lane) {
-    processor.put(lane, wall.model, states[static_cast<std::size_t>(lane)]);
+    processor.load_wall(lane, wall.model, states[static_cast<std::size_t>(lane)]);
     processor.access(lane)->choose_driven(wall.push().driven);
     processor.set(lane, controls);
   }

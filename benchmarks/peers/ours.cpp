@@ -39,7 +39,7 @@ void run() {
   State state = initial_state(model);
   const std::unique_ptr<dynamics::Executor> executor = dynamics::processor_for(model, 1);
   dynamics::Controls controls;
-  executor->put(0, model, state);
+  executor->load_wall(0, model, state);
   state.gravity_y = -kGravity;
   const auto step_for = [&](double time) {
     const long steps = std::lround(time / controls.dt);
@@ -66,7 +66,7 @@ void run() {
     const std::clock_t start = std::clock();
     steps += step_for(kLook);
     seconds += static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-    executor->access(0)->bring_up(state);
+    executor->access(0)->store_state(state);
     meter.look(poses_of(model, state), push);
   }
   const EnergyLedger e = dynamics::energy_ledger(model, state, 1);

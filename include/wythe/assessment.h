@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "wythe/error.h"
-#include "wythe/promise.h"
 #include "wythe/pushed_wall.h"
 #include "wythe/result.h"
+#include "wythe/slow_push.h"
 #include "wythe/wall_spec.h"
 
 namespace wythe {
@@ -191,8 +191,8 @@ struct JudgedPush {
   const std::vector<CurveRow>& curve;
   const Responses& responses;
   std::string judgement = {};           // RateVerdict::judgement
-  Promise displacement = {};            // that of a slow push
-  Promise mode = {};                    // the same
+  SlowPushVerdict displacement = {};    // that of a slow push
+  SlowPushVerdict mode = {};            // the same
   double overlap_lost = kUnset;         // Validity::overlap_lost [m]
   std::vector<RisePoint> rise = {};     // Result::rise
   std::vector<DriftPoint> drifts = {};  // ascending; empty: displacement over load height

@@ -22,7 +22,7 @@ namespace wythe {
 struct SolveOptions;
 
 // What one shake of a sample answered. NaN: not known, since the run did not end as one that counts.
-struct ShakeAnswer {
+struct ShakeResult {
   double intensity = kUnset;  // asked for, in the study's measure [SI]; NaN: as the model says
   std::string status;         // a SolveStatus in words, or "refused"
   Message reason;
@@ -66,7 +66,7 @@ struct SampleRecord {
   PushedWall pushed;
   std::vector<RisePoint> rise;
   double overlap_lost = kUnset;     // Validity::overlap_lost [m]
-  std::vector<ShakeAnswer> shakes;  // in the order they ran; empty where nothing is shaken
+  std::vector<ShakeResult> shakes;  // in the order they ran; empty where nothing is shaken
   std::int64_t steps = 0;
   double time_step = 0;     // [s]
   double wall_seconds = 0;  // of one core, all tries and shakes; no result: not in samples.csv
@@ -159,7 +159,7 @@ struct SampleRun {
   Model model;
   Result result;  // of the last shake, where there are several
   bool retried = false;
-  std::vector<ShakeAnswer> shakes;
+  std::vector<ShakeResult> shakes;
   double wall_seconds = 0;  // of all tries and shakes
 };
 [[nodiscard]] SampleRun run_sample(const StudySpec& study, const SampleTable& samples, int sample,

@@ -1,7 +1,7 @@
 // A second opinion on a model, without time integration: limit analysis of its blocks, and the
 // collapse of three macro-blocks cut from it.
 //
-//   Model --limit_load()--> LimitAnswer           largest load that rigid-plastic joints carry, by
+//   Model --limit_load()--> LimitResult           largest load that rigid-plastic joints carry, by
 //                                                 linear programming; static and kinematic theorem
 //   Model --find_portal()--> Portal               two piers, one opening, a spandrel
 //   Portal --cut_mechanism()--> Mechanism         FM-1 or FM-4: bodies, hinges, their loads
@@ -54,7 +54,7 @@ struct LimitOptions {
 
 // A limit load. The load that grows is the force of the push stage along its direction [N], or
 // lambda W on every block (body force and tilt, lambda = tan of the angle) [-].
-struct LimitAnswer {
+struct LimitResult {
   LimitOptions options;
   bool is_force = true;
   double load = 0;       // static theorem: largest load in balance within the joints' strength
@@ -78,7 +78,7 @@ struct LimitAnswer {
   double seconds = 0;
 };
 // Progress of one limit load [0, 1], a few times a second, and a flag that ends it.
-struct LimitWatch {
+struct LimitMonitor {
   const std::atomic<bool>* stop = nullptr;
   std::function<void(double share)> progress = {};
 };
@@ -89,8 +89,8 @@ struct LimitStopped : std::runtime_error {
 // answer cover the rigid blocks and joints only. Associated flow, small displacements. Throws
 // InputError when no load grows, when the dead loads alone cannot be carried (names a block that
 // cannot stand), and when the load has no limit; LimitStopped when `watch` asks to stop.
-[[nodiscard]] LimitAnswer limit_load(const Model& model, const LimitOptions& options,
-                                     const LimitWatch& watch = {});
+[[nodiscard]] LimitResult limit_load(const Model& model, const LimitOptions& options,
+                                     const LimitMonitor& monitor = {});
 // What limit analysis treats otherwise than the run (stages, deformable blocks).
 [[nodiscard]] std::vector<Message> left_aside(const Model& model);
 // Seconds a limit load of the model takes on a usual machine.
@@ -301,7 +301,7 @@ struct Comparison {
 // What `wythe limit` writes.
 struct NamedLimit {
   std::string name;  // "dry", "bonded", ...
-  LimitAnswer answer;
+  LimitResult answer;
 };
 // An analysis that was asked for and can't be done.
 struct Refusal {

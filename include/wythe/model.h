@@ -219,7 +219,7 @@ struct Solids {
   std::vector<std::int32_t> zone_begin, zone_entry;        // CSR
   std::vector<std::int32_t> contact_begin, contact_entry;  // CSR
   std::vector<double> node_x, node_y;                      // at the start [m]
-  std::vector<double> node_mass, node_heavy_mass;          // inertia; mass for the weight [kg]
+  std::vector<double> node_mass, node_gravity_mass;        // inertia; mass for the weight [kg]
   std::vector<double> node_free_x, node_free_y;            // 1, or 0 where the node is held
 
   std::vector<SolidBody> bodies;
@@ -256,11 +256,11 @@ struct Links {
 
 // One straight part of a frame, from corner to corner along its way.
 struct FrameMember {
-  int frame = 0;                // into Frames::name
-  Message words;                // "left column"
-  double length = 0;            // [m]
-  double x0 = 0, y0 = 0;        // where it begins, as built [m]
-  double way_x = 0, way_y = 0;  // unit vector
+  int frame = 0;                            // into Frames::name
+  Message words;                            // "left column"
+  double length = 0;                        // [m]
+  double x0 = 0, y0 = 0;                    // where it begins, as built [m]
+  double direction_x = 0, direction_y = 0;  // unit vector
   // of its section, all pieces together
   double area = 0, shear_area = 0;                // [m^2]
   double second_moment = 0, plastic_modulus = 0;  // [m^4], [m^3]
@@ -386,7 +386,7 @@ struct SpaceSolids {
   // read by the pass over nodes (one row per node)
   std::vector<std::int32_t> zone_begin, zone_entry;        // CSR; entry: 8 zone + corner
   std::vector<std::int32_t> contact_begin, contact_entry;  // the same; 4 contact + k
-  std::vector<double> node_mass, node_heavy_mass;          // inertia; mass for the weight [kg]
+  std::vector<double> node_mass, node_gravity_mass;        // inertia; mass for the weight [kg]
 
   std::vector<Vec3> node;                       // at the start [m]
   std::vector<std::vector<Vec3>> contact_face;  // outline of each contact at the start
@@ -443,7 +443,7 @@ struct Model {
   std::vector<std::int32_t> block_entry;       // 2 joint + side (0: block is a, 1: block is b);
                                                // of each block first those of side a
   std::vector<double> mass;                    // inertia [kg] (n_block)
-  std::vector<double> heavy_mass;              // mass for the weight [kg] (n_block); 0 for plates,
+  std::vector<double> gravity_mass;            // mass for the weight [kg] (n_block); 0 for plates,
                                                // whose weight is part of their load
   std::vector<double> inertia;                 // [kg m^2] (n_block)
   std::vector<double> turn_freedom;            // 1, or 0 where rotation is blocked (n_block)

@@ -459,7 +459,7 @@ struct ShakingStatistics {
   [[nodiscard]] bool is_told() const { return shakes > 0; }
 };
 // Whether a shake that counts reached it.
-[[nodiscard]] bool reaches(const LimitStateSpec& limit, const ShakeAnswer& shake);
+[[nodiscard]] bool reaches(const LimitStateSpec& limit, const ShakeResult& shake);
 // Of the samples that ran.
 [[nodiscard]] ShakingStatistics shaking_statistics(const Campaign& campaign);
 

@@ -489,7 +489,7 @@ struct StageSpec {
   ViscousSpec maxwell_damping;
 };
 
-// Where the contact points of a face stand and what area each takes (model/point_rule.h).
+// Where the contact points of a face stand and what area each takes (model/quadrature.h).
 enum class PointRule { kDefault, kCorners, kTrapezoid, kLobatto, kGauss };
 inline constexpr Word<PointRule> kPointRuleWords[] = {{"corners", PointRule::kCorners},
                                                       {"trapezoid", PointRule::kTrapezoid},

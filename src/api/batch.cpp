@@ -113,17 +113,17 @@ std::vector<SampleRecord> run_batch(const BatchSpec& batch, const std::atomic<bo
   std::atomic<bool> halt{false};
   std::mutex mutex;
   int next = 0, done = 0;
-  const auto look = [&] {
+  const auto poll = [&] {
     if (stop != nullptr && *stop) halt = true;
   };
   study::solve_samples({.samples = {study, samples, build, &compiler},
                         .left = total,
                         .jobs = batch.jobs,
                         .halt = halt,
-                        .look = look,
+                        .poll = poll,
                         .take =
                             [&] {
-                              look();
+                              poll();
                               const std::lock_guard lock(mutex);
                               return halt || next == total ? 0 : ++next;
                             },

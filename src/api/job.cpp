@@ -61,7 +61,7 @@ std::vector<std::string> Inputs::all(const std::string& name) const {
   return found == text.end() ? std::vector<std::string>{} : found->second;
 }
 
-int Inputs::whole(const std::string& name, int otherwise, int least, int most) const {
+int Inputs::integer(const std::string& name, int otherwise, int least, int most) const {
   const double value = real(name, otherwise);
   if (value == std::floor(value) && value >= least && value <= most) return static_cast<int>(value);
   throw InputError({{.file = "",
@@ -73,7 +73,7 @@ int Inputs::whole(const std::string& name, int otherwise, int least, int most) c
 
 int Inputs::cores(const std::string& name, int otherwise) const {
   constexpr int kMost = 1024;
-  return whole(name, otherwise, 0, kMost);
+  return integer(name, otherwise, 0, kMost);
 }
 
 double Inputs::real(const std::string& name, double otherwise) const {

@@ -43,7 +43,7 @@ class Inputs {
   [[nodiscard]] std::string out_folder() const;
   [[nodiscard]] std::vector<std::string> all(const std::string& name) const;
   // A whole number from `least` to `most`; throws InputError.
-  [[nodiscard]] int whole(const std::string& name, int otherwise, int least, int most) const;
+  [[nodiscard]] int integer(const std::string& name, int otherwise, int least, int most) const;
   // "threads" or "jobs": a number of cores; 0: all of them.
   [[nodiscard]] int cores(const std::string& name, int otherwise) const;
   [[nodiscard]] double real(const std::string& name, double otherwise) const;

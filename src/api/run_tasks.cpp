@@ -195,7 +195,7 @@ SolveOptions options_of(Job& job) {
   options.threads = job.in.cores("threads", 1);
   if (options.threads == 0)
     options.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  options.frames = job.in.whole("frames", job.in.has("out") ? kFrames : 0, 0, 10'000);
+  options.frames = job.in.integer("frames", job.in.has("out") ? kFrames : 0, 0, 10'000);
   options.stop = &job.stop;
   options.progress = [&job](const Progress& p) {
     job.progress(p.stage, p.share, 1e3 * p.displacement, 1e-3 * p.reaction);
@@ -244,7 +244,7 @@ bool do_replay(Job& job) {
   check_language(language, "language");
   const SolveOptions options = options_of(job);
   const Campaign campaign = read_campaign(job.in.one("folder"));
-  const int sample = job.in.whole("sample", 0, 1, campaign.samples.n_sample());
+  const int sample = job.in.integer("sample", 0, 1, campaign.samples.n_sample());
   const std::unique_ptr<Replacement> results =
       out.empty() ? nullptr
                   : replace_run(out, {job.in.one("folder"), 0, job.in.real("replace", 0) != 0});

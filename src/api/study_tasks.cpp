@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "api/job.h"
-#include "campaign/answer_keys.h"
+#include "campaign/output_keys.h"
 #include "core/limits.h"
 #include "io/text/toml_reader.h"
 #include "wythe/batch.h"
@@ -15,7 +15,7 @@
 #include "wythe/error.h"
 #include "wythe/folders.h"
 #include "wythe/io.h"
-#include "wythe/promise.h"
+#include "wythe/slow_push.h"
 
 namespace wythe::api {
 namespace {
@@ -34,7 +34,7 @@ Table answers_of(const std::vector<SampleRecord>& records) {
   Table table;
   SampleRecord none;
   study::each_response(
-      [&](const study::AnswerKey& key, const auto& value) {
+      [&](const study::OutputKey& key, const auto& value) {
         using Value = std::decay_t<decltype(value)>;
         if constexpr (std::is_same_v<Value, double> || std::is_same_v<Value, bool>)
           if (key.listed != study::Listed::kNowhere) table.add(key.column, {});
@@ -43,7 +43,7 @@ Table answers_of(const std::vector<SampleRecord>& records) {
   for (const SampleRecord& record : records) {
     std::size_t c = 0;
     study::each_response(
-        [&](const study::AnswerKey& key, const auto& value) {
+        [&](const study::OutputKey& key, const auto& value) {
           using Value = std::decay_t<decltype(value)>;
           if constexpr (std::is_same_v<Value, double> || std::is_same_v<Value, bool>)
             if (key.listed != study::Listed::kNowhere)
@@ -136,7 +136,7 @@ StudySpec study_of(const Inputs& in, const std::string& out, bool resume) {
   std::vector<std::string> settings = in.all("set");
   for (const char* key : {"samples", "seed"})
     if (in.number.contains(key))
-      settings.push_back(fmt::format("study.{}={}", key, in.whole(key, 0, 0, 1 << 30)));
+      settings.push_back(fmt::format("study.{}={}", key, in.integer(key, 0, 0, 1 << 30)));
   if (in.has("until")) settings.push_back("study.until=" + in.one("until"));
   const std::string file = in.one("file", "study.toml");
   StudySpec study =
@@ -200,8 +200,8 @@ bool do_campaign(Job& job) {
   CampaignOptions options;
   options.resume = in.real("resume", 0) != 0;
   options.jobs = in.cores("jobs", 0);
-  options.shards = in.whole("shards", 1, 1, 1 << 20);
-  options.shard = in.whole("shard", 1, 1, options.shards);
+  options.shards = in.integer("shards", 1, 1, 1 << 20);
+  options.shard = in.integer("shard", 1, 1, options.shards);
   options.stop = &job.stop;
   options.provenance = provenance_text();
   const StudySpec study = study_of(in, out, options.resume);

@@ -131,7 +131,7 @@ template <class Real, class H = History<Real>>
 inline constexpr std::array kHistory{&H::kappa,        &H::crush,       &H::plastic_slip, &H::slip,
                                      &H::shear_damage, &H::tension_set, &H::crush_path};
 // How many of them, from the first, a law of this choice asks for: no others are kept in memory.
-[[nodiscard]] WYTHE_INLINE constexpr int remembered(const LawChoice& choice) {
+[[nodiscard]] WYTHE_INLINE constexpr int history_size(const LawChoice& choice) {
   constexpr int all = static_cast<int>(kHistory<double>.size());
   static_assert(kHistory<double>[all - 2] == &History<double>::tension_set &&
                 kHistory<double>[all - 1] == &History<double>::crush_path);
@@ -140,7 +140,7 @@ inline constexpr std::array kHistory{&H::kappa,        &H::crush,       &H::plas
 }
 
 template <class Real>
-struct Answer {
+struct LawUpdate {
   Real sigma, tau;                    // [Pa]
   Real tension_damage, damage;        // d_t, d [-]
   Real friction, fracture, crushing;  // dissipated in this step [N/m]
@@ -391,7 +391,7 @@ template <class V, class C, class Real>
 // Work of what is left of the shear stress above the cap: it slides.
 template <class C, class Real>
 WYTHE_INLINE void slide_under_cap(const LawConstants<C>& m, const Capped<Real>& capped,
-                                  History<Real>& h, Answer<Real>& answer) {
+                                  History<Real>& h, LawUpdate<Real>& answer) {
   const Real zero(0.0), tau = answer.tau;
   const Real excess = magnitude(tau) - capped.limit;
   const auto slides = capped.outside & (excess > zero);
@@ -409,7 +409,7 @@ WYTHE_INLINE void slide_under_cap(const LawConstants<C>& m, const Capped<Real>& 
 // Slip from `before` to h.slip lifts a closed joint, against the pressure.
 template <class C, class Real>
 WYTHE_INLINE void lift(const LawConstants<C>& m, Real sigma, Real before, History<Real>& h,
-                       Answer<Real>& answer) {
+                       LawUpdate<Real>& answer) {
   const Real zero(0.0), one(1.0), half(0.5);
   const Real sn = zero - sigma;
   const Real fade = half * (maximum(zero, one - before * m.inv_lift_slip) +
@@ -443,7 +443,7 @@ template <class C, class Real>
 // damage so far. Gives tau and adds the work of the plastic slip to the answer.
 template <class V, class C, class Real>
 WYTHE_INLINE void shear_step(const LawConstants<C>& m, const Yield<Real>& yield, Real s,
-                             History<Real>& h, Answer<Real>& answer) {
+                             History<Real>& h, LawUpdate<Real>& answer) {
   const Real zero(0.0);
   h.shear_damage = maximum(h.shear_damage, damage_of_slip<V>(m, yield, h.slip));
   const Real trial_tau = m.ks * (s - h.plastic_slip);
@@ -470,8 +470,8 @@ WYTHE_INLINE void shear_step(const LawConstants<C>& m, const Yield<Real>& yield,
 
 // Tensile stress of an open point, before (`strength`) any damage of this step in shear.
 template <class V, class C, class Real>
-[[nodiscard]] WYTHE_INLINE Real pull(const LawConstants<C>& m, Real open, Real strength,
-                                     Real inv_kappa, Real tension_set) {
+[[nodiscard]] WYTHE_INLINE Real tensile_stress(const LawConstants<C>& m, Real open, Real strength,
+                                               Real inv_kappa, Real tension_set) {
   if (choice_of<V>(m).unloading == Unloading::kElastic)
     return clip(m.kn * (open - tension_set), Real(0.0), strength);
   return open * minimum(m.kn, strength * inv_kappa);
@@ -480,10 +480,10 @@ template <class V, class C, class Real>
 // One step of the law: from the total opening w and relative slip s [m], with history `h` advanced.
 // What happens only to open, sliding or crushing points is skipped where no lane needs it.
 template <class V, class C, class Real>
-[[nodiscard]] WYTHE_INLINE Answer<Real> update(const LawConstants<C>& m, Real w, Real s,
-                                               History<Real>& h) {
+[[nodiscard]] WYTHE_INLINE LawUpdate<Real> update(const LawConstants<C>& m, Real w, Real s,
+                                                  History<Real>& h) {
   const Real zero(0.0), one(1.0);
-  Answer<Real> answer;
+  LawUpdate<Real> answer;
 
   // Crushing, then the effective opening and what is left of the tensile strength.
   const bool cap = choice_of<V>(m).cap;
@@ -509,7 +509,7 @@ template <class V, class C, class Real>
   if (opens) {
     inv_kappa = one / maximum(h.kappa, Real(1e-30));
     const Real strength = m.ft * strength_left<V>(m, left, shear_left0);
-    felt = felt + pull<V>(m, open, strength, inv_kappa, h.tension_set);
+    felt = felt + tensile_stress<V>(m, open, strength, inv_kappa, h.tension_set);
   }
 
   Yield<Real> yield = yield_of<V>(m, felt, left, h.kappa);
@@ -537,7 +537,7 @@ template <class V, class C, class Real>
       answer.fracture = answer.fracture +
                         secant_release(m, open, kappa0, h.kappa, strength0, strength1, inv_kappa);
     }
-    answer.sigma = answer.sigma + pull<V>(m, open, strength1, inv_kappa, h.tension_set);
+    answer.sigma = answer.sigma + tensile_stress<V>(m, open, strength1, inv_kappa, h.tension_set);
   }
   answer.tension_damage = one - left;
   answer.damage = one - all_left;
@@ -551,7 +551,8 @@ template <class V, class C, class Real>
 // time step without them where pressure and slip change together. A stress before cannot have been beyond the first
 // yield under the pressure before; where a state was put in by hand there was no step before, and that bounds it.
 template <class V, class C, class Real>
-[[nodiscard]] WYTHE_INLINE Real friction_taken(const LawConstants<C>& m, const Answer<Real>& answer,
+[[nodiscard]] WYTHE_INLINE Real friction_taken(const LawConstants<C>& m,
+                                               const LawUpdate<Real>& answer,
                                                const History<Real>& before, Real w_before,
                                                Real s_before) {
   const Real zero(0.0), half(0.5);

@@ -69,11 +69,11 @@ WYTHE_INLINE SpaceLinkLine link_line(const Vector<double>& span, bool follows,
 struct LinkLimits {
   double stiffness, tension, compression;  // [N/m], [N]
 };
-struct LinkPull {
+struct LinkForce {
   double force, flow;  // [N], growth of e_p [m]
 };
-WYTHE_INLINE LinkPull link_pull(const LinkLimits& limits, double elongation, double plastic,
-                                double drawn) {
+WYTHE_INLINE LinkForce force_of_link(const LinkLimits& limits, double elongation, double plastic,
+                                     double drawn) {
   const double trial = limits.stiffness * (elongation - plastic + drawn);
   if (trial > limits.tension)
     return {limits.tension, limits.tension > 0 ? (trial - limits.tension) / limits.stiffness : 0.0};

@@ -224,12 +224,12 @@ class Checker {
         fault(key, fmt::format("{:g}", value),
               "has no meaning where compressive_strength is unlimited",
               fmt::format("give compressive_strength, or leave {} out", key));
-    const double at_rest = m_.compressive_strength / std::sqrt(m_.compression_cap);
-    if (m_.compression_cap > 0 && m_.cohesion >= at_rest)
+    const double elastic_step = m_.compressive_strength / std::sqrt(m_.compression_cap);
+    if (m_.compression_cap > 0 && m_.cohesion >= elastic_step)
       fault("compression_cap", fmt::format("{:g}", m_.compression_cap),
             fmt::format("allows a shear stress of {:g} MPa without pressure, and cohesion is {:g} "
                         "MPa, so that cap and friction never meet",
-                        at_rest * 1e-6, m_.cohesion * 1e-6),
+                        elastic_step * 1e-6, m_.cohesion * 1e-6),
             fmt::format("write less than {:g} or a smaller cohesion",
                         elementary::pow(m_.compressive_strength / m_.cohesion, 2)));
     check_dilatancy();
@@ -316,7 +316,7 @@ class PathDriver {
   }
 
   [[nodiscard]] ContactAnswer answer() const {
-    const contact::Answer<double>& now = point_.now;
+    const contact::LawUpdate<double>& now = point_.now;
     const double crushed = contact::crushed_share(m_, point_.history);
     return {now.sigma,  now.tau, now.tension_damage, point_.history.shear_damage,
             now.damage, crushed, point_.dissipated};
@@ -328,7 +328,7 @@ class PathDriver {
 
   struct Point {
     contact::History<double> history{};
-    contact::Answer<double> now{};
+    contact::LawUpdate<double> now{};
     double dissipated = 0;  // [N/m]
   };
 

@@ -17,7 +17,7 @@ namespace wythe::contact {
 struct Fibre {
   double force, flow;  // [N], growth of the elongation that stays [m]
 };
-WYTHE_INLINE Fibre fibre_pull(double stiffness, double yield, double elongation, double plastic) {
+WYTHE_INLINE Fibre fibre_force(double stiffness, double yield, double elongation, double plastic) {
   const double trial = stiffness * (elongation - plastic);
   if (trial > yield) return {yield, (trial - yield) / stiffness};
   if (trial < -yield) return {-yield, (trial + yield) / stiffness};
@@ -47,16 +47,16 @@ WYTHE_INLINE SectionJump section_jump(double axis_x, double axis_y, double rest_
   return {gx * x + gy * y, gy * x - gx * y, turn_b - turn_a, x, y, gx, gy};
 }
 
-struct SectionPull {
+struct SectionForces {
   double normal, shear, moment;  // N, V along t, M
   Fibre left, middle, right;
 };
-WYTHE_INLINE SectionPull section_pull(const SectionLaw& law, const SectionJump& jump, double left,
-                                      double middle, double right) {
+WYTHE_INLINE SectionForces section_forces(const SectionLaw& law, const SectionJump& jump,
+                                          double left, double middle, double right) {
   const double bent = law.fibre * jump.turn;
-  const Fibre l = fibre_pull(law.outer, law.outer_yield, jump.along - bent, left);
-  const Fibre m = fibre_pull(law.middle, law.middle_yield, jump.along, middle);
-  const Fibre r = fibre_pull(law.outer, law.outer_yield, jump.along + bent, right);
+  const Fibre l = fibre_force(law.outer, law.outer_yield, jump.along - bent, left);
+  const Fibre m = fibre_force(law.middle, law.middle_yield, jump.along, middle);
+  const Fibre r = fibre_force(law.outer, law.outer_yield, jump.along + bent, right);
   return {l.force + m.force + r.force,
           law.shear * jump.across,
           law.fibre * (r.force - l.force),

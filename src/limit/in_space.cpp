@@ -112,9 +112,9 @@ class StaticProgramme {
     }
   }
 
-  SpaceStaticAnswer solve(const Watch& watch) {
-    SpaceStaticAnswer answer;
-    answer.status = lp_.solve(watch);
+  SpaceStaticSolution solve(const Monitor& monitor) {
+    SpaceStaticSolution answer;
+    answer.status = lp_.solve(monitor);
     answer.accuracy = lp_.accuracy();
     answer.rows = lp_.rows();
     answer.columns = lp_.columns();
@@ -133,16 +133,17 @@ class StaticProgramme {
   }
 
   // After build(true): the largest unbalanced force.
-  Unbalanced worst(const Watch& watch) {
+  Unbalanced worst(const Monitor& monitor) {
     Unbalanced found;
-    found.status = lp_.solve(watch);
+    found.status = lp_.solve(monitor);
     if (found.status != ProgrammeStatus::kOptimal) return found;
     double total = 0;
     for (std::size_t row = 0; row < balance_.size(); ++row) {
-      const double lack = lp_.solution()[slack_ + 2 * row] + lp_.solution()[slack_ + 2 * row + 1];
-      total += lack;
-      if (lack * u_.force > found.force)
-        found = {found.status, static_cast<BlockId>(row / 6), lack * u_.force};
+      const double unbalanced =
+          lp_.solution()[slack_ + 2 * row] + lp_.solution()[slack_ + 2 * row + 1];
+      total += unbalanced;
+      if (unbalanced * u_.force > found.force)
+        found = {found.status, static_cast<BlockId>(row / 6), unbalanced * u_.force};
     }
     return total < 1e-6 ? Unbalanced{found.status} : found;
   }
@@ -253,7 +254,7 @@ class StaticProgramme {
 };
 
 // The largest share by which a shear passes its circle.
-double friction_excess(const Model& m, const Units& units, const SpaceStaticAnswer& answer,
+double friction_excess(const Model& m, const Units& units, const SpaceStaticSolution& answer,
                        const SpaceYield& yield) {
   double most = 0;
   for (int j = 0; j < m.n_joint; ++j) {
@@ -289,9 +290,9 @@ class SpaceProgramme {
     add_unit_power();
   }
 
-  SpaceKinematicAnswer solve(const Watch& watch) {
-    SpaceKinematicAnswer answer;
-    answer.status = lp_.solve(watch);
+  SpaceKinematicSolution solve(const Monitor& monitor) {
+    SpaceKinematicSolution answer;
+    answer.status = lp_.solve(monitor);
     answer.accuracy = lp_.accuracy();
     if (answer.status != ProgrammeStatus::kOptimal) return answer;
     answer.load = lp_.objective() * (loads_.is_force ? u_.force : 1.0);
@@ -423,7 +424,7 @@ SpaceLoads space_loads(const Model& model, double secant, bool loads_are_masses)
   loads.growing.resize(static_cast<std::size_t>(model.n_block));
   const Vec3 gravity = space_gravity_before(model, loads.stage);
   for (std::size_t i = 0; i < loads.dead.size(); ++i)
-    loads.dead[i].force = model.heavy_mass[i] * gravity;
+    loads.dead[i].force = model.gravity_mass[i] * gravity;
   for (const Stage& stage : model.stages) {
     if (&stage == loads.stage) break;
     for (const PointLoad& p : stage.loads) {
@@ -436,7 +437,7 @@ SpaceLoads space_loads(const Model& model, double secant, bool loads_are_masses)
   loads.push = (goes_back(grows) ? -1.0 : 1.0) * grows.drive();
   if (!loads.is_force) {
     for (std::size_t i = 0; i < loads.growing.size(); ++i)
-      loads.growing[i].force = model.solve.gravity * model.heavy_mass[i] * grows.drive();
+      loads.growing[i].force = model.solve.gravity * model.gravity_mass[i] * grows.drive();
     for (const Stage& stage : model.stages) {
       if (&stage == loads.stage || !loads_are_masses) break;
       for (const PointLoad& p : stage.loads) {
@@ -478,29 +479,30 @@ Units units_of(const Model& model, const SpaceLoads& loads) {
   return units;
 }
 
-SpaceStaticAnswer solve_static(const Model& model, const SpaceLoads& loads, const SpaceYield& yield,
-                               const Units& units, const Watch& watch) {
+SpaceStaticSolution solve_static(const Model& model, const SpaceLoads& loads,
+                                 const SpaceYield& yield, const Units& units,
+                                 const Monitor& monitor) {
   StaticProgramme programme(model, loads, yield, units);
   programme.build(false);
-  SpaceStaticAnswer answer = programme.solve(watch);
+  SpaceStaticSolution answer = programme.solve(monitor);
   if (answer.status == ProgrammeStatus::kOptimal)
     answer.friction_excess = friction_excess(model, units, answer, yield);
   return answer;
 }
 
-SpaceKinematicAnswer solve_kinematic(const Model& model, const SpaceLoads& loads,
-                                     const SpaceYield& yield, const Units& units,
-                                     const Watch& watch) {
+SpaceKinematicSolution solve_kinematic(const Model& model, const SpaceLoads& loads,
+                                       const SpaceYield& yield, const Units& units,
+                                       const Monitor& monitor) {
   SpaceProgramme programme(model, loads, yield, units);
   programme.build();
-  return programme.solve(watch);
+  return programme.solve(monitor);
 }
 
 Unbalanced find_unbalanced(const Model& model, const SpaceLoads& loads, const SpaceYield& yield,
-                           const Units& units, const Watch& watch) {
+                           const Units& units, const Monitor& monitor) {
   StaticProgramme programme(model, loads, yield, units);
   programme.build(true);
-  return programme.worst(watch);
+  return programme.worst(monitor);
 }
 
 }  // namespace wythe::limit

@@ -38,7 +38,7 @@ struct SpaceYield {
                                      double times = 1);
 [[nodiscard]] Units units_of(const Model& model, const SpaceLoads& loads);
 
-struct SpaceStaticAnswer {
+struct SpaceStaticSolution {
   ProgrammeStatus status = ProgrammeStatus::kFailed;
   double load = 0;
   std::vector<double> compression, shear_1, shear_2;  // (n_point) [N]
@@ -49,21 +49,21 @@ struct SpaceStaticAnswer {
       -1;  // of a load without limit: the joint that carries most of it, links after joints
   int rows = 0, columns = 0;
 };
-[[nodiscard]] SpaceStaticAnswer solve_static(const Model& model, const SpaceLoads& loads,
-                                             const SpaceYield& yield, const Units& units,
-                                             const Watch& watch = {});
+[[nodiscard]] SpaceStaticSolution solve_static(const Model& model, const SpaceLoads& loads,
+                                               const SpaceYield& yield, const Units& units,
+                                               const Monitor& monitor = {});
 
-struct SpaceKinematicAnswer {
+struct SpaceKinematicSolution {
   ProgrammeStatus status = ProgrammeStatus::kFailed;
   double load = 0, dissipation = 0, accuracy = 0;
   std::vector<Vec3> velocity, spin;  // (n_block), per unit velocity of the load [-], [1/m]
 };
-[[nodiscard]] SpaceKinematicAnswer solve_kinematic(const Model& model, const SpaceLoads& loads,
-                                                   const SpaceYield& yield, const Units& units,
-                                                   const Watch& watch = {});
+[[nodiscard]] SpaceKinematicSolution solve_kinematic(const Model& model, const SpaceLoads& loads,
+                                                     const SpaceYield& yield, const Units& units,
+                                                     const Monitor& monitor = {});
 
 [[nodiscard]] Unbalanced find_unbalanced(const Model& model, const SpaceLoads& loads,
                                          const SpaceYield& yield, const Units& units,
-                                         const Watch& watch = {});
+                                         const Monitor& monitor = {});
 
 }  // namespace wythe::limit

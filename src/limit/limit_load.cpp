@@ -78,7 +78,7 @@ void check_it_stands_alone(const Model& model, const Unbalanced& without_load) {
 }
 
 // The joint that carries most of a load without limit.
-[[noreturn]] void refuse_unlimited(const Model& model, const StaticAnswer& answer,
+[[noreturn]] void refuse_unlimited(const Model& model, const StaticSolution& answer,
                                    const YieldModel& yield) {
   std::string between = "its joints";
   const std::size_t stride = 1 + yield.points();
@@ -101,7 +101,7 @@ void check_it_stands_alone(const Model& model, const Unbalanced& without_load) {
 }
 
 // Entries of the model's own blocks and joints; its deformable ones came after them.
-void keep_first(const Model& model, LimitAnswer& answer) {
+void keep_first(const Model& model, LimitResult& answer) {
   const auto blocks = static_cast<std::size_t>(model.n_block);
   const auto joints = static_cast<std::size_t>(model.n_joint);
   const std::size_t points = answer.point_force.size() / answer.shear_force.size();
@@ -110,10 +110,10 @@ void keep_first(const Model& model, LimitAnswer& answer) {
   answer.point_force.resize(joints * points);
 }
 
-Watch watch_from(const LimitWatch& watch, double from, double to) {
-  return [&watch, from, to](double share) {
-    if (watch.progress) watch.progress(from + share * (to - from));
-    return watch.stop != nullptr && watch.stop->load();
+Monitor monitor_from(const LimitMonitor& monitor, double from, double to) {
+  return [&monitor, from, to](double share) {
+    if (monitor.progress) monitor.progress(from + share * (to - from));
+    return monitor.stop != nullptr && monitor.stop->load();
   };
 }
 
@@ -126,24 +126,24 @@ struct Programmes {
   LimitLoads loads;
   YieldModel yield;
   Units units;
-  StaticAnswer by_forces;
+  StaticSolution by_forces;
 };
 
 Programmes solve_by_forces(const Model& model, const LimitOptions& options, double secant,
-                           const LimitWatch& watch) {
+                           const LimitMonitor& monitor) {
   Programmes p{limit_loads(model, secant, options.loads_are_masses),
                yield_of(model, options, secant),
                {},
                {}};
   p.units = units_of(model, p.loads, p.yield);
-  const Watch ask = watch_from(watch, 0, 0.5);
-  p.by_forces = solve_static(model, p.loads, p.yield, p.units, ask);
+  const Monitor part_monitor = monitor_from(monitor, 0, 0.5);
+  p.by_forces = solve_static(model, p.loads, p.yield, p.units, part_monitor);
   if (p.by_forces.status == ProgrammeStatus::kStopped) throw LimitStopped();
   if (p.by_forces.status == ProgrammeStatus::kInfeasible)
-    refuse_unbalanced(model, find_unbalanced(model, p.loads, p.yield, p.units, ask));
+    refuse_unbalanced(model, find_unbalanced(model, p.loads, p.yield, p.units, part_monitor));
   if (p.by_forces.status == ProgrammeStatus::kUnbounded) {
     // the load may grow beside a wall that falls: both are proofs, and the solver gives one
-    check_it_stands_alone(model, find_unbalanced(model, p.loads, p.yield, p.units, ask));
+    check_it_stands_alone(model, find_unbalanced(model, p.loads, p.yield, p.units, part_monitor));
     refuse_unlimited(model, p.by_forces, p.yield);
   }
   return p;
@@ -153,7 +153,7 @@ struct SpaceProgrammes {
   SpaceLoads loads;
   SpaceYield yield;
   Units units;
-  SpaceStaticAnswer by_forces;
+  SpaceStaticSolution by_forces;
 };
 
 // What carries most of a load without limit: a joint or, after those, a link.
@@ -164,19 +164,19 @@ std::string carrier_text(const Model& model, int carrier) {
 }
 
 SpaceProgrammes solve_by_forces_in_space(const Model& model, const LimitOptions& options,
-                                         double secant, const LimitWatch& watch) {
+                                         double secant, const LimitMonitor& monitor) {
   SpaceProgrammes p{space_loads(model, secant, options.loads_are_masses),
                     space_yield(model, options, secant),
                     {},
                     {}};
   p.units = units_of(model, p.loads);
-  const Watch ask = watch_from(watch, 0, 0.5);
-  p.by_forces = solve_static(model, p.loads, p.yield, p.units, ask);
+  const Monitor part_monitor = monitor_from(monitor, 0, 0.5);
+  p.by_forces = solve_static(model, p.loads, p.yield, p.units, part_monitor);
   if (p.by_forces.status == ProgrammeStatus::kStopped) throw LimitStopped();
   if (p.by_forces.status == ProgrammeStatus::kInfeasible)
-    refuse_unbalanced(model, find_unbalanced(model, p.loads, p.yield, p.units, ask));
+    refuse_unbalanced(model, find_unbalanced(model, p.loads, p.yield, p.units, part_monitor));
   if (p.by_forces.status == ProgrammeStatus::kUnbounded) {
-    check_it_stands_alone(model, find_unbalanced(model, p.loads, p.yield, p.units, ask));
+    check_it_stands_alone(model, find_unbalanced(model, p.loads, p.yield, p.units, part_monitor));
     refuse_unlimited(carrier_text(model, p.by_forces.carrier));
   }
   return p;
@@ -213,9 +213,9 @@ void check_solved(const Static& by_forces, const Kinematic& by_motion) {
 
 // What both programmes say of a wall, in the plane or in space.
 template <class Programmes, class Kinematic>
-LimitAnswer answer_of(const LimitOptions& options, const Programmes& p,
+LimitResult answer_of(const LimitOptions& options, const Programmes& p,
                       const Kinematic& by_motion) {
-  LimitAnswer answer;
+  LimitResult answer;
   answer.options = options;
   answer.is_force = p.loads.is_force;
   const auto without_round_off = [&](double load) {
@@ -237,21 +237,22 @@ LimitAnswer answer_of(const LimitOptions& options, const Programmes& p,
   return answer;
 }
 
-LimitAnswer limit_in_plane(const Model& model, const LimitOptions& options,
-                           const LimitWatch& watch) {
+LimitResult limit_in_plane(const Model& model, const LimitOptions& options,
+                           const LimitMonitor& monitor) {
   const Programmes p =
-      solve_tilted([&](double secant) { return solve_by_forces(model, options, secant, watch); });
-  const KinematicAnswer by_motion =
-      solve_kinematic(model, p.loads, p.yield, p.units, watch_from(watch, 0.5, 1));
+      solve_tilted([&](double secant) { return solve_by_forces(model, options, secant, monitor); });
+  const KinematicSolution by_motion =
+      solve_kinematic(model, p.loads, p.yield, p.units, monitor_from(monitor, 0.5, 1));
   if (by_motion.status == ProgrammeStatus::kStopped) throw LimitStopped();
   if (by_motion.status == ProgrammeStatus::kInfeasible)
     refuse_unlimited(model, p.by_forces, p.yield);
   check_solved(p.by_forces, by_motion);
-  const Watch ask = watch_from(watch, 1, 1);
-  check_it_stands_alone(model, is_tilt(p) ? find_unbalanced(model, limit_loads(model),
-                                                            yield_of(model, options), p.units, ask)
-                                          : find_unbalanced(model, p.loads, p.yield, p.units, ask));
-  LimitAnswer answer = answer_of(options, p, by_motion);
+  const Monitor part_monitor = monitor_from(monitor, 1, 1);
+  check_it_stands_alone(
+      model, is_tilt(p) ? find_unbalanced(model, limit_loads(model), yield_of(model, options),
+                                          p.units, part_monitor)
+                        : find_unbalanced(model, p.loads, p.yield, p.units, part_monitor));
+  LimitResult answer = answer_of(options, p, by_motion);
   answer.shear_force = p.by_forces.shear;
   answer.point_force = p.by_forces.point_force;
   answer.link_force = p.by_forces.link_force;
@@ -262,24 +263,24 @@ LimitAnswer limit_in_plane(const Model& model, const LimitOptions& options,
   return answer;
 }
 
-LimitAnswer limit_in_space(const Model& model, const LimitOptions& options,
-                           const LimitWatch& watch) {
+LimitResult limit_in_space(const Model& model, const LimitOptions& options,
+                           const LimitMonitor& monitor) {
   if (options.crushing == CrushingChoice::kStressBlock)
     refuse("crushing", "stress block", "is for walls in their plane",
            "let each contact point carry its share of fc A");
   const SpaceProgrammes p = solve_tilted(
-      [&](double secant) { return solve_by_forces_in_space(model, options, secant, watch); });
-  const SpaceKinematicAnswer by_motion =
-      solve_kinematic(model, p.loads, p.yield, p.units, watch_from(watch, 0.5, 1));
+      [&](double secant) { return solve_by_forces_in_space(model, options, secant, monitor); });
+  const SpaceKinematicSolution by_motion =
+      solve_kinematic(model, p.loads, p.yield, p.units, monitor_from(monitor, 0.5, 1));
   if (by_motion.status == ProgrammeStatus::kStopped) throw LimitStopped();
   if (by_motion.status == ProgrammeStatus::kInfeasible) refuse_unlimited("some joint");
   check_solved(p.by_forces, by_motion);
-  const Watch ask = watch_from(watch, 1, 1);
-  check_it_stands_alone(model, is_tilt(p)
-                                   ? find_unbalanced(model, space_loads(model),
-                                                     space_yield(model, options), p.units, ask)
-                                   : find_unbalanced(model, p.loads, p.yield, p.units, ask));
-  LimitAnswer answer = answer_of(options, p, by_motion);
+  const Monitor part_monitor = monitor_from(monitor, 1, 1);
+  check_it_stands_alone(
+      model, is_tilt(p) ? find_unbalanced(model, space_loads(model), space_yield(model, options),
+                                          p.units, part_monitor)
+                        : find_unbalanced(model, p.loads, p.yield, p.units, part_monitor));
+  LimitResult answer = answer_of(options, p, by_motion);
   answer.point_force = p.by_forces.compression;
   answer.shear_force = p.by_forces.shear_1;
   answer.shear_force_2 = p.by_forces.shear_2;
@@ -298,9 +299,10 @@ LimitAnswer limit_in_space(const Model& model, const LimitOptions& options,
 
 }  // namespace
 
-LimitAnswer limit_load(const Model& model, const LimitOptions& options, const LimitWatch& watch) {
+LimitResult limit_load(const Model& model, const LimitOptions& options,
+                       const LimitMonitor& monitor) {
   if (!model.solids.bodies.empty()) {
-    LimitAnswer answer = limit_load(with_rigid_bodies(model), options, watch);
+    LimitResult answer = limit_load(with_rigid_bodies(model), options, monitor);
     keep_first(model, answer);
     return answer;
   }
@@ -328,8 +330,8 @@ LimitAnswer limit_load(const Model& model, const LimitOptions& options, const Li
                "\" is a share of the blocks' weight",
            "give gravity, or push with a force");
   const auto start = std::chrono::steady_clock::now();
-  LimitAnswer answer = model.in_space() ? limit_in_space(model, options, watch)
-                                        : limit_in_plane(model, options, watch);
+  LimitResult answer = model.in_space() ? limit_in_space(model, options, monitor)
+                                        : limit_in_plane(model, options, monitor);
   answer.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return answer;
 }

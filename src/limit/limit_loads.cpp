@@ -33,8 +33,8 @@ Vec2 gravity_before(const Model& model, const Stage* grows) {
 void add_dead_loads(const Model& model, double secant, LimitLoads& loads) {
   const Vec2 gravity = gravity_before(model, loads.stage);
   for (std::size_t i = 0; i < loads.dead.size(); ++i) {
-    loads.dead[i].fx += gravity.x * model.heavy_mass[i];
-    loads.dead[i].fy += gravity.y * model.heavy_mass[i];
+    loads.dead[i].fx += gravity.x * model.gravity_mass[i];
+    loads.dead[i].fy += gravity.y * model.gravity_mass[i];
   }
   for (const Stage& stage : model.stages) {
     if (&stage == loads.stage) break;
@@ -104,10 +104,10 @@ void add_block(const Solids& solids, const SolidBody& body, Model& model) {
   double mass = 0, heavy = 0;
   for (int k = 0; k < body.n_node; ++k) {
     mass += solids.node_mass[static_cast<std::size_t>(body.first_node + k)];
-    heavy += solids.node_heavy_mass[static_cast<std::size_t>(body.first_node + k)];
+    heavy += solids.node_gravity_mass[static_cast<std::size_t>(body.first_node + k)];
   }
   model.mass.push_back(mass);
-  model.heavy_mass.push_back(heavy);
+  model.gravity_mass.push_back(heavy);
   model.inertia.push_back(0);  // limit analysis asks for none
   model.turn_freedom.push_back(1);
   ++model.n_block;
@@ -202,7 +202,7 @@ LimitLoads limit_loads(const Model& model, double secant, bool loads_are_masses)
     return loads;
   }
   for (std::size_t i = 0; i < n; ++i) {
-    const double w = model.solve.gravity * model.heavy_mass[i];
+    const double w = model.solve.gravity * model.gravity_mass[i];
     loads.growing[i] = {w * loads.stage->drive_x, w * loads.stage->drive_y, 0};
   }
   if (loads_are_masses) push_loads(model, loads);

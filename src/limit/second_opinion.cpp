@@ -159,14 +159,14 @@ SecondOpinion second_opinion(const Model& model, const OpinionAsked& asked,
                                            : std::vector<LimitCase>{};
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const Message what{"limit.of_case", {{"case", Message{cases[i].code}}}};
-    LimitWatch watch{.stop = stop};
-    watch.progress = [&](double share) {
+    LimitMonitor monitor{.stop = stop};
+    monitor.progress = [&](double share) {
       if (progress)
         progress(what, (static_cast<double>(i) + share) / static_cast<double>(cases.size()));
     };
     attempt(opinion, what, [&] {
       if (stop != nullptr && *stop) throw LimitStopped();
-      opinion.limits.push_back({cases[i].name, limit_load(model, cases[i].options, watch)});
+      opinion.limits.push_back({cases[i].name, limit_load(model, cases[i].options, monitor)});
     });
   }
   throw_if_nothing(asked, opinion, stop);

@@ -14,7 +14,7 @@
 #include "model/idle_inputs.h"
 #include "model/parts.h"
 #include "model/plane/step_bound.h"
-#include "model/point_rule.h"
+#include "model/quadrature.h"
 #include "model/shaking.h"
 #include "model/size.h"
 #include "model/space/space.h"
@@ -124,7 +124,7 @@ BlockMap compile_blocks(const ModelSpec& spec, const Assembly& assembly, const F
     const double mass = inertial_density(density) * moments.area * block.thickness;
     const bool weighs = block.role != Role::kPlate && density > 0;
     model.mass.push_back(mass);
-    model.heavy_mass.push_back(weighs ? mass : 0.0);
+    model.gravity_mass.push_back(weighs ? mass : 0.0);
     model.inertia.push_back(mass * moments.polar / moments.area);
     const bool held = block.role == Role::kBeam && spec.wall.beam.rotation == Freedom::kBlocked;
     model.turn_freedom.push_back(held ? 0.0 : 1.0);
@@ -210,10 +210,11 @@ Model fill(const ModelSpec& spec, const Assembly& assembly) {
   note_densities(spec, model);
   note_coarse_units(spec, model);
   set_push_ramps(model);
-  for (std::size_t i = 0; i < model.heavy_mass.size(); ++i)  // of what is cut out none is left
+  for (std::size_t i = 0; i < model.gravity_mass.size(); ++i)  // of what is cut out none is left
     if (model.anatomy.block_role[i] != BlockRole::kCutOut)
-      model.weight += model.heavy_mass[i] * model.solve.gravity;
-  for (const double mass : model.solids.node_heavy_mass) model.weight += mass * model.solve.gravity;
+      model.weight += model.gravity_mass[i] * model.solve.gravity;
+  for (const double mass : model.solids.node_gravity_mass)
+    model.weight += mass * model.solve.gravity;
   model.topology = topology_of(model);
   return model;
 }

@@ -228,7 +228,7 @@ void each_model_field(M& m, const Visit& visit) {
   visit(m.block_entry, E::kOther, kAll, "block_entry", "");
   visit(m.turn_freedom, E::kBlock, kAll, "turn_freedom", "1");
   visit(m.mass, E::kBlock, kOwn, "mass", "kg");
-  visit(m.heavy_mass, E::kBlock, kOwn, "heavy_mass", "kg");
+  visit(m.gravity_mass, E::kBlock, kOwn, "heavy_mass", "kg");
   visit(m.inertia, E::kBlock, kOwn, "inertia", "kg m^2");
 
   auto& s = m.solids;
@@ -255,7 +255,7 @@ void each_model_field(M& m, const Visit& visit) {
   visit(s.node_free_x, E::kNode, kAll, "node_free_x", "1");
   visit(s.node_free_y, E::kNode, kAll, "node_free_y", "1");
   visit(s.node_mass, E::kNode, kOwn, "node_mass", "kg");
-  visit(s.node_heavy_mass, E::kNode, kOwn, "node_heavy_mass", "kg");
+  visit(s.node_gravity_mass, E::kNode, kOwn, "node_heavy_mass", "kg");
 
   auto& l = m.links;
   auto& b = m.space;
@@ -287,7 +287,7 @@ void each_model_field(M& m, const Visit& visit) {
     visit(z.contact_material, E::kOther, kAll, "space_contact_material", "");
     visit(z.node, E::kOther, kAll, "space_node", "m");
     visit(z.node_mass, E::kSpaceNode, kOwn, "space_node_mass", "kg");
-    visit(z.node_heavy_mass, E::kSpaceNode, kOwn, "space_node_heavy_mass", "kg");
+    visit(z.node_gravity_mass, E::kSpaceNode, kOwn, "space_node_heavy_mass", "kg");
   }
 
   visit(l.a, E::kLink, kAll, "link_a", "");

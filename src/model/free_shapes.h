@@ -1,8 +1,8 @@
 // Bodies of free contacts and what is between two of them.
 #pragma once
 
-#include "contact/meeting.h"
-#include "contact/meeting_in_space.h"
+#include "contact/convex_contact.h"
+#include "contact/convex_contact_in_space.h"
 #include "core/real.h"
 #include "wythe/error.h"
 #include "wythe/model.h"

@@ -420,9 +420,10 @@ static void note_loads_without_mass(const Stage& shake, double pressed, double b
 static void note_loads_left_out(const Stage& factor, double pressed, double carried, Model& model) {
   constexpr double kSome = 0.02;  // of the wall's weight
   double weight = 0;
-  for (const double mass : model.heavy_mass) weight += mass * model.solve.gravity;
-  for (const double mass : model.solids.node_heavy_mass) weight += mass * model.solve.gravity;
-  for (const double mass : model.space.solids.node_heavy_mass) weight += mass * model.solve.gravity;
+  for (const double mass : model.gravity_mass) weight += mass * model.solve.gravity;
+  for (const double mass : model.solids.node_gravity_mass) weight += mass * model.solve.gravity;
+  for (const double mass : model.space.solids.node_gravity_mass)
+    weight += mass * model.solve.gravity;
   if (pressed > kSome * weight)
     model.anatomy.notes.push_back(
         {factor.spec.kind == StageKind::kTilt ? "tilt.loads_left_out" : "body_force.loads_left_out",

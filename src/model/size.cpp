@@ -9,8 +9,8 @@
 #include <fstream>
 
 #include "geometry/wall/storeys.h"
-#include "model/point_rule.h"
 #include "model/protocol.h"
+#include "model/quadrature.h"
 #include "wythe/curve.h"
 
 namespace wythe {
@@ -227,7 +227,7 @@ Pace pace_of(const StageSpec& stage) {
 Size size_of(const ModelSpec& spec) {
   Size size;
   size.blocks = blocks_of(spec);
-  const double points = kJointsPerBlock * point_choice(spec.solve).points;
+  const double points = kJointsPerBlock * quadrature_choice(spec.solve).points;
   const double state = kStateDoubles * (1 + points) * sizeof(double);
   const double height = geometry::stated_storeys(spec.wall, spec.storey).back().top();
   double kept = kFramesKept + static_cast<double>(spec.output.states.size());

@@ -364,7 +364,7 @@ class StageCompiler {
   [[nodiscard]] double mass_of_zones(const SolidBody& body) const {
     double mass = 0;
     for (int node = body.first_node; node < body.first_node + body.n_node; ++node)
-      mass += model_.solids.node_heavy_mass[static_cast<std::size_t>(node)];
+      mass += model_.solids.node_gravity_mass[static_cast<std::size_t>(node)];
     return mass;
   }
 
@@ -454,7 +454,7 @@ class StageCompiler {
   }
 
   [[nodiscard]] double mass_of(std::size_t b) const {
-    return is_solid(map_[b]) ? 0.0 : model_.heavy_mass[static_cast<std::size_t>(map_[b])];
+    return is_solid(map_[b]) ? 0.0 : model_.gravity_mass[static_cast<std::size_t>(map_[b])];
   }
 
   // The block whose displacement the push follows.

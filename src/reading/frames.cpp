@@ -62,11 +62,11 @@ std::vector<FrameReading> read_frames(const Model& m, const State& s) {
     const auto [jump, end_b] = reading::section_in(m, s, k);
     const contact::SectionLaw law{f.outer_stiffness[k], f.middle_stiffness[k], f.shear_stiffness[k],
                                   f.fibre[k],           f.outer_yield[k],      f.middle_yield[k]};
-    const contact::SectionPull pull =
-        contact::section_pull(law, jump, s.frame_left[k], s.frame_middle[k], s.frame_right[k]);
+    const contact::SectionForces pull =
+        contact::section_forces(law, jump, s.frame_left[k], s.frame_middle[k], s.frame_right[k]);
     const FrameMember& member = m.frames.members[static_cast<std::size_t>(f.member[k])];
     // a foot at the end of the way looks back along it
-    const double forth = f.axis_x[k] * member.way_x + f.axis_y[k] * member.way_y;
+    const double forth = f.axis_x[k] * member.direction_x + f.axis_y[k] * member.direction_y;
     FrameReading& now = read[k];
     const auto i = static_cast<std::size_t>(f.b[k]);
     now.where = {m.centroid_x[i] + f.arm_b_x[k] + end_b.moved_x,

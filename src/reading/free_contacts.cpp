@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/meeting.h"
-#include "contact/meeting_in_space.h"
+#include "contact/convex_contact.h"
+#include "contact/convex_contact_in_space.h"
 #include "core/elementary.h"
 #include "core/real.h"
 #include "model/free_shapes.h"
@@ -106,7 +106,7 @@ double deepest_overlap(const Model& m, const State& s) {
   return deepest;
 }
 
-Debris read_debris(const Model& m, const State& s) {
+Debris evaluate_debris(const Model& m, const State& s) {
   Debris debris;
   if (!m.free.any()) return debris;
   // what a block is made of, now or at the start
@@ -127,7 +127,7 @@ Debris read_debris(const Model& m, const State& s) {
     if (-s.uy[i] <= 0.5 * height_of(corners(i, false))) continue;
     ++debris.blocks;
     debris.volume += volume_of(m, i);
-    debris.mass += m.heavy_mass[i];
+    debris.mass += m.gravity_mass[i];
     for (const Vec3& v : corners(i, true))
       debris.reach = std::max({debris.reach, v.x - high.x, low.x - v.x, v.z - high.z, low.z - v.z});
   }

@@ -9,7 +9,7 @@ namespace wythe::reading {
 [[nodiscard]] double free_energy(const Model& model, const State& state);
 
 // Empty where contacts are not free.
-[[nodiscard]] Debris read_debris(const Model& model, const State& state);
+[[nodiscard]] Debris evaluate_debris(const Model& model, const State& state);
 
 // How deep the block of a free contact that is pressed most lies in the other [m]; 0 without one.
 [[nodiscard]] double deepest_overlap(const Model& model, const State& state);

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/fast_paths.h"
 #include "contact/parameters.h"
-#include "contact/short_ways.h"
 #include "core/real.h"
 #include "model/fields.h"
 #include "reading/space.h"
@@ -105,18 +105,18 @@ class Histories {
 
 // The law's answer, by its short way where nothing has happened to the point.
 template <class V>
-contact::Answer<double> answer_of(const LawConstants<double>& law, const PointMotion& at,
-                                  contact::History<double>& h) {
-  if (contact::knows_whole<V>(law) && contact::is_whole<V>(law, h)) {
-    const contact::Whole<double> whole = contact::whole_point(law, at.w, at.s);
-    if (whole.stays)
-      return {whole.sigma + 0.0, whole.tau, 0, 0, 0, 0, 0, 0, 0, 0, 0};  // + 0: never -0
+contact::LawUpdate<double> answer_of(const LawConstants<double>& law, const PointMotion& at,
+                                     contact::History<double>& h) {
+  if (contact::has_undamaged_path<V>(law) && contact::is_undamaged<V>(law, h)) {
+    const contact::UndamagedStress<double> undamaged = contact::undamaged_point(law, at.w, at.s);
+    if (undamaged.stays)
+      return {undamaged.sigma + 0.0, undamaged.tau, 0, 0, 0, 0, 0, 0, 0, 0, 0};  // + 0: never -0
   }
   return contact::update<V>(law, at.w, at.s, h);
 }
 
-PointReading read_point(contact::History<double> h, const LawConstants<double>& law,
-                        const PointMotion& at) {
+PointReading evaluate_point(contact::History<double> h, const LawConstants<double>& law,
+                            const PointMotion& at) {
   PointReading point;
   point.where = {at.x, at.y};
   point.opening = at.w;
@@ -124,7 +124,7 @@ PointReading read_point(contact::History<double> h, const LawConstants<double>& 
   point.opened = h.kappa;
   point.slid = h.plastic_slip;
   point.crushed = h.crush;
-  const contact::Answer<double> now = contact::with_variant(
+  const contact::LawUpdate<double> now = contact::with_variant(
       law.choice, [&](auto variant) { return answer_of<decltype(variant)>(law, at, h); });
   point.normal_stress = now.sigma;
   point.shear_stress = now.tau;
@@ -177,7 +177,7 @@ std::vector<PointReading> read_points(const Model& m, const State& s) {
       const int k = p - range.begin;
       const PointMotion at = face.at(m.point_xi[k]);
       if (stands)
-        points[p] = read_point(history.at(p), law(m.joint_material[j]), at);
+        points[p] = evaluate_point(history.at(p), law(m.joint_material[j]), at);
       else
         points[p].where = {at.x, at.y};
       if (!s.handed_over.empty() && s.handed_over[j] != 0)  // a free contact has its place
@@ -190,8 +190,8 @@ std::vector<PointReading> read_points(const Model& m, const State& s) {
     const PointRange range = points_of(m, m.n_joint + c);
     for (PointId p = range.begin; p < range.end; ++p) {
       const int k = p - range.begin;
-      points[p] =
-          read_point(history.at(p), law(m.solids.contact_material[c]), contact_motion(m, s, c, k));
+      points[p] = evaluate_point(history.at(p), law(m.solids.contact_material[c]),
+                                 contact_motion(m, s, c, k));
       points[p].share = 0.5;
       points[p].place = 2 * k - 1;
     }

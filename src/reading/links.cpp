@@ -30,9 +30,9 @@ LinkReading link_in_space(const Model& m, const State& s, std::size_t k) {
   const contact::SpaceLinkEnd b =
       end_in_space(s, l.b[k], {l.arm_b_x[k], l.arm_b_y[k], l.arm_b_z[k]});
   const contact::SpaceLinkLine line = contact::link_line(span, l.follows[k] > 0, a, b);
-  const contact::LinkPull pull =
-      contact::link_pull({l.stiffness[k], l.tension[k], l.compression[k]}, line.elongation,
-                         s.link_plastic[k], s.link_drawn[k]);
+  const contact::LinkForce pull =
+      contact::force_of_link({l.stiffness[k], l.tension[k], l.compression[k]}, line.elongation,
+                             s.link_plastic[k], s.link_drawn[k]);
   const Vec3 c = m.space.centroid[static_cast<std::size_t>(l.b[k])];
   const Vec3 end =
       c + Vec3{l.arm_b_x[k], l.arm_b_y[k], l.arm_b_z[k]} + Vec3{b.moved.x, b.moved.y, b.moved.z};
@@ -55,11 +55,11 @@ std::vector<LinkReading> read_links(const Model& m, const State& s) {
     const contact::LinkEnd b = end_in(s, l.b[k], l.arm_b_x[k], l.arm_b_y[k]);
     const contact::LinkLine line =
         contact::link_line(l.span_x[k], l.span_y[k], l.follows[k] > 0, a, b);
-    const contact::LinkPull pull =
+    const contact::LinkForce pull =
         m.standing.joins(l.a[k], l.b[k], s.stage)
-            ? contact::link_pull({l.stiffness[k], l.tension[k], l.compression[k]}, line.elongation,
-                                 s.link_plastic[k], s.link_drawn[k])
-            : contact::LinkPull{0, 0};
+            ? contact::force_of_link({l.stiffness[k], l.tension[k], l.compression[k]},
+                                     line.elongation, s.link_plastic[k], s.link_drawn[k])
+            : contact::LinkForce{0, 0};
     const auto block = static_cast<std::size_t>(l.b[k]);
     const Vec3 end{m.centroid_x[block] + l.arm_b_x[k] + b.moved_x,
                    m.centroid_y[block] + l.arm_b_y[k] + b.moved_y, 0};

@@ -51,13 +51,13 @@ contact::History<double> history_of(const State& s, std::size_t p) {
 }
 
 // Of point p, whose sides are g apart along t1, t2 and n of the frame.
-PointReading read_point(const State& s, std::size_t p, const contact::LawConstants<double>& law,
-                        const Vec& g, const contact::Frame<double>& frame) {
+PointReading evaluate_point(const State& s, std::size_t p, const contact::LawConstants<double>& law,
+                            const Vec& g, const contact::Frame<double>& frame) {
   contact::History<double> h = history_of(s, p);
   const contact::Shear<double> shear =
       contact::shear_of(g.x, g.y, h.plastic_slip, s.plastic_slip_2[p]);
   h.plastic_slip = 0;
-  const contact::Answer<double> now = contact::with_variant(law.choice, [&](auto variant) {
+  const contact::LawUpdate<double> now = contact::with_variant(law.choice, [&](auto variant) {
     return contact::update<decltype(variant)>(law, g.z, shear.e, h);
   });
   PointReading point;
@@ -79,7 +79,7 @@ PointReading read_point(const State& s, std::size_t p, const contact::LawConstan
 }
 
 // The points of the contacts of zones: the frame turns with the rigid side (docs/theory/zones.md).
-void read_contacts(const Model& m, const State& s, std::vector<PointReading>& points) {
+void evaluate_contacts(const Model& m, const State& s, std::vector<PointReading>& points) {
   const SpaceSolids& z = m.space.solids;
   for (int contact = 0; contact < z.n_contact; ++contact) {
     const std::size_t c = static_cast<std::size_t>(contact);
@@ -96,7 +96,7 @@ void read_contacts(const Model& m, const State& s, std::vector<PointReading>& po
       const Vec arm = vec(z.contact_arm[c]) + r1 * t1 + r2 * t2;
       const Vec moved = vec(side_moved(m, s, contact, p));
       const Vec jump = moved - (vec(rigid.moved) + swing(rigid.q, arm));
-      points[p] = read_point(s, p, law, frame.in(jump), frame);
+      points[p] = evaluate_point(s, p, law, frame.in(jump), frame);
       points[p].share = m.space.point_share[p];
       points[p].place = reach > 0 ? r1 / reach : 0;
       points[p].where = shape.centre + vec3(r1 * t1 + r2 * t2 + moved);
@@ -121,7 +121,8 @@ std::vector<PointReading> points_in_space(const Model& m, const State& s) {
     for (auto p = static_cast<std::size_t>(m.space.point_begin[j]);
          p < static_cast<std::size_t>(m.space.point_begin[static_cast<std::size_t>(j) + 1]); ++p) {
       const double r1 = m.space.point_r1[p], r2 = m.space.point_r2[p];
-      points[p] = read_point(s, p, law, face.gap.j + r1 * face.gap.a + r2 * face.gap.b, face.frame);
+      points[p] =
+          evaluate_point(s, p, law, face.gap.j + r1 * face.gap.a + r2 * face.gap.b, face.frame);
       if (!s.handed_over.empty() && s.handed_over[j] != 0) {  // a free contact has its place
         points[p].normal_stress = points[p].shear_stress = 0;
         points[p].shear_vector = {};
@@ -134,7 +135,7 @@ std::vector<PointReading> points_in_space(const Model& m, const State& s) {
       points[p].where = turned(arm, b.turned, b.start + b.moved) - back * jump;
     }
   }
-  read_contacts(m, s, points);
+  evaluate_contacts(m, s, points);
   return points;
 }
 

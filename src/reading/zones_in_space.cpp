@@ -87,8 +87,8 @@ BlockReading body_in_space(const Model& model, const State& state, int body) {
   double mass = 0;
   for (std::size_t i = static_cast<std::size_t>(of.first_node);
        i < static_cast<std::size_t>(of.first_node + of.n_node); ++i) {
-    sum = sum + s.node_heavy_mass[i] * moved_of(state, i);
-    mass += s.node_heavy_mass[i];
+    sum = sum + s.node_gravity_mass[i] * moved_of(state, i);
+    mass += s.node_gravity_mass[i];
   }
   return {model.n_block + model.space.n_support + body, of.role, of.centroid, sum / mass, {}};
 }

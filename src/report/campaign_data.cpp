@@ -14,7 +14,7 @@
 #include "campaign/draws/sampling.h"
 #include "report/bundle.h"
 #include "report/model_inputs.h"
-#include "report/said.h"
+#include "report/translation.h"
 #include "report/wall_arrays.h"
 #include "wythe/error.h"
 #include "wythe/failure_mode.h"
@@ -107,12 +107,12 @@ void add_inputs(Bundle& bundle, const Campaign& campaign) {
 Json sample_of(const SampleRecord& r, double read_modes_at) {
   Json json = {{"sample", r.sample},
                {"status", r.status},
-               {"reason", said(r.reason)},
+               {"reason", translated(r.reason)},
                {"answered", is_answered(r)},
                {"rows", backbone_of(r.curve).size()}};
   if (!is_answered(r)) return json;
   json["mode"] = r.failure_mode.name;
-  json["sentence"] = said(shortened(r.failure_mode.sentence));
+  json["sentence"] = translated(shortened(r.failure_mode.sentence));
   json["read_at_mm"] = r.failure_mode.read_at * 1e3;
   json["read_early"] = is_read_early(r.failure_mode.read_at, read_modes_at);
   json["still_rising"] = is_still_rising(r);
@@ -121,7 +121,7 @@ Json sample_of(const SampleRecord& r, double read_modes_at) {
     json["response"].push_back(reading.value * q.to_unit);
     json["censored"].push_back(reading.censored);
   }
-  json["verdict"] = said(r.quasi_static.verdict);
+  json["verdict"] = translated(r.quasi_static.verdict);
   json["judgement"] = r.quasi_static.judgement;
   json["state_hash"] = r.state_hash;
   return json;
@@ -147,7 +147,7 @@ void add_shakes(Bundle& bundle, const Campaign& campaign) {
   Json list = Json::array();
   for (const SampleRecord& r : campaign.records) {
     const SampleCase of = case_of(campaign.study, r.sample - 1);
-    for (const ShakeAnswer& shake : r.shakes)
+    for (const ShakeResult& shake : r.shakes)
       if (shake.counts())
         list.push_back({{"sample", r.sample},
                         {"wall", of.wall + 1},
@@ -270,7 +270,7 @@ std::string campaign_data(const Campaign& campaign, const Statistics& statistics
   bundle.header["title"] = campaign.study.name;
   bundle.header["note"] = campaign.study.note;
   bundle.header["statistics"] = Json::parse(statistics_json(statistics));
-  say_messages(bundle.header["statistics"]);
+  translate_messages(bundle.header["statistics"]);
   bundle.header["quantities"] = quantities_json();
   bundle.header["provenance"] = campaign.provenance;
   bundle.header["model_file"] =  // pages are sent about: no folders of this machine
@@ -280,7 +280,7 @@ std::string campaign_data(const Campaign& campaign, const Statistics& statistics
     Message measures;
     const bool met = precise_enough(campaign.study.until, campaign, &measures);
     bundle.header["until"] = {
-        {"rule", campaign.study.until}, {"met", met}, {"measures", said(measures)}};
+        {"rule", campaign.study.until}, {"met", met}, {"measures", translated(measures)}};
   }
   if (statistics.shaking.shaking.is_asked()) add_shakes(bundle, campaign);
   add_inputs(bundle, campaign);

@@ -4,7 +4,7 @@
 #include "report/bundle.h"
 #include "report/headline.h"
 #include "report/html.h"
-#include "report/said.h"
+#include "report/translation.h"
 #include "wythe/comparison.h"
 #include "wythe/io.h"
 #include "wythe/provenance.h"
@@ -139,7 +139,7 @@ std::string comparison_data(const PairedComparison& comparison) {
   bundle.header["title"] = comparison.study;
   bundle.header["comparison"] = Json::parse(comparison_json(comparison));
   drop_folders(bundle.header["comparison"]);
-  say_messages(bundle.header["comparison"]);
+  translate_messages(bundle.header["comparison"]);
   Json list = Json::array();
   for (const Quantity& q : quantities())
     list.push_back({{"name", q.name}, {"key", key_of(q)}, {"unit", q.unit}});

@@ -27,7 +27,7 @@ std::string words_in(const Json& json, const char* key) {
   return value.is_string() ? value.get<std::string>() : "";
 }
 // What the engine says, in the page's language; one text is the same in all.
-std::string said_in(const Texts& texts, const Json& json, const char* key) {
+std::string text_in(const Texts& texts, const Json& json, const char* key) {
   const Json& said = member(json, key);
   return said.is_array() ? said.at(texts.place()).get<std::string>() : words_in(json, key);
 }
@@ -38,7 +38,7 @@ std::string caution(const std::string& text, const char* mild = "") {
 }
 // What a code says of a run or campaign, where it was asked.
 std::string assessed_in(const Texts& texts, const Json& summary) {
-  const std::string words = said_in(texts, member(summary, "assessment"), "sentence");
+  const std::string words = text_in(texts, member(summary, "assessment"), "sentence");
   return words.empty() ? "" : " " + report::sentence(words);
 }
 constexpr double kFew = 0.05;    // share of lower bounds that hardly moves a mean
@@ -57,7 +57,7 @@ class RunHeadline {
   }
 
   [[nodiscard]] std::string warning() const {
-    const std::string status = words_in(s_, "status"), reason = said_in(s_, "reason");
+    const std::string status = words_in(s_, "status"), reason = text_in(s_, "reason");
     if (status == "completed" || (status.empty() && reason.empty())) return "";
     return bold(texts_.say("status." + status)) + " " + report::sentence(reason);
   }
@@ -158,7 +158,7 @@ class RunHeadline {
                              {"load", texts_.quantity(of("load_off_kN"), "kN")}});
   }
   [[nodiscard]] std::string tests() const {  // how far tested walls support it
-    const std::string note = said_in(member(s_, "tested_range"), "note");
+    const std::string note = text_in(member(s_, "tested_range"), "note");
     return note.empty() ? "" : " " + texts_.say("run.tests", {{"note", escaped(note)}});
   }
 
@@ -172,7 +172,7 @@ class RunHeadline {
       return texts_.say("run.no_capacity",
                         {{"reason", why_no_capacity()}, {"raw", kilonewtons(raw_peak())}}) +
              mode();
-    const std::string shaken = said_in(member(s_, "shaking"), "sentence");
+    const std::string shaken = text_in(member(s_, "shaking"), "sentence");
     if (!(peak() > 0) && !shaken.empty()) return report::sentence(shaken);
     if (!(peak() > 0)) {
       const bool fell = words_in(s_, "status") == "collapsed";
@@ -216,7 +216,7 @@ class RunHeadline {
     return cards;
   }
   [[nodiscard]] std::string why_no_capacity() const {
-    const std::string reason = said_in(s_, "peak_reason");
+    const std::string reason = text_in(s_, "peak_reason");
     return reason.empty() ? texts_.say("run.no_capacity.reason") : escaped(reason);
   }
   [[nodiscard]] std::vector<Card> cards_without_capacity() const {
@@ -225,7 +225,7 @@ class RunHeadline {
             stiffness_card()};
   }
   [[nodiscard]] Card stiffness_card() const {
-    const std::string reason = said_in(s_, "initial_stiffness_reason");
+    const std::string reason = text_in(s_, "initial_stiffness_reason");
     return {texts_.quantity(number_in(s_, "initial_stiffness_kN_per_mm"), "kN/mm"),
             texts_.say("card.stiffness"),
             reason.empty() ? texts_.say("card.stiffness.means") : escaped(reason)};
@@ -278,7 +278,7 @@ class RunHeadline {
                       {"back", texts_.quantity(number_in(*deepest, "back_mm"), "mm")}});
   }
   [[nodiscard]] std::string tested_drift() const {
-    const std::string note = said_in(member(member(s_, "tested_range"), "drift"), "note");
+    const std::string note = text_in(member(member(s_, "tested_range"), "drift"), "note");
     return note.empty() ? "" : " " + report::sentence(escaped(note));
   }
   [[nodiscard]] std::string threshold() const {
@@ -297,7 +297,7 @@ class RunHeadline {
 
   [[nodiscard]] std::string mode() const {
     const std::string name = words_in(failure_mode(), "name");
-    const std::string words = said_in(member(header_, "mode"), "brief");
+    const std::string words = text_in(member(header_, "mode"), "brief");
     const std::string at = texts_.quantity(number_in(failure_mode(), "read_at_mm"), "mm");
     if (name == "unclear" || name.empty())
       return " " +
@@ -310,7 +310,7 @@ class RunHeadline {
            meaning(words) + ".";
   }
   [[nodiscard]] std::string name_words(const std::string& name) const {
-    const std::string words = said_in(member(header_, "mode"), "words");
+    const std::string words = text_in(member(header_, "mode"), "words");
     return words.empty() ? texts_.phrase(name) : words;
   }
   // ": the piers rock"; of a wall of many parts their number, the table below says which.
@@ -323,7 +323,7 @@ class RunHeadline {
     if (!is_list || damaged <= kListedParts) return ": " + escaped(words);
     const std::string mechanism = words_in(member(failure_mode(), "mechanism"), "name");
     if (!mechanism.empty() && mechanism != "none" && mechanism != "unclear")
-      return ": " + escaped(said_in(member(header_, "mode"), "mechanism"));
+      return ": " + escaped(text_in(member(header_, "mode"), "mechanism"));
     return ": " + parts();
   }
   [[nodiscard]] std::string parts() const {
@@ -346,8 +346,8 @@ class RunHeadline {
     return texts_.say("parts.damaged", {{"list", list}});
   }
 
-  [[nodiscard]] std::string said_in(const Json& json, const char* key) const {
-    return report::said_in(texts_, json, key);
+  [[nodiscard]] std::string text_in(const Json& json, const char* key) const {
+    return report::text_in(texts_, json, key);
   }
 
   const Json& header_;
@@ -560,7 +560,7 @@ class LimitHeadline {
       add(texts_.say("limit.single", {{"load", bold(load(loads.front()))}}));
     if (passing() == 0) add(texts_.say("limit.none_passes"));
     if (const Json* part = worst_part(); part != nullptr) {
-      const std::string said = escaped(said_in(texts_, *part, "sentence"));
+      const std::string said = escaped(text_in(texts_, *part, "sentence"));
       add(words.empty() ? said + "." : "<br>" + said + ".");
     }
     return words.empty() ? texts_.say("limit.nothing") : words;

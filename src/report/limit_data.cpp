@@ -5,7 +5,7 @@
 
 #include "report/bundle.h"
 #include "report/model_inputs.h"
-#include "report/said.h"
+#include "report/translation.h"
 #include "report/wall_arrays.h"
 #include "wythe/io.h"
 #include "wythe/provenance.h"
@@ -39,7 +39,7 @@ std::string limit_data(const ModelSpec& spec, const Model& model,
   bundle.header["note"] = spec.note;
   bundle.header["opinion"] = Json::parse(mechanisms_json);
   drop_compared_folder(bundle.header["opinion"]);
-  say_messages(bundle.header["opinion"]);
+  translate_messages(bundle.header["opinion"]);
   bundle.header["inputs"] = model_inputs(spec, model);
   bundle.header["model_text"] = write_model(spec);
   const Provenance made = provenance();

@@ -9,7 +9,7 @@
 #include "materials/library.h"
 #include "materials/origin.h"
 #include "model/protocol.h"
-#include "report/said.h"
+#include "report/translation.h"
 #include "wythe/assessment.h"
 #include "wythe/notes.h"
 
@@ -153,9 +153,9 @@ bool is_unit_joint(const ModelSpec& spec, const std::string& name) {
 Json notes_of(const std::vector<Message>& notes) {
   Json rows = Json::array();
   for (const NoteGroup& group : grouped(notes))
-    rows.push_back(group.members.empty()
-                       ? said(group.line)
-                       : Json{{"line", said(group.line)}, {"members", said(group.members)}});
+    rows.push_back(group.members.empty() ? translated(group.line)
+                                         : Json{{"line", translated(group.line)},
+                                                {"members", translated(group.members)}});
   return rows;
 }
 
@@ -433,7 +433,8 @@ Json stage_of(const Stage& stage) {
   if (!goes_to_and_fro(s)) add("until", s.until, "mm", 1e3);
   if (s.pattern != Pattern::kNone)
     rows.push_back(Json::array(
-        {"pattern", said(words_of_pattern(std::string(word_of(kPatternWords, s.pattern)))), ""}));
+        {"pattern", translated(words_of_pattern(std::string(word_of(kPatternWords, s.pattern)))),
+         ""}));
   for (double level : s.levels) add("level", level, "m", 1);
   for (double share : s.shares) add("share", share, "", 1);
   if (has_protocol(s))

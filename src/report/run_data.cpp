@@ -5,13 +5,13 @@
 #include <cmath>
 #include <map>
 
-#include "campaign/answer_keys.h"
+#include "campaign/output_keys.h"
 #include "dynamics/meters/residual.h"
 #include "judge/modes/wall_parts.h"
 #include "model/shaking.h"
 #include "report/bundle.h"
 #include "report/model_inputs.h"
-#include "report/said.h"
+#include "report/translation.h"
 #include "report/wall_arrays.h"
 #include "wythe/element_forces.h"
 #include "wythe/io.h"
@@ -31,7 +31,7 @@ struct Frame {
 
 Json label_of(const Snapshot& s) {
   return std::isnan(s.asked) ? Json(s.label)
-                             : said(Message{"length.asked", {{"mm", 1e3 * s.asked}}});
+                             : translated(Message{"length.asked", {{"mm", 1e3 * s.asked}}});
 }
 
 // A load that stands still while the wall falls has no frames of its path there: states of the fall, each
@@ -201,29 +201,30 @@ Message brief(Message sentence) {
 }
 
 // A sentence for each frame: what it bore at most, where, and whether it yields.
-Json frames_said(const Model& model, const Result& result) {
+Json frames_translated(const Model& model, const Result& result) {
   Json list = Json::array();
   for (std::size_t k = 0; k < result.frame_uses.size(); ++k)
-    list.push_back({{"name", model.frames.name[k]},
-                    {"words", said(sentence_of(result.frame_uses[k], model.frames.name[k]))}});
+    list.push_back(
+        {{"name", model.frames.name[k]},
+         {"words", translated(sentence_of(result.frame_uses[k], model.frames.name[k]))}});
   return list;
 }
 
 // A sentence for each layer: what it bore at most and where, and whether fibres break.
-Json layers_said(const Model& model, const Result& result) {
+Json layers_translated(const Model& model, const Result& result) {
   Json list = Json::array();
   for (std::size_t k = 0; k < result.layer_uses.size(); ++k)
-    list.push_back(said(sentence_of(result.layer_uses[k], model.layers.name[k])));
+    list.push_back(translated(sentence_of(result.layer_uses[k], model.layers.name[k])));
   return list;
 }
 
 Json mode_of(const Model& model, const Result& result) {
   const FailureMode& mode = result.failure_mode;
   const Message& sentence = mode.sentence;
-  return {{"words", said(mode.words)},
-          {"sentence", said(shortened(sentence))},
-          {"brief", said(brief(shortened(sentence)))},
-          {"mechanism", said(read_mechanism(model, result).sentence)},
+  return {{"words", translated(mode.words)},
+          {"sentence", translated(shortened(sentence))},
+          {"brief", translated(brief(shortened(sentence)))},
+          {"mechanism", translated(read_mechanism(model, result).sentence)},
           {"lists_parts", sentence.code == "mode.parts" || sentence.code == "mode.parts_only"}};
 }
 
@@ -236,10 +237,10 @@ std::string run_data(const ModelSpec& spec, const Model& model, const Result& re
   bundle.header["note"] = spec.note;
   bundle.header["weight_kN"] = model.weight * 1e-3;
   bundle.header["summary"] = Json::parse(summary_json(spec, model, result));
-  say_messages(bundle.header["summary"]);
+  translate_messages(bundle.header["summary"]);
   bundle.header["mode"] = mode_of(model, result);
-  if (model.frames.n > 0) bundle.header["frames_said"] = frames_said(model, result);
-  if (model.layers.n > 0) bundle.header["layers_said"] = layers_said(model, result);
+  if (model.frames.n > 0) bundle.header["frames_said"] = frames_translated(model, result);
+  if (model.layers.n > 0) bundle.header["layers_said"] = layers_translated(model, result);
   bundle.header["names"] = names_of(model);
   bundle.header["inputs"] = model_inputs(spec, model);
   bundle.header["model_text"] = write_model(spec);

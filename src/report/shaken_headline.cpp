@@ -74,7 +74,7 @@ class ShakenHeadline {
   }
 
  private:
-  // A list of texts, each in every language where they differ (said.h).
+  // A list of texts, each in every language where they differ (translation.h).
   [[nodiscard]] std::string damping() const {
     std::string words;
     if (!shaking_.contains("damping_of_shakes")) return words;

@@ -23,7 +23,7 @@ class Texts {
   // The text as markup, values of its places put in as they are: they must be markup already.
   [[nodiscard]] std::string say(const std::string& key, Places places = {}) const;
   // A word or name of the engine, as text; what is not in the table stays as it is. Sentences come as
-  // messages (report/said.h).
+  // messages (report/translation.h).
   [[nodiscard]] std::string phrase(const std::string& english) const;
   // rounded() and quantity() of html.h with the language's decimal sign.
   [[nodiscard]] std::string number(double value, int digits = 3) const;

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "report/html.h"
-#include "report/said.h"
 #include "report/texts.h"
+#include "report/translation.h"
 #include "wythe/verdict.h"
 
 namespace wythe::report {

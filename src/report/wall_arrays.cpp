@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "model/field_places.h"
-#include "report/said.h"
+#include "report/translation.h"
 #include "report/wall_picture.h"
 #include "wythe/field_notes.h"
 #include "wythe/reading.h"
@@ -148,9 +148,9 @@ void add_members(Json& wall, const Model& model) {
   Json members = Json::array(), sections = Json::array();
   for (const FrameMember& member : f.members)
     members.push_back({{"frame", f.name[static_cast<std::size_t>(member.frame)]},
-                       {"words", said(member.words)},
+                       {"words", translated(member.words)},
                        {"length", member.length},
-                       {"way", {member.way_x, member.way_y}}});
+                       {"way", {member.direction_x, member.direction_y}}});
   for (std::size_t k = 0; k < f.a.size(); ++k) {
     const BlockReading block = read_block(model, rest, f.b[k]);
     const Vec3 arm = read[k].where - block.start - block.moved;
@@ -240,7 +240,8 @@ void add_fields(Bundle& bundle, const ModelSpec& spec, const Model& model, int s
                     {"follows", follows},
                     {"onBlocks", field.of_joint.empty()}});
     for (const Message& note : notes)
-      if (note.arguments.front() == Argument("field", field.name)) list.back()["note"] = said(note);
+      if (note.arguments.front() == Argument("field", field.name))
+        list.back()["note"] = translated(note);
     if (sample > 0) list.back()["sample"] = sample;
   }
   if (!list.empty()) bundle.header["wall"]["fields"] = list;

@@ -17,7 +17,7 @@ void add_node(double x, double y, Solids& s) {
   s.node_x.push_back(x);
   s.node_y.push_back(y);
   s.node_mass.push_back(0);
-  s.node_heavy_mass.push_back(0);
+  s.node_gravity_mass.push_back(0);
   s.node_free_x.push_back(1);
   s.node_free_y.push_back(1);
   ++s.n_node;
@@ -29,7 +29,7 @@ void add_zone(const std::array<std::int32_t, 4>& corner, Solids& s) {
   for (std::size_t k = 0; k < 4; ++k) {
     s.corner[k].push_back(corner[k]);
     s.node_mass[static_cast<std::size_t>(corner[k])] += shape.share[k] * shape.mass;
-    s.node_heavy_mass[static_cast<std::size_t>(corner[k])] += shape.share[k] * shape.mass;
+    s.node_gravity_mass[static_cast<std::size_t>(corner[k])] += shape.share[k] * shape.mass;
   }
   s.zone_shape.push_back(static_cast<std::int32_t>(s.shapes.size()) - 1);
   ++s.n_zone;

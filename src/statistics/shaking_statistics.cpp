@@ -4,7 +4,7 @@
 //          └─► response at each intensity
 //
 // Everything is summed in the order of records' names and of walls, so that the order of records in the study changes
-// no bit. Shakes that do not count (ShakeAnswer::counts) are told and count neither as stood nor as fell.
+// no bit. Shakes that do not count (ShakeResult::counts) are told and count neither as stood nor as fell.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -34,7 +34,7 @@ struct Shaken {
   const SampleRecord* sample;
   SampleCase of;
   int record_rank = 0;                     // by name; of records that are one motion the first's
-  std::vector<const ShakeAnswer*> shakes;  // by intensity
+  std::vector<const ShakeResult*> shakes;  // by intensity
 };
 
 // Records under which a wall ends, at one intensity, in the same state to the last bit are one motion under several names.
@@ -43,7 +43,7 @@ void join_equal_records(std::vector<Shaken>& samples) {
   std::map<Key, int> seen;
   std::map<int, int> first;  // of equal ranks
   for (const Shaken& sample : samples)
-    for (const ShakeAnswer* shake : sample.shakes) {
+    for (const ShakeResult* shake : sample.shakes) {
       if (shake->state_hash.empty()) continue;
       const auto [place, is_new] = seen.emplace(
           Key{sample.of.wall, shake->intensity, shake->state_hash}, sample.record_rank);
@@ -70,7 +70,7 @@ std::vector<Shaken> shaken_of(const Campaign& campaign) {
     if (sample.shakes.empty()) continue;
     Shaken one{&sample, case_of(campaign.study, sample.sample - 1), 0, {}};
     if (one.of.record >= 0) one.record_rank = rank[static_cast<std::size_t>(one.of.record)];
-    for (const ShakeAnswer& shake : sample.shakes) one.shakes.push_back(&shake);
+    for (const ShakeResult& shake : sample.shakes) one.shakes.push_back(&shake);
     std::stable_sort(one.shakes.begin(), one.shakes.end(),
                      [](const auto* a, const auto* b) { return a->intensity < b->intensity; });
     out.push_back(std::move(one));
@@ -94,9 +94,9 @@ Found bracket_of(const LimitStateSpec& limit, const Shaken& sample) {
   b.sample = sample.sample->sample;
   b.wall = sample.of.wall, b.record = std::max(0, sample.of.record);
   b.high = kInfinity;
-  for (const ShakeAnswer* shake : sample.shakes)
+  for (const ShakeResult* shake : sample.shakes)
     if (shake->counts() && reaches(limit, *shake)) b.high = std::min(b.high, shake->intensity);
-  for (const ShakeAnswer* shake : sample.shakes) {
+  for (const ShakeResult* shake : sample.shakes) {
     if (!shake->counts() || reaches(limit, *shake)) continue;
     if (shake->intensity < b.high)
       b.low = std::max(b.low, shake->intensity);
@@ -105,7 +105,7 @@ Found bracket_of(const LimitStateSpec& limit, const Shaken& sample) {
   }
   found.if_not = b.low;
   if (std::isfinite(b.high)) return found;
-  for (const ShakeAnswer* shake : sample.shakes)
+  for (const ShakeResult* shake : sample.shakes)
     if (!shake->counts() && shake->intensity > b.low) {
       b.is_known = false;
       found.if_reached = std::min(found.if_reached, shake->intensity);
@@ -127,15 +127,15 @@ std::vector<double> grid_of(const ShakingSpec& s) {
   return {grid.begin(), grid.end()};
 }
 
-const ShakeAnswer* shake_at(const Shaken& sample, double intensity) {
-  for (const ShakeAnswer* shake : sample.shakes)
+const ShakeResult* shake_at(const Shaken& sample, double intensity) {
+  for (const ShakeResult* shake : sample.shakes)
     if (shake->intensity == intensity) return shake;
   return nullptr;
 }
 
 // Whether the sample fell below this intensity, so that it was not asked any more.
 bool fell_below(const Shaken& sample, double intensity) {
-  return std::any_of(sample.shakes.begin(), sample.shakes.end(), [&](const ShakeAnswer* shake) {
+  return std::any_of(sample.shakes.begin(), sample.shakes.end(), [&](const ShakeResult* shake) {
     return shake->counts() && shake->collapsed && shake->intensity < intensity;
   });
 }
@@ -146,7 +146,7 @@ std::vector<LimitStateCount> counts_of(const ShakingSpec& shaking, const LimitSt
   for (const double intensity : grid_of(shaking)) {
     LimitStateCount count{.intensity = intensity, .share = {}};
     for (const Shaken& sample : samples) {
-      const ShakeAnswer* shake = shake_at(sample, intensity);
+      const ShakeResult* shake = shake_at(sample, intensity);
       const bool after = shaking.climbs() && fell_below(sample, intensity);
       if (shake == nullptr && !after) continue;
       const bool counts = after || shake->counts();
@@ -388,7 +388,7 @@ IntensitySummary intensity_summary(const ShakingSpec& shaking, double intensity,
   std::vector<double> drift;
   std::vector<Cell> cells;
   for (const Shaken& sample : samples) {
-    const ShakeAnswer* shake = shake_at(sample, intensity);
+    const ShakeResult* shake = shake_at(sample, intensity);
     const bool after = shaking.climbs() && fell_below(sample, intensity);
     if (shake == nullptr && !after) continue;
     const bool counts = after || shake->counts();
@@ -417,7 +417,7 @@ IntensitySummary intensity_summary(const ShakingSpec& shaking, double intensity,
 }  // namespace
 }  // namespace study
 
-bool reaches(const LimitStateSpec& limit, const ShakeAnswer& shake) {
+bool reaches(const LimitStateSpec& limit, const ShakeResult& shake) {
   return shake.collapsed || shake.peak_drift >= limit.peak_drift ||
          shake.residual_drift >= limit.residual_drift ||
          shake.peak_displacement >= limit.peak_displacement ||
@@ -433,7 +433,7 @@ ShakingStatistics shaking_statistics(const Campaign& campaign) {
   std::set<int> records, walls;
   for (const study::Shaken& sample : samples) {
     records.insert(sample.of.record), walls.insert(sample.of.wall);
-    for (const ShakeAnswer* shake : sample.shakes) {
+    for (const ShakeResult* shake : sample.shakes) {
       ++out.shakes;
       if (!shake->counts())
         out.lost.push_back({sample.sample->sample, shake->intensity, shake->status, shake->reason});

@@ -30,7 +30,7 @@ static_assert(names_all(kDesignTitles));
 
 bool has_shake_that_counts(const SampleRecord& record) {
   return std::any_of(record.shakes.begin(), record.shakes.end(),
-                     [](const ShakeAnswer& shake) { return shake.counts(); });
+                     [](const ShakeResult& shake) { return shake.counts(); });
 }
 
 void count_outcomes(const Campaign& campaign, Statistics& out) {

@@ -109,7 +109,7 @@ class Trust(Base):
         self.assertEqual(fast["quasi_static"]["mode"]["verdict"], "not known")
         self.assertTrue(words.startswith("note: one run cannot tell the drift: from 2.9"), words)
         self.assertTrue(fast["warning"].startswith("one run cannot tell the drift"))
-        if "WYTHE_LONG" not in os.environ:  # ten seconds; tests/unit/dynamics/promise_test.cpp has such curves each time
+        if "WYTHE_LONG" not in os.environ:  # ten seconds; tests/unit/dynamics/slow_push_test.cpp has such curves each time
             return
         slow, words = pushed("velocity=1 mm/s", "until=3.6 mm")
         self.assertAlmostEqual(slow["displacement_at_80_percent_mm"], 3.18, delta=0.03)

@@ -36,7 +36,7 @@ struct End {
 End run_on(const Model& model, dynamics::Executor& executor, const Dashpots* dashpots = nullptr) {
   End end;
   end.state = initial_state(model);
-  executor.put(0, model, end.state);
+  executor.load_wall(0, model, end.state);
   const SolveOptions options;
   dynamics::WallRun run(model, end.state, options, executor.access(0));
   while (!run.ended()) {
@@ -44,9 +44,9 @@ End run_on(const Model& model, dynamics::Executor& executor, const Dashpots* das
     controls.dashpots = dashpots;
     executor.set(0, controls);
     executor.step();
-    run.look(executor.reaction(0));
+    run.after_step(executor.reaction(0));
   }
-  executor.drop(0);
+  executor.unload_wall(0);
   end.result = run.finish();
   return end;
 }
@@ -120,7 +120,7 @@ TEST(Collapse, walls_side_by_side_have_the_bits_of_those_alone) {
       std::size_t next = 0, ended = 0;
       for (; ended < models.size(); ++ended) {
         for (; next < models.size() && solver.has_room(); ++next)
-          solver.put(static_cast<int>(next), models[next], states[next], options);
+          solver.add_wall(static_cast<int>(next), models[next], states[next], options);
         const auto done = solver.next();
         EXPECT_EQ(done.result.state_hash, alone[static_cast<std::size_t>(done.ticket)])
             << "wall " << done.ticket << " of " << width << (in_space ? " in space" : "");
@@ -139,19 +139,19 @@ TEST(Collapse, does_not_show_who_was_looked_for_and_who_slept) {
       const std::unique_ptr<dynamics::Executor> executor = dynamics::processor_for(model, 1);
       End end;
       end.state = initial_state(model);
-      executor->put(0, model, end.state);
+      executor->load_wall(0, model, end.state);
       const SolveOptions options;
       dynamics::WallRun run(model, end.state, options, executor->access(0));
       for (int step = 1; !run.ended(); ++step) {
         executor->set(0, run.next());
         executor->step();
-        run.look(executor->reaction(0));
+        run.after_step(executor->reaction(0));
         if (every == 0 || step % every != 0) continue;
-        executor->drop(0);
-        executor->put(0, model, end.state);
+        executor->unload_wall(0);
+        executor->load_wall(0, model, end.state);
         run.move_to(executor->access(0));
       }
-      executor->drop(0);
+      executor->unload_wall(0);
       end.result = run.finish();
       ends.push_back(end);
     }

@@ -39,14 +39,14 @@ struct End {
 End step_with(const Kernels& kernels, const Model& model, double turn) {
   State state = scattered(model, turn);
   dynamics::Processor processor(model, 1, 1, kernels);
-  processor.put(0, model, state);
+  processor.load_wall(0, model, state);
   processor.access(0)->choose_driven({3});
   dynamics::Controls controls;
   controls.damping = 0.4;
   controls.dt = model.solve.step_fraction * 2 / (model.omega_max * std::sqrt(1.4));
   processor.set(0, controls);
   for (int k = 0; k < 40; ++k) processor.step();
-  processor.drop(0);
+  processor.unload_wall(0);
   return {state_hash(state), state.dissipated_friction, state.dissipated_fracture,
           state.dissipated_crushing, state.work_damping};
 }

@@ -124,7 +124,7 @@ std::vector<Result> solve_together(std::vector<std::unique_ptr<Wall>>& walls, in
   std::size_t next = 0;
   while (next < walls.size() || solver.running() > 0) {
     for (; solver.has_room() && next < walls.size(); ++next)
-      solver.put(static_cast<int>(next), walls[next]->model, walls[next]->state, options);
+      solver.add_wall(static_cast<int>(next), walls[next]->model, walls[next]->state, options);
     auto ended = solver.next();
     const auto k = static_cast<std::size_t>(ended.ticket);
     results[k] = std::move(ended.result);
@@ -327,13 +327,13 @@ std::string after_steps(dynamics::Executor& executor, const Model& model, bool d
     std::fill(state.crush.begin(), state.crush.end(), 1e-6);
   }
   const int lane = executor.lanes() - 1;
-  executor.put(lane, model, state);
+  executor.load_wall(lane, model, state);
   dynamics::Controls controls;
   controls.damping = 0.4;
   controls.dt = model.solve.step_fraction * 2 / (model.omega_max * std::sqrt(1.4));
   executor.set(lane, controls);
   for (int k = 0; k < 20; ++k) executor.step();
-  executor.drop(lane);
+  executor.unload_wall(lane);
   return state_hash(state);
 }
 
@@ -418,7 +418,7 @@ void expect_same_result(const ModelSpec& spec) {
   const Result alone = solve(model, alone_state, {});
   LaneSolver solver(2);
   const SolveOptions options;
-  for (const int k : {0, 1}) solver.put(k, model, state[k], options);
+  for (const int k : {0, 1}) solver.add_wall(k, model, state[k], options);
   while (solver.running() > 0) {
     const Result there = solver.next().result;
     EXPECT_EQ(there.state_hash, alone.state_hash);

@@ -60,15 +60,15 @@ struct End {
 End run_on(const Model& model, dynamics::Executor& executor, int lane = 0) {
   End end;
   end.state = initial_state(model);
-  executor.put(lane, model, end.state);
+  executor.load_wall(lane, model, end.state);
   const SolveOptions options;
   dynamics::WallRun run(model, end.state, options, executor.access(lane));
   while (!run.ended()) {
     executor.set(lane, run.next());
     executor.step();
-    run.look(executor.reaction(lane));
+    run.after_step(executor.reaction(lane));
   }
-  executor.drop(lane);
+  executor.unload_wall(lane);
   end.result = run.finish();
   end.hash = end.result.state_hash;
   return end;
@@ -118,7 +118,7 @@ TEST(SpaceBits, a_wall_has_the_same_bits_in_any_lane_beside_others) {
     const SolveOptions options;
     while (ended < models.size()) {
       while (next < models.size() && solver.has_room()) {
-        solver.put(static_cast<int>(next), models[next], states[next], options);
+        solver.add_wall(static_cast<int>(next), models[next], states[next], options);
         ++next;
       }
       const auto done = solver.next();

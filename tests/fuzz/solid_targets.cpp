@@ -12,10 +12,10 @@ void read_file_of_blocks(const std::string& name, const std::string& bytes,
   static_cast<void>(compile(parse_model(wall_of(name, more), (scratch() / "model.toml").string())));
 }
 
-void read_blocks(const std::string& bytes) {
+void parse_blocks(const std::string& bytes) {
   read_file_of_blocks("blocks.json", bytes, "thickness = \"0.2 m\"\n");
 }
-void read_compas(const std::string& bytes) {
+void parse_compas(const std::string& bytes) {
   read_file_of_blocks("compas.json", bytes, "blocks_unit = \"m\"\nsupports = [\"lowest\"]\n");
 }
 void read_drawn(const std::string& bytes) {
@@ -24,15 +24,15 @@ void read_drawn(const std::string& bytes) {
 void read_solids(const std::string& name, const std::string& bytes) {
   read_file_of_blocks(name, bytes, "blocks_unit = \"m\"\nsupports = [\"lowest\"]\n");
 }
-void read_obj(const std::string& bytes) { read_solids("stones.obj", bytes); }
-void read_ply(const std::string& bytes) { read_solids("stones.ply", bytes); }
-void read_stl(const std::string& bytes) { read_solids("stones.stl", bytes); }
+void parse_obj(const std::string& bytes) { read_solids("stones.obj", bytes); }
+void parse_ply(const std::string& bytes) { read_solids("stones.ply", bytes); }
+void parse_stl(const std::string& bytes) { read_solids("stones.stl", bytes); }
 
 }  // namespace
 
 std::vector<Target> solid_targets() {
-  return {{"blocks", read_blocks}, {"compas", read_compas}, {"dxf", read_drawn},
-          {"obj", read_obj},       {"ply", read_ply},       {"stl", read_stl}};
+  return {{"blocks", parse_blocks}, {"compas", parse_compas}, {"dxf", read_drawn},
+          {"obj", parse_obj},       {"ply", parse_ply},       {"stl", parse_stl}};
 }
 
 }  // namespace wythe::fuzz

@@ -34,27 +34,27 @@ void read_path(const std::string& bytes) {
   static_cast<void>(read_contact_path(put("path.csv", bytes)));
 }
 
-void read_values(const std::string& bytes) {
+void parse_values(const std::string& bytes) {
   put("model.toml", kWall);
   put("measured.csv", bytes);
   static_cast<void>(parse_study(kMeasured, (scratch() / "study.toml").string()));
 }
 
-void read_record(const std::string& name, const std::string& bytes) {
+void parse_record(const std::string& name, const std::string& bytes) {
   put(name, bytes);
   static_cast<void>(compile(parse_model(
       kWall + "[[stage]]\nname = \"quake\"\nrecord = { file = \"" + name + "\", unit = \"g\" }\n",
       beside())));
 }
-void read_csv_record(const std::string& bytes) { read_record("record.csv", bytes); }
-void read_at2_record(const std::string& bytes) { read_record("record.AT2", bytes); }
+void read_csv_record(const std::string& bytes) { parse_record("record.csv", bytes); }
+void read_at2_record(const std::string& bytes) { parse_record("record.AT2", bytes); }
 
 }  // namespace
 
 std::vector<Target> text_targets() {
   return {{"model", read_model_text},      {"set", read_setting},
           {"study", read_study_text},      {"law", read_law_text},
-          {"path_csv", read_path},         {"values_csv", read_values},
+          {"path_csv", read_path},         {"values_csv", parse_values},
           {"record_csv", read_csv_record}, {"record_at2", read_at2_record}};
 }
 

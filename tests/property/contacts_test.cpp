@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "contact/meeting.h"
+#include "contact/convex_contact.h"
 #include "dynamics/passes/near_pairs.h"
 #include "geometry/polygon.h"
 #include "reading/free_contacts.h"

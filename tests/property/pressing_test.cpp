@@ -9,7 +9,7 @@
 #include <cstring>
 #include <vector>
 
-#include "contact/meeting.h"
+#include "contact/convex_contact.h"
 #include "dynamics/executors/kernels.h"
 #include "geometry/polygon.h"
 #include "scenes/shares.h"

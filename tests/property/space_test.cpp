@@ -68,7 +68,7 @@ Answer push(const ModelSpec& spec, double damping, Vec3 down = {0, -1, 0}) {
     rig.drive(0, 0.05 * std::min(1.0, k / 500.0));
     answer.reaction.push_back(rig.advance());
   }
-  rig.look();
+  rig.store_state();
   answer.model = rig.model;
   answer.state = rig.state;
   return answer;

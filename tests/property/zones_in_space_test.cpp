@@ -66,12 +66,12 @@ TEST(ZonesInSpace, a_free_body_keeps_its_momenta_and_its_energy) {
   rig.set_velocity(0, cross(spin, rig.model.space.centroid[0] - about));
   const Vec3 inertia = rig.model.space.inertia[0];
   rig.set_momentum(0, {inertia.x * spin.x, inertia.y * spin.y, inertia.z * spin.z});
-  rig.put();
+  rig.load_state();
   const Momenta before = momenta(rig);
   double energy = 0, least = 1e300, most = 0;
   for (int k = 0; k < 40; ++k) {
     for (int n = 0; n < 200; ++n) rig.advance();
-    rig.look();
+    rig.store_state();
     const EnergyLedger now = dynamics::energy_ledger(rig.model, rig.state, 1);
     energy = now.kinetic + now.elastic;
     least = std::fmin(least, energy), most = std::fmax(most, energy);
@@ -108,7 +108,7 @@ TEST(ZonesInSpace, an_even_pressure_passes_through_faces_that_do_not_match) {
       rig.state.node_uy[i] = -gap - kStrain * s.node[i].y;
     for (const std::size_t block : {0, 1}) rig.state.uy[block] = -2 * gap - kStrain * kHigh;
     rig.controls.damping = 0;
-    rig.put();
+    rig.load_state();
     rig.step();
     const double pressure = kE * kStrain, force = pressure * 0.11 * 0.11;
     for (std::size_t i = 0; i < s.node.size(); ++i) {
@@ -143,9 +143,9 @@ TEST(ZonesInSpace, the_step_holds_and_is_not_wasteful) {
         rig.state.node_vy[i] = 1e-6 * std::cos(5 * n);
         rig.state.node_vz[i] = 1e-6 * std::sin(7 * n + 1);
       }
-      rig.put();
+      rig.load_state();
       for (int k = 0; k < 4000; ++k) rig.advance();
-      rig.look();
+      rig.store_state();
       double most = 0;
       for (std::size_t i = 0; i < rig.state.node_vx.size(); ++i) {
         const double v = length(node_velocity(rig.state, i));
@@ -229,13 +229,13 @@ TEST(ZonesInSpace, threads_change_no_bit) {
     controls.drive_velocity = 0.05;
     state.gravity_y = -9.81;
     state.load_scale[1] = 1;
-    processor.put(0, model, state);
+    processor.load_wall(0, model, state);
     processor.access(0)->choose_driven(model.stages[2].driven);
     for (int k = 0; k < 300; ++k) {
       processor.set(0, controls);
       processor.step();
     }
-    processor.access(0)->bring_up(state);
+    processor.access(0)->store_state(state);
     const std::string now = state_hash(state) + std::to_string(state.work_damping) +
                             std::to_string(state.dissipated_friction);
     if (first.empty()) first = now;
@@ -254,14 +254,14 @@ TEST(ZonesInSpace, a_copied_state_goes_on_with_the_same_bits) {
   };
   SpaceRig whole(model);
   prepare(whole);
-  whole.put();
+  whole.load_state();
   for (int k = 0; k < 400; ++k) whole.step();
   const State saved = whole.state;
   for (int k = 0; k < 400; ++k) whole.step();
   SpaceRig resumed(model);
   prepare(resumed);
   resumed.state = saved;
-  resumed.put();
+  resumed.load_state();
   for (int k = 0; k < 400; ++k) resumed.step();
   EXPECT_EQ(state_hash(resumed.state), state_hash(whole.state));
   EXPECT_GT(whole.state.dissipated_friction + whole.state.dissipated_fracture, 0);

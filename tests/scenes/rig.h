@@ -31,7 +31,7 @@ class Rig {
     controls.damping = model.solve.damping;
     controls.dt =
         model.solve.step_fraction * 2 / (model.omega_max * std::sqrt(1 + controls.damping));
-    processor.put(0, model, state);
+    processor.load_wall(0, model, state);
     known_ = state;
   }
   Rig(const Rig&) = delete;
@@ -41,14 +41,14 @@ class Rig {
   double step() {
     take_changes();
     go();
-    bring_up();
+    store_state();
     return processor.reaction(0);
   }
   void run(double seconds) {
     take_changes();
     const auto steps = static_cast<std::int64_t>(std::ceil(seconds / controls.dt - 1e-9));
     for (std::int64_t k = 0; k < steps; ++k) go();
-    bring_up();
+    store_state();
   }
   // Throws when the unbalance does not fall below `ratio` within `limit` seconds.
   void settle(double ratio, double limit = 20) {
@@ -59,7 +59,7 @@ class Rig {
       if (state.time - start > limit) throw std::runtime_error("the rig did not settle");
       for (int k = 0; k < 100; ++k) go();
     }
-    bring_up();
+    store_state();
   }
   // Blocks driven at `velocity` along the first push stage's direction; `ramp` seconds to get there.
   void drive(std::size_t stage, double velocity) {
@@ -94,14 +94,14 @@ class Rig {
     processor.set(0, controls);
     processor.step();
   }
-  void bring_up() {
-    processor.access(0)->bring_up(state);
+  void store_state() {
+    processor.access(0)->store_state(state);
     known_ = state;
   }
   void take_changes() {
     const auto same = [&](const StateField& f) { return state.*f.array == known_.*f.array; };
     if (std::all_of(kStateFields.begin(), kStateFields.end(), same)) return;
-    processor.put(0, model, state);
+    processor.load_wall(0, model, state);
     dynamics::choose_driven(view(), driven_);
   }
 

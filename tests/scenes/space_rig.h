@@ -21,19 +21,19 @@ class SpaceRig {
       : model(std::move(built)), state(initial_state(model)), processor(model, 1) {
     controls.damping = model.solve.damping;
     controls.dt = 0.8 * 2 / (model.omega_max * std::sqrt(1 + controls.damping));
-    put();
+    load_state();
   }
   SpaceRig(const SpaceRig&) = delete;
   SpaceRig& operator=(const SpaceRig&) = delete;
 
-  void put() {
-    processor.put(0, model, state);
+  void load_state() {
+    processor.load_wall(0, model, state);
     processor.set(0, controls);
     processor.access(0)->choose_driven(driven_);
   }
   double step() {
     const double reaction = advance();
-    processor.access(0)->bring_up(state);
+    processor.access(0)->store_state(state);
     return reaction;
   }
   // The same, with motion and history left where they are: many times faster.
@@ -42,11 +42,11 @@ class SpaceRig {
     processor.step();
     return processor.reaction(0);
   }
-  void look() { processor.access(0)->bring_up(state); }
+  void store_state() { processor.access(0)->store_state(state); }
   void run(double seconds) {
     const auto steps = static_cast<std::int64_t>(std::ceil(seconds / controls.dt - 1e-9));
     for (std::int64_t k = 0; k < steps; ++k) advance();
-    look();
+    store_state();
   }
   // The first push stage's blocks, along its direction.
   void drive(std::size_t stage, double velocity) {

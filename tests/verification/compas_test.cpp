@@ -36,7 +36,7 @@ std::vector<BodySpec> bodies_of(const std::string& name, double units_in_a_metre
   FaultList faults;
   std::vector<BodySpec> bodies =
       io::is_mesh_file(file)
-          ? io::read_mesh_bodies(file, faults)
+          ? io::parse_mesh_bodies(file, faults)
           : io::compas_bodies(nlohmann::json::parse(read_text(file, 1'000'000)), file, faults);
   io::place(bodies, units_in_a_metre, true);
   faults.throw_if_any();

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <functional>
 
-#include "contact/meeting_in_space.h"
+#include "contact/convex_contact_in_space.h"
 #include "dynamics/meters/residual.h"
 #include "reading/free_contacts.h"
 #include "scenes/space_rig.h"
@@ -364,7 +364,7 @@ ModelSpec on_a_table(std::vector<BodySpec> bodies, double friction = 0.5236) {
 void let_go(SpaceRig& rig) {
   std::fill(rig.state.handed_over.begin(), rig.state.handed_over.end(), 1.0);
   rig.set_gravity({0, -kG, 0});
-  rig.put();
+  rig.load_state();
 }
 
 TEST(ContactInSpace, a_block_over_an_edge_topples_when_its_centroid_has_passed_it) {
@@ -393,7 +393,7 @@ TEST(ContactInSpace, friction_sticks_and_slides_at_its_tangent_in_any_direction)
     const Vec3 start = rig.moved(0);
     const double along = kG * std::sin(slope) * std::sqrt(0.5);
     rig.set_gravity({along, -kG * std::cos(slope), along});
-    rig.put();
+    rig.load_state();
     rig.run(0.25);
     const Vec3 moved = rig.moved(0) - start;
     const double pulled = kG * (std::sin(slope) - std::tan(friction) * std::cos(slope));
@@ -468,7 +468,7 @@ TEST(ContactInSpace, a_dropped_block_keeps_its_energy_and_does_not_pass_the_tabl
   const Vec axis = (1 / std::sqrt(3.0)) * Vec{1, 1, 1};
   rig.state.qw[0] = std::cos(0.3);
   rig.state.qx[0] = rig.state.qy[0] = rig.state.qz[0] = std::sin(0.3) * axis.x;
-  rig.put();
+  rig.load_state();
   const double given = rig.model.mass[0] * kG * 0.3;
   double most = 0;
   for (int k = 0; k < 40; ++k) {
@@ -487,7 +487,7 @@ TEST(ContactInSpace, a_joint_that_has_slipped_gives_way_without_a_jump) {
   spec.stage = {scenes::gravity_stage(), push};
   SpaceRig rig(compile(spec));
   rig.set_gravity({0, -kG, 0});
-  rig.put();
+  rig.load_state();
   rig.run(0.3);
   rig.drive(1, 0.05);
   double before = 0, reaction = 0;

@@ -40,8 +40,8 @@ ModelSpec block_on_slab(Vec3 size, double mu, Vec3 along) {
   return spec;
 }
 
-LimitAnswer answer_of(const ModelSpec& spec, const LimitOptions& options = {}) {
-  LimitAnswer answer = limit_load(compile(spec), options);
+LimitResult answer_of(const ModelSpec& spec, const LimitOptions& options = {}) {
+  LimitResult answer = limit_load(compile(spec), options);
   EXPECT_NEAR(answer.kinematic / answer.load, 1, 1e-6);
   return answer;
 }
@@ -49,7 +49,7 @@ LimitAnswer answer_of(const ModelSpec& spec, const LimitOptions& options = {}) {
 TEST(LimitInSpace, a_block_slides_alike_in_twelve_directions) {
   for (int k = 0; k < 12; ++k) {
     const double angle = k * M_PI / 6 + 0.1;
-    const LimitAnswer answer =
+    const LimitResult answer =
         answer_of(block_on_slab({0.4, 0.02, 0.3}, 0.6, {std::cos(angle), 0, std::sin(angle)}));
     verify({"LP-S1",
             "limit load of a block that slides, at " + std::to_string(30 * k) + " + 5.7 degrees",
@@ -105,12 +105,12 @@ TEST(LimitInSpace, walls_of_prisms_have_the_limit_loads_of_their_plane) {
 
 TEST(LimitInSpace, joint_forces_balance_every_block_and_respect_friction) {
   const Model m = compile(read_model(source_dir() + "/examples/wall_with_returns/model.toml"));
-  const LimitAnswer answer = limit_load(m, {});
+  const LimitResult answer = limit_load(m, {});
   EXPECT_NEAR(answer.kinematic / answer.load, 1, 1e-6);
   const Space& s = m.space;
   std::vector<Vec3> force(static_cast<std::size_t>(m.n_block)), moment(force.size());
   for (std::size_t i = 0; i < force.size(); ++i)
-    force[i] = m.heavy_mass[i] * m.solve.gravity *
+    force[i] = m.gravity_mass[i] * m.solve.gravity *
                (Vec3{0, -1, 0} + answer.load * m.stages.back().drive());
   for (int j = 0; j < m.n_joint; ++j) {
     const auto u = static_cast<std::size_t>(j);
@@ -141,7 +141,7 @@ TEST(LimitInSpace, joint_forces_balance_every_block_and_respect_friction) {
   // the mechanism does the load unit power, and no face closes in it
   double power = 0;
   for (std::size_t i = 0; i < force.size(); ++i)
-    power += m.heavy_mass[i] * m.solve.gravity *
+    power += m.gravity_mass[i] * m.solve.gravity *
              dot(m.stages.back().drive(), Vec3{answer.vx[i], answer.vy[i], answer.vz[i]});
   EXPECT_NEAR(power, 1, 1e-6);
 }
@@ -212,7 +212,7 @@ TEST(LimitInSpace, a_push_on_a_block_is_a_force) {
 
 // Its floor slides, its stones turn: two seconds.
 TEST(LimitInSpace, a_house_carries_what_both_theorems_say_and_more_than_its_run) {
-  const LimitAnswer answer =
+  const LimitResult answer =
       limit_load(compile(read_model(source_dir() + "/examples/stone_house/model.toml")), {});
   EXPECT_NEAR(answer.kinematic / answer.load, 1, 1e-7);
   EXPECT_EQ(answer.cuts, 0);

@@ -17,7 +17,7 @@ TEST(LargeLimitLoad, facade_of_4660_blocks_within_a_minute) {
   const Model model = compile(read_model(source_dir() + "/tests/verification/facade.toml"));
   ASSERT_EQ(model.n_block, 4660);
   const std::clock_t start = std::clock();
-  const LimitAnswer answer = limit_load(model, {});
+  const LimitResult answer = limit_load(model, {});
   EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 20)
       << "a third of a minute: the command asks for three";
   EXPECT_NEAR(answer.kinematic / answer.load, 1, 1e-6) << "both theorems";

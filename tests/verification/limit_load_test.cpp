@@ -50,7 +50,7 @@ Model ferris_wall(const std::string& name) {
 // The static and the kinematic programme are built apart; at the optimum they agree to `kGap`.
 constexpr double kGap = 1e-6;
 
-void expect_no_gap(const LimitAnswer& answer) {
+void expect_no_gap(const LimitResult& answer) {
   EXPECT_NEAR(answer.kinematic / answer.load, 1, kGap);
 }
 
@@ -63,7 +63,7 @@ TEST(LimitLoad, Ferris_and_Tin_Loi_walls) {
                {"wall2", "wall 2, 55 blocks", 0.58000},
                {"wall4", "wall 4, 55 blocks, two openings", 0.33195}};
   for (const auto& wall : walls) {
-    const LimitAnswer answer = limit_load(ferris_wall(wall.file), {});
+    const LimitResult answer = limit_load(ferris_wall(wall.file), {});
     EXPECT_FALSE(answer.is_force);
     expect_no_gap(answer);
     verify({"LP-FTL", std::string("associated load factor of Ferris and Tin-Loi's ") + wall.what,
@@ -104,7 +104,7 @@ TEST(LimitLoad, block_overturns_or_slides_whichever_is_less) {
   for (const double friction : {0.1, 0.7}) {
     ModelSpec spec = scenes::block_on_ground(
         0.4, 1.6, scenes::dry_joint(20e9, 8e9, std::atan(friction)), 0.3, 2000);
-    const LimitAnswer answer = limit_load(compile(with_stages(spec, body_force())), {});
+    const LimitResult answer = limit_load(compile(with_stages(spec, body_force())), {});
     expect_no_gap(answer);
     verify({"CF20", "block under a body force, friction " + fmt::format("{}", friction), "-",
             std::min(0.4 / 1.6, friction), 1e-9, "round-off of the interior point"},
@@ -126,7 +126,7 @@ ModelSpec loaded_pier(double compressive_strength) {
 double rocking_force(double compressive_strength, CrushingChoice crushing) {
   Model model = compile(loaded_pier(compressive_strength));
   load_before_push(model, {.block = 0, .fy = -200e3});
-  const LimitAnswer answer = limit_load(model, {.crushing = crushing});
+  const LimitResult answer = limit_load(model, {.crushing = crushing});
   EXPECT_TRUE(answer.is_force);
   expect_no_gap(answer);
   // the push acts at the centroid: F h/2 is what F' h is at the head
@@ -158,7 +158,7 @@ TEST(LimitLoad, unlimited_strength_is_the_limit_of_a_large_one) {
 
 TEST(LimitLoad, without_friction_a_stack_carries_nothing) {
   const ModelSpec spec = scenes::stack(3, 0.4, 0.2, scenes::dry_joint(20e9, 8e9, 0), 0.3, 2000);
-  const LimitAnswer answer = limit_load(compile(with_stages(spec, body_force())), {});
+  const LimitResult answer = limit_load(compile(with_stages(spec, body_force())), {});
   EXPECT_NEAR(answer.load, 0, 1e-9);
 }
 
@@ -166,7 +166,7 @@ TEST(LimitLoad, without_friction_a_stack_carries_nothing) {
 TEST(LimitLoad, bonded_block_slides_at_c_A_plus_mu_W) {
   ModelSpec spec = scenes::block_on_ground(1.0, 0.1, scenes::paper_joint(), 0.31, 2000);
   const double weight = 1.0 * 0.1 * 0.31 * 2000 * kGravity;
-  const LimitAnswer answer =
+  const LimitResult answer =
       limit_load(compile(with_stages(spec, body_force())), {.strength = JointStrength::kBonded});
   verify(
       {"LP-1", "bonded slab slides: c A / W + mu", "-",
@@ -238,7 +238,7 @@ factor = 2
   for (const auto& c : cases) {
     std::string model = text;
     model.replace(model.find("DIRECTION"), 9, c.way);
-    const LimitAnswer answer =
+    const LimitResult answer =
         limit_load(compile(parse_model(model, "model.toml")), {.strength = JointStrength::kBonded});
     verify({"LP-7", std::string(c.what) + ": sum of W x over W h / 2", "-",
             (flange * c.lever_of_flange + web * c.lever_of_web) / (flange + web), 1e-6,
@@ -252,7 +252,7 @@ TEST(LimitLoad, a_bonded_slab_of_next_to_no_weight_has_a_limit) {
   for (const double density : {1.0, 1e-3, 1e-4}) {
     ModelSpec spec = scenes::block_on_ground(1.0, 0.1, scenes::paper_joint(), 0.31, density);
     const double weight = 1.0 * 0.1 * 0.31 * density * kGravity;
-    const LimitAnswer answer =
+    const LimitResult answer =
         limit_load(compile(with_stages(spec, body_force())), {.strength = JointStrength::kBonded});
     const double load = 0.15e6 * 0.31 / weight + std::tan(degrees(16.2));
     EXPECT_NEAR(answer.load / load, 1, 1e-8) << density;
@@ -268,7 +268,7 @@ TEST(LimitLoad, bonded_tower_tears_at_its_base) {
   const double weight = 0.2 * 2.0 * 0.31 * 2000 * kGravity, area = 0.2 * 0.31;
   // points at the ends: M = (N + ft A/2 2) l/2 with N = W and the far point at its cut-off
   const double moment = (weight / 2 + 0.15e6 * area / 2) * 0.2;
-  const LimitAnswer answer =
+  const LimitResult answer =
       limit_load(compile(with_stages(spec, body_force())), {.strength = JointStrength::kBonded});
   verify({"LP-2", "bonded tower tears at its base", "-", moment / (weight * 1.0), 1e-9,
           "round-off of the interior point"},
@@ -293,7 +293,7 @@ double pushed_beam(Freedom rotation, const char* as = "free") {
   load.spec.kind = StageKind::kLoad;
   load.loads = {{.block = scenes::block_named(model, "beam"), .fy = -200e3}};
   model.stages.insert(model.stages.begin() + 1, load);
-  const LimitAnswer answer = limit_load(model, {});
+  const LimitResult answer = limit_load(model, {});
   expect_no_gap(answer);
   return answer.load;
 }
@@ -419,10 +419,10 @@ TEST(LimitLoad, a_run_that_calls_itself_too_fast_is_no_evidence) {
 
 TEST(LimitLoad, joint_forces_balance_every_block_and_respect_friction) {
   const Model model = ferris_wall("wall4");
-  const LimitAnswer answer = limit_load(model, {});
+  const LimitResult answer = limit_load(model, {});
   std::vector<double> fx(static_cast<std::size_t>(model.n_block)), fy = fx, m = fx;
   for (std::size_t i = 0; i < fx.size(); ++i) {
-    const double w = model.solve.gravity * model.heavy_mass[i];
+    const double w = model.solve.gravity * model.gravity_mass[i];
     fx[i] = answer.load * w;
     fy[i] = -w;
   }
@@ -465,7 +465,7 @@ TEST(LimitLoad, both_theorems_agree_whatever_the_joints_resist) {
     double before = INFINITY;
     for (const auto crushing :
          {CrushingChoice::kNone, CrushingChoice::kPoints, CrushingChoice::kStressBlock}) {
-      const LimitAnswer answer = limit_load(model, {.strength = strength, .crushing = crushing});
+      const LimitResult answer = limit_load(model, {.strength = strength, .crushing = crushing});
       expect_no_gap(answer);
       EXPECT_GT(answer.load, 0);
       EXPECT_LE(answer.load, before * (1 + kGap)) << "a tighter yield surface carries no more";
@@ -506,7 +506,7 @@ TEST(LimitLoad, a_lintel_of_zones_is_one_rigid_block) {
     }
     spec.stage = {scenes::gravity_stage(), scenes::push_stage("t0", Direction::kPlusX, 0.01, 0.01)};
     const Model model = compile(spec);
-    const LimitAnswer answer = limit_load(model, {});
+    const LimitResult answer = limit_load(model, {});
     expect_no_gap(answer);
     EXPECT_EQ(answer.vx.size(), static_cast<std::size_t>(model.n_block));
     EXPECT_EQ(answer.shear_force.size(), static_cast<std::size_t>(model.n_joint));
@@ -533,7 +533,7 @@ TEST(LimitLoad, tuff_wall_within_ten_seconds) {
   const Model model = compile(scenes::tuff_wall(source_dir(), 0.05));
   const auto answer_within = [&](const LimitOptions& options, double seconds) {
     const std::clock_t start = std::clock();
-    const LimitAnswer answer = limit_load(model, options);
+    const LimitResult answer = limit_load(model, options);
     EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, seconds);
     expect_no_gap(answer);
     return answer.load;

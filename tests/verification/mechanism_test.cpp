@@ -306,7 +306,7 @@ TEST(MacroBlock, a_lintel_of_zones_weighs_as_much_as_one_of_blocks) {
     const Model model = compile(spec);
     double sum = 0;
     const Model rigid = with_rigid_bodies(model);
-    for (const double mass : rigid.heavy_mass) sum += mass * rigid.solve.gravity;
+    for (const double mass : rigid.gravity_mass) sum += mass * rigid.solve.gravity;
     EXPECT_NEAR(sum / model.weight, 1, 1e-9);
     EXPECT_TRUE(rigid.solids.bodies.empty());
     return sum;

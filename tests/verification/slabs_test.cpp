@@ -158,7 +158,7 @@ until = "4 mm"
   const ModelSpec spec =
       parse_model(two_walls(std::string("load = \"3 kPa\"\n") + kGravity + push), "two.toml");
   const double force = force_to_push_over(3e3 * (kClear + 2 * kBearing) * kLong);
-  const LimitAnswer limit = limit_load(compile(spec), {});
+  const LimitResult limit = limit_load(compile(spec), {});
   verify({"SL3", "limit load of two walls that a slab ties by friction", "N", force, 1e-6,
           "rigid; no joint slides"},
          limit.load);

@@ -69,7 +69,7 @@ struct Top {
     const Vec3 a = axis(), w = Vec3{0, precession, 0};
     const Vec3 l = around * spin * a + across * (w - dot(w, a) * a);
     rig.set_momentum(0, l - 0.5 * rig.controls.dt * torque());
-    rig.put();
+    rig.load_state();
   }
   [[nodiscard]] double energy() const {
     const Vec3 l = rig.momentum(0) + 0.5 * rig.controls.dt * torque(), a = axis();
@@ -132,7 +132,7 @@ TEST(SpaceMotion, a_tumbling_body_keeps_its_momentum_and_its_period) {
     const double w1 = 4, w2 = 3, w3 = 9;
     const Vec3 start = frame.direction({i2 * w2, i1 * w1, i3 * w3});
     rig.set_momentum(0, start);
-    rig.put();
+    rig.load_state();
     const double twice = i1 * w1 * w1 + i2 * w2 * w2 + i3 * w3 * w3, l2 = dot(start, start);
     ASSERT_GT(l2, twice * i2);  // it turns about the third axis
     const double p = (i3 - i2) * (l2 - twice * i1);
@@ -190,7 +190,7 @@ TEST(SpaceMotion, a_spinning_block_is_braked_by_the_torsional_friction_of_its_po
       rig.set_gravity(-kG * up);
       rig.set_momentum(0, 10 * inertia * up);
       rig.controls.damping = 0;
-      rig.put();
+      rig.load_state();
       rig.run(0.02);  // later friction makes it flutter: nothing damps it
       const double l0 = dot(rig.momentum(0), up), t0 = rig.state.time;
       rig.run(0.03);
@@ -209,7 +209,7 @@ TEST(SpaceMotion, a_spinning_block_is_braked_by_the_torsional_friction_of_its_po
 double period_of(SpaceRig& rig, double guess, const std::function<double()>& seen) {
   rig.controls.damping = 0;
   rig.controls.dt = guess / 400;
-  rig.put();
+  rig.load_state();
   double before = 0, first = 0, last = 0;
   int passages = 0;
   rig.step();

@@ -85,7 +85,7 @@ Tip load_chain(const Frame& frame, Vec3 force, Vec3 moment,
   SpaceRig rig(std::move(model));
   rig.state.load_scale[0] = 1;
   rig.controls.damping = 0.4;
-  rig.put();
+  rig.load_state();
   rig.run(0.5);
   const Quaternion<double> q = rig.turn(kBlocks - 1);
   const Frame& f = frame;
@@ -200,10 +200,11 @@ TEST(SpaceStatics, a_face_answers_in_every_direction_as_the_law_does) {
       double most = 0, worst = 0, at = 0;
       for (int step = 0; step < 5000; ++step) {
         const double reaction = rig.advance();  // of the place at the start of the step
-        const contact::Answer<double> answer = contact::with_variant(law.choice, [&](auto variant) {
-          return contact::update<decltype(variant)>(law, k == 12 ? at : 0.0, k == 12 ? 0.0 : at,
-                                                    history);
-        });
+        const contact::LawUpdate<double> answer =
+            contact::with_variant(law.choice, [&](auto variant) {
+              return contact::update<decltype(variant)>(law, k == 12 ? at : 0.0, k == 12 ? 0.0 : at,
+                                                        history);
+            });
         const double expected = area * (k == 12 ? answer.sigma : answer.tau);
         most = std::max(most, expected);
         worst = std::max(worst, std::fabs(reaction - expected));
@@ -260,14 +261,14 @@ TEST(SpaceStatics, a_block_rocks_about_each_edge_in_the_time_of_its_closed_form)
         rig.state.qz[0] = std::sin(start / 2) * k.z;
         rig.set_gravity(-kG * frame.direction({0, 1, 0}));
         rig.controls.damping = 0;
-        rig.put();
+        rig.load_state();
         const auto lean = [&] {
           return dot(Vec3{rig.state.qx[0], rig.state.qy[0], rig.state.qz[0]}, k);
         };
         double before = lean(), now = before;
         while (now > 0 && rig.state.time < 2) {
           for (int s = 0; s < 20; ++s) rig.advance();
-          rig.look();
+          rig.store_state();
           before = now, now = lean();
         }
         const double time = rig.state.time - 20 * rig.controls.dt * (1 - before / (before - now));

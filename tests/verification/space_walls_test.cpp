@@ -284,7 +284,7 @@ TEST(SpaceWalls, two_way_bending_is_what_the_work_of_its_crack_lines_says) {
   Panel bonded;
   bonded.ft = 0.1e6;
   const double area = bonded.length * bonded.height;
-  const LimitAnswer answer =
+  const LimitResult answer =
       limit_load(compile(propped(bonded)), {.strength = JointStrength::kBonded});
   const double hand = pressure_of_cracks(bonded);
   verify({"SP26", "wall on props and its foot, two-way bending: pressure by virtual work", "Pa",
@@ -305,7 +305,7 @@ TEST(SpaceWalls, two_way_bending_lies_between_beds_that_twist_about_their_edge_a
   const double middle = pressure_of_cracks(bonded);
   ModelSpec spec = propped(bonded);
   spec.solve.point_rule = PointRule::kLobatto, spec.solve.points_per_face = 4;
-  const LimitAnswer answer = limit_load(compile(spec), {.strength = JointStrength::kBonded});
+  const LimitResult answer = limit_load(compile(spec), {.strength = JointStrength::kBonded});
   verify({"SP26", "the same with 4 x 4 points: pressure by virtual work", "Pa", edge, 0.1,
           "straight crack lines are an upper bound; beds that twist about their edges too"},
          answer.load / area);
@@ -322,7 +322,7 @@ TEST(SpaceWalls, two_way_bending_falls_short_of_crack_lines_by_the_share_of_cohe
                          Row{0.01, 0.15, 11949, 9735}, Row{0, 0.15, 11133, 8582}}) {
     Panel panel;
     panel.ft = 1e6 * row.ft, panel.c = 1e6 * row.c;
-    const LimitAnswer answer =
+    const LimitResult answer =
         limit_load(compile(propped(panel)), {.strength = JointStrength::kBonded});
     EXPECT_NEAR(pressure_of_cracks(panel) / row.formula, 1, 1e-4) << row.ft << " " << row.c;
     EXPECT_NEAR(answer.load / (panel.length * panel.height) / row.ours, 1, 1e-3)

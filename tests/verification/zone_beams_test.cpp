@@ -237,7 +237,7 @@ TEST(ZoneBeams, the_step_settles_on_the_static_solution_of_a_cantilever_under_it
     Rig rig(clamped(2, kind, 2.0));
     NodeVectors weight(rig.model.solids);
     for (std::size_t i = 0; i < weight.y.size(); ++i)
-      weight.y[i] = -9.81 * rig.model.solids.node_heavy_mass[i];
+      weight.y[i] = -9.81 * rig.model.solids.node_gravity_mass[i];
     const NodeVectors expected = scenes::solved(rig.model.solids, weight);
     rig.state.gravity_y = -9.81;
     rig.run(1.0);  // some 25 periods, a third of the swing left after each half
@@ -258,7 +258,7 @@ TEST(ZoneBeams, the_first_period_of_a_cantilever) {
   Rig rig(clamped(4, ZoneKind::kMixed, kSpan));
   NodeVectors weight(rig.model.solids);
   for (std::size_t i = 0; i < weight.y.size(); ++i)
-    weight.y[i] = -0.01 * rig.model.solids.node_heavy_mass[i];
+    weight.y[i] = -0.01 * rig.model.solids.node_gravity_mass[i];
   const NodeVectors bent = scenes::solved(rig.model.solids, weight);
   rig.state.node_ux = bent.x;
   rig.state.node_uy = bent.y;

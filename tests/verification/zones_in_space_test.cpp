@@ -173,7 +173,7 @@ Tip load_cap(const Column& column, Vec3 force, Vec3 moment) {
   SpaceRig rig(std::move(model));
   rig.state.load_scale[0] = 1;
   rig.controls.damping = 0.4;
-  rig.put();
+  rig.load_state();
   rig.run(0.25);
   const Quaternion<double> q = rig.turn(0);
   return {rig.moved(0), 2.0 * Vec3{q.v.x, q.v.y, q.v.z}};
@@ -286,7 +286,7 @@ Sag of_zones(const Lintel& l, bool along_z) {
   SpaceRig rig(compile(spec));
   rig.set_gravity({0, -9.81, 0});
   rig.controls.damping = 0.4;
-  rig.put();
+  rig.load_state();
   rig.run(1.0);
   const reading::LintelMeasures now = reading::lintel_measures_in_space(rig.model, rig.state);
   return {now.deflection, now.end_rotation, now.axial};

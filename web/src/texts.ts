@@ -77,7 +77,7 @@ const typeset = (text: string): string =>
     .replace(/(^|[ (])-(?=\d)/g, "$1−")
     .replace(/(\d) %/g, "$1\u202f%");
 
-// What the engine says: a list of texts, one a language (src/report/said.h); or one word or name, which
+// What the engine says: a list of texts, one a language (src/report/translation.h); or one word or name, which
 // `phrases` translates.
 export type Said = string | string[];
 

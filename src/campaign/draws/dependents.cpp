@@ -14,7 +14,7 @@ Dependents::Dependents(const StudySpec& study, FaultList& faults)
       variables_(study.variable.size()),
       item_(study.dependent.size()),
       si_unit_(study.dependent.size()) {
-  read_formulas(faults);
+  parse_formulas(faults);
   std::vector<Mark> mark(item_.size(), Mark::kNew);
   std::vector<std::size_t> way;
   for (std::size_t i = 0; i < item_.size(); ++i) order_from(i, mark, way, faults);
@@ -32,7 +32,7 @@ void Dependents::refuse(std::size_t item, const std::string& problem, const std:
               .cure = cure});
 }
 
-void Dependents::read_formulas(FaultList& faults) {
+void Dependents::parse_formulas(FaultList& faults) {
   std::vector<std::string> names;
   for (const VariableSpec& variable : study_->variable) names.push_back(variable.name);
   for (const DependentSpec& dependent : study_->dependent) names.push_back(dependent.name);

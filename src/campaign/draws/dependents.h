@@ -30,7 +30,7 @@ class Dependents {
   };
   enum class Mark { kNew, kOpen, kDone };
 
-  void read_formulas(FaultList& faults);
+  void parse_formulas(FaultList& faults);
   void order_from(std::size_t item, std::vector<Mark>& mark, std::vector<std::size_t>& way,
                   FaultList& faults);
   void report_cycle(const std::vector<std::size_t>& way, std::size_t item, FaultList& faults) const;

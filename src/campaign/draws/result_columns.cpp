@@ -4,7 +4,7 @@
 #include <set>
 #include <string_view>
 
-#include "campaign/answer_keys.h"
+#include "campaign/output_keys.h"
 #include "wythe/campaign.h"
 
 namespace wythe::study {
@@ -46,7 +46,7 @@ std::set<std::string> all_columns() {
   for (const char* side : {"positive", "negative"})
     each_direction_column([&](const std::string& title, auto) { all.insert(without_case(title)); },
                           side, {});
-  const auto add = [&](const AnswerKey& key, const auto&) {
+  const auto add = [&](const OutputKey& key, const auto&) {
     std::string summary = key.summary;  // an exported table names it so
     std::replace(summary.begin(), summary.end(), '.', '_');
     all.insert(without_case(*key.column != '\0' ? key.column : summary));

@@ -76,7 +76,7 @@ class Runner {
                         .left = static_cast<int>(pending_.size()),
                         .jobs = options_.jobs,
                         .halt = halt_,
-                        .look = [this] { heed_user(); },
+                        .poll = [this] { poll_user(); },
                         .take = [this] { return take(); },
                         .keep = [this](SampleJob& job) { keep(job); }};
     lock_.tell_workers(workers_of(task));
@@ -150,12 +150,12 @@ class Runner {
     write(packed(std::move(record), asked_states(plan_.spec, done.result)));
   }
 
-  void heed_user() {
+  void poll_user() {
     if (options_.stop != nullptr && options_.stop->load()) halt_ = true;
   }
 
   int take() {
-    heed_user();
+    poll_user();
     const std::lock_guard lock(mutex_);
     if (halt_ || next_ == pending_.size()) return 0;
     ++running_;

@@ -66,12 +66,12 @@ class Pool {
     how.threads = 1;
     how.stop = &task_.halt;
     // a run reports a few times a second: the user's stop reaches every worker through the halt
-    how.progress = [this](const Progress&) { task_.look(); };
+    how.progress = [this](const Progress&) { task_.poll(); };
     std::map<int, std::unique_ptr<SampleJob>> under_way;
     CoreTime spent;
     dynamics::LaneSolver lanes(lanes_);
     const auto start = [&](SampleJob& job) {
-      lanes.put(job.sample(), job.model(), job.state(), how);
+      lanes.add_wall(job.sample(), job.model(), job.state(), how);
     };
     while (true) {
       while (lanes.has_room()) {

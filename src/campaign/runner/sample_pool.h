@@ -18,7 +18,7 @@ struct PoolTask {
   int left = 0;                          // samples that take() will give
   int jobs = 0;                          // workers; 0: one a core
   std::atomic<bool>& halt;               // true: stop now; set by the pool where a worker fails
-  std::function<void()> look;            // called a few times a second, to see whether to halt
+  std::function<void()> poll;            // called a few times a second, to see whether to halt
   std::function<int()> take;             // the next sample, from 1; 0: there is none
   std::function<void(SampleJob&)> keep;  // one that has ended
 };

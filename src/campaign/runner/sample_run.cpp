@@ -109,7 +109,7 @@ bool SampleJob::wants_another() {
     run_.spec = task_.build(run_.settings);
     build_model();
   } catch (const InputError& error) {
-    ShakeAnswer& refused = run_.shakes.emplace_back();
+    ShakeResult& refused = run_.shakes.emplace_back();
     refused.intensity = *another;
     refused.status = "refused";
     refused.reason = as_text(in_one_line(error.faults()));
@@ -153,7 +153,7 @@ SampleRecord record_of(const SampleRun& run, const SampleTable& samples, int sam
   if (!run.shakes.empty() && !record.has_curve()) {
     sum_up(run.shakes, record);
     record.steps = 0;
-    for (const ShakeAnswer& shake : run.shakes) record.steps += shake.steps;
+    for (const ShakeResult& shake : run.shakes) record.steps += shake.steps;
     return record;
   }
   if (r.status != SolveStatus::kUnstable) record.state_hash = r.state_hash;

@@ -13,7 +13,7 @@
 
 namespace wythe {
 
-bool ShakeAnswer::counts() const {
+bool ShakeResult::counts() const {
   const bool stood = status == to_string(SolveStatus::kCompleted) && !collapsed;
   const bool fell = status == to_string(SolveStatus::kCollapsed) && collapsed;
   return (stood || fell) && gap_ratio <= kMostEnergyGap;
@@ -39,7 +39,7 @@ ShakeCount count_shakes(const StudySpec& study) {
 namespace study {
 
 std::optional<double> next_intensity(const ShakingSpec& shaking, const StudyRecord& record,
-                                     const std::vector<ShakeAnswer>& done) {
+                                     const std::vector<ShakeResult>& done) {
   if (!shaking.climbs()) {
     const std::vector<double>& levels = record.levels.empty() ? shaking.levels : record.levels;
     if (done.size() < levels.size()) return levels[done.size()];
@@ -48,7 +48,7 @@ std::optional<double> next_intensity(const ShakingSpec& shaking, const StudyReco
   // upwards until it falls, then between the highest that stood below and the lowest that fell
   double low = 0, high = std::numeric_limits<double>::infinity();
   int halved = 0;
-  for (const ShakeAnswer& shake : done) {
+  for (const ShakeResult& shake : done) {
     const bool halves = std::isfinite(high);
     halved += halves ? 1 : 0;
     if (!shake.counts()) {
@@ -68,7 +68,7 @@ namespace {
 // What ended otherwise than its status says. A wall that lost blocks fell; one that fell before the study's shake, that still
 // moves, or whose joints have slid off each other has neither stood nor fallen.
 void judge_end(const ShakingSpec& shaking, const Model& model, const Result& result,
-               ShakeAnswer& out) {
+               ShakeResult& out) {
   const auto says_nothing = [&](Message why) {
     out.status = to_string(SolveStatus::kNotSettled);
     out.reason = std::move(why);
@@ -94,10 +94,10 @@ void judge_end(const ShakingSpec& shaking, const Model& model, const Result& res
 
 }  // namespace
 
-ShakeAnswer shake_answer(const ShakingSpec& shaking, double intensity, const Model& model,
+ShakeResult shake_answer(const ShakingSpec& shaking, double intensity, const Model& model,
                          const Result& result) {
   const ShakeReadings& r = result.shaking;
-  ShakeAnswer out;
+  ShakeResult out;
   out.intensity = intensity;
   out.status = to_string(result.status);
   out.reason = result.reason;
@@ -149,11 +149,11 @@ void check_control_point(const ShakingSpec& shaking, const Model& model) {
             .cure = "let the first [[history]] be a point above the foot of the wall"}});
 }
 
-void sum_up(const std::vector<ShakeAnswer>& shakes, SampleRecord& record) {
+void sum_up(const std::vector<ShakeResult>& shakes, SampleRecord& record) {
   Hash hash;
-  const ShakeAnswer* failed = nullptr;
-  const ShakeAnswer* fell = nullptr;
-  for (const ShakeAnswer& shake : shakes) {
+  const ShakeResult* failed = nullptr;
+  const ShakeResult* fell = nullptr;
+  for (const ShakeResult& shake : shakes) {
     hash.add(shake.state_hash);
     if (!shake.counts() && failed == nullptr) failed = &shake;
     if (shake.counts() && shake.collapsed && fell == nullptr) fell = &shake;

@@ -11,13 +11,13 @@ namespace wythe::study {
 // The intensity after those that are done; none: the sample has ended. It depends on the answers alone.
 [[nodiscard]] std::optional<double> next_intensity(const ShakingSpec& shaking,
                                                    const StudyRecord& record,
-                                                   const std::vector<ShakeAnswer>& done);
+                                                   const std::vector<ShakeResult>& done);
 // What a run answered that was shaken; `shaking` is the study's.
-[[nodiscard]] ShakeAnswer shake_answer(const ShakingSpec& shaking, double intensity,
+[[nodiscard]] ShakeResult shake_answer(const ShakingSpec& shaking, double intensity,
                                        const Model& model, const Result& result);
 // Refuses limits of drift for a control point that has no height to measure it by.
 void check_control_point(const ShakingSpec& shaking, const Model& model);
 // Hash and status of a sample from those of its shakes.
-void sum_up(const std::vector<ShakeAnswer>& shakes, SampleRecord& record);
+void sum_up(const std::vector<ShakeResult>& shakes, SampleRecord& record);
 
 }  // namespace wythe::study

@@ -87,7 +87,7 @@ bool is_there(const std::string& file) {
 //   -wal and -shm  with the locks of who writes; of one that was killed the index is made in memory. Where SQLite
 //                  can't (SQLITE_PROTOCOL: nothing but the head of the journal was written), as without -shm
 //   -wal alone     nobody has it open: without locks, the index in memory
-std::string way_to_read(const std::string& file, bool index_is_good = true) {
+std::string open_mode(const std::string& file, bool index_is_good = true) {
   if (!is_there(file + "-wal") && !is_there(file + "-shm")) return "?immutable=1";
   if (is_there(file + "-shm") && index_is_good)
     return std::string("?mode=ro&readonly_shm=1&vfs=") + read_only_vfs();
@@ -327,8 +327,8 @@ void Database::open_to_read() {
       continue;
     }
     written_ = last_written();
-    const std::string way = way_to_read(name_, index_is_good);
-    lies_still_ = way == "?immutable=1";
+    const std::string way = open_mode(name_, index_is_good);
+    is_immutable_ = way == "?immutable=1";
     int code = open(way, SQLITE_OPEN_READONLY);
     if (code == SQLITE_OK && way.ends_with(read_only_vfs_without_locks()))
       code =
@@ -338,7 +338,7 @@ void Database::open_to_read() {
           sqlite3_exec(handle_.get(), "PRAGMA query_only = 1; SELECT count(*) FROM sqlite_schema",
                        nullptr, nullptr, nullptr);
     const bool is_as_it_was =
-        way == way_to_read(name_, index_is_good) && (!lies_still_ || written_ == last_written());
+        way == open_mode(name_, index_is_good) && (!is_immutable_ || written_ == last_written());
     const int kind = code & 0xff;
     if (code == SQLITE_OK && is_as_it_was) return;
     const bool may_pass = !is_as_it_was || kind == SQLITE_CANTOPEN || kind == SQLITE_READONLY ||
@@ -358,12 +358,12 @@ std::int64_t Database::last_written() const {
 }
 
 bool Database::is_outdated() const {
-  return lies_still_ && (written_ != last_written() || is_there(name_ + "-wal"));
+  return is_immutable_ && (written_ != last_written() || is_there(name_ + "-wal"));
 }
 
 // Read as it lay there, without a lock: what does not fit may be another program's doing.
 void Database::refuse_if_written() const {
-  if (lies_still_ && written_ != last_written())
+  if (is_immutable_ && written_ != last_written())
     throw IoError(name_ + ": another program wrote to it while it was read; repeat the command");
 }
 

@@ -140,7 +140,7 @@ class Database {
   void refuse_if_written() const;
 
   std::string name_;
-  bool lies_still_ = false;  // read as it lies there
+  bool is_immutable_ = false;  // read as it lies there
   std::int64_t written_ = 0;
   double taken_ = 0;                                        // bytes
   double most_ = std::numeric_limits<double>::quiet_NaN();  // that may be taken; asked for once

@@ -50,7 +50,7 @@ void write(Database& database, const char* key, const std::string& value) {
 
 void check(Database& database, const char* key, const std::vector<std::string>& queries,
            const char* what) {
-  const OneMoment moment(database);
+  const ReadTransaction moment(database);
   Statement select(database, "SELECT value FROM study WHERE key = ?");
   select.bind(key);
   const std::string stored = select.step() ? select.text() : "";
@@ -136,10 +136,10 @@ void check_inputs_digest(Database& database) {
   check(database, kInputsDigest, input_rows(), "what was drawn (table sample_input)");
 }
 
-OneMoment::OneMoment(Database& database) : database_(database) {
+ReadTransaction::ReadTransaction(Database& database) : database_(database) {
   database_.execute("SAVEPOINT moment");
 }
-OneMoment::~OneMoment() {
+ReadTransaction::~ReadTransaction() {
   sqlite3_exec(database_.handle(), "RELEASE moment", nullptr, nullptr, nullptr);
 }
 

@@ -58,12 +58,12 @@ void check_study_digest(Database& database);
 void check_inputs_digest(Database& database);
 
 // What is read between stands as it was at one moment, also while a campaign writes.
-class OneMoment {
+class ReadTransaction {
  public:
-  explicit OneMoment(Database& database);
-  ~OneMoment();
-  OneMoment(const OneMoment&) = delete;
-  OneMoment& operator=(const OneMoment&) = delete;
+  explicit ReadTransaction(Database& database);
+  ~ReadTransaction();
+  ReadTransaction(const ReadTransaction&) = delete;
+  ReadTransaction& operator=(const ReadTransaction&) = delete;
 
  private:
   Database& database_;

@@ -1,5 +1,5 @@
 // merge_campaigns: everything is compared before the first byte is written, then rows are copied. Where two
-// stores hold the same sample, every number of it is compared but the time it took (doubles.h).
+// stores hold the same sample, every number of it is compared but the time it took (duplicate_samples.h).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 #include <thread>
 #include <utility>
 
-#include "campaign/store/doubles.h"
+#include "campaign/store/duplicate_samples.h"
 #include "campaign/store/folder_lock.h"
 #include "campaign/store/store.h"
 #include "campaign/store/store_schema.h"

@@ -2,7 +2,7 @@
 // these lists come the schema, writing and reading (store.cpp).
 //
 //   each_column(v, record)    v(name, member) for the columns of `sample`
-//   each_answer(v, record)    its columns that are NULL where the sample has no answer
+//   each_output(v, record)    its columns that are NULL where the sample has no answer
 //   each_list(v)              v.list(table, list of RecordLists, columns of a member)
 //
 // A visitor is called with double, bool, std::int64_t, std::string or Message members. SI, exact.
@@ -10,7 +10,7 @@
 
 #include <string>
 
-#include "campaign/answer_keys.h"
+#include "campaign/output_keys.h"
 #include "model/fields.h"
 #include "wythe/campaign.h"
 
@@ -36,8 +36,8 @@ void each_mode_column(Visitor& v, Mode& m) {
 }
 
 template <class Visitor, class Record>
-void each_answer(Visitor& v, Record& r) {
-  const auto stored = [&](const AnswerKey& key, auto& member) { v(key.stored, member); };
+void each_output(Visitor& v, Record& r) {
+  const auto stored = [&](const OutputKey& key, auto& member) { v(key.stored, member); };
   each_response(stored, r.responses);
   each_mode_column(v, r.failure_mode);
   for (const EnergyTerm& term : kEnergyTerms) v(term.stored, r.energy.*term.value);
@@ -114,7 +114,7 @@ struct RecordLists {
   std::vector<RisePoint> rise;
   std::vector<MovedRow> moved;
   std::vector<PierRow> piers;
-  std::vector<ShakeAnswer> shakes;
+  std::vector<ShakeResult> shakes;
 };
 [[nodiscard]] RecordLists lists_of(const SampleRecord& record);
 void put_lists(RecordLists lists, SampleRecord& record);

@@ -125,7 +125,7 @@ struct ListReader {
 };
 
 // Every sample has a value for each of the columns; NULL is one that came out as no number.
-std::vector<std::vector<double>> read_inputs(Database& database, std::size_t columns) {
+std::vector<std::vector<double>> load_inputs(Database& database, std::size_t columns) {
   std::vector<std::vector<double>> inputs;
   Statement select(database,
                    "SELECT sample, position, value FROM sample_input ORDER BY sample, position");
@@ -157,7 +157,7 @@ std::vector<std::string> parts_of(const std::string& list) {
   return parts;
 }
 
-std::map<int, std::vector<CurveRow>> read_curves(Database& database, int samples,
+std::map<int, std::vector<CurveRow>> load_curves(Database& database, int samples,
                                                  const std::string& where) {
   std::map<int, std::vector<CurveRow>> curves;
   Statement select(database, "SELECT sample, rows, columns, data FROM curve " + where);
@@ -306,7 +306,7 @@ Statement& Store::prepared(const std::string& sql) {
 }
 
 StudySpec Store::study() {
-  const OneMoment moment(database_);
+  const ReadTransaction moment(database_);
   check_study_digest(database_);
   Rows rows;
   Statement select(database_, "SELECT key, value FROM study ORDER BY position");
@@ -381,10 +381,10 @@ SampleTable Store::columns() {
 }
 
 SampleTable Store::samples() {
-  const OneMoment moment(database_);
+  const ReadTransaction moment(database_);
   check_inputs_digest(database_);
   SampleTable table = columns();
-  table.value = read_inputs(database_, table.column.size());
+  table.value = load_inputs(database_, table.column.size());
   const StudySpec spec = study();
   check_columns_of(spec, table);
   if (table.column.empty()) table.value.resize(static_cast<std::size_t>(count_samples(spec)));
@@ -415,7 +415,7 @@ void Store::write(const PackedSample& sample) {
   Binder binder{insert};
   each_column(binder, r);
   binder.nothing = !r.answered();
-  each_answer(binder, r);
+  each_output(binder, r);
   insert.run();
   const RecordLists lists = lists_of(r);
   const auto kept = [this](const std::string& sql) -> Statement& { return prepared(sql); };
@@ -457,7 +457,7 @@ int stage_of_states(const Model& model) {
 }  // namespace
 
 std::vector<Snapshot> Store::states(int sample, const Model& model) {
-  const OneMoment moment(database_);
+  const ReadTransaction moment(database_);
   digests().check_states(sample);
   std::vector<Snapshot> states;
   State rest = initial_state(model);
@@ -495,12 +495,12 @@ std::vector<Snapshot> Store::states(int sample, const Model& model) {
 std::vector<SampleRecord> Store::records(int last) { return records(samples(), kWhole, last); }
 
 std::vector<SampleRecord> Store::records(const SampleTable& table, int first, int last) {
-  const OneMoment moment(database_);
+  const ReadTransaction moment(database_);
   // of the whole the lists too: a row of a sample that is none is damage
   const bool whole = first == kWhole && last == std::numeric_limits<int>::max();
   const std::string where =
       first == kWhole ? "" : fmt::format("WHERE sample BETWEEN {} AND {}", first, last);
-  std::map<int, std::vector<CurveRow>> curves = read_curves(database_, table.n_sample(), where);
+  std::map<int, std::vector<CurveRow>> curves = load_curves(database_, table.n_sample(), where);
   std::map<int, RecordLists> lists;
   ListReader reader{database_, lists, table.n_sample(), where};
   each_list(reader);
@@ -526,7 +526,7 @@ std::vector<SampleRecord> Store::records(const SampleTable& table, int first, in
       put_lists(std::move(lists[record.sample]), record);
       continue;
     }
-    each_answer(taker, record);
+    each_output(taker, record);
     check_answer(database_, record, lists[record.sample]);
     put_lists(std::move(lists[record.sample]), record);
   }

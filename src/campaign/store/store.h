@@ -116,7 +116,7 @@ class Store {
 [[nodiscard]] bool is_outcome(const std::string& status);
 // Shakes that count have numbers, and end as a run does.
 void check_shakes(Database& database, const SampleRecord& record,
-                  const std::vector<ShakeAnswer>& shakes);
+                  const std::vector<ShakeResult>& shakes);
 struct RecordLists;
 // What an answered sample says must be numbers and places that there are.
 void check_answer(Database& database, const SampleRecord& record, const RecordLists& lists);

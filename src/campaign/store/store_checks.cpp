@@ -187,8 +187,8 @@ bool is_outcome(const std::string& status) {
 }
 
 void check_shakes(Database& database, const SampleRecord& record,
-                  const std::vector<ShakeAnswer>& shakes) {
-  for (const ShakeAnswer& shake : shakes) {
+                  const std::vector<ShakeResult>& shakes) {
+  for (const ShakeResult& shake : shakes) {
     const auto refuse = [&](const std::string& what) {
       database.damaged(fmt::format("sample {}: a shake {}", record.sample, what));
     };
@@ -249,7 +249,7 @@ void Store::check_no_other_sample() {
 }
 
 void Store::check_states() {
-  const OneMoment moment(database_);
+  const ReadTransaction moment(database_);
   for (const int sample : done()) digests().check_states(sample);
 }
 

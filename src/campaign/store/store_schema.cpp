@@ -98,7 +98,7 @@ std::string samples_view_sql(const SampleTable& samples) {
         column.to_unit, column.offset, i, quoted(column_title(column)));
   }
   std::string listed = ",\n status";
-  const auto add = [&](const AnswerKey& key, const auto& value) {
+  const auto add = [&](const OutputKey& key, const auto& value) {
     if (key.listed == Listed::kNowhere) return;
     if constexpr (std::is_same_v<decltype(value), const double&>)
       listed += fmt::format(", {} * {:g} AS {}", key.stored, key.to_unit, key.column);
@@ -120,7 +120,7 @@ ColumnNames record_columns() {
   ColumnNames names;
   SampleRecord record;
   each_column(names, record);
-  each_answer(names, record);
+  each_output(names, record);
   return names;
 }
 

@@ -67,7 +67,7 @@ class RowWriter {
     text(key, fmt::format("{}", fmt::join(values, "\n")));
   }
   void flag(const char* key, bool value) { text(key, value ? "true" : ""); }
-  void whole(const char* key, int value) { text(key, value == 0 ? "" : std::to_string(value)); }
+  void integer(const char* key, int value) { text(key, value == 0 ? "" : std::to_string(value)); }
 
  private:
   Rows& rows_;
@@ -97,7 +97,7 @@ class RowReader {
       values.push_back(number_in<Number>(above_ + key, line));
   }
   void flag(const char* key, bool& value) { value = found(key) == "true"; }
-  void whole(const char* key, int& value) {
+  void integer(const char* key, int& value) {
     const std::string text = found(key);
     value = text.empty() ? 0 : number_in<int>(above_ + key, text);
   }
@@ -145,7 +145,7 @@ void each_key(V& v, Study& s) {
   v.text("until", s.until);
   v.texts("fragility", s.fragility);
   v.text("variant", s.variant);
-  v.whole("variant_place", s.variant_place);
+  v.integer("variant_place", s.variant_place);
 }
 
 template <class V, class Shaking>
@@ -158,7 +158,7 @@ void each_shaking(V& v, Shaking& s) {
   v.number("from", s.first);
   v.number("step", s.step);
   v.number("most", s.most);
-  v.whole("halvings", s.halvings);
+  v.integer("halvings", s.halvings);
   v.word("pairing", s.pairing, kPairingWords);
 }
 
@@ -235,7 +235,7 @@ void add_shaking(const StudySpec& spec, Rows& rows) {
     root.text(("record_text." + name).c_str(), text);
 }
 
-void read_shaking(const std::map<std::string, std::string>& known, const Rows& rows,
+void load_shaking(const std::map<std::string, std::string>& known, const Rows& rows,
                   StudySpec& spec) {
   if (known.contains("shaking.stage")) {
     RowReader reader(known, "shaking.");
@@ -394,7 +394,7 @@ StudySpec study_of(const Rows& rows) {
     reader.number("value", pair.value);
     reader.flag("rank", pair.rank);
   }
-  read_shaking(known, rows, spec);
+  load_shaking(known, rows, spec);
   return spec;
 }
 

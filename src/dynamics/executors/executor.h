@@ -34,9 +34,9 @@ class WallAccess {
   // Marks the blocks that the drive moves.
   virtual void choose_driven(const std::vector<BlockId>& blocks) = 0;
   // Copies motion and history from where they are into the state's own arrays.
-  virtual void bring_up(State& state) const = 0;
+  virtual void store_state(State& state) const = 0;
   // Takes what was changed in the state anew.
-  virtual void put_again(State&) {}
+  virtual void reload_wall(State&) {}
 };
 
 // Of free contacts in the last step: pairs of parts that are near, those of them that may touch; searches so far.
@@ -57,9 +57,9 @@ class Executor {
   [[nodiscard]] virtual const Model& model() const = 0;
   // A wall takes a lane, or anew what was changed in its state; model and state have to live until it is
   // dropped.
-  virtual void put(int lane, const Model& model, State& state) = 0;
+  virtual void load_wall(int lane, const Model& model, State& state) = 0;
   // The state's own arrays are brought up to date; the lane stands still from then on.
-  virtual void drop(int lane) = 0;
+  virtual void unload_wall(int lane) = 0;
   [[nodiscard]] virtual std::unique_ptr<WallAccess> access(int lane) = 0;
   // What the next step takes of a lane; where it is not set, the lane stands still.
   virtual void set(int lane, const Controls& controls) = 0;
@@ -73,10 +73,10 @@ class Executor {
  protected:
   virtual void begin_step() = 0;    // dead loads follow their blocks; what the step brings along
   virtual void run(Pass pass) = 0;  // a pass over all its chunks
-  virtual void meet() {}            // contacts that come and go
-  virtual void brake() {}           // dashpots of shaken walls
-  virtual void drive() = 0;         // the driven blocks, wall by wall
-  virtual void end_step() = 0;      // works into the walls' ledgers, clocks
+  virtual void update_free_contacts() {}  // contacts that come and go
+  virtual void apply_dashpots() {}        // dashpots of shaken walls
+  virtual void drive() = 0;               // the driven blocks, wall by wall
+  virtual void end_step() = 0;            // works into the walls' ledgers, clocks
 };
 
 // This processor for walls in their plane or in space; several threads for one wall only.

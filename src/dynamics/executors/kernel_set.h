@@ -19,9 +19,9 @@ WYTHE_INLINE void load_work(Access access, const double* works, int k, JointWork
 template <class Access, class Real>
 WYTHE_INLINE void keep_work(Access access, const JointWork<Real>& work, double* works, int k) {
   const auto term = [&](int q) { return works + q * kGroup * access.walls(); };
-  access.keep_sum(work.friction, term(kFriction), k);
-  access.keep_sum(work.fracture, term(kFracture), k);
-  access.keep_sum(work.crushing, term(kCrushing), k);
+  access.store_sum(work.friction, term(kFriction), k);
+  access.store_sum(work.fracture, term(kFracture), k);
+  access.store_sum(work.crushing, term(kCrushing), k);
 }
 template <class Access, class Real>
 WYTHE_INLINE void load_work(Access access, const double* works, int k, BlockWork<Real>& work) {
@@ -31,8 +31,8 @@ WYTHE_INLINE void load_work(Access access, const double* works, int k, BlockWork
 template <class Access, class Real>
 WYTHE_INLINE void keep_work(Access access, const BlockWork<Real>& work, double* works, int k) {
   const auto term = [&](int q) { return works + q * kGroup * access.walls(); };
-  access.keep_sum(work.loads, term(kLoads), k);
-  access.keep_sum(work.damping, term(kDamped), k);
+  access.store_sum(work.loads, term(kLoads), k);
+  access.store_sum(work.damping, term(kDamped), k);
 }
 template <class Access>
 WYTHE_INLINE void load_work(Access, const double*, int, NoWork&) {}
@@ -48,10 +48,10 @@ void run_pass(const Numbers& t, const Chunk& chunk, double* works) {
   typename P::Work work[Access::sums];
   for (int k = 0; k < Access::sums; ++k) load_work(access, works, k, work[k]);
   int k = 0;
-  for (std::ptrdiff_t spot = chunk.begin; spot < chunk.end; ++spot) {
+  for (std::ptrdiff_t item = chunk.begin; item < chunk.end; ++item) {
     for (int part = 0; part < Access::parts; ++part) {
-      pass.take_part(part);
-      pass.at(spot, work[k]);
+      pass.select_part(part);
+      pass.at(item, work[k]);
       k = (k + 1) % Access::sums;
     }
   }

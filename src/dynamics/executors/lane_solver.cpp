@@ -40,11 +40,12 @@ namespace dynamics {
 
 LaneSolver::LaneSolver(int width) : width_(width) {}
 
-void LaneSolver::put(int ticket, const Model& model, State& state, const SolveOptions& options) {
+void LaneSolver::add_wall(int ticket, const Model& model, State& state,
+                          const SolveOptions& options) {
   auto wall =
       std::make_unique<RunningWall>(RunningWall{ticket, model, state, -1, nullptr, nullptr});
   wall->alone = processor_for(model, 1);
-  wall->alone->put(0, model, state);
+  wall->alone->load_wall(0, model, state);
   wall->run = std::make_unique<WallRun>(model, state, options, wall->alone->access(0));
   walls_.push_back(std::move(wall));
   changed_ = true;
@@ -57,13 +58,13 @@ bool LaneSolver::fits(const RunningWall& wall) const {
 // Takes the wall out of where it is stepped now and into `lane` (-1: a step of its own).
 void LaneSolver::settle_in(RunningWall& wall, int lane) {
   if (lane >= 0) {
-    if (wall.alone) wall.alone->drop(0);
-    together_->put(lane, wall.model, wall.state);
+    if (wall.alone) wall.alone->unload_wall(0);
+    together_->load_wall(lane, wall.model, wall.state);
     wall.run->move_to(together_->access(lane));
     wall.alone.reset();
   } else if (!wall.alone) {
     wall.alone = processor_for(wall.model, 1);
-    wall.alone->put(0, wall.model, wall.state);
+    wall.alone->load_wall(0, wall.model, wall.state);
     wall.run->move_to(wall.alone->access(0));
   }
   wall.lane = lane;
@@ -87,7 +88,7 @@ void LaneSolver::arrange() {
   if (together_ && together_->lanes() != lanes) {
     for (const auto& wall : walls_)
       if (wall->lane >= 0) {
-        together_->drop(wall->lane);
+        together_->unload_wall(wall->lane);
         wall->lane = -1;
         settle_in(*wall, -1);
       }
@@ -121,12 +122,12 @@ void LaneSolver::step() {
     }
     wall->alone->set(0, controls);
     wall->alone->step();
-    wall->run->look(wall->alone->reaction(0));
+    wall->run->after_step(wall->alone->reaction(0));
     if (!together_) return;  // walls that share nothing take their turns one after the other
   }
   together_->step();
   for (const auto& wall : walls_)
-    if (wall->lane >= 0) wall->run->look(together_->reaction(wall->lane));
+    if (wall->lane >= 0) wall->run->after_step(together_->reaction(wall->lane));
 }
 
 LaneSolver::Ended LaneSolver::next() {
@@ -141,9 +142,9 @@ LaneSolver::Ended LaneSolver::next() {
   walls_.erase(found);
   changed_ = true;
   if (wall->lane >= 0)
-    together_->drop(wall->lane);
+    together_->unload_wall(wall->lane);
   else
-    wall->alone->drop(0);
+    wall->alone->unload_wall(0);
   return {wall->ticket, wall->run->finish()};
 }
 

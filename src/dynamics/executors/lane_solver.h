@@ -2,7 +2,7 @@
 //
 //   LaneSolver solver(width);
 //   while (walls left or solver.running() > 0) {
-//     while (solver.has_room()) solver.put(ticket, model, state, options);
+//     while (solver.has_room()) solver.add_wall(ticket, model, state, options);
 //     LaneSolver::Ended ended = solver.next();     // steps all until one ends
 //   }
 //
@@ -30,7 +30,7 @@ class LaneSolver {
   [[nodiscard]] int running() const { return static_cast<int>(walls_.size()); }
   [[nodiscard]] bool has_room() const { return running() < width_; }
   // Takes a wall; model, state and what options refer to have to live until it has ended.
-  void put(int ticket, const Model& model, State& state, const SolveOptions& options);
+  void add_wall(int ticket, const Model& model, State& state, const SolveOptions& options);
 
   struct Ended {
     int ticket = 0;

@@ -1,7 +1,7 @@
 // The scalar kernel for pairs that press, and the choice between those there are.
 #include <algorithm>
 
-#include "contact/meeting.h"
+#include "contact/convex_contact.h"
 #include "dynamics/passes/pressing.h"
 
 namespace wythe::dynamics {

@@ -14,12 +14,12 @@ void Executor::step() {
   run(kJoints);  //          openings and slips, the law, forces of joints      passes/joints.h
   run(kZones);   //          forces of deformable blocks on their nodes         passes/solids.h
   run(kEdges);   //          the law between these and rigid blocks
-  meet();   //          free contacts, and joints that give way to them    passes/free_contacts.h
-  brake();  //          dashpots of the joints that are left               passes/dashpots.h
-  run(kBlocks);  //          central differences with local damping, poses      passes/blocks.h
-  run(kNodes);   //          the same for nodes                                 passes/solids.h
-  drive();       //          the driven blocks, and their reaction              passes/drive.h
-  end_step();    //          works into the ledger, clock
+  update_free_contacts();  //          free contacts, and joints that give way to them    passes/free_contacts.h
+  apply_dashpots();  //          dashpots of the joints that are left               passes/dashpots.h
+  run(kBlocks);      //          central differences with local damping, poses      passes/blocks.h
+  run(kNodes);       //          the same for nodes                                 passes/solids.h
+  drive();           //          the driven blocks, and their reaction              passes/drive.h
+  end_step();        //          works into the ledger, clock
 }
 
 namespace {
@@ -53,8 +53,8 @@ class HostWallAccess final : public WallAccess {
     dynamics::choose_driven(view_, blocks);
     if (model_.standing.any()) hold_still(view_, model_, processor_.state(lane_).stage);
   }
-  void bring_up(State& state) const override { processor_.bring_up(lane_, state); }
-  void put_again(State& state) override { processor_.put(lane_, model_, state); }
+  void store_state(State& state) const override { processor_.store_state(lane_, state); }
+  void reload_wall(State& state) override { processor_.load_wall(lane_, model_, state); }
 
  private:
   Processor& processor_;
@@ -116,13 +116,13 @@ void place_loads(const Model& model, const State& state, const WallView& wall,
 // Links and layers pull, and frames bend, where the blocks are now; what they take goes into the ledger.
 void take_links(const Model& model, State& state, const WallView& wall) {
   if (wall.layers > 0) {
-    const LayerWork work = pull_layers(wall);
+    const LayerWork work = add_layer_forces(wall);
     state.dissipated_fracture += work.fracture;
     state.work_damping -= work.damping;
   }
-  if (wall.frames > 0) state.dissipated_friction += bend_frames(wall);
+  if (wall.frames > 0) state.dissipated_friction += add_frame_forces(wall);
   if (wall.links == 0) return;
-  const LinkWork work = pull_links(wall, links_set(model, state), jacks_set(model, state));
+  const LinkWork work = add_link_forces(wall, links_set(model, state), jacks_set(model, state));
   state.dissipated_friction += work.dissipated;
   state.work_loads += work.tensioned;
 }
@@ -145,7 +145,7 @@ Processor::Processor(const Model& model, int lanes, int threads, const Kernels& 
   }
   for (int lane = 0; lane < lanes; ++lane) {
     wall_[at(lane)].view = view_of(layout_, model_, bank_of(lane).tables, lane % width_);
-    put_wall(layout_, bank_of(lane).tables, lane % width_, model_, rest_);
+    load_lane(layout_, bank_of(lane).tables, lane % width_, model_, rest_);
     set(lane, {});
   }
   if (model_.free.any() && lanes == 1)
@@ -156,24 +156,24 @@ Processor::~Processor() = default;
 
 FreeCounts Processor::free_counts() const { return free_ ? free_->counts() : FreeCounts{}; }
 
-void Processor::put(int lane, const Model& model, State& state) {
+void Processor::load_wall(int lane, const Model& model, State& state) {
   Wall& wall = wall_[at(lane)];
   wall.model = &model;
   wall.state = &state;
-  wall.brakes = {};
-  wall.brakes.maxwell.put(state);
-  put_wall(layout_, bank_of(lane).tables, lane % width_, model, state);
+  wall.dashpot_state = {};
+  wall.dashpot_state.maxwell.load_state(state);
+  load_lane(layout_, bank_of(lane).tables, lane % width_, model, state);
   if (model.standing.any()) stand(layout_, bank_of(lane).tables, model, state);
-  if (free_) free_->put(state, wall.view);
+  if (free_) free_->load_state(state, wall.view);
   set(lane, {});
 }
 
-void Processor::drop(int lane) {
+void Processor::unload_wall(int lane) {
   Wall& wall = wall_[at(lane)];
-  bring_up(lane, *wall.state);
+  store_state(lane, *wall.state);
   wall.model = nullptr;
   wall.state = nullptr;
-  put_wall(layout_, bank_of(lane).tables, lane % width_, model_, rest_);  // at rest: costs least
+  load_lane(layout_, bank_of(lane).tables, lane % width_, model_, rest_);  // at rest: costs least
   set(lane, {});
 }
 
@@ -185,9 +185,9 @@ void Processor::set(int lane, const Controls& controls) {
   Controls& now = wall_[at(lane)].controls;
   const bool same = now.dt == controls.dt && now.mass_scaling == controls.mass_scaling;
   now = controls;
-  view(lane).of_wall(kDt) = controls.dt;
-  view(lane).of_wall(kDamping) = controls.damping;
-  view(lane).of_wall(kTimeBefore) = time_before(controls);
+  view(lane).wall_value(kDt) = controls.dt;
+  view(lane).wall_value(kDamping) = controls.damping;
+  view(lane).wall_value(kTimeBefore) = time_before(controls);
   if (!same || controls.dt == 0) set_rates(view(lane), controls.dt, controls.mass_scaling);
 }
 
@@ -200,21 +200,21 @@ void Processor::begin_step() {
     if (wall.controls.mass_damping > 0)
       wall.state->work_damping +=
           damp_by_mass(wall.view, wall.controls.mass_damping, wall.controls.dt);
-    wall.view.of_wall(kGravityX) = wall.state->gravity_x;
-    wall.view.of_wall(kGravityY) = wall.state->gravity_y;
+    wall.view.wall_value(kGravityX) = wall.state->gravity_x;
+    wall.view.wall_value(kGravityY) = wall.state->gravity_y;
   }
 }
 
-void Processor::brake() {
+void Processor::apply_dashpots() {
   for (Wall& wall : wall_) {
     if (wall.model == nullptr || !(wall.controls.dt > 0)) continue;
     if (wall.controls.dashpots == nullptr) {
-      wall.brakes.maxwell.let_go();
+      wall.dashpot_state.maxwell.set_zero();
       continue;
     }
-    prepare_brakes(*wall.model, wall.brakes);
-    brake_joints(layout_, wall.view, *wall.model, *wall.controls.dashpots, wall.controls.dt,
-                 wall.brakes);
+    prepare_dashpots(*wall.model, wall.dashpot_state);
+    damp_joints(layout_, wall.view, *wall.model, *wall.controls.dashpots, wall.controls.dt,
+                wall.dashpot_state);
   }
 }
 
@@ -246,14 +246,14 @@ void Processor::run(Pass pass) {
   }
 }
 
-void Processor::bring_up(int lane, State& state) const {
+void Processor::store_state(int lane, State& state) const {
   const Wall& wall = wall_[at(lane)];
-  read_wall(layout_, wall.view.t, static_cast<int>(wall.view.lane), *wall.model, state);
-  wall.brakes.maxwell.bring_up(state);
-  if (free_) free_->bring_up(state);
+  store_lane(layout_, wall.view.t, static_cast<int>(wall.view.lane), *wall.model, state);
+  wall.dashpot_state.maxwell.store_state(state);
+  if (free_) free_->store_state(state);
 }
 
-void Processor::meet() {
+void Processor::update_free_contacts() {
   if (!free_ || wall_[0].model == nullptr || !(wall_[0].controls.dt > 0)) return;
   free_->act(*wall_[0].state, wall_[0].controls.dt, wall_[0].controls.dashpots, wall_[0].view,
              workers_);
@@ -295,7 +295,7 @@ void Processor::end_step() {
     if (free_) free_->moved(*wall.state, wall.controls.dt, wall.view);
     if (wall.controls.dashpots != nullptr)
       wall.state->work_damping +=
-          braking_work(wall.view, *wall.model, wall.brakes, wall.controls.dt);
+          dashpot_work(wall.view, *wall.model, wall.dashpot_state, wall.controls.dt);
     advance_clock(*wall.state, wall.controls);
   }
 }

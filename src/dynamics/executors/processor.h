@@ -5,7 +5,7 @@
 //   one.put(0, model, state);
 //   one.set(0, controls);
 //   one.step();
-//   one.access(0)->bring_up(state);
+//   one.access(0)->store_state(state);
 #pragma once
 
 #include <memory>
@@ -34,8 +34,8 @@ class Processor final : public Executor {
 
   [[nodiscard]] int lanes() const override { return static_cast<int>(wall_.size()); }
   [[nodiscard]] const Model& model() const override { return model_; }
-  void put(int lane, const Model& model, State& state) override;
-  void drop(int lane) override;
+  void load_wall(int lane, const Model& model, State& state) override;
+  void unload_wall(int lane) override;
   [[nodiscard]] std::unique_ptr<WallAccess> access(int lane) override;
   void set(int lane, const Controls& controls) override;
   [[nodiscard]] double reaction(int lane) const override { return wall_[at(lane)].reaction; }
@@ -44,7 +44,7 @@ class Processor final : public Executor {
   [[nodiscard]] const State& state(int lane) const { return *wall_[at(lane)].state; }
   [[nodiscard]] const WallView& view(int lane) const { return wall_[at(lane)].view; }
   // Motion, history and free contacts of the wall in a lane, into a state's own arrays.
-  void bring_up(int lane, State& state) const;
+  void store_state(int lane, State& state) const;
   [[nodiscard]] FreeCounts free_counts() const override;
 
  private:
@@ -54,7 +54,7 @@ class Processor final : public Executor {
     Controls controls;
     double reaction = 0;
     WallView view;
-    Brakes brakes;
+    DashpotState dashpot_state;
   };
   // As many walls as one pack takes, with memory of their own.
   struct Bank {
@@ -65,8 +65,8 @@ class Processor final : public Executor {
 
   void begin_step() override;
   void run(Pass pass) override;
-  void brake() override;
-  void meet() override;
+  void apply_dashpots() override;
+  void update_free_contacts() override;
   void drive() override;
   void end_step() override;
   void run_chunk(Pass pass, Bank& bank, std::size_t chunk);

@@ -108,7 +108,7 @@ double damping_on_the_way(const Curve& curve, std::size_t peak) {
   return share.empty() ? kUnset : median(std::move(share));
 }
 
-void read_meters(const Curve& curve, std::size_t peak, RateVerdict& q) {
+void evaluate_meters(const Curve& curve, std::size_t peak, RateVerdict& q) {
   const Stretch s = stretch_around(curve, peak);
   double gap = 0;
   for (std::size_t i = s.first; i <= s.last; ++i) {
@@ -293,7 +293,7 @@ RateVerdict of_a_push(const Curve& curve, const EnergyLedger& energy) {
   RateVerdict q;
   const auto peak = largest_in_balance(curve);
   if (peak && force_beyond(curve, curve[*peak].reaction) <= kKnown) {
-    read_meters(curve, *peak, q);
+    evaluate_meters(curve, *peak, q);
     q.beyond = force_beyond(curve, curve[*peak].reaction);
     judge(q);
     if (outruns(curve, curve[*peak].reaction)) judge_outrun(energy, curve.back().work_drive, q);

@@ -264,17 +264,17 @@ struct BothWays {
 };
 
 // One direction. The way out is known finer than by its rows, of use where it leads to most of the peak.
-Responses read_side(const Curve& envelope, ResponseOptions options, bool is_first) {
+Responses evaluate_side(const Curve& envelope, ResponseOptions options, bool is_first) {
   constexpr double kMost = 0.6;   // the bilinear curve's secant needs no more
   constexpr double kBegin = 0.1;  // nor the stiffness less
   const std::vector<RisePoint> rise = std::exchange(options.rise, {});
-  Responses by_rows = read_one_way(envelope, options);
+  Responses by_rows = evaluate_one_way(envelope, options);
   const bool reaches = std::any_of(rise.begin(), rise.end(), [&](const RisePoint& point) {
     return point.force >= kMost * by_rows.peak_reaction;
   });
   if (is_first && reaches) {
     options.rise = rise;
-    return read_one_way(envelope, options);
+    return evaluate_one_way(envelope, options);
   }
   // A wall that comes from the other side may pass zero under force: then it has no rise from there.
   const double begins = envelope.size() > 1 ? envelope[1].reaction / by_rows.peak_reaction : 0;
@@ -284,7 +284,7 @@ Responses read_side(const Curve& envelope, ResponseOptions options, bool is_firs
   return by_rows;
 }
 
-BothWays read_both(const Curve& curve, const ResponseOptions& options) {
+BothWays evaluate_both(const Curve& curve, const ResponseOptions& options) {
   BothWays b;
   b.along = envelope_of(curve, 1);
   b.against = envelope_of(curve, -1);
@@ -292,8 +292,8 @@ BothWays read_both(const Curve& curve, const ResponseOptions& options) {
   const bool first_along = curve[turns_of(curve)[1]].displacement >= 0;
   ResponseOptions standing = options;
   standing.collapse = {};
-  b.forth = read_side(b.along, b.collapsed_along ? options : standing, first_along);
-  b.back = read_side(b.against, b.collapsed_along ? standing : options, !first_along);
+  b.forth = evaluate_side(b.along, b.collapsed_along ? options : standing, first_along);
+  b.back = evaluate_side(b.against, b.collapsed_along ? standing : options, !first_along);
   // A direction whose strength is not known counts with its largest row: if that is the larger, the
   // wall's strength is not known.
   const auto strength = [](const Responses& r) {
@@ -343,8 +343,8 @@ Curve envelope_of(const Curve& curve, int sense) {
   return envelope;
 }
 
-Responses read_cyclic(const Curve& curve, const ResponseOptions& options) {
-  const BothWays both = read_both(curve, options);
+Responses evaluate_cyclic(const Curve& curve, const ResponseOptions& options) {
+  const BothWays both = evaluate_both(curve, options);
   Responses r = both.sense > 0 ? both.forth : both.back;
   r.cyclic.sense = both.sense;
   r.cyclic.positive = direction_of(both.forth, both.along);
@@ -364,7 +364,7 @@ namespace wythe {
 
 std::vector<CurveRow> backbone_of(const std::vector<CurveRow>& curve) {
   if (!dynamics::is_cyclic(curve)) return curve;
-  const dynamics::BothWays both = dynamics::read_both(curve, {});
+  const dynamics::BothWays both = dynamics::evaluate_both(curve, {});
   return both.sense > 0 ? both.along : both.against;
 }
 

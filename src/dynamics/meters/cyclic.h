@@ -23,7 +23,7 @@ namespace wythe::dynamics {
 [[nodiscard]] std::vector<CurveRow> envelope_of(const std::vector<CurveRow>& curve, int sense);
 
 // All of Responses for a cyclic curve.
-[[nodiscard]] Responses read_cyclic(const std::vector<CurveRow>& curve,
-                                    const ResponseOptions& options);
+[[nodiscard]] Responses evaluate_cyclic(const std::vector<CurveRow>& curve,
+                                        const ResponseOptions& options);
 
 }  // namespace wythe::dynamics

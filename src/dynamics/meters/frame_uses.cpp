@@ -27,14 +27,14 @@ Message place_in_frame(const Model& model, std::size_t section) {
   const bool first = at<kEnd * m.length, last = at>(1 - kEnd) * m.length;
   if (!first && !last) return {"place.along_member", {{"member", m.words}, {"at_m", at}}};
   const char* code = "place.right_end";
-  if (std::fabs(m.way_y) > std::fabs(m.way_x))
-    code = (m.way_y > 0) == last ? "place.top" : "place.foot";
-  else if ((m.way_x > 0) != last)
+  if (std::fabs(m.direction_y) > std::fabs(m.direction_x))
+    code = (m.direction_y > 0) == last ? "place.top" : "place.foot";
+  else if ((m.direction_x > 0) != last)
     code = "place.left_end";
   return {code, {{"member", m.words}}};
 }
 
-std::vector<FrameUse> read_frame_uses(const Model& model, const Result& result) {
+std::vector<FrameUse> evaluate_frame_uses(const Model& model, const Result& result) {
   const Frames& f = model.frames;
   std::vector<FrameUse> uses(f.name.size());
   const std::size_t n = f.a.size();

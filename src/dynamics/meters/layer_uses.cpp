@@ -25,7 +25,7 @@ Message sentence_of(const LayerUse& use, const std::string& layer) {
 
 namespace dynamics {
 
-std::vector<LayerRow> read_layer_rows(const Model& model, const State& state) {
+std::vector<LayerRow> evaluate_layer_rows(const Model& model, const State& state) {
   constexpr double kDetached = 0.95;  // of the bond's energy is spent
   const Layers& l = model.layers;
   std::vector<LayerRow> rows(l.name.size());
@@ -57,7 +57,7 @@ Message place_in_layer(const LayerRow& row) {
   return {"place.in_wall", {{"x_m", row.x}, {"y_m", row.y}}};
 }
 
-std::vector<LayerUse> read_layer_uses(const Model& model, const Result& result) {
+std::vector<LayerUse> evaluate_layer_uses(const Model& model, const Result& result) {
   std::vector<LayerUse> uses(model.layers.name.size());
   const std::size_t n = uses.size();
   for (std::size_t row = 0; n > 0 && (row + 1) * n <= result.layer_rows.size(); ++row)

@@ -8,8 +8,8 @@
 namespace wythe::dynamics {
 
 // Of a state, one for each layer.
-[[nodiscard]] std::vector<LayerRow> read_layer_rows(const Model& model, const State& state);
-[[nodiscard]] std::vector<LayerUse> read_layer_uses(const Model& model, const Result& result);
+[[nodiscard]] std::vector<LayerRow> evaluate_layer_rows(const Model& model, const State& state);
+[[nodiscard]] std::vector<LayerUse> evaluate_layer_uses(const Model& model, const Result& result);
 
 // "(1.20, 0.55) m".
 [[nodiscard]] Message place_in_layer(const LayerRow& row);

@@ -7,7 +7,7 @@
 #include "dynamics/meters/balance.h"
 #include "dynamics/meters/cyclic.h"
 #include "dynamics/stages/stage_run.h"
-#include "wythe/promise.h"
+#include "wythe/slow_push.h"
 
 namespace wythe {
 namespace {
@@ -250,7 +250,7 @@ Collapse collapse_of(const Curve& curve, const Responses& r, const Message& reas
   return c;
 }
 
-void read_drifts(const Curve& curve, Responses& r) {
+void evaluate_drifts(const Curve& curve, Responses& r) {
   r.load_height = load_height_of(curve);
   if (!(r.load_height > 0)) return;
   r.drift_at_peak = r.displacement_at_peak / r.load_height;
@@ -280,7 +280,7 @@ void leave_unknown(Responses& r, const std::vector<double>& fractions) {
 }
 
 // Largest displacement before the reaction stays below a fifth of the peak, to the end.
-void read_largest(const Curve& curve, std::size_t peak, Responses& r) {
+void evaluate_largest(const Curve& curve, std::size_t peak, Responses& r) {
   std::size_t low = curve.size();
   while (low > peak + 1 && carried(curve[low - 1]) < 0.2 * r.peak_reaction) --low;
   if (low == curve.size()) return;
@@ -288,8 +288,8 @@ void read_largest(const Curve& curve, std::size_t peak, Responses& r) {
   r.censored_max = false;
 }
 
-void read_after_peak(const Curve& curve, std::size_t peak, const ResponseOptions& options,
-                     Responses& r) {
+void evaluate_after_peak(const Curve& curve, std::size_t peak, const ResponseOptions& options,
+                         Responses& r) {
   const bool collapsed = !options.collapse.empty();
   const auto falls = [&](double fraction) {
     return falls_to(curve, peak, fraction * r.peak_reaction, collapsed);
@@ -305,7 +305,7 @@ void read_after_peak(const Curve& curve, std::size_t peak, const ResponseOptions
   for (const double fraction : options.fractions)
     r.falls.push_back(fall_to(fraction, falls(fraction)));
   for (const double left : kSharesLeft) r.drift_capacity.push_back(fall_to(left, falls(left)));
-  read_largest(curve, peak, r);
+  evaluate_largest(curve, peak, r);
   const std::vector<RisePoint> rise = options.rise.empty() ? rise_of(curve) : options.rise;
   // A push that begins on a wall already pushed has no rise from zero, so neither stiffness is to be had.
   const bool begins_loaded =
@@ -317,7 +317,7 @@ void read_after_peak(const Curve& curve, std::size_t peak, const ResponseOptions
   r.bilinear = begins_loaded ? no_bilinear() : bilinear_of(curve, rise, r.peak_reaction, at_80);
 }
 
-void read_push(const Curve& curve, const ResponseOptions& options, Responses& r) {
+void evaluate_push(const Curve& curve, const ResponseOptions& options, Responses& r) {
   const auto peak = dynamics::largest_in_balance(curve);
   if (!peak || dynamics::force_beyond(curve, curve[*peak].reaction) > dynamics::kKnown) {
     r.peak_reaction = r.displacement_at_peak = kUnset;
@@ -329,12 +329,12 @@ void read_push(const Curve& curve, const ResponseOptions& options, Responses& r)
   r.displacement_at_peak = curve[*peak].displacement;
   const bool at_the_end = r.displacement_at_peak >= 0.99 * curve.back().displacement;
   r.censored_peak = at_the_end && options.collapse.empty();
-  read_after_peak(curve, *peak, options, r);
+  evaluate_after_peak(curve, *peak, options, r);
 }
 
 // A load that grows while the wall is in balance: what it carried, and no more; the wall has no curve
 // beyond, for there it runs away.
-void read_load(const Curve& curve, const ResponseOptions& options, Responses& r) {
+void evaluate_load(const Curve& curve, const ResponseOptions& options, Responses& r) {
   leave_unknown(r, options.fractions);
   r.displacement_max = kUnset;
   const bool carried_any = options.carried > 0;
@@ -381,8 +381,8 @@ std::optional<bool> threshold_decides(const std::vector<FallTo>& drift_capacity)
 
 Responses read_responses(const std::vector<CurveRow>& curve, const ResponseOptions& options) {
   const bool pushed = std::isnan(options.carried);
-  return pushed && dynamics::is_cyclic(curve) ? dynamics::read_cyclic(curve, options)
-                                              : read_one_way(curve, options);
+  return pushed && dynamics::is_cyclic(curve) ? dynamics::evaluate_cyclic(curve, options)
+                                              : evaluate_one_way(curve, options);
 }
 
 bool FlatPeak::says_little(double at_peak) const {
@@ -416,7 +416,7 @@ Message why_no_stiffness(const Responses& r) {
   return {"stiffness.outrun", {{"apart_percent", 100 * dynamics::kOutrun}}};
 }
 
-Responses read_one_way(const std::vector<CurveRow>& curve, const ResponseOptions& options) {
+Responses evaluate_one_way(const std::vector<CurveRow>& curve, const ResponseOptions& options) {
   Responses r;
   if (curve.empty()) return r;
   const std::size_t raw = raw_peak_row(curve);
@@ -425,11 +425,11 @@ Responses read_one_way(const std::vector<CurveRow>& curve, const ResponseOptions
   r.displacement_max = curve.back().displacement;
   r.work_total = work_up_to(curve, row_place(curve, curve.size() - 1));
   if (std::isnan(options.carried))
-    read_push(curve, options, r);
+    evaluate_push(curve, options, r);
   else
-    read_load(curve, options, r);
+    evaluate_load(curve, options, r);
   r.collapse = collapse_of(curve, r, options.collapse);
-  read_drifts(curve, r);
+  evaluate_drifts(curve, r);
   return r;
 }
 

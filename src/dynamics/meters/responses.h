@@ -6,8 +6,8 @@
 namespace wythe {
 
 // Responses of a push that never turns back.
-[[nodiscard]] Responses read_one_way(const std::vector<CurveRow>& curve,
-                                     const ResponseOptions& options);
+[[nodiscard]] Responses evaluate_one_way(const std::vector<CurveRow>& curve,
+                                         const ResponseOptions& options);
 
 namespace dynamics {
 

@@ -3,14 +3,14 @@
 //   EntityLanes  lane k is entity k of a group of one wall
 //   WallLanes    lane k is wall k: all share geometry, each has its own state
 //
-// A spot is a group of neighbours, or one entity. Both know
-//   shared(table, row)      one number for all walls         row: spot * rows of the table + row
-//   own(table, row), keep(value, table, row)                 what each wall has for itself
-//   rows(rows, ids, spot)                                    rows of four of entities ids[spot]
-//   own_rows(rows, spot), keep_rows(...)                     its own
-//   of(table, rows, row, ids, spot)                          one row of entities ids[spot]
-//   of_wall(numbers, row)                                    one number a wall (time step, law)
-//   marked(flags, spot), mark(flags, spot, flag)             one flag for all lanes of a Real
+// An item is a group of neighbours, or one entity. Both know
+//   shared(table, row)      one number for all walls         row: item * rows of the table + row
+//   load(table, row), store(value, table, row)                 what each wall has for itself
+//   rows(rows, ids, item)                                    rows of four of entities ids[item]
+//   load_rows(rows, item), store_rows(...)                     its own
+//   of(table, rows, row, ids, item)                          one row of entities ids[item]
+//   wall_value(numbers, row)                                    one number a wall (time step, law)
+//   load_flag(flags, item), store_flag(flags, item, flag)             one flag for all lanes of a Real
 //   history_lanes()                                          numbers of a row of history
 #pragma once
 
@@ -86,46 +86,46 @@ struct EntityLanes {
 
   WYTHE_INLINE static constexpr Id walls() { return 1; }
   WYTHE_INLINE static constexpr Id history_lanes() { return kGroup; }
-  WYTHE_INLINE void take_part(int part) { lane = part * L::width; }
+  WYTHE_INLINE void select_part(int part) { lane = part * L::width; }
 
   WYTHE_INLINE Real shared(const double* table, Id row) const {
     return L::load(table + row * kGroup + lane);
   }
-  WYTHE_INLINE Real own(const double* table, Id row) const { return shared(table, row); }
-  WYTHE_INLINE void keep(Real value, double* table, Id row) const {
+  WYTHE_INLINE Real load(const double* table, Id row) const { return shared(table, row); }
+  WYTHE_INLINE void store(Real value, double* table, Id row) const {
     L::store(value, table + row * kGroup + lane);
   }
-  WYTHE_INLINE Rows<Real> rows(const double* from, const std::int32_t* id, Id spot) const {
-    return L::load_rows(from, id + spot * kGroup + lane);
+  WYTHE_INLINE Rows<Real> rows(const double* from, const std::int32_t* id, Id item) const {
+    return L::load_rows(from, id + item * kGroup + lane);
   }
-  WYTHE_INLINE void keep_rows(const Rows<Real>& r, double* to, Id spot) const {
-    L::store_rows(r, to + 4 * (spot * kGroup + lane));
+  WYTHE_INLINE void store_rows(const Rows<Real>& r, double* to, Id item) const {
+    L::store_rows(r, to + 4 * (item * kGroup + lane));
   }
-  WYTHE_INLINE Rows<Real> own_rows(const double* from, Id spot) const {
+  WYTHE_INLINE Rows<Real> load_rows(const double* from, Id item) const {
     std::int32_t id[L::width];
     for (int k = 0; k < L::width; ++k) id[k] = k;
-    return L::load_rows(from + 4 * (spot * kGroup + lane), id);
+    return L::load_rows(from + 4 * (item * kGroup + lane), id);
   }
   WYTHE_INLINE Real of(const double* table, int rows, int row, const std::int32_t* id,
-                       Id spot) const {
+                       Id item) const {
     double lanes[L::width];
     for (int k = 0; k < L::width; ++k) {
-      const std::int32_t e = id[spot * kGroup + lane + k];
+      const std::int32_t e = id[item * kGroup + lane + k];
       lanes[k] = table[(static_cast<Id>(e / kGroup) * rows + row) * kGroup + e % kGroup];
     }
     return L::load(lanes);
   }
-  WYTHE_INLINE Real of_wall(const double* numbers, Id row) const { return Real(numbers[row]); }
-  WYTHE_INLINE Id flag(Id spot) const { return spot * parts + lane / L::width; }
-  WYTHE_INLINE std::uint8_t marked(const std::uint8_t* flags, Id spot) const {
-    return flags[flag(spot)];
+  WYTHE_INLINE Real wall_value(const double* numbers, Id row) const { return Real(numbers[row]); }
+  WYTHE_INLINE Id flag(Id item) const { return item * parts + lane / L::width; }
+  WYTHE_INLINE std::uint8_t load_flag(const std::uint8_t* flags, Id item) const {
+    return flags[flag(item)];
   }
-  WYTHE_INLINE void mark(std::uint8_t* flags, Id spot, std::uint8_t now) const {
-    flags[flag(spot)] = now;
+  WYTHE_INLINE void store_flag(std::uint8_t* flags, Id item, std::uint8_t now) const {
+    flags[flag(item)] = now;
   }
   // kGroup sums of a term, of Real k.
   WYTHE_INLINE Real sum(const double* term, int k) const { return L::load(term + k * L::width); }
-  WYTHE_INLINE void keep_sum(Real s, double* term, int k) const {
+  WYTHE_INLINE void store_sum(Real s, double* term, int k) const {
     L::store(s, term + k * L::width);
   }
 };
@@ -142,12 +142,12 @@ struct WallLanes {
 
   WYTHE_INLINE Id walls() const { return number; }
   WYTHE_INLINE Id history_lanes() const { return walls(); }
-  WYTHE_INLINE void take_part(int) {}
+  WYTHE_INLINE void select_part(int) {}
   WYTHE_INLINE Real shared(const double* table, Id row) const { return Real(table[row]); }
-  WYTHE_INLINE Real own(const double* table, Id row) const {
+  WYTHE_INLINE Real load(const double* table, Id row) const {
     return L::load(table + row * walls());
   }
-  WYTHE_INLINE void keep(Real value, double* table, Id row) const {
+  WYTHE_INLINE void store(Real value, double* table, Id row) const {
     L::store(value, table + row * walls());
   }
   WYTHE_INLINE Rows<Real> row_of(const double* from, Id entity) const {
@@ -155,31 +155,35 @@ struct WallLanes {
     return {L::load(row), L::load(row + walls()), L::load(row + 2 * walls()),
             L::load(row + 3 * walls())};
   }
-  WYTHE_INLINE Rows<Real> rows(const double* from, const std::int32_t* id, Id spot) const {
-    return row_of(from, id[spot]);
+  WYTHE_INLINE Rows<Real> rows(const double* from, const std::int32_t* id, Id item) const {
+    return row_of(from, id[item]);
   }
-  WYTHE_INLINE Rows<Real> own_rows(const double* from, Id spot) const { return row_of(from, spot); }
-  WYTHE_INLINE void keep_rows(const Rows<Real>& r, double* to, Id spot) const {
-    double* row = to + 4 * spot * walls();
+  WYTHE_INLINE Rows<Real> load_rows(const double* from, Id item) const {
+    return row_of(from, item);
+  }
+  WYTHE_INLINE void store_rows(const Rows<Real>& r, double* to, Id item) const {
+    double* row = to + 4 * item * walls();
     L::store(r.c0, row);
     L::store(r.c1, row + walls());
     L::store(r.c2, row + 2 * walls());
     L::store(r.c3, row + 3 * walls());
   }
   WYTHE_INLINE Real of(const double* table, int rows, int row, const std::int32_t* id,
-                       Id spot) const {
-    return own(table, static_cast<Id>(id[spot]) * rows + row);
+                       Id item) const {
+    return load(table, static_cast<Id>(id[item]) * rows + row);
   }
-  WYTHE_INLINE Real of_wall(const double* numbers, Id row) const { return own(numbers, row); }
-  WYTHE_INLINE Id flag(Id spot) const { return spot * (walls() / L::width); }
-  WYTHE_INLINE std::uint8_t marked(const std::uint8_t* flags, Id spot) const {
-    return flags[flag(spot)];
+  WYTHE_INLINE Real wall_value(const double* numbers, Id row) const { return load(numbers, row); }
+  WYTHE_INLINE Id flag(Id item) const { return item * (walls() / L::width); }
+  WYTHE_INLINE std::uint8_t load_flag(const std::uint8_t* flags, Id item) const {
+    return flags[flag(item)];
   }
-  WYTHE_INLINE void mark(std::uint8_t* flags, Id spot, std::uint8_t now) const {
-    flags[flag(spot)] = now;
+  WYTHE_INLINE void store_flag(std::uint8_t* flags, Id item, std::uint8_t now) const {
+    flags[flag(item)] = now;
   }
   WYTHE_INLINE Real sum(const double* term, int k) const { return L::load(term + k * walls()); }
-  WYTHE_INLINE void keep_sum(Real s, double* term, int k) const { L::store(s, term + k * walls()); }
+  WYTHE_INLINE void store_sum(Real s, double* term, int k) const {
+    L::store(s, term + k * walls());
+  }
 };
 
 // The numbers of a law: strengths from one row of the table on, the others from another. What a way through
@@ -193,7 +197,7 @@ template <class Access>
   for_each_part<kLawRows>([&](auto k) __attribute__((always_inline)) {
     constexpr int row = decltype(k)::value;
     constexpr auto member = contact::kConstants<Real>[row];
-    m.*member = access.own(law, row < kStrengths ? strengths + row : others + row - kStrengths);
+    m.*member = access.load(law, row < kStrengths ? strengths + row : others + row - kStrengths);
   });
   m.choice = choice;
   return m;

@@ -52,12 +52,12 @@ struct Blocks {
   WYTHE_INLINE Blocks(const Tables& tables, Access lanes, const Chunk&)
       : t(tables),
         access(lanes),
-        dt(access.of_wall(t.wall, kDt)),
-        damping(access.of_wall(t.wall, kDamping)),
-        gravity_x(access.of_wall(t.wall, kGravityX)),
-        gravity_y(access.of_wall(t.wall, kGravityY)) {}
+        dt(access.wall_value(t.wall, kDt)),
+        damping(access.wall_value(t.wall, kDamping)),
+        gravity_x(access.wall_value(t.wall, kGravityX)),
+        gravity_y(access.wall_value(t.wall, kGravityY)) {}
 
-  WYTHE_INLINE void take_part(int part) { access.take_part(part); }
+  WYTHE_INLINE void select_part(int part) { access.select_part(part); }
   WYTHE_INLINE void at(std::ptrdiff_t i, Work& work) const {
     if (t.special[i] != 0)
       move<true>(i, work);
@@ -71,20 +71,20 @@ struct Blocks {
   WYTHE_INLINE void move(std::ptrdiff_t i, Work& work) const {
     const Real zero(0.0);
     const BlockForce<Real> contact = gather(i);
-    const Real heavy = own(i, kHeavyMass);
+    const Real heavy = load_row(i, kGravityMass);
     BlockForce<Real> load{heavy * gravity_x, heavy * gravity_y, zero};
     if constexpr (special)
-      load = {own(i, kLoadX) + load.x, own(i, kLoadY) + load.y, own(i, kLoadM)};
+      load = {load_row(i, kLoadX) + load.x, load_row(i, kLoadY) + load.y, load_row(i, kLoadM)};
     const Real fx = contact.x + load.x, fy = contact.y + load.y;
     Real moment = contact.m;
     if constexpr (special) moment = moment + load.m;
     const Real fm = access.shared(t.turn_freedom, i) * moment;
-    const Real rate = own(i, kRate), turn_rate = own(i, kTurnRate);
-    const Rows<Real> pose = access.own_rows(t.pose, i);
-    Moved<Real> x = accelerate(own(i, kVx), fx, rate, dt, damping);
-    Moved<Real> y = accelerate(own(i, kVy), fy, rate, dt, damping);
-    Moved<Real> r = accelerate(own(i, kOmega), fm, turn_rate, dt, damping);
-    const Real theta0 = own(i, kTheta);
+    const Real rate = load_row(i, kRate), turn_rate = load_row(i, kTurnRate);
+    const Rows<Real> pose = access.load_rows(t.pose, i);
+    Moved<Real> x = accelerate(load_row(i, kVx), fx, rate, dt, damping);
+    Moved<Real> y = accelerate(load_row(i, kVy), fy, rate, dt, damping);
+    Moved<Real> r = accelerate(load_row(i, kOmega), fm, turn_rate, dt, damping);
+    const Real theta0 = load_row(i, kTheta);
     Rows<Real> next{pose.c0 + dt * x.velocity, pose.c1 + dt * y.velocity, zero, zero};
     Real theta = theta0 + dt * r.velocity;
     Real power = load.x * x.mean_velocity + load.y * y.mean_velocity;
@@ -92,10 +92,10 @@ struct Blocks {
     const Real loads = dt * power;
     const Real damped = x.damping_work + y.damping_work + r.damping_work;
     if constexpr (special) {
-      const auto is_free = own(i, kIsFree) > zero;
-      x.velocity = select(is_free, x.velocity, own(i, kVx));
-      y.velocity = select(is_free, y.velocity, own(i, kVy));
-      r.velocity = select(is_free, r.velocity, own(i, kOmega));
+      const auto is_free = load_row(i, kIsFree) > zero;
+      x.velocity = select(is_free, x.velocity, load_row(i, kVx));
+      y.velocity = select(is_free, y.velocity, load_row(i, kVy));
+      r.velocity = select(is_free, r.velocity, load_row(i, kOmega));
       next.c0 = select(is_free, next.c0, pose.c0);
       next.c1 = select(is_free, next.c1, pose.c1);
       theta = select(is_free, theta, theta0);
@@ -104,21 +104,21 @@ struct Blocks {
     } else {
       work = {work.loads + loads, work.damping + damped};
     }
-    keep(x.velocity, i, kVx);
-    keep(y.velocity, i, kVy);
-    keep(r.velocity, i, kOmega);
-    keep(theta, i, kTheta);
+    store_row(x.velocity, i, kVx);
+    store_row(y.velocity, i, kVy);
+    store_row(r.velocity, i, kOmega);
+    store_row(theta, i, kTheta);
     const SinCos<Real> turned = sin_cos(Real(0.5) * theta);
     next.c2 = turned.cos;
     next.c3 = turned.sin;
-    access.keep_rows(next, t.pose, i);
+    access.store_rows(next, t.pose, i);
   }
 
-  [[nodiscard]] WYTHE_INLINE Real own(std::ptrdiff_t i, BlockRow row) const {
-    return access.own(t.block, i * kBlockRows + row);
+  [[nodiscard]] WYTHE_INLINE Real load_row(std::ptrdiff_t i, BlockRow row) const {
+    return access.load(t.block, i * kBlockRows + row);
   }
-  WYTHE_INLINE void keep(Real value, std::ptrdiff_t i, BlockRow row) const {
-    access.keep(value, t.block, i * kBlockRows + row);
+  WYTHE_INLINE void store_row(Real value, std::ptrdiff_t i, BlockRow row) const {
+    access.store(value, t.block, i * kBlockRows + row);
   }
 
   [[nodiscard]] WYTHE_INLINE BlockForce<Real> gather(std::ptrdiff_t i) const {

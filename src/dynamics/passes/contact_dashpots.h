@@ -31,8 +31,8 @@ struct ViscousForce {
 
 [[nodiscard]] inline double length_of(const Vector<double>& v) { return square_root(dot(v, v)); }
 
-[[nodiscard]] inline ViscousForce brake_contact(const ContactMotion& c, const Dashpots& dashpots,
-                                                double friction, double dt, FreeContact& memory) {
+[[nodiscard]] inline ViscousForce damp_contact(const ContactMotion& c, const Dashpots& dashpots,
+                                               double friction, double dt, FreeContact& memory) {
   const double closed =
       rebounds(dashpots) ? share_of_first_step(-c.pressed / c.normal_stiffness, c.opened) : 1.0;
   const auto resistance = [&](double stiffness) {

@@ -27,9 +27,9 @@ struct ViscousStress {
   PointStress all, spring;  // spring: what of it the Maxwell element bears
 };
 // `dashpot` and `spring`: what they would give without that limit.
-[[nodiscard]] WYTHE_INLINE ViscousStress brake_point(const PointStress& elastic,
-                                                     const PointStress& dashpot,
-                                                     const PointStress& spring, double friction) {
+[[nodiscard]] WYTHE_INLINE ViscousStress damp_point(const PointStress& elastic,
+                                                    const PointStress& dashpot,
+                                                    const PointStress& spring, double friction) {
   if (!(elastic.normal < 0)) return {{0, 0, 0}, {0, 0, 0}};
   const double normal = minimum(dashpot.normal + spring.normal, -elastic.normal);
   const double x = elastic.shear_1, y = elastic.shear_2;
@@ -72,15 +72,15 @@ struct MaxwellStresses {
   std::vector<double> normal, shear_1, shear_2;  // empty where no stage has such elements
   bool bears = false;                            // not all are zero
 
-  void put(const State& s) {
+  void load_state(const State& s) {
     normal = s.maxwell_normal, shear_1 = s.maxwell_shear, shear_2 = s.maxwell_shear_2;
     bears = true;
   }
-  void bring_up(State& s) const {
+  void store_state(State& s) const {
     s.maxwell_normal = normal, s.maxwell_shear = shear_1, s.maxwell_shear_2 = shear_2;
   }
   // In a stage without them they carry nothing.
-  void let_go() {
+  void set_zero() {
     for (std::vector<double>* all : {&normal, &shear_1, &shear_2})
       if (bears) std::fill(all->begin(), all->end(), 0.0);
     bears = false;
@@ -88,31 +88,31 @@ struct MaxwellStresses {
   [[nodiscard]] PointStress of(std::size_t p) const {
     return {normal[p], shear_1[p], shear_2.empty() ? 0.0 : shear_2[p]};
   }
-  void keep(std::size_t p, const PointStress& q) {
+  void store(std::size_t p, const PointStress& q) {
     normal[p] = q.normal, shear_1[p] = q.shear_1;
     if (!shear_2.empty()) shear_2[p] = q.shear_2;
   }
 };
 
 // What a wall's dashpots need beside its tables: velocities before the step, forces on the blocks.
-struct Brakes {
+struct DashpotState {
   std::vector<double> friction;               // of each joint's law
   std::vector<std::array<double, 3>> before;  // velocities of blocks
   std::vector<std::array<double, 4>> force;   // of joints: fx, fy on a, moments on a and b
   MaxwellStresses maxwell;                    // outlives the step
 };
 
-inline void prepare_brakes(const Model& m, Brakes& brakes) {
-  if (!brakes.friction.empty()) return;
+inline void prepare_dashpots(const Model& m, DashpotState& dashpot_state) {
+  if (!dashpot_state.friction.empty()) return;
   for (const std::int32_t material : m.joint_material)
-    brakes.friction.push_back(
+    dashpot_state.friction.push_back(
         contact::constants_of(m.materials[static_cast<std::size_t>(material)]).tan_res);
-  brakes.before.resize(static_cast<std::size_t>(m.n_block));
-  brakes.force.resize(static_cast<std::size_t>(m.n_joint));
+  dashpot_state.before.resize(static_cast<std::size_t>(m.n_block));
+  dashpot_state.force.resize(static_cast<std::size_t>(m.n_joint));
 }
 
 // One joint as its two blocks move it.
-struct BrakedJoint {
+struct DampedJoint {
   double tx, ty, reach;                     // tangent now, half length along it
   double jn, jt, dn, dt;                    // jump (joints.h)
   double rate_n, rate_t, grows_n, grows_t;  // and their rates
@@ -120,16 +120,16 @@ struct BrakedJoint {
   double couple_n, couple_t;                // moment of the sums of xi f
 };
 
-inline BrakedJoint braked_joint(const WallView& wall, const Model& m, std::size_t j,
-                                const Brakes& brakes) {
+inline DampedJoint damped_joint(const WallView& wall, const Model& m, std::size_t j,
+                                const DashpotState& dashpot_state) {
   struct Side {
     Rows<double> pose;
     std::array<double, 3> v;
   };
   const auto side = [&](BlockId block) -> Side {
     if (block == kGroundBlock) return {{0, 0, 1, 0}, {0, 0, 0}};
-    const auto of = [&](int c) { return wall.of_four(wall.t.pose, block, c); };
-    return {{of(0), of(1), of(2), of(3)}, brakes.before[static_cast<std::size_t>(block)]};
+    const auto of = [&](int c) { return wall.column_of(wall.t.pose, block, c); };
+    return {{of(0), of(1), of(2), of(3)}, dashpot_state.before[static_cast<std::size_t>(block)]};
   };
   const bool on_ground = m.joint_a[j] == kGroundBlock;
   const Side a = side(m.joint_a[j]), b = side(m.joint_b[j]);
@@ -187,27 +187,27 @@ inline BrakedJoint braked_joint(const WallView& wall, const Model& m, std::size_
 }
 
 // Viscous forces of all joints, added to those of the law.
-inline void brake_joints(const Layout& l, const WallView& wall, const Model& m,
-                         const Dashpots& dashpots, double dt, Brakes& brakes) {
+inline void damp_joints(const Layout& l, const WallView& wall, const Model& m,
+                        const Dashpots& dashpots, double dt, DashpotState& dashpot_state) {
   const auto at = [](std::int64_t i) { return static_cast<std::size_t>(i); };
   const MaxwellStep maxwell = maxwell_step(dashpots, dt);
   const bool springs = maxwell.gain > 0, rebound = rebounds(dashpots);
-  if (!springs) brakes.maxwell.let_go();
-  brakes.maxwell.bears = springs;
+  if (!springs) dashpot_state.maxwell.set_zero();
+  dashpot_state.maxwell.bears = springs;
   for (int i = 0; i < m.n_block; ++i)
-    brakes.before[at(i)] = {wall.block(i, kVx), wall.block(i, kVy), wall.block(i, kOmega)};
+    dashpot_state.before[at(i)] = {wall.block(i, kVx), wall.block(i, kVy), wall.block(i, kOmega)};
   for (const Chunk& chunk : l.chunks[kJoints]) {
     for (int n = 0; n < chunk.n; ++n) {
       const std::size_t j = at(chunk.first + n);
-      brakes.force[j] = {0, 0, 0, 0};
+      dashpot_state.force[j] = {0, 0, 0, 0};
       const std::size_t first = j * at(chunk.points);
       if (wall.t.joint[l.number(l.joint_place[j], kJointRows, kArea, 1)] == 0) {
         for (int k = 0; springs && k < chunk.points; ++k)
-          brakes.maxwell.keep(first + at(k), {0, 0, 0});
+          dashpot_state.maxwell.store(first + at(k), {0, 0, 0});
         continue;  // a free contact has its place
       }
       const JointMaterial& law = m.materials[at(m.joint_material[j])];
-      const BrakedJoint joint = braked_joint(wall, m, j, brakes);
+      const DampedJoint joint = damped_joint(wall, m, j, dashpot_state);
       double fn = 0, ft = 0, gn = 0, gt = 0;
       for (int k = 0; k < chunk.points; ++k) {
         const double xi = m.point_xi[at(k)], share = m.area[j] * m.point_weight[at(k)];
@@ -221,16 +221,16 @@ inline void brake_joints(const Layout& l, const WallView& wall, const Model& m,
         const double rate_t = joint.rate_t + xi * joint.grows_t;
         PointStress spring{0, 0, 0};
         if (springs) {
-          const PointStress q = brakes.maxwell.of(first + at(k));
+          const PointStress q = dashpot_state.maxwell.of(first + at(k));
           spring = {maxwell.of(q.normal, law.normal_stiffness, dt * rate_n),
                     maxwell.of(q.shear_1, law.shear_stiffness, dt * rate_t), 0};
         }
         const double closed = rebound ? share_of_first_step(w, dt * rate_n) : 1.0;
-        const ViscousStress both = brake_point(
+        const ViscousStress both = damp_point(
             {law.normal_stiffness * w, law.shear_stiffness * s, 0},
             {closed * dashpots.normal[j] * rate_n, closed * dashpots.shear[j] * rate_t, 0}, spring,
-            brakes.friction[j]);
-        if (springs) brakes.maxwell.keep(first + at(k), both.spring);
+            dashpot_state.friction[j]);
+        if (springs) dashpot_state.maxwell.store(first + at(k), both.spring);
         const PointStress& viscous = both.all;
         fn += share * viscous.normal, gn += share * viscous.normal * xi;
         ft += share * viscous.shear_1, gt += share * viscous.shear_1 * xi;
@@ -238,26 +238,28 @@ inline void brake_joints(const Layout& l, const WallView& wall, const Model& m,
       const double fx = ft * joint.tx - fn * joint.ty, fy = ft * joint.ty + fn * joint.tx;
       const double couple = joint.couple_n * gn + joint.couple_t * gt;
       const bool on_ground = m.joint_a[j] == kGroundBlock;
-      brakes.force[j] = {fx, fy, on_ground ? 0 : (joint.arm_ax * fy - joint.arm_ay * fx) + couple,
-                         (joint.arm_by * fx - joint.arm_bx * fy) - couple};
+      dashpot_state.force[j] = {fx, fy,
+                                on_ground ? 0 : (joint.arm_ax * fy - joint.arm_ay * fx) + couple,
+                                (joint.arm_by * fx - joint.arm_bx * fy) - couple};
       for (int c = 0; c < 4; ++c)
-        wall.of_four(wall.t.force, l.joint_place[j], c) += brakes.force[j][at(c)];
+        wall.column_of(wall.t.force, l.joint_place[j], c) += dashpot_state.force[j][at(c)];
     }
   }
 }
 
 // What the dashpots took in the step that is over [J].
-inline double braking_work(const WallView& wall, const Model& m, const Brakes& brakes, double dt) {
+inline double dashpot_work(const WallView& wall, const Model& m, const DashpotState& dashpot_state,
+                           double dt) {
   const auto at = [](std::int64_t i) { return static_cast<std::size_t>(i); };
   double power = 0;
   const auto add = [&](BlockId block, double sense, double fx, double fy, double moment) {
-    const std::array<double, 3>& v = brakes.before[at(block)];
+    const std::array<double, 3>& v = dashpot_state.before[at(block)];
     power += 0.5 * (sense * fx * (v[0] + wall.block(block, kVx)) +
                     sense * fy * (v[1] + wall.block(block, kVy)) +
                     moment * (v[2] + wall.block(block, kOmega)));
   };
-  for (std::size_t j = 0; j < brakes.force.size(); ++j) {
-    const auto& [fx, fy, on_a, on_b] = brakes.force[j];
+  for (std::size_t j = 0; j < dashpot_state.force.size(); ++j) {
+    const auto& [fx, fy, on_a, on_b] = dashpot_state.force[j];
     if (m.joint_a[j] != kGroundBlock) add(m.joint_a[j], 1, fx, fy, on_a);
     add(m.joint_b[j], -1, fx, fy, on_b);
   }

@@ -46,7 +46,7 @@ struct Controls {
 // The load on its turned block, times `scale`.
 WYTHE_INLINE void add_load(const PointLoad& load, double scale, const WallView& wall) {
   const BlockId i = load.block;
-  const double c = wall.of_four(wall.t.pose, i, 2), s = wall.of_four(wall.t.pose, i, 3);
+  const double c = wall.column_of(wall.t.pose, i, 2), s = wall.column_of(wall.t.pose, i, 3);
   const double drop = -2 * s * s, sine = 2 * s * c;
   const double ax = load.arm_x + drop * load.arm_x - sine * load.arm_y;
   const double ay = load.arm_y + sine * load.arm_x + drop * load.arm_y;
@@ -83,9 +83,9 @@ struct WallWork {
 // Forces on block i: of its joints, and with dead loads and gravity.
 WYTHE_INLINE void sum_forces(BlockId i, const WallView& wall) {
   const BlockForce<double> contact = contact_force(wall.t, i, wall.lane);
-  const double heavy = wall.block(i, kHeavyMass);
-  const double load_x = wall.block(i, kLoadX) + heavy * wall.of_wall(kGravityX);
-  const double load_y = wall.block(i, kLoadY) + heavy * wall.of_wall(kGravityY);
+  const double heavy = wall.block(i, kGravityMass);
+  const double load_x = wall.block(i, kLoadX) + heavy * wall.wall_value(kGravityX);
+  const double load_y = wall.block(i, kLoadY) + heavy * wall.wall_value(kGravityY);
   wall.cold(i, kContactX) = contact.x;
   wall.cold(i, kContactY) = contact.y;
   wall.cold(i, kTotalX) = contact.x + load_x;
@@ -96,7 +96,7 @@ WYTHE_INLINE void sum_forces(BlockId i, const WallView& wall) {
 // Moment of a unit force along the push about the centroid of the head, turned as it is now [m].
 WYTHE_INLINE double lever_of(const Drive& d, BlockId head, const WallView& wall) {
   if (!d.has_arm) return 0;
-  const double c = wall.of_four(wall.t.pose, head, 2), s = wall.of_four(wall.t.pose, head, 3);
+  const double c = wall.column_of(wall.t.pose, head, 2), s = wall.column_of(wall.t.pose, head, 3);
   const double x = -(2 * s * c) * d.arm, y = d.arm - 2 * s * s * d.arm;
   return x * d.py - y * d.px;
 }
@@ -104,7 +104,7 @@ WYTHE_INLINE double lever_of(const Drive& d, BlockId head, const WallView& wall)
 // Turns the head under the moment of its joints and R; returns its turn and adds to the work.
 WYTHE_INLINE Moved<double> turn_head(double lever, double balance, double correction, double rate,
                                      BlockId head, const WallView& wall, WallWork& work) {
-  const double dt = wall.of_wall(kDt), lambda = wall.of_wall(kDamping);
+  const double dt = wall.wall_value(kDt), lambda = wall.wall_value(kDamping);
   const double omega = wall.block(head, kOmega);
   const double left = wall.cold(head, kTotalM) + lever * balance;
   Moved<double> turn = accelerate(omega, left, rate, dt, lambda);
@@ -125,7 +125,7 @@ struct DrivenMotion {
 // Brings a driven block there, and adds to the work.
 WYTHE_INLINE void keep_motion(const Drive& d, BlockId i, const DrivenMotion& now,
                               const WallView& wall, WallWork& work) {
-  const double px = d.px, py = d.py, dt = wall.of_wall(kDt);
+  const double px = d.px, py = d.py, dt = wall.wall_value(kDt);
   const double mean_p = 0.5 * (now.before + now.after);
   const double mean_x = mean_p * px - now.across.mean_velocity * py;
   const double mean_y = mean_p * py + now.across.mean_velocity * px;
@@ -143,14 +143,14 @@ WYTHE_INLINE void keep_motion(const Drive& d, BlockId i, const DrivenMotion& now
   wall.uy(i) += dt * wall.block(i, kVy);
   wall.block(i, kTheta) += dt * now.turn.velocity;
   const SinCos<double> half = sin_cos(0.5 * wall.block(i, kTheta));
-  wall.of_four(wall.t.pose, i, 2) = half.cos;
-  wall.of_four(wall.t.pose, i, 3) = half.sin;
+  wall.column_of(wall.t.pose, i, 2) = half.cos;
+  wall.column_of(wall.t.pose, i, 3) = half.sin;
 }
 
 // Moves the driven blocks and returns the reaction [N].
 WYTHE_INLINE double drive_blocks(const Drive& d, const WallView& wall, double velocity,
                                  WallWork& work) {
-  const double px = d.px, py = d.py, dt = wall.of_wall(kDt), lambda = wall.of_wall(kDamping);
+  const double px = d.px, py = d.py, dt = wall.wall_value(kDt), lambda = wall.wall_value(kDamping);
   const auto total = [&](BlockId i, ColdRow row) { return wall.cold(i, row); };
 
   // Forces in their shares that balance the blocks together.

@@ -8,7 +8,7 @@
 namespace wythe::dynamics {
 
 // Forces of all sections where the blocks are now; what yielding took [J].
-WYTHE_INLINE double bend_frames(const WallView& wall) {
+WYTHE_INLINE double add_frame_forces(const WallView& wall) {
   double yielded = 0;
   for (int k = 0; k < wall.frames; ++k) {
     const auto of = [&](FrameRowName row) { return wall.frame(k, row); };
@@ -17,7 +17,7 @@ WYTHE_INLINE double bend_frames(const WallView& wall) {
     const contact::LinkEnd a = end_of(wall, i, of(kFrameArmAX), of(kFrameArmAY));
     const contact::LinkEnd b = end_of(wall, j, of(kFrameArmBX), of(kFrameArmBY));
     const auto pose = [&](std::int32_t block, int c) {
-      return wall.of_four(wall.t.pose, block, c);
+      return wall.column_of(wall.t.pose, block, c);
     };
     contact::SectionJump jump =
         contact::section_jump(of(kFrameAxisX), of(kFrameAxisY), of(kFrameRestX), of(kFrameRestY), a,
@@ -26,10 +26,10 @@ WYTHE_INLINE double bend_frames(const WallView& wall) {
     jump.along -= of(kFrameAlong);
     jump.across -= of(kFrameAcross);
     jump.turn -= of(kFrameTurn);
-    const contact::SectionPull pull =
-        contact::section_pull({of(kFrameOuter), of(kFrameMiddle), of(kFrameShear), of(kFrameFibre),
-                               of(kFrameOuterYield), of(kFrameMiddleYield)},
-                              jump, of(kFrameLeftSet), of(kFrameMiddleSet), of(kFrameRightSet));
+    const contact::SectionForces pull =
+        contact::section_forces({of(kFrameOuter), of(kFrameMiddle), of(kFrameShear),
+                                 of(kFrameFibre), of(kFrameOuterYield), of(kFrameMiddleYield)},
+                                jump, of(kFrameLeftSet), of(kFrameMiddleSet), of(kFrameRightSet));
     yielded += pull.left.force * pull.left.flow + pull.middle.force * pull.middle.flow +
                pull.right.force * pull.right.flow;
     wall.frame(k, kFrameLeftSet) = of(kFrameLeftSet) + pull.left.flow;
@@ -40,10 +40,10 @@ WYTHE_INLINE double bend_frames(const WallView& wall) {
     // it acts half way between both points (20.5)
     const double across = 0.5 * (jump.gap_x * fy - jump.gap_y * fx);
     const std::ptrdiff_t row = wall.joints + wall.linked + k;
-    wall.of_four(wall.t.force, row, 0) = fx;
-    wall.of_four(wall.t.force, row, 1) = fy;
-    wall.of_four(wall.t.force, row, 2) = a.arm_x * fy - a.arm_y * fx + across + pull.moment;
-    wall.of_four(wall.t.force, row, 3) = b.arm_y * fx - b.arm_x * fy + across - pull.moment;
+    wall.column_of(wall.t.force, row, 0) = fx;
+    wall.column_of(wall.t.force, row, 1) = fy;
+    wall.column_of(wall.t.force, row, 2) = a.arm_x * fy - a.arm_y * fx + across + pull.moment;
+    wall.column_of(wall.t.force, row, 3) = b.arm_y * fx - b.arm_x * fy + across - pull.moment;
   }
   return yielded;
 }

@@ -2,12 +2,12 @@
 // adds their forces to the blocks (docs/theory/contacts.md). Called after the joints and before the blocks.
 //
 //   every step       each pair of parts that may touch: face, overlap, friction -> force on both bodies
-//   every kLookEvery whether a pair's joints have given way, and whether another face has become the contact's
+//   every kRecheckEvery whether a pair's joints have given way, and whether another face has become the contact's
 //   when due         which pairs may touch (near_pairs.h)
 //
 // A pair that is apart by s sleeps: first until the straight paths of its two bodies, and what these stray from them, have
 // brought them together by s, then as long as they have moved and turned against each other by less. That changes no bit.
-// What a restart needs goes into the State by bring_up(). What depends on the dimension is in Bodies:
+// What a restart needs goes into the State by store_state(). What depends on the dimension is in Bodies:
 // PlaneBodies (plane_bodies.h), SpaceBodies (dynamics/space/space_bodies.h).
 #pragma once
 
@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-#include "contact/meeting.h"
+#include "contact/convex_contact.h"
 #include "core/parallel.h"
 #include "core/rotation.h"
 #include "dynamics/executors/executor.h"
@@ -28,24 +28,26 @@
 
 namespace wythe::dynamics {
 
-inline constexpr int kLookEvery = 64;  // steps between looks at joints and at faces of contacts
+inline constexpr int kRecheckEvery = 64;  // steps between looks at joints and at faces of contacts
 // Bodies are looked for as far around each as it goes in so many steps at its present speed.
 inline constexpr int kSearchAhead = 16;
 // After such a way nothing is left of what a hand-over could not give to the contact: over the size of a block; [rad].
 inline constexpr double kForgottenSlip = 0.05, kForgottenTurn = 0.05;
 
 // Force on a body and moment about its centroid.
-struct Push {
+struct ForceMoment {
   Vector<double> f{0, 0, 0}, m{0, 0, 0};
 };
-[[nodiscard]] inline Push operator+(const Push& a, const Push& b) { return {a.f + b.f, a.m + b.m}; }
+[[nodiscard]] inline ForceMoment operator+(const ForceMoment& a, const ForceMoment& b) {
+  return {a.f + b.f, a.m + b.m};
+}
 
 // Two parts that may touch; it fills four lines of a cache.
 struct alignas(64) FreePair {
   FreeContact memory;
   contact::FreeLaw law{};  // once they touch
   // of this step
-  Push on_a{}, on_b{};
+  ForceMoment on_a{}, on_b{};
   double pressed = 0;   // normal force [N]
   double stored = 0;    // energy [J]
   double friction = 0;  // works [J]
@@ -54,9 +56,9 @@ struct alignas(64) FreePair {
 };
 static_assert(sizeof(FreePair) == 256);
 // Of the dashpots of such a pair, within on_a and on_b; rates of a and b before the blocks move.
-struct BrakedPair {
-  Push viscous_a{}, viscous_b{};
-  Push rates_a{}, rates_b{};
+struct DampedPair {
+  ForceMoment viscous_a{}, viscous_b{};
+  ForceMoment rates_a{}, rates_b{};
 };
 // How far a body can have moved.
 struct Travel {
@@ -78,8 +80,8 @@ class FreeContacts {
   FreeContacts(const Model& model, const typename Bodies::Layout& layout, int width);
 
   // A wall takes its place with the contacts and hand-overs of its state.
-  void put(const State& state, const View& wall);
-  void bring_up(State& state) const;
+  void load_state(const State& state, const View& wall);
+  void store_state(State& state) const;
   // Forces at the present poses, into the wall's rows for free contacts; works into the ledger. `dashpots`: null for none.
   void act(State& state, double dt, const Dashpots* dashpots, const View& wall, Workers& workers);
   // After the blocks have moved.
@@ -87,8 +89,8 @@ class FreeContacts {
 
   // How much of a dead load still presses its block.
   [[nodiscard]] double load_share(BlockId block, const View& wall) const {
-    return load_left(bodies_.height_of(block), bodies_.fall_of(block, wall)) *
-           load_followed(bodies_.height_of(block), bodies_.fall_of(block, wall),
+    return load_left(bodies_.height_of(block), bodies_.fallen_height(block, wall)) *
+           load_followed(bodies_.height_of(block), bodies_.fallen_height(block, wall),
                          -bodies_.rates_of(block, wall).f.y);
   }
 
@@ -105,7 +107,7 @@ class FreeContacts {
   };
 
   // Two parts whose bodies' boxes meet.
-  struct Near {
+  struct NearPair {
     std::int32_t a, b, part_a, part_b;
     std::int32_t slot;  // in pairs_; -1: none, for it neither presses nor remembers
     std::int32_t feature = contact::kNoFeature;  // that was asked last
@@ -116,41 +118,42 @@ class FreeContacts {
   };
   // What is asked of each of them in every step. It touches not before what both bodies have strayed has grown to
   // `until` together [m], less what they come together, on straight paths, at the speed `closing` [m/s].
-  struct Watch {
+  struct WakeLimit {
     std::int32_t a, b;
     double until = 0, closing = 0;
   };
   // Up to which a pair sleeps that is apart by `distance`.
-  void let_sleep(Watch& watch, double distance) const {
+  void let_sleep(WakeLimit& wake_limit, double distance) const {
     constexpr double kMore = 1 + 1e-9;  // for rounding
-    const Vector<double> v = travel_[at(watch.b)].rate - travel_[at(watch.a)].rate;
-    watch.closing = kMore * square_root(dot(v, v));
-    watch.until = strayed_of(watch) + distance + watch.closing * since_search_;
+    const Vector<double> v = travel_[at(wake_limit.b)].rate - travel_[at(wake_limit.a)].rate;
+    wake_limit.closing = kMore * square_root(dot(v, v));
+    wake_limit.until = deviation_of(wake_limit) + distance + wake_limit.closing * since_search_;
   }
-  [[nodiscard]] double strayed_of(const Watch& w) const {
-    return strayed_by_[at(w.a)] + strayed_by_[at(w.b)];
+  [[nodiscard]] double deviation_of(const WakeLimit& w) const {
+    return deviation_[at(w.a)] + deviation_[at(w.b)];
   }
-  [[nodiscard]] double left_of(const Watch& w) const {
-    return w.until - w.closing * since_search_ - strayed_of(w);
+  [[nodiscard]] double left_of(const WakeLimit& w) const {
+    return w.until - w.closing * since_search_ - deviation_of(w);
   }
 
   void add_travel(double dt, const View& wall);
-  void begin_ways() {
-    std::fill(way_.begin(), way_.end(), 0.0);
-    std::fill(strayed_by_.begin(), strayed_by_.end(), 0.0);
+  void reset_travel() {
+    std::fill(travelled_.begin(), travelled_.end(), 0.0);
+    std::fill(deviation_.begin(), deviation_.end(), 0.0);
     since_search_ = 0;
   }
-  [[nodiscard]] std::vector<Near> find_near(double dt, const View& wall);
+  [[nodiscard]] std::vector<NearPair> find_near(double dt, const View& wall);
   void search(double dt, const View& wall);
-  [[nodiscard]] bool sleeps_on(const Near& near, Watch& watch) const;
-  void give_slot(Near& near);
-  void let_go(Near& near);
+  [[nodiscard]] bool stays_asleep(const NearPair& near, WakeLimit& wake_limit) const;
+  void assign_slot(NearPair& near);
+  void release_slot(NearPair& near);
   void wake(const View& wall, Workers& workers);
-  [[nodiscard]] FreePair& pair_of(const Near& near) { return pairs_[at(near.slot)]; }
-  [[nodiscard]] std::span<Near> near_of(std::int32_t a, std::int32_t b);
-  [[nodiscard]] double pressed_by(std::span<const Near> contacts) const {
+  [[nodiscard]] FreePair& pair_of(const NearPair& near) { return pairs_[at(near.slot)]; }
+  [[nodiscard]] std::span<NearPair> near_of(std::int32_t a, std::int32_t b);
+  [[nodiscard]] double pressed_by(std::span<const NearPair> contacts) const {
     double sum = 0;
-    for (const Near& near : contacts) sum += near.slot >= 0 ? pairs_[at(near.slot)].pressed : 0.0;
+    for (const NearPair& near : contacts)
+      sum += near.slot >= 0 ? pairs_[at(near.slot)].pressed : 0.0;
     return sum;
   }
   // Pairs lie where there was room for them: the one that comes soon after awake_[n] is fetched meanwhile.
@@ -161,12 +164,12 @@ class FreeContacts {
     for (std::size_t line = 0; line < sizeof(FreePair); line += kLine)
       __builtin_prefetch(pair + line, 1);
   }
-  void meet_all(std::size_t first, std::size_t end, double dt, bool looks);
-  void meet(std::size_t number, double dt, bool looks);
-  static void part_company(FreePair& pair);
-  void brake(FreePair& pair, BrakedPair& braked, double area_before,
-             const typename Bodies::Rubbed& rubbed, double dt) const;
-  void let_maxwell_go();
+  void update_pairs(std::size_t first, std::size_t end, double dt, bool rechecks);
+  void update_pair(std::size_t number, double dt, bool rechecks);
+  static void separate(FreePair& pair);
+  void damp_pair(FreePair& pair, DampedPair& damped, double area_before,
+                 const typename Bodies::SlipUpdate& slip_update, double dt) const;
+  void clear_maxwell();
   void sum_up(State& state, const View& wall);
   [[nodiscard]] std::vector<std::size_t> find_hand_overs(const View& wall);
   void hand_over(State& state, const Jointed& pair, const View& wall);
@@ -189,22 +192,22 @@ class FreeContacts {
   std::vector<JointId> joint_of_;
   std::vector<Jointed> jointed_;  // sorted by bodies
 
-  std::vector<Near> near_;             // sorted by bodies and parts
-  std::vector<Watch> watch_;           // of each
-  std::vector<FreePair> pairs_;        // of each, where there was room
-  std::vector<BrakedPair> braked_;     // of each of these, where there are dashpots
-  std::vector<std::int32_t> spare_;    // slots of pairs_ that are free
-  std::vector<std::size_t> awake_;     // of near_, those of this step, in order
-  std::vector<std::int32_t> in_play_;  // their bodies, each once
+  std::vector<NearPair> near_;          // sorted by bodies and parts
+  std::vector<WakeLimit> wake_limits_;  // of each
+  std::vector<FreePair> pairs_;         // of each, where there was room
+  std::vector<DampedPair> damped_;      // of each of these, where there are dashpots
+  std::vector<std::int32_t> spare_;     // slots of pairs_ that are free
+  std::vector<std::size_t> awake_;      // of near_, those of this step, in order
+  std::vector<std::int32_t> in_play_;   // their bodies, each once
   std::vector<std::uint8_t> is_in_play_;
   std::vector<HandOver> hand_overs_;
   std::vector<Travel> travel_;  // of each body
   // Of each, since the last search: how far each of its points can have moved, and how far off the straight path that
   // its centroid was on then [m].
-  std::vector<double> way_, strayed_by_;
+  std::vector<double> travelled_, deviation_;
   std::vector<double> margin_;          // within which each was looked for [m]
   double since_search_ = 0, rounding_;  // [s]; of a place, in a step [m]
-  bool searched_ = false, strayed_ = false, finite_ = true, braked_before_ = true;
+  bool searched_ = false, needs_search_ = false, finite_ = true, damped_before_ = true;
   bool acts_ = true;  // rows of forces are not all zero
   int searches_ = 0;
   const Dashpots* dashpots_ = nullptr;  // of this step
@@ -219,8 +222,8 @@ FreeContacts<Bodies>::FreeContacts(const Model& model, const typename Bodies::La
       bodies_(model, layout, width),
       is_in_play_(at(model.n_block + model.free.n_fixed), 0),
       travel_(is_in_play_.size()),
-      way_(is_in_play_.size(), 0.0),
-      strayed_by_(is_in_play_.size(), 0.0),
+      travelled_(is_in_play_.size(), 0.0),
+      deviation_(is_in_play_.size(), 0.0),
       margin_(is_in_play_.size(), 0.0) {
   const FreeShapes& f = model.free;
   double far = 0;
@@ -241,17 +244,17 @@ FreeContacts<Bodies>::FreeContacts(const Model& model, const typename Bodies::La
 }
 
 template <class Bodies>
-auto FreeContacts<Bodies>::near_of(std::int32_t a, std::int32_t b) -> std::span<Near> {
+auto FreeContacts<Bodies>::near_of(std::int32_t a, std::int32_t b) -> std::span<NearPair> {
   const auto first =
       std::lower_bound(near_.begin(), near_.end(), std::pair(a, b),
-                       [](const Near& p, const auto& wanted) { return bodies_of(p) < wanted; });
+                       [](const NearPair& p, const auto& wanted) { return bodies_of(p) < wanted; });
   auto end = first;
   while (end != near_.end() && bodies_of(*end) == std::pair(a, b)) ++end;
   return {first, end};
 }
 
 template <class Bodies>
-void FreeContacts<Bodies>::put(const State& state, const View& wall) {
+void FreeContacts<Bodies>::load_state(const State& state, const View& wall) {
   bodies_.restore(wall);
   for (Jointed& pair : jointed_) {
     pair.handed_over = state.handed_over[at(joint_of_[at(pair.first)])] != 0;
@@ -259,24 +262,24 @@ void FreeContacts<Bodies>::put(const State& state, const View& wall) {
       bodies_.release(joint_of_[at(k)], wall);
   }
   bodies_.end_release(wall);
-  near_.clear(), watch_.clear(), pairs_.clear(), spare_.clear(), awake_.clear();
+  near_.clear(), wake_limits_.clear(), pairs_.clear(), spare_.clear(), awake_.clear();
   for (const FreeContact& memory : state.free_contacts) {
     const auto& [a, b, part_a, part_b] = key_of(memory);
     near_.push_back({a, b, part_a, part_b, static_cast<std::int32_t>(pairs_.size())});
-    watch_.push_back({a, b});
+    wake_limits_.push_back({a, b});
     pairs_.push_back({.memory = memory, .law = bodies_.law_of(memory.a, memory.b)});
   }
   add_travel(0, wall);
-  begin_ways();
+  reset_travel();
   hand_overs_ = state.hand_overs;
-  searched_ = strayed_ = false;
+  searched_ = needs_search_ = false;
   finite_ = acts_ = true;
 }
 
 template <class Bodies>
-void FreeContacts<Bodies>::bring_up(State& state) const {
+void FreeContacts<Bodies>::store_state(State& state) const {
   state.free_contacts.clear();
-  for (const Near& near : near_) {
+  for (const NearPair& near : near_) {
     if (near.slot < 0) continue;
     const FreePair& pair = pairs_[at(near.slot)];
     if (pair.touches() || pair.memory.rest > 0) state.free_contacts.push_back(pair.memory);
@@ -291,16 +294,16 @@ template <class Bodies>
 void FreeContacts<Bodies>::moved(State& state, double dt, const View& wall) {
   double power = 0;
   for (std::size_t n = 0; dashpots_ != nullptr && n < awake_.size(); ++n) {
-    const Near& near = near_[awake_[n]];
+    const NearPair& near = near_[awake_[n]];
     if (near.slot < 0 || !pair_of(near).touches()) continue;
     const FreePair& pair = pair_of(near);
-    const BrakedPair& braked = braked_[at(near.slot)];
-    const auto on = [&](std::int32_t body, const Push& push, const Push& before) {
-      const Push now = bodies_.rates_of(body, wall);
+    const DampedPair& damped = damped_[at(near.slot)];
+    const auto on = [&](std::int32_t body, const ForceMoment& push, const ForceMoment& before) {
+      const ForceMoment now = bodies_.rates_of(body, wall);
       power += 0.5 * (dot(push.f, before.f + now.f) + dot(push.m, before.m + now.m));
     };
-    on(pair.memory.a, braked.viscous_a, braked.rates_a);
-    on(pair.memory.b, braked.viscous_b, braked.rates_b);
+    on(pair.memory.a, damped.viscous_a, damped.rates_a);
+    on(pair.memory.b, damped.viscous_b, damped.rates_b);
   }
   if (power != 0) state.work_damping += dt * power;
   since_search_ += dt;
@@ -308,7 +311,7 @@ void FreeContacts<Bodies>::moved(State& state, double dt, const View& wall) {
 }
 
 template <class Bodies>
-void FreeContacts<Bodies>::give_slot(Near& near) {
+void FreeContacts<Bodies>::assign_slot(NearPair& near) {
   if (near.slot >= 0) return;
   if (spare_.empty()) {
     spare_.push_back(static_cast<std::int32_t>(pairs_.size()));
@@ -322,7 +325,7 @@ void FreeContacts<Bodies>::give_slot(Near& near) {
 }
 
 template <class Bodies>
-void FreeContacts<Bodies>::let_go(Near& near) {
+void FreeContacts<Bodies>::release_slot(NearPair& near) {
   if (near.slot < 0) return;
   near.feature = pair_of(near).memory.feature;
   spare_.push_back(near.slot);
@@ -332,7 +335,7 @@ void FreeContacts<Bodies>::let_go(Near& near) {
 // --- two parts ------------------------------------------------------------------------------------------
 
 template <class Bodies>
-void FreeContacts<Bodies>::part_company(FreePair& pair) {
+void FreeContacts<Bodies>::separate(FreePair& pair) {
   pair.friction += shear_energy(pair.memory, pair.law);
   pair.memory.area = pair.memory.slip_x = pair.memory.slip_y = pair.memory.slip_z = 0;
   pair.memory.maxwell_n = pair.memory.maxwell_x = pair.memory.maxwell_y = pair.memory.maxwell_z = 0;
@@ -340,81 +343,84 @@ void FreeContacts<Bodies>::part_company(FreePair& pair) {
 }
 
 template <class Bodies>
-void FreeContacts<Bodies>::meet(std::size_t number, double dt, bool looks) {
-  Near& near = near_[number];
-  Watch& watch = watch_[number];
+void FreeContacts<Bodies>::update_pair(std::size_t number, double dt, bool rechecks) {
+  NearPair& near = near_[number];
+  WakeLimit& wake_limit = wake_limits_[number];
   FreePair& pair = pair_of(near);
   FreeContact& m = pair.memory;
-  const typename Bodies::Meeting meeting = bodies_.meeting(m);
+  const typename Bodies::PairGeometry pair_geometry = bodies_.pair_geometry(m);
   const auto sleep = [&](double distance) {
     const Travel &a = travel_[at(m.a)], &b = travel_[at(m.b)];
     near.apart = distance;
     near.offset = b.place - a.place;
     near.turned = a.turned + b.turned;
-    let_sleep(watch, distance);
+    let_sleep(wake_limit, distance);
   };
-  watch.until = near.apart = 0;
+  wake_limit.until = near.apart = 0;
   // Nothing presses before the parts come closer by `room`; out of each other they are when they part by the rest
   // of it. What was crushed then counts no more.
   const auto rest = [&](double room) {
-    if (pair.touches()) part_company(pair);
+    if (pair.touches()) separate(pair);
     if (m.rest == 0) return sleep(room);
     const double inside = m.rest - room;
     if (inside <= 0) m.rest = 0;
     sleep(inside > 0 ? minimum(room, inside) : -inside);
   };
   pair.friction = pair.lost = 0;
-  if (dashpots_ != nullptr) braked_[at(near.slot)] = {};
+  if (dashpots_ != nullptr) damped_[at(near.slot)] = {};
 
   typename Bodies::Overlap overlap{};
   const bool known = m.feature != contact::kNoFeature;
-  if (known) overlap = bodies_.overlap(meeting, m.feature, m.rest);
+  if (known) overlap = bodies_.overlap(pair_geometry, m.feature, m.rest);
   if (known && overlap.lowest > 0) return rest(overlap.lowest);  // along the last face
-  if (!pair.touches() || looks || !(overlap.cover > 0)) {
+  if (!pair.touches() || rechecks || !(overlap.cover > 0)) {
     const bool stays = pair.touches() && overlap.cover > 0;
-    const contact::Face face = bodies_.face(meeting, stays ? m.feature : contact::kNoFeature);
+    const contact::Face face = bodies_.face(pair_geometry, stays ? m.feature : contact::kNoFeature);
     if (face.distance + m.rest >= 0) {
       m.feature = face.feature;
       return rest(face.distance + m.rest);
     }
     if (face.feature != m.feature) {
       const double before = overlap.energy;
-      overlap = bodies_.overlap(meeting, face.feature, m.rest);
+      overlap = bodies_.overlap(pair_geometry, face.feature, m.rest);
       if (pair.touches()) {  // the contact goes on over another face
         pair.lost += bodies_.stiffness(pair.law) * (before - overlap.energy);
-        pair.friction += bodies_.turn_slip(pair, meeting, face.feature);
+        pair.friction += bodies_.turn_slip(pair, pair_geometry, face.feature);
         m.maxwell_x = m.maxwell_y = m.maxwell_z = 0;
       }
       m.feature = face.feature;
     }
   }
   if (!(overlap.cover > 0)) {  // passes beside the face
-    if (pair.touches()) part_company(pair);
+    if (pair.touches()) separate(pair);
     return sleep(0);
   }
   if (!pair.touches()) pair.law = bodies_.law_of(m.a, m.b);
   const double before = m.area;
-  const typename Bodies::Rubbed rubbed = bodies_.rub(pair, meeting, overlap, dt);
-  if (dashpots_ != nullptr && dt > 0) brake(pair, braked_[at(near.slot)], before, rubbed, dt);
+  const typename Bodies::SlipUpdate slip_update =
+      bodies_.update_slip(pair, pair_geometry, overlap, dt);
+  if (dashpots_ != nullptr && dt > 0)
+    damp_pair(pair, damped_[at(near.slot)], before, slip_update, dt);
 }
 
 // Those of the pairs awake that only go on along their faces are taken in packs.
 template <class Bodies>
-void FreeContacts<Bodies>::meet_all(std::size_t first, std::size_t end, double dt, bool looks) {
+void FreeContacts<Bodies>::update_pairs(std::size_t first, std::size_t end, double dt,
+                                        bool rechecks) {
   typename Bodies::Packed packed;
   const auto press = [&] {
     bodies_.press(packed, dt);
     for (int k = 0; k < packed.n; ++k)
       if (!bodies_.take(packed, k, pair_of(near_[packed.number[k]])))
-        meet(packed.number[k], dt, false);
+        update_pair(packed.number[k], dt, false);
     packed.n = 0;
   };
-  const bool in_packs = !looks && dashpots_ == nullptr;
+  const bool in_packs = !rechecks && dashpots_ == nullptr;
   for (std::size_t n = first; n < end; ++n) {
     fetch_ahead(n);
     const FreePair& pair = pair_of(near_[awake_[n]]);
     if (!in_packs || !pair.touches() || !bodies_.add_to(packed, pair)) {
-      meet(awake_[n], dt, looks);
+      update_pair(awake_[n], dt, rechecks);
       continue;
     }
     packed.number[packed.n++] = awake_[n];
@@ -424,19 +430,20 @@ void FreeContacts<Bodies>::meet_all(std::size_t first, std::size_t end, double d
 }
 
 template <class Bodies>
-void FreeContacts<Bodies>::brake(FreePair& pair, BrakedPair& braked, double area_before,
-                                 const typename Bodies::Rubbed& rubbed, double dt) const {
+void FreeContacts<Bodies>::damp_pair(FreePair& pair, DampedPair& damped, double area_before,
+                                     const typename Bodies::SlipUpdate& slip_update,
+                                     double dt) const {
   FreeContact& m = pair.memory;
   const double a = bodies_.inverse_mass(m.a), b = bodies_.inverse_mass(m.b);
-  const ViscousForce f = brake_contact(
-      {pair.law.kn * m.area, pair.law.ks * m.area, pair.pressed, rubbed.held, rubbed.opened,
-       rubbed.slid, 1 / (a + b), bodies_.mobility(m, rubbed), area_before},
-      *dashpots_, pair.law.tan_friction, dt, m);
-  bodies_.spread(f, rubbed, m.feature >= 0, braked.viscous_a, braked.viscous_b);
-  pair.on_a = pair.on_a + braked.viscous_a;
-  pair.on_b = pair.on_b + braked.viscous_b;
-  braked.rates_a = bodies_.rates_now(m.a);
-  braked.rates_b = bodies_.rates_now(m.b);
+  const ViscousForce f = damp_contact({pair.law.kn * m.area, pair.law.ks * m.area, pair.pressed,
+                                       slip_update.held, slip_update.opened, slip_update.slid,
+                                       1 / (a + b), bodies_.mobility(m, slip_update), area_before},
+                                      *dashpots_, pair.law.tan_friction, dt, m);
+  bodies_.spread(f, slip_update, m.feature >= 0, damped.viscous_a, damped.viscous_b);
+  pair.on_a = pair.on_a + damped.viscous_a;
+  pair.on_b = pair.on_b + damped.viscous_b;
+  damped.rates_a = bodies_.rates_now(m.a);
+  damped.rates_b = bodies_.rates_now(m.b);
 }
 
 // --- the step -------------------------------------------------------------------------------------------
@@ -446,18 +453,18 @@ void FreeContacts<Bodies>::act(State& state, double dt, const Dashpots* dashpots
                                Workers& workers) {
   constexpr int kPairChunk = 256;
   dashpots_ = dashpots;
-  let_maxwell_go();
+  clear_maxwell();
   if (!finite_) return;  // the wall runs away, which others say
-  const bool looks = state.step % kLookEvery == 0;
+  const bool rechecks = state.step % kRecheckEvery == 0;
   std::vector<std::size_t> gave_way;
-  if (looks) gave_way = find_hand_overs(wall);
-  if (!searched_ || strayed_ || !gave_way.empty()) search(dt, wall);
+  if (rechecks) gave_way = find_hand_overs(wall);
+  if (!searched_ || needs_search_ || !gave_way.empty()) search(dt, wall);
   wake(wall, workers);
-  if (dashpots_ != nullptr) braked_.resize(pairs_.size());
+  if (dashpots_ != nullptr) damped_.resize(pairs_.size());
   const auto chunks = static_cast<int>((awake_.size() + kPairChunk - 1) / kPairChunk);
   workers.for_each_chunk(chunks, [&](int chunk) {
-    meet_all(at(chunk) * kPairChunk, std::min(awake_.size(), at(chunk + 1) * kPairChunk), dt,
-             looks);
+    update_pairs(at(chunk) * kPairChunk, std::min(awake_.size(), at(chunk + 1) * kPairChunk), dt,
+                 rechecks);
   });
   if (acts_) bodies_.clear_rows(wall);
   acts_ = false;
@@ -471,7 +478,7 @@ template <class Bodies>
 void FreeContacts<Bodies>::sum_up(State& state, const View& wall) {
   for (std::size_t n = 0; n < awake_.size(); ++n) {  // those asleep neither touch nor rub
     fetch_ahead(n);
-    Near& near = near_[awake_[n]];
+    NearPair& near = near_[awake_[n]];
     FreePair& pair = pair_of(near);
     if (pair.friction != 0 || pair.lost != 0) {
       state.dissipated_friction += pair.friction;
@@ -479,7 +486,7 @@ void FreeContacts<Bodies>::sum_up(State& state, const View& wall) {
       pair.friction = pair.lost = 0;
     }
     if (!pair.touches()) {
-      if (pair.memory.rest == 0) let_go(near);
+      if (pair.memory.rest == 0) release_slot(near);
       continue;
     }
     bodies_.add(pair.memory.a, pair.memory.b, pair.on_a, pair.on_b, wall);

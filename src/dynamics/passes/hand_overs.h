@@ -14,7 +14,7 @@ std::vector<std::size_t> FreeContacts<Bodies>::find_hand_overs(const View& wall)
     Jointed& pair = jointed_[k];
     bool gives = false;
     for (auto n = pair.first; !pair.handed_over && n < pair.end; ++n)
-      gives = gives || bodies_.gives_way(joint_of_[at(n)], wall);
+      gives = gives || bodies_.has_failed(joint_of_[at(n)], wall);
     for (auto n = pair.first; gives && n < pair.end; ++n)
       gives = !bodies_.holds(joint_of_[at(n)], wall);
     if (!gives) continue;
@@ -29,14 +29,15 @@ std::vector<std::size_t> FreeContacts<Bodies>::find_hand_overs(const View& wall)
 template <class Bodies>
 void FreeContacts<Bodies>::rest_on_crushed(FreePair& pair, const Vector<double>& on_a) const {
   constexpr int kHalvings = 60;
-  const typename Bodies::Meeting meeting = bodies_.meeting(pair.memory);
+  const typename Bodies::PairGeometry pair_geometry = bodies_.pair_geometry(pair.memory);
   const std::int32_t feature = pair.memory.feature;
-  const double wanted = -dot(on_a, bodies_.normal_of(meeting, feature));
+  const double wanted = -dot(on_a, bodies_.normal_of(pair_geometry, feature));
   const auto presses = [&](double rest) {
-    return bodies_.stiffness(pair.law) * bodies_.pressing(bodies_.overlap(meeting, feature, rest));
+    return bodies_.stiffness(pair.law) *
+           bodies_.pressing(bodies_.overlap(pair_geometry, feature, rest));
   };
   if (presses(0) <= wanted) return;
-  double low = 0, high = -bodies_.overlap(meeting, feature, 0).lowest;
+  double low = 0, high = -bodies_.overlap(pair_geometry, feature, 0).lowest;
   for (int k = 0; k < kHalvings; ++k) {
     const double middle = 0.5 * (low + high);
     (presses(middle) > wanted ? low : high) = middle;
@@ -46,32 +47,32 @@ void FreeContacts<Bodies>::rest_on_crushed(FreePair& pair, const Vector<double>&
 
 // In a stage without Maxwell elements they carry nothing.
 template <class Bodies>
-void FreeContacts<Bodies>::let_maxwell_go() {
-  for (std::size_t k = 0; dashpots_ == nullptr && braked_before_ && k < pairs_.size(); ++k) {
+void FreeContacts<Bodies>::clear_maxwell() {
+  for (std::size_t k = 0; dashpots_ == nullptr && damped_before_ && k < pairs_.size(); ++k) {
     FreeContact& m = pairs_[k].memory;
     m.maxwell_n = m.maxwell_x = m.maxwell_y = m.maxwell_z = 0;
   }
-  braked_before_ = dashpots_ != nullptr;
+  damped_before_ = dashpots_ != nullptr;
 }
 
 // What the joints gave in this step and the free contact does not, stays as a force that fades.
 template <class Bodies>
 void FreeContacts<Bodies>::hand_over(State& state, const Jointed& pair, const View& wall) {
-  Push before, after;
+  ForceMoment before, after;
   double energy = 0;
   for (auto k = pair.first; k < pair.end; ++k) {
-    before = before + bodies_.push_of(joint_of_[at(k)], pair.a, wall);
+    before = before + bodies_.joint_force(joint_of_[at(k)], pair.a, wall);
     energy += bodies_.elastic_energy(joint_of_[at(k)], wall);
     bodies_.release(joint_of_[at(k)], wall);
   }
-  const std::span<Near> contacts = near_of(pair.a, pair.b);
+  const std::span<NearPair> contacts = near_of(pair.a, pair.b);
   const double pressed = pressed_by(contacts);
   double bears = 0;
-  for (const Near& near : contacts) {
+  for (const NearPair& near : contacts) {
     if (near.slot < 0) continue;
     FreePair& p = pair_of(near);
     if (!p.touches()) continue;
-    const auto again = [&] { meet(at(&near - near_.data()), 0.0, false); };
+    const auto again = [&] { update_pair(at(&near - near_.data()), 0.0, false); };
     const Vector<double> share = (p.pressed / pressed) * before.f;
     rest_on_crushed(p, share);
     again();
@@ -84,8 +85,8 @@ void FreeContacts<Bodies>::hand_over(State& state, const Jointed& pair, const Vi
   }
   state.lost_in_hand_over += energy;
   if (!(bears > 0)) return;  // the joint's force stood on nothing
-  const Vector<double> f = bodies_.into(pair.a, before.f - after.f, wall);
-  const Vector<double> m = bodies_.into(pair.a, before.m - after.m, wall);
+  const Vector<double> f = bodies_.to_body_axes(pair.a, before.f - after.f, wall);
+  const Vector<double> m = bodies_.to_body_axes(pair.a, before.m - after.m, wall);
   const HandOver rest{pair.a, pair.b, 1, bears, f.x, f.y, f.z, m.x, m.y, m.z};
   const auto place = std::lower_bound(
       hand_overs_.begin(), hand_overs_.end(), rest,
@@ -95,9 +96,10 @@ void FreeContacts<Bodies>::hand_over(State& state, const Jointed& pair, const Vi
 
 template <class Bodies>
 void FreeContacts<Bodies>::apply(const HandOver& h, const View& wall) {
-  const Push a{
-      bodies_.out_of(h.a, h.share * Vector<double>{h.force_x, h.force_y, h.force_z}, wall),
-      bodies_.out_of(h.a, h.share * Vector<double>{h.moment_x, h.moment_y, h.moment_z}, wall)};
+  const ForceMoment a{
+      bodies_.to_wall_axes(h.a, h.share * Vector<double>{h.force_x, h.force_y, h.force_z}, wall),
+      bodies_.to_wall_axes(h.a, h.share * Vector<double>{h.moment_x, h.moment_y, h.moment_z},
+                           wall)};
   const Vector<double> arm = bodies_.place_of(h.a, wall) - bodies_.place_of(h.b, wall);
   bodies_.add(h.a, h.b, a, {-1.0 * a.f, -1.0 * (a.m + cross(arm, a.f))}, wall);
   acts_ = true;
@@ -111,7 +113,7 @@ void FreeContacts<Bodies>::fade_hand_overs(State& state, double dt, const View& 
     const double pressed = pressed_by(near_of(h.a, h.b));
     // b is carried to the centroid of a, where the force acts
     const Vector<double> arm = bodies_.place_of(h.a, wall) - bodies_.place_of(h.b, wall);
-    const Push va = bodies_.rates_of(h.a, wall), vb = bodies_.rates_of(h.b, wall);
+    const ForceMoment va = bodies_.rates_of(h.a, wall), vb = bodies_.rates_of(h.b, wall);
     const Vector<double> slides = va.f - (vb.f + cross(vb.m, arm)), turns = va.m - vb.m;
     const double moved =
         square_root(dot(slides, slides)) / (kForgottenSlip * bodies_.size_of(h.a)) +
@@ -119,9 +121,9 @@ void FreeContacts<Bodies>::fade_hand_overs(State& state, double dt, const View& 
     const double share = minimum(h.share - dt * moved, pressed / h.pressed);
     const double mean = 0.5 * (h.share + maximum(share, 0.0));
     const Vector<double> f =
-        bodies_.out_of(h.a, mean * Vector<double>{h.force_x, h.force_y, h.force_z}, wall);
+        bodies_.to_wall_axes(h.a, mean * Vector<double>{h.force_x, h.force_y, h.force_z}, wall);
     const Vector<double> m =
-        bodies_.out_of(h.a, mean * Vector<double>{h.moment_x, h.moment_y, h.moment_z}, wall);
+        bodies_.to_wall_axes(h.a, mean * Vector<double>{h.moment_x, h.moment_y, h.moment_z}, wall);
     state.lost_in_hand_over -= dt * (dot(f, slides) + dot(m, turns));
     h.share = share;
   }

@@ -17,10 +17,10 @@
 // The half-angle cosines of two blocks multiply to those of the mean angle: no root, no division.
 #pragma once
 
-#include "contact/short_ways.h"
+#include "contact/fast_paths.h"
 #include "core/several.h"
 #include "dynamics/passes/access.h"
-#include "dynamics/passes/ways.h"
+#include "dynamics/passes/law_path.h"
 
 namespace wythe::dynamics {
 
@@ -58,11 +58,11 @@ template <class Real>
 // Where a block was in the step before: by its velocity, whose time `dt` is (kTimeBefore), so to rounding.
 template <class Access, class Real = typename Access::Real>
 [[nodiscard]] WYTHE_INLINE Rows<Real> pose_before(const Tables& t, const Access& access,
-                                                  const std::int32_t* id, std::ptrdiff_t spot) {
-  const Rows<Real> pose = access.rows(t.pose, id, spot);
-  const Real dt = access.of_wall(t.wall, kTimeBefore), one(1.0);
+                                                  const std::int32_t* id, std::ptrdiff_t item) {
+  const Rows<Real> pose = access.rows(t.pose, id, item);
+  const Real dt = access.wall_value(t.wall, kTimeBefore), one(1.0);
   const auto moved = [&](BlockRow velocity) __attribute__((always_inline)) {
-    return dt * access.of(t.block, kBlockRows, velocity, id, spot);
+    return dt * access.of(t.block, kBlockRows, velocity, id, item);
   };
   const Real turn = Real(0.5) * moved(kOmega), square = turn * turn;  // small: its sine and cosine
   const Real sine = turn * (one - square * Real(1.0 / 6.0));
@@ -91,22 +91,22 @@ struct FaceRun {
   Access access;
   const double* law;                           // table of laws (tables.h)
   std::ptrdiff_t strengths, others;            // first rows of the run, in it
-  std::ptrdiff_t strengths_each, others_each;  // rows of a spot's own, 0 where all have the same
+  std::ptrdiff_t strengths_each, others_each;  // rows of an item's own, 0 where all have the same
   contact::LawChoice choice;
   const double *xi, *weight;  // of the points of a face
-  double* history;            // from the run's first spot on
-  std::uint8_t* way;
-  std::ptrdiff_t begin;  // its first spot
+  double* history;            // from the run's first item on
+  std::uint8_t* law_path;
+  std::ptrdiff_t begin;  // its first item
   int points;
 
-  [[nodiscard]] WYTHE_INLINE contact::LawConstants<Real> law_at(std::ptrdiff_t spot) const {
-    const std::ptrdiff_t k = spot - begin;
+  [[nodiscard]] WYTHE_INLINE contact::LawConstants<Real> law_at(std::ptrdiff_t item) const {
+    const std::ptrdiff_t k = item - begin;
     return law_of(access, law, strengths + strengths_each * k, others + others_each * k, choice);
   }
 };
 template <class Access>
 [[nodiscard]] WYTHE_INLINE FaceRun<Access> face_run(const Tables& t, Access access,
-                                                    const Chunk& chunk, std::uint8_t* way) {
+                                                    const Chunk& chunk, std::uint8_t* law_path) {
   return {access,
           t.law,
           chunk.strengths,
@@ -117,7 +117,7 @@ template <class Access>
           t.point_xi + chunk.rule,
           t.point_weight + chunk.rule,
           t.history + static_cast<std::ptrdiff_t>(chunk.history) * access.history_lanes(),
-          way,
+          law_path,
           chunk.begin,
           chunk.points};
 }
@@ -135,7 +135,7 @@ struct FacePoints {
   int from;
 
   [[nodiscard]] WYTHE_INLINE int rows() const {
-    return contact::remembered(contact::choice_of<V>(run));
+    return contact::history_size(contact::choice_of<V>(run));
   }
   WYTHE_INLINE History load() const {
     History h;
@@ -143,7 +143,7 @@ struct FacePoints {
       constexpr auto member = contact::kHistory<Points>[decltype(r)::value];
       if (r >= rows()) return;
       for_each_part<n>([&](auto k) __attribute__((always_inline)) {
-        (h.*member).template part<k>() = run.access.own(run.history, first + k * rows() + r);
+        (h.*member).template part<k>() = run.access.load(run.history, first + k * rows() + r);
       });
     });
     return h;
@@ -153,7 +153,7 @@ struct FacePoints {
       constexpr auto member = contact::kHistory<Points>[decltype(r)::value];
       if (r >= rows()) return;
       for_each_part<n>([&](auto k) __attribute__((always_inline)) {
-        run.access.keep((h.*member).template part<k>(), run.history, first + k * rows() + r);
+        run.access.store((h.*member).template part<k>(), run.history, first + k * rows() + r);
       });
     });
   }
@@ -192,29 +192,30 @@ struct FacePoints {
 
   // Forces of points that keep their history; whether they do, and whether any is open.
   template <bool closed>
-  WYTHE_INLINE void rest(Real area, const FaceJump<Real>& jump, FaceForce<Real>& sum,
-                         bool_of_t<Real>& rests, bool_of_t<Real>& open) const {
-    const contact::Rest<Points> now =
-        contact::at_rest<V, closed>(law, opening(jump), slip(jump), load());
+  WYTHE_INLINE void elastic(Real area, const FaceJump<Real>& jump, FaceForce<Real>& sum,
+                            bool_of_t<Real>& is_elastic, bool_of_t<Real>& open) const {
+    const contact::ElasticStep<Points> now =
+        contact::elastic_step<V, closed>(law, opening(jump), slip(jump), load());
     add(area, now.sigma, now.tau, sum);
-    rests = rests & now.rests.all_parts();
+    is_elastic = is_elastic & now.is_elastic.all_parts();
     open = open | now.open.any_part();
   }
   // Forces of whole points; whether they stay whole.
-  WYTHE_INLINE void whole(Real area, const FaceJump<Real>& jump, FaceForce<Real>& sum,
-                          bool_of_t<Real>& stays) const {
-    const contact::Whole<Points> now = contact::whole_point(law, opening(jump), slip(jump));
+  WYTHE_INLINE void undamaged(Real area, const FaceJump<Real>& jump, FaceForce<Real>& sum,
+                              bool_of_t<Real>& stays) const {
+    const contact::UndamagedStress<Points> now =
+        contact::undamaged_point(law, opening(jump), slip(jump));
     add(area, now.sigma, now.tau, sum);
     stays = stays & now.stays.all_parts();
   }
   // How far whole points have opened: all that they remember.
-  WYTHE_INLINE void widen(const FaceJump<Real>& jump) const {
+  WYTHE_INLINE void store_opening(const FaceJump<Real>& jump) const {
     const Points w = opening(jump);
     for_each_part<n>([&](auto k) __attribute__((always_inline)) {
       const Real now = w.template part<k>();
-      const Real kappa = run.access.own(run.history, first + k * rows());
+      const Real kappa = run.access.load(run.history, first + k * rows());
       const bool_of_t<Real> wider = now > kappa;
-      if (any(wider)) run.access.keep(select(wider, now, kappa), run.history, first + k * rows());
+      if (any(wider)) run.access.store(select(wider, now, kappa), run.history, first + k * rows());
     });
   }
   // The whole law: the one place where all of the history advances. Whether it did, whether any is open
@@ -222,11 +223,11 @@ struct FacePoints {
   template <class Before>
   WYTHE_INLINE void advance(Real area, const FaceJump<Real>& jump, const Before& jump_before,
                             FaceForce<Real>& sum, JointWork<Real>& work, bool_of_t<Real>& moved,
-                            bool_of_t<Real>& open, bool& whole) const {
+                            bool_of_t<Real>& open, bool& undamaged) const {
     const History before = load();
     History now = before;
     const Points w = opening(jump);
-    const contact::Answer<Points> a = contact::update<V>(law, w, slip(jump), now);
+    const contact::LawUpdate<Points> a = contact::update<V>(law, w, slip(jump), now);
     store(now);
     add(area, a.sigma, a.tau, sum);
     const Points share = shares(area);
@@ -242,21 +243,22 @@ struct FacePoints {
               work.fracture + fracture.template part<k>(),
               work.crushing + crushing.template part<k>()};
     });
-    moved = moved | contact::moves(before, now).any_part();
+    moved = moved | contact::history_changed(before, now).any_part();
     open = open | (w + now.crush > Points(Real(0.0))).any_part();
     // most have slid
-    whole = whole && !any(now.slip > Points(Real(0.0))) && all(contact::is_whole<V>(law, now));
+    undamaged =
+        undamaged && !any(now.slip > Points(Real(0.0))) && all(contact::is_undamaged<V>(law, now));
   }
 };
 
-// act(FacePoints) for all points of the face at `spot`: together where their number n is known when the
+// act(FacePoints) for all points of the face at `item`: together where their number n is known when the
 // program is compiled, one by one where it is not (n = 0).
 template <class V, int n, bool one_slip, class Access, class Act>
-WYTHE_INLINE void each_points(const FaceRun<Access>& run, std::ptrdiff_t spot, const Act& act) {
+WYTHE_INLINE void each_points(const FaceRun<Access>& run, std::ptrdiff_t item, const Act& act) {
   const int points = n > 0 ? n : run.points;
-  const int rows = contact::remembered(contact::choice_of<V>(run));
-  const contact::LawConstants<typename Access::Real> law = run.law_at(spot);
-  const std::ptrdiff_t first = (spot - run.begin) * points * rows;
+  const int rows = contact::history_size(contact::choice_of<V>(run));
+  const contact::LawConstants<typename Access::Real> law = run.law_at(item);
+  const std::ptrdiff_t first = (item - run.begin) * points * rows;
   if constexpr (n > 0) {
     act(FacePoints<V, n, one_slip, Access>{run, law, first, 0});
   } else {
@@ -266,57 +268,58 @@ WYTHE_INLINE void each_points(const FaceRun<Access>& run, std::ptrdiff_t spot, c
 }
 
 template <class V, int n, bool one_slip, class Access, class Before, class Real>
-WYTHE_OUTLINE FaceForce<Real> moving_face(const FaceRun<Access>& run, std::ptrdiff_t spot,
-                                          Real area, const FaceJump<Real>& jump, Before before,
-                                          JointWork<Real>& work) {
+WYTHE_OUTLINE FaceForce<Real> full_law_face(const FaceRun<Access>& run, std::ptrdiff_t item,
+                                            Real area, const FaceJump<Real>& jump, Before before,
+                                            JointWork<Real>& work) {
   const Real zero(0.0);
   FaceForce<Real> sum{zero, zero, zero, zero};
   bool_of_t<Real> moved = zero > zero, open = zero > zero;
-  bool whole = contact::knows_whole<V>(run.law_at(spot));
+  bool undamaged = contact::has_undamaged_path<V>(run.law_at(item));
   each_points<V, n, one_slip>(
-      run, spot, [&](const auto& points) __attribute__((always_inline)) {
-        points.advance(area, jump, before, sum, work, moved, open, whole);
+      run, item, [&](const auto& points) __attribute__((always_inline)) {
+        points.advance(area, jump, before, sum, work, moved, open, undamaged);
       });
-  run.access.mark(run.way, spot,
-                  whole        ? kWhole
-                  : any(moved) ? kMoving
-                  : any(open)  ? kOpen
-                               : kClosed);
+  run.access.store_flag(run.law_path, item,
+                        undamaged    ? kUndamaged
+                        : any(moved) ? kFullLaw
+                        : any(open)  ? kOpen
+                                     : kClosed);
   return sum;
 }
 
 // Forces of a face whose points are whole; false where one does not stay so.
 template <class V, int n, bool one_slip, class Access, class Real>
-[[nodiscard]] WYTHE_INLINE bool whole_face(const FaceRun<Access>& run, std::ptrdiff_t spot,
-                                           Real area, const FaceJump<Real>& jump,
-                                           FaceForce<Real>& sum) {
+[[nodiscard]] WYTHE_INLINE bool undamaged_face(const FaceRun<Access>& run, std::ptrdiff_t item,
+                                               Real area, const FaceJump<Real>& jump,
+                                               FaceForce<Real>& sum) {
   const Real zero(0.0);
   sum = {zero, zero, zero, zero};
   bool_of_t<Real> stays = zero <= zero;
   each_points<V, n, one_slip>(
-      run, spot, [&](const auto& points) __attribute__((always_inline)) {
-        points.whole(area, jump, sum, stays);
+      run, item, [&](const auto& points) __attribute__((always_inline)) {
+        points.undamaged(area, jump, sum, stays);
       });
   if (!all(stays)) return false;
   each_points<V, n, one_slip>(
-      run, spot, [&](const auto& points) __attribute__((always_inline)) { points.widen(jump); });
+      run,
+      item, [&](const auto& points) __attribute__((always_inline)) { points.store_opening(jump); });
   return true;
 }
 
 // Forces of a face whose points keep their history; false where they do not.
 template <class V, int n, bool one_slip, bool closed, class Access, class Real>
-[[nodiscard]] WYTHE_INLINE bool resting_face(const FaceRun<Access>& run, std::ptrdiff_t spot,
+[[nodiscard]] WYTHE_INLINE bool elastic_face(const FaceRun<Access>& run, std::ptrdiff_t item,
                                              Real area, const FaceJump<Real>& jump,
                                              FaceForce<Real>& sum) {
   const Real zero(0.0);
   sum = {zero, zero, zero, zero};
-  bool_of_t<Real> rests = zero <= zero, open = zero > zero;
+  bool_of_t<Real> is_elastic = zero <= zero, open = zero > zero;
   each_points<V, n, one_slip>(
-      run, spot, [&](const auto& points) __attribute__((always_inline)) {
-        points.template rest<closed>(area, jump, sum, rests, open);
+      run, item, [&](const auto& points) __attribute__((always_inline)) {
+        points.template elastic<closed>(area, jump, sum, is_elastic, open);
       });
-  if (!all(rests)) return false;
-  if constexpr (!closed) run.access.mark(run.way, spot, any(open) ? kOpen : kClosed);
+  if (!all(is_elastic)) return false;
+  if constexpr (!closed) run.access.store_flag(run.law_path, item, any(open) ? kOpen : kClosed);
   return true;
 }
 
@@ -324,15 +327,18 @@ template <class V, int n, bool one_slip, bool closed, class Access, class Real>
 // the last step is asked for none. `before` gives the jump of the step before.
 template <class V, int n, bool one_slip, class Access, class Before, class Real>
 [[nodiscard]] WYTHE_INLINE FaceForce<Real> face_force(const FaceRun<Access>& run,
-                                                      std::ptrdiff_t spot, Real area,
+                                                      std::ptrdiff_t item, Real area,
                                                       const FaceJump<Real>& jump, Before before,
                                                       JointWork<Real>& work) {
-  const std::uint8_t way = run.access.marked(run.way, spot);
+  const std::uint8_t law_path = run.access.load_flag(run.law_path, item);
   FaceForce<Real> sum;
-  if (way == kWhole && whole_face<V, n, one_slip>(run, spot, area, jump, sum)) return sum;
-  if (way == kClosed && resting_face<V, n, one_slip, true>(run, spot, area, jump, sum)) return sum;
-  if (way == kOpen && resting_face<V, n, one_slip, false>(run, spot, area, jump, sum)) return sum;
-  return moving_face<V, n, one_slip>(run, spot, area, jump, before, work);
+  if (law_path == kUndamaged && undamaged_face<V, n, one_slip>(run, item, area, jump, sum))
+    return sum;
+  if (law_path == kClosed && elastic_face<V, n, one_slip, true>(run, item, area, jump, sum))
+    return sum;
+  if (law_path == kOpen && elastic_face<V, n, one_slip, false>(run, item, area, jump, sum))
+    return sum;
+  return full_law_face<V, n, one_slip>(run, item, area, jump, before, work);
 }
 
 // Row of the geometry of joint j.
@@ -426,21 +432,21 @@ struct Joints {
   FaceRun<Access> run;
 
   WYTHE_INLINE Joints(const Tables& tables, Access access, const Chunk& chunk)
-      : t(tables), run(face_run(tables, access, chunk, tables.joint_way)) {}
+      : t(tables), run(face_run(tables, access, chunk, tables.joint_law_path)) {}
 
-  WYTHE_INLINE void take_part(int part) { run.access.take_part(part); }
-  WYTHE_INLINE void at(std::ptrdiff_t spot, Work& work) const {
+  WYTHE_INLINE void select_part(int part) { run.access.select_part(part); }
+  WYTHE_INLINE void at(std::ptrdiff_t item, Work& work) const {
     if constexpr (Access::one_wall)
-      if (run.access.marked(run.way, spot) == kGone) return;
+      if (run.access.load_flag(run.law_path, item) == kReleased) return;
     if constexpr (on_ground)
-      ground(spot, work);
+      ground(item, work);
     else
-      pair(spot, work);
+      pair(item, work);
   }
 
  private:
-  [[nodiscard]] WYTHE_INLINE Real geometry(std::ptrdiff_t spot, JointRow row) const {
-    return joint_row(t, run.access, spot, row);
+  [[nodiscard]] WYTHE_INLINE Real geometry(std::ptrdiff_t item, JointRow row) const {
+    return joint_row(t, run.access, item, row);
   }
 
   WYTHE_INLINE void pair(std::ptrdiff_t j, Work& work) const {
@@ -453,9 +459,9 @@ struct Joints {
     const Real fx = f.ft * p.tx - f.fn * p.ty, fy = f.ft * p.ty + f.fn * p.tx;
     const Real couple = p.lever * f.gn;
     const Real cx = half * p.jx, cy = half * p.jy;
-    run.access.keep_rows({fx, fy, ((p.a.arm_x + cx) * fy - (p.a.arm_y + cy) * fx) + couple,
-                          ((p.b.arm_y - cy) * fx - (p.b.arm_x - cx) * fy) - couple},
-                         t.force, j);
+    run.access.store_rows({fx, fy, ((p.a.arm_x + cx) * fy - (p.a.arm_y + cy) * fx) + couple,
+                           ((p.b.arm_y - cy) * fx - (p.b.arm_x - cx) * fy) - couple},
+                          t.force, j);
   }
 
   // The tangent of the ground stands still, and it has no lever.
@@ -468,8 +474,8 @@ struct Joints {
     // the turned face is h ((1 + drop) t + sine n)
     const Real couple =
         geometry(j, kHalfLength) * ((Real(1.0) + g.turn.drop) * f.gn - g.turn.sine * f.gt);
-    run.access.keep_rows({fx, fy, Real(0.0), (g.b.arm_y * fx - g.b.arm_x * fy) - couple}, t.force,
-                         j);
+    run.access.store_rows({fx, fy, Real(0.0), (g.b.arm_y * fx - g.b.arm_x * fy) - couple}, t.force,
+                          j);
   }
 };
 

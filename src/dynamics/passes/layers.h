@@ -44,10 +44,10 @@ WYTHE_INLINE void stretch_layers(const WallView& wall, LayerWork& work) {
         const double force = contact::fibres_pull(stiffness, stretch);
         const double fx = force * line.axis_x, fy = force * line.axis_y;
         const std::ptrdiff_t row = wall.first_crossing + crossing;
-        wall.of_four(wall.t.force, row, 0) = fx;
-        wall.of_four(wall.t.force, row, 1) = fy;
-        wall.of_four(wall.t.force, row, 2) = a.arm_x * fy - a.arm_y * fx;
-        wall.of_four(wall.t.force, row, 3) = b.arm_y * fx - b.arm_x * fy;
+        wall.column_of(wall.t.force, row, 0) = fx;
+        wall.column_of(wall.t.force, row, 1) = fy;
+        wall.column_of(wall.t.force, row, 2) = a.arm_x * fy - a.arm_y * fx;
+        wall.column_of(wall.t.force, row, 3) = b.arm_y * fx - b.arm_x * fy;
       }
     }
     wall.layer(k, kLayerStretch) = stretch;
@@ -88,7 +88,7 @@ WYTHE_INLINE void slip_layers(const WallView& wall, LayerWork& work) {
   work.damping -= stored + lost;
 }
 
-WYTHE_INLINE LayerWork pull_layers(const WallView& wall) {
+WYTHE_INLINE LayerWork add_layer_forces(const WallView& wall) {
   LayerWork work;
   stretch_layers(wall, work);
   slip_layers(wall, work);

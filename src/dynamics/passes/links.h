@@ -15,14 +15,14 @@ struct LinkWork {
 
 WYTHE_INLINE contact::LinkEnd end_of(const WallView& wall, std::int32_t block, double arm_x,
                                      double arm_y) {
-  return contact::link_end(wall.ux(block), wall.uy(block), wall.of_four(wall.t.pose, block, 2),
-                           wall.of_four(wall.t.pose, block, 3), arm_x, arm_y);
+  return contact::link_end(wall.ux(block), wall.uy(block), wall.column_of(wall.t.pose, block, 2),
+                           wall.column_of(wall.t.pose, block, 3), arm_x, arm_y);
 }
 
 // Forces of all links where the blocks are now; `set`: share of their prestress in force, `jacked`: of the force of
 // jacks at work, below 0 where there are none. A jack keeps its force however far it goes: it draws its link out to the
 // length at which the link has that force.
-WYTHE_INLINE LinkWork pull_links(const WallView& wall, double set, double jacked) {
+WYTHE_INLINE LinkWork add_link_forces(const WallView& wall, double set, double jacked) {
   LinkWork work;
   for (int k = 0; k < wall.links; ++k) {
     const auto of = [&](LinkRowName row) { return wall.link(k, row); };
@@ -36,9 +36,9 @@ WYTHE_INLINE LinkWork pull_links(const WallView& wall, double set, double jacked
     if (of(kLinkPrestress) != 0) drawn = set * of(kLinkPrestress) / of(kLinkStiffness);
     if (jacked >= 0 && of(kLinkJack) > 0)
       drawn = of(kLinkPlastic) - line.elongation - jacked * of(kLinkJack) / of(kLinkStiffness);
-    const contact::LinkPull pull =
-        contact::link_pull({of(kLinkStiffness), of(kLinkTension), of(kLinkCompression)},
-                           line.elongation, of(kLinkPlastic), drawn);
+    const contact::LinkForce pull =
+        contact::force_of_link({of(kLinkStiffness), of(kLinkTension), of(kLinkCompression)},
+                               line.elongation, of(kLinkPlastic), drawn);
     const double mean = 0.5 * (before + pull.force);
     work.dissipated += mean * pull.flow;
     work.tensioned += mean * (drawn - of(kLinkDrawn));
@@ -47,10 +47,10 @@ WYTHE_INLINE LinkWork pull_links(const WallView& wall, double set, double jacked
     wall.link(k, kLinkDrawn) = drawn;
     const double fx = pull.force * line.axis_x, fy = pull.force * line.axis_y;
     const std::ptrdiff_t row = wall.joints + k;
-    wall.of_four(wall.t.force, row, 0) = fx;
-    wall.of_four(wall.t.force, row, 1) = fy;
-    wall.of_four(wall.t.force, row, 2) = a.arm_x * fy - a.arm_y * fx;
-    wall.of_four(wall.t.force, row, 3) = b.arm_y * fx - b.arm_x * fy;
+    wall.column_of(wall.t.force, row, 0) = fx;
+    wall.column_of(wall.t.force, row, 1) = fy;
+    wall.column_of(wall.t.force, row, 2) = a.arm_x * fy - a.arm_y * fx;
+    wall.column_of(wall.t.force, row, 3) = b.arm_y * fx - b.arm_x * fy;
   }
   return work;
 }

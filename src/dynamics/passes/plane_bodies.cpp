@@ -1,7 +1,7 @@
 #include "dynamics/passes/plane_bodies.h"
 
 #include "contact/parameters.h"
-#include "dynamics/passes/ways.h"
+#include "dynamics/passes/law_path.h"
 #include "model/free_shapes.h"
 
 namespace wythe::dynamics {
@@ -21,10 +21,10 @@ Direction2 turned(const BodyFrame& f, double x, double y) {
   return {f.c * x - f.s * y, f.s * x + f.c * y};
 }
 
-const EdgeAxes& axes_of(const PlaneBodies::Meeting& m, std::int32_t feature) {
+const EdgeAxes& axes_of(const PlaneBodies::PairGeometry& m, std::int32_t feature) {
   return feature >= 0 ? contact::axes_of(m.a, feature) : contact::axes_of(m.b, -1 - feature);
 }
-const BodyFrame& frame_of(const PlaneBodies::Meeting& m, std::int32_t feature) {
+const BodyFrame& frame_of(const PlaneBodies::PairGeometry& m, std::int32_t feature) {
   return feature >= 0 ? m.frame_a : m.frame_b;
 }
 
@@ -70,7 +70,7 @@ contact::FreeLaw PlaneBodies::law_of(std::int32_t a, std::int32_t b) const {
 
 BodyFrame PlaneBodies::frame_of(std::int32_t body, const WallView& wall) const {
   if (body >= m_.n_block) return {0, 0, 1, 0};
-  const double c = wall.of_four(wall.t.pose, body, 2), s = wall.of_four(wall.t.pose, body, 3);
+  const double c = wall.column_of(wall.t.pose, body, 2), s = wall.column_of(wall.t.pose, body, 3);
   return {m_.centroid_x[body] + wall.ux(body), m_.centroid_y[body] + wall.uy(body), 1 - 2 * s * s,
           2 * s * c};
 }
@@ -98,62 +98,64 @@ double PlaneBodies::speed_of(BlockId i, const WallView& wall) const {
          reach_[i] * magnitude(wall.block(i, kOmega));
 }
 
-double PlaneBodies::fall_of(BlockId block, const WallView& wall) const { return -wall.uy(block); }
+double PlaneBodies::fallen_height(BlockId block, const WallView& wall) const {
+  return -wall.uy(block);
+}
 
 Vector<double> PlaneBodies::place_of(std::int32_t body, const WallView& wall) const {
   const BodyFrame f = frame_of(body, wall);
   return {f.x, f.y, 0};
 }
 
-Push PlaneBodies::rates_of(std::int32_t body, const WallView& wall) const {
+ForceMoment PlaneBodies::rates_of(std::int32_t body, const WallView& wall) const {
   if (body >= m_.n_block) return {};
   return {{wall.block(body, kVx), wall.block(body, kVy), 0}, {0, 0, wall.block(body, kOmega)}};
 }
 
-Vector<double> PlaneBodies::into(std::int32_t body, const Vector<double>& v,
-                                 const WallView& wall) const {
+Vector<double> PlaneBodies::to_body_axes(std::int32_t body, const Vector<double>& v,
+                                         const WallView& wall) const {
   const BodyFrame f = frame_of(body, wall);
   return {f.c * v.x + f.s * v.y, f.c * v.y - f.s * v.x, v.z};
 }
-Vector<double> PlaneBodies::out_of(std::int32_t body, const Vector<double>& v,
-                                   const WallView& wall) const {
+Vector<double> PlaneBodies::to_wall_axes(std::int32_t body, const Vector<double>& v,
+                                         const WallView& wall) const {
   const Direction2 d = turned(frame_of(body, wall), v.x, v.y);
   return {d.x, d.y, v.z};
 }
 
 // --- two parts ------------------------------------------------------------------------------------------
 
-void PlaneBodies::look_at(std::int32_t body, const WallView& wall) {
-  const Push rates = rates_of(body, wall);
+void PlaneBodies::cache_motion(std::int32_t body, const WallView& wall) {
+  const ForceMoment rates = rates_of(body, wall);
   now_[body] = {frame_of(body, wall), rates.f.x, rates.f.y, rates.m.z, 0};
 }
 
-PlaneBodies::Meeting PlaneBodies::meeting(const FreeContact& c) const {
+PlaneBodies::PairGeometry PlaneBodies::pair_geometry(const FreeContact& c) const {
   const FreeShapes& f = m_.free;
   return {edges_.part(f.part_begin[c.a] + c.part_a), edges_.part(f.part_begin[c.b] + c.part_b),
           now_[c.a].frame, now_[c.b].frame};
 }
 
-contact::Overlap PlaneBodies::overlap(const Meeting& m, std::int32_t feature, double rest) {
+contact::Overlap PlaneBodies::overlap(const PairGeometry& m, std::int32_t feature, double rest) {
   return feature >= 0 ? contact::overlap_on(m.a, feature, m.b,
                                             contact::seen_from(m.frame_a, m.frame_b), rest)
                       : contact::overlap_on(m.b, -1 - feature, m.a,
                                             contact::seen_from(m.frame_b, m.frame_a), rest);
 }
 
-contact::Face PlaneBodies::face(const Meeting& m, std::int32_t last) const {
+contact::Face PlaneBodies::face(const PairGeometry& m, std::int32_t last) const {
   return contact::face_of(m.a, m.b, contact::seen_from(m.frame_a, m.frame_b),
                           contact::seen_from(m.frame_b, m.frame_a), last, kSlop * m_.free.bevel);
 }
 
-Vector<double> PlaneBodies::normal_of(const Meeting& m, std::int32_t feature) {
+Vector<double> PlaneBodies::normal_of(const PairGeometry& m, std::int32_t feature) {
   const EdgeAxes& axes = axes_of(m, feature);
   const Direction2 n = turned(dynamics::frame_of(m, feature), axes.nx, axes.ny);
   const double sense = feature >= 0 ? 1 : -1;
   return {sense * n.x, sense * n.y, 0};
 }
 
-double PlaneBodies::turn_slip(FreePair& pair, const Meeting& m, std::int32_t to) {
+double PlaneBodies::turn_slip(FreePair& pair, const PairGeometry& m, std::int32_t to) {
   const auto axis = [&](std::int32_t feature) {
     const EdgeAxes& axes = axes_of(m, feature);
     return turned(dynamics::frame_of(m, feature), axes.ax, axes.ay);
@@ -167,8 +169,8 @@ double PlaneBodies::turn_slip(FreePair& pair, const Meeting& m, std::int32_t to)
   return before - shear_energy(pair.memory, pair.law);
 }
 
-PlaneBodies::Rubbed PlaneBodies::rub(FreePair& pair, const Meeting& m, const Overlap& overlap,
-                                     double dt) const {
+PlaneBodies::SlipUpdate PlaneBodies::update_slip(FreePair& pair, const PairGeometry& m,
+                                                 const Overlap& overlap, double dt) const {
   const std::int32_t feature = pair.memory.feature;
   const bool of_a = feature >= 0;
   const EdgeAxes& axes = axes_of(m, feature);
@@ -179,10 +181,10 @@ PlaneBodies::Rubbed PlaneBodies::rub(FreePair& pair, const Meeting& m, const Ove
   const double place = overlap.area > 0 ? overlap.moment / overlap.area : 0.0;
   const Direction2 arm = turned(ref, axes.x + axes.ax * place, axes.y + axes.ay * place);
   const double ox = ref.x + arm.x - other.x, oy = ref.y + arm.y - other.y;
-  const Push of_ref = rates_now(of_a ? pair.memory.a : pair.memory.b);
-  const Push of_other = rates_now(of_a ? pair.memory.b : pair.memory.a);
+  const ForceMoment of_ref = rates_now(of_a ? pair.memory.a : pair.memory.b);
+  const ForceMoment of_other = rates_now(of_a ? pair.memory.b : pair.memory.a);
   // arms and axis as they were half a step ago, in the middle of that motion
-  const auto back = [&](const Push& rates, double rx, double ry) {
+  const auto back = [&](const ForceMoment& rates, double rx, double ry) {
     const double half = 0.5 * dt * rates.m.z;
     return Direction2{rx + half * ry, ry - half * rx};
   };
@@ -217,8 +219,8 @@ PlaneBodies::Rubbed PlaneBodies::rub(FreePair& pair, const Meeting& m, const Ove
   const Direction2 origin = turned(ref, axes.x, axes.y);
   const double moment = k * overlap.moment;
   const double gx = ref.x + origin.x - other.x, gy = ref.y + origin.y - other.y;
-  const Push on_other{{fx, fy, 0}, {0, 0, moment + (gx * fy - gy * fx)}};
-  const Push on_ref{{-fx, -fy, 0}, {0, 0, -(moment + (origin.x * fy - origin.y * fx))}};
+  const ForceMoment on_other{{fx, fy, 0}, {0, 0, moment + (gx * fy - gy * fx)}};
+  const ForceMoment on_ref{{-fx, -fy, 0}, {0, 0, -(moment + (origin.x * fy - origin.y * fx))}};
   pair.on_a = of_a ? on_ref : on_other;
   pair.on_b = of_a ? on_other : on_ref;
   return {dt * (vx * n.x + vy * n.y),
@@ -281,7 +283,7 @@ bool PlaneBodies::take(const Packed& packed, int k, FreePair& pair) {
   return true;
 }
 
-double PlaneBodies::mobility(const FreeContact& c, const Rubbed& r) const {
+double PlaneBodies::mobility(const FreeContact& c, const SlipUpdate& r) const {
   const bool of_a = c.feature >= 0;
   const auto of = [&](std::int32_t body, double x, double y) {
     if (body >= m_.n_block) return 0.0;
@@ -290,17 +292,17 @@ double PlaneBodies::mobility(const FreeContact& c, const Rubbed& r) const {
   return of(of_a ? c.a : c.b, r.ref_x, r.ref_y) + of(of_a ? c.b : c.a, r.other_x, r.other_y);
 }
 
-void PlaneBodies::spread(const ViscousForce& f, const Rubbed& r, bool of_a, Push& on_a,
-                         Push& on_b) {
+void PlaneBodies::spread(const ViscousForce& f, const SlipUpdate& r, bool of_a, ForceMoment& on_a,
+                         ForceMoment& on_b) {
   const double fx = -f.normal * r.nx - f.shear.x * r.tx, fy = -f.normal * r.ny - f.shear.x * r.ty;
-  const Push on_other{{fx, fy, 0}, {0, 0, r.other_x * fy - r.other_y * fx}};
-  const Push on_ref{{-fx, -fy, 0}, {0, 0, -(r.ref_x * fy - r.ref_y * fx)}};
+  const ForceMoment on_other{{fx, fy, 0}, {0, 0, r.other_x * fy - r.other_y * fx}};
+  const ForceMoment on_ref{{-fx, -fy, 0}, {0, 0, -(r.ref_x * fy - r.ref_y * fx)}};
   on_a = of_a ? on_ref : on_other;
   on_b = of_a ? on_other : on_ref;
 }
 
 void PlaneBodies::take_over_shear(FreePair& pair, const Vector<double>& on_a) const {
-  const Meeting m = meeting(pair.memory);
+  const PairGeometry m = pair_geometry(pair.memory);
   const std::int32_t feature = pair.memory.feature;
   const EdgeAxes& axes = axes_of(m, feature);
   const Direction2 x = turned(dynamics::frame_of(m, feature), axes.ax, axes.ay);
@@ -317,11 +319,11 @@ void PlaneBodies::clear_rows(const WallView& wall) const {
 
 // One row a block, then that of what stands still, whose last column sums the magnitudes that the unbalance asks
 // for.
-void PlaneBodies::add(std::int32_t a, std::int32_t b, const Push& on_a, const Push& on_b,
-                      const WallView& wall) const {
+void PlaneBodies::add(std::int32_t a, std::int32_t b, const ForceMoment& on_a,
+                      const ForceMoment& on_b, const WallView& wall) const {
   double* const rows = wall.t.force + 4 * wall.first_free;
   const bool fixed = b >= m_.n_block;
-  const auto put = [rows](std::int32_t body, const Push& push) {
+  const auto put = [rows](std::int32_t body, const ForceMoment& push) {
     double* const row = rows + 4 * static_cast<std::ptrdiff_t>(body);
     row[0] += push.f.x, row[1] += push.f.y, row[2] += push.m.z;
   };
@@ -381,7 +383,7 @@ bool is_tilted(double tilt) {
 
 }  // namespace
 
-bool PlaneBodies::gives_way(JointId joint, const WallView& wall) const {
+bool PlaneBodies::has_failed(JointId joint, const WallView& wall) const {
   constexpr double kSlipped = 0.05;  // of the face; or opened, all of it
   const Gap gap = gap_of(joint, wall);
   const double hx = m_.half_x[joint], hy = m_.half_y[joint];
@@ -419,7 +421,7 @@ bool PlaneBodies::holds(JointId joint, const WallView& wall) const {
   return false;
 }
 
-Push PlaneBodies::push_of(JointId joint, std::int32_t on, const WallView& wall) const {
+ForceMoment PlaneBodies::joint_force(JointId joint, std::int32_t on, const WallView& wall) const {
   const double* row = wall.t.force + 4 * static_cast<std::ptrdiff_t>(layout_.joint_place[joint]);
   if (m_.joint_a[joint] == on) return {{row[0], row[1], 0}, {0, 0, row[2]}};
   return {{-row[0], -row[1], 0}, {0, 0, row[3]}};
@@ -468,7 +470,7 @@ void PlaneBodies::release(JointId joint, const WallView& wall) const {
 
 // No other face is known to be whole or at rest any more.
 void PlaneBodies::end_release(const WallView& wall) const {
-  mark_gone(wall.t.joint_b, wall.t.n_block, layout_.joints, width_, wall.t.joint_way);
+  mark_released(wall.t.joint_b, wall.t.n_block, layout_.joints, width_, wall.t.joint_law_path);
 }
 
 }  // namespace wythe::dynamics

@@ -16,7 +16,7 @@ class PlaneBodies {
   using Layout = dynamics::Layout;
   using Overlap = contact::Overlap;
   // Two parts and their bodies' axes.
-  struct Meeting {
+  struct PairGeometry {
     contact::Part a, b;
     contact::BodyFrame frame_a, frame_b;
   };
@@ -31,7 +31,7 @@ class PlaneBodies {
                                 const WallView& wall) const;  // of any point, at most
   // each(body, where its centroid is now, what its points can have moved by its turning in the last step, at most).
   template <class Each>
-  void for_each_way(double dt, const WallView& wall, Each each) const {
+  void for_each_travel(double dt, const WallView& wall, Each each) const {
     constexpr double kMore = 1.05;  // damping by mass may have slowed blocks since they turned
     for (BlockId i = 0; i < m_.n_block; ++i)
       each(i,
@@ -48,38 +48,42 @@ class PlaneBodies {
   [[nodiscard]] double height_of(BlockId block) const {
     return height_[static_cast<std::size_t>(block)];
   }
-  [[nodiscard]] double fall_of(BlockId block, const WallView& wall) const;
+  [[nodiscard]] double fallen_height(BlockId block, const WallView& wall) const;
   [[nodiscard]] Vector<double> place_of(std::int32_t body, const WallView& wall) const;
-  [[nodiscard]] Push rates_of(std::int32_t body, const WallView& wall) const;
+  [[nodiscard]] ForceMoment rates_of(std::int32_t body, const WallView& wall) const;
   // A vector in a body's own axes, and back.
-  [[nodiscard]] Vector<double> into(std::int32_t body, const Vector<double>& v,
-                                    const WallView& wall) const;
-  [[nodiscard]] Vector<double> out_of(std::int32_t body, const Vector<double>& v,
-                                      const WallView& wall) const;
+  [[nodiscard]] Vector<double> to_body_axes(std::int32_t body, const Vector<double>& v,
+                                            const WallView& wall) const;
+  [[nodiscard]] Vector<double> to_wall_axes(std::int32_t body, const Vector<double>& v,
+                                            const WallView& wall) const;
 
   // Notes where a body is and how it moves: for all that follows, up to the rows of forces.
-  void look_at(std::int32_t body, const WallView& wall);
-  [[nodiscard]] Meeting meeting(const FreeContact& contact) const;
+  void cache_motion(std::int32_t body, const WallView& wall);
+  [[nodiscard]] PairGeometry pair_geometry(const FreeContact& contact) const;
   // Of what presses: the overlap less `rest`, which is crushed.
-  [[nodiscard]] static Overlap overlap(const Meeting& meeting, std::int32_t feature, double rest);
-  [[nodiscard]] contact::Face face(const Meeting& meeting, std::int32_t last) const;
+  [[nodiscard]] static Overlap overlap(const PairGeometry& pair_geometry, std::int32_t feature,
+                                       double rest);
+  [[nodiscard]] contact::Face face(const PairGeometry& pair_geometry, std::int32_t last) const;
   [[nodiscard]] static double stiffness(const contact::FreeLaw& law) {
     return law.kn * law.thickness;
   }
   [[nodiscard]] static double pressing(const Overlap& overlap) { return overlap.area; }
   // Of a face, from a to b.
-  [[nodiscard]] static Vector<double> normal_of(const Meeting& meeting, std::int32_t feature);
+  [[nodiscard]] static Vector<double> normal_of(const PairGeometry& pair_geometry,
+                                                std::int32_t feature);
   // The slip as seen along another face; gives the energy that has no part in it.
-  [[nodiscard]] static double turn_slip(FreePair& pair, const Meeting& meeting, std::int32_t to);
+  [[nodiscard]] static double turn_slip(FreePair& pair, const PairGeometry& pair_geometry,
+                                        std::int32_t to);
   // What dashpots ask of a contact: how it has moved in the step, friction along the slip, where and along what: the
   // centre of pressure from both centroids, normal and slip, of the body `other` on the one that has the face.
-  struct Rubbed {
+  struct SlipUpdate {
     double opened;              // [m]
     Vector<double> slid, held;  // [m], [N]
     double ref_x, ref_y, other_x, other_y, nx, ny, tx, ty;
   };
   // Friction of a step, then force and moments.
-  Rubbed rub(FreePair& pair, const Meeting& meeting, const Overlap& overlap, double dt) const;
+  SlipUpdate update_slip(FreePair& pair, const PairGeometry& pair_geometry, const Overlap& overlap,
+                         double dt) const;
   // Up to eight contacts that go on along their faces, taken together (pressing.h).
   struct Packed {
     int n = 0;
@@ -95,12 +99,12 @@ class PlaneBodies {
     return body < m_.n_block ? 1 / m_.mass[static_cast<std::size_t>(body)] : 0.0;
   }
   // 1 / mass that feels a force at the centre of pressure, along any direction [1/kg].
-  [[nodiscard]] double mobility(const FreeContact& contact, const Rubbed& rubbed) const;
+  [[nodiscard]] double mobility(const FreeContact& contact, const SlipUpdate& slip_update) const;
   // A viscous force on both bodies; `of_a`: body a has the face.
-  static void spread(const ViscousForce& force, const Rubbed& rubbed, bool of_a, Push& on_a,
-                     Push& on_b);
-  // As look_at() found them.
-  [[nodiscard]] Push rates_now(std::int32_t body) const {
+  static void spread(const ViscousForce& force, const SlipUpdate& slip_update, bool of_a,
+                     ForceMoment& on_a, ForceMoment& on_b);
+  // As cache_motion() found them.
+  [[nodiscard]] ForceMoment rates_now(std::int32_t body) const {
     const Now& now = now_[static_cast<std::size_t>(body)];
     return {{now.vx, now.vy, 0}, {0, 0, now.spin}};
   }
@@ -108,15 +112,15 @@ class PlaneBodies {
   void take_over_shear(FreePair& pair, const Vector<double>& on_a) const;
 
   void clear_rows(const WallView& wall) const;
-  void add(std::int32_t a, std::int32_t b, const Push& on_a, const Push& on_b,
+  void add(std::int32_t a, std::int32_t b, const ForceMoment& on_a, const ForceMoment& on_b,
            const WallView& wall) const;
 
   // The two bodies of a joint, sorted; {-1, -1} on ground that is no body.
   [[nodiscard]] std::pair<std::int32_t, std::int32_t> sides_of(JointId joint) const;
   // Whether it is displaced so far that it gives way if nothing holds; whether it holds.
-  [[nodiscard]] bool gives_way(JointId joint, const WallView& wall) const;
+  [[nodiscard]] bool has_failed(JointId joint, const WallView& wall) const;
   [[nodiscard]] bool holds(JointId joint, const WallView& wall) const;
-  [[nodiscard]] Push push_of(JointId joint, std::int32_t on, const WallView& wall) const;
+  [[nodiscard]] ForceMoment joint_force(JointId joint, std::int32_t on, const WallView& wall) const;
   [[nodiscard]] double elastic_energy(JointId joint, const WallView& wall) const;
   void restore(const WallView& wall) const;                 // all joints
   void release(JointId joint, const WallView& wall) const;  // it rests from now on
@@ -149,7 +153,7 @@ class PlaneBodies {
   const int width_;
   contact::PartEdges edges_;
   std::vector<contact::FreeLaw> law_;  // of each material, for a thickness of 1 m
-  std::vector<Now> now_;               // of each body that look_at() has seen
+  std::vector<Now> now_;               // of each body that cache_motion() has seen
   std::vector<double> corner_rows_;    // of each shape (pressing.h)
   PressKernel press_;
   std::vector<double> reach_, height_;         // of each moving block [m]

@@ -1,5 +1,5 @@
 // Pairs of parts in the plane that press on each other along the face they pressed on before, eight at a time: overlap,
-// friction and forces of contact/meeting.h and PlaneBodies::rub(), operation by operation, so that a pair has the same
+// friction and forces of contact/convex_contact.h and PlaneBodies::update_slip(), operation by operation, so that a pair has the same
 // bits here and there (docs/theory/contacts.md, 13.1 to 13.5).
 //
 // What is common to all pairs lies in rows of four:
@@ -70,7 +70,7 @@ struct Pressing {
   WYTHE_INLINE void run() const {
     const Frame ref = frame_of(g.ref), other = frame_of(g.other);
     const Edge edge = edge_of();
-    rub(ref, other, edge, overlap(ref, other, edge));
+    update_slip(ref, other, edge, overlap(ref, other, edge));
   }
 
  private:
@@ -163,9 +163,9 @@ struct Pressing {
     const Real half = Real(0.5 * t.dt) * rates.spin;
     return {x + half * y, y - half * x};
   }
-  // PlaneBodies::rub()
-  WYTHE_INLINE void rub(const Frame& ref, const Frame& other, const Edge& e,
-                        const Overlap& overlap) const {
+  // PlaneBodies::update_slip()
+  WYTHE_INLINE void update_slip(const Frame& ref, const Frame& other, const Edge& e,
+                                const Overlap& overlap) const {
     const Real zero(0.0), half(0.5), minus(-1.0);
     const Rates of_ref = rates_of(g.ref), of_other = rates_of(g.other);
     const Axes2<Real> x = turned(ref, e.ax, e.ay), n = turned(ref, e.nx, e.ny);

@@ -31,7 +31,7 @@ struct Zones {
   WYTHE_INLINE Zones(const Tables& tables, Access lanes, const Chunk& chunk)
       : t(tables), access(lanes), shape(tables.shapes[chunk.material]) {}
 
-  WYTHE_INLINE void take_part(int part) { access.take_part(part); }
+  WYTHE_INLINE void select_part(int part) { access.select_part(part); }
   WYTHE_INLINE void at(std::ptrdiff_t z, Work&) const {
     solids::ZoneVectors<Real> u;
     for (int k = 0; k < 4; ++k) {
@@ -39,8 +39,8 @@ struct Zones {
       u.y[k] = access.of(t.node, kNodeRows, kNodeUy, t.corner[k], z);
     }
     const solids::ZoneVectors<Real> f = solids::zone_force(shape, u);
-    access.keep_rows({f.x[0], f.y[0], f.x[1], f.y[1]}, t.zone_force, z);
-    access.keep_rows({f.x[2], f.y[2], f.x[3], f.y[3]}, t.high_force, z);
+    access.store_rows({f.x[0], f.y[0], f.x[1], f.y[1]}, t.zone_force, z);
+    access.store_rows({f.x[2], f.y[2], f.x[3], f.y[3]}, t.high_force, z);
   }
 };
 
@@ -72,9 +72,9 @@ struct Edges {
   FaceRun<Access> run;
 
   WYTHE_INLINE Edges(const Tables& tables, Access access, const Chunk& chunk)
-      : t(tables), run(face_run(tables, access, chunk, tables.edge_way)) {}
+      : t(tables), run(face_run(tables, access, chunk, tables.edge_law_path)) {}
 
-  WYTHE_INLINE void take_part(int part) { run.access.take_part(part); }
+  WYTHE_INLINE void select_part(int part) { run.access.select_part(part); }
   WYTHE_INLINE void at(std::ptrdiff_t c, Work& work) const {
     const Real half(0.5);
     const Place e = place_of(c, run.access.rows(t.pose, t.edge_block, c), ends_of(c));
@@ -86,10 +86,10 @@ struct Edges {
     const Real x0 = ft0 * e.tx - fn0 * e.ty, y0 = ft0 * e.ty + fn0 * e.tx;
     const Real x1 = ft1 * e.tx - fn1 * e.ty, y1 = ft1 * e.ty + fn1 * e.tx;
     const Real moment = (e.e0.arm_x * y0 - e.e0.arm_y * x0) + (e.e1.arm_x * y1 - e.e1.arm_y * x1);
-    run.access.keep_rows({x0 + x1, y0 + y1, moment, Real(0.0)}, t.edge_block_force, c);
+    run.access.store_rows({x0 + x1, y0 + y1, moment, Real(0.0)}, t.edge_block_force, c);
     const Real share_0 = geometry(c, kShare0), share_1 = geometry(c, kShare1);
     const Real to_q_x = share_0 * x0 + share_1 * x1, to_q_y = share_0 * y0 + share_1 * y1;
-    run.access.keep_rows(
+    run.access.store_rows(
         {to_q_x - (x0 + x1), to_q_y - (y0 + y1), Real(0.0) - to_q_x, Real(0.0) - to_q_y},
         t.edge_force, c);
   }
@@ -137,7 +137,7 @@ struct Edges {
     std::ptrdiff_t c;
     WYTHE_OUTLINE FaceJump<Real> operator()() const {
       const Edges& of = *edges;
-      const Real dt = of.run.access.of_wall(of.t.wall, kTimeBefore);
+      const Real dt = of.run.access.wall_value(of.t.wall, kTimeBefore);
       Ends end = of.ends_of(c);
       end.px = end.px - dt * of.node(kNodeVx, of.t.edge_p, c);
       end.py = end.py - dt * of.node(kNodeVy, of.t.edge_p, c);
@@ -169,26 +169,26 @@ struct Nodes {
   WYTHE_INLINE Nodes(const Tables& tables, Access lanes, const Chunk&)
       : t(tables),
         access(lanes),
-        dt(access.of_wall(t.wall, kDt)),
-        damping(access.of_wall(t.wall, kDamping)),
-        gravity_x(access.of_wall(t.wall, kGravityX)),
-        gravity_y(access.of_wall(t.wall, kGravityY)) {}
+        dt(access.wall_value(t.wall, kDt)),
+        damping(access.wall_value(t.wall, kDamping)),
+        gravity_x(access.wall_value(t.wall, kGravityX)),
+        gravity_y(access.wall_value(t.wall, kGravityY)) {}
 
-  WYTHE_INLINE void take_part(int part) { access.take_part(part); }
+  WYTHE_INLINE void select_part(int part) { access.select_part(part); }
   WYTHE_INLINE void at(std::ptrdiff_t i, Work& work) const {
-    const Real heavy = own(i, kNodeHeavyMass), rate = own(i, kNodeRate);
+    const Real heavy = load_row(i, kNodeGravityMass), rate = load_row(i, kNodeRate);
     const Real load_x = heavy * gravity_x, load_y = heavy * gravity_y;
     Real sum_x, sum_y;
     gather(i, sum_x, sum_y);
     const Real fx = access.shared(t.node_free_x, i) * (sum_x + load_x);
     const Real fy = access.shared(t.node_free_y, i) * (sum_y + load_y);
-    keep(fx, i, kNodeTotalX);
-    keep(fy, i, kNodeTotalY);
+    store_row(fx, i, kNodeTotalX);
+    store_row(fy, i, kNodeTotalY);
     const auto advance = [&](NodeRow velocity, NodeRow place, Real force)
         __attribute__((always_inline)) {
-      const Moved<Real> moved = accelerate(own(i, velocity), force, rate, dt, damping);
-      keep(moved.velocity, i, velocity);
-      keep(own(i, place) + dt * moved.velocity, i, place);
+      const Moved<Real> moved = accelerate(load_row(i, velocity), force, rate, dt, damping);
+      store_row(moved.velocity, i, velocity);
+      store_row(load_row(i, place) + dt * moved.velocity, i, place);
       return moved;
     };
     const Moved<Real> x = advance(kNodeVx, kNodeUx, fx);
@@ -198,11 +198,11 @@ struct Nodes {
   }
 
  private:
-  [[nodiscard]] WYTHE_INLINE Real own(std::ptrdiff_t i, NodeRow row) const {
-    return access.own(t.node, i * kNodeRows + row);
+  [[nodiscard]] WYTHE_INLINE Real load_row(std::ptrdiff_t i, NodeRow row) const {
+    return access.load(t.node, i * kNodeRows + row);
   }
-  WYTHE_INLINE void keep(Real value, std::ptrdiff_t i, NodeRow row) const {
-    access.keep(value, t.node, i * kNodeRows + row);
+  WYTHE_INLINE void store_row(Real value, std::ptrdiff_t i, NodeRow row) const {
+    access.store(value, t.node, i * kNodeRows + row);
   }
 
   // Entries are places of the x component in rows of four, y follows.
@@ -230,8 +230,8 @@ struct Nodes {
       sum_x = sum_y = Real(0.0);
       each_entry(
           i, [&](const double* force, std::ptrdiff_t at) __attribute__((always_inline)) {
-            sum_x = sum_x + access.own(force, at);
-            sum_y = sum_y + access.own(force, at + 1);
+            sum_x = sum_x + access.load(force, at);
+            sum_y = sum_y + access.load(force, at + 1);
           });
     }
   }

@@ -15,38 +15,39 @@ WYTHE_INLINE double unbalance_of(const WallView& wall) {
       continue;
     }
     const BlockForce<double> f = contact_force(wall.t, i, wall.lane);
-    const double heavy = wall.block(i, kHeavyMass);
-    const double x = f.x + (wall.block(i, kLoadX) + heavy * wall.of_wall(kGravityX));
-    const double y = f.y + (wall.block(i, kLoadY) + heavy * wall.of_wall(kGravityY));
+    const double heavy = wall.block(i, kGravityMass);
+    const double x = f.x + (wall.block(i, kLoadX) + heavy * wall.wall_value(kGravityX));
+    const double y = f.y + (wall.block(i, kLoadY) + heavy * wall.wall_value(kGravityY));
     unbalanced += magnitude(x) + magnitude(y);
   }
   for (int i = 0; i < wall.nodes; ++i)
     unbalanced += magnitude(wall.node(i, kNodeTotalX)) + magnitude(wall.node(i, kNodeTotalY));
   for (int j = 0; j < wall.joints; ++j) {
     const double sides = j < wall.first_ground ? 2.0 : 1.0;
-    contact += sides * (magnitude(wall.of_four(wall.t.force, j, 0)) +
-                        magnitude(wall.of_four(wall.t.force, j, 1)));
+    contact += sides * (magnitude(wall.column_of(wall.t.force, j, 0)) +
+                        magnitude(wall.column_of(wall.t.force, j, 1)));
   }
   for (int c = 0; c < wall.edges; ++c) {
     const double sides = wall.t.edge_block[c] == wall.t.n_block ? 1.0 : 2.0;
-    contact += sides * (magnitude(wall.of_four(wall.t.edge_block_force, c, 0)) +
-                        magnitude(wall.of_four(wall.t.edge_block_force, c, 1)));
+    contact += sides * (magnitude(wall.column_of(wall.t.edge_block_force, c, 0)) +
+                        magnitude(wall.column_of(wall.t.edge_block_force, c, 1)));
   }
   for (int k = 0; k < wall.links; ++k) {
     const double sides = wall.t.link_a[k] == wall.t.n_block ? 1.0 : 2.0;
-    contact += sides * (magnitude(wall.of_four(wall.t.force, wall.joints + k, 0)) +
-                        magnitude(wall.of_four(wall.t.force, wall.joints + k, 1)));
+    contact += sides * (magnitude(wall.column_of(wall.t.force, wall.joints + k, 0)) +
+                        magnitude(wall.column_of(wall.t.force, wall.joints + k, 1)));
   }
   for (int k = 0; k < wall.frames; ++k) {
     const double sides = wall.t.frame_a[k] == wall.t.n_block ? 1.0 : 2.0;
     const std::ptrdiff_t row = wall.joints + wall.linked + k;
-    contact += sides * (magnitude(wall.of_four(wall.t.force, row, 0)) +
-                        magnitude(wall.of_four(wall.t.force, row, 1)));
+    contact += sides * (magnitude(wall.column_of(wall.t.force, row, 0)) +
+                        magnitude(wall.column_of(wall.t.force, row, 1)));
   }
   for (int k = 0; k < wall.crossings; ++k)
-    contact += 2.0 * (magnitude(wall.of_four(wall.t.force, wall.first_crossing + k, 0)) +
-                      magnitude(wall.of_four(wall.t.force, wall.first_crossing + k, 1)));
-  if (wall.first_free >= 0) contact += wall.of_four(wall.t.force, wall.first_free + wall.blocks, 3);
+    contact += 2.0 * (magnitude(wall.column_of(wall.t.force, wall.first_crossing + k, 0)) +
+                      magnitude(wall.column_of(wall.t.force, wall.first_crossing + k, 1)));
+  if (wall.first_free >= 0)
+    contact += wall.column_of(wall.t.force, wall.first_free + wall.blocks, 3);
   if (contact > 0) return unbalanced / contact;
   return unbalanced > 0 ? 1.0 : 0.0;
 }
@@ -72,23 +73,23 @@ WYTHE_INLINE double kinetic_of(const WallView& wall, const double* mass, const d
 WYTHE_INLINE double shear_of(const WallView& wall, double px, double py) {
   double sum = 0;  // the force on side a, the ground, resists with the opposite sign
   for (int j = wall.first_ground; j < wall.joints; ++j)
-    sum += wall.of_four(wall.t.force, j, 0) * px + wall.of_four(wall.t.force, j, 1) * py;
+    sum += wall.column_of(wall.t.force, j, 0) * px + wall.column_of(wall.t.force, j, 1) * py;
   for (int c = 0; c < wall.edges; ++c)
     if (wall.t.edge_block[c] == wall.t.n_block)
-      sum += wall.of_four(wall.t.edge_block_force, c, 0) * px +
-             wall.of_four(wall.t.edge_block_force, c, 1) * py;
+      sum += wall.column_of(wall.t.edge_block_force, c, 0) * px +
+             wall.column_of(wall.t.edge_block_force, c, 1) * py;
   for (int k = 0; k < wall.links; ++k)
     if (wall.t.link_a[k] == wall.t.n_block)
-      sum += wall.of_four(wall.t.force, wall.joints + k, 0) * px +
-             wall.of_four(wall.t.force, wall.joints + k, 1) * py;
+      sum += wall.column_of(wall.t.force, wall.joints + k, 0) * px +
+             wall.column_of(wall.t.force, wall.joints + k, 1) * py;
   for (int k = 0; k < wall.frames; ++k)
     if (wall.t.frame_a[k] == wall.t.n_block) {
       const std::ptrdiff_t row = wall.joints + wall.linked + k;
-      sum += wall.of_four(wall.t.force, row, 0) * px + wall.of_four(wall.t.force, row, 1) * py;
+      sum += wall.column_of(wall.t.force, row, 0) * px + wall.column_of(wall.t.force, row, 1) * py;
     }
   if (wall.first_free >= 0)
-    sum += wall.of_four(wall.t.force, wall.first_free + wall.blocks, 0) * px +
-           wall.of_four(wall.t.force, wall.first_free + wall.blocks, 1) * py;
+    sum += wall.column_of(wall.t.force, wall.first_free + wall.blocks, 0) * px +
+           wall.column_of(wall.t.force, wall.first_free + wall.blocks, 1) * py;
   return sum;
 }
 

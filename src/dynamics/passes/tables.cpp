@@ -60,7 +60,7 @@ std::int32_t place_all(const std::vector<Chunk>& chunks, Layout::Kind kind,
 // The histories of chunks, one behind the other.
 void place_points(std::vector<Chunk>& chunks, std::int32_t& numbers) {
   for (Chunk& chunk : chunks) {
-    chunk.rows = contact::remembered(chunk.choice);
+    chunk.rows = contact::history_size(chunk.choice);
     chunk.history = numbers;
     numbers += (chunk.end - chunk.begin) * chunk.points * chunk.rows;
   }
@@ -312,7 +312,7 @@ Tables make_tables(const Layout& l, const Model& m, int walls, Memory& memory) {
   t.n_block = l.blocks;
   // once to count, once to point
   const auto lanes = static_cast<std::size_t>(t.lanes);
-  std::size_t shared = 0, own = 0, ids = 0, ways = 0;
+  std::size_t shared = 0, own = 0, ids = 0, law_paths = 0;
   const auto count = [&](auto*& table, std::size_t n) {
     using T = std::remove_cvref_t<decltype(*table)>;
     if constexpr (std::is_same_v<T, double>) shared += n;
@@ -320,16 +320,16 @@ Tables make_tables(const Layout& l, const Model& m, int walls, Memory& memory) {
   };
   const auto count_own = [&](auto*& table, std::size_t n) {
     using T = std::remove_cvref_t<decltype(*table)>;
-    (std::is_same_v<T, double> ? own : ways) += n * lanes;
+    (std::is_same_v<T, double> ? own : law_paths) += n * lanes;
   };
   each_table(l, t, count, count_own);
   memory.shared.assign(shared, 0.0);
   memory.own.assign(own, 0.0);
   memory.ids.assign(ids, 0);
   memory.shapes.resize(m.solids.shapes.size());
-  memory.ways.assign(ways, 0);
+  memory.law_paths.assign(law_paths, 0);
   point_tables(l, t, memory.shared.data(), memory.own.data(), memory.ids.data(),
-               memory.shapes.data(), memory.ways.data());
+               memory.shapes.data(), memory.law_paths.data());
   Filler(l, m, t).fill();
   return t;
 }

@@ -63,7 +63,7 @@ enum BlockRow {
   kOmega,
   kRate,      // dt / (mass mass_scaling), dt / (inertia mass_scaling)
   kTurnRate,  //
-  kHeavyMass,
+  kGravityMass,
   kIsFree,  // 0: moved by the drive
   kLoadX,   // dead loads [N], [N m]
   kLoadY,
@@ -88,7 +88,7 @@ enum NodeRow {
   kNodeVx,
   kNodeVy,
   kNodeRate,
-  kNodeHeavyMass,
+  kNodeGravityMass,
   kNodeTotalX,  // forces with gravity, 0 where held [N]
   kNodeTotalY,
   kNodeMass,
@@ -203,7 +203,7 @@ struct Tables {
       *block_entry;                                   // joints of a block: as side a, then as b
   std::int32_t *block_edge_begin, *block_edge_entry;  // zone contacts of a block
   std::int32_t*
-      special;  // of a group (spot): a stage of some wall loads or drives one of its blocks
+      special;  // of a group (item): a stage of some wall loads or drives one of its blocks
   std::int32_t *edge_block, *edge_p, *edge_q;
   std::int32_t *link_a, *link_b;    // poses of the two ends
   std::int32_t *frame_a, *frame_b;  // the same of sections of frames
@@ -232,7 +232,7 @@ struct Tables {
   double* edge_block_force;  // rows of four: fx, fy, moment on the rigid block
   double* edge_force;        // rows of four: on nodes p and q
   double* wall;              // (kWallRows)
-  std::uint8_t *joint_way, *edge_way;  // that a face took in the last step (joints.h)
+  std::uint8_t *joint_law_path, *edge_law_path;  // that a face took in the last step (joints.h)
 };
 
 // How long each table is and which entity lies where.
@@ -300,7 +300,7 @@ struct Memory {
   Lines<double> shared, own;
   Lines<std::int32_t> ids;
   Lines<ZoneShape> shapes;
-  Lines<std::uint8_t> ways;
+  Lines<std::uint8_t> law_paths;
 };
 
 // visit(pointer, count) for every table; own(pointer, count) for those that each wall has for itself,
@@ -354,14 +354,14 @@ void each_table(const Layout& l, Tables& t, const Visit& visit, const Own& own) 
   own(t.edge_force, 4 * n(l.edges));
   own(t.pose, 4 * (n(l.blocks) + 1));
   own(t.wall, n(kWallRows));
-  own(t.joint_way, n(l.joints));
-  own(t.edge_way, n(l.edges));
+  own(t.joint_law_path, n(l.joints));
+  own(t.edge_law_path, n(l.edges));
 }
 
 // Points the tables into memory of this or another machine, laid out as Memory is.
 template <class Doubles, class Ids, class Shapes, class Bytes>
 void point_tables(const Layout& l, Tables& t, Doubles* shared, Doubles* own, Ids* ids,
-                  Shapes* shapes, Bytes* ways) {
+                  Shapes* shapes, Bytes* law_paths) {
   const auto take = [](auto*& table, auto*& next, std::size_t n) {
     table = next;
     next += n;
@@ -379,7 +379,7 @@ void point_tables(const Layout& l, Tables& t, Doubles* shared, Doubles* own, Ids
         if constexpr (std::is_same_v<T, double>)
           take(table, own, n * static_cast<std::size_t>(t.lanes));
         if constexpr (std::is_same_v<T, std::uint8_t>)
-          take(table, ways, n * static_cast<std::size_t>(t.lanes));
+          take(table, law_paths, n * static_cast<std::size_t>(t.lanes));
       });
 }
 

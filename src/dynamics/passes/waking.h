@@ -8,7 +8,7 @@ namespace wythe::dynamics {
 
 // All parts of all bodies whose boxes, widened by their margins, meet; without those whose joints still hold.
 template <class Bodies>
-auto FreeContacts<Bodies>::find_near(double dt, const View& wall) -> std::vector<Near> {
+auto FreeContacts<Bodies>::find_near(double dt, const View& wall) -> std::vector<NearPair> {
   std::vector<Box> boxes;
   for (std::int32_t body = 0; body < static_cast<std::int32_t>(travel_.size()); ++body) {
     const double speed = body < model_.n_block ? bodies_.speed_of(body, wall) : 0.0;
@@ -21,7 +21,7 @@ auto FreeContacts<Bodies>::find_near(double dt, const View& wall) -> std::vector
   const auto parts = [&](std::int32_t body) {
     return model_.free.part_begin[at(body) + 1] - model_.free.part_begin[at(body)];
   };
-  std::vector<Near> found;
+  std::vector<NearPair> found;
   found.reserve(near_.size());
   auto joints = jointed_.begin();
   for (const auto& pair : near_pairs(boxes, model_.n_block, 0.0)) {
@@ -36,30 +36,30 @@ auto FreeContacts<Bodies>::find_near(double dt, const View& wall) -> std::vector
 
 template <class Bodies>
 void FreeContacts<Bodies>::search(double dt, const View& wall) {
-  std::vector<Near> found = find_near(dt, wall);
-  std::vector<Watch> watch;
-  watch.reserve(found.size());
-  for (const Near& near : found) watch.push_back({near.a, near.b});
+  std::vector<NearPair> found = find_near(dt, wall);
+  std::vector<WakeLimit> wake_limit;
+  wake_limit.reserve(found.size());
+  for (const NearPair& near : found) wake_limit.push_back({near.a, near.b});
   // what is known of those that were there before
   std::size_t next = 0;
   for (std::size_t k = 0; k < near_.size(); ++k) {
-    Near& old = near_[k];
+    NearPair& old = near_[k];
     while (next < found.size() && key_of(found[next]) < key_of(old)) ++next;
     if (next < found.size() && key_of(found[next]) == key_of(old)) {
-      watch[next].until = left_of(watch_[k]);
+      wake_limit[next].until = left_of(wake_limits_[k]);
       found[next] = old;
     } else {
-      let_go(old);
+      release_slot(old);
     }
   }
   near_ = std::move(found);
-  watch_ = std::move(watch);
-  begin_ways();
+  wake_limits_ = std::move(wake_limit);
+  reset_travel();
   for (std::size_t i = 0; i < travel_.size(); ++i)
     travel_[i].rate = bodies_.rates_of(static_cast<std::int32_t>(i), wall).f;
-  for (Watch& each : watch_)
+  for (WakeLimit& each : wake_limits_)
     if (each.until > 0) let_sleep(each, each.until);
-  strayed_ = false;
+  needs_search_ = false;
   searched_ = true;
   ++searches_;
 }
@@ -67,26 +67,27 @@ void FreeContacts<Bodies>::search(double dt, const View& wall) {
 // Adds what the points of each body can have moved in the last step, at most.
 template <class Bodies>
 void FreeContacts<Bodies>::add_travel(double dt, const View& wall) {
-  bool strayed = false, finite = true;
-  bodies_.for_each_way(dt, wall, [&](std::int32_t body, const Vector<double>& now, double turned) {
-    Travel& travel = travel_[at(body)];
-    const Vector<double> went = now - travel.place;
-    const double turns = turned + rounding_;
-    const double way = way_[at(body)] + (Bodies::at_most(went) + turns);
-    way_[at(body)] = way;
-    strayed_by_[at(body)] += Bodies::at_most(went - dt * travel.rate) + turns;
-    travel.turned += turns;
-    travel.place = now;
-    strayed |= way > margin_[at(body)];
-    finite &= way < 1e300;  // nor is what is no number
-  });
-  strayed_ = strayed_ || strayed;
+  bool needs_search = false, finite = true;
+  bodies_.for_each_travel(
+      dt, wall, [&](std::int32_t body, const Vector<double>& now, double turned) {
+        Travel& travel = travel_[at(body)];
+        const Vector<double> went = now - travel.place;
+        const double turns = turned + rounding_;
+        const double travelled = travelled_[at(body)] + (Bodies::at_most(went) + turns);
+        travelled_[at(body)] = travelled;
+        deviation_[at(body)] += Bodies::at_most(went - dt * travel.rate) + turns;
+        travel.turned += turns;
+        travel.place = now;
+        needs_search |= travelled > margin_[at(body)];
+        finite &= travelled < 1e300;  // nor is what is no number
+      });
+  needs_search_ = needs_search_ || needs_search;
   finite_ = finite_ && finite;
 }
 
 // A pair whose time is up, by how its bodies have moved against each other.
 template <class Bodies>
-bool FreeContacts<Bodies>::sleeps_on(const Near& near, Watch& watch) const {
+bool FreeContacts<Bodies>::stays_asleep(const NearPair& near, WakeLimit& wake_limit) const {
   constexpr double kRounding = 1e-11;  // of what follows [m]
   if (!(near.apart > 0)) return false;
   const Travel &a = travel_[at(near.a)], &b = travel_[at(near.b)];
@@ -94,7 +95,7 @@ bool FreeContacts<Bodies>::sleeps_on(const Near& near, Watch& watch) const {
   const double left =
       near.apart - square_root(dot(drift, drift)) - (a.turned + b.turned - near.turned) - kRounding;
   if (!(left > 0)) return false;
-  let_sleep(watch, left);
+  let_sleep(wake_limit, left);
   return true;
 }
 
@@ -109,11 +110,11 @@ void FreeContacts<Bodies>::wake(const View& wall, Workers& workers) {
     is_in_play_[at(body)] = 1;
     in_play_.push_back(body);
   };
-  for (std::size_t k = 0; k < watch_.size(); ++k) {
-    Watch& watch = watch_[k];
-    if (left_of(watch) > 0 || sleeps_on(near_[k], watch)) continue;
+  for (std::size_t k = 0; k < wake_limits_.size(); ++k) {
+    WakeLimit& wake_limit = wake_limits_[k];
+    if (left_of(wake_limit) > 0 || stays_asleep(near_[k], wake_limit)) continue;
     awake_.push_back(k);
-    give_slot(near_[k]);
+    assign_slot(near_[k]);
     enters(near_[k].a);
     enters(near_[k].b);
   }
@@ -121,7 +122,8 @@ void FreeContacts<Bodies>::wake(const View& wall, Workers& workers) {
   const auto chunks = static_cast<int>((in_play_.size() + kBodyChunk - 1) / kBodyChunk);
   workers.for_each_chunk(chunks, [&](int chunk) {
     const std::size_t end = std::min(in_play_.size(), at(chunk + 1) * kBodyChunk);
-    for (std::size_t n = at(chunk) * kBodyChunk; n < end; ++n) bodies_.look_at(in_play_[n], wall);
+    for (std::size_t n = at(chunk) * kBodyChunk; n < end; ++n)
+      bodies_.cache_motion(in_play_[n], wall);
   });
 }
 

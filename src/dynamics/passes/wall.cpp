@@ -52,8 +52,8 @@ void each_number(const Layout& l, const Tables& t, const Model& m, const StateFi
 }
 
 // The law of each entity of chunks; of one material to all alike, and a group is filled up with its last.
-void put_laws(const Layout& l, const Tables& t, int lane, const Model& m,
-              const std::vector<Chunk>& chunks, const std::vector<std::int32_t>& material) {
+void load_laws(const Layout& l, const Tables& t, int lane, const Model& m,
+               const std::vector<Chunk>& chunks, const std::vector<std::int32_t>& material) {
   const int group = l.kind == Layout::kWalls ? 1 : kGroup;
   for (const Chunk& chunk : chunks) {
     const int filled = chunk.graded ? (chunk.end - chunk.begin) * group : group;
@@ -68,7 +68,7 @@ void put_laws(const Layout& l, const Tables& t, int lane, const Model& m,
   }
 }
 
-void put_links(const WallView& wall, const Links& links) {
+void load_links(const WallView& wall, const Links& links) {
   for (int k = 0; k < links.n; ++k) {
     const auto put = [&](LinkRowName row, const std::vector<double>& of) {
       wall.link(k, row) = of[k];
@@ -88,7 +88,7 @@ void put_links(const WallView& wall, const Links& links) {
   }
 }
 
-void put_frames(const WallView& wall, const Frames& frames) {
+void load_frames(const WallView& wall, const Frames& frames) {
   for (int k = 0; k < frames.n; ++k) {
     const auto put = [&](FrameRowName row, const std::vector<double>& of) {
       wall.frame(k, row) = of[k];
@@ -110,7 +110,7 @@ void put_frames(const WallView& wall, const Frames& frames) {
   }
 }
 
-void put_layers(const WallView& wall, const Layers& layers) {
+void load_layers(const WallView& wall, const Layers& layers) {
   constexpr double kShare = 0.5;  // of what would bring a node into balance (22.6)
   double behind = 0;
   for (int k = 0; k < layers.n; ++k) {
@@ -161,17 +161,17 @@ WallView view_of(const Layout& l, const Model& m, const Tables& t, int lane) {
   return view;
 }
 
-void put_wall(const Layout& l, const Tables& t, int lane, const Model& m, const State& s) {
-  put_laws(l, t, lane, m, l.chunks[kJoints], m.joint_material);
-  put_laws(l, t, lane, m, l.chunks[kEdges], m.solids.contact_material);
+void load_lane(const Layout& l, const Tables& t, int lane, const Model& m, const State& s) {
+  load_laws(l, t, lane, m, l.chunks[kJoints], m.joint_material);
+  load_laws(l, t, lane, m, l.chunks[kEdges], m.solids.contact_material);
   for (const StateField& field : kStateFields)
     each_number(l, t, m, field, [&](std::size_t i, double* to) { to[lane] = (s.*field.array)[i]; });
   // no face is known to be whole any more
-  std::fill_n(t.joint_way, l.joints * t.lanes, std::uint8_t{0});
-  std::fill_n(t.edge_way, l.edges * t.lanes, std::uint8_t{0});
+  std::fill_n(t.joint_law_path, l.joints * t.lanes, std::uint8_t{0});
+  std::fill_n(t.edge_law_path, l.edges * t.lanes, std::uint8_t{0});
   const WallView wall = view_of(l, m, t, lane);
   for (int i = 0; i < m.n_block; ++i) {
-    wall.block(i, kHeavyMass) = m.heavy_mass[i];
+    wall.block(i, kGravityMass) = m.gravity_mass[i];
     wall.block(i, kIsFree) = 1;
     wall.block(i, kLoadX) = wall.block(i, kLoadY) = wall.block(i, kLoadM) = 0;
     wall.cold(i, kMass) = m.mass[i];
@@ -183,13 +183,13 @@ void put_wall(const Layout& l, const Tables& t, int lane, const Model& m, const 
     for (const BlockId block : stage.driven) wall.special(block) = 1;
   }
   for (int i = 0; i < m.solids.n_node; ++i) {
-    wall.node(i, kNodeHeavyMass) = m.solids.node_heavy_mass[i];
+    wall.node(i, kNodeGravityMass) = m.solids.node_gravity_mass[i];
     wall.node(i, kNodeMass) = m.solids.node_mass[i];
   }
-  put_links(wall, m.links);
-  put_frames(wall, m.frames);
-  put_layers(wall, m.layers);
-  wall.of_four(t.pose, t.n_block, 2) = 1;  // the ground's cosine
+  load_links(wall, m.links);
+  load_frames(wall, m.frames);
+  load_layers(wall, m.layers);
+  wall.column_of(t.pose, t.n_block, 2) = 1;  // the ground's cosine
   turn_all(wall);
 }
 
@@ -238,7 +238,7 @@ void hold_still(const WallView& wall, const Model& m, int stage) {
   }
 }
 
-void read_wall(const Layout& l, const Tables& t, int lane, const Model& m, State& s) {
+void store_lane(const Layout& l, const Tables& t, int lane, const Model& m, State& s) {
   for (const StateField& field : kStateFields)
     each_number(l, t, m, field,
                 [&](std::size_t i, const double* from) { (s.*field.array)[i] = from[lane]; });
@@ -247,8 +247,8 @@ void read_wall(const Layout& l, const Tables& t, int lane, const Model& m, State
 void turn_all(const WallView& wall) {
   for (int i = 0; i < wall.blocks; ++i) {
     const SinCos<double> half = sin_cos(0.5 * wall.block(i, kTheta));
-    wall.of_four(wall.t.pose, i, 2) = half.cos;
-    wall.of_four(wall.t.pose, i, 3) = half.sin;
+    wall.column_of(wall.t.pose, i, 2) = half.cos;
+    wall.column_of(wall.t.pose, i, 3) = half.sin;
   }
 }
 

@@ -43,30 +43,30 @@ struct WallView {
   WYTHE_INLINE double& layer(std::ptrdiff_t k, LayerRowName row) const {
     return number(t.layer, kLayerRows, k, row);
   }
-  WYTHE_INLINE double& ux(std::ptrdiff_t i) const { return of_four(t.pose, i, 0); }
-  WYTHE_INLINE double& uy(std::ptrdiff_t i) const { return of_four(t.pose, i, 1); }
+  WYTHE_INLINE double& ux(std::ptrdiff_t i) const { return column_of(t.pose, i, 0); }
+  WYTHE_INLINE double& uy(std::ptrdiff_t i) const { return column_of(t.pose, i, 1); }
   WYTHE_INLINE std::int32_t& special(std::ptrdiff_t i) const { return t.special[i >> shift]; }
   // Column c of a row of four.
-  WYTHE_INLINE double& of_four(double* rows, std::ptrdiff_t e, int c) const {
+  WYTHE_INLINE double& column_of(double* rows, std::ptrdiff_t e, int c) const {
     return rows[(4 * e + c) * t.lanes + lane];
   }
-  WYTHE_INLINE double& of_wall(WallRow row) const { return t.wall[row * t.lanes + lane]; }
+  WYTHE_INLINE double& wall_value(WallRow row) const { return t.wall[row * t.lanes + lane]; }
 };
 
 [[nodiscard]] WallView view_of(const Layout& layout, const Model& model, const Tables& tables,
                                int lane);
 
 // A wall takes a lane: what it has for itself and where it is. Its time step is still to be set.
-void put_wall(const Layout& layout, const Tables& tables, int lane, const Model& model,
-              const State& state);
+void load_lane(const Layout& layout, const Tables& tables, int lane, const Model& model,
+               const State& state);
 // Of a wall alone in its tables whose stages cut openings: joints and sections of what does not stand in the state's
 // stage have no force, and its blocks keep still.
 void stand(const Layout& layout, const Tables& tables, const Model& model, const State& state);
 // The latter alone, after a drive has chosen its blocks.
 void hold_still(const WallView& wall, const Model& model, int stage);
 // Its motion and history, into the state's own arrays.
-void read_wall(const Layout& layout, const Tables& tables, int lane, const Model& model,
-               State& state);
+void store_lane(const Layout& layout, const Tables& tables, int lane, const Model& model,
+                State& state);
 // The pose of every block, from where it is.
 void turn_all(const WallView& wall);
 

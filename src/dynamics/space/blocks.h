@@ -56,26 +56,26 @@ struct Blocks {
   WYTHE_INLINE Blocks(const Tables& tables, Access lanes, const Chunk&)
       : t(tables),
         access(lanes),
-        dt(access.of_wall(t.wall, kStep)),
-        lambda(access.of_wall(t.wall, kLambda)),
-        gravity{access.of_wall(t.wall, kGravity), access.of_wall(t.wall, kGravity + 1),
-                access.of_wall(t.wall, kGravity + 2)} {}
+        dt(access.wall_value(t.wall, kStep)),
+        lambda(access.wall_value(t.wall, kLambda)),
+        gravity{access.wall_value(t.wall, kGravity), access.wall_value(t.wall, kGravity + 1),
+                access.wall_value(t.wall, kGravity + 2)} {}
 
-  WYTHE_INLINE void take_part(int part) { access.take_part(part); }
+  WYTHE_INLINE void select_part(int part) { access.select_part(part); }
   WYTHE_INLINE void at(std::ptrdiff_t i, Work& work) const {
     const Real zero(0.0), half(0.5);
     const bool special = t.special[i] != 0;
     const Load<Real> contact = gather(i);
-    Load<Real> load{own(i, kHeavy) * gravity, {zero, zero, zero}};
+    Load<Real> load{load_row(i, kGravityMass) * gravity, {zero, zero, zero}};
     if (special) load = {vector(i, kLoad) + load.f, vector(i, kLoadMoment)};
     const Vector<Real> f = contact.f + load.f, m = contact.m + load.m;
 
-    const Rows<Real> shift = access.own_rows(t.shift, i), turn = access.own_rows(t.turn, i);
+    const Rows<Real> shift = access.load_rows(t.shift, i), turn = access.load_rows(t.turn, i);
     const Quaternion<Real> q{shift.c3, {turn.c0, turn.c1, turn.c2}};
     const Inertia<Real> body = inertia(i);
 
     const Vector<Real> v0 = vector(i, kV), damped = damping_of(f, v0, lambda, t.damps_components);
-    const Vector<Real> v = v0 + own(i, kMassRate) * (f + damped);
+    const Vector<Real> v = v0 + load_row(i, kMassRate) * (f + damped);
     const Vector<Real> mean_v = half * (v0 + v);
 
     const Vector<Real> l0 = vector(i, kL);
@@ -90,7 +90,7 @@ struct Blocks {
     Real loads = dt * (dot(load.f, mean_v) + dot(load.m, mean_rate));
     Real damping = dt * (dot(damped, mean_v) + dot(braked, mean_rate));
     if (special) {
-      const auto is_free = own(i, kFree) > zero;
+      const auto is_free = load_row(i, kFree) > zero;
       const auto chosen = [&](const Vector<Real>& a, const Vector<Real>& b) {
         return Vector<Real>{select(is_free, a.x, b.x), select(is_free, a.y, b.y),
                             select(is_free, a.z, b.z)};
@@ -103,29 +103,29 @@ struct Blocks {
       damping = select(is_free, damping, zero);
     }
     work = {work.loads + loads, work.damping + damping};
-    keep(v1, i, kV);
-    keep(l1, i, kL);
-    access.keep_rows({u.x, u.y, u.z, q1.w}, t.shift, i);
-    access.keep_rows({q1.v.x, q1.v.y, q1.v.z, zero}, t.turn, i);
+    store_vector(v1, i, kV);
+    store_vector(l1, i, kL);
+    access.store_rows({u.x, u.y, u.z, q1.w}, t.shift, i);
+    access.store_rows({q1.v.x, q1.v.y, q1.v.z, zero}, t.turn, i);
   }
 
  private:
-  [[nodiscard]] WYTHE_INLINE Real own(std::ptrdiff_t i, int row) const {
-    return access.own(t.body, i * kBodyRows + row);
+  [[nodiscard]] WYTHE_INLINE Real load_row(std::ptrdiff_t i, int row) const {
+    return access.load(t.body, i * kBodyRows + row);
   }
   [[nodiscard]] WYTHE_INLINE Vector<Real> vector(std::ptrdiff_t i, int row) const {
-    return {own(i, row), own(i, row + 1), own(i, row + 2)};
+    return {load_row(i, row), load_row(i, row + 1), load_row(i, row + 2)};
   }
-  WYTHE_INLINE void keep(const Vector<Real>& v, std::ptrdiff_t i, int row) const {
-    access.keep(v.x, t.body, i * kBodyRows + row);
-    access.keep(v.y, t.body, i * kBodyRows + row + 1);
-    access.keep(v.z, t.body, i * kBodyRows + row + 2);
+  WYTHE_INLINE void store_vector(const Vector<Real>& v, std::ptrdiff_t i, int row) const {
+    access.store(v.x, t.body, i * kBodyRows + row);
+    access.store(v.y, t.body, i * kBodyRows + row + 1);
+    access.store(v.z, t.body, i * kBodyRows + row + 2);
   }
   [[nodiscard]] WYTHE_INLINE Inertia<Real> inertia(std::ptrdiff_t i) const {
     Inertia<Real> body;
     for (int k = 0; k < 3; ++k) {
       body.axis[k] = shared_vector<Real>(access, t.axes, i * kAxisRows + 3 * k);
-      body.inverse[k] = own(i, kInverse + k);
+      body.inverse[k] = load_row(i, kInverse + k);
     }
     return body;
   }

@@ -10,7 +10,7 @@
 
 namespace wythe::dynamics::space {
 
-struct Brakes {
+struct DashpotState {
   struct Twist {
     Vec v, rate;
   };
@@ -21,7 +21,7 @@ struct Brakes {
   MaxwellStresses maxwell;                        // outlives the step
 };
 
-inline Brakes::Twist twist_of(std::ptrdiff_t i, const WallView& w) {
+inline DashpotState::Twist twist_of(std::ptrdiff_t i, const WallView& w) {
   Inertia<double> body;
   for (int k = 0; k < 3; ++k) {
     const auto axis = [&](int c) { return w.t.axes[w.layout->number(i, kAxisRows, 3 * k + c, 1)]; };
@@ -35,27 +35,28 @@ inline Brakes::Twist twist_of(std::ptrdiff_t i, const WallView& w) {
 // Of a support in its last step.
 inline Vec velocity_of(std::int32_t support, const WallView& w) {
   if (!w.is_driven_support(support)) return {0, 0, 0};
-  const Vec step{w.of_wall(kSupportStep), w.of_wall(kSupportStep + 1), w.of_wall(kSupportStep + 2)};
-  return (1 / w.of_wall(kStep)) * step;
+  const Vec step{w.wall_value(kSupportStep), w.wall_value(kSupportStep + 1),
+                 w.wall_value(kSupportStep + 2)};
+  return (1 / w.wall_value(kStep)) * step;
 }
 
-inline void prepare_brakes(const WallView& w, const Model& m, Brakes& brakes) {
+inline void prepare_dashpots(const WallView& w, const Model& m, DashpotState& dashpot_state) {
   const auto at = [](std::int64_t i) { return static_cast<std::size_t>(i); };
-  if (brakes.friction.empty())
+  if (dashpot_state.friction.empty())
     for (const std::int32_t material : m.joint_material)
-      brakes.friction.push_back(contact::constants_of(m.materials[at(material)]).tan_res);
-  brakes.load.resize(at(m.n_joint));
-  brakes.before.resize(at(m.n_block));
-  for (int i = 0; i < m.n_block; ++i) brakes.before[at(i)] = twist_of(i, w);
-  brakes.support.resize(at(m.space.n_support));
-  for (int i = 0; i < m.space.n_support; ++i) brakes.support[at(i)] = velocity_of(i, w);
+      dashpot_state.friction.push_back(contact::constants_of(m.materials[at(material)]).tan_res);
+  dashpot_state.load.resize(at(m.n_joint));
+  dashpot_state.before.resize(at(m.n_block));
+  for (int i = 0; i < m.n_block; ++i) dashpot_state.before[at(i)] = twist_of(i, w);
+  dashpot_state.support.resize(at(m.space.n_support));
+  for (int i = 0; i < m.space.n_support; ++i) dashpot_state.support[at(i)] = velocity_of(i, w);
 }
 
 // Viscous forces of a face whose gap and the gap's rate are known.
 template <class Face>
-contact::BlockLoads<double> brake_face(const Face& face, const contact::FaceGap<double>& rate,
-                                       const Chunk& chunk, int n, const WallView& w, const Model& m,
-                                       const Controls& controls, Brakes& brakes) {
+contact::BlockLoads<double> damp_face(const Face& face, const contact::FaceGap<double>& rate,
+                                      const Chunk& chunk, int n, const WallView& w, const Model& m,
+                                      const Controls& controls, DashpotState& dashpot_state) {
   const auto j = static_cast<std::size_t>(chunk.first + n);
   const Dashpots& dashpots = *controls.dashpots;
   const double dt = controls.dt, c_n = dashpots.normal[j], c_s = dashpots.shear[j];
@@ -76,18 +77,19 @@ contact::BlockLoads<double> brake_face(const Face& face, const contact::FaceGap<
     const Vec g = gap.j + r1 * gap.a + r2 * gap.b, v = rate.j + r1 * rate.a + r2 * rate.b;
     PointStress spring{0, 0, 0};
     if (maxwell.gain > 0) {
-      const PointStress q = brakes.maxwell.of(p);
+      const PointStress q = dashpot_state.maxwell.of(p);
       spring = {maxwell.of(q.normal, law.normal_stiffness, dt * v.z),
                 maxwell.of(q.shear_1, law.shear_stiffness, dt * v.x),
                 maxwell.of(q.shear_2, law.shear_stiffness, dt * v.y)};
     }
     const double open = g.z + history(1);
     const double closed = rebound ? share_of_first_step(open, dt * v.z) : 1.0;
-    const ViscousStress both = brake_point(
-        {law.normal_stiffness * open, law.shear_stiffness * (g.x - history(2)),
-         law.shear_stiffness * (g.y - history(chunk.rows - 1))},
-        {closed * c_n * v.z, closed * c_s * v.x, closed * c_s * v.y}, spring, brakes.friction[j]);
-    if (maxwell.gain > 0) brakes.maxwell.keep(p, both.spring);
+    const ViscousStress both =
+        damp_point({law.normal_stiffness * open, law.shear_stiffness * (g.x - history(2)),
+                    law.shear_stiffness * (g.y - history(chunk.rows - 1))},
+                   {closed * c_n * v.z, closed * c_s * v.x, closed * c_s * v.y}, spring,
+                   dashpot_state.friction[j]);
+    if (maxwell.gain > 0) dashpot_state.maxwell.store(p, both.spring);
     const PointStress& viscous = both.all;
     const Vec f = share * Vec{viscous.shear_1, viscous.shear_2, viscous.normal};
     sum.f = sum.f + f;
@@ -97,61 +99,62 @@ contact::BlockLoads<double> brake_face(const Face& face, const contact::FaceGap<
   return face.loads(sum);
 }
 
-inline contact::BlockLoads<double> brake_joint(const Chunk& chunk, int n, const WallView& w,
-                                               const Model& m, const Controls& controls,
-                                               Brakes& brakes) {
+inline contact::BlockLoads<double> damp_joint(const Chunk& chunk, int n, const WallView& w,
+                                              const Model& m, const Controls& controls,
+                                              DashpotState& dashpot_state) {
   const auto at = [](std::int64_t i) { return static_cast<std::size_t>(i); };
   const std::size_t j = at(chunk.first + n);
   const Space& s = m.space;
   const auto pose = [&](BlockId i) { return contact::Pose<double>{w.shift(i), w.turn(i)}; };
   const BlockId a = m.joint_a[j], b = m.joint_b[j];
-  const Brakes::Twist& tb = brakes.before[at(b)];
+  const DashpotState::Twist& tb = dashpot_state.before[at(b)];
   if (static_cast<int>(j) >= m.n_pair) {
-    const auto support = [&](int c) { return w.of_four(w.t.support, a - m.n_block, c); };
+    const auto support = [&](int c) { return w.column_of(w.t.support, a - m.n_block, c); };
     const contact::SupportFace<double> face({support(0), support(1), support(2)}, pose(b),
                                             vec(s.arm_b[j]), vec(s.tangent[j]), vec(s.normal[j]));
     // t1 and t2 of the block turn with it
     const auto turns = [&](const Vec& grown, const Vec& unit) {
       return face.frame.in(cross(tb.rate, face.frame.out(grown) + unit));
     };
-    const Vec jump = tb.v + cross(tb.rate, face.arm_b) - brakes.support[at(a - m.n_block)];
-    return brake_face(face,
-                      {face.frame.in(jump), turns(face.grown_1, face.frame.t1),
-                       turns(face.grown_2, face.frame.t2)},
-                      chunk, n, w, m, controls, brakes);
+    const Vec jump = tb.v + cross(tb.rate, face.arm_b) - dashpot_state.support[at(a - m.n_block)];
+    return damp_face(face,
+                     {face.frame.in(jump), turns(face.grown_1, face.frame.t1),
+                      turns(face.grown_2, face.frame.t2)},
+                     chunk, n, w, m, controls, dashpot_state);
   }
-  const Brakes::Twist& ta = brakes.before[at(a)];
+  const DashpotState::Twist& ta = dashpot_state.before[at(a)];
   const contact::PairFace<double> face(pose(a), pose(b), vec(s.arm_a[j]), vec(s.arm_b[j]),
                                        vec(s.tangent[j]), vec(s.normal[j]));
   const Vec mean = 0.5 * (ta.rate + tb.rate);
   const Vec jump = (tb.v + cross(tb.rate, face.arm_b)) - (ta.v + cross(ta.rate, face.arm_a)) -
                    cross(mean, face.jump);
   const Vec d = face.frame.in(tb.rate - ta.rate);
-  return brake_face(face, {face.frame.in(jump), {0, d.z, -d.y}, {-d.z, 0, d.x}}, chunk, n, w, m,
-                    controls, brakes);
+  return damp_face(face, {face.frame.in(jump), {0, d.z, -d.y}, {-d.z, 0, d.x}}, chunk, n, w, m,
+                   controls, dashpot_state);
 }
 
 // Viscous forces of all joints, added to those of the law.
-inline void brake_joints(const WallView& w, const Model& m, const Controls& controls,
-                         Brakes& brakes) {
-  prepare_brakes(w, m, brakes);
-  if (!(controls.dashpots->spring_share > 0)) brakes.maxwell.let_go();
-  brakes.maxwell.bears = controls.dashpots->spring_share > 0;
+inline void damp_joints(const WallView& w, const Model& m, const Controls& controls,
+                        DashpotState& dashpot_state) {
+  prepare_dashpots(w, m, dashpot_state);
+  if (!(controls.dashpots->spring_share > 0)) dashpot_state.maxwell.set_zero();
+  dashpot_state.maxwell.bears = controls.dashpots->spring_share > 0;
   for (const Chunk& chunk : w.layout->joints)
     for (int n = 0; n < chunk.n; ++n) {
       const auto j = static_cast<std::size_t>(chunk.first + n);
-      brakes.load[j] = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+      dashpot_state.load[j] = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
       if (w.t.face[w.layout->number(w.layout->joint_place[j], kFaceRows, kFaceArea, 1)] == 0) {
-        for (int p = m.space.point_begin[j]; brakes.maxwell.bears && p < m.space.point_begin[j + 1];
-             ++p)
-          brakes.maxwell.keep(static_cast<std::size_t>(p), {0, 0, 0});
+        for (int p = m.space.point_begin[j];
+             dashpot_state.maxwell.bears && p < m.space.point_begin[j + 1]; ++p)
+          dashpot_state.maxwell.store(static_cast<std::size_t>(p), {0, 0, 0});
         continue;  // a free contact has its place
       }
-      const contact::BlockLoads<double> l = brake_joint(chunk, n, w, m, controls, brakes);
-      brakes.load[j] = l;
+      const contact::BlockLoads<double> l = damp_joint(chunk, n, w, m, controls, dashpot_state);
+      dashpot_state.load[j] = l;
       const std::int32_t e = w.layout->joint_place[j];
       const auto add = [&](double* rows, const Vec& v) {
-        w.of_four(rows, e, 0) += v.x, w.of_four(rows, e, 1) += v.y, w.of_four(rows, e, 2) += v.z;
+        w.column_of(rows, e, 0) += v.x, w.column_of(rows, e, 1) += v.y,
+            w.column_of(rows, e, 2) += v.z;
       };
       add(w.t.force, l.f);
       if (static_cast<int>(j) < m.n_pair) add(w.t.moment_a, l.on_a);
@@ -160,24 +163,25 @@ inline void brake_joints(const WallView& w, const Model& m, const Controls& cont
 }
 
 // What the dashpots took in the step that is over [J].
-inline double braking_work(const WallView& w, const Model& m, const Brakes& brakes, double dt) {
+inline double dashpot_work(const WallView& w, const Model& m, const DashpotState& dashpot_state,
+                           double dt) {
   const auto at = [](std::int64_t i) { return static_cast<std::size_t>(i); };
   std::vector<Load<double>> on(at(m.n_block), Load<double>{{0, 0, 0}, {0, 0, 0}});
   double power = 0;
-  for (std::size_t j = 0; j < brakes.load.size(); ++j) {
-    const contact::BlockLoads<double>& l = brakes.load[j];
+  for (std::size_t j = 0; j < dashpot_state.load.size(); ++j) {
+    const contact::BlockLoads<double>& l = dashpot_state.load[j];
     Load<double>& b = on[at(m.joint_b[j])];
     b = {b.f - l.f, b.m + l.on_b};
     if (static_cast<int>(j) >= m.n_pair) {
       const std::int32_t support = m.joint_a[j] - m.n_block;
-      power += 0.5 * dot(l.f, brakes.support[at(support)] + velocity_of(support, w));
+      power += 0.5 * dot(l.f, dashpot_state.support[at(support)] + velocity_of(support, w));
       continue;
     }
     Load<double>& a = on[at(m.joint_a[j])];
     a = {a.f + l.f, a.m + l.on_a};
   }
   for (int i = 0; i < m.n_block; ++i) {
-    const Brakes::Twist now = twist_of(i, w), &before = brakes.before[at(i)];
+    const DashpotState::Twist now = twist_of(i, w), &before = dashpot_state.before[at(i)];
     power += 0.5 * (dot(on[at(i)].f, before.v + now.v) + dot(on[at(i)].m, before.rate + now.rate));
   }
   return dt * power;
@@ -189,7 +193,7 @@ inline void add_carried(const WallView& w, const Model& m, const State& s) {
   if (now >= m.stages.size()) return;
   const Vec base{s.gravity_x, s.gravity_y + m.solve.gravity, s.gravity_z};
   for (const PointLoad& mass : m.stages[now].carried)
-    w.put_body(w.body_vector(mass.block, kLoad) + mass.fx * base, mass.block, kLoad);
+    w.store_body_vector(w.body_vector(mass.block, kLoad) + mass.fx * base, mass.block, kLoad);
 }
 
 // Velocities fall as exp(-alpha t): the work of that in a step [J].
@@ -198,11 +202,11 @@ inline double damp_by_mass(const WallView& w, double alpha, double dt) {
   double energy = 0;
   for (int i = 0; i < w.blocks; ++i) {
     if (!(w.body(i, kFree) > 0)) continue;
-    const Brakes::Twist twist = twist_of(i, w);
+    const DashpotState::Twist twist = twist_of(i, w);
     const Vec l = w.body_vector(i, kL);
     energy += w.still(i, kBodyMass) * dot(twist.v, twist.v) + dot(l, twist.rate);
-    w.put_body(kept * twist.v, i, kV);
-    w.put_body(kept * l, i, kL);
+    w.store_body_vector(kept * twist.v, i, kV);
+    w.store_body_vector(kept * l, i, kL);
   }
   return 0.5 * energy * (kept * kept - 1);
 }

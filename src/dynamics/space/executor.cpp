@@ -53,7 +53,7 @@ class SpaceWallAccess final : public WallAccess {
   void choose_driven(const std::vector<BlockId>& blocks) override {
     space::choose_driven(view_, blocks);
   }
-  void bring_up(State& state) const override { processor_.bring_up(lane_, state); }
+  void store_state(State& state) const override { processor_.store_state(lane_, state); }
 
  private:
   [[nodiscard]] const ZoneRun* zones() const { return processor_.zones(lane_); }
@@ -83,7 +83,7 @@ SpaceProcessor::SpaceProcessor(const Model& model, int lanes, int threads, const
   for (int lane = 0; lane < lanes; ++lane) {
     Wall& wall = wall_[lane];
     wall.view = view_of(layout_, model_, bank_[lane / width_].tables, lane % width_);
-    put_wall(wall.view, model_, rest_);
+    load_lane(wall.view, model_, rest_);
     set(lane, {});
   }
   if (model_.free.any() && lanes == 1)
@@ -94,27 +94,27 @@ SpaceProcessor::~SpaceProcessor() = default;
 
 FreeCounts SpaceProcessor::free_counts() const { return free_ ? free_->counts() : FreeCounts{}; }
 
-void SpaceProcessor::put(int lane, const Model& model, State& state) {
+void SpaceProcessor::load_wall(int lane, const Model& model, State& state) {
   Wall& wall = wall_[lane];
   wall.model = &model;
   wall.state = &state;
-  wall.brakes = {};
+  wall.dashpot_state = {};
   wall.has_stepped = false;
-  wall.brakes.maxwell.put(state);
-  put_wall(wall.view, model, state);
-  if (free_) free_->put(state, wall.view);
+  wall.dashpot_state.maxwell.load_state(state);
+  load_lane(wall.view, model, state);
+  if (free_) free_->load_state(state, wall.view);
   wall.zones.reset();
   if (model.space.solids.n_zone > 0) wall.zones = std::make_unique<ZoneRun>(model, state);
   set(lane, {});
 }
 
-void SpaceProcessor::drop(int lane) {
+void SpaceProcessor::unload_wall(int lane) {
   Wall& wall = wall_[lane];
-  bring_up(lane, *wall.state);
+  store_state(lane, *wall.state);
   wall.model = nullptr;
   wall.state = nullptr;
   wall.zones.reset();
-  put_wall(wall.view, model_, rest_);  // at rest: costs least
+  load_lane(wall.view, model_, rest_);  // at rest: costs least
   set(lane, {});
 }
 
@@ -127,9 +127,9 @@ void SpaceProcessor::set(int lane, const Controls& controls) {
   const bool same =
       wall.controls.dt == controls.dt && wall.controls.mass_scaling == controls.mass_scaling;
   wall.controls = controls;
-  wall.view.of_wall(kStep) = controls.dt;
-  wall.view.of_wall(kLambda) = controls.damping;
-  wall.view.of_wall(kTimeBefore) = time_before(controls);
+  wall.view.wall_value(kStep) = controls.dt;
+  wall.view.wall_value(kLambda) = controls.damping;
+  wall.view.wall_value(kTimeBefore) = time_before(controls);
   // from the clock alone, where a stage says it: the same bits after a restart
   if (std::isfinite(controls.drive_before))
     keep_support_step(wall, controls.drive_before);
@@ -142,9 +142,9 @@ void SpaceProcessor::set(int lane, const Controls& controls) {
 void SpaceProcessor::keep_support_step(Wall& wall, double velocity) {
   const Controls& c = wall.controls;
   const Vec step = c.push == nullptr ? Vec{0, 0, 0} : (c.dt * velocity) * vec(c.push->drive());
-  wall.view.of_wall(kSupportStep) = step.x;
-  wall.view.of_wall(kSupportStep + 1) = step.y;
-  wall.view.of_wall(kSupportStep + 2) = step.z;
+  wall.view.wall_value(kSupportStep) = step.x;
+  wall.view.wall_value(kSupportStep + 1) = step.y;
+  wall.view.wall_value(kSupportStep + 2) = step.z;
 }
 
 void SpaceProcessor::begin_step() {
@@ -163,7 +163,7 @@ void SpaceProcessor::begin_step() {
                          : state.load_scale[k],
                    wall.view);
     if (wall.view.links > 0 && wall.controls.dt > 0) {
-      const LinkWork work = pull_links(wall.view, links_set(*wall.model, state));
+      const LinkWork work = add_link_forces(wall.view, links_set(*wall.model, state));
       state.dissipated_friction += work.dissipated;
       state.work_loads += work.tensioned;
     }
@@ -171,19 +171,19 @@ void SpaceProcessor::begin_step() {
     if (wall.controls.mass_damping > 0)
       wall.state->work_damping +=
           damp_by_mass(wall.view, wall.controls.mass_damping, wall.controls.dt);
-    wall.view.of_wall(kGravity) = state.gravity_x;
-    wall.view.of_wall(kGravity + 1) = state.gravity_y;
-    wall.view.of_wall(kGravity + 2) = state.gravity_z;
+    wall.view.wall_value(kGravity) = state.gravity_x;
+    wall.view.wall_value(kGravity + 1) = state.gravity_y;
+    wall.view.wall_value(kGravity + 2) = state.gravity_z;
   }
 }
 
-void SpaceProcessor::brake() {
+void SpaceProcessor::apply_dashpots() {
   for (Wall& wall : wall_) {
     if (wall.model == nullptr || !(wall.controls.dt > 0)) continue;
     if (wall.controls.dashpots == nullptr)
-      wall.brakes.maxwell.let_go();
+      wall.dashpot_state.maxwell.set_zero();
     else
-      brake_joints(wall.view, *wall.model, wall.controls, wall.brakes);
+      damp_joints(wall.view, *wall.model, wall.controls, wall.dashpot_state);
   }
 }
 
@@ -224,15 +224,15 @@ void SpaceProcessor::run(Pass pass) {
   }
 }
 
-void SpaceProcessor::bring_up(int lane, State& state) const {
+void SpaceProcessor::store_state(int lane, State& state) const {
   const Wall& wall = wall_[lane];
-  read_wall(wall.view, *wall.model, state);
-  wall.brakes.maxwell.bring_up(state);
-  if (wall.zones) wall.zones->bring_up(state);
-  if (free_) free_->bring_up(state);
+  store_lane(wall.view, *wall.model, state);
+  wall.dashpot_state.maxwell.store_state(state);
+  if (wall.zones) wall.zones->store_state(state);
+  if (free_) free_->store_state(state);
 }
 
-void SpaceProcessor::meet() {
+void SpaceProcessor::update_free_contacts() {
   if (!free_ || wall_[0].model == nullptr || !(wall_[0].controls.dt > 0)) return;
   free_->act(*wall_[0].state, wall_[0].controls.dt, wall_[0].controls.dashpots, wall_[0].view,
              workers_);
@@ -274,7 +274,7 @@ void SpaceProcessor::end_step() {
     if (free_) free_->moved(*wall.state, wall.controls.dt, wall.view);
     if (wall.controls.dashpots != nullptr)
       wall.state->work_damping +=
-          braking_work(wall.view, *wall.model, wall.brakes, wall.controls.dt);
+          dashpot_work(wall.view, *wall.model, wall.dashpot_state, wall.controls.dt);
     advance_clock(*wall.state, wall.controls);
   }
 }

@@ -31,15 +31,15 @@ class SpaceProcessor final : public Executor {
 
   [[nodiscard]] int lanes() const override { return static_cast<int>(wall_.size()); }
   [[nodiscard]] const Model& model() const override { return model_; }
-  void put(int lane, const Model& model, State& state) override;
-  void drop(int lane) override;
+  void load_wall(int lane, const Model& model, State& state) override;
+  void unload_wall(int lane) override;
   [[nodiscard]] std::unique_ptr<WallAccess> access(int lane) override;
   void set(int lane, const Controls& controls) override;
   [[nodiscard]] double reaction(int lane) const override {
     return wall_[static_cast<std::size_t>(lane)].reaction;
   }
   // Motion, history and free contacts of the wall in a lane, into a state's own arrays.
-  void bring_up(int lane, State& state) const;
+  void store_state(int lane, State& state) const;
   [[nodiscard]] const WallView& view(int lane) const {
     return wall_[static_cast<std::size_t>(lane)].view;
   }
@@ -56,7 +56,7 @@ class SpaceProcessor final : public Executor {
     Controls controls;
     double reaction = 0;
     WallView view;
-    Brakes brakes;
+    DashpotState dashpot_state;
     bool has_stepped = false;
     std::unique_ptr<ZoneRun> zones;  // null without deformable blocks
   };
@@ -71,8 +71,8 @@ class SpaceProcessor final : public Executor {
   void run(Pass pass) override;
   void run_zones(Pass pass);
   static void keep_support_step(Wall& wall, double velocity);
-  void meet() override;
-  void brake() override;
+  void update_free_contacts() override;
+  void apply_dashpots() override;
   void drive() override;
   void end_step() override;
   void run_chunk(Kernel kernel, Bank& bank, const Chunk& chunk, double* works) const;

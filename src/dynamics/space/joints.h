@@ -15,16 +15,16 @@ template <class Real, class Access>
   return {access.shared(table, row), access.shared(table, row + 1), access.shared(table, row + 2)};
 }
 
-// Whether a point to which nothing has happened (contact/short_ways.h) stays so; its shear (s1, s2) is held against
+// Whether a point to which nothing has happened (contact/fast_paths.h) stays so; its shear (s1, s2) is held against
 // the strength by squares, a little on the strict side, so that no root is taken and update() never slides where
 // this holds.
 template <class C, class Real>
-[[nodiscard]] WYTHE_INLINE bool_of_t<Real> stays_whole(const contact::LawConstants<C>& m, Real w,
-                                                       Real s1, Real s2) {
+[[nodiscard]] WYTHE_INLINE bool_of_t<Real> stays_undamaged(const contact::LawConstants<C>& m,
+                                                           Real w, Real s1, Real s2) {
   const Real sigma = m.kn * w, sn = Real(0.0) - sigma;
   const Real strength = (m.c_res + sn * m.tan_res) + (m.c_drop + sn * m.tan_drop);
   const Real t1 = m.ks * s1, t2 = m.ks * s2;
-  bool_of_t<Real> stays = w <= Real(contact::whole_until(m));
+  bool_of_t<Real> stays = w <= Real(contact::undamaged_opening(m));
   stays = stays & (strength > Real(0.0));
   stays = stays & (t1 * t1 + t2 * t2 < strength * strength * Real(1 - 1e-12));
   return stays & (sigma + m.fc >= Real(0.0));
@@ -41,7 +41,7 @@ struct Joints {
   const Tables& t;
   Access access;
   const Chunk& chunk;
-  double* history;      // from the run's first spot on
+  double* history;      // from the run's first item on
   const double* point;  // the same of its points
 
   WYTHE_INLINE Joints(const Tables& tables, Access lanes, const Chunk& run)
@@ -52,10 +52,10 @@ struct Joints {
         point(tables.point +
               static_cast<std::ptrdiff_t>(run.rule) * (Access::one_wall ? kGroup : 1)) {}
 
-  WYTHE_INLINE void take_part(int part) { access.take_part(part); }
+  WYTHE_INLINE void select_part(int part) { access.select_part(part); }
   WYTHE_INLINE void at(std::ptrdiff_t j, Work& work) const {
     if constexpr (Access::one_wall)
-      if (access.marked(t.way, j) == kGone) return;
+      if (access.load_flag(t.law_path, j) == kReleased) return;
     const auto vector = [&](int row) {
       return shared_vector<Real>(access, t.face, j * kFaceRows + row);
     };
@@ -63,11 +63,11 @@ struct Joints {
       const Rows<Real> moved = access.rows(t.support, t.joint_a, j);
       const contact::SupportFace<Real> face({moved.c0, moved.c1, moved.c2}, pose(t.joint_b, j),
                                             vector(kArmB), vector(kTangent), vector(kNormal));
-      keep(j, face.loads(ask(j, face.gap(), work)));
+      store_loads(j, face.loads(ask(j, face.gap(), work)));
     } else {
       const contact::PairFace<Real> face(pose(t.joint_a, j), pose(t.joint_b, j), vector(kArmA),
                                          vector(kArmB), vector(kTangent), vector(kNormal));
-      keep(j, face.loads(ask(j, face.gap(), work)));
+      store_loads(j, face.loads(ask(j, face.gap(), work)));
     }
   }
 
@@ -80,7 +80,9 @@ struct Joints {
     const contact::Pose<Real> b = pose_before(t, access, t.joint_b, j);
     if constexpr (on_support) {
       const Rows<Real> moved = access.rows(t.support, t.joint_a, j);
-      const auto step = [&](int c) { return moved.c3 * access.of_wall(t.wall, kSupportStep + c); };
+      const auto step = [&](int c) {
+        return moved.c3 * access.wall_value(t.wall, kSupportStep + c);
+      };
       return contact::SupportFace<Real>(
                  {moved.c0 - step(0), moved.c1 - step(1), moved.c2 - step(2)}, b, vector(kArmB),
                  vector(kTangent), vector(kNormal))
@@ -96,12 +98,12 @@ struct Joints {
     const Rows<Real> shift = access.rows(t.shift, id, j), turn = access.rows(t.turn, id, j);
     return {{shift.c0, shift.c1, shift.c2}, {shift.c3, {turn.c0, turn.c1, turn.c2}}};
   }
-  WYTHE_INLINE void keep(std::ptrdiff_t j, const contact::BlockLoads<Real>& l) const {
+  WYTHE_INLINE void store_loads(std::ptrdiff_t j, const contact::BlockLoads<Real>& l) const {
     const Real zero(0.0);
-    access.keep_rows({l.f.x, l.f.y, l.f.z, zero}, t.force, j);
+    access.store_rows({l.f.x, l.f.y, l.f.z, zero}, t.force, j);
     if constexpr (!on_support)
-      access.keep_rows({l.on_a.x, l.on_a.y, l.on_a.z, zero}, t.moment_a, j);
-    access.keep_rows({l.on_b.x, l.on_b.y, l.on_b.z, zero}, t.moment_b, j);
+      access.store_rows({l.on_a.x, l.on_a.y, l.on_a.z, zero}, t.moment_a, j);
+    access.store_rows({l.on_b.x, l.on_b.y, l.on_b.z, zero}, t.moment_b, j);
   }
 
   // A point on its way through the law.
@@ -109,8 +111,8 @@ struct Joints {
     Real r1, r2, share, w;
     contact::Shear<Real> shear;
   };
-  [[nodiscard]] WYTHE_INLINE int remembered() const {
-    return contact::remembered(contact::choice_of<V>(chunk));
+  [[nodiscard]] WYTHE_INLINE int history_size() const {
+    return contact::history_size(contact::choice_of<V>(chunk));
   }
   [[nodiscard]] WYTHE_INLINE std::ptrdiff_t first(std::ptrdiff_t j, int k, int rows) const {
     return ((j - chunk.begin) * chunk.points + k) * rows;
@@ -118,21 +120,21 @@ struct Joints {
   WYTHE_INLINE History load(std::ptrdiff_t row, Real& plastic_1, Real& plastic_2) const {
     History h;
     for_each_part<kHistoryRows>([&](auto r) __attribute__((always_inline)) {
-      if (r < remembered())
-        h.*contact::kHistory<Real>[decltype(r)::value] = access.own(history, row + r);
+      if (r < history_size())
+        h.*contact::kHistory<Real>[decltype(r)::value] = access.load(history, row + r);
     });
     plastic_1 = h.plastic_slip;
-    plastic_2 = access.own(history, row + remembered());
+    plastic_2 = access.load(history, row + history_size());
     h.plastic_slip = Real(0.0);
     return h;
   }
   WYTHE_INLINE void store(std::ptrdiff_t row, History h, Real plastic_1, Real plastic_2) const {
     h.plastic_slip = plastic_1;
     for_each_part<kHistoryRows>([&](auto r) __attribute__((always_inline)) {
-      if (r < remembered())
-        access.keep(h.*contact::kHistory<Real>[decltype(r)::value], history, row + r);
+      if (r < history_size())
+        access.store(h.*contact::kHistory<Real>[decltype(r)::value], history, row + r);
     });
-    access.keep(plastic_2, history, row + remembered());
+    access.store(plastic_2, history, row + history_size());
   }
   [[nodiscard]] WYTHE_INLINE Asked asked(std::ptrdiff_t row, Real area,
                                          const contact::FaceGap<Real>& gap, Real plastic_1,
@@ -162,60 +164,62 @@ struct Joints {
     const contact::LawConstants<Real> law =
         law_of(access, t.law, chunk.strengths + step, chunk.others + step, chunk.choice);
     const Real area = access.shared(t.face, j * kFaceRows + kFaceArea);
-    const std::uint8_t way = access.marked(t.way, j);
+    const std::uint8_t law_path = access.load_flag(t.law_path, j);
     contact::FaceLoad<Real> sum;
-    if (way == kWhole && whole(j, law, area, gap, sum)) return sum;
-    if (way == kClosed && rest<true>(j, law, area, gap, sum)) return sum;
-    if (way == kOpen && rest<false>(j, law, area, gap, sum)) return sum;
+    if (law_path == kUndamaged && undamaged(j, law, area, gap, sum)) return sum;
+    if (law_path == kClosed && elastic<true>(j, law, area, gap, sum)) return sum;
+    if (law_path == kOpen && elastic<false>(j, law, area, gap, sum)) return sum;
     return advance(j, law, area, gap, work);
   }
-  // Points to which nothing has happened (contact/short_ways.h): no history is read, and none kept but how far they
+  // Points to which nothing has happened (contact/fast_paths.h): no history is read, and none kept but how far they
   // opened. False where one does not stay so.
-  [[nodiscard]] WYTHE_INLINE bool whole(std::ptrdiff_t j, const contact::LawConstants<Real>& law,
-                                        Real area, const contact::FaceGap<Real>& gap,
-                                        contact::FaceLoad<Real>& sum) const {
+  [[nodiscard]] WYTHE_INLINE bool undamaged(std::ptrdiff_t j,
+                                            const contact::LawConstants<Real>& law, Real area,
+                                            const contact::FaceGap<Real>& gap,
+                                            contact::FaceLoad<Real>& sum) const {
     const Real zero(0.0);
     const Vector<Real> none{zero, zero, zero};
     sum = {none, none, none};
     bool_of_t<Real> stays = zero <= zero, opened = zero > zero;
     for (int k = 0; k < chunk.points; ++k) {
       const Asked p = asked(first(j, k, kPointRows), area, gap, zero, zero);
-      stays = stays & stays_whole(law, p.w, p.shear.e1, p.shear.e2);
+      stays = stays & stays_undamaged(law, p.w, p.shear.e1, p.shear.e2);
       opened = opened | (p.w > zero);
       add(p, law.kn * p.w, law.ks * p.shear.e1, law.ks * p.shear.e2, sum);
     }
     if (!all(stays)) return false;
-    if (any(opened)) widen(j, gap);
+    if (any(opened)) store_opening(j, gap);
     return true;
   }
-  WYTHE_INLINE void widen(std::ptrdiff_t j, const contact::FaceGap<Real>& gap) const {
+  WYTHE_INLINE void store_opening(std::ptrdiff_t j, const contact::FaceGap<Real>& gap) const {
     for (int k = 0; k < chunk.points; ++k) {
-      const std::ptrdiff_t at = first(j, k, kPointRows), row = first(j, k, remembered() + 1);
+      const std::ptrdiff_t at = first(j, k, kPointRows), row = first(j, k, history_size() + 1);
       const Real w = gap.j.z + access.shared(point, at + kR1) * gap.a.z +
                      access.shared(point, at + kR2) * gap.b.z;
-      const Real kappa = access.own(history, row);
-      access.keep(select(w > kappa, w, kappa), history, row);
+      const Real kappa = access.load(history, row);
+      access.store(select(w > kappa, w, kappa), history, row);
     }
   }
   template <bool closed>
-  [[nodiscard]] WYTHE_INLINE bool rest(std::ptrdiff_t j, const contact::LawConstants<Real>& law,
-                                       Real area, const contact::FaceGap<Real>& gap,
-                                       contact::FaceLoad<Real>& sum) const {
+  [[nodiscard]] WYTHE_INLINE bool elastic(std::ptrdiff_t j, const contact::LawConstants<Real>& law,
+                                          Real area, const contact::FaceGap<Real>& gap,
+                                          contact::FaceLoad<Real>& sum) const {
     const Real zero(0.0);
     const Vector<Real> none{zero, zero, zero};
     sum = {none, none, none};
-    bool_of_t<Real> rests = zero <= zero, open = zero > zero;
+    bool_of_t<Real> is_elastic = zero <= zero, open = zero > zero;
     for (int k = 0; k < chunk.points; ++k) {
       Real plastic_1, plastic_2;
-      const History h = load(first(j, k, remembered() + 1), plastic_1, plastic_2);
+      const History h = load(first(j, k, history_size() + 1), plastic_1, plastic_2);
       const Asked p = asked(first(j, k, kPointRows), area, gap, plastic_1, plastic_2);
-      const contact::Rest<Real> now = contact::at_rest<V, closed>(law, p.w, p.shear.e, h);
+      const contact::ElasticStep<Real> now =
+          contact::elastic_step<V, closed>(law, p.w, p.shear.e, h);
       add(p, now.sigma, law.ks * p.shear.e1, law.ks * p.shear.e2, sum);
-      rests = rests & now.rests;
+      is_elastic = is_elastic & now.is_elastic;
       open = open | now.open;
     }
-    if (!all(rests)) return false;
-    if constexpr (!closed) access.mark(t.way, j, any(open) ? kOpen : kClosed);
+    if (!all(is_elastic)) return false;
+    if constexpr (!closed) access.store_flag(t.law_path, j, any(open) ? kOpen : kClosed);
     return true;
   }
   // The whole law: the one place where history advances.
@@ -227,15 +231,15 @@ struct Joints {
     const Vector<Real> none{zero, zero, zero};
     contact::FaceLoad<Real> sum{none, none, none};
     bool_of_t<Real> moved = zero > zero, open = zero > zero;
-    bool is_whole = contact::knows_whole<V>(law), knows_then = false;
+    bool is_undamaged = contact::has_undamaged_path<V>(law), knows_then = false;
     contact::FaceGap<Real> then{none, none, none};
     for (int k = 0; k < chunk.points; ++k) {
-      const std::ptrdiff_t row = first(j, k, remembered() + 1);
+      const std::ptrdiff_t row = first(j, k, history_size() + 1);
       Real plastic_1, plastic_2;
       const History before = load(row, plastic_1, plastic_2);
       History now = before;
       const Asked p = asked(first(j, k, kPointRows), area, gap, plastic_1, plastic_2);
-      const contact::Answer<Real> a = contact::update<V>(law, p.w, p.shear.e, now);
+      const contact::LawUpdate<Real> a = contact::update<V>(law, p.w, p.shear.e, now);
       const Real slid = now.plastic_slip *
                         (one / maximum(p.shear.e, Real(1e-300)));  // share of e that is plastic now
       const Real slid_1 = slid * p.shear.e1, slid_2 = slid * p.shear.e2;
@@ -251,13 +255,17 @@ struct Joints {
       }
       work = {work.friction + friction * p.share, work.fracture + a.fracture * p.share,
               work.crushing + a.crushing * p.share};
-      moved = moved | contact::moves(before, now);
+      moved = moved | contact::history_changed(before, now);
       open = open | (p.w + now.crush > zero);
       const bool_of_t<Real> had_slid =
           (magnitude(plastic_1) > zero) | (magnitude(plastic_2) > zero);
-      is_whole = is_whole && !any(had_slid) && all(contact::is_whole<V>(law, now));
+      is_undamaged = is_undamaged && !any(had_slid) && all(contact::is_undamaged<V>(law, now));
     }
-    access.mark(t.way, j, is_whole ? kWhole : any(moved) ? kMoving : any(open) ? kOpen : kClosed);
+    access.store_flag(t.law_path, j,
+                      is_undamaged ? kUndamaged
+                      : any(moved) ? kFullLaw
+                      : any(open)  ? kOpen
+                                   : kClosed);
     return sum;
   }
 };

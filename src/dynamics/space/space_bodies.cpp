@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "contact/parameters.h"
-#include "dynamics/passes/ways.h"
+#include "dynamics/passes/law_path.h"
 #include "dynamics/space/dashpots.h"
 #include "model/free_shapes.h"
 
@@ -18,10 +18,10 @@ constexpr double kSlop = 0.25;       // by how many bevels another face has to b
 
 double length(const Vec& v) { return square_root(dot(v, v)); }
 
-const Facet& facet_of(const SpaceBodies::Meeting& m, std::int32_t feature) {
+const Facet& facet_of(const SpaceBodies::PairGeometry& m, std::int32_t feature) {
   return feature >= 0 ? m.a.facet[feature] : m.b.facet[-1 - feature];
 }
-const SpaceFrame& frame_of(const SpaceBodies::Meeting& m, std::int32_t feature) {
+const SpaceFrame& frame_of(const SpaceBodies::PairGeometry& m, std::int32_t feature) {
   return feature >= 0 ? m.frame_a : m.frame_b;
 }
 
@@ -71,9 +71,9 @@ SpaceFrame SpaceBodies::frame_of(std::int32_t body, const WallView& wall) const 
   if (support >= m_.space.n_support) return {{0, 0, 0}, {1, {0, 0, 0}}};
   const Vec start = vec(m_.space.centroid[body]);
   if (support < 0) return {start + wall.shift(body), wall.turn(body)};
-  return {start + Vec{wall.of_four(wall.t.support, support, 0),
-                      wall.of_four(wall.t.support, support, 1),
-                      wall.of_four(wall.t.support, support, 2)},
+  return {start + Vec{wall.column_of(wall.t.support, support, 0),
+                      wall.column_of(wall.t.support, support, 1),
+                      wall.column_of(wall.t.support, support, 2)},
           {1, {0, 0, 0}}};
 }
 
@@ -96,7 +96,7 @@ Box SpaceBodies::box_of(std::int32_t body, const WallView& wall) const {
 }
 
 double SpaceBodies::speed_of(std::int32_t body, const WallView& wall) const {
-  const Push rates = rates_of(body, wall);
+  const ForceMoment rates = rates_of(body, wall);
   return length(rates.f) + reach_[body] * length(rates.m);
 }
 
@@ -109,7 +109,7 @@ double SpaceBodies::turned_in(double dt, std::int32_t body, const WallView& wall
   return kMore * dt * reach_[body] * light * length(wall.body_vector(body, kL));
 }
 
-double SpaceBodies::fall_of(BlockId block, const WallView& wall) const {
+double SpaceBodies::fallen_height(BlockId block, const WallView& wall) const {
   return -wall.shift(block).y;
 }
 
@@ -118,9 +118,9 @@ Vec SpaceBodies::place_of(std::int32_t body, const WallView& wall) const {
 }
 
 // Of driven supports in their last step.
-Push SpaceBodies::rates_of(std::int32_t body, const WallView& wall) const {
+ForceMoment SpaceBodies::rates_of(std::int32_t body, const WallView& wall) const {
   if (const std::int32_t support = body - m_.n_block; support >= 0) {
-    if (support >= m_.space.n_support || !(wall.of_wall(kStep) > 0)) return {};
+    if (support >= m_.space.n_support || !(wall.wall_value(kStep) > 0)) return {};
     return {velocity_of(support, wall), {0, 0, 0}};
   }
   const Quaternion<double> q = wall.turn(body);
@@ -136,43 +136,44 @@ Push SpaceBodies::rates_of(std::int32_t body, const WallView& wall) const {
   return {wall.body_vector(body, kV), turned(q, spin)};
 }
 
-Vec SpaceBodies::into(std::int32_t body, const Vec& v, const WallView& wall) const {
+Vec SpaceBodies::to_body_axes(std::int32_t body, const Vec& v, const WallView& wall) const {
   return turned_back(frame_of(body, wall).turn, v);
 }
-Vec SpaceBodies::out_of(std::int32_t body, const Vec& v, const WallView& wall) const {
+Vec SpaceBodies::to_wall_axes(std::int32_t body, const Vec& v, const WallView& wall) const {
   return turned(frame_of(body, wall).turn, v);
 }
 
 // --- two parts ------------------------------------------------------------------------------------------
 
-void SpaceBodies::look_at(std::int32_t body, const WallView& wall) {
+void SpaceBodies::cache_motion(std::int32_t body, const WallView& wall) {
   now_[body] = {frame_of(body, wall), rates_of(body, wall)};
 }
 
-SpaceBodies::Meeting SpaceBodies::meeting(const FreeContact& c) const {
+SpaceBodies::PairGeometry SpaceBodies::pair_geometry(const FreeContact& c) const {
   const FreeShapes& f = m_.free;
   return {contact::part_of(parts_, f.part_begin[c.a] + c.part_a),
           contact::part_of(parts_, f.part_begin[c.b] + c.part_b), now_[c.a].frame, now_[c.b].frame};
 }
 
-contact::SpaceOverlap SpaceBodies::overlap(const Meeting& m, std::int32_t feature, double rest) {
+contact::SpaceOverlap SpaceBodies::overlap(const PairGeometry& m, std::int32_t feature,
+                                           double rest) {
   return feature >= 0 ? contact::overlap_on(m.a, feature, m.b,
                                             contact::seen_from(m.frame_a, m.frame_b), rest)
                       : contact::overlap_on(m.b, -1 - feature, m.a,
                                             contact::seen_from(m.frame_b, m.frame_a), rest);
 }
 
-contact::Face SpaceBodies::face(const Meeting& m, std::int32_t last) const {
+contact::Face SpaceBodies::face(const PairGeometry& m, std::int32_t last) const {
   return contact::face_of(m.a, m.b, contact::seen_from(m.frame_a, m.frame_b),
                           contact::seen_from(m.frame_b, m.frame_a), last, kSlop * m_.free.bevel);
 }
 
-Vec SpaceBodies::normal_of(const Meeting& m, std::int32_t feature) {
+Vec SpaceBodies::normal_of(const PairGeometry& m, std::int32_t feature) {
   const Vec n = turned(space::frame_of(m, feature).turn, facet_of(m, feature).z);
   return feature >= 0 ? n : -1.0 * n;
 }
 
-double SpaceBodies::turn_slip(FreePair& pair, const Meeting& m, std::int32_t to) {
+double SpaceBodies::turn_slip(FreePair& pair, const PairGeometry& m, std::int32_t to) {
   FreeContact& c = pair.memory;
   const double before = shear_energy(c, pair.law);
   struct Axes {
@@ -192,8 +193,8 @@ double SpaceBodies::turn_slip(FreePair& pair, const Meeting& m, std::int32_t to)
   return before - shear_energy(c, pair.law);
 }
 
-SpaceBodies::Rubbed SpaceBodies::rub(FreePair& pair, const Meeting& m, const Overlap& overlap,
-                                     double dt) const {
+SpaceBodies::SlipUpdate SpaceBodies::update_slip(FreePair& pair, const PairGeometry& m,
+                                                 const Overlap& overlap, double dt) const {
   FreeContact& c = pair.memory;
   const bool of_a = c.feature >= 0;
   const Facet& facet = facet_of(m, c.feature);
@@ -206,9 +207,10 @@ SpaceBodies::Rubbed SpaceBodies::rub(FreePair& pair, const Meeting& m, const Ove
   const double over = overlap.force.z > 0 ? 1 / overlap.force.z : 0.0;
   const Vec arm = origin + (-overlap.moment.y * over) * x + (overlap.moment.x * over) * y;
   const Vec arm_other = ref.at + arm - other.at;
-  const Push &of_ref = now_[of_a ? c.a : c.b].rates, &of_other = now_[of_a ? c.b : c.a].rates;
+  const ForceMoment &of_ref = now_[of_a ? c.a : c.b].rates,
+                    &of_other = now_[of_a ? c.b : c.a].rates;
   // arms and axes as they were half a step ago, in the middle of that motion
-  const auto back = [&](const Push& rates, const Vec& r) {
+  const auto back = [&](const ForceMoment& rates, const Vec& r) {
     return r - (0.5 * dt) * cross(rates.m, r);
   };
   const Vec v = (of_other.f + cross(of_other.m, back(of_other, arm_other))) -
@@ -244,15 +246,15 @@ SpaceBodies::Rubbed SpaceBodies::rub(FreePair& pair, const Meeting& m, const Ove
   const Vec moment = law.kn * (overlap.moment.x * x + overlap.moment.y * y + overlap.moment.z * z) +
                      cross(arm - origin, rubs) + (-stiff * radius * slip.z) * z;
   const Vec to_other = ref.at + origin - other.at;
-  const Push on_other{force, moment + cross(to_other, force)};
-  const Push on_ref{-1.0 * force, -1.0 * (moment + cross(origin, force))};
+  const ForceMoment on_other{force, moment + cross(to_other, force)};
+  const ForceMoment on_ref{-1.0 * force, -1.0 * (moment + cross(origin, force))};
   pair.on_a = of_a ? on_ref : on_other;
   pair.on_b = of_a ? on_other : on_ref;
   return {dt * dot(v, z), way, stiff * slip, arm, arm_other, x, y, z, radius};
 }
 
 // Of all directions the most, by the least inertia.
-double SpaceBodies::mobility(const FreeContact& c, const Rubbed& r) const {
+double SpaceBodies::mobility(const FreeContact& c, const SlipUpdate& r) const {
   const bool of_a = c.feature >= 0;
   const auto of = [&](std::int32_t body, const Vec& arm) {
     if (body >= m_.n_block) return 0.0;
@@ -263,18 +265,18 @@ double SpaceBodies::mobility(const FreeContact& c, const Rubbed& r) const {
   return of(of_a ? c.a : c.b, r.ref) + of(of_a ? c.b : c.a, r.other);
 }
 
-void SpaceBodies::spread(const ViscousForce& f, const Rubbed& r, bool of_a, Push& on_a,
-                         Push& on_b) {
+void SpaceBodies::spread(const ViscousForce& f, const SlipUpdate& r, bool of_a, ForceMoment& on_a,
+                         ForceMoment& on_b) {
   const Vec force = -f.normal * r.z - f.shear.x * r.x - f.shear.y * r.y;
   const Vec twist = (-r.radius * f.shear.z) * r.z;
-  const Push on_other{force, cross(r.other, force) + twist};
-  const Push on_ref{-1.0 * force, -1.0 * (cross(r.ref, force) + twist)};
+  const ForceMoment on_other{force, cross(r.other, force) + twist};
+  const ForceMoment on_ref{-1.0 * force, -1.0 * (cross(r.ref, force) + twist)};
   on_a = of_a ? on_ref : on_other;
   on_b = of_a ? on_other : on_ref;
 }
 
 void SpaceBodies::take_over_shear(FreePair& pair, const Vec& on_a) const {
-  const Meeting m = meeting(pair.memory);
+  const PairGeometry m = pair_geometry(pair.memory);
   FreeContact& c = pair.memory;
   const Facet& facet = facet_of(m, c.feature);
   const Quaternion<double>& q = space::frame_of(m, c.feature).turn;
@@ -295,13 +297,13 @@ void SpaceBodies::clear_rows(const WallView& wall) const {
 }
 
 // One row a body; the last column of a row of forces sums the magnitudes that the unbalance asks for.
-void SpaceBodies::add(std::int32_t a, std::int32_t b, const Push& on_a, const Push& on_b,
-                      const WallView& wall) const {
-  const auto put = [&](std::int32_t body, const Push& push) {
+void SpaceBodies::add(std::int32_t a, std::int32_t b, const ForceMoment& on_a,
+                      const ForceMoment& on_b, const WallView& wall) const {
+  const auto put = [&](std::int32_t body, const ForceMoment& push) {
     const double f[4] = {push.f.x, push.f.y, push.f.z, body < m_.n_block ? length(push.f) : 0.0};
     const double m[3] = {push.m.x, push.m.y, push.m.z};
-    for (int c = 0; c < 4; ++c) wall.of_four(wall.t.force, wall.first_free + body, c) += f[c];
-    for (int c = 0; c < 3; ++c) wall.of_four(wall.t.moment_a, wall.first_free + body, c) += m[c];
+    for (int c = 0; c < 4; ++c) wall.column_of(wall.t.force, wall.first_free + body, c) += f[c];
+    for (int c = 0; c < 3; ++c) wall.column_of(wall.t.moment_a, wall.first_free + body, c) += m[c];
   };
   put(a, on_a);
   put(b, on_b);
@@ -323,9 +325,9 @@ SpaceBodies::Jump SpaceBodies::jump_of(JointId joint, const WallView& wall) cons
   const auto pose = [&](BlockId i) { return contact::Pose<double>{wall.shift(i), wall.turn(i)}; };
   const contact::Pose<double> b = pose(m_.joint_b[j]);
   if (const int support = m_.joint_a[j] - m_.n_block; support >= 0) {
-    const Vec moved{wall.of_four(wall.t.support, support, 0),
-                    wall.of_four(wall.t.support, support, 1),
-                    wall.of_four(wall.t.support, support, 2)};
+    const Vec moved{wall.column_of(wall.t.support, support, 0),
+                    wall.column_of(wall.t.support, support, 1),
+                    wall.column_of(wall.t.support, support, 2)};
     const contact::SupportFace<double> face(moved, b, vec(s.arm_b[j]), vec(s.tangent[j]),
                                             vec(s.normal[j]));
     return {face.gap(), length(b.q.v)};
@@ -340,7 +342,7 @@ bool SpaceBodies::is_tilted(const Jump& jump) {
   return jump.tilt > kTilted;
 }
 
-bool SpaceBodies::gives_way(JointId joint, const WallView& wall) const {
+bool SpaceBodies::has_failed(JointId joint, const WallView& wall) const {
   constexpr double kSlipped = 0.05;  // of the face's size; or opened, all of it
   const Jump jump = jump_of(joint, wall);
   const Vec& g = jump.gap.j;
@@ -352,7 +354,7 @@ bool SpaceBodies::gives_way(JointId joint, const WallView& wall) const {
   return true;
 }
 
-double& SpaceBodies::remembered(JointId joint, int point, int row, const WallView& wall) const {
+double& SpaceBodies::history_number(JointId joint, int point, int row, const WallView& wall) const {
   const auto& [number, n] = chunk_of_[joint];
   const Chunk& chunk = layout_.joints[number];
   return wall.t.history[layout_.point_number(chunk, chunk.history, n, point, chunk.rows, row, 1)];
@@ -365,7 +367,7 @@ contact::History<double> SpaceBodies::history_of(JointId joint, int point,
                                                  const WallView& wall) const {
   contact::History<double> h{};
   for (int row = 0; row + 1 < rows_of(joint); ++row)
-    h.*contact::kHistory<double>[row] = remembered(joint, point, row, wall);
+    h.*contact::kHistory<double>[row] = history_number(joint, point, row, wall);
   return h;
 }
 
@@ -390,11 +392,11 @@ bool SpaceBodies::holds(JointId joint, const WallView& wall) const {
   return false;
 }
 
-Push SpaceBodies::push_of(JointId joint, std::int32_t on, const WallView& wall) const {
+ForceMoment SpaceBodies::joint_force(JointId joint, std::int32_t on, const WallView& wall) const {
   const std::int32_t place = layout_.joint_place[joint];
   const auto of = [&](double* rows) {
-    return Vec{wall.of_four(rows, place, 0), wall.of_four(rows, place, 1),
-               wall.of_four(rows, place, 2)};
+    return Vec{wall.column_of(rows, place, 0), wall.column_of(rows, place, 1),
+               wall.column_of(rows, place, 2)};
   };
   if (m_.joint_a[joint] == on) return {of(wall.t.force), of(wall.t.moment_a)};
   return {-1.0 * of(wall.t.force), of(wall.t.moment_b)};
@@ -408,8 +410,8 @@ double SpaceBodies::elastic_energy(JointId joint, const WallView& wall) const {
   for (int k = 0; k < points_of_face(joint); ++k) {
     contact::History<double> h = history_of(joint, k, wall);
     const Vec g = gap_at(joint, k, jump);
-    const contact::Shear<double> shear =
-        contact::shear_of(g.x, g.y, h.plastic_slip, remembered(joint, k, rows_of(joint) - 1, wall));
+    const contact::Shear<double> shear = contact::shear_of(
+        g.x, g.y, h.plastic_slip, history_number(joint, k, rows_of(joint) - 1, wall));
     h.plastic_slip = 0;
     const auto now = contact::update<contact::AnyVariant>(law, g.z, shear.e, h);
     const bool secant = now.sigma > 0 && material.unloading == Unloading::kSecant;
@@ -442,12 +444,12 @@ void SpaceBodies::release(JointId joint, const WallView& wall) const {
     std::fill_n(table + 4 * static_cast<std::ptrdiff_t>(place), 4, 0.0);
   for (int k = 0; k < points_of_face(joint); ++k)
     for (const int row : {row_of(&State::crush), row_of(&State::plastic_slip), rows_of(joint) - 1})
-      remembered(joint, k, row, wall) = 0;
+      history_number(joint, k, row, wall) = 0;
 }
 
 // No other face is known to be at rest any more.
 void SpaceBodies::end_release(const WallView& wall) const {
-  mark_gone(wall.t.joint_b, wall.t.n_block, layout_.n_joint, width_, wall.t.way);
+  mark_released(wall.t.joint_b, wall.t.n_block, layout_.n_joint, width_, wall.t.law_path);
 }
 
 }  // namespace wythe::dynamics::space

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "contact/meeting_in_space.h"
+#include "contact/convex_contact_in_space.h"
 #include "dynamics/passes/free_contacts.h"
 #include "dynamics/space/wall.h"
 
@@ -16,7 +16,7 @@ class SpaceBodies {
   using Layout = space::Layout;
   using Overlap = contact::SpaceOverlap;
   // Two parts and their bodies' axes.
-  struct Meeting {
+  struct PairGeometry {
     contact::SpacePart a, b;
     contact::SpaceFrame frame_a, frame_b;
   };
@@ -30,7 +30,7 @@ class SpaceBodies {
   [[nodiscard]] double speed_of(std::int32_t body, const WallView& wall) const;
   // each(body, where its centroid is now, what its points can have moved by its turning in the last step, at most).
   template <class Each>
-  void for_each_way(double dt, const WallView& wall, Each each) const {
+  void for_each_travel(double dt, const WallView& wall, Each each) const {
     for (std::int32_t i = 0; i < m_.n_block + m_.free.n_fixed; ++i)
       each(i, place_of(i, wall), turned_in(dt, i, wall));
   }
@@ -43,34 +43,37 @@ class SpaceBodies {
   [[nodiscard]] double height_of(BlockId block) const {
     return height_[static_cast<std::size_t>(block)];
   }
-  [[nodiscard]] double fall_of(BlockId block, const WallView& wall) const;
+  [[nodiscard]] double fallen_height(BlockId block, const WallView& wall) const;
   [[nodiscard]] Vec place_of(std::int32_t body, const WallView& wall) const;
-  [[nodiscard]] Push rates_of(std::int32_t body, const WallView& wall) const;
+  [[nodiscard]] ForceMoment rates_of(std::int32_t body, const WallView& wall) const;
   // A vector in a body's own axes, and back.
-  [[nodiscard]] Vec into(std::int32_t body, const Vec& v, const WallView& wall) const;
-  [[nodiscard]] Vec out_of(std::int32_t body, const Vec& v, const WallView& wall) const;
+  [[nodiscard]] Vec to_body_axes(std::int32_t body, const Vec& v, const WallView& wall) const;
+  [[nodiscard]] Vec to_wall_axes(std::int32_t body, const Vec& v, const WallView& wall) const;
 
   // Notes where a body is and how it moves: for all that follows, up to the rows of forces.
-  void look_at(std::int32_t body, const WallView& wall);
-  [[nodiscard]] Meeting meeting(const FreeContact& contact) const;
+  void cache_motion(std::int32_t body, const WallView& wall);
+  [[nodiscard]] PairGeometry pair_geometry(const FreeContact& contact) const;
   // Of what presses: the overlap less `rest`, which is crushed.
-  [[nodiscard]] static Overlap overlap(const Meeting& meeting, std::int32_t feature, double rest);
-  [[nodiscard]] contact::Face face(const Meeting& meeting, std::int32_t last) const;
+  [[nodiscard]] static Overlap overlap(const PairGeometry& pair_geometry, std::int32_t feature,
+                                       double rest);
+  [[nodiscard]] contact::Face face(const PairGeometry& pair_geometry, std::int32_t last) const;
   [[nodiscard]] static double stiffness(const contact::FreeLaw& law) { return law.kn; }
   [[nodiscard]] static double pressing(const Overlap& overlap) { return overlap.force.z; }
   // Of a face, from a to b.
-  [[nodiscard]] static Vec normal_of(const Meeting& meeting, std::int32_t feature);
+  [[nodiscard]] static Vec normal_of(const PairGeometry& pair_geometry, std::int32_t feature);
   // The slip as seen along another face; gives the energy that has no part in it.
-  [[nodiscard]] static double turn_slip(FreePair& pair, const Meeting& meeting, std::int32_t to);
+  [[nodiscard]] static double turn_slip(FreePair& pair, const PairGeometry& pair_geometry,
+                                        std::int32_t to);
   // What dashpots ask of a contact, as in the plane.
-  struct Rubbed {
+  struct SlipUpdate {
     double opened;            // [m]
     Vec slid, held;           // along x, y and the twist times `radius` [m], [N]
     Vec ref, other, x, y, z;  // centre of pressure from both centroids; axes
     double radius;            // [m]
   };
   // Friction of a step, then force and moments.
-  Rubbed rub(FreePair& pair, const Meeting& meeting, const Overlap& overlap, double dt) const;
+  SlipUpdate update_slip(FreePair& pair, const PairGeometry& pair_geometry, const Overlap& overlap,
+                         double dt) const;
   // Contacts in space are taken one by one.
   struct Packed {
     int n = 0;
@@ -82,26 +85,26 @@ class SpaceBodies {
   [[nodiscard]] double inverse_mass(std::int32_t body) const {
     return body < m_.n_block ? 1 / m_.mass[static_cast<std::size_t>(body)] : 0.0;
   }
-  [[nodiscard]] double mobility(const FreeContact& contact, const Rubbed& rubbed) const;
-  static void spread(const ViscousForce& force, const Rubbed& rubbed, bool of_a, Push& on_a,
-                     Push& on_b);
-  // As look_at() found them.
-  [[nodiscard]] const Push& rates_now(std::int32_t body) const {
+  [[nodiscard]] double mobility(const FreeContact& contact, const SlipUpdate& slip_update) const;
+  static void spread(const ViscousForce& force, const SlipUpdate& slip_update, bool of_a,
+                     ForceMoment& on_a, ForceMoment& on_b);
+  // As cache_motion() found them.
+  [[nodiscard]] const ForceMoment& rates_now(std::int32_t body) const {
     return now_[static_cast<std::size_t>(body)].rates;
   }
   // The slip that gives a contact the joints' force on a along its face, as far as friction holds it.
   void take_over_shear(FreePair& pair, const Vec& on_a) const;
 
   void clear_rows(const WallView& wall) const;
-  void add(std::int32_t a, std::int32_t b, const Push& on_a, const Push& on_b,
+  void add(std::int32_t a, std::int32_t b, const ForceMoment& on_a, const ForceMoment& on_b,
            const WallView& wall) const;
 
   // The two bodies of a joint, sorted.
   [[nodiscard]] std::pair<std::int32_t, std::int32_t> sides_of(JointId joint) const;
   // Whether it is displaced so far that it gives way if nothing holds; whether it holds.
-  [[nodiscard]] bool gives_way(JointId joint, const WallView& wall) const;
+  [[nodiscard]] bool has_failed(JointId joint, const WallView& wall) const;
   [[nodiscard]] bool holds(JointId joint, const WallView& wall) const;
-  [[nodiscard]] Push push_of(JointId joint, std::int32_t on, const WallView& wall) const;
+  [[nodiscard]] ForceMoment joint_force(JointId joint, std::int32_t on, const WallView& wall) const;
   [[nodiscard]] double elastic_energy(JointId joint, const WallView& wall) const;
   void restore(const WallView& wall) const;                 // all joints
   void release(JointId joint, const WallView& wall) const;  // it rests from now on
@@ -118,7 +121,8 @@ class SpaceBodies {
   [[nodiscard]] Jump jump_of(JointId joint, const WallView& wall) const;
   [[nodiscard]] static bool is_tilted(const Jump& jump);
   // Of a point: number of a row of its history; the gap there.
-  [[nodiscard]] double& remembered(JointId joint, int point, int row, const WallView& wall) const;
+  [[nodiscard]] double& history_number(JointId joint, int point, int row,
+                                       const WallView& wall) const;
   [[nodiscard]] int rows_of(JointId joint) const;
   [[nodiscard]] contact::History<double> history_of(JointId joint, int point,
                                                     const WallView& wall) const;
@@ -129,7 +133,7 @@ class SpaceBodies {
   // Of a body in this step.
   struct Now {
     contact::SpaceFrame frame;
-    Push rates;
+    ForceMoment rates;
   };
 
   const Model& m_;
@@ -137,7 +141,7 @@ class SpaceBodies {
   const int width_;
   contact::SpaceParts parts_;
   std::vector<contact::FreeLaw> law_;          // of each material, for a thickness of 1 m
-  std::vector<Now> now_;                       // of each body that look_at() has seen
+  std::vector<Now> now_;                       // of each body that cache_motion() has seen
   std::vector<double> reach_, height_;         // of each moving block [m]
   std::vector<std::pair<int, int>> chunk_of_;  // of each joint, and its number there
   double margin_ = 0;

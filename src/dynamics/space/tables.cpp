@@ -30,7 +30,7 @@ void cut_joints(const Model& m, Layout& l) {
       chunk.choice = contact::choice_of(m.materials[material]);
       chunk.on_ground = j >= m.n_pair;
       chunk.points = points_of_face(m, j);
-      chunk.rows = contact::remembered(chunk.choice) + 1;  // and the second slip
+      chunk.rows = contact::history_size(chunk.choice) + 1;  // and the second slip
       l.joints.push_back(chunk);
     }
     Chunk& chunk = l.joints.back();
@@ -67,12 +67,12 @@ void cut_blocks(const Model& m, Layout& l) {
 struct Placed {
   double* numbers = nullptr;
   std::int32_t* ids = nullptr;
-  std::uint8_t* ways = nullptr;
-  std::size_t n_number = 0, n_id = 0, n_way = 0;
+  std::uint8_t* law_paths = nullptr;
+  std::size_t n_number = 0, n_id = 0, n_law_path = 0;
 
   void take(double*& table, std::size_t n) { put(table, numbers, n_number, n); }
   void take(std::int32_t*& table, std::size_t n) { put(table, ids, n_id, n); }
-  void take(std::uint8_t*& table, std::size_t n) { put(table, ways, n_way, n); }
+  void take(std::uint8_t*& table, std::size_t n) { put(table, law_paths, n_law_path, n); }
 
   // While it counts there is no memory, and nothing may be added to null.
   template <class T>
@@ -116,7 +116,7 @@ void place(const Layout& l, const Model& m, Tables& t, Placed& to) {
                        (joints + static_cast<std::size_t>(l.n_link) + frees +
                         static_cast<std::size_t>(l.n_contact)) *
                        walls);
-  to.take(t.way, joints * walls);
+  to.take(t.law_path, joints * walls);
 }
 
 void fill_joints(const Layout& l, const Model& m, Tables& t) {
@@ -127,18 +127,18 @@ void fill_joints(const Layout& l, const Model& m, Tables& t) {
   for (const Chunk& chunk : l.joints)
     for (int n = 0; n < chunk.n; ++n) {
       const int j = chunk.first + n;
-      const std::int32_t spot = l.joint_place[j];
-      t.joint_a[spot] = chunk.on_ground ? m.joint_a[j] - m.n_block : m.joint_a[j];
-      t.joint_b[spot] = m.joint_b[j];
+      const std::int32_t item = l.joint_place[j];
+      t.joint_a[item] = chunk.on_ground ? m.joint_a[j] - m.n_block : m.joint_a[j];
+      t.joint_b[item] = m.joint_b[j];
       const auto put = [&](int row, const Vec3& v) {
         const double all[3] = {v.x, v.y, v.z};
-        for (int c = 0; c < 3; ++c) t.face[l.number(spot, kFaceRows, row + c, 1)] = all[c];
+        for (int c = 0; c < 3; ++c) t.face[l.number(item, kFaceRows, row + c, 1)] = all[c];
       };
       put(kArmA, m.space.arm_a[j]);
       put(kArmB, m.space.arm_b[j]);
       put(kTangent, m.space.tangent[j]);
       put(kNormal, m.space.normal[j]);
-      t.face[l.number(spot, kFaceRows, kFaceArea, 1)] = m.area[j];
+      t.face[l.number(item, kFaceRows, kFaceArea, 1)] = m.area[j];
       for (int k = 0; k < chunk.points; ++k) {
         const std::size_t p = static_cast<std::size_t>(m.space.point_begin[j] + k);
         const auto row = [&](int r) -> double& {
@@ -206,8 +206,8 @@ Tables make_tables(const Layout& l, const Model& m, int walls, Memory& memory) {
   place(l, m, t, count);
   memory.numbers.assign(count.n_number, 0.0);
   memory.ids.assign(count.n_id, 0);
-  memory.ways.assign(count.n_way, 0);
-  Placed there{memory.numbers.data(), memory.ids.data(), memory.ways.data()};
+  memory.law_paths.assign(count.n_law_path, 0);
+  Placed there{memory.numbers.data(), memory.ids.data(), memory.law_paths.data()};
   place(l, m, t, there);
   fill_joints(l, m, t);
   fill_blocks(l, m, t);

@@ -15,14 +15,14 @@ enum FaceRow { kArmA, kArmB = 3, kTangent = 6, kNormal = 9, kFaceArea = 12, kFac
 enum PointRow { kR1, kR2, kShare, kPointRows };
 // Rows of a body; displacement and turn are rows of four.
 enum BodyRow {
-  kV,                // velocity at the half step
-  kL = 3,            // angular momentum there
-  kMassRate = 6,     // dt / (mass mass_scaling), 0 where nothing moves
-  kInverse,          // 1 / (inertia mass_scaling) about the principal axes
-  kHeavy = 10,       // mass for the weight
-  kFree,             // 0: moved by the drive
-  kLoad,             // dead loads
-  kLoadMoment = 15,  //
+  kV,                 // velocity at the half step
+  kL = 3,             // angular momentum there
+  kMassRate = 6,      // dt / (mass mass_scaling), 0 where nothing moves
+  kInverse,           // 1 / (inertia mass_scaling) about the principal axes
+  kGravityMass = 10,  // mass for the weight
+  kFree,              // 0: moved by the drive
+  kLoad,              // dead loads
+  kLoadMoment = 15,   //
   kBodyRows = 18
 };
 // Rows of a body that only drive and meters read.
@@ -52,7 +52,7 @@ struct Tables {
   std::int32_t *block_begin = nullptr, *block_middle = nullptr, *block_entry = nullptr;
   std::int32_t *link_a = nullptr, *link_b = nullptr;  // poses of the two ends
   std::int32_t* special =
-      nullptr;  // of a spot: a stage of some wall loads or drives one of its blocks
+      nullptr;  // of an item: a stage of some wall loads or drives one of its blocks
 
   // each wall its own
   double *law = nullptr, *body = nullptr, *still = nullptr, *history = nullptr, *wall = nullptr;
@@ -62,7 +62,7 @@ struct Tables {
   double *force = nullptr, *moment_a = nullptr,
          *moment_b =
              nullptr;  // rows of four: of joints, of links, of free contacts, of contacts of zones
-  std::uint8_t* way = nullptr;
+  std::uint8_t* law_path = nullptr;
 };
 // Numbers of a wall that every step brings along; kTimeBefore as in the plane, kSupportStep how far driven supports move.
 enum WallRow { kStep, kLambda, kGravity, kTimeBefore = 5, kSupportStep, kWallRows = 9 };
@@ -97,7 +97,7 @@ struct Layout {
 struct Memory {
   std::vector<double> numbers;
   std::vector<std::int32_t> ids;
-  std::vector<std::uint8_t> ways;
+  std::vector<std::uint8_t> law_paths;
 };
 
 // Tables filled with what all walls share; every wall at rest and without law.

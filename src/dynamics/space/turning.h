@@ -46,30 +46,30 @@ template <class Real>
   return {length * q.w, length * q.v};
 }
 
-// The pose of body id[spot] in the step before: what its velocity and angular momentum have done since, undone. The five
+// The pose of body id[item] in the step before: what its velocity and angular momentum have done since, undone. The five
 // rotations of spin() read the same from their end, so this is exact to rounding.
 template <class Access, class Real = typename Access::Real>
 [[nodiscard]] WYTHE_INLINE contact::Pose<Real> pose_before(const Tables& t, const Access& access,
                                                            const std::int32_t* id,
-                                                           std::ptrdiff_t spot) {
+                                                           std::ptrdiff_t item) {
   const auto vector = [&](int row) {
-    const auto of = [&](int c) { return access.of(t.body, kBodyRows, row + c, id, spot); };
+    const auto of = [&](int c) { return access.of(t.body, kBodyRows, row + c, id, item); };
     return Vector<Real>{of(0), of(1), of(2)};
   };
   const auto axis = [&](int row) {
     if constexpr (Access::one_wall) {
-      return access.of(t.axes, kAxisRows, row, id, spot);
+      return access.of(t.axes, kAxisRows, row, id, item);
     } else {
-      return access.shared(t.axes, static_cast<std::ptrdiff_t>(id[spot]) * kAxisRows + row);
+      return access.shared(t.axes, static_cast<std::ptrdiff_t>(id[item]) * kAxisRows + row);
     }
   };
-  const Rows<Real> shift = access.rows(t.shift, id, spot), turn = access.rows(t.turn, id, spot);
-  const Real dt = access.of_wall(t.wall, kTimeBefore);
+  const Rows<Real> shift = access.rows(t.shift, id, item), turn = access.rows(t.turn, id, item);
+  const Real dt = access.wall_value(t.wall, kTimeBefore);
   const Quaternion<Real> q{shift.c3, {turn.c0, turn.c1, turn.c2}};
   Inertia<Real> body;
   for (int k = 0; k < 3; ++k) {
     body.axis[k] = {axis(3 * k), axis(3 * k + 1), axis(3 * k + 2)};
-    body.inverse[k] = access.of(t.body, kBodyRows, kInverse + k, id, spot);
+    body.inverse[k] = access.of(t.body, kBodyRows, kInverse + k, id, item);
   }
   const Vector<Real> moved = dt * vector(kV);
   return {Vector<Real>{shift.c0, shift.c1, shift.c2} - moved,

@@ -16,7 +16,7 @@ void each_number(const WallView& w, const Model& m, S& s, const Act& act) {
   for (int i = 0; i < m.n_block; ++i) {
     const std::size_t k = static_cast<std::size_t>(i);
     const auto four = [&](auto& array, double* rows, int c) {
-      act(array[k], w.of_four(rows, i, c));
+      act(array[k], w.column_of(rows, i, c));
     };
     four(s.ux, w.t.shift, 0), four(s.uy, w.t.shift, 1), four(s.uz, w.t.shift, 2);
     four(s.qw, w.t.shift, 3);
@@ -26,9 +26,9 @@ void each_number(const WallView& w, const Model& m, S& s, const Act& act) {
   }
   for (int i = 0; i < m.space.n_support; ++i) {
     const std::size_t k = static_cast<std::size_t>(i);
-    act(s.support_x[k], w.of_four(w.t.support, i, 0));
-    act(s.support_y[k], w.of_four(w.t.support, i, 1));
-    act(s.support_z[k], w.of_four(w.t.support, i, 2));
+    act(s.support_x[k], w.column_of(w.t.support, i, 0));
+    act(s.support_y[k], w.column_of(w.t.support, i, 1));
+    act(s.support_z[k], w.column_of(w.t.support, i, 2));
   }
   for (int k = 0; k < w.links; ++k) {
     act(s.link_force[k], w.link(k, kLinkForce));
@@ -50,7 +50,7 @@ void each_number(const WallView& w, const Model& m, S& s, const Act& act) {
   }
 }
 
-void put_laws(const WallView& w, const Model& m) {
+void load_laws(const WallView& w, const Model& m) {
   const Layout& l = *w.layout;
   for (const Chunk& chunk : l.joints) {
     const int entries = chunk.graded ? chunk.end - chunk.begin : 1;
@@ -68,7 +68,7 @@ void put_laws(const WallView& w, const Model& m) {
   }
 }
 
-void put_links(const WallView& w, const Links& links) {
+void load_links(const WallView& w, const Links& links) {
   const std::pair<int, const std::vector<double>*> rows[] = {{kLinkStiffness, &links.stiffness},
                                                              {kLinkTension, &links.tension},
                                                              {kLinkCompression, &links.compression},
@@ -92,11 +92,12 @@ double length(const Vec& v) { return square_root(dot(v, v)); }
 // Forces on block i: of its joints, and with dead loads and gravity.
 Load<double> sum_forces(std::ptrdiff_t i, const WallView& w) {
   const Load<double> contact = contact_load(w.t, i, w.lane);
-  const Load<double> total{contact.f + (w.body_vector(i, kLoad) + w.body(i, kHeavy) * w.gravity()),
-                           contact.m + w.body_vector(i, kLoadMoment)};
-  w.put_still(contact.f, i, kContact);
-  w.put_still(total.f, i, kTotal);
-  w.put_still(total.m, i, kTotalMoment);
+  const Load<double> total{
+      contact.f + (w.body_vector(i, kLoad) + w.body(i, kGravityMass) * w.gravity()),
+      contact.m + w.body_vector(i, kLoadMoment)};
+  w.store_still_vector(contact.f, i, kContact);
+  w.store_still_vector(total.f, i, kTotal);
+  w.store_still_vector(total.m, i, kTotalMoment);
   return total;
 }
 
@@ -121,41 +122,41 @@ const std::vector<BlockId> kNone;
 // Supports move together; the reaction is what their joints do to them.
 double drive_supports(const Stage& push, const WallView& w, double velocity, WallWork& work) {
   const Vec p{push.drive_x, push.drive_y, push.drive_z};
-  const double dt = w.of_wall(kStep);
+  const double dt = w.wall_value(kStep);
   double reaction = 0;
   for (const Chunk& chunk : w.layout->joints) {
     if (!chunk.on_ground) continue;
     for (int n = 0; n < chunk.n; ++n) {
       const std::ptrdiff_t j = static_cast<std::ptrdiff_t>(chunk.begin) * w.layout->group() + n;
       if (!w.is_driven_support(w.t.joint_a[j])) continue;
-      const Vec f{w.of_four(w.t.force, j, 0), w.of_four(w.t.force, j, 1),
-                  w.of_four(w.t.force, j, 2)};
+      const Vec f{w.column_of(w.t.force, j, 0), w.column_of(w.t.force, j, 1),
+                  w.column_of(w.t.force, j, 2)};
       reaction -= dot(f, p);
     }
   }
   if (w.first_free >= 0)
     for (const BlockId id : push.driven)
-      reaction -= dot(Vec{w.of_four(w.t.force, w.first_free + id, 0),
-                          w.of_four(w.t.force, w.first_free + id, 1),
-                          w.of_four(w.t.force, w.first_free + id, 2)},
+      reaction -= dot(Vec{w.column_of(w.t.force, w.first_free + id, 0),
+                          w.column_of(w.t.force, w.first_free + id, 1),
+                          w.column_of(w.t.force, w.first_free + id, 2)},
                       p);
   const std::vector<BlockId>& pressed = w.contact_block == nullptr ? kNone : *w.contact_block;
   for (std::size_t c = 0; c < pressed.size(); ++c) {
     const std::int32_t support = pressed[c] - w.blocks;
     if (support < 0 || !w.is_driven_support(support)) continue;
     const std::ptrdiff_t row = w.layout->first_contact + static_cast<std::ptrdiff_t>(c);
-    reaction -= dot(Vec{w.of_four(w.t.force, row, 0), w.of_four(w.t.force, row, 1),
-                        w.of_four(w.t.force, row, 2)},
+    reaction -= dot(Vec{w.column_of(w.t.force, row, 0), w.column_of(w.t.force, row, 1),
+                        w.column_of(w.t.force, row, 2)},
                     p);
   }
   for (const BlockId id : push.driven)
     for (int c = 0; c < 3; ++c) {
       const double along[3] = {p.x, p.y, p.z};
-      w.of_four(w.t.support, id - w.blocks, c) += dt * velocity * along[c];
+      w.column_of(w.t.support, id - w.blocks, c) += dt * velocity * along[c];
     }
   // as of blocks, the mean of the steps before and after
-  const Vec before{w.of_wall(kSupportStep), w.of_wall(kSupportStep + 1),
-                   w.of_wall(kSupportStep + 2)};
+  const Vec before{w.wall_value(kSupportStep), w.wall_value(kSupportStep + 1),
+                   w.wall_value(kSupportStep + 2)};
   work.drive += reaction * 0.5 * (dot(before, p) + velocity * dt);
   return reaction;
 }
@@ -167,7 +168,7 @@ struct Free {
 };
 
 Free move_freely(std::ptrdiff_t i, const Stage& push, const WallView& w, const Vec& p) {
-  const double dt = w.of_wall(kStep), lambda = w.of_wall(kLambda), m = w.still(i, kBodyMass);
+  const double dt = w.wall_value(kStep), lambda = w.wall_value(kLambda), m = w.still(i, kBodyMass);
   const bool components = w.t.damps_components;
   const auto across = [&](const Vec& a) { return a - dot(a, p) * p; };
   Free now{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0};
@@ -207,20 +208,21 @@ WallView view_of(const Layout& layout, const Model& model, const Tables& tables,
   return view;
 }
 
-void put_wall(const WallView& w, const Model& m, const State& s) {
+void load_lane(const WallView& w, const Model& m, const State& s) {
   // a history from outside: no face may be taken at its word to be whole (passes/joints.h)
-  std::fill_n(w.t.way, static_cast<std::ptrdiff_t>(w.layout->n_joint) * w.t.lanes, std::uint8_t{0});
-  put_laws(w, m);
-  put_links(w, m.links);
+  std::fill_n(w.t.law_path, static_cast<std::ptrdiff_t>(w.layout->n_joint) * w.t.lanes,
+              std::uint8_t{0});
+  load_laws(w, m);
+  load_links(w, m.links);
   each_number(w, m, s, [](double of, double& to) { to = of; });
   for (int i = 0; i < m.n_block; ++i) {
     const Vec3& inertia = m.space.inertia[i];
-    w.body(i, kHeavy) = m.heavy_mass[i];
+    w.body(i, kGravityMass) = m.gravity_mass[i];
     w.body(i, kFree) = 1;
-    w.put_body({0, 0, 0}, i, kLoad);
-    w.put_body({0, 0, 0}, i, kLoadMoment);
+    w.store_body_vector({0, 0, 0}, i, kLoad);
+    w.store_body_vector({0, 0, 0}, i, kLoadMoment);
     w.still(i, kBodyMass) = m.mass[i];
-    w.put_still(vec(inertia), i, kBodyInertia);
+    w.store_still_vector(vec(inertia), i, kBodyInertia);
   }
   for (const Stage& stage : m.stages) {
     for (const PointLoad& load : stage.loads) w.special(load.block) = 1;
@@ -230,12 +232,12 @@ void put_wall(const WallView& w, const Model& m, const State& s) {
   }
 }
 
-void read_wall(const WallView& w, const Model& m, State& s) {
+void store_lane(const WallView& w, const Model& m, State& s) {
   each_number(w, m, s, [](double& to, double of) { to = of; });
 }
 
 contact::Pose<double> pose_before(std::ptrdiff_t i, const WallView& w) {
-  const double dt = w.of_wall(kTimeBefore);
+  const double dt = w.wall_value(kTimeBefore);
   const Quaternion<double> q = w.turn(i);
   return {w.shift(i) - dt * w.body_vector(i, kV),
           spin(q, turned_back(q, w.body_vector(i, kL)), inertia_of(i, w), -dt)};
@@ -255,28 +257,29 @@ void choose_driven(const WallView& w, const std::vector<BlockId>& blocks) {
     w.body(i, kFree) = 1;
     w.still(i, kLacking) = 0;
   }
-  for (int i = 0; i < w.supports; ++i) w.of_four(w.t.support, i, kDriven) = 0;
+  for (int i = 0; i < w.supports; ++i) w.column_of(w.t.support, i, kDriven) = 0;
   for (const BlockId block : blocks)
     if (block < w.blocks)
       w.body(block, kFree) = 0;
     else
-      w.of_four(w.t.support, block - w.blocks, kDriven) = 1;
+      w.column_of(w.t.support, block - w.blocks, kDriven) = 1;
 }
 
 void clear_load(const PointLoad& load, const WallView& w) {
-  w.put_body({0, 0, 0}, load.block, kLoad);
-  w.put_body({0, 0, 0}, load.block, kLoadMoment);
+  w.store_body_vector({0, 0, 0}, load.block, kLoad);
+  w.store_body_vector({0, 0, 0}, load.block, kLoadMoment);
 }
 
 void add_load(const PointLoad& load, double scale, const WallView& w) {
   const Vec f = scale * Vec{load.fx, load.fy, load.fz};
   const Vec arm = turned(w.turn(load.block), Vec{load.arm_x, load.arm_y, load.arm_z});
-  w.put_body(w.body_vector(load.block, kLoad) + f, load.block, kLoad);
-  w.put_body(w.body_vector(load.block, kLoadMoment) + cross(arm, f), load.block, kLoadMoment);
+  w.store_body_vector(w.body_vector(load.block, kLoad) + f, load.block, kLoad);
+  w.store_body_vector(w.body_vector(load.block, kLoadMoment) + cross(arm, f), load.block,
+                      kLoadMoment);
 }
 
-// As pull_links() in the plane (passes/links.h); the forces lie behind those of the joints.
-LinkWork pull_links(const WallView& w, double set) {
+// As add_link_forces() in the plane (passes/links.h); the forces lie behind those of the joints.
+LinkWork add_link_forces(const WallView& w, double set) {
   LinkWork work;
   for (int k = 0; k < w.links; ++k) {
     const auto of = [&](int row) { return w.link(k, row); };
@@ -288,9 +291,9 @@ LinkWork pull_links(const WallView& w, double set) {
     const contact::SpaceLinkLine line = contact::link_line(
         Vec{of(kLinkSpanX), of(kLinkSpanY), of(kLinkSpanZ)}, of(kLinkFollows) > 0, a, b);
     const double drawn = set * of(kLinkPrestress) / of(kLinkStiffness), before = of(kLinkForce);
-    const contact::LinkPull pull =
-        contact::link_pull({of(kLinkStiffness), of(kLinkTension), of(kLinkCompression)},
-                           line.elongation, of(kLinkPlastic), drawn);
+    const contact::LinkForce pull =
+        contact::force_of_link({of(kLinkStiffness), of(kLinkTension), of(kLinkCompression)},
+                               line.elongation, of(kLinkPlastic), drawn);
     const double mean = 0.5 * (before + pull.force);
     work.dissipated += mean * pull.flow;
     work.tensioned += mean * (drawn - of(kLinkDrawn));
@@ -302,9 +305,9 @@ LinkWork pull_links(const WallView& w, double set) {
     const std::ptrdiff_t row = w.layout->n_joint + k;
     for (const auto& [rows, v] :
          {std::pair(w.t.force, f), {w.t.moment_a, on_a}, {w.t.moment_b, on_b}}) {
-      w.of_four(rows, row, 0) = v.x;
-      w.of_four(rows, row, 1) = v.y;
-      w.of_four(rows, row, 2) = v.z;
+      w.column_of(rows, row, 0) = v.x;
+      w.column_of(rows, row, 1) = v.y;
+      w.column_of(rows, row, 2) = v.z;
     }
   }
   return work;
@@ -316,7 +319,7 @@ double drive(const Stage& push, const WallView& w, double velocity, WallWork& wo
   if (!push.driven.empty() && push.driven.front() >= w.blocks)
     return drive_supports(push, w, velocity, work);
   const Vec p{push.drive_x, push.drive_y, push.drive_z};
-  const double dt = w.of_wall(kStep), lambda = w.of_wall(kLambda);
+  const double dt = w.wall_value(kStep), lambda = w.wall_value(kLambda);
   const bool spread = push.spec.as != Manner::kEach;
   const bool is_pattern = push.spec.pattern != Pattern::kNone;
   double reaction = 0, sum = 0, mobility = 0, squares = 0;
@@ -369,14 +372,14 @@ double drive(const Stage& push, const WallView& w, double velocity, WallWork& wo
     const Vec v = vp * p + free.v;
     const Quaternion<double> q = w.turn(i);
     const Quaternion<double> q1 = spin(q, turned_back(q, free.l), inertia_of(i, w), dt);
-    w.put_body(v, i, kV);
-    w.put_body(free.l, i, kL);
+    w.store_body_vector(v, i, kV);
+    w.store_body_vector(free.l, i, kL);
     const double shift[4] = {v.x * dt, v.y * dt, v.z * dt, q1.w - q.w};
-    for (int c = 0; c < 4; ++c) w.of_four(w.t.shift, i, c) += shift[c];
-    w.of_four(w.t.shift, i, 3) = q1.w;
-    w.of_four(w.t.turn, i, 0) = q1.v.x;
-    w.of_four(w.t.turn, i, 1) = q1.v.y;
-    w.of_four(w.t.turn, i, 2) = q1.v.z;
+    for (int c = 0; c < 4; ++c) w.column_of(w.t.shift, i, c) += shift[c];
+    w.column_of(w.t.shift, i, 3) = q1.w;
+    w.column_of(w.t.turn, i, 0) = q1.v.x;
+    w.column_of(w.t.turn, i, 1) = q1.v.y;
+    w.column_of(w.t.turn, i, 2) = q1.v.z;
   }
   return reaction;
 }
@@ -389,22 +392,22 @@ double unbalance_of(const WallView& w, const Model& m, const ZoneRun* zones) {
       continue;
     }
     const Load<double> contact_now = contact_load(w.t, i, w.lane);
-    const Vec load = w.body_vector(i, kLoad) + w.body(i, kHeavy) * w.gravity();
+    const Vec load = w.body_vector(i, kLoad) + w.body(i, kGravityMass) * w.gravity();
     unbalanced += length(contact_now.f + load) +
                   length(contact_now.m + w.body_vector(i, kLoadMoment)) / radius_of(i, w);
   }
   for (int j = 0; j < m.n_joint; ++j) {
     const std::int32_t e = w.layout->joint_place[j];
     const double sides = j < m.n_pair ? 2.0 : 1.0;
-    contact += sides * length({w.of_four(w.t.force, e, 0), w.of_four(w.t.force, e, 1),
-                               w.of_four(w.t.force, e, 2)});
+    contact += sides * length({w.column_of(w.t.force, e, 0), w.column_of(w.t.force, e, 1),
+                               w.column_of(w.t.force, e, 2)});
   }
   for (int k = 0; k < w.links; ++k) {
     const double sides = w.t.link_a[k] == w.t.n_block ? 1.0 : 2.0;
     contact += sides * magnitude(w.link(k, kLinkForce));
   }
   for (int i = 0; w.first_free >= 0 && i < w.blocks; ++i)
-    contact += w.of_four(w.t.force, w.first_free + i, 3);
+    contact += w.column_of(w.t.force, w.first_free + i, 3);
   if (zones != nullptr) {
     unbalanced += zones->unbalanced();
     contact += zones->pressed(w);
@@ -429,19 +432,19 @@ double shear_of(const WallView& w, const Model& m, const Vec3& along) {
   for (int j = m.n_pair; j < m.n_joint; ++j) {
     const std::int32_t e = w.layout->joint_place[j];
     if (w.is_driven_support(w.t.joint_a[e])) continue;
-    sum += w.of_four(w.t.force, e, 0) * along.x + w.of_four(w.t.force, e, 1) * along.y +
-           w.of_four(w.t.force, e, 2) * along.z;
+    sum += w.column_of(w.t.force, e, 0) * along.x + w.column_of(w.t.force, e, 1) * along.y +
+           w.column_of(w.t.force, e, 2) * along.z;
   }
   for (int k = 0; k < w.links; ++k) {
     const std::ptrdiff_t e = w.layout->n_joint + k;
     if (w.t.link_a[k] == w.t.n_block)
-      sum += w.of_four(w.t.force, e, 0) * along.x + w.of_four(w.t.force, e, 1) * along.y +
-             w.of_four(w.t.force, e, 2) * along.z;
+      sum += w.column_of(w.t.force, e, 0) * along.x + w.column_of(w.t.force, e, 1) * along.y +
+             w.column_of(w.t.force, e, 2) * along.z;
   }
   for (int i = w.blocks; i < w.bodies; ++i)
-    sum += w.of_four(w.t.force, w.first_free + i, 0) * along.x +
-           w.of_four(w.t.force, w.first_free + i, 1) * along.y +
-           w.of_four(w.t.force, w.first_free + i, 2) * along.z;
+    sum += w.column_of(w.t.force, w.first_free + i, 0) * along.x +
+           w.column_of(w.t.force, w.first_free + i, 1) * along.y +
+           w.column_of(w.t.force, w.first_free + i, 2) * along.z;
   return sum;
 }
 

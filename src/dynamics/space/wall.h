@@ -41,29 +41,29 @@ struct WallView {
   [[nodiscard]] Vec still_vector(std::ptrdiff_t i, int row) const {
     return {still(i, row), still(i, row + 1), still(i, row + 2)};
   }
-  void put_body(const Vec& v, std::ptrdiff_t i, int row) const {
+  void store_body_vector(const Vec& v, std::ptrdiff_t i, int row) const {
     body(i, row) = v.x, body(i, row + 1) = v.y, body(i, row + 2) = v.z;
   }
-  void put_still(const Vec& v, std::ptrdiff_t i, int row) const {
+  void store_still_vector(const Vec& v, std::ptrdiff_t i, int row) const {
     still(i, row) = v.x, still(i, row + 1) = v.y, still(i, row + 2) = v.z;
   }
   // Column c of a row of four.
-  [[nodiscard]] double& of_four(double* rows, std::ptrdiff_t e, int c) const {
+  [[nodiscard]] double& column_of(double* rows, std::ptrdiff_t e, int c) const {
     return rows[(4 * e + c) * t.lanes + lane];
   }
   [[nodiscard]] bool is_driven_support(std::int32_t support) const {
-    return of_four(t.support, support, kDriven) > 0;
+    return column_of(t.support, support, kDriven) > 0;
   }
   [[nodiscard]] Vec shift(std::ptrdiff_t i) const {
-    return {of_four(t.shift, i, 0), of_four(t.shift, i, 1), of_four(t.shift, i, 2)};
+    return {column_of(t.shift, i, 0), column_of(t.shift, i, 1), column_of(t.shift, i, 2)};
   }
   [[nodiscard]] Quaternion<double> turn(std::ptrdiff_t i) const {
-    return {of_four(t.shift, i, 3),
-            {of_four(t.turn, i, 0), of_four(t.turn, i, 1), of_four(t.turn, i, 2)}};
+    return {column_of(t.shift, i, 3),
+            {column_of(t.turn, i, 0), column_of(t.turn, i, 1), column_of(t.turn, i, 2)}};
   }
-  [[nodiscard]] double& of_wall(int row) const { return t.wall[row * t.lanes + lane]; }
+  [[nodiscard]] double& wall_value(int row) const { return t.wall[row * t.lanes + lane]; }
   [[nodiscard]] Vec gravity() const {
-    return {of_wall(kGravity), of_wall(kGravity + 1), of_wall(kGravity + 2)};
+    return {wall_value(kGravity), wall_value(kGravity + 1), wall_value(kGravity + 2)};
   }
   [[nodiscard]] std::int32_t& special(std::ptrdiff_t i) const {
     return t.special[layout->grouped() ? i / kGroup : i];
@@ -73,9 +73,9 @@ struct WallView {
 [[nodiscard]] WallView view_of(const Layout& layout, const Model& model, const Tables& tables,
                                int lane);
 // A wall takes a lane: what it has for itself and where it is. Its time step is still to be set.
-void put_wall(const WallView& wall, const Model& model, const State& state);
+void load_lane(const WallView& wall, const Model& model, const State& state);
 // Its motion and history, into the state's own arrays.
-void read_wall(const WallView& wall, const Model& model, State& state);
+void store_lane(const WallView& wall, const Model& model, State& state);
 
 // Where block i was in the step before (turning.h).
 [[nodiscard]] contact::Pose<double> pose_before(std::ptrdiff_t i, const WallView& wall);
@@ -86,7 +86,7 @@ void clear_load(const PointLoad& load, const WallView& wall);
 void add_load(const PointLoad& load, double scale, const WallView& wall);
 
 // Forces of all links where the blocks are now; `set`: share of their prestress in force.
-[[nodiscard]] LinkWork pull_links(const WallView& wall, double set);
+[[nodiscard]] LinkWork add_link_forces(const WallView& wall, double set);
 
 // Moves the driven blocks, or supports, and returns the reaction [N].
 [[nodiscard]] double drive(const Stage& push, const WallView& wall, double velocity,

@@ -57,7 +57,7 @@ ZoneRun::ZoneRun(const Model& model, const State& s)
   }
 }
 
-void ZoneRun::bring_up(State& s) const {
+void ZoneRun::store_state(State& s) const {
   for (std::size_t i = 0; i < u_.size(); ++i) {
     s.node_ux[i] = u_[i].x, s.node_uy[i] = u_[i].y, s.node_uz[i] = u_[i].z;
     s.node_vx[i] = v_[i].x, s.node_vy[i] = v_[i].y, s.node_vz[i] = v_[i].z;
@@ -82,15 +82,15 @@ void ZoneRun::deform(Workers* workers) {
 }
 
 // A contact as its rigid block and its nodes stand: the turned face and the side.
-struct ZoneRun::Meeting {
+struct ZoneRun::ContactGeometry {
   contact::Pose<double> pose;
   Vec t1, t2, n, node[4];
 };
-ZoneRun::Meeting ZoneRun::meeting(std::size_t c, const contact::Pose<double>& pose,
-                                  double back) const {
+ZoneRun::ContactGeometry ZoneRun::contact_geometry(std::size_t c, const contact::Pose<double>& pose,
+                                                   double back) const {
   const Vec t1 = turned(pose.q, vec(s_.contact_tangent[c]));
   const Vec n = turned(pose.q, vec(s_.contact_normal[c]));
-  Meeting m{pose, t1, cross(n, t1), n, {}};
+  ContactGeometry m{pose, t1, cross(n, t1), n, {}};
   for (std::size_t k = 0; k < 4; ++k) {
     const std::size_t i = static_cast<std::size_t>(s_.contact_node[4 * c + k]);
     m.node[k] = u_[i] - back * v_[i];
@@ -99,7 +99,8 @@ ZoneRun::Meeting ZoneRun::meeting(std::size_t c, const contact::Pose<double>& po
 }
 
 // A point of it: from a's centroid, and how far the side is from the face.
-ZoneRun::Spot ZoneRun::spot(std::size_t c, std::size_t p, const Meeting& m) const {
+ZoneRun::ContactMotion ZoneRun::contact_motion(std::size_t c, std::size_t p,
+                                               const ContactGeometry& m) const {
   const double* share = &s_.node_share[4 * (p - static_cast<std::size_t>(s_.point_begin.front()))];
   const Vec t0 = vec(s_.contact_tangent[c]), across = cross(vec(s_.contact_normal[c]), t0);
   const Vec on_side =
@@ -111,16 +112,16 @@ ZoneRun::Spot ZoneRun::spot(std::size_t c, std::size_t p, const Meeting& m) cons
 }
 
 // The same in the step before; supports as in joints.h.
-ZoneRun::Meeting ZoneRun::meeting_before(std::size_t c, const WallView& w) const {
-  const double dt = w.of_wall(kTimeBefore);
+ZoneRun::ContactGeometry ZoneRun::contact_geometry_before(std::size_t c, const WallView& w) const {
+  const double dt = w.wall_value(kTimeBefore);
   const BlockId block = s_.contact_block[c];
-  if (block < w.blocks) return meeting(c, pose_before(block, w), dt);
+  if (block < w.blocks) return contact_geometry(c, pose_before(block, w), dt);
   const auto moved = [&](int k) {
     const std::int32_t support = block - w.blocks;
-    return w.of_four(w.t.support, support, k) -
-           w.of_four(w.t.support, support, kDriven) * w.of_wall(kSupportStep + k);
+    return w.column_of(w.t.support, support, k) -
+           w.column_of(w.t.support, support, kDriven) * w.wall_value(kSupportStep + k);
   };
-  return meeting(c, {{moved(0), moved(1), moved(2)}, {1, {0, 0, 0}}}, dt);
+  return contact_geometry(c, {{moved(0), moved(1), moved(2)}, {1, {0, 0, 0}}}, dt);
 }
 
 // The points of one contact through the law of variant V.
@@ -129,16 +130,16 @@ void ZoneRun::ask(std::size_t c, const WallView& w, JointWork<double>& work) {
   const contact::LawConstants<double>& law = law_[s_.contact_material[c]];
   const BlockId block = s_.contact_block[c];
   const bool on_block = block < w.blocks;
-  const auto support = [&](int k) { return w.of_four(w.t.support, block - w.blocks, k); };
+  const auto support = [&](int k) { return w.column_of(w.t.support, block - w.blocks, k); };
   const Vec moved = on_block ? w.shift(block) : Vec{support(0), support(1), support(2)};
   const Quaternion<double> q = on_block ? w.turn(block) : Quaternion<double>{1, {0, 0, 0}};
-  const Meeting m = meeting(c, {moved, q}, 0);
+  const ContactGeometry m = contact_geometry(c, {moved, q}, 0);
   Vec sum{0, 0, 0}, moment{0, 0, 0}, side[4] = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
   const std::size_t first = static_cast<std::size_t>(s_.point_begin.front());
   for (auto p = static_cast<std::size_t>(s_.point_begin[c]);
        p < static_cast<std::size_t>(s_.point_begin[c + 1]); ++p) {
     const double* share = &s_.node_share[4 * (p - first)];
-    const Spot now = spot(c, p, m);
+    const ContactMotion now = contact_motion(c, p, m);
     Point& point = point_[p - first];
     contact::History<double> h = point.history;
     const contact::Shear<double> shear =
@@ -146,11 +147,11 @@ void ZoneRun::ask(std::size_t c, const WallView& w, JointWork<double>& work) {
     const double before = h.plastic_slip;
     h.plastic_slip = 0;
     const contact::History<double> then = h;
-    const contact::Answer<double> a = contact::update<V>(law, now.gap.z, shear.e, h);
+    const contact::LawUpdate<double> a = contact::update<V>(law, now.gap.z, shear.e, h);
     const double area = s_.contact_area[c] * m_.space.point_share[p];
     double friction = a.friction;
     if (a.slipped != 0) {
-      const Vec gap = spot(c, p, meeting_before(c, w)).gap;
+      const Vec gap = contact_motion(c, p, contact_geometry_before(c, w)).gap;
       const double along =
           contact::along(shear, contact::shear_of(gap.x, gap.y, before, point.plastic_2));
       friction = contact::friction_taken<V>(law, a, then, gap.z, along);
@@ -172,9 +173,9 @@ void ZoneRun::ask(std::size_t c, const WallView& w, JointWork<double>& work) {
   std::copy_n(side, 4, side_force_.begin() + static_cast<std::ptrdiff_t>(4 * c));
   const std::ptrdiff_t row = w.layout->first_contact + static_cast<std::ptrdiff_t>(c);
   for (const auto& [rows, v] : {std::pair(w.t.force, sum), {w.t.moment_a, moment}}) {
-    w.of_four(rows, row, 0) = v.x;
-    w.of_four(rows, row, 1) = v.y;
-    w.of_four(rows, row, 2) = v.z;
+    w.column_of(rows, row, 0) = v.x;
+    w.column_of(rows, row, 1) = v.y;
+    w.column_of(rows, row, 2) = v.z;
   }
 }
 
@@ -188,7 +189,7 @@ void ZoneRun::press(const WallView& wall, Workers* workers) {
 
 void ZoneRun::move(const WallView& w, double dt, double mass_scaling, Workers* workers) {
   std::fill(node_work_.begin(), node_work_.end(), BlockWork<double>{0, 0});
-  const double lambda = w.of_wall(kLambda);
+  const double lambda = w.wall_value(kLambda);
   const Vec gravity = w.gravity();
   each(workers, s_.n_node, kNodeChunk, [&](std::size_t i, std::size_t chunk) {
     Vec f{0, 0, 0};
@@ -198,7 +199,7 @@ void ZoneRun::move(const WallView& w, double dt, double mass_scaling, Workers* w
     for (auto e = static_cast<std::size_t>(s_.contact_begin[i]);
          e < static_cast<std::size_t>(s_.contact_begin[i + 1]); ++e)
       f = f + side_force_[s_.contact_entry[e]];
-    const Vec load = s_.node_heavy_mass[i] * gravity;
+    const Vec load = s_.node_gravity_mass[i] * gravity;
     f = f + load;
     total_[i] = f;
     const Vec v0 = v_[i], damped = damping_of(f, v0, lambda, w.t.damps_components);
@@ -233,8 +234,8 @@ double ZoneRun::pressed(const WallView& w) const {
   for (int c = 0; c < s_.n_contact; ++c) {
     const std::ptrdiff_t row = w.layout->first_contact + c;
     const double sides = s_.contact_block[c] < w.blocks ? 2.0 : 1.0;
-    sum += sides * length_of({w.of_four(w.t.force, row, 0), w.of_four(w.t.force, row, 1),
-                              w.of_four(w.t.force, row, 2)});
+    sum += sides * length_of({w.column_of(w.t.force, row, 0), w.column_of(w.t.force, row, 1),
+                              w.column_of(w.t.force, row, 2)});
   }
   return sum;
 }
@@ -252,8 +253,8 @@ double ZoneRun::shear(const WallView& w, const Vec3& along) const {
     const std::int32_t support = s_.contact_block[c] - w.blocks;
     if (support < 0 || w.is_driven_support(support)) continue;
     const std::ptrdiff_t row = w.layout->first_contact + c;
-    sum += w.of_four(w.t.force, row, 0) * along.x + w.of_four(w.t.force, row, 1) * along.y +
-           w.of_four(w.t.force, row, 2) * along.z;
+    sum += w.column_of(w.t.force, row, 0) * along.x + w.column_of(w.t.force, row, 1) * along.y +
+           w.column_of(w.t.force, row, 2) * along.z;
   }
   return sum;
 }

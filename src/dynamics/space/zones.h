@@ -22,7 +22,7 @@ namespace wythe::dynamics::space {
 class ZoneRun {
  public:
   ZoneRun(const Model& model, const State& state);
-  void bring_up(State& state) const;
+  void store_state(State& state) const;
 
   // The passes of a step, in their order; `workers`: null for one thread.
   void deform(Workers* workers);                       // forces of the zones on their nodes
@@ -46,15 +46,18 @@ class ZoneRun {
     contact::History<double> history;
     double plastic_2 = 0;
   };
-  struct Meeting;
-  struct Spot {
+  struct ContactGeometry;
+  struct ContactMotion {
     Vec arm, gap;  // gap along t1, t2 and n
   };
   // With the nodes where they were a time `back` ago.
-  [[nodiscard]] Meeting meeting(std::size_t contact, const contact::Pose<double>& pose,
-                                double back) const;
-  [[nodiscard]] Meeting meeting_before(std::size_t contact, const WallView& wall) const;
-  [[nodiscard]] Spot spot(std::size_t contact, std::size_t point, const Meeting& m) const;
+  [[nodiscard]] ContactGeometry contact_geometry(std::size_t contact,
+                                                 const contact::Pose<double>& pose,
+                                                 double back) const;
+  [[nodiscard]] ContactGeometry contact_geometry_before(std::size_t contact,
+                                                        const WallView& wall) const;
+  [[nodiscard]] ContactMotion contact_motion(std::size_t contact, std::size_t point,
+                                             const ContactGeometry& m) const;
   template <class V>
   void ask(std::size_t contact, const WallView& wall, JointWork<double>& work);
 

@@ -44,14 +44,14 @@ class Fitter {
     find_groups();
     find_mean();
     for (const auto& [group, blocks] : groups_) place(blocks);
-    let_go_of_joints();  // before the gap, which opens from there
+    release_joints();  // before the gap, which opens from there
     for (std::size_t k = 0; k < m_.frames.moved.size(); ++k) {
       const BlockId block = m_.frames.moved[k];
       if (!is_new(block)) continue;
       s_.ux[block] += m_.frames.moved_x[k];
       s_.uy[block] += m_.frames.moved_y[k];
     }
-    let_go_of_sections();
+    release_sections();
     let_go_of_links();
   }
 
@@ -144,7 +144,7 @@ class Fitter {
 
   // The slip and the opening that are there when something is put up have no stress, as if fresh mortar filled what room
   // there is: a bed narrower than drawn counts as shortened (crush), a wider one as lengthened, as dilatancy does.
-  void let_go_of_joints() {
+  void release_joints() {
     const std::vector<PointReading> points = read_points(m_, s_);
     for (JointId j = 0; j < m_.n_joint; ++j) {
       const BlockId a = m_.joint_a[j], b = m_.joint_b[j];
@@ -157,7 +157,7 @@ class Fitter {
     }
   }
 
-  void let_go_of_sections() {
+  void release_sections() {
     const Frames& f = m_.frames;
     for (std::size_t k = 0; k < f.a.size(); ++k) {
       if (!is_new(f.b[k])) continue;
@@ -208,7 +208,7 @@ void set_release(const Model& m, State& s, double dt) {
   constexpr double kAnInstant = 1e-9;  // of the step: nothing moves
   State scratch = s;
   Processor instant(m, 1);
-  instant.put(0, m, scratch);
+  instant.load_wall(0, m, scratch);
   Controls controls;
   controls.dt = kAnInstant * dt;
   instant.set(0, controls);
@@ -216,9 +216,9 @@ void set_release(const Model& m, State& s, double dt) {
   const WallView& wall = instant.view(0);
   for (const BlockId i : touched(m, s.stage)) {
     const BlockForce<double> f = contact_force(wall.t, i, 0);
-    const double heavy = wall.block(i, kHeavyMass);
-    s.release_x[i] = -(f.x + wall.block(i, kLoadX) + heavy * wall.of_wall(kGravityX));
-    s.release_y[i] = -(f.y + wall.block(i, kLoadY) + heavy * wall.of_wall(kGravityY));
+    const double heavy = wall.block(i, kGravityMass);
+    s.release_x[i] = -(f.x + wall.block(i, kLoadX) + heavy * wall.wall_value(kGravityX));
+    s.release_y[i] = -(f.y + wall.block(i, kLoadY) + heavy * wall.wall_value(kGravityY));
     s.release_m[i] = -(f.m + wall.block(i, kLoadM));
   }
 }
@@ -231,17 +231,17 @@ double stored(const Model& model, const State& state, int stage) {
 
 }  // namespace
 
-void begin_cut(WallUnderWay& wall) {
+void begin_cut(StageContext& wall) {
   const Model& model = wall.model;
   State& state = wall.state;
   if (state.stage_time > 0 || !model.standing.any()) return;
-  wall.access->bring_up(state);
+  wall.access->store_state(state);
   const double before = stored(model, state, state.stage - 1);
   Fitter(model, state).fit();
   set_release(model, state, stage_time_step(model, model.stages[state.stage]));
   // what was stored in what is gone leaves with it
   state.work_loads += stored(model, state, state.stage) - before;
-  wall.access->put_again(state);
+  wall.access->reload_wall(state);
 }
 
 }  // namespace wythe::dynamics

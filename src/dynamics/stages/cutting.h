@@ -10,6 +10,6 @@
 namespace wythe::dynamics {
 
 // Once, before the first step of the stage; of a stage that goes on from a checkpoint nothing is left to do.
-void begin_cut(WallUnderWay& wall);
+void begin_cut(StageContext& wall);
 
 }  // namespace wythe::dynamics

@@ -99,7 +99,7 @@ void Recorder::take(const WallAccess& access, State& state, const Controls& cont
     while (n_.next_close < travelled) plan_close();
     n_.work_at_start = state.work_drive;
     n_.dead = dead_along_push(state);
-    access.bring_up(state);
+    access.store_state(state);
     if (result_.curve.empty()) {
       result_.curve.push_back({});
       if (columns_of(model_).held_head) result_.curve.back().head_axial = head_axial(state);
@@ -123,7 +123,7 @@ void Recorder::take(const WallAccess& access, State& state, const Controls& cont
   take_rise(displacement, travelled);
   row_closed_ = closes;
   if (closes) {
-    access.bring_up(state);
+    access.store_state(state);
     close_row(state);
     take_frame(state, travelled);
   }
@@ -139,7 +139,7 @@ void Recorder::take_states(const WallAccess& access, State& state) {
   n_.grows = far > n_.farthest ? 1 : 0;
   n_.farthest = std::max(n_.farthest, far);
   if (!turns && far < n_.due) return;
-  access.bring_up(state);
+  access.store_state(state);
   while (far >= next_state_at()) {
     take_snapshot(fmt::format("{:g} mm", 1e3 * next_state_at()), state);
     result_.snapshots.back().asked = next_state_at();
@@ -155,7 +155,7 @@ void Recorder::take_states(const WallAccess& access, State& state) {
 // How far the blocks have gone, until readings are as close as the next of these.
 void Recorder::take_shape(const WallAccess& access, State& state) {
   if (displacement_ < n_.next_shape) return;
-  access.bring_up(state);
+  access.store_state(state);
   const Vec3 along = stage_.drive();
   const State& start = result_.snapshots.front().state;
   MovedBlocks& shape = result_.rise_shapes.emplace_back();
@@ -245,9 +245,9 @@ double Recorder::dead_along_push(const State& state) const {
   for (const BlockId block : stage_.driven)
     if (block < model_.n_block) driven[static_cast<std::size_t>(block)] = true;  // else a support
   double mass = 0, force = 0;
-  for (std::size_t i = 0; i < driven.size(); ++i) mass += driven[i] ? 0.0 : model_.heavy_mass[i];
-  for (const double node : model_.solids.node_heavy_mass) mass += node;
-  for (const double node : model_.space.solids.node_heavy_mass) mass += node;
+  for (std::size_t i = 0; i < driven.size(); ++i) mass += driven[i] ? 0.0 : model_.gravity_mass[i];
+  for (const double node : model_.solids.node_gravity_mass) mass += node;
+  for (const double node : model_.space.solids.node_gravity_mass) mass += node;
   const Vec3 along = stage_.drive();
   force = mass * dot(Vec3{state.gravity_x, state.gravity_y, state.gravity_z}, along);
   for (std::size_t k = 0; k < model_.stages.size(); ++k)
@@ -375,7 +375,7 @@ void Recorder::note_frames(const State& state, double displacement, double react
 
 void Recorder::note_layers(const State& state, double displacement, double reaction) {
   if (model_.layers.n == 0) return;
-  const std::vector<LayerRow> rows = read_layer_rows(model_, state);
+  const std::vector<LayerRow> rows = evaluate_layer_rows(model_, state);
   for (std::size_t k = 0; k < rows.size(); ++k) {
     result_.layer_rows.push_back(rows[k]);
     if (!(rows[k].broken > 0)) continue;
@@ -485,7 +485,7 @@ void Recorder::finish(const WallAccess& access, State& state, const Controls& co
     recording_ = {};
     return;
   }
-  access.bring_up(state);
+  access.store_state(state);
   // A window cut short is too noisy a mean to stand beside the others; a wall that ran away under a load
   // that stands still has no more rows.
   if (2 * n_.steps >= n_.full_window && n_.steps > 0 && !ran_away) {

@@ -43,7 +43,7 @@ std::vector<std::vector<BlockId>> storey_tops(const Model& m) {
 
 class Shake final : public StageRun {
  public:
-  Shake(WallUnderWay& wall, const Stage& stage)
+  Shake(StageContext& wall, const Stage& stage)
       : StageRun(wall, stage),
         n_(wall.record.recording.numbers),
         result_(wall.record.result),
@@ -76,10 +76,10 @@ class Shake final : public StageRun {
     }
   }
 
-  void look(double) override {
+  void after_step(double) override {
     if (state_.step % kForceEvery == 0) sample();
     if (state_.stage_time >= static_cast<double>(rows_in_stage()) * interval_) take_row();
-    if (state_.step % kWatchEvery == 0) watch_fallen();
+    if (state_.step % kCheckEvery == 0) check_fallen();
     if (!ended() && !(state_.stage_time < duration_)) end({});
   }
 
@@ -92,7 +92,7 @@ class Shake final : public StageRun {
       n_.shake_start = state_.time - (h.row.empty() ? 0 : h.row.back().time);
     n_.shake_rows = static_cast<std::int64_t>(result_.history.row.size());
     n_.shake_frames = 0;
-    wall_.access->bring_up(state_);
+    wall_.access->store_state(state_);
     keep_state("start of " + stage_.spec.name);
     sample();
     take_row();
@@ -133,7 +133,7 @@ class Shake final : public StageRun {
   }
 
   void take_row() {
-    wall_.access->bring_up(state_);
+    wall_.access->store_state(state_);
     ShakeRow row;
     row.time = state_.time - n_.shake_start;
     for (const GroundMotion& motion : stage_.base) {
@@ -211,10 +211,10 @@ class Shake final : public StageRun {
   }
 
   // A wall that rocks moves far and stands: what has fallen, or lies, has not.
-  void watch_fallen() {
-    watch_motion(state_.stage_time / duration_);
+  void check_fallen() {
+    check_motion(state_.stage_time / duration_);
     if (ended()) return;
-    watch_for_falls();
+    check_falls();
     for (std::size_t i = 0; i < state_.ux.size() && !ended(); ++i)
       if (tilt_of(model_, state_, i) > kMostTilt)
         end({SolveStatus::kCollapsed,
@@ -227,7 +227,7 @@ class Shake final : public StageRun {
   }
 
   void finish(StageEnd& how) override {
-    wall_.access->bring_up(state_);
+    wall_.access->store_state(state_);
     keep_state("end");
     state_.gravity_x = state_.gravity_z = 0;
     state_.gravity_y = -model_.solve.gravity;
@@ -259,7 +259,7 @@ AppliedRecord applied(const GroundMotion& m, bool of_base) {
 }
 
 // Peaks and residuals of each storey's drift.
-std::vector<StoreyDrift> read_storeys(const ShakeHistory& h, std::size_t tail) {
+std::vector<StoreyDrift> evaluate_storeys(const ShakeHistory& h, std::size_t tail) {
   std::vector<StoreyDrift> out;
   for (std::size_t k = 0; k < h.storey.size(); ++k) {
     StoreyDrift storey{h.storey[k], 0, 0, 0};
@@ -291,11 +291,11 @@ double shake_interval(const Stage& stage) {
   return std::max(kUsual, shake_duration(stage) / kMostShakeRows);
 }
 
-std::unique_ptr<StageRun> make_shake(WallUnderWay& wall, const Stage& stage) {
+std::unique_ptr<StageRun> make_shake(StageContext& wall, const Stage& stage) {
   return std::make_unique<Shake>(wall, stage);
 }
 
-void read_shaking(const Model& model, Result& result) {
+void evaluate_shaking(const Model& model, Result& result) {
   const ShakeHistory& h = result.history;
   ShakeReadings& r = result.shaking;
   if (h.row.empty()) return;
@@ -318,7 +318,7 @@ void read_shaking(const Model& model, Result& result) {
     peak.residual = length(mean) / static_cast<double>(rows - tail);
     r.motion.push_back(peak);
   }
-  r.storey = read_storeys(h, tail);
+  r.storey = evaluate_storeys(h, tail);
   for (const ShakeRow& row : h.row) {
     r.peak_base_shear =
         std::max(r.peak_base_shear, elementary::hypot(row.base_force[0], row.base_force[2]));

@@ -5,13 +5,13 @@
 
 namespace wythe::dynamics {
 
-[[nodiscard]] std::unique_ptr<StageRun> make_shake(WallUnderWay& wall, const Stage& stage);
+[[nodiscard]] std::unique_ptr<StageRun> make_shake(StageContext& wall, const Stage& stage);
 
 // Length of a shake [s], and the time between rows of its history.
 [[nodiscard]] double shake_duration(const Stage& stage);
 [[nodiscard]] double shake_interval(const Stage& stage);
 
 // What the rows of all shakes say.
-void read_shaking(const Model& model, Result& result);
+void evaluate_shaking(const Model& model, Result& result);
 
 }  // namespace wythe::dynamics

@@ -108,11 +108,11 @@ double WallRun::seconds() const { return seconds_before_ + seconds_since(start_)
 
 // After all that the step itself has to say, so that a run cut here and continued says the same: the
 // caller's checkpoint, an interrupt, the budget.
-void WallRun::heed_caller() {
+void WallRun::poll_caller() {
   const bool asked = options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed);
   const bool spent = options_.step_budget > 0 && state_.step >= options_.step_budget;
-  if (options_.checkpoint && (asked || spent || state_.step % kWatchEvery == 0)) {
-    wall_.access->bring_up(state_);
+  if (options_.checkpoint && (asked || spent || state_.step % kCheckEvery == 0)) {
+    wall_.access->store_state(state_);
     record_.result.wall_seconds = seconds();
     options_.checkpoint(state_, record_, asked || spent);
   }
@@ -127,9 +127,9 @@ void WallRun::heed_caller() {
         {SolveStatus::kBudgetSpent, {"stop.budget_spent", {{"steps", state_.step}}}, false});
 }
 
-void WallRun::look(double reaction) {
-  stage_->look(reaction);
-  if (!stage_->ended()) heed_caller();
+void WallRun::after_step(double reaction) {
+  stage_->after_step(reaction);
+  if (!stage_->ended()) poll_caller();
   if (!stage_->ended()) return;
   const int stage = state_.stage;
   close_stage();
@@ -153,15 +153,15 @@ bool WallRun::is_of_supports() const {
 Result WallRun::finish() {
   Result& result = record_.result;
   result.responses = read_responses(result.curve, reading_of(model_, result));
-  read_shaking(model_, result);
+  evaluate_shaking(model_, result);
   result.quasi_static = judge_quasi_static(result, is_of_supports());
   result.top_displacement = top_displacement(model_, state_);
-  result.debris = reading::read_debris(model_, state_);
+  result.debris = reading::evaluate_debris(model_, state_);
   result.steps = state_.step;
   result.state_hash = state_hash(state_);
   add_curve_events(result);
-  result.frame_uses = read_frame_uses(model_, result);
-  result.layer_uses = read_layer_uses(model_, result);
+  result.frame_uses = evaluate_frame_uses(model_, result);
+  result.layer_uses = evaluate_layer_uses(model_, result);
   result.wall_seconds = seconds();
   return std::move(result);
 }
@@ -170,14 +170,14 @@ Result WallRun::finish() {
 
 Result solve(const Model& model, State& state, const SolveOptions& options, RunRecord so_far) {
   const auto processor = dynamics::processor_for(model, 1, std::max(1, options.threads));
-  processor->put(0, model, state);
+  processor->load_wall(0, model, state);
   dynamics::WallRun run(model, state, options, processor->access(0), std::move(so_far));
   while (!run.ended()) {
     processor->set(0, run.next());
     processor->step();
-    run.look(processor->reaction(0));
+    run.after_step(processor->reaction(0));
   }
-  processor->drop(0);
+  processor->unload_wall(0);
   return run.finish();
 }
 
@@ -212,13 +212,13 @@ double step_seconds(const Model& model, std::size_t stage) {
   state.stage = static_cast<int>(stage);
   shake_loose(dynamics::stage_time_step(model, model.stages[stage]), state);
   const auto processor = dynamics::processor_for(model, 1);
-  processor->put(0, model, state);
+  processor->load_wall(0, model, state);
   dynamics::WallRun run(model, state, {}, processor->access(0), {});
   const auto step = [&] {
     if (run.ended() || state.stage != static_cast<int>(stage)) return false;
     processor->set(0, run.next());
     processor->step();
-    run.look(processor->reaction(0));
+    run.after_step(processor->reaction(0));
     return true;
   };
   double start = processor_seconds(), last = start;
@@ -229,7 +229,7 @@ double step_seconds(const Model& model, std::size_t stage) {
     ++counted;
     last = processor_seconds();
   }
-  processor->drop(0);
+  processor->unload_wall(0);
   return counted > 0 ? (last - start) / counted : 0;
 }
 

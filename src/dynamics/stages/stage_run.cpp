@@ -57,7 +57,7 @@ double driven_path(const Stage& stage) {
   return path;
 }
 
-StageRun::StageRun(WallUnderWay& wall, const Stage& stage)
+StageRun::StageRun(StageContext& wall, const Stage& stage)
     : wall_(wall),
       model_(wall.model),
       stage_(stage),
@@ -88,7 +88,7 @@ StageEnd StageRun::close() {
   // A wall that ran away has not completed, settled or collapsed, whatever its rows seem to say.
   if (wall_.access->runaway_block() >= 0) end_ = runs_away();
   finish(end_);
-  wall_.access->bring_up(state_);
+  wall_.access->store_state(state_);
   wall_.record.result.stages.push_back(
       {stage_.spec.name, state_.stage_time, state_.step - state_.stage_first_step,
        wall_.access->unbalance_ratio(), end_.status == SolveStatus::kCompleted});
@@ -123,7 +123,7 @@ bool StageRun::is_overloaded() const {
 
 // How many joints are crushed through; nothing where none is.
 std::optional<Message> StageRun::crushed() const {
-  wall_.access->bring_up(state_);
+  wall_.access->store_state(state_);
   const std::vector<PointReading> points = read_points(model_, state_);
   int joints = 0;
   for (JointId j = 0; j < model_.n_joint; ++j) {
@@ -151,23 +151,23 @@ StageEnd StageRun::runs_away() const {
   return {falls ? SolveStatus::kCollapsed : SolveStatus::kUnstable, std::move(reason), false};
 }
 
-void StageRun::watch_motion(double share) {
+void StageRun::check_motion(double share) {
   const SolveOptions& options = wall_.options;
   if (options.progress)
     options.progress(
         {stage_.spec.name.c_str(), share, state_.drive_displacement,
          wall_.record.result.curve.empty() ? 0.0 : wall_.record.result.curve.back().reaction});
   if (wall_.access->runaway_block() >= 0) return end(runs_away());
-  if (model_.free.any()) watch_for_the_world();
+  if (model_.free.any()) check_world_bounds();
 }
 
 // Instability, and collapse: a block farther off than the push can have brought it.
-void StageRun::watch(double share) {
-  if (state_.step % kWatchEvery != 0 || ended_) return;
-  watch_motion(share);
+void StageRun::check_run(double share) {
+  if (state_.step % kCheckEvery != 0 || ended_) return;
+  check_motion(share);
   if (ended_) return;
   if (controls_.push != nullptr && stage_.spec.pattern != Pattern::kNone && stage_.drive().y == 0)
-    return watch_for_falls();
+    return check_falls();
   // a head is driven by an arm's end, and goes farther than that where the pier turns
   const double driven =
       std::fmax(std::fabs(state_.drive_displacement), std::fabs(state_.control_moved));
@@ -181,7 +181,7 @@ int StageRun::pulled_by(BlockId block, double& force) const {
   constexpr double kMostly = 0.5;  // of the way
   int found = -1;
   if (block >= model_.n_block || model_.links.n == 0) return found;
-  wall_.access->bring_up(state_);
+  wall_.access->store_state(state_);
   const Vec3 moved = read_block(model_, state_, block).moved;
   const std::vector<LinkReading> links = read_links(model_, state_);
   for (int k = 0; k < model_.links.n; ++k) {
@@ -221,8 +221,8 @@ StageEnd StageRun::fallen(const Furthest& furthest) const {
 }
 
 // A block that no ground holds up falls on for ever.
-void StageRun::watch_for_the_world() {
-  wall_.access->bring_up(state_);
+void StageRun::check_world_bounds() {
+  wall_.access->store_state(state_);
   const FreeShapes& world = model_.free;
   for (BlockId block = 0; block < model_.n_block; ++block) {
     const BlockReading now = read_block(model_, state_, block);
@@ -240,8 +240,8 @@ void StageRun::watch_for_the_world() {
 
 // A pattern moves a mean of all blocks: the few of a mechanism go many times as far along the push, and are
 // still standing. What has come to pieces falls.
-void StageRun::watch_for_falls() {
-  wall_.access->bring_up(state_);
+void StageRun::check_falls() {
+  wall_.access->store_state(state_);
   Furthest lowest{0, -1};
   const auto look = [&](const std::vector<double>& moved, int first) {
     for (std::size_t i = 0; i < moved.size(); ++i)
@@ -274,7 +274,7 @@ constexpr double kOfFreeFall = 0.1;  // of gravity: what goes farther than that 
 
 class SettlingStage : public StageRun {
  public:
-  SettlingStage(WallUnderWay& wall, const Stage& stage)
+  SettlingStage(StageContext& wall, const Stage& stage)
       : StageRun(wall, stage), n_(wall.record.recording.numbers) {
     if (state_.stage_time > 0) return;
     n_.fall_way = n_.fall_kinetic = n_.fall_most = n_.fall_then = 0;
@@ -293,7 +293,7 @@ class SettlingStage : public StageRun {
       state_.load_scale[static_cast<std::size_t>(state_.stage)] = share;
   }
 
-  void look(double) override {
+  void after_step(double) override {
     const double ramp = stage_.spec.ramp;
     if (state_.stage_time >= ramp && state_.step % kSettleEvery == 0) {
       const double ratio = wall_.access->unbalance_ratio();
@@ -304,7 +304,7 @@ class SettlingStage : public StageRun {
       if (state_.stage_time > ramp + model_.solve.settle_limit)
         return end(still_falls(furthest.distance) ? fallen(furthest) : unsettled(ratio));
     }
-    watch(0);
+    check_run(0);
   }
 
  private:
@@ -325,7 +325,7 @@ class SettlingStage : public StageRun {
     double next = kFirstTime;
     while (next <= before) next *= 2;
     if (now < next) return;
-    wall_.access->bring_up(state_);
+    wall_.access->store_state(state_);
     const double work = state_.work_loads, elastic = elastic_energy(model_, state_);
     const bool is_bent = elastic - n_.fall_elastic > kOfWork * (work - n_.fall_work);
     const bool steady = n_.fall_then > 0 && n_.fall_most >= kSteady * n_.fall_then && !is_bent;
@@ -363,7 +363,7 @@ class SettlingStage : public StageRun {
 
 class Push : public StageRun {
  public:
-  Push(WallUnderWay& wall, const Stage& stage)
+  Push(StageContext& wall, const Stage& stage)
       : StageRun(wall, stage),
         targets_(stage.spec.targets.empty() ? std::vector<double>{stage.spec.until}
                                             : stage.spec.targets),
@@ -386,7 +386,7 @@ class Push : public StageRun {
     controls_.drive_before = velocity_before();
   }
 
-  void look(double reaction) override {
+  void after_step(double reaction) override {
     follow_control();
     recorder_.take(*wall_.access, state_, controls_, reaction, displacement(), 0, state_.travelled);
     set_pace();
@@ -394,7 +394,7 @@ class Push : public StageRun {
       ++state_.target;
       state_.turn_time = state_.stage_time;
     }
-    watch(state_.travelled / path_);
+    check_run(state_.travelled / path_);
     if (recorder_.row_closed() && stage_.spec.stop_below > 0) end_where_it_fell();
     if (!ended() && !target_left()) end({});
     if (stage_.control >= 0) end_where_control_stays_back();
@@ -493,7 +493,7 @@ class Push : public StageRun {
 // Body force and tilt: a load factor that grows while the wall is in balance.
 class Factor : public StageRun {
  public:
-  Factor(WallUnderWay& wall, const Stage& stage)
+  Factor(StageContext& wall, const Stage& stage)
       : StageRun(wall, stage),
         tilting_(stage.spec.kind == StageKind::kTilt),
         rate_(tilting_ ? stage.spec.tilt_rate : stage.spec.rate),
@@ -513,7 +513,7 @@ class Factor : public StageRun {
     set_factor(std::min(factor_, last_));
   }
 
-  void look(double) override {
+  void after_step(double) override {
     const double now = moved();
     const double carried = tilting_ ? elementary::tan(factor_) : factor_;
     recorder_.take(*wall_.access, state_, controls_, carried * model_.weight, now, carried,
@@ -528,7 +528,7 @@ class Factor : public StageRun {
     if (state_.stage_time - state_.last_growth > model_.solve.settle_limit)
       end(standstill(carried, now));
     else
-      watch(factor_ / last_);
+      check_run(factor_ / last_);
     if (!ended() && !(factor_ < last_)) end({});
   }
 
@@ -582,14 +582,14 @@ class Factor : public StageRun {
 // Nothing new: loads stay, and what an earlier push drives stays where it is.
 class Hold : public StageRun {
  public:
-  Hold(WallUnderWay& wall, const Stage& stage) : StageRun(wall, stage) {
+  Hold(StageContext& wall, const Stage& stage) : StageRun(wall, stage) {
     if (const Stage* push = push_before(); push != nullptr && !stage.spec.release) drive(*push);
     end_when_over();
   }
 
   void prepare() override {}
-  void look(double) override {
-    watch(state_.stage_time / stage_.spec.duration);
+  void after_step(double) override {
+    check_run(state_.stage_time / stage_.spec.duration);
     keep_state();
     end_when_over();
   }
@@ -603,12 +603,12 @@ class Hold : public StageRun {
     if (!stage_.spec.release ||
         !(states_at(state_.stage_time) > states_at(state_.stage_time - controls_.dt)))
       return;
-    wall_.access->bring_up(state_);
+    wall_.access->store_state(state_);
     wall_.record.result.frames.push_back({"", state_.drive_displacement, 0, state_});
   }
   void finish(StageEnd&) override {
     if (!stage_.spec.release) return;
-    wall_.access->bring_up(state_);
+    wall_.access->store_state(state_);
     wall_.record.result.snapshots.push_back({"fallen", state_.drive_displacement, 0, state_});
   }
   void end_when_over() {
@@ -627,7 +627,7 @@ class Hold : public StageRun {
 
 }  // namespace
 
-std::unique_ptr<StageRun> StageRun::start(WallUnderWay& wall, const Stage& stage) {
+std::unique_ptr<StageRun> StageRun::start(StageContext& wall, const Stage& stage) {
   switch (stage.spec.kind) {
     case StageKind::kGravity:
     case StageKind::kLoad: return std::make_unique<SettlingStage>(wall, stage);

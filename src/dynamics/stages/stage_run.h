@@ -31,11 +31,11 @@ struct StageEnd {
   bool finished = true;  // false: the run ends here
 };
 
-inline constexpr int kWatchEvery =
+inline constexpr int kCheckEvery =
     500;  // steps between looks at collapse and at the caller's wishes
 
 // What all stages of a run work on.
-struct WallUnderWay {
+struct StageContext {
   const Model& model;
   State& state;
   const SolveOptions& options;
@@ -46,13 +46,13 @@ struct WallUnderWay {
 
 class StageRun {
  public:
-  static std::unique_ptr<StageRun> start(WallUnderWay& wall, const Stage& stage);
+  static std::unique_ptr<StageRun> start(StageContext& wall, const Stage& stage);
   virtual ~StageRun() = default;
   StageRun(const StageRun&) = delete;
   StageRun& operator=(const StageRun&) = delete;
 
   virtual void prepare() = 0;
-  virtual void look(double reaction) = 0;
+  virtual void after_step(double reaction) = 0;
   [[nodiscard]] bool ended() const { return ended_; }
   // The first end stands: what is noticed later in the same step does not undo it.
   void end(StageEnd how);
@@ -62,18 +62,18 @@ class StageRun {
   [[nodiscard]] const std::vector<BlockId>& driven() const { return *driven_; }
 
  protected:
-  StageRun(WallUnderWay& wall, const Stage& stage);
+  StageRun(StageContext& wall, const Stage& stage);
   virtual void finish(StageEnd&) {}
   void drive(const Stage& push);
   // Every few hundred steps: progress, instability, collapse.
-  void watch(double share);
-  void watch_motion(double share);  // progress and instability alone
-  void watch_for_falls();
-  void watch_for_the_world();
+  void check_run(double share);
+  void check_motion(double share);  // progress and instability alone
+  void check_falls();
+  void check_world_bounds();
   [[nodiscard]] StageEnd fallen(const Furthest& furthest) const;
   [[nodiscard]] std::string name_of(BlockId block) const;
 
-  WallUnderWay& wall_;
+  StageContext& wall_;
   const Model& model_;
   const Stage& stage_;
   State& state_;

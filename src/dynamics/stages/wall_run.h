@@ -1,7 +1,7 @@
 // One wall on its way through its stages, a step at a time; who steps it, and with whom, is open.
 //
 //   WallRun run(model, state, options, place);
-//   while (!run.ended()) run.look(step(run.next()));
+//   while (!run.ended()) run.after_step(step(run.next()));
 //   Result result = run.finish();
 #pragma once
 
@@ -24,7 +24,7 @@ class WallRun {
   // What the next step takes.
   const Controls& next();
   // After it, with the reaction of the drive.
-  void look(double reaction);
+  void after_step(double reaction);
   // Goes on elsewhere; the new place holds the same state.
   void move_to(std::unique_ptr<WallAccess> access);
   // What the curve says; call once, at the end.
@@ -34,14 +34,14 @@ class WallRun {
   [[nodiscard]] bool is_of_supports() const;
   void start_stages();
   void close_stage();
-  void heed_caller();
+  void poll_caller();
   [[nodiscard]] double seconds() const;
 
   const Model& model_;
   State& state_;
   SolveOptions options_;
   RunRecord record_;
-  WallUnderWay wall_;
+  StageContext wall_;
   std::unique_ptr<StageRun> stage_;
   std::chrono::steady_clock::time_point start_;
   double seconds_before_;  // of the steps before

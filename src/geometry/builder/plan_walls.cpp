@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/limits.h"
-#include "core/whole.h"
+#include "core/to_int.h"
 #include "geometry/bodies/solid_cut.h"
 #include "geometry/builder/builder.h"
 #include "geometry/text.h"
@@ -145,7 +145,7 @@ class WallBuilder {
     above.first_course = storey().first_course + rows.count;
     above.foot = rows.end();
     rows.origin = rows.end();
-    rows.count = whole(std::ceil(spec_.gable / rows.step - 1e-9));
+    rows.count = to_int(std::ceil(spec_.gable / rows.step - 1e-9));
     rows.extent = rows.count * rows.step;
     above.height = rows.extent;
     storeys_.push_back(above);
@@ -409,7 +409,7 @@ class WallBuilder {
     if (spec_.through_courses < 1 || row % spec_.through_courses != spec_.through_courses - 1)
       return false;
     const double spacing = std::isnan(spec_.through_spacing) ? 0 : spec_.through_spacing;
-    const int every = std::max(1, whole(std::round(spacing / lattice.stretcher)));
+    const int every = std::max(1, to_int(std::round(spacing / lattice.stretcher)));
     return number % every == every / 2;
   }
 

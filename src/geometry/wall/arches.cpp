@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/elementary.h"
-#include "core/whole.h"
+#include "core/to_int.h"
 #include "geometry/text.h"
 #include "geometry/wall/clip.h"
 #include "geometry/wall/joints.h"
@@ -98,7 +98,7 @@ double length_of(const ArchSpec& arch, const Rect& hole) {
 int number_of(const ArchSpec& arch, const Rect& hole, double course) {
   if (arch.voussoirs > 0) return arch.voussoirs;
   const double fit = length_of(arch, hole) / course;
-  return std::max(kFewest, 2 * whole(std::floor(fit / 2)) + 1);
+  return std::max(kFewest, 2 * to_int(std::floor(fit / 2)) + 1);
 }
 
 struct Corner {
@@ -166,7 +166,7 @@ bool rises_no_more_than_half(const ArchSpec& arch, const PlacedOpening& opening,
 bool are_wide_enough(const ArchSpec& arch, int n, double course, const PlacedOpening& opening,
                      FaultList& faults) {
   const double length = length_of(arch, opening.hole);
-  const int most = whole(std::floor(length / (kThinnest * course)));
+  const int most = to_int(std::floor(length / (kThinnest * course)));
   if (n <= most) return true;
   add_fault(faults, key_of(opening.index, "voussoirs"), std::to_string(n),
             "would make voussoirs of " + millimetres(length / n) + " in " + opening.called +

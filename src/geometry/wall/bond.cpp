@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/whole.h"
+#include "core/to_int.h"
 
 namespace wythe::geometry {
 namespace {
@@ -45,7 +45,7 @@ Cycle cycle_of(const Lattice& lattice, Bond bond, int course) {
 
 // Equal places get equal bits in every course: what lies on the half-column grid is put there.
 double settle_on_grid(const Axis& columns, double x) {
-  const double line = columns.half_line(whole(std::round(2 * x / columns.step)));
+  const double line = columns.half_line(to_int(std::round(2 * x / columns.step)));
   return std::abs(line - x) < 1e-9 * columns.extent ? line : x;
 }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "core/whole.h"
+#include "core/to_int.h"
 #include "geometry/text.h"
 #include "geometry/wall/storeys.h"
 
@@ -12,7 +12,7 @@ namespace wythe::geometry {
 namespace {
 
 // One direction of a storey as the user stated it.
-struct AxisAsk {
+struct AxisRequest {
   double extent, step;      // [m]
   double origin, joint;     // [m]
   std::string whose;        // "the wall's", "storey 0 (ground)'s"
@@ -27,18 +27,20 @@ struct AxisAsk {
 };
 
 // The extent that `count` steps are measured against: one joint is there or not.
-double measured(const AxisAsk& ask, int count) {
+double measured(const AxisRequest& request, int count) {
   // a joint below 0 is refused elsewhere; std::clamp must not see its bounds turned round
-  return std::clamp(count * ask.step, ask.extent, ask.extent + std::max(0.0, ask.joint));
+  return std::clamp(count * request.step, request.extent,
+                    request.extent + std::max(0.0, request.joint));
 }
 
-double change_of(const AxisAsk& ask, int count) {
-  return measured(ask, count) / count / ask.step - 1;
+double change_of(const AxisRequest& request, int count) {
+  return measured(request, count) / count / request.step - 1;
 }
 
-int best_count(const AxisAsk& ask) {
-  const int below = std::max(1, whole(std::floor(ask.extent / ask.step)));
-  return std::abs(change_of(ask, below)) <= std::abs(change_of(ask, below + 1)) ? below : below + 1;
+int best_count(const AxisRequest& request) {
+  const int below = std::max(1, to_int(std::floor(request.extent / request.step)));
+  return std::abs(change_of(request, below)) <= std::abs(change_of(request, below + 1)) ? below
+                                                                                        : below + 1;
 }
 
 void note_change(const char* what, double from, double to, std::vector<Message>& notes) {
@@ -52,61 +54,64 @@ void note_change(const char* what, double from, double to, std::vector<Message>&
 }
 
 // n units that end without a joint: every one gives its share of it.
-void note_end_joint(const AxisAsk& ask, int count, std::vector<Message>& notes) {
+void note_end_joint(const AxisRequest& request, int count, std::vector<Message>& notes) {
   notes.push_back({"fit.end_joint",
-                   {{"what", Message{ask.step_code}},
+                   {{"what", Message{request.step_code}},
                     {"count", count},
-                    {"joint_mm", 1e3 * ask.joint},
-                    {"from_mm", 1e3 * ask.step},
-                    {"to_mm", 1e3 * ask.extent / count},
-                    {"change_percent", 100 * (ask.extent / count / ask.step - 1)}}});
+                    {"joint_mm", 1e3 * request.joint},
+                    {"from_mm", 1e3 * request.step},
+                    {"to_mm", 1e3 * request.extent / count},
+                    {"change_percent", 100 * (request.extent / count / request.step - 1)}}});
 }
 
-void refuse_fit(const AxisAsk& ask, FaultList& faults) {
-  const int below = std::max(1, whole(std::floor(ask.extent / ask.step)));
+void refuse_fit(const AxisRequest& request, FaultList& faults) {
+  const int below = std::max(1, to_int(std::floor(request.extent / request.step)));
   const auto size = [&](int n) {
-    return millimetres(ask.size_per_step * ask.extent / n - ask.joint);
+    return millimetres(request.size_per_step * request.extent / n - request.joint);
   };
-  const auto extent = [&](int n) { return metres(ask.step * n); };
-  const int best = best_count(ask), other = best == below ? below + 1 : below;
+  const auto extent = [&](int n) { return metres(request.step * n); };
+  const int best = best_count(request), other = best == below ? below + 1 : below;
   std::ostringstream problem, cure;
   problem.precision(4);
-  problem << ask.whose << " " << ask.extent_name << " of " << metres(ask.extent) << " holds "
-          << ask.extent / ask.step << " " << ask.step_name
+  problem << request.whose << " " << request.extent_name << " of " << metres(request.extent)
+          << " holds " << request.extent / request.step << " " << request.step_name
           << "s; a whole number of them would change "
-          << "the size by " << percent(change_of(ask, best)) << ", more than 2 %";
-  cure << "write " << last_key(ask.size_path) << " = \"" << size(best) << "\" (or " << size(other)
-       << "), or a " << ask.extent_name << " of " << extent(below) << " or " << extent(below + 1)
-       << ", or " << ask.fit_key << " = \"cut\"";
-  add_fault(faults, ask.size_path, millimetres(ask.size_per_step * ask.step - ask.joint),
-            problem.str(), cure.str());
+          << "the size by " << percent(change_of(request, best)) << ", more than 2 %";
+  cure << "write " << last_key(request.size_path) << " = \"" << size(best) << "\" (or "
+       << size(other) << "), or a " << request.extent_name << " of " << extent(below) << " or "
+       << extent(below + 1) << ", or " << request.fit_key << " = \"cut\"";
+  add_fault(faults, request.size_path,
+            millimetres(request.size_per_step * request.step - request.joint), problem.str(),
+            cure.str());
 }
 
 // After a fault it is the axis of the first cure, so that the openings' cures hold with it.
-Axis fit_whole(const AxisAsk& ask, std::vector<Message>& notes, FaultList& faults) {
-  const int count = best_count(ask);
-  if (std::abs(change_of(ask, count)) > kFitTolerance + 1e-9)
-    refuse_fit(ask, faults);
-  else if (ask.joint > 0 && std::abs(ask.extent + ask.joint - count * ask.step) < 1e-6 * ask.step)
-    note_end_joint(ask, count, notes);
+Axis fit_whole(const AxisRequest& request, std::vector<Message>& notes, FaultList& faults) {
+  const int count = best_count(request);
+  if (std::abs(change_of(request, count)) > kFitTolerance + 1e-9)
+    refuse_fit(request, faults);
+  else if (request.joint > 0 &&
+           std::abs(request.extent + request.joint - count * request.step) < 1e-6 * request.step)
+    note_end_joint(request, count, notes);
   else
-    note_change(ask.step_code, ask.step, ask.extent / count, notes);
-  return {.extent = ask.extent, .step = ask.extent / count, .count = count};
+    note_change(request.step_code, request.step, request.extent / count, notes);
+  return {.extent = request.extent, .step = request.extent / count, .count = count};
 }
 
-Axis lay_and_cut(const AxisAsk& ask, std::vector<Message>& notes) {
-  int count = std::max(1, whole(std::floor(ask.extent / ask.step + 1e-9)));
-  const double rest = ask.extent - count * ask.step;
-  if (rest >= kSliver * ask.step) ++count;
-  const double last = ask.extent - (count - 1) * ask.step;
-  note_change(ask.last_code, ask.step, last, notes);
-  return {.extent = ask.extent, .step = ask.step, .count = count};
+Axis lay_and_cut(const AxisRequest& request, std::vector<Message>& notes) {
+  int count = std::max(1, to_int(std::floor(request.extent / request.step + 1e-9)));
+  const double rest = request.extent - count * request.step;
+  if (rest >= kSliver * request.step) ++count;
+  const double last = request.extent - (count - 1) * request.step;
+  note_change(request.last_code, request.step, last, notes);
+  return {.extent = request.extent, .step = request.step, .count = count};
 }
 
-Axis fit_axis(const AxisAsk& ask, std::vector<Message>& notes, FaultList& faults) {
-  Axis axis = ask.fit == Fit::kCut ? lay_and_cut(ask, notes) : fit_whole(ask, notes, faults);
-  axis.origin = ask.origin;
-  axis.joint = ask.joint;
+Axis fit_axis(const AxisRequest& request, std::vector<Message>& notes, FaultList& faults) {
+  Axis axis =
+      request.fit == Fit::kCut ? lay_and_cut(request, notes) : fit_whole(request, notes, faults);
+  axis.origin = request.origin;
+  axis.joint = request.joint;
   return axis;
 }
 
@@ -169,7 +174,7 @@ double Axis::half_line(int q) const {
 }
 
 int Axis::nearest(double x) const {
-  const int guess = std::clamp(whole(std::floor((x - origin) / step)), 0, count - 1);
+  const int guess = std::clamp(to_int(std::floor((x - origin) / step)), 0, count - 1);
   return std::abs(x - line(guess)) <= std::abs(line(guess + 1) - x) ? guess : guess + 1;
 }
 

@@ -84,7 +84,7 @@ std::optional<Section> one_section(const std::string& profile, const SectionSpec
 }
 
 // The axis from corner to corner, as built; the gap moves upright parts sideways and level ones down.
-struct Way {
+struct FrameAxis {
   std::vector<Vec2> point;
   bool closed = false;
   std::vector<Message> words;  // of its parts
@@ -115,45 +115,46 @@ class Builder {
     const double left = hole.x0 + c, right = hole.x1 - c, top = hole.y1 - b - spec_.gap;
     const bool has_base = spec_.feet == FrameFeet::kBaseBeam;
     const double foot = has_base ? hole.y0 + b : hole.y0;
-    way_.closed = has_base;
-    way_.point = {{left, foot}, {left, top}, {right, top}, {right, foot}};
-    way_.words = {{"frame.left_column"}, {"frame.beam"}, {"frame.right_column"}};
-    if (has_base) way_.words.push_back({"frame.base_beam"});
+    axis_.closed = has_base;
+    axis_.point = {{left, foot}, {left, top}, {right, top}, {right, foot}};
+    axis_.words = {{"frame.left_column"}, {"frame.beam"}, {"frame.right_column"}};
+    if (has_base) axis_.words.push_back({"frame.base_beam"});
     return true;
   }
 
   bool along_line() {
     for (const auto& [x, y] : spec_.line) {
-      const auto n = way_.point.size();
+      const auto n = axis_.point.size();
       const Vec2 next{x, y};
-      if (n > 0 && length(next - way_.point[n - 1]) < kNear)
+      if (n > 0 && length(next - axis_.point[n - 1]) < kNear)
         return fault("line", metres(x) + ", " + metres(y), "is there twice in a row",
                      "write each corner once");
       if (n > 1 &&
-          std::abs(cross(way_.point[n - 1] - way_.point[n - 2], next - way_.point[n - 1])) <
-              kNear * length(next - way_.point[n - 1]))
+          std::abs(cross(axis_.point[n - 1] - axis_.point[n - 2], next - axis_.point[n - 1])) <
+              kNear * length(next - axis_.point[n - 1]))
         return fault("line." + std::to_string(n),
-                     metres(way_.point[n - 1].x) + ", " + metres(way_.point[n - 1].y),
+                     metres(axis_.point[n - 1].x) + ", " + metres(axis_.point[n - 1].y),
                      "is no corner: the line goes straight on or turns back there",
                      "leave this point out");
-      way_.point.push_back(next);
+      axis_.point.push_back(next);
     }
-    if (way_.point.size() < 2)
+    if (axis_.point.size() < 2)
       return fault(
           "line", "", "has fewer than two points",
           "write its axis from corner to corner: [[\"1 m\", \"0 m\"], [\"1 m\", \"2.5 m\"]]");
-    way_.closed = way_.point.size() > 3 && length(way_.point.back() - way_.point.front()) < kNear;
-    if (way_.closed) way_.point.pop_back();
-    for (std::size_t k = 0; k < way_.parts(); ++k) {
-      const Vec2 d = way_.to(k) - way_.from(k);
+    axis_.closed =
+        axis_.point.size() > 3 && length(axis_.point.back() - axis_.point.front()) < kNear;
+    if (axis_.closed) axis_.point.pop_back();
+    for (std::size_t k = 0; k < axis_.parts(); ++k) {
+      const Vec2 d = axis_.to(k) - axis_.from(k);
       if (std::min(std::abs(d.x), std::abs(d.y)) > kNear)
         return fault("line." + std::to_string(k), "",
                      "is the start of a part that is neither level nor upright",
                      "give both of its ends one x or one y");
-      way_.words.push_back({"frame.part", {{"number", k + 1}}});
+      axis_.words.push_back({"frame.part", {{"number", k + 1}}});
     }
     const bool has_base = spec_.feet == FrameFeet::kBaseBeam;
-    if (has_base != way_.closed)
+    if (has_base != axis_.closed)
       return fault(
           "feet", has_base ? "base_beam" : "",
           has_base ? "needs a line that comes back to its first point"
@@ -168,15 +169,15 @@ class Builder {
   // Segments and sections; false after a fault.
   bool build() {
     if (!check_feet()) return false;
-    const std::size_t parts = way_.parts();
-    const std::size_t corners = way_.closed ? parts : parts - 1;
-    std::vector<int> corner(way_.point.size(), kGround);
+    const std::size_t parts = axis_.parts();
+    const std::size_t corners = axis_.closed ? parts : parts - 1;
+    std::vector<int> corner(axis_.point.size(), kGround);
     for (std::size_t k = 0; k < corners; ++k) {
-      const std::size_t at = way_.closed ? k : k + 1;
+      const std::size_t at = axis_.closed ? k : k + 1;
       corner[at] = add_corner(at);
     }
     for (std::size_t k = 0; k < parts; ++k)
-      if (!add_part(k, corner[k], corner[(k + 1) % way_.point.size()])) return false;
+      if (!add_part(k, corner[k], corner[(k + 1) % axis_.point.size()])) return false;
     return true;
   }
 
@@ -198,10 +199,10 @@ class Builder {
 
   // Whether an open line's end (its first point or its last) goes down to a foot.
   [[nodiscard]] bool is_foot(bool last) const {
-    if (way_.closed) return false;
-    const std::size_t n = way_.point.size();
-    const Vec2 end = last ? way_.point[n - 1] : way_.point[0];
-    const Vec2 next = last ? way_.point[n - 2] : way_.point[1];
+    if (axis_.closed) return false;
+    const std::size_t n = axis_.point.size();
+    const Vec2 end = last ? axis_.point[n - 1] : axis_.point[0];
+    const Vec2 next = last ? axis_.point[n - 2] : axis_.point[1];
     return end.y < next.y - kNear;
   }
 
@@ -216,7 +217,7 @@ class Builder {
 
   bool check_foot(bool last) {
     if (!is_foot(last)) return true;
-    const Vec2 foot = last ? way_.point.back() : way_.point.front();
+    const Vec2 foot = last ? axis_.point.back() : axis_.point.front();
     double ground = kUnset, aside = 0;
     for (const Rect& box : site_.ground) {
       const double away = std::max({0.0, box.x0 - foot.x, foot.x - box.x1});
@@ -254,14 +255,14 @@ class Builder {
   // From the masonry to where it stands, by the gap: columns away from their jambs, beams from the head.
   [[nodiscard]] Vec2 moved(bool column, bool level, double x, double y) const {
     if (spec_.gap == 0) return {0, 0};
-    const double middle = (way_.point[1].x + way_.point[2].x) / 2;
-    const bool is_head = std::abs(y - way_.point[1].y) < kNear;
+    const double middle = (axis_.point[1].x + axis_.point[2].x) / 2;
+    const bool is_head = std::abs(y - axis_.point[1].y) < kNear;
     return {column ? (x < middle ? spec_.gap : -spec_.gap) : 0.0,
             level && is_head ? -spec_.gap : 0.0};
   }
 
   int add_corner(std::size_t at) {
-    const Vec2 p = way_.point[at];
+    const Vec2 p = axis_.point[at];
     const double c = sections_.column.height / 2, b = sections_.beam.height / 2;
     const double mass = sections_.column.mass * b + sections_.beam.mass * c;
     return add_segment({p.x - c, p.y - b, p.x + c, p.y + b}, mass,
@@ -272,10 +273,10 @@ class Builder {
   // Corners at both ends, or kGround. The sum of the sections' lengths is exact for moments up to a cubic: Gregory's
   // weights (20.6), where an end has a section.
   bool add_part(std::size_t k, int first, int last) {
-    const Vec2 from = way_.from(k), d = way_.to(k) - from;
+    const Vec2 from = axis_.from(k), d = axis_.to(k) - from;
     const double whole = length(d);
     const Vec2 way{d.x / whole, d.y / whole};
-    const bool upright = way_.upright(k);
+    const bool upright = axis_.upright(k);
     const Section &own = section(upright), &other = section(!upright);
     const double shortest = kLeastShare * other.height;
     const int fit = 2 * static_cast<int>(std::floor(whole / shortest / 2 + 1e-9));
@@ -287,7 +288,7 @@ class Builder {
                    "is deep",
                    "write longer parts, or less deep sections");
     const double step = whole / pieces;
-    frame_.parts.push_back({way_.words[k], from, way, whole});
+    frame_.parts.push_back({axis_.words[k], from, way, whole});
     const double begin = first == kGround ? 0 : other.height / 2;
     const double end = whole - (last == kGround ? 0 : other.height / 2);
     std::vector<int> segment;
@@ -303,7 +304,7 @@ class Builder {
           add_segment(box, own.mass * (s1 - s0), own.width, moved(upright, !upright, p.x, p.y)));
     }
     const bool begins = first != kGround || (is_held() && k == 0 && is_foot(false));
-    const bool ends = last != kGround || (is_held() && k + 1 == way_.parts() && is_foot(true));
+    const bool ends = last != kGround || (is_held() && k + 1 == axis_.parts() && is_foot(true));
     for (int i = 0; i <= pieces; ++i) {
       if ((i == 0 && !begins) || (i == pieces && !ends)) continue;
       FrameJoint joint;
@@ -329,7 +330,7 @@ class Builder {
   const FrameSections& sections_;
   const FrameSite& site_;
   FaultList& faults_;
-  Way way_;
+  FrameAxis axis_;
   PlacedFrame frame_;
 };
 

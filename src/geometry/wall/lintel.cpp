@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/whole.h"
+#include "core/to_int.h"
 #include "geometry/text.h"
 
 namespace wythe::geometry {
@@ -175,7 +175,7 @@ bool bears_as_stated(double laid, const Axis& columns, const PlacedOpening& open
 
 }  // namespace
 
-int whole_steps(double size, double step) { return std::max(1, whole(std::round(size / step))); }
+int whole_steps(double size, double step) { return std::max(1, to_int(std::round(size / step))); }
 
 bool check_lintel(const Shape& shape, int index, FaultList& faults) {
   const LintelSpec& lintel = shape.wall.opening[static_cast<std::size_t>(index)].lintel;

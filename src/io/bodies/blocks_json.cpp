@@ -51,21 +51,21 @@ class BlocksReader {
     is_compas_ = io::is_compas(json);
     if (is_compas_) {
       up_ = "z";
-      return read_compas(json);
+      return parse_compas(json);
     }
     if (!json.is_object()) return refuse("", short_dump(json), "must be a JSON object", kForms);
     if (json.contains("type") && json.contains("features"))
       return refuse("", "", "is GeoJSON, which holds places on a map", kForms);
-    read_units(json);
-    read_up(json);
-    read_thickness(json);
+    parse_units(json);
+    parse_up(json);
+    parse_thickness(json);
     const bool has_boxes = json.contains("blocks_xyxy");
     if (json.contains("blocks") && has_boxes)
       refuse("blocks_xyxy", "", "stands beside \"blocks\"", "keep one of the two");
     else if (json.contains("blocks"))
-      read_polygons(json["blocks"]);
+      parse_polygons(json["blocks"]);
     else if (has_boxes)
-      read_boxes(json);
+      parse_boxes(json);
     else
       refuse("", "", "has neither \"blocks\" nor \"blocks_xyxy\"", kForms);
     if (json.contains("up") && spec_.body.empty() && context_.faults.empty())
@@ -84,7 +84,7 @@ class BlocksReader {
         {.file = file_, .path = path, .value = value, .problem = problem, .cure = cure});
   }
 
-  void read_compas(const nlohmann::json& json) {
+  void parse_compas(const nlohmann::json& json) {
     FaultList faults;
     spec_.body = compas_bodies(json, file_, faults);
     for (Fault fault : faults.all()) {
@@ -93,7 +93,7 @@ class BlocksReader {
     }
   }
 
-  void read_units(const nlohmann::json& json) {
+  void parse_units(const nlohmann::json& json) {
     const nlohmann::json units = json.value("units", nlohmann::json());
     if (units == "mm") scale_ = 1e3;
     if (units == "m" || units == "mm") return;
@@ -102,16 +102,16 @@ class BlocksReader {
            R"(write "units": "m" or "units": "mm")");
   }
 
-  void read_up(const nlohmann::json& json) {
+  void parse_up(const nlohmann::json& json) {
     const nlohmann::json up = json.value("up", nlohmann::json("y"));
     if (up != "y" && up != "z")
       return refuse("up", short_dump(up), R"(must be "y" or "z")", R"(write "up": "z")");
     if (spec_.wall.up.empty()) up_ = up.get<std::string>();
   }
 
-  void read_thickness(const nlohmann::json& json) {
+  void parse_thickness(const nlohmann::json& json) {
     if (!json.contains("thickness") || json["thickness"].is_null()) return;
-    const auto value = read_number(json["thickness"]);
+    const auto value = parse_number(json["thickness"]);
     if (!value || *value <= 0 || !magnitude_problem(*value, "m").empty())
       return refuse("thickness", short_dump(json["thickness"]),
                     "must be a number, 1 nm or more and up to 10 km",
@@ -120,62 +120,62 @@ class BlocksReader {
   }
 
   // In metres; divides, so that 200 mm is the double nearest to 0.2.
-  [[nodiscard]] std::optional<double> read_number(const nlohmann::json& json) const {
+  [[nodiscard]] std::optional<double> parse_number(const nlohmann::json& json) const {
     if (!json.is_number() || !kCoordinate.holds(json.get<double>() / scale_)) return std::nullopt;
     return json.get<double>() / scale_;
   }
 
-  void read_polygons(const nlohmann::json& blocks) {
+  void parse_polygons(const nlohmann::json& blocks) {
     if (!blocks.is_array() || blocks.empty())
       return refuse("blocks", short_dump(blocks), "must be a list of blocks", kForms);
     for (std::size_t i = 0; i < blocks.size() && !enough(context_.faults); ++i)
       if (is_in_space(blocks[i]))
-        read_body_block(blocks[i], i);
+        parse_body_block(blocks[i], i);
       else
-        read_polygon_block(blocks[i], i);
+        parse_polygon_block(blocks[i], i);
     if (!spec_.body.empty() && !spec_.block.empty())
       refuse(spec_.block.front().id, "", "lies in the plane, beside blocks in space",
              R"(give every block a depth, e.g. "z": [0, 0.25])");
   }
 
-  void read_body_block(const nlohmann::json& json, std::size_t index) {
+  void parse_body_block(const nlohmann::json& json, std::size_t index) {
     BodySpec body;
     body.id = "b" + std::to_string(index + 1);
-    read_word(json, "id", body.id, body.id);
-    read_word(json, "material", body.material, body.id);
-    read_flag(json, "fixed", body.fixed, body.id);
-    read_word(json, "role", body.role, body.id);
+    parse_word(json, "id", body.id, body.id);
+    parse_word(json, "material", body.material, body.id);
+    parse_flag(json, "fixed", body.fixed, body.id);
+    parse_word(json, "role", body.role, body.id);
     if (const std::string cure = role_advice(body.role); !cure.empty())
       refuse(body.id + ".role", "\"" + body.role + "\"", "is no role of a block", cure);
-    read_zones(json, body.id, body.zone);
+    parse_zones(json, body.id, body.zone);
     refuse_unknown(json, body.id, kBodyKeys);
-    read_body_parts(json, body,
-                    [&](const std::string& where, const nlohmann::json& value,
-                        const std::string& problem, const std::string& cure) {
-                      refuse(body.id + '.' + where, value.is_null() ? "" : short_dump(value),
-                             value.is_null() ? "is missing or null" : problem, cure);
-                    });
+    parse_body_parts(json, body,
+                     [&](const std::string& where, const nlohmann::json& value,
+                         const std::string& problem, const std::string& cure) {
+                       refuse(body.id + '.' + where, value.is_null() ? "" : short_dump(value),
+                              value.is_null() ? "is missing or null" : problem, cure);
+                     });
     note_id(body.id);
     spec_.body.push_back(std::move(body));
   }
 
-  void read_polygon_block(const nlohmann::json& json, std::size_t index) {
+  void parse_polygon_block(const nlohmann::json& json, std::size_t index) {
     if (!json.is_object())
       return refuse(std::to_string(index), short_dump(json), "must be a JSON object", kForms);
     BlockSpec block;
     block.id = "b" + std::to_string(index + 1);
-    read_word(json, "id", block.id, block.id);
-    read_word(json, "material", block.material, block.id);
-    read_flag(json, "fixed", block.fixed, block.id);
-    read_flag(json, "beam", block.beam, block.id);
-    read_zones(json, block.id, block.zone);
+    parse_word(json, "id", block.id, block.id);
+    parse_word(json, "material", block.material, block.id);
+    parse_flag(json, "fixed", block.fixed, block.id);
+    parse_flag(json, "beam", block.beam, block.id);
+    parse_zones(json, block.id, block.zone);
     refuse_unknown(json, block.id, kBlockKeys);
-    read_outline(json.value("polygon", nlohmann::json()), block);
+    parse_outline(json.value("polygon", nlohmann::json()), block);
     keep(std::move(block));
   }
 
-  void read_word(const nlohmann::json& json, const char* name, std::string& value,
-                 const std::string& id) {
+  void parse_word(const nlohmann::json& json, const char* name, std::string& value,
+                  const std::string& id) {
     if (!json.contains(name)) return;
     const nlohmann::json& found = json[name];
     if (found.is_string() && !found.get<std::string>().empty())
@@ -186,7 +186,8 @@ class BlocksReader {
       refuse(id + '.' + name, short_dump(found), "must be a text", "");
   }
 
-  void read_flag(const nlohmann::json& json, const char* name, bool& value, const std::string& id) {
+  void parse_flag(const nlohmann::json& json, const char* name, bool& value,
+                  const std::string& id) {
     if (!json.contains(name)) return;
     if (json[name].is_boolean())
       value = json[name].get<bool>();
@@ -194,7 +195,7 @@ class BlocksReader {
       refuse(id + '.' + name, short_dump(json[name]), "must be true or false", "");
   }
 
-  void read_zones(const nlohmann::json& json, const std::string& id, ZoneSpec& zone) {
+  void parse_zones(const nlohmann::json& json, const std::string& id, ZoneSpec& zone) {
     if (json.contains("zones")) {
       const nlohmann::json& count = json["zones"];
       if (count.is_number_integer() && count.get<std::int64_t>() >= 0 && count < 10000)
@@ -204,15 +205,15 @@ class BlocksReader {
                R"(write e.g. "zones": 2)");
     }
     if (json.contains("zone_length")) {
-      const auto length = read_number(json["zone_length"]);
+      const auto length = parse_number(json["zone_length"]);
       if (length && *length > 0 && magnitude_problem(*length, "m").empty())
         zone.length = *length;
       else
         refuse(id + ".zone_length", short_dump(json["zone_length"]), "must be a number more than 0",
                "leave it out for zones as long as deep");
     }
-    read_choice(json, "zone_kind", kZoneKindWords, zone.kind, id);
-    read_choice(json, "plane", kPlaneWords, zone.plane, id);
+    parse_choice(json, "zone_kind", kZoneKindWords, zone.kind, id);
+    parse_choice(json, "plane", kPlaneWords, zone.plane, id);
     for (const char* name : {"zone_length", "zone_kind", "plane"})
       if (json.contains(name) && !json.contains("zones"))
         refuse(id + '.' + name, short_dump(json[name]), "has no effect: the block has no zones",
@@ -220,8 +221,8 @@ class BlocksReader {
   }
 
   template <class Enum, std::size_t n>
-  void read_choice(const nlohmann::json& json, const char* name, const Word<Enum> (&words)[n],
-                   Enum& value, const std::string& id) {
+  void parse_choice(const nlohmann::json& json, const char* name, const Word<Enum> (&words)[n],
+                    Enum& value, const std::string& id) {
     if (!json.contains(name)) return;
     std::string allowed;
     for (const Word<Enum>& word : words) {
@@ -249,7 +250,7 @@ class BlocksReader {
                name_advice(item.key(), known));
   }
 
-  void read_outline(const nlohmann::json& json, BlockSpec& block) {
+  void parse_outline(const nlohmann::json& json, BlockSpec& block) {
     const std::string where = block.id + ".polygon";
     if (json.is_null())
       return refuse(where, "", "is missing", R"(write e.g. "polygon": [[0, 0], [1, 0], [1, 1]])");
@@ -258,8 +259,8 @@ class BlocksReader {
     for (const nlohmann::json& vertex : json) {
       if (enough(context_.faults)) return;
       const bool pair = vertex.is_array() && vertex.size() == 2;
-      const auto x = pair ? read_number(vertex[0]) : std::nullopt;
-      const auto y = pair ? read_number(vertex[1]) : std::nullopt;
+      const auto x = pair ? parse_number(vertex[0]) : std::nullopt;
+      const auto y = pair ? parse_number(vertex[1]) : std::nullopt;
       if (x && y)
         block.polygon.push_back({*x, *y});
       else if (!is_far(where, vertex))
@@ -275,7 +276,7 @@ class BlocksReader {
         }))
       return false;
     const bool far = std::any_of(numbers.begin(), numbers.end(),
-                                 [this](const nlohmann::json& n) { return !read_number(n); });
+                                 [this](const nlohmann::json& n) { return !parse_number(n); });
     if (far && !is_far_told_)
       refuse(where, short_dump(numbers), "lies more than 10 km from the origin",
              "move all blocks towards the origin, or check their unit");
@@ -283,7 +284,7 @@ class BlocksReader {
     return far;
   }
 
-  void read_boxes(const nlohmann::json& json) {
+  void parse_boxes(const nlohmann::json& json) {
     const nlohmann::json& boxes = json["blocks_xyxy"];
     if (!boxes.is_array() || boxes.empty())
       return refuse("blocks_xyxy", short_dump(boxes), "must be a list of boxes",
@@ -291,19 +292,19 @@ class BlocksReader {
     for (std::size_t i = 0; i < boxes.size() && !enough(context_.faults); ++i) {
       BlockSpec block;
       block.id = "b" + std::to_string(i + 1);
-      read_box(boxes[i], std::move(block));
+      parse_box(boxes[i], std::move(block));
     }
     if (!json.contains("loading_beam_xyxy")) return;
     BlockSpec beam;
     beam.id = beam.material = "beam";
     beam.beam = true;
-    read_box(json["loading_beam_xyxy"], std::move(beam));
+    parse_box(json["loading_beam_xyxy"], std::move(beam));
   }
 
-  void read_box(const nlohmann::json& json, BlockSpec block) {
+  void parse_box(const nlohmann::json& json, BlockSpec block) {
     std::vector<double> at;
     for (const nlohmann::json& item : json.is_array() ? json : nlohmann::json::array())
-      if (const auto value = read_number(item)) at.push_back(*value);
+      if (const auto value = parse_number(item)) at.push_back(*value);
     const bool good =
         json.is_array() && json.size() == 4 && at.size() == 4 && at[0] < at[2] && at[1] < at[3];
     if (!good && is_far(block.id, json)) return;
@@ -345,9 +346,9 @@ void refuse_key(ReadContext& context, const toml::table& root, const char* key,
 }
 
 // A closed polyline is a block: its layer is the material, or says that it is fixed or the beam.
-void read_drawn_blocks(ReadContext& context, const toml::table& root, const std::string& file,
-                       const std::string& unit, ModelSpec& spec) {
-  const Drawing drawing = read_drawing(file, unit);
+void parse_drawn_blocks(ReadContext& context, const toml::table& root, const std::string& file,
+                        const std::string& unit, ModelSpec& spec) {
+  const Drawing drawing = parse_drawing(file, unit);
   if (!unit.empty() && !drawing.stated_unit.empty() && drawing.stated_unit != unit)
     refuse_key(context, root, "blocks_unit",
                fmt::format("stands against the drawing, which states {}", drawing.stated_unit),
@@ -414,11 +415,11 @@ double stated_scale(ReadContext& context, const toml::table& root, const std::st
   return scale > 0 ? scale : 1;
 }
 
-void read_meshes(ReadContext& context, const toml::table& root, const std::string& file,
-                 const std::string& unit, ModelSpec& spec) {
+void parse_meshes(ReadContext& context, const toml::table& root, const std::string& file,
+                  const std::string& unit, ModelSpec& spec) {
   const double scale = stated_scale(context, root, unit);
   FaultList faults;
-  spec.body = read_mesh_bodies(file, faults);
+  spec.body = parse_mesh_bodies(file, faults);
   for (Fault fault : faults.all()) {
     fault.path = "wall.blocks";
     context.faults.add(std::move(fault));
@@ -456,17 +457,17 @@ void read_json(ReadContext& context, const toml::table& root, const std::string&
 
 }  // namespace
 
-void read_blocks(ReadContext& context, const toml::table& root, ModelSpec& spec,
-                 const std::string& text) {
+void parse_blocks(ReadContext& context, const toml::table& root, ModelSpec& spec,
+                  const std::string& text) {
   const std::string file = (std::filesystem::path(spec.folder) / spec.wall.blocks).string();
   const bool is_drawn = is_drawing(file);
   const toml::node* stated = root["wall"]["blocks_unit"].node();
   const std::string unit = stated ? shown(*stated) : "";
   try {
     if (is_drawn && text.empty())
-      read_drawn_blocks(context, root, file, unit, spec);
+      parse_drawn_blocks(context, root, file, unit, spec);
     else if (is_mesh_file(file) && text.empty())
-      read_meshes(context, root, file, unit, spec);
+      parse_meshes(context, root, file, unit, spec);
     else
       read_json(context, root, file, is_drawn || is_mesh_file(file) ? "" : unit, spec, text);
   } catch (const InputError& error) {

@@ -24,15 +24,15 @@ namespace fs = std::filesystem;
 
 std::string ending_of(const std::string& file) { return fs::path(file).extension().string(); }
 
-std::vector<BodySpec> read_mesh(const std::string& file, FaultList& faults) {
+std::vector<BodySpec> parse_mesh(const std::string& file, FaultList& faults) {
   const std::string text = read_file(file, kMostMesh), ending = ending_of(file);
   refuse_foreign(file, text);
   refuse_other_format(file, text);
   const MeshText mesh{text, file, fs::path(file).stem().string()};
   const std::size_t before = faults.all().size();
-  std::vector<BodySpec> bodies = same_layer(ending, ".obj")   ? read_obj(mesh, faults)
-                                 : same_layer(ending, ".ply") ? read_ply(mesh, faults)
-                                                              : read_stl(mesh, faults);
+  std::vector<BodySpec> bodies = same_layer(ending, ".obj")   ? parse_obj(mesh, faults)
+                                 : same_layer(ending, ".ply") ? parse_ply(mesh, faults)
+                                                              : parse_stl(mesh, faults);
   if (bodies.empty() && faults.all().size() == before)
     faults.add({file, "", "", "holds no face", "save it as a mesh of closed solids", 0});
   return bodies;
@@ -63,7 +63,7 @@ bool is_point(const nlohmann::json& json) {
                      [](const nlohmann::json& x) { return x.is_number(); });
 }
 
-void read_solid(const nlohmann::json& json, BodySpec& body, const RefuseBlock& refuse) {
+void parse_solid(const nlohmann::json& json, BodySpec& body, const RefuseBlock& refuse) {
   const nlohmann::json vertices = json.value("vertices", nlohmann::json()),
                        faces = json.value("faces", nlohmann::json());
   if (!vertices.is_array() || vertices.size() < 4)
@@ -106,7 +106,7 @@ void leave_repeats_out(std::vector<std::array<double, 2>>& outline) {
 }
 
 // The outline of the block between two depths z.
-void read_prism(const nlohmann::json& json, BodySpec& body, const RefuseBlock& refuse) {
+void parse_prism(const nlohmann::json& json, BodySpec& body, const RefuseBlock& refuse) {
   const nlohmann::json& z = json["z"];
   const bool good = z.is_array() && z.size() == 2 && z[0].is_number() && z[1].is_number() &&
                     z[0].get<double>() < z[1].get<double>();
@@ -178,9 +178,9 @@ bool is_mesh_file(const std::string& file) {
   return same_layer(ending, ".obj") || same_layer(ending, ".ply") || same_layer(ending, ".stl");
 }
 
-std::vector<BodySpec> read_mesh_bodies(const std::string& file, FaultList& faults) {
+std::vector<BodySpec> parse_mesh_bodies(const std::string& file, FaultList& faults) {
   if (fs::path(file).filename().string().find('*') == std::string::npos)
-    return read_mesh(file, faults);
+    return parse_mesh(file, faults);
   std::vector<BodySpec> bodies;
   const std::vector<std::string> files = files_like(file);
   if (files.empty())
@@ -189,7 +189,7 @@ std::vector<BodySpec> read_mesh_bodies(const std::string& file, FaultList& fault
   for (const std::string& own : files) {
     if (enough(faults)) break;
     BodySpec whole;  // every solid of one file moves with the others
-    for (BodySpec& body : read_mesh(own, faults)) {
+    for (BodySpec& body : parse_mesh(own, faults)) {
       if (whole.part.empty()) whole.material = body.material;
       for (Polyhedron& part : body.part) whole.part.push_back(std::move(part));
     }
@@ -204,9 +204,9 @@ bool is_in_space(const nlohmann::json& block) {
          (block.contains("vertices") || block.contains("parts") || block.contains("z"));
 }
 
-void read_body_parts(const nlohmann::json& block, BodySpec& body, const RefuseBlock& refuse) {
-  if (block.contains("z")) return read_prism(block, body, refuse);
-  if (!block.contains("parts")) return read_solid(block, body, refuse);
+void parse_body_parts(const nlohmann::json& block, BodySpec& body, const RefuseBlock& refuse) {
+  if (block.contains("z")) return parse_prism(block, body, refuse);
+  if (!block.contains("parts")) return parse_solid(block, body, refuse);
   const nlohmann::json& parts = block["parts"];
   if (!parts.is_array() || parts.empty())
     return refuse("parts", parts, "must be a list of solids",
@@ -216,9 +216,9 @@ void read_body_parts(const nlohmann::json& block, BodySpec& body, const RefuseBl
       return refuse("parts", part, "must be an object with vertices and faces, or polygon and z",
                     "");
     if (part.contains("z"))
-      read_prism(part, body, refuse);
+      parse_prism(part, body, refuse);
     else
-      read_solid(part, body, refuse);
+      parse_solid(part, body, refuse);
   }
 }
 

@@ -20,7 +20,7 @@ namespace wythe::io {
 
 // In the file's units and axes. "stones/*.ply" reads every such file, by name, each as one body. Throws as
 // read_file.
-[[nodiscard]] std::vector<BodySpec> read_mesh_bodies(const std::string& file, FaultList& faults);
+[[nodiscard]] std::vector<BodySpec> parse_mesh_bodies(const std::string& file, FaultList& faults);
 
 // COMPAS writes a dtype at the top, or a list of meshes (compas_json.cpp).
 [[nodiscard]] bool is_compas(const nlohmann::json& json);
@@ -31,7 +31,7 @@ namespace wythe::io {
 using RefuseBlock = std::function<void(const std::string& where, const nlohmann::json& value,
                                        const std::string& problem, const std::string& cure)>;
 [[nodiscard]] bool is_in_space(const nlohmann::json& block);
-void read_body_parts(const nlohmann::json& block, BodySpec& body, const RefuseBlock& refuse);
+void parse_body_parts(const nlohmann::json& block, BodySpec& body, const RefuseBlock& refuse);
 
 // From the file's units and axes to metres, y up: (x, y, z) of a file with z up becomes (x, z, -y).
 void place(std::vector<BodySpec>& bodies, double units_in_a_metre, bool z_up);

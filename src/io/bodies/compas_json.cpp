@@ -80,15 +80,15 @@ class CompasReader {
   std::vector<BodySpec> read(const nlohmann::json& json) {
     const nlohmann::json& top = opened(json);
     if (is_before_1(top))
-      read_before_1(top);
+      parse_before_1(top);
     else if (top.is_array())
-      read_list(top);
+      parse_list(top);
     else if (top.is_object() && top.contains("elements"))
-      read_elements(top);
+      parse_elements(top);
     else if (top.is_object() && graph_of(top) != nullptr)
-      read_nodes(*graph_of(top));
+      parse_nodes(*graph_of(top));
     else
-      read_block("0", json, false);
+      parse_block("0", json, false);
     if (bodies_.empty() && faults_.empty())
       refuse("", "holds no block", "save an assembly, a block model or a list of meshes");
     return std::move(bodies_);
@@ -105,24 +105,24 @@ class CompasReader {
                                                                                          : nullptr;
   }
 
-  void read_list(const nlohmann::json& list) {
+  void parse_list(const nlohmann::json& list) {
     int number = 0;
     for (const nlohmann::json& item : list)
-      read_block(std::to_string(number++), item.is_array() && item.size() == 1 ? item[0] : item,
-                 false);
+      parse_block(std::to_string(number++), item.is_array() && item.size() == 1 ? item[0] : item,
+                  false);
   }
 
   // Blocks by the keys of their nodes.
-  void read_before_1(const nlohmann::json& top) {
+  void parse_before_1(const nlohmann::json& top) {
     const nlohmann::json& graph = opened(top["assembly"]);
     const nlohmann::json nodes = graph.is_object() ? graph.value("node", nlohmann::json::object())
                                                    : nlohmann::json::object();
     for (const std::string& key : sorted_keys(top["blocks"]))
-      read_block(key, top["blocks"][key],
-                 nodes.is_object() && nodes.contains(key) && is_flagged(nodes[key], "is_support"));
+      parse_block(key, top["blocks"][key],
+                  nodes.is_object() && nodes.contains(key) && is_flagged(nodes[key], "is_support"));
   }
 
-  void read_nodes(const nlohmann::json& graph) {
+  void parse_nodes(const nlohmann::json& graph) {
     const nlohmann::json defaults =
         graph.value("default_node_attributes", nlohmann::json::object());
     const bool fixed = is_flagged(defaults, "is_support");
@@ -130,14 +130,14 @@ class CompasReader {
       const nlohmann::json& node = graph["node"][key];
       const bool own =
           node.is_object() && node.contains("is_support") && !node["is_support"].is_null();
-      read_block(key, node, own ? is_flagged(node, "is_support") : fixed);
+      parse_block(key, node, own ? is_flagged(node, "is_support") : fixed);
     }
   }
 
   // In the order of the graph, where there is one: it numbers the blocks.
-  void read_elements(const nlohmann::json& top) {
+  void parse_elements(const nlohmann::json& top) {
     const nlohmann::json& elements = top["elements"];
-    if (elements.is_array()) return read_list(elements);
+    if (elements.is_array()) return parse_list(elements);
     if (!elements.is_object()) return refuse("elements", "is no list of blocks", "save it again");
     std::map<std::string, bool> taken;
     if (const nlohmann::json* graph = graph_of(top))
@@ -147,15 +147,15 @@ class CompasReader {
             node.is_object() ? node.value("element", nlohmann::json()) : nlohmann::json();
         if (!guid.is_string() || !elements.contains(guid.get<std::string>())) continue;
         if (!taken.emplace(guid.get<std::string>(), true).second) continue;
-        read_block(key, elements[guid.get<std::string>()], false);
+        parse_block(key, elements[guid.get<std::string>()], false);
       }
     for (const auto& item : elements.items())
       if (!taken.contains(item.key()))
-        read_block(std::to_string(bodies_.size()), item.value(), false);
+        parse_block(std::to_string(bodies_.size()), item.value(), false);
   }
 
   // A node, an element or a mesh, with what hangs at it on the way.
-  void read_block(const std::string& id, const nlohmann::json& json, bool fixed) {
+  void parse_block(const std::string& id, const nlohmann::json& json, bool fixed) {
     if (enough(faults_)) return;
     const nlohmann::json* inner = &opened(json);
     std::vector<const nlohmann::json*> moves;
@@ -179,7 +179,7 @@ class CompasReader {
     BodySpec body;
     body.id = id;
     body.fixed = fixed;
-    read_mesh(*inner, body);
+    parse_mesh(*inner, body);
     for (auto move = moves.rbegin(); move != moves.rend(); ++move) transform(**move, body);
     if (!body.part.empty()) bodies_.push_back(std::move(body));
   }
@@ -194,7 +194,7 @@ class CompasReader {
     return corner[axis].is_number() ? corner[axis].get<double>() : std::nan("");
   }
 
-  void read_mesh(const nlohmann::json& mesh, BodySpec& body) {
+  void parse_mesh(const nlohmann::json& mesh, BodySpec& body) {
     Polyhedron part;
     std::map<std::string, std::int32_t> number;
     for (const std::string& key : sorted_keys(mesh["vertex"])) {

@@ -30,7 +30,7 @@ struct Box {
 class Facade {
  public:
   Facade(std::string file, const std::string& unit, const DrawingLayers& layers)
-      : file_(std::move(file)), layers_(layers), drawing_(read_drawing(file_, unit)) {}
+      : file_(std::move(file)), layers_(layers), drawing_(parse_drawing(file_, unit)) {}
 
   std::string text() {
     const std::vector<Box> outline = boxes_on(layers_.outline, "a generated wall is a rectangle");
@@ -215,7 +215,7 @@ std::vector<Message> notes_of_drawing(const ModelSpec& spec) {
   const std::filesystem::path file = std::filesystem::path(spec.folder) / spec.wall.blocks;
   if (!io::is_drawing(file.string())) return {};
   std::vector<Message> notes;
-  const io::Drawing drawing = io::read_drawing(file.string(), "m");  // whatever its unit
+  const io::Drawing drawing = io::parse_drawing(file.string(), "m");  // whatever its unit
   if (!drawing.hidden.empty())
     notes.push_back(
         {"drawing.hidden", {{"file", spec.wall.blocks}, {"layers", joined(drawing.hidden, ", ")}}});

@@ -220,7 +220,7 @@ class DrawingReader {
     while (!whole && groups_.next(group)) {
       if (group.code != 0) continue;
       if (group.value == "EOF") whole = true;
-      if (group.value == "SECTION" && groups_.next(group)) read_section(group);
+      if (group.value == "SECTION" && groups_.next(group)) parse_section(group);
     }
     if (!whole)
       refuse(file_, "", "has no EOF at its end: the file is not whole, or no DXF",
@@ -230,13 +230,13 @@ class DrawingReader {
   }
 
  private:
-  void read_section(const Group& name) {
-    if (name.value == "HEADER") return read_header();
-    if (name.value == "TABLES") return read_tables();
-    if (name.value == "ENTITIES") return read_entities();
+  void parse_section(const Group& name) {
+    if (name.value == "HEADER") return parse_header();
+    if (name.value == "TABLES") return parse_tables();
+    if (name.value == "ENTITIES") return parse_entities();
   }
 
-  void read_header() {
+  void parse_header() {
     Group group;
     std::string variable;
     while (groups_.next(group) && !(group.code == 0 && group.value == "ENDSEC")) {
@@ -246,7 +246,7 @@ class DrawingReader {
   }
 
   // Layers that are off (a negative colour) or frozen.
-  void read_tables() {
+  void parse_tables() {
     constexpr int kFrozen = 1;
     Group group;
     std::string name;
@@ -283,7 +283,7 @@ class DrawingReader {
             drawing_units() + ")");
   }
 
-  void read_entities() {
+  void parse_entities() {
     find_scale();
     has_entities_ = true;
     Group group;
@@ -496,7 +496,7 @@ std::string drawing_units() {
   return names;
 }
 
-Drawing read_drawing(const std::string& file, const std::string& unit) {
+Drawing parse_drawing(const std::string& file, const std::string& unit) {
   std::string text = read_file(file, kMostDxf);
   refuse_foreign(file, text);
   refuse_other_format(file, text);

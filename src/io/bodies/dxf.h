@@ -54,7 +54,7 @@ struct Drawing {
 // Texts, dimensions and points are left aside, and what the drawing program hides. `unit` ("mm", "m", ...) goes before what the file
 // states; "": the
 // file's. Throws InputError where the file is no such drawing, or no unit is known.
-[[nodiscard]] Drawing read_drawing(const std::string& file, const std::string& unit);
+[[nodiscard]] Drawing parse_drawing(const std::string& file, const std::string& unit);
 
 // The fault of an entity that a reader needs, "LWPOLYLINE 2F on layer stones".
 [[nodiscard]] Fault fault_of(const Unread& entity, const std::string& file);

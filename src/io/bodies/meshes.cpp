@@ -29,7 +29,7 @@ class ObjReader {
 
   std::vector<BodySpec> read() {
     std::string_view line;
-    while (!faults_.enough() && lines_.next(line)) read_line(line.substr(0, line.find('#')));
+    while (!faults_.enough() && lines_.next(line)) parse_line(line.substr(0, line.find('#')));
     std::vector<BodySpec> bodies;
     std::erase_if(groups_, [](const Group& group) { return group.face.empty(); });
     if (groups_.size() == 1) {
@@ -56,11 +56,11 @@ class ObjReader {
     if (!group.material.empty()) body.material = group.material;
   }
 
-  void read_line(std::string_view line) {
+  void parse_line(std::string_view line) {
     const auto words = words_of(line);
     if (words.empty()) return;
-    if (words[0] == "v") return read_corner(words, line);
-    if (words[0] == "f") return read_face(words, line);
+    if (words[0] == "v") return parse_corner(words, line);
+    if (words[0] == "f") return parse_face(words, line);
     if (words[0] == "o" || words[0] == "g")
       return open_group(trimmed(line.substr(line.find(words[0]) + 1)));
     if (words[0] == "usemtl" && words.size() > 1) material_ = words[1];
@@ -70,7 +70,7 @@ class ObjReader {
                     "save the model as a mesh of polygons");
   }
 
-  void read_corner(const std::vector<std::string_view>& words, std::string_view line) {
+  void parse_corner(const std::vector<std::string_view>& words, std::string_view line) {
     const auto point = point_in(words, 1);
     if (!point)
       faults_.add(lines_.number(), line, "must be three finite numbers", "write e.g. v 0 0.25 1.5");
@@ -83,7 +83,7 @@ class ObjReader {
     if (is_new) groups_.push_back({std::string(name), "", {}});
   }
 
-  void read_face(const std::vector<std::string_view>& words, std::string_view line) {
+  void parse_face(const std::vector<std::string_view>& words, std::string_view line) {
     if (groups_.empty()) open_group("");
     std::vector<std::int32_t> face;
     for (std::size_t k = 1; k < words.size(); ++k) {
@@ -119,9 +119,9 @@ class StlReader {
 
   std::vector<BodySpec> read() {
     if (is_binary())
-      read_binary();
+      parse_binary();
     else
-      read_ascii();
+      parse_ascii();
     std::vector<BodySpec> bodies;
     std::erase_if(solids_, [](const Solid& solid) { return solid.face.empty(); });
     for (Solid& solid : solids_) {
@@ -160,7 +160,7 @@ class StlReader {
     return static_cast<double>(std::bit_cast<float>(bits));
   }
 
-  void read_binary() {
+  void parse_binary() {
     if (text_.size() < kHead || kHead + kTriangle * count() != text_.size())
       return faults_.add(
           0, fmt::format("{} bytes", text_.size()),
@@ -181,7 +181,7 @@ class StlReader {
     }
   }
 
-  void read_ascii() {
+  void parse_ascii() {
     Lines lines(text_);
     std::string_view line;
     std::size_t open = 0;  // corners of the triangle so far
@@ -334,11 +334,11 @@ std::vector<BodySpec> bodies_of_solids(const std::string& name, const std::vecto
   return bodies;
 }
 
-std::vector<BodySpec> read_obj(const MeshText& mesh, FaultList& faults) {
+std::vector<BodySpec> parse_obj(const MeshText& mesh, FaultList& faults) {
   return ObjReader(mesh, faults).read();
 }
 
-std::vector<BodySpec> read_stl(const MeshText& mesh, FaultList& faults) {
+std::vector<BodySpec> parse_stl(const MeshText& mesh, FaultList& faults) {
   return StlReader(mesh, faults).read();
 }
 

@@ -20,8 +20,8 @@ struct MeshText {
   const std::string& text;
   std::string file, name;
 };
-[[nodiscard]] std::vector<BodySpec> read_obj(const MeshText& mesh, FaultList& faults);
-[[nodiscard]] std::vector<BodySpec> read_ply(const MeshText& mesh, FaultList& faults);
-[[nodiscard]] std::vector<BodySpec> read_stl(const MeshText& mesh, FaultList& faults);
+[[nodiscard]] std::vector<BodySpec> parse_obj(const MeshText& mesh, FaultList& faults);
+[[nodiscard]] std::vector<BodySpec> parse_ply(const MeshText& mesh, FaultList& faults);
+[[nodiscard]] std::vector<BodySpec> parse_stl(const MeshText& mesh, FaultList& faults);
 
 }  // namespace wythe::io

@@ -96,10 +96,10 @@ class PlyReader {
 
   std::vector<BodySpec> read() {
     const std::size_t before = given_.all().size();
-    if (!read_header() || given_.all().size() > before) return {};
+    if (!parse_header() || given_.all().size() > before) return {};
     Values values(text_.substr(body_), form_);
     try {
-      for (const Element& element : elements_) read_element(element, values);
+      for (const Element& element : elements_) parse_element(element, values);
     } catch (const End&) {
       faults_.add(0, "", "ends before its last element", "save it again");
     }
@@ -112,7 +112,7 @@ class PlyReader {
   }
 
  private:
-  bool read_header() {
+  bool parse_header() {
     Lines lines(text_);
     std::string_view line;
     bool has_form = false;
@@ -130,11 +130,11 @@ class PlyReader {
         return true;
       }
       if (words[0] == "format" && words.size() > 1)
-        has_form = read_form(words[1], lines.number());
+        has_form = parse_form(words[1], lines.number());
       else if (words[0] == "element" && words.size() == 3)
-        read_count(words, lines.number());
+        parse_count(words, lines.number());
       else if (words[0] == "property" && !elements_.empty() && words.size() >= 3)
-        read_property(words, line, lines.number());
+        parse_property(words, line, lines.number());
       else
         faults_.add(lines.number(), line, "is no line of a PLY header", "save it again");
       if (faults_.enough()) return false;
@@ -143,7 +143,7 @@ class PlyReader {
     return false;
   }
 
-  bool read_form(std::string_view word, int line) {
+  bool parse_form(std::string_view word, int line) {
     if (word == "ascii") form_ = Form::kText;
     if (word == "binary_little_endian") form_ = Form::kLittle;
     if (word == "binary_big_endian") form_ = Form::kBig;
@@ -155,7 +155,7 @@ class PlyReader {
   }
 
   // More elements than bytes can't be: nothing is taken for them before.
-  void read_count(const std::vector<std::string_view>& words, int line) {
+  void parse_count(const std::vector<std::string_view>& words, int line) {
     const auto count = mesh_number<std::uint64_t>(words[2]);
     if (!count || *count > text_.size())
       return faults_.add(line, words[2], "is no count of elements this file can hold",
@@ -166,8 +166,8 @@ class PlyReader {
     elements_.push_back({std::string(words[1]), static_cast<std::size_t>(*count), {}});
   }
 
-  void read_property(const std::vector<std::string_view>& words, std::string_view line,
-                     int number) {
+  void parse_property(const std::vector<std::string_view>& words, std::string_view line,
+                      int number) {
     Property property;
     const bool is_list = words[1] == "list" && words.size() == 5;
     property.name = words.back();
@@ -180,7 +180,7 @@ class PlyReader {
     elements_.back().property.push_back(std::move(property));
   }
 
-  void read_element(const Element& element, Values& values) {
+  void parse_element(const Element& element, Values& values) {
     if (element.name == "tristrips")
       return faults_.add(0, element.name, "is not read", "save faces instead of strips");
     for (std::size_t i = 0; i < element.count && !faults_.enough() && !element.property.empty();
@@ -248,7 +248,7 @@ class PlyReader {
 
 }  // namespace
 
-std::vector<BodySpec> read_ply(const MeshText& mesh, FaultList& faults) {
+std::vector<BodySpec> parse_ply(const MeshText& mesh, FaultList& faults) {
   return PlyReader(mesh, faults).read();
 }
 

@@ -33,7 +33,7 @@ std::vector<CurveRow> first_loading(const std::vector<CurveRow>& rows) {
 
 constexpr std::size_t kMostCompared = 200'000;  // a run has 200 rows unless it is asked for more
 
-std::vector<CurveRow> read_curve(const std::string& path) {
+std::vector<CurveRow> parse_curve(const std::string& path) {
   const std::string text = read_text(path, kMostCsv);
   CsvLines lines(text, path);
   if (!lines.next() ||
@@ -81,7 +81,7 @@ double weight_on_push(const Model& model) {
   double sum = 0;
   for (const BlockId b : push->driven)
     if (b < model.n_block)  // a support in space weighs on no joint
-      sum -= model.solve.gravity * model.heavy_mass[static_cast<std::size_t>(b)] * push->drive_y;
+      sum -= model.solve.gravity * model.gravity_mass[static_cast<std::size_t>(b)] * push->drive_y;
   for (const Stage& stage : model.stages) {
     if (&stage == push) break;
     for (const PointLoad& load : stage.loads)
@@ -142,9 +142,9 @@ void take_curve(const Model& model, std::vector<CurveRow> rows, ComparedRun& run
   run.curve = first_loading(rows);
 }
 
-ComparedRun read_run(const fs::path& folder) {
+ComparedRun parse_run(const fs::path& folder) {
   ComparedRun run{.name = "run", .mode = ""};
-  std::vector<CurveRow> rows = read_curve((folder / "force_displacement.csv").string());
+  std::vector<CurveRow> rows = parse_curve((folder / "force_displacement.csv").string());
   const std::string file = (folder / "summary.json").string();
   const nlohmann::json summary = parse_json(read_text(file, kMostJson), file);
   const Summary said{file, summary};
@@ -163,7 +163,7 @@ ComparedRun read_run(const fs::path& folder) {
   return run;
 }
 
-ComparedRun read_sample(const Model& model, const SampleRecord& record) {
+ComparedRun parse_sample(const Model& model, const SampleRecord& record) {
   ComparedRun run{.name = "sample " + std::to_string(record.sample),
                   .mode = record.failure_mode.name};
   take_curve(model, record.curve, run);
@@ -178,7 +178,7 @@ ComparedRun read_sample(const Model& model, const SampleRecord& record) {
 
 // Samples of a dry wall are held against the limit load of their own models; with bond the bound is
 // far, and 250 limit loads would take as long as the campaign.
-std::vector<ComparedRun> read_samples(const std::string& folder) {
+std::vector<ComparedRun> parse_samples(const std::string& folder) {
   const Campaign campaign = read_campaign(folder);
   const ModelBuilder build = model_builder(campaign.study);
   const Model base = compile(build({}));
@@ -186,7 +186,7 @@ std::vector<ComparedRun> read_samples(const std::string& folder) {
   std::vector<ComparedRun> runs;
   for (const SampleRecord& record : campaign.records) {
     if (!record.answered()) continue;
-    runs.push_back(read_sample(base, record));
+    runs.push_back(parse_sample(base, record));
     runs.back().wall = wall;
     if (!has_bond(base))
       set_bound(compile(build(settings_of(campaign.samples, record.sample - 1))), runs.back());
@@ -198,8 +198,8 @@ std::vector<ComparedRun> read_samples(const std::string& folder) {
 
 std::vector<ComparedRun> read_compared_runs(const std::string& folder) {
   finish_replacement(folder);
-  if (holds_campaign(folder)) return read_samples(folder);
-  if (fs::exists(fs::path(folder) / "summary.json")) return {read_run(folder)};
+  if (holds_campaign(folder)) return parse_samples(folder);
+  if (fs::exists(fs::path(folder) / "summary.json")) return {parse_run(folder)};
   throw InputError({{.file = "--with",
                      .path = "",
                      .value = folder,

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <type_traits>
 
-#include "campaign/answer_keys.h"
+#include "campaign/output_keys.h"
 #include "io/text/csv.h"
 #include "wythe/error.h"
 
@@ -26,14 +26,14 @@ std::string flag(bool value) { return value ? "1" : "0"; }
 
 // What files call an answer for each sample: its own name, else the key of summary.json.
 template <class Value>
-ExportColumn column_of(const study::AnswerKey& key, const Value&) {
+ExportColumn column_of(const study::OutputKey& key, const Value&) {
   std::string name = *key.column != '\0' ? key.column : key.summary;
   std::replace(name.begin(), name.end(), '.', '_');
   constexpr bool kIsText = !std::is_same_v<Value, double> && !std::is_same_v<Value, bool>;
   return {std::move(name), key.explained.unit, key.explained.meaning, kIsText};
 }
 
-std::string text_of_value(const study::AnswerKey& key, const auto& value) {
+std::string text_of_value(const study::OutputKey& key, const auto& value) {
   using Value = std::decay_t<decltype(value)>;
   if constexpr (std::is_same_v<Value, double>)
     return csv_cell(value * key.to_unit);
@@ -111,7 +111,7 @@ std::vector<ExportCell> sample_cells(const Campaign& campaign, const SampleRecor
   cells.push_back({kReason, csv_cell(text_of(record.reason))});
   cells.push_back({kRetried, flag(record.retried)});
   const bool answered = record.answered();
-  const auto add = [&](const study::AnswerKey& key, const auto& value) {
+  const auto add = [&](const study::OutputKey& key, const auto& value) {
     cells.push_back({column_of(key, value), answered ? text_of_value(key, value) : ""});
   };
   study::each_response(add, record.responses);
@@ -132,7 +132,7 @@ std::vector<ExportCell> sample_cells(const Campaign& campaign, const SampleRecor
 std::vector<ExportCell> run_cells(const nlohmann::json& summary) {
   Cells cells = {
       {kSample, "1"}, {kStatus, text_at(summary, "status")}, {kReason, text_at(summary, "reason")}};
-  const auto add = [&](const study::AnswerKey& key, const auto& value) {
+  const auto add = [&](const study::OutputKey& key, const auto& value) {
     cells.push_back({column_of(key, value), text_at(summary, key.summary)});
   };
   const SampleRecord any;

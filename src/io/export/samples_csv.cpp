@@ -9,8 +9,8 @@
 #include <string_view>
 #include <type_traits>
 
-#include "campaign/answer_keys.h"
 #include "campaign/draws/result_columns.h"
+#include "campaign/output_keys.h"
 #include "io/results/shakes_csv.h"
 #include "io/text/csv.h"
 #include "wythe/io.h"
@@ -66,12 +66,12 @@ std::vector<Cell> cyclic_cells(const CyclicReadings& c) {
   return cells;
 }
 
-// The columns that each response has (answer_keys.h); the failure mode and the other fractions of the peak
+// The columns that each response has (output_keys.h); the failure mode and the other fractions of the peak
 // stand among them.
 std::vector<Cell> answer_cells(const Campaign& campaign, const SampleRecord& record) {
   const Responses& r = record.responses;
   std::vector<Cell> cells;
-  const auto add = [&](const study::AnswerKey& key, const auto& value) {
+  const auto add = [&](const study::OutputKey& key, const auto& value) {
     using Value = std::decay_t<decltype(value)>;
     if (key.listed != study::Listed::kCsv) return;
     if constexpr (std::is_same_v<Value, double>)
@@ -138,7 +138,7 @@ std::string samples_csv(const Campaign& campaign) {
       for (const Cell& cell : cyclic_cells(cyclic_readings(record))) text += "," + cell.text;
     if (shaken)
       text += io::shake_cells(campaign.study,
-                              record.shakes.empty() ? ShakeAnswer{} : record.shakes.front());
+                              record.shakes.empty() ? ShakeResult{} : record.shakes.front());
     text += "\n";
   }
   return text;

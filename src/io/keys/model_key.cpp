@@ -127,7 +127,7 @@ SettableKeys::SettableKeys(const std::string& text, const std::string& file,
     if (!field.formula.empty() && !is_made(name)) formula_[field.path] = name;
   // What stands for other keys: [masonry] through its rules, tangents for angles.
   resolve_materials(context, root);
-  BuilderSpec built = read_builder(file, root, base);
+  BuilderSpec built = parse_builder(file, root, base);
   for (ModelKey& key : keys_of(built)) keys_.push_back(std::move(key));
   asked_ = std::move(context.asked);
   for (const auto& [path, value] : context.derived)

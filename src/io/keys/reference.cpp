@@ -133,7 +133,7 @@ class Reference {
     section('[' + path + ']', path, key, value);
   }
 
-  [[nodiscard]] std::string whole() const { return rows_ + below_; }
+  [[nodiscard]] std::string text() const { return rows_ + below_; }
 
  private:
   static std::string allowed(const Key& key) {
@@ -156,8 +156,8 @@ class Reference {
   void section(const std::string& heading, const std::string& path, const Key& key, T& value) {
     Reference inner(path);
     describe(inner, value);
-    below_ += fmt::format("\n## `{}`\n\n{}{}\n{}", heading, key.doc, kinds_text(key.kinds),
-                          inner.whole());
+    below_ +=
+        fmt::format("\n## `{}`\n\n{}{}\n{}", heading, key.doc, kinds_text(key.kinds), inner.text());
   }
 
   std::string path_, rows_, below_;
@@ -182,7 +182,7 @@ std::string reference_page() {
   ModelSpec spec;
   io::Reference reference("");
   io::describe(reference, spec);
-  return io::kHeader + reference.whole();
+  return io::kHeader + reference.text();
 }
 
 void write_reference(const std::string& folder) {

@@ -10,8 +10,8 @@
 
 namespace wythe::io {
 
-// Reads them without a word: read_table has said what is wrong with them. `spec` is what the same root gave.
-[[nodiscard]] BuilderSpec read_builder(const std::string& file, const toml::table& root,
-                                       const ModelSpec& spec);
+// Reads them without a word: parse_table has said what is wrong with them. `spec` is what the same root gave.
+[[nodiscard]] BuilderSpec parse_builder(const std::string& file, const toml::table& root,
+                                        const ModelSpec& spec);
 
 }  // namespace wythe::io

@@ -66,7 +66,7 @@ class PathReader {
     }
     const bool is_known = !table.is_empty() && context_.faults.empty();
     while (is_known && !enough(context_.faults) && table.next())
-      rows.push_back({.opening = read_cell(table, opening_), .slip = read_cell(table, slip_)});
+      rows.push_back({.opening = parse_cell(table, opening_), .slip = parse_cell(table, slip_)});
     if (!thousands_.value.empty() && !tells_decimals_) context_.faults.add(std::move(thousands_));
     if (rows.empty() && context_.faults.empty())
       context_.fault("", 0, "", table.is_empty() ? "is empty" : "has no rows",
@@ -122,7 +122,7 @@ class PathReader {
         cure);
   }
 
-  double read_cell(NumberTable& table, const Column& column) {
+  double parse_cell(NumberTable& table, const Column& column) {
     const double number = table.number(column.index);
     if (std::isnan(number)) {
       Fault fault = table.no_number(column.index);
@@ -182,7 +182,7 @@ JointMaterial parse_law(const std::string& toml_text, const std::string& file_na
   for (const io::KnownName& one : io::known_names<ModelSpec>())
     if (one.name != "masonry" && one.name != "material") root.erase(one.name);
   io::LawFile file;
-  io::read_table(context, root, "", file);
+  io::parse_table(context, root, "", file);
   if (!context.faults.empty()) io::throw_faults(context);
   const JointMaterial law = io::pick_law(context, file);
   io::throw_faults(context);

@@ -129,15 +129,16 @@ class Resolver {
     toml::node* masonry = root_.get("masonry");
     masonry_ = Table{"masonry", masonry ? masonry->as_table() : nullptr, Role::kMasonry,
                      &keys_of<MasonrySpec>()};
-    if (masonry_.toml) read_recipes(masonry_);
-    if (masonry_.toml) office_ = read_office(context_, *masonry_.toml, masonry_.use, use_is_wrong_);
+    if (masonry_.toml) parse_recipes(masonry_);
+    if (masonry_.toml)
+      office_ = parse_office(context_, *masonry_.toml, masonry_.use, use_is_wrong_);
     use_is_wrong_ = use_is_wrong_ || lacks_typology();
     std::vector<Table> laws;
     toml::node* materials = root_.get("material");
     if (materials && materials->is_table())
       for (auto&& [name, node] : *materials->as_table())
         if (toml::table* table = node.as_table()) laws.push_back(law_table(name.str(), *table));
-    for (Table& law : laws) read_recipes(law);
+    for (Table& law : laws) parse_recipes(law);
     for (const Table& law : laws) refuse_undivided(law);
     for (const Table& law : laws)
       if (law.toml->contains("head_joint_bond") && !has_beds_of(root_, name_of(law)))
@@ -174,7 +175,7 @@ class Resolver {
 
   // --- use, missing, tangents --------------------------------------------------------------------
 
-  void read_recipes(Table& table) {
+  void parse_recipes(Table& table) {
     if (const toml::node* use = table.toml->get("use")) {
       table.use = entry_named(table, *use);
       use_is_wrong_ = use_is_wrong_ || !table.use;
@@ -188,7 +189,7 @@ class Resolver {
       table.missing = true;  // so it was meant: else each value by rule were said to be missing too
       table.toml->erase("missing");
     }
-    for (const char* key : {"friction", "residual_friction"}) read_tangent(table, key);
+    for (const char* key : {"friction", "residual_friction"}) parse_tangent(table, key);
   }
 
   const Entry* entry_named(const Table& table, const toml::node& use) {
@@ -218,7 +219,7 @@ class Resolver {
     }
   }
 
-  void read_tangent(Table& table, const std::string& stem) {
+  void parse_tangent(Table& table, const std::string& stem) {
     const std::string tangent = stem + "_tan", angle = stem + "_angle";
     const toml::node* node = table.toml->get(tangent);
     if (!node) return;

@@ -216,7 +216,7 @@ void refuse_idle(const ModelSpec& spec, const ReadContext& context) {
 
 }  // namespace
 
-BuilderSpec read_builder(const std::string& file, const toml::table& root, const ModelSpec& spec) {
+BuilderSpec parse_builder(const std::string& file, const toml::table& root, const ModelSpec& spec) {
   ReadContext silent{file};
   TableReader reader(silent, root, "");
   BuilderSpec built;
@@ -301,11 +301,11 @@ ModelSpec parse_model(const std::string& toml_text, const std::string& file_name
   io::resolve_floors(context, root);
   ModelSpec spec;
   spec.folder = std::filesystem::path(file_name).parent_path().string();
-  io::read_table(context, root, "", spec);
-  const BuilderSpec built = io::read_builder(file_name, root, spec);
+  io::parse_table(context, root, "", spec);
+  const BuilderSpec built = io::parse_builder(file_name, root, spec);
   if (!spec.wall.blocks.empty() && built.empty() && !context.has_fault_at("wall.blocks"))
-    io::read_blocks(context, root, spec, blocks);
-  io::read_records(context, spec);
+    io::parse_blocks(context, root, spec, blocks);
+  io::parse_records(context, spec);
   io::throw_faults(context);
   try {
     FaultList idle;

@@ -1,4 +1,4 @@
-// read_office: what [masonry] asks of the tables of Circolare 7/2019, read before any value is looked for.
+// parse_office: what [masonry] asks of the tables of Circolare 7/2019, read before any value is looked for.
 #include "io/model/office.h"
 
 #include <algorithm>
@@ -24,11 +24,11 @@ class Reader {
   Reader(ReadContext& context, toml::table& table, const Entry* use, bool use_is_told)
       : context_(context), table_(table), use_(use), use_is_told_(use_is_told) {}
 
-  OfficeMasonry read_office() {
-    read_level();
+  OfficeMasonry parse_office() {
+    parse_level();
     for (const materials::Correction& correction : materials::corrections()) read(correction);
     refuse_contradictions();
-    read_tests();
+    parse_tests();
     for (const char* key : {"core", "thin_joints"}) {
       if (!table_.contains(key)) continue;
       fault(key, "has no coefficient in Table C8.5.II of 2019, unlike that of 2009",
@@ -58,7 +58,7 @@ class Reader {
     return otherwise;
   }
 
-  void read_level() {
+  void parse_level() {
     const toml::node* node = table_.get("knowledge_level");
     if (!node) return;
     const auto* text = node->as_string();
@@ -141,21 +141,21 @@ class Reader {
       fault("poor_mortar", "stands beside good_mortar", "leave one of the two");
   }
 
-  void read_tests() {
+  void parse_tests() {
     const toml::node* node = table_.get("test");
     const toml::array* list = node ? node->as_array() : nullptr;
     if (node && (!list || !list->is_homogeneous<toml::table>() || list->empty()))
       fault("test", "must be tables",
             "write [[masonry.test]] and under it of, mean, number, method");
     for (std::size_t i = 0; list && i < list->size(); ++i)
-      if (const toml::table* test = list->get(i)->as_table()) read_test(*test, std::to_string(i));
+      if (const toml::table* test = list->get(i)->as_table()) parse_test(*test, std::to_string(i));
     if (out_.level == KnowledgeLevel::kLc3 && !node)
       fault("knowledge_level", "LC3 updates the table by tests, and there are none",
             "write [[masonry.test]] for each value that was tested, or LC2");
     table_.erase("test");
   }
 
-  void read_test(const toml::table& test, const std::string& number) {
+  void parse_test(const toml::table& test, const std::string& number) {
     const std::string path = "masonry.test." + number;
     const auto refuse = [&](const char* key, const std::string& problem, const std::string& cure) {
       const toml::node* node = test.get(key);
@@ -217,9 +217,9 @@ class Reader {
 
 }  // namespace
 
-OfficeMasonry read_office(ReadContext& context, toml::table& masonry, const materials::Entry* use,
-                          bool use_is_told) {
-  return Reader(context, masonry, use, use_is_told).read_office();
+OfficeMasonry parse_office(ReadContext& context, toml::table& masonry, const materials::Entry* use,
+                           bool use_is_told) {
+  return Reader(context, masonry, use, use_is_told).parse_office();
 }
 
 }  // namespace wythe::io

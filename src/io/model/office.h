@@ -29,7 +29,7 @@ struct OfficeMasonry {
 
 // Reads those keys and takes them out of the table. `use`: its typology, nullptr where there is none; a fault of it may
 // be told already.
-[[nodiscard]] OfficeMasonry read_office(ReadContext& context, toml::table& masonry,
-                                        const materials::Entry* use, bool use_is_told);
+[[nodiscard]] OfficeMasonry parse_office(ReadContext& context, toml::table& masonry,
+                                         const materials::Entry* use, bool use_is_told);
 
 }  // namespace wythe::io

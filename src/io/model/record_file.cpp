@@ -46,7 +46,7 @@ class TableRecord {
     choose_accelerations();
     check_heads();
     check_comments(text);
-    read_rows(table);
+    parse_rows(table);
     check_times();
     check_told();
     RecordNumbers n = std::move(numbers_);
@@ -216,7 +216,7 @@ class TableRecord {
     }
   }
 
-  void read_rows(NumberTable& table) {
+  void parse_rows(NumberTable& table) {
     FaultList faults;
     Fault thousands;  // the first value that may have some
     std::vector<int> lines;
@@ -465,7 +465,7 @@ RecordNumbers numbers_of(ReadContext& context, const std::string& file, const st
   const bool given = context.records != nullptr && context.records->contains(r.file);
   if (!given) check_is_text(read_file(file, kMostCsv), file);
   const std::string text = given ? context.records->at(r.file) : read_text(file, kMostCsv);
-  if (std::optional<RecordNumbers> known = read_record_format(text, file)) {
+  if (std::optional<RecordNumbers> known = parse_record_format(text, file)) {
     if (!r.column.empty())
       throw InputError({{"", path + ".column", r.column, "has no meaning: " + file + " is no table",
                          "leave it out", 0}});
@@ -546,7 +546,7 @@ void read_file_of(ReadContext& context, const ModelSpec& spec, const std::string
 
 }  // namespace
 
-void read_records(ReadContext& context, ModelSpec& spec) {
+void parse_records(ReadContext& context, ModelSpec& spec) {
   for (std::size_t k = 0; k < spec.stage.size(); ++k)
     for (std::size_t i = 0; i < spec.stage[k].record.size(); ++i) {
       const std::string path = fmt::format("stage.{}.record.{}", k, i);

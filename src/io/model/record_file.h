@@ -6,7 +6,7 @@
 namespace wythe::io {
 
 // The numbers of every record that is a file, into its RecordSpec; faults at their keys and lines.
-void read_records(ReadContext& context, ModelSpec& spec);
+void parse_records(ReadContext& context, ModelSpec& spec);
 
 // The same as a CSV, exact to the bit.
 [[nodiscard]] std::string record_text(const RecordSpec& record);

@@ -377,8 +377,8 @@ std::string unit_in_words(const std::string& words) {
 
 namespace {
 
-std::optional<RecordNumbers> read_at2(const std::string& text, const std::string& file,
-                                      const std::vector<HeadLine>& head) {
+std::optional<RecordNumbers> parse_at2(const std::string& text, const std::string& file,
+                                       const std::vector<HeadLine>& head) {
   Counts counts;
   int last = 0;
   for (const HeadLine& line : head) {
@@ -408,8 +408,8 @@ std::optional<RecordNumbers> read_at2(const std::string& text, const std::string
 
 // --- ESM
 
-std::optional<RecordNumbers> read_esm(const std::string& text, const std::string& file,
-                                      const std::vector<HeadLine>& head) {
+std::optional<RecordNumbers> parse_esm(const std::string& text, const std::string& file,
+                                       const std::vector<HeadLine>& head) {
   const auto value_of = [&](std::string_view key) {
     const HeadLine* line = line_with(head, key);
     const std::size_t colon = line == nullptr ? std::string::npos : line->text.find(':');
@@ -444,8 +444,8 @@ std::optional<RecordNumbers> read_esm(const std::string& text, const std::string
 
 // --- K-NET
 
-std::optional<RecordNumbers> read_knet(const std::string& text, const std::string& file,
-                                       const std::vector<HeadLine>& head) {
+std::optional<RecordNumbers> parse_knet(const std::string& text, const std::string& file,
+                                        const std::vector<HeadLine>& head) {
   const HeadLine* scale = line_with(head, "scale factor");
   const HeadLine* rate = line_with(head, "sampling freq");
   const HeadLine* memo = line_with(head, "memo");
@@ -588,7 +588,7 @@ double cosmos_step(const CosmosChannel& channel) {
   return at(kOfRecorder) > 0 ? at(kOfRecorder) : kUnset;
 }
 
-std::optional<RecordNumbers> read_cosmos(const std::string& text, const std::string& file) {
+std::optional<RecordNumbers> parse_cosmos(const std::string& text, const std::string& file) {
   const std::vector<CosmosChannel> channels = cosmos_channels(text, file);
   if (channels.empty()) return std::nullopt;
   const CosmosChannel& channel = channels.front();
@@ -702,13 +702,13 @@ void check_is_text(std::string_view bytes, const std::string& file) {
     refuse_format(file, 0, "", format);
 }
 
-std::optional<RecordNumbers> read_record_format(const std::string& text, const std::string& file) {
+std::optional<RecordNumbers> parse_record_format(const std::string& text, const std::string& file) {
   check_line_ends(text, file);
   const std::vector<HeadLine> head = head_of(text);
-  if (auto esm = read_esm(text, file, head)) return esm;
-  if (auto knet = read_knet(text, file, head)) return knet;
-  if (auto cosmos = read_cosmos(text, file)) return cosmos;
-  if (auto at2 = read_at2(text, file, head)) return at2;
+  if (auto esm = parse_esm(text, file, head)) return esm;
+  if (auto knet = parse_knet(text, file, head)) return knet;
+  if (auto cosmos = parse_cosmos(text, file)) return cosmos;
+  if (auto at2 = parse_at2(text, file, head)) return at2;
   if (small_letters(std::filesystem::path(file).extension().string()) == ".at2")
     refuse(file, 0, "",
            fmt::format("has no line in its first {} that names NPTS and DT", kMostHeadLines),

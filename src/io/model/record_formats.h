@@ -41,7 +41,7 @@ void check_is_text(std::string_view bytes, const std::string& file);
 
 // Nothing where the text is of none of these formats. Throws InputError where it is broken, or of a format that is
 // known but not read. Faults have no path: it is that of the key that names the file.
-[[nodiscard]] std::optional<RecordNumbers> read_record_format(const std::string& text,
-                                                              const std::string& file);
+[[nodiscard]] std::optional<RecordNumbers> parse_record_format(const std::string& text,
+                                                               const std::string& file);
 
 }  // namespace wythe::io

@@ -131,7 +131,7 @@ Json mechanism_json(const Mechanism& m) {
 }
 
 Json limit_json(const NamedLimit& limit) {
-  const LimitAnswer& a = limit.answer;
+  const LimitResult& a = limit.answer;
   const double unit = a.is_force ? kPerKilo : 1.0;
   const std::string tail = a.is_force ? "_kN" : "";
   Json json{{"name", limit.name},

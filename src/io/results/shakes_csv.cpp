@@ -14,29 +14,29 @@ namespace {
 
 struct ShakeColumn {
   const char* title;
-  double ShakeAnswer::*value;
+  double ShakeResult::*value;
   double to_unit;
 };
 constexpr ShakeColumn kColumns[] = {
-    {"pga_m_per_s2", &ShakeAnswer::pga, 1},
-    {"pgv_m_per_s", &ShakeAnswer::pgv, 1},
-    {"sa_m_per_s2", &ShakeAnswer::sa, 1},
-    {"peak_drift_percent", &ShakeAnswer::peak_drift, 1e2},
-    {"residual_drift_percent", &ShakeAnswer::residual_drift, 1e2},
-    {"peak_displacement_mm", &ShakeAnswer::peak_displacement, 1e3},
-    {"residual_displacement_mm", &ShakeAnswer::residual_displacement, 1e3},
-    {"uplift_mm", &ShakeAnswer::uplift, 1e3},
-    {"slip_mm", &ShakeAnswer::slip, 1e3},
-    {"peak_base_shear_kN", &ShakeAnswer::peak_base_shear, 1e-3},
-    {"collapse_time_s", &ShakeAnswer::collapse_time, 1},
-    {"energy_gap_percent", &ShakeAnswer::gap_ratio, 1e2}};
+    {"pga_m_per_s2", &ShakeResult::pga, 1},
+    {"pgv_m_per_s", &ShakeResult::pgv, 1},
+    {"sa_m_per_s2", &ShakeResult::sa, 1},
+    {"peak_drift_percent", &ShakeResult::peak_drift, 1e2},
+    {"residual_drift_percent", &ShakeResult::residual_drift, 1e2},
+    {"peak_displacement_mm", &ShakeResult::peak_displacement, 1e3},
+    {"residual_displacement_mm", &ShakeResult::residual_displacement, 1e3},
+    {"uplift_mm", &ShakeResult::uplift, 1e3},
+    {"slip_mm", &ShakeResult::slip, 1e3},
+    {"peak_base_shear_kN", &ShakeResult::peak_base_shear, 1e-3},
+    {"collapse_time_s", &ShakeResult::collapse_time, 1},
+    {"energy_gap_percent", &ShakeResult::gap_ratio, 1e2}};
 
 // "m/s^2" -> "m_per_s2"
 const char* unit_in_title(IntensityMeasure measure) {
   return measure == IntensityMeasure::kPgv ? "m_per_s" : "m_per_s2";
 }
 
-std::string states_reached(const StudySpec& study, const ShakeAnswer& shake) {
+std::string states_reached(const StudySpec& study, const ShakeResult& shake) {
   std::vector<std::string> names;
   for (const LimitStateSpec& limit : study.shaking.limit_state)
     if (shake.counts() && reaches(limit, shake)) names.push_back(limit.name);
@@ -63,7 +63,7 @@ std::string shake_titles(const StudySpec& study) {
   return text + ",shaken_to_collapse,counts,limit_states";
 }
 
-std::string shake_cells(const StudySpec& study, const ShakeAnswer& shake) {
+std::string shake_cells(const StudySpec& study, const ShakeResult& shake) {
   std::string text;
   if (study.shaking.is_asked()) text += "," + short_cell(shake.intensity);
   for (const ShakeColumn& column : kColumns)
@@ -86,7 +86,7 @@ std::string shakes_csv(const Campaign& campaign) {
         inputs_of(campaign, record);
     if (record.shakes.empty())
       text += head + "," + csv_cell(record.status) + shake_cells(study, {}) + ",0,\n";
-    for (const ShakeAnswer& shake : record.shakes)
+    for (const ShakeResult& shake : record.shakes)
       text += head + "," + csv_cell(shake.status) + shake_cells(study, shake) +
               fmt::format(",{},{}\n", shake.retried ? 1 : 0, shake.state_hash);
   }

@@ -7,16 +7,16 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "campaign/answer_keys.h"
+#include "campaign/output_keys.h"
 #include "dynamics/meters/still_moving.h"
 #include "io/results/assessment_json.h"
 #include "io/results/message_json.h"
 #include "judge/modes/wall_parts.h"
 #include "wythe/io.h"
 #include "wythe/mechanism.h"
-#include "wythe/promise.h"
 #include "wythe/provenance.h"
 #include "wythe/reading.h"
+#include "wythe/slow_push.h"
 #include "wythe/tested_range.h"
 
 namespace wythe {
@@ -33,7 +33,7 @@ Json energy_json(const EnergyLedger& energy) {
 // Puts each answer under its key, in the units of the key's name.
 struct Answers {
   Json& json;
-  void operator()(const study::AnswerKey& key, const auto& value) const {
+  void operator()(const study::OutputKey& key, const auto& value) const {
     const std::string path = key.summary;  // "bilinear.force_kN" lies in an object
     const std::size_t dot = path.find('.');
     if (dot == std::string::npos)
@@ -43,7 +43,7 @@ struct Answers {
   }
 
  private:
-  static void put(Json& in, const std::string& name, const study::AnswerKey& key,
+  static void put(Json& in, const std::string& name, const study::OutputKey& key,
                   const auto& value) {
     using Value = std::decay_t<decltype(value)>;
     if constexpr (std::is_same_v<Value, double>)
@@ -134,7 +134,7 @@ Json failure_mode_json(const Model& model, const Result& result) {
   return json;
 }
 
-Json promise_json(const Promise& promise) {
+Json slow_push_json(const SlowPushVerdict& promise) {
   Json json = {{"verdict", promise.verdict}};
   io::put(json, "reason", promise.reason);
   return json;
@@ -517,8 +517,8 @@ std::string summary_json(const ModelSpec& spec, const Model& model, const Result
                       {"load_off_kN", result.debris.load * 1e-3}};
   }
   study::each_quasi_static(Answers{json}, result.quasi_static);
-  json["quasi_static"]["displacement"] = promise_json(promised_displacement(model, result));
-  json["quasi_static"]["mode"] = promise_json(promised_mode(model, result));
+  json["quasi_static"]["displacement"] = slow_push_json(displacement_of_slow_push(model, result));
+  json["quasi_static"]["mode"] = slow_push_json(mode_of_slow_push(model, result));
   json["validity"] = {{"overlap_lost_at_mm", result.validity.overlap_lost * 1e3},
                       {"joints", result.validity.joints}};
   io::put(json["validity"], "where", result.validity.where);

@@ -84,8 +84,8 @@ class ShakingReader {
     check_measure(reader);
     check_levels(reader);
     find_stage(reader);
-    read_records();
-    read_limit_states();
+    parse_records();
+    parse_limit_states();
     if (out_.stage.empty()) out_.stage = "?";  // asked for, with faults
   }
 
@@ -223,7 +223,7 @@ class ShakingReader {
     return out;
   }
 
-  void read_records() {
+  void parse_records() {
     const auto found = tables("record", "write each under [[record]], with two brackets");
     if (found.empty() && !context_.has_fault_at("record"))
       context_.fault("record", line_of(*root_.get("shaking")), "", "is missing",
@@ -231,7 +231,7 @@ class ShakingReader {
     std::set<std::string> names;
     for (std::size_t i = 0; i < found.size() && !enough(context_.faults); ++i) {
       const std::string path = under("record", std::to_string(i));
-      read_record(*found[i], path);
+      parse_record(*found[i], path);
       const std::string& name = out_.record.back().name;
       if (!name.empty() && !names.insert(name).second)
         context_.fault(under(path, "name"), line_of(*found[i]), name, "stands there twice",
@@ -239,7 +239,7 @@ class ShakingReader {
     }
   }
 
-  void read_record(const toml::table& table, const std::string& path) {
+  void parse_record(const toml::table& table, const std::string& path) {
     StudyRecord& record = out_.record.emplace_back();
     // its keys are those of the stage's record, which reads them: only what is the study's own is read here
     TableReader reader(context_, table, path);
@@ -328,7 +328,7 @@ class ShakingReader {
     }
   }
 
-  void read_limit_states() {
+  void parse_limit_states() {
     const auto found = tables("limit_state", "write each under [[limit_state]], with two brackets");
     std::set<std::string> names;
     for (std::size_t i = 0; i < found.size() && !enough(context_.faults); ++i) {
@@ -397,8 +397,8 @@ std::map<std::string, std::string> given_records(ReadContext& context, const tom
   return out;
 }
 
-void read_shaking(ReadContext& context, const toml::table& root, const ModelSpec& base,
-                  StudySpec& study) {
+void parse_shaking(ReadContext& context, const toml::table& root, const ModelSpec& base,
+                   StudySpec& study) {
   for (const StageSpec& stage : base.stage)
     for (const RecordSpec& record : stage.record)
       if (!record.file.empty() && !study.record_text.contains(record.file))
@@ -449,7 +449,7 @@ std::string shaking_text(const StudySpec& study) {
   if (shaking.is_asked()) {
     Writer writer("");
     describe(writer, shaking);
-    out += "\n[shaking]\n" + writer.whole();
+    out += "\n[shaking]\n" + writer.text();
   }
   for (const StudyRecord& record : shaking.record) {
     out += "\n[[record]]\nname = " + quoted(record.name) + "\n";
@@ -462,7 +462,7 @@ std::string shaking_text(const StudySpec& study) {
   for (LimitStateSpec& state : shaking.limit_state) {
     Writer writer("");
     describe(writer, state);
-    out += "\n[[limit_state]]\n" + writer.whole();
+    out += "\n[[limit_state]]\n" + writer.text();
   }
   if (!study.record_text.empty()) out += "\n[record_text]\n";
   for (const auto& [name, text] : study.record_text)

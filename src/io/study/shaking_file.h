@@ -11,8 +11,8 @@ namespace wythe::io {
 
 // Fills study.shaking and study.record_text: with what files hold, those of `base` too, which is the base model as
 // read (its stages and folder; without stages where it has faults).
-void read_shaking(ReadContext& context, const toml::table& root, const ModelSpec& base,
-                  StudySpec& study);
+void parse_shaking(ReadContext& context, const toml::table& root, const ModelSpec& base,
+                   StudySpec& study);
 // Texts that the study file itself holds for record files.
 [[nodiscard]] std::map<std::string, std::string> given_records(ReadContext& context,
                                                                const toml::table& root);

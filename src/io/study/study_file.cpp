@@ -124,14 +124,14 @@ class StudyReader {
   StudySpec read() {
     refuse_other_tables();
     study_.record_text = given_records(context_, root_);
-    read_head();
+    parse_head();
     if (!study_.model_text.empty()) list_model_keys();
-    read_shaking(context_, root_, base_, study_);
+    parse_shaking(context_, root_, base_, study_);
     for (const auto& [name, table] : in_file_order(context_, root_.get("variable"), "variable"))
-      if (!enough(context_.faults)) read_variable(name, *table);
+      if (!enough(context_.faults)) parse_variable(name, *table);
     for (const auto& [name, table] : in_file_order(context_, root_.get("dependent"), "dependent"))
-      if (!enough(context_.faults)) read_dependent(name, *table);
-    read_correlations();
+      if (!enough(context_.faults)) parse_dependent(name, *table);
+    parse_correlations();
     check_settings();
     check_parts();
     throw_all();
@@ -152,7 +152,7 @@ class StudyReader {
 
   // --- [study] -----------------------------------------------------------------------------------
 
-  void read_head() {
+  void parse_head() {
     const toml::node* node = root_.get("study");
     const toml::table* table = node ? node->as_table() : nullptr;
     if (!table && context_.has_fault_at("study")) return;
@@ -164,18 +164,18 @@ class StudyReader {
     TableReader reader(context_, *table, "study");
     StudyHead head{study_, ""};
     describe(reader, head);
-    read_samples(reader);
-    read_seed(reader);
-    read_fractions(reader);
+    parse_samples(reader);
+    parse_seed(reader);
+    parse_fractions(reader);
     reader.refuse_unknown();
     read_model_text(reader, head.model);
     own_settings_ = study_.settings.size();
-    read_fields();
+    parse_fields();
     study_.settings.insert(study_.settings.end(), given_settings_.begin(), given_settings_.end());
   }
 
   // A number, or the sizes of designs drawn one after another.
-  void read_samples(TableReader& reader) {
+  void parse_samples(TableReader& reader) {
     const toml::node* node = reader.find("samples", {.range = {.low = 2}, .example = "250"});
     if (!node) {
       reader.miss("samples", "is missing");
@@ -198,7 +198,7 @@ class StudyReader {
   }
 
   // Up to 2^63 - 1 as TOML holds it, up to 2^64 - 1 as a text.
-  void read_seed(TableReader& reader) {
+  void parse_seed(TableReader& reader) {
     const toml::node* node = reader.find("seed", {.example = "2026"});
     if (!node) {
       reader.miss("seed", "is missing; without it the samples could not be drawn again");
@@ -211,7 +211,7 @@ class StudyReader {
       reader.refuse("seed", "must be a whole number from 0", "write e.g. seed = 2026");
   }
 
-  void read_fractions(TableReader& reader) {
+  void parse_fractions(TableReader& reader) {
     const toml::node* node = reader.find("fractions", {.example = "[0.8, 0.5]"});
     if (!node) return;
     const toml::array* list = node->as_array();
@@ -245,7 +245,7 @@ class StudyReader {
   // --- [field.<name>] ----------------------------------------------------------------------------
 
   // They are settings of the base model. One named as a variable varies what that sets.
-  void read_fields() {
+  void parse_fields() {
     for (const auto& [name, table] : in_file_order(context_, root_.get("field"), "field")) {
       const toml::node* variable = node_at("variable." + name + ".path");
       if (!table->contains("path") && variable && variable->is_string())
@@ -359,7 +359,7 @@ class StudyReader {
     if (key.si_unit != "1") (void)unit_factor(unit, key.si_unit);
   }
 
-  void read_variable(const std::string& name, const toml::table& table) {
+  void parse_variable(const std::string& name, const toml::table& table) {
     const std::string place = under("variable", name);
     VariableSpec& variable = study_.variable.emplace_back();
     variable.name = name;
@@ -374,7 +374,7 @@ class StudyReader {
     settle(variable, place, unit);
     if (!reader.has("distribution"))
       reader.miss("distribution", "is missing", "write e.g. distribution = \"lognormal\"");
-    read_values(reader, variable);
+    parse_values(reader, variable);
     reader.refuse_unknown();
   }
 
@@ -384,7 +384,7 @@ class StudyReader {
     if (input.unit.empty()) input.unit = unit;
   }
 
-  void read_values(TableReader& reader, VariableSpec& variable) {
+  void parse_values(TableReader& reader, VariableSpec& variable) {
     const toml::node* node = reader.find("values", {});
     const bool empirical = variable.distribution == DistributionKind::kEmpirical;
     for (const char* name : {"file", "column", "values"})
@@ -393,12 +393,12 @@ class StudyReader {
                       "write distribution = \"empirical\", or leave it out");
     if (!empirical || variable.si_unit.empty()) return;
     if (node)
-      read_listed_values(reader, *node, variable);
+      parse_listed_values(reader, *node, variable);
     else if (!variable.file.empty())
-      read_measured_values(reader, variable);
+      parse_measured_values(reader, variable);
   }
 
-  void read_listed_values(TableReader& reader, const toml::node& node, VariableSpec& variable) {
+  void parse_listed_values(TableReader& reader, const toml::node& node, VariableSpec& variable) {
     const bool plain = variable.si_unit == "1";
     const std::string cure = plain ? "write e.g. values = [0.4, 0.5]"
                                    : fmt::format("write e.g. values = [\"1 {}\"]", variable.unit);
@@ -420,7 +420,7 @@ class StudyReader {
       }
   }
 
-  void read_measured_values(TableReader& reader, VariableSpec& variable) {
+  void parse_measured_values(TableReader& reader, VariableSpec& variable) {
     FaultList faults;
     const ColumnRequest request{
         .file = beside(context_.file, variable.file),
@@ -428,7 +428,7 @@ class StudyReader {
         .si_unit = variable.si_unit,
         .unit = reader.has("unit") && variable.unit != "1" ? variable.unit : ""};
     try {
-      variable.values = read_value_column(request, faults);
+      variable.values = parse_value_column(request, faults);
     } catch (const std::runtime_error& error) {
       reader.refuse("file", error.what(), "name a CSV file, relative to the study file");
     }
@@ -436,7 +436,7 @@ class StudyReader {
     if (!faults.empty()) spoiled_.push_back(under("variable", variable.name));
   }
 
-  void read_dependent(const std::string& name, const toml::table& table) {
+  void parse_dependent(const std::string& name, const toml::table& table) {
     const std::string place = under("dependent", name);
     DependentSpec& dependent = study_.dependent.emplace_back();
     dependent.name = name;
@@ -488,7 +488,7 @@ class StudyReader {
 
   // --- correlation -------------------------------------------------------------------------------
 
-  void read_correlations() {
+  void parse_correlations() {
     const toml::node* node = root_.get("correlation");
     if (!node) return;
     const toml::array* list = node->as_array();
@@ -500,10 +500,10 @@ class StudyReader {
       return;
     }
     for (std::size_t i = 0; i < list->size() && !enough(context_.faults); ++i)
-      read_correlation(*list->get(i)->as_table(), under("correlation", std::to_string(i)));
+      parse_correlation(*list->get(i)->as_table(), under("correlation", std::to_string(i)));
   }
 
-  void read_correlation(const toml::table& table, const std::string& place) {
+  void parse_correlation(const toml::table& table, const std::string& place) {
     TableReader reader(context_, table, place);
     PairTable pair;
     describe(reader, pair);
@@ -702,8 +702,8 @@ StudySpec parse_study_text(const std::string& toml_text, const std::string& file
                        .value = variants.option.front().name,
                        .problem = "stands beside [shaking]: options are compared by their pushes",
                        .cure = "run one study of shakes for each option"}});
-  read_options(study, std::move(variants), {toml_text, file_name, own, settings},
-               [&](auto& c, auto& t, auto s) { return StudyReader(c, t, s, from).read(); });
+  parse_options(study, std::move(variants), {toml_text, file_name, own, settings},
+                [&](auto& c, auto& t, auto s) { return StudyReader(c, t, s, from).read(); });
   return study;
 }
 

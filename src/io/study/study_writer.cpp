@@ -35,7 +35,7 @@ std::string head_text(StudySpec& study) {
   describe(writer, head);
   constexpr std::uint64_t kMostOfToml = 0x7fffffffffffffffULL;
   const std::string seed = fmt::format("{}", study.seed);
-  std::string out = "[study]\n" + writer.whole();
+  std::string out = "[study]\n" + writer.text();
   out +=
       "samples = " +
       (study.batch.size() == 1 ? std::to_string(study.batch.front()) : numbers_text(study.batch)) +
@@ -49,13 +49,13 @@ template <class Table>
 std::string table_text(const std::string& title, Table table) {
   Writer writer("");
   describe(writer, table);
-  return '\n' + title + '\n' + writer.whole();
+  return '\n' + title + '\n' + writer.text();
 }
 
 std::string variant_text(VariantSpec& variant) {
   Writer writer("");
   describe(writer, variant);
-  return writer.whole();
+  return writer.text();
 }
 
 }  // namespace

@@ -141,8 +141,8 @@ void VariantTables::throw_if_any() {
   if (!faults.empty()) throw InputError(std::move(faults));
 }
 
-void read_options(StudySpec& study, VariantTables variants, const StudySource& source,
-                  const ReadTree& read) {
+void parse_options(StudySpec& study, VariantTables variants, const StudySource& source,
+                   const ReadTree& read) {
   if (variants.option.empty()) return;
   study.variant = variants.base;
   // TOML trees lose their lines when copied: each option reads the text again

@@ -34,7 +34,7 @@ struct StudySource {
 using ReadTree =
     std::function<StudySpec(ReadContext&, const toml::table&, std::vector<std::string>)>;
 // Reads the study of every option. Throws InputError with the faults of all.
-void read_options(StudySpec& study, VariantTables variants, const StudySource& source,
-                  const ReadTree& read);
+void parse_options(StudySpec& study, VariantTables variants, const StudySource& source,
+                   const ReadTree& read);
 
 }  // namespace wythe::io

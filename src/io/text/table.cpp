@@ -202,14 +202,14 @@ NumberTable::NumberTable(std::string_view text, const std::string& file, HeadRul
   const bool may_be_head = width_ > 1 && names.size() == width_;
   if (rule == HeadRule::kNeeded && begins_with_number && may_be_head) {
     is_at_row_ = true;
-    read_head(names);
+    parse_head(names);
     return;
   }
   if (rule == HeadRule::kNeeded && begins_with_number)
     refuse(lines_.line(), lines_.text(), "a number stands where the names of the columns belong",
            "write a first line with their names, e.g. ft_MPa, or opening_mm,slip_mm of a path");
   if (!begins_with_number) {
-    read_head(lines_.cells());
+    parse_head(lines_.cells());
     width_ = head_.size();
     return;
   }
@@ -219,7 +219,7 @@ NumberTable::NumberTable(std::string_view text, const std::string& file, HeadRul
     return word == "t" || word.starts_with("time") || word.starts_with("t_") ||
            word.starts_with("t [") || word.starts_with("t (");
   });
-  if (may_be_head && tells_times) read_head(names);
+  if (may_be_head && tells_times) parse_head(names);
 }
 
 // NumPy writes the names of the columns behind a #, others behind % or !.
@@ -227,7 +227,7 @@ std::vector<std::string> NumberTable::names_in_comment() const {
   return with_brackets(cells_of(lines_.comment(), delimiter_, kMostColumns));
 }
 
-void NumberTable::read_head(std::vector<std::string> cells) {
+void NumberTable::parse_head(std::vector<std::string> cells) {
   if (delimiter_ == kBlanks) cells = with_brackets(std::move(cells));
   head_line_ = lines_.line();
   for (const std::string& cell : cells) head_.push_back(unquoted(cell));

@@ -68,7 +68,7 @@ class NumberTable {
  private:
   void look_for_lines_before_the_numbers(std::string_view text) const;
   [[nodiscard]] std::vector<std::string> names_in_comment() const;
-  void read_head(std::vector<std::string> cells);
+  void parse_head(std::vector<std::string> cells);
   [[noreturn]] void refuse(int line, std::string value, std::string problem,
                            std::string cure) const;
 

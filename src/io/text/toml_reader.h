@@ -1,7 +1,7 @@
 // Visitor that fills a struct from a TOML table and notes every fault with its place.
 //
 //   ReadContext context{file};                    one per file: faults, --set overrides
-//   read_table(context, table, "wall", spec);     describe(), then unknown keys, then finish()
+//   parse_table(context, table, "wall", spec);     describe(), then unknown keys, then finish()
 //
 // After describe() the reader knows which keys the table may hold and which it does; finish() of
 // a struct (stage_check.cpp, material_check.cpp) asks it for what a range can't say.
@@ -94,7 +94,7 @@ class TableReader {
     const toml::node* node = find(name, key);
     if (!node) return;
     if (const toml::table* inner = as_table(*node, name, key.example))
-      read_table(context_, *inner, below(name), value);
+      parse_table(context_, *inner, below(name), value);
   }
 
   template <class T>
@@ -102,11 +102,11 @@ class TableReader {
     const toml::node* node = find(name, key);
     if (!node) return;
     if (const toml::table* only = key.in_braces ? node->as_table() : nullptr)
-      return read_table(context_, *only, under(below(name), "0"), values.emplace_back());
+      return parse_table(context_, *only, under(below(name), "0"), values.emplace_back());
     const toml::array* array = as_list_of_tables(*node, name);
     for (std::size_t i = 0; array && i < array->size() && !enough(context_.faults); ++i) {
       const std::string path = under(below(name), std::to_string(i));
-      read_table(context_, *array->get(i)->as_table(), path, values.emplace_back());
+      parse_table(context_, *array->get(i)->as_table(), path, values.emplace_back());
     }
   }
 
@@ -119,7 +119,7 @@ class TableReader {
       if (enough(context_.faults)) return;
       const std::string label(inner_name.str());
       const toml::table* found = as_table(inner, under(name, label));
-      if (found) read_table(context_, *found, under(below(name), label), values[label]);
+      if (found) parse_table(context_, *found, under(below(name), label), values[label]);
     }
   }
 
@@ -185,7 +185,8 @@ void finish(TableReader& reader, PartSpec& part);
 [[nodiscard]] std::string role_advice(const std::string& role);
 
 template <class T>
-void read_table(ReadContext& context, const toml::table& table, const std::string& path, T& value) {
+void parse_table(ReadContext& context, const toml::table& table, const std::string& path,
+                 T& value) {
   TableReader reader(context, table, path);
   describe(reader, value);
   reader.refuse_unknown();

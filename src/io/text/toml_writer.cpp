@@ -113,7 +113,7 @@ void Writer::texts(const char* name, const std::vector<std::string>& values, con
   if (!lines.empty()) put(name, "[\n" + lines + "]", key);
 }
 
-std::string Writer::whole() const {
+std::string Writer::text() const {
   std::string out;
   for (const auto& [name, value] : lines_) out += name + " = " + value + '\n';
   return out + below_;
@@ -160,7 +160,7 @@ std::string write_model(const ModelSpec& spec) {
   drop_scatter(copy);     // [scatter] makes these fields again
   io::Writer writer("");
   describe(writer, copy);
-  const std::string text = writer.whole();
+  const std::string text = writer.text();
   return text.starts_with('\n') ? text.substr(1) : text;
 }
 

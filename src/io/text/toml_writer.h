@@ -45,7 +45,7 @@ class Writer {
     if (key.in_braces)
       put(name, inner.in_braces(), key);
     else
-      below_ += "\n[" + path + "]\n" + inner.whole();
+      below_ += "\n[" + path + "]\n" + inner.text();
   }
 
   template <class T>
@@ -54,7 +54,7 @@ class Writer {
       const std::string path = under(path_, name);
       Writer inner(path);
       describe(inner, value);
-      below_ += "\n[[" + path + "]]\n" + inner.whole();
+      below_ += "\n[[" + path + "]]\n" + inner.text();
     }
   }
 
@@ -64,11 +64,11 @@ class Writer {
       const std::string path = under(under(path_, name), key_text(label));
       Writer inner(path);
       describe(inner, value);
-      below_ += "\n[" + path + "]\n" + inner.whole();
+      below_ += "\n[" + path + "]\n" + inner.text();
     }
   }
 
-  [[nodiscard]] std::string whole() const;
+  [[nodiscard]] std::string text() const;
   [[nodiscard]] std::string in_braces() const;
 
  private:

@@ -28,8 +28,8 @@ class ColumnReader {
   std::vector<double> read(const std::string& text) try {
     std::vector<double> values;
     NumberTable table(text, request_.file, HeadRule::kNeeded);
-    if (!table.is_empty() && !read_head(table)) return {};
-    while (!enough(faults_) && !table.is_empty() && table.next()) read_row(table, values);
+    if (!table.is_empty() && !parse_head(table)) return {};
+    while (!enough(faults_) && !table.is_empty() && table.next()) parse_row(table, values);
     if (values.empty() && good_)
       refuse("", 0, table.is_empty() ? "is empty" : "has no values",
              "write a head such as ft_MPa and one value a line");
@@ -59,7 +59,7 @@ class ColumnReader {
     add({request_.file, "", value, problem, cure, line});
   }
 
-  bool read_head(const NumberTable& table) {
+  bool parse_head(const NumberTable& table) {
     std::vector<std::string> names;  // but of row numbers
     std::vector<std::size_t> meant;
     for (std::size_t k = 0; k < table.width(); ++k) {
@@ -74,7 +74,7 @@ class ColumnReader {
     if (meant.size() == 1) {
       index_ = meant.front();
       head_ = column_head(table.head()[index_], {request_.si_unit});
-      return read_unit();
+      return parse_unit();
     }
     if (meant.empty())
       refuse("", line_, "no such column in the head", name_advice(request_.column, names));
@@ -159,7 +159,7 @@ class ColumnReader {
     return "";
   }
 
-  bool read_unit() {
+  bool parse_unit() {
     if (const std::string factor = factor_in_head(head_.whole); !factor.empty()) {
       refuse(head_.whole, line_, fmt::format("may not be the value itself: {} changes it", factor),
              "write the values under their name and unit alone, e.g. ft [MPa]");
@@ -207,7 +207,7 @@ class ColumnReader {
     doubtful_line_ = table.line();
   }
 
-  void read_row(NumberTable& table, std::vector<double>& values) {
+  void parse_row(NumberTable& table, std::vector<double>& values) {
     if (columns_ > 1 && table.cell(index_).empty()) return;  // another column goes on here
     const double number = table.number(index_);
     if (std::isnan(number)) return add(table.no_number(index_));
@@ -242,7 +242,7 @@ class ColumnReader {
 
 }  // namespace
 
-std::vector<double> read_value_column(const ColumnRequest& request, FaultList& faults) {
+std::vector<double> parse_value_column(const ColumnRequest& request, FaultList& faults) {
   return ColumnReader(request, faults).read(read_text(request.file, kMostCsv));
 }
 

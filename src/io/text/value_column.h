@@ -17,7 +17,7 @@ struct ColumnRequest {
 
 // Reads the values [SI]. The head may name the unit: "ft_MPa", "ft [MPa]", "ft (MPa)". What is wrong
 // becomes a fault with the file and its line. Throws IoError when the file can't be read.
-[[nodiscard]] std::vector<double> read_value_column(const ColumnRequest& request,
-                                                    FaultList& faults);
+[[nodiscard]] std::vector<double> parse_value_column(const ColumnRequest& request,
+                                                     FaultList& faults);
 
 }  // namespace wythe::io

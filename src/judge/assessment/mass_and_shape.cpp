@@ -109,18 +109,18 @@ struct MovingMass {
 double mass_of(const Model& model, BlockId block) {
   if (block < model.n_block) {
     const auto i = static_cast<std::size_t>(block);
-    return model.anatomy.block_role[i] == BlockRole::kCutOut ? 0.0 : model.heavy_mass[i];
+    return model.anatomy.block_role[i] == BlockRole::kCutOut ? 0.0 : model.gravity_mass[i];
   }
   if (model.in_space()) {
     const SpaceSolids& solids = model.space.solids;
     const auto number = static_cast<std::size_t>(block - model.n_block - model.space.n_support);
-    const auto first = solids.node_heavy_mass.begin() + solids.bodies[number].first_node;
+    const auto first = solids.node_gravity_mass.begin() + solids.bodies[number].first_node;
     return std::accumulate(first, first + solids.bodies[number].n_node, 0.0);
   }
   const SolidBody& body = model.solids.bodies[static_cast<std::size_t>(block - model.n_block)];
   double mass = 0;
   for (int node = body.first_node; node < body.first_node + body.n_node; ++node)
-    mass += model.solids.node_heavy_mass[static_cast<std::size_t>(node)];
+    mass += model.solids.node_gravity_mass[static_cast<std::size_t>(node)];
   return mass;
 }
 

@@ -43,7 +43,7 @@ struct LyingPiece {
 
 class Mechanism {
  public:
-  Mechanism(const Model& bare, const LimitAnswer& answer, const Stage& stage)
+  Mechanism(const Model& bare, const LimitResult& answer, const Stage& stage)
       : model_(with_rigid_bodies(bare)),
         rest_(initial_state(model_)),
         answer_(answer),
@@ -138,7 +138,7 @@ class Mechanism {
       MovingPiece& piece = same != pieces_.end() ? *same : pieces_.emplace_back();
       if (piece.weight == 0) piece.at_origin = v - cross(w, at), piece.spin = w;
       piece_of_[i] = static_cast<std::size_t>(&piece - pieces_.data());
-      const double weight = model_.solve.gravity * model_.heavy_mass[i];
+      const double weight = model_.solve.gravity * model_.gravity_mass[i];
       piece.weight += weight;
       piece.sum = piece.sum + weight * at;
       const Extent extent = extent_of(model_, static_cast<BlockId>(i));
@@ -194,7 +194,7 @@ class Mechanism {
 
   const Model model_;
   const State rest_;
-  const LimitAnswer& answer_;
+  const LimitResult& answer_;
   Vec3 along_, top_velocity_;
   double fastest_ = 0, high_ = -std::numeric_limits<double>::infinity();
   std::vector<MovingPiece> pieces_;

@@ -143,7 +143,7 @@ class Strip {
       const auto i = static_cast<std::size_t>(b);
       const auto m = geometry::moments(inside);
       const double weight =
-          model_.solve.gravity * model_.heavy_mass[i] * m.area / geometry::moments(outline).area;
+          model_.solve.gravity * model_.gravity_mass[i] * m.area / geometry::moments(outline).area;
       const double thickness = model_.anatomy.block_thickness[i];
       piece.weight += weight;
       piece.first += weight * (m.centroid.y - y0_);

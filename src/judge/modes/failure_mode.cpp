@@ -218,7 +218,7 @@ std::vector<study::ElementReading> readings_up_to(const Model& model, const Wall
   std::vector<study::ElementReading> readings;
   readings.reserve(result.readings.size());
   for (const Snapshot& s : result.readings) {
-    const WallMotion then = study::read_motion(model, s.state);
+    const WallMotion then = study::evaluate_motion(model, s.state);
     readings.push_back({s.displacement, study::element_states(parts, then, rules)});
     if (&s == read) break;
   }
@@ -261,7 +261,7 @@ std::vector<NameReading> sensitivity_of(const Model& model, const WallParts& par
   for (const Snapshot& s : result.snapshots) {
     if (s.label == "start" || same_place(s, read) || same_place(s, *before)) continue;
     before = &s;
-    const WallMotion there = study::read_motion(model, s.state);
+    const WallMotion there = study::evaluate_motion(model, s.state);
     names.push_back({study::name_parts(parts, there, rules, later).name, s.label, s.displacement});
   }
   for (const Change& change : kChanges) {
@@ -290,7 +290,8 @@ Message NameReading::what() const {
 }
 
 ElementStates read_elements(const Model& model, const State& state, const ModeRules& rules) {
-  return study::element_states(study::find_parts(model), study::read_motion(model, state), rules);
+  return study::element_states(study::find_parts(model), study::evaluate_motion(model, state),
+                               rules);
 }
 
 ElementStates read_elements(const Model& model, const State& state) {
@@ -299,7 +300,7 @@ ElementStates read_elements(const Model& model, const State& state) {
 
 FailureMode name_from_state(const Model& model, const State& state, const ModeRules& rules) {
   const WallParts parts = study::find_parts(model);
-  const WallMotion motion = study::read_motion(model, state);
+  const WallMotion motion = study::evaluate_motion(model, state);
   FailureMode mode = study::name_parts(parts, motion, rules);
   doubt_slid_off(parts, motion, {}, mode);
   mode.flags = study::state_flags(model, parts, motion.joints, rules);
@@ -326,7 +327,7 @@ FailureMode mode_of_push(const Model& model, const Result& result, double read_a
     return mode;
   }
   const WallParts parts = study::find_parts(model);
-  const WallMotion motion = study::read_motion(model, read->state);
+  const WallMotion motion = study::evaluate_motion(model, read->state);
   const ModeRules rules = rules_at(model, result, *read, read_at);
   const std::vector<study::ElementReading> readings =
       readings_up_to(model, parts, result, read, rules);
@@ -341,7 +342,7 @@ FailureMode mode_of_push(const Model& model, const Result& result, double read_a
   for (std::size_t i = readings.size(); i < result.readings.size() && !is_cyclic(model, *read);
        ++i) {
     const Snapshot& s = result.readings[i];
-    note_first(study::element_states(parts, study::read_motion(model, s.state), rules),
+    note_first(study::element_states(parts, study::evaluate_motion(model, s.state), rules),
                s.displacement, mode.elements);
   }
   mode.flags = study::state_flags(model, parts, motion.joints, rules);
@@ -406,7 +407,8 @@ FailureMode name_failure_mode(const Model& model, const Result& result, double r
 }
 
 WallMechanism mechanism_from_state(const Model& model, const State& state) {
-  return mechanism_in(study::find_parts(model), study::read_motion(model, state), rules_for(model));
+  return mechanism_in(study::find_parts(model), study::evaluate_motion(model, state),
+                      rules_for(model));
 }
 
 namespace {
@@ -423,7 +425,7 @@ WallMechanism mechanism_of_push(const Model& model, const Result& result, double
   }
   const WallParts parts = study::find_parts(model);
   const ModeRules rules = rules_at(model, result, *read, read_at);
-  const WallMotion motion = study::read_motion(model, read->state);
+  const WallMotion motion = study::evaluate_motion(model, read->state);
   const double later =
       study::is_two_pier_wall(parts)
           ? study::spandrel_later(parts, readings_up_to(model, parts, result, read, rules), rules)

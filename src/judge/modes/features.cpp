@@ -45,7 +45,7 @@ std::vector<Feature> read_features(const Model& model, const Result& result) {
   const std::vector<Region> regions = regions_of(study::find_parts(model));
   std::vector<Feature> features;
   for (const Snapshot& snapshot : result.snapshots) {
-    const std::vector<JointMotion> joints = study::read_motion(model, snapshot.state).joints;
+    const std::vector<JointMotion> joints = study::evaluate_motion(model, snapshot.state).joints;
     for (const Region& r : regions) {
       double opening = 0, slip = 0, crushing = 0;
       for (const JointMotion& j : joints) {

@@ -24,7 +24,7 @@ constexpr double kParallel = 0.95;  // cosine from which on two walls are parall
 constexpr double kOblique = 0.3;    // cosine from which on a turn is about an axis as well
 constexpr double kSlidOff = 0.25;   // of the joints that moved, by area: no name is vouched for
 
-std::vector<Moved> read_blocks(const Model& model, const State& state) {
+std::vector<Moved> evaluate_blocks(const Model& model, const State& state) {
   std::vector<Moved> blocks;
   const Space& space = model.space;
   for (BlockId b = 0; b < model.n_block; ++b) {
@@ -61,7 +61,7 @@ double mass_of(const std::vector<Moved>& blocks) {
 struct Joints {
   double movement = 0, size = 0, opened = 0, slid = 0, slid_off = 0;
 };
-Joints read_joints(const Model& model, const WallReading& wall) {
+Joints evaluate_joints(const Model& model, const WallReading& wall) {
   Joints sum;
   double moved = 0, off = 0, all = 0;
   for (const JointReading& joint : wall.joints) {
@@ -437,7 +437,7 @@ std::vector<Wall> walls_with(const Model& model, const std::vector<Moved>& mason
 FailureMode name_in_space(const Model& model, const State& state) {
   FailureMode mode;
   const WallReading wall = read_wall(model, state);
-  const Joints joints = read_joints(model, wall);
+  const Joints joints = evaluate_joints(model, wall);
   mode.evidence.push_back(
       {"joints", "largest movement over the joint's size", joints.movement, kMoved, "-"});
   if (joints.movement < kMoved) {
@@ -445,7 +445,7 @@ FailureMode name_in_space(const Model& model, const State& state) {
     mode.sentence = {"mode.none_here"};
     return mode;
   }
-  std::vector<Moved> part = read_blocks(model, state);
+  std::vector<Moved> part = evaluate_blocks(model, state);
   leave_slabs_out(model, kMoved * joints.size, part);
   const std::vector<Moved> masonry = part;
   const double all = mass_of(part);
@@ -488,7 +488,7 @@ FailureMode name_in_space(const Model& model, const State& state) {
 WallsByPush walls_by_push(const Model& model, const Vec3& push) {
   std::vector<Moved> unnamed;
   std::vector<std::pair<std::string, std::vector<Moved>>> groups;
-  for (const Moved& b : read_blocks(model, initial_state(model))) {
+  for (const Moved& b : evaluate_blocks(model, initial_state(model))) {
     if (is_slab(model, b.id)) continue;
     const std::string name = wall_of(b.body->id);
     if (name.empty()) {

@@ -46,7 +46,7 @@ JointMotion motion_of(const Model& m, const WallReading& wall, const JointReadin
 
 }  // namespace
 
-WallMotion read_motion(const Model& m, const State& state) {
+WallMotion evaluate_motion(const Model& m, const State& state) {
   const WallReading now = read_wall(m, state);
   WallMotion wall;
   for (JointId j = 0; j < m.n_joint; ++j) {  // contacts of deformable blocks have no part in modes

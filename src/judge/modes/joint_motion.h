@@ -48,7 +48,7 @@ struct WallMotion {
   std::vector<JointMotion> top;     // of the plates and of the beam
   std::vector<BlockMotion> blocks;
 };
-[[nodiscard]] WallMotion read_motion(const Model& model, const State& state);
+[[nodiscard]] WallMotion evaluate_motion(const Model& model, const State& state);
 
 // The rigid motion nearest to that of the blocks chosen, by least squares over their mass; null
 // motion where there is none.

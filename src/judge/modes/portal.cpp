@@ -88,7 +88,7 @@ void refuse_what_chains_ignore(const Model& model, const Stage& push, const Port
                 cure);
 }
 
-void read_push(const Model& model, Portal& portal, FaultList& faults) {
+void evaluate_push(const Model& model, Portal& portal, FaultList& faults) {
   const Stage* push = push_of(model);
   if (push == nullptr || push->drive_x == 0 || push->driven.empty()) {
     add_fault(faults, "stage", push == nullptr ? "" : push->spec.name,
@@ -109,8 +109,8 @@ void read_push(const Model& model, Portal& portal, FaultList& faults) {
   refuse_what_chains_ignore(model, *push, portal, faults);
 }
 
-void read_opening(const study::WallParts& parts, const std::vector<study::Box>& openings,
-                  Portal& portal, FaultList& faults) {
+void evaluate_opening(const study::WallParts& parts, const std::vector<study::Box>& openings,
+                      Portal& portal, FaultList& faults) {
   portal.left = parts.wall.x0, portal.right = parts.wall.x1, portal.top = parts.wall.y1;
   portal.block_height = parts.course;
   if (openings.size() != 1) {
@@ -129,7 +129,7 @@ void read_opening(const study::WallParts& parts, const std::vector<study::Box>& 
 }
 
 // The weakest joint a pier's foot may crush in.
-void read_strength(const Model& model, Portal& portal) {
+void evaluate_strength(const Model& model, Portal& portal) {
   portal.compressive_strength = std::numeric_limits<double>::infinity();
   for (int j = 0; j < model.n_joint; ++j) {
     const JointKind kind = model.anatomy.joint_kind[static_cast<std::size_t>(j)];
@@ -198,13 +198,13 @@ bool holds(const Polygon& convex, Vec2 p) {
 BodyLoad weight_inside(const Model& model, const Polygon& outline) {
   BodyLoad weight;
   weight.is_weight = true;
-  for (std::size_t b = 0; b < model.heavy_mass.size(); ++b) {
+  for (std::size_t b = 0; b < model.gravity_mass.size(); ++b) {
     const Polygon block = polygon_of(model, static_cast<BlockId>(b));
     const Polygon part = geometry::part_inside(block, outline);
     if (part.empty()) continue;
     const auto m = geometry::moments(part);
     const double newton =
-        model.solve.gravity * model.heavy_mass[b] * m.area / geometry::moments(block).area;
+        model.solve.gravity * model.gravity_mass[b] * m.area / geometry::moments(block).area;
     weight.fy -= newton;
     weight.at.x += newton * m.centroid.x;
     weight.at.y += newton * m.centroid.y;
@@ -437,8 +437,8 @@ Portal find_portal(const Model& model) {
               "read the limit loads instead");
   faults.throw_if_any();
   const study::WallParts parts = study::find_parts(model);
-  read_opening(parts, study::find_openings(model), portal, faults);
-  read_push(model, portal, faults);
+  evaluate_opening(parts, study::find_openings(model), portal, faults);
+  evaluate_push(model, portal, faults);
   if (has_several_thicknesses(model))
     add_fault(faults, "wall.thickness", "",
               "macro-blocks have one thickness, and this masonry has several",
@@ -469,7 +469,7 @@ Portal find_portal(const Model& model) {
   if (faults.empty()) check_load_point(portal, faults);
   faults.throw_if_any();
   portal.thickness = model.anatomy.thickness;
-  read_strength(model, portal);
+  evaluate_strength(model, portal);
   return portal;
 }
 

@@ -31,9 +31,9 @@ class KinematicProgramme {
     add_unit_power();
   }
 
-  KinematicAnswer solve(const Watch& watch) {
-    KinematicAnswer answer;
-    answer.status = lp_.solve(watch);
+  KinematicSolution solve(const Monitor& monitor) {
+    KinematicSolution answer;
+    answer.status = lp_.solve(monitor);
     answer.accuracy = lp_.accuracy();
     if (answer.status != ProgrammeStatus::kOptimal) return answer;
     answer.load = lp_.objective() * (loads_.is_force ? u_.force : 1.0);
@@ -169,11 +169,12 @@ class KinematicProgramme {
 
 }  // namespace
 
-KinematicAnswer solve_kinematic(const Model& model, const LimitLoads& loads,
-                                const YieldModel& yield, const Units& units, const Watch& watch) {
+KinematicSolution solve_kinematic(const Model& model, const LimitLoads& loads,
+                                  const YieldModel& yield, const Units& units,
+                                  const Monitor& monitor) {
   KinematicProgramme programme(model, loads, yield, units);
   programme.build();
-  return programme.solve(watch);
+  return programme.solve(monitor);
 }
 
 }  // namespace wythe::limit

@@ -24,7 +24,7 @@ struct Units {
 };
 [[nodiscard]] Units units_of(const Model& model, const LimitLoads& loads, const YieldModel& yield);
 
-struct StaticAnswer {
+struct StaticSolution {
   ProgrammeStatus status = ProgrammeStatus::kFailed;
   double load = 0;
   std::vector<double> shear;        // (n_joint) [N]
@@ -35,20 +35,20 @@ struct StaticAnswer {
   int rows = 0, columns = 0;
 };
 // Adds tangents to `yield` until its stress blocks hold.
-[[nodiscard]] StaticAnswer solve_static(const Model& model, const LimitLoads& loads,
-                                        YieldModel& yield, const Units& units,
-                                        const Watch& watch = {});
+[[nodiscard]] StaticSolution solve_static(const Model& model, const LimitLoads& loads,
+                                          YieldModel& yield, const Units& units,
+                                          const Monitor& monitor = {});
 
-struct KinematicAnswer {
+struct KinematicSolution {
   ProgrammeStatus status = ProgrammeStatus::kFailed;
   double load = 0;
   double dissipation = 0;
   double accuracy = 0;
   std::vector<double> vx, vy, omega;  // per unit velocity of the load
 };
-[[nodiscard]] KinematicAnswer solve_kinematic(const Model& model, const LimitLoads& loads,
-                                              const YieldModel& yield, const Units& units,
-                                              const Watch& watch = {});
+[[nodiscard]] KinematicSolution solve_kinematic(const Model& model, const LimitLoads& loads,
+                                                const YieldModel& yield, const Units& units,
+                                                const Monitor& monitor = {});
 
 // The block that lacks most force when nothing grows, and how much [N]; -1: all stand, where it was solved.
 struct Unbalanced {
@@ -58,6 +58,6 @@ struct Unbalanced {
 };
 [[nodiscard]] Unbalanced find_unbalanced(const Model& model, const LimitLoads& loads,
                                          const YieldModel& yield, const Units& units,
-                                         const Watch& watch = {});
+                                         const Monitor& monitor = {});
 
 }  // namespace wythe::limit

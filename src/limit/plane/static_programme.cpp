@@ -44,9 +44,9 @@ class StaticProgramme {
     }
   }
 
-  StaticAnswer solve(const Watch& watch) {
-    StaticAnswer answer;
-    answer.status = lp_.solve(watch);
+  StaticSolution solve(const Monitor& monitor) {
+    StaticSolution answer;
+    answer.status = lp_.solve(monitor);
     answer.accuracy = lp_.accuracy();
     answer.rows = lp_.rows();
     answer.columns = lp_.columns();
@@ -65,17 +65,17 @@ class StaticProgramme {
   }
 
   // After build(true): the largest unbalanced force.
-  Unbalanced worst(const Watch& watch) {
+  Unbalanced worst(const Monitor& monitor) {
     Unbalanced found;
-    found.status = lp_.solve(watch);
+    found.status = lp_.solve(monitor);
     if (found.status != ProgrammeStatus::kOptimal) return found;
     const std::vector<double>& x = lp_.solution();
     double total = 0;
     for (std::size_t row = 0; row < balance_.size(); ++row) {
-      const double lack = x[slack_ + 2 * row] + x[slack_ + 2 * row + 1];
-      total += lack;
-      if (lack * u_.force > found.force)
-        found = {found.status, static_cast<BlockId>(row / 3), lack * u_.force};
+      const double unbalanced = x[slack_ + 2 * row] + x[slack_ + 2 * row + 1];
+      total += unbalanced;
+      if (unbalanced * u_.force > found.force)
+        found = {found.status, static_cast<BlockId>(row / 3), unbalanced * u_.force};
     }
     if (total < 1e-6) return {found.status};
     return found;
@@ -205,16 +205,16 @@ Units units_of(const Model& model, const LimitLoads& loads, const YieldModel& yi
   return units;
 }
 
-StaticAnswer solve_static(const Model& model, const LimitLoads& loads, YieldModel& yield,
-                          const Units& units, const Watch& watch) {
+StaticSolution solve_static(const Model& model, const LimitLoads& loads, YieldModel& yield,
+                            const Units& units, const Monitor& monitor) {
   StaticProgramme programme(model, loads, yield, units);
   programme.build(false);
-  StaticAnswer answer = programme.solve(watch);
+  StaticSolution answer = programme.solve(monitor);
   for (int round = 0; round < kRounds && answer.status == ProgrammeStatus::kOptimal; ++round) {
     if (cut_stress_blocks(yield, answer.point_force) == 0) break;
     const double before = answer.load;
     programme.add_tangents();
-    answer = programme.solve(watch);
+    answer = programme.solve(monitor);
     if (std::fabs(answer.load - before) <= kSettled * std::fabs(before)) break;
   }
   if (answer.status == ProgrammeStatus::kOptimal) drop_idle_tangents(yield, answer.point_force);
@@ -222,10 +222,10 @@ StaticAnswer solve_static(const Model& model, const LimitLoads& loads, YieldMode
 }
 
 Unbalanced find_unbalanced(const Model& model, const LimitLoads& loads, const YieldModel& yield,
-                           const Units& units, const Watch& watch) {
+                           const Units& units, const Monitor& monitor) {
   StaticProgramme programme(model, loads, yield, units);
   programme.build(true);
-  return programme.worst(watch);
+  return programme.worst(monitor);
 }
 
 }  // namespace wythe::limit

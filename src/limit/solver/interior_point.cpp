@@ -75,8 +75,8 @@ class InteriorPoint {
     build_system();
   }
 
-  InteriorAnswer solve(const Watch& watch) {
-    InteriorAnswer best;
+  InteriorSolution solve(const Monitor& monitor) {
+    InteriorSolution best;
     best.accuracy = std::numeric_limits<double>::infinity();
     Iterate best_point = q_;
     int better = 0, halved = 0;  // the last iteration that was nearer; by half
@@ -84,21 +84,21 @@ class InteriorPoint {
     for (int i = 0; i < kIterations; ++i) {
       take_residuals();
       if (find_ray(best)) return best;
-      const double lack = accuracy(), before = best.accuracy;
-      if (i == 0) first = lack;
-      if (lack < best.accuracy) keep(i, lack, best);
-      if (lack < 0.5 * before) halved = i;
+      const double residual = accuracy(), before = best.accuracy;
+      if (i == 0) first = residual;
+      if (residual < best.accuracy) keep(i, residual, best);
+      if (residual < 0.5 * before) halved = i;
       if (best.accuracy < kBest || (best.accuracy < kWanted && i > halved + 1)) break;
       // what is left falls on the way to a solution and on that to a proof that there is none
-      const double left = what_is_left();
-      if (lack < before || left < least) {
+      const double left = merit();
+      if (residual < before || left < least) {
         better = i;
         best_point = q_;
         least = std::min(least, left);
       }
       // round-off has the upper hand: from the best point on with a stiffer system
       const bool astray =
-          !(lack < kAstray * best.accuracy) && !(left < kAstray * std::max(least, kWanted));
+          !(residual < kAstray * best.accuracy) && !(left < kAstray * std::max(least, kWanted));
       if (astray || i - better > kPatience) {
         if (regular_ >= kMostRegular) break;
         regular_ *= 10;
@@ -107,7 +107,7 @@ class InteriorPoint {
         take_residuals();
       }
       const double done = elementary::log(first / best.accuracy) / elementary::log(first / kWanted);
-      if (watch && watch(std::clamp(done, 0.0, 1.0))) {
+      if (monitor && monitor(std::clamp(done, 0.0, 1.0))) {
         best.status = ProgrammeStatus::kStopped;
         return best;
       }
@@ -122,46 +122,47 @@ class InteriorPoint {
   // --- where the iterate stands -------------------------------------------------------------------
 
   void take_residuals() {
-    falls_ = c_.dot(q_.x);
-    rises_ = -b_.dot(q_.y) - h_.dot(q_.z);
+    primal_objective_ = c_.dot(q_.x);
+    dual_objective_ = -b_.dot(q_.y) - h_.dot(q_.z);
     rx_ = at_ * q_.y + gt_ * q_.z + c_ * q_.tau;
     ry_ = b_ * q_.tau - a_ * q_.x;
     rz_ = h_ * q_.tau - g_ * q_.x - q_.s;
-    rt_ = rises_ - falls_ - q_.kappa;
+    rt_ = dual_objective_ - primal_objective_ - q_.kappa;
   }
 
   [[nodiscard]] double accuracy() const {
-    const double gap = std::fabs(falls_ - rises_) /
-                       (1e-3 * q_.tau + std::min(std::fabs(falls_), std::fabs(rises_)));
+    const double gap =
+        std::fabs(primal_objective_ - dual_objective_) /
+        (1e-3 * q_.tau + std::min(std::fabs(primal_objective_), std::fabs(dual_objective_)));
     return std::max({largest(rx_) / q_.tau, largest(ry_) / q_.tau, largest(rz_) / q_.tau, gap});
   }
 
   // Largest residual, and the mean of s z: both fall with each step that round-off leaves alone.
-  [[nodiscard]] double what_is_left() const {
+  [[nodiscard]] double merit() const {
     return std::max({largest(rx_), largest(ry_), largest(rz_), mean_product()});
   }
 
-  void keep(int iteration, double lack, InteriorAnswer& answer) const {
+  void keep(int iteration, double residual, InteriorSolution& answer) const {
     answer.x = list_of(scale_ / q_.tau * q_.x);
     answer.y = list_of(q_.y / q_.tau);
     answer.z = list_of(row_scale_.cwiseProduct(q_.z) / q_.tau);
-    answer.objective = scale_ * falls_ / q_.tau;
-    answer.accuracy = lack;
+    answer.objective = scale_ * primal_objective_ / q_.tau;
+    answer.accuracy = residual;
     answer.iterations = iteration;
   }
 
   // A proof that no x holds, or a direction in which c.x falls for ever. There each row counts as it was given: beside
   // its capacity any row is next to nothing on the way to a load of many million weights.
-  bool find_ray(InteriorAnswer& answer) const {
-    if (rises_ > 0 && largest(at_ * q_.y + gt_ * q_.z) < kProof * rises_) {
+  bool find_ray(InteriorSolution& answer) const {
+    if (dual_objective_ > 0 && largest(at_ * q_.y + gt_ * q_.z) < kProof * dual_objective_) {
       answer.status = ProgrammeStatus::kInfeasible;
       return true;
     }
-    if (falls_ >= 0) return false;
+    if (primal_objective_ >= 0) return false;
     const Vector held = (g_ * q_.x + q_.s).cwiseQuotient(row_scale_);
-    if (std::max(largest(a_ * q_.x), largest(held)) >= kProof * -falls_) return false;
+    if (std::max(largest(a_ * q_.x), largest(held)) >= kProof * -primal_objective_) return false;
     answer.status = ProgrammeStatus::kUnbounded;
-    answer.x = list_of(q_.x / -falls_);
+    answer.x = list_of(q_.x / -primal_objective_);
     return true;
   }
 
@@ -403,7 +404,7 @@ class InteriorPoint {
   double scale_ = 1;  // of b and h
   double regular_ = kRegular;
   Iterate q_;
-  double falls_ = 0, rises_ = 0, rt_ = 0;  // c.x, -b.y - h.z
+  double primal_objective_ = 0, dual_objective_ = 0, rt_ = 0;  // c.x, -b.y - h.z
   Vector rx_, ry_, rz_;
   Matrix system_;
   Order order_, back_;
@@ -414,8 +415,8 @@ class InteriorPoint {
 
 }  // namespace
 
-InteriorAnswer interior_point(const InequalityForm& form, const Watch& watch) {
-  return InteriorPoint(form).solve(watch);
+InteriorSolution interior_point(const InequalityForm& form, const Monitor& monitor) {
+  return InteriorPoint(form).solve(monitor);
 }
 
 }  // namespace wythe::limit

@@ -18,7 +18,7 @@ namespace wythe::limit {
 enum class ProgrammeStatus { kOptimal, kInfeasible, kUnbounded, kStopped, kFailed };
 
 // Asked now and then with the share of the work done [0, 1]; true: stop.
-using Watch = std::function<bool(double share)>;
+using Monitor = std::function<bool(double share)>;
 
 // Entries of a sparse matrix, in any order.
 struct Triplets {
@@ -37,7 +37,7 @@ struct InequalityForm {
   int circles = 0;        // of three rows each, the last ones of G
 };
 
-struct InteriorAnswer {
+struct InteriorSolution {
   ProgrammeStatus status = ProgrammeStatus::kFailed;
   std::vector<double> x;     // after kUnbounded a direction in which c.x falls for ever
   std::vector<double> y, z;  // of the dual
@@ -46,6 +46,7 @@ struct InteriorAnswer {
   int iterations = 0;
 };
 
-[[nodiscard]] InteriorAnswer interior_point(const InequalityForm& form, const Watch& watch = {});
+[[nodiscard]] InteriorSolution interior_point(const InequalityForm& form,
+                                              const Monitor& monitor = {});
 
 }  // namespace wythe::limit

@@ -133,7 +133,7 @@ InequalityForm LinearProgramme::dual_form() const {
   return f;
 }
 
-void LinearProgramme::take_dual(const InteriorAnswer& answer) {
+void LinearProgramme::take_dual(const InteriorSolution& answer) {
   const DualPlaces d = dual_places();
   solution_.assign(low_.size(), 0);
   for (std::size_t j = 0; j < low_.size(); ++j)
@@ -141,10 +141,10 @@ void LinearProgramme::take_dual(const InteriorAnswer& answer) {
       solution_[j] = (d.is_free[j] ? answer.y : answer.z)[static_cast<std::size_t>(d.place[j])];
 }
 
-ProgrammeStatus LinearProgramme::solve(const Watch& watch) {
+ProgrammeStatus LinearProgramme::solve(const Monitor& monitor) {
   ray_.clear();
   const bool by_dual = is_plain();
-  const InteriorAnswer answer = interior_point(by_dual ? dual_form() : form(), watch);
+  const InteriorSolution answer = interior_point(by_dual ? dual_form() : form(), monitor);
   accuracy_ = answer.accuracy;
   if (answer.status == ProgrammeStatus::kOptimal) {
     objective_ = by_dual ? -answer.objective : answer.objective;

@@ -36,7 +36,7 @@ class LinearProgramme {
   }
 
   // `watch` is asked several times a second.
-  ProgrammeStatus solve(const Watch& watch = {});
+  ProgrammeStatus solve(const Monitor& monitor = {});
   [[nodiscard]] double objective() const { return objective_; }
   [[nodiscard]] const std::vector<double>& solution() const { return solution_; }  // (columns)
   // What is left of the residuals and of the gap of the programme's own dual.
@@ -67,7 +67,7 @@ class LinearProgramme {
   [[nodiscard]] InequalityForm dual_form() const;
   void add_circles(InequalityForm& form) const;
   [[nodiscard]] DualPlaces dual_places() const;
-  void take_dual(const InteriorAnswer& answer);
+  void take_dual(const InteriorSolution& answer);
 };
 
 }  // namespace wythe::limit

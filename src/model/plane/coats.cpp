@@ -153,7 +153,7 @@ class CoatBuilder {
       if (!(more > 0)) continue;
       if (model_.mass[i] > 0) model_.inertia[i] *= 1 + more / model_.mass[i];
       model_.mass[i] += more;
-      model_.heavy_mass[i] += more;
+      model_.gravity_mass[i] += more;
     }
   }
 

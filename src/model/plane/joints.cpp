@@ -11,7 +11,7 @@
 #include "core/elementary.h"
 #include "model/field_places.h"
 #include "model/parts.h"
-#include "model/point_rule.h"
+#include "model/quadrature.h"
 
 namespace wythe {
 namespace {
@@ -38,10 +38,10 @@ JointKind kind_of(FaceKind kind) {
 }
 
 void set_points(Model& model) {
-  const auto [kind, points] = point_choice(model.solve);
+  const auto [kind, points] = quadrature_choice(model.solve);
   model.solve.point_rule = kind;
   model.solve.points_per_face = model.n_face_point = points;
-  FacePointRule rule = face_points(kind, points);
+  FaceQuadrature rule = face_points(kind, points);
   model.point_xi = std::move(rule.xi);
   model.point_weight = std::move(rule.weight);
 }

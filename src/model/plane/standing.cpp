@@ -154,7 +154,7 @@ class StandingCompiler {
     for (std::size_t b = 0; b < map_.size(); ++b) {
       if (assembly_.blocks[b].cut_from != static_cast<int>(opening) || map_[b] < 0) continue;
       ++blocks;
-      weight += model_.heavy_mass[static_cast<std::size_t>(map_[b])] * model_.solve.gravity;
+      weight += model_.gravity_mass[static_cast<std::size_t>(map_[b])] * model_.solve.gravity;
     }
     const std::string& name = spec_.wall.opening[opening].name;
     model_.anatomy.notes.push_back(

@@ -199,7 +199,7 @@ void fill_blocks(const ModelSpec& spec, const SpaceAssembly& assembly, const Fie
                     "add e.g. [wall.unit] density = \"1800 kg/m^3\"", 0});
       const PrincipalAxes axes = principal_axes(moments.inertia);
       model.mass.push_back(density * moments.volume);
-      model.heavy_mass.push_back(density * moments.volume);
+      model.gravity_mass.push_back(density * moments.volume);
       space.inertia.push_back(density * axes.moment);
       space.axis_1.push_back(axes.axis_1);
       space.axis_2.push_back(axes.axis_2);
@@ -240,7 +240,7 @@ struct Placed {
 };
 
 Placed placed(const JointFace& face, BlockId a, BlockId b, std::int32_t material,
-              const PointChoice& choice) {
+              const QuadratureChoice& choice) {
   Placed joint{&face, a, b, material, tangent_of(face), face.normal, {}, face.polygon, face.area};
   const Vec3 t2 = cross(joint.normal, joint.tangent);
   std::vector<Vec2> corner;
@@ -347,7 +347,7 @@ void fill_joints(const ModelSpec& spec, const SpaceAssembly& assembly,
                  FaultList& faults) {
   const Shape shape(spec);
   Materials materials(spec, model, faults);
-  const PointChoice choice = point_choice(spec.solve);
+  const QuadratureChoice choice = quadrature_choice(spec.solve);
   model.solve.point_rule = choice.rule;
   model.solve.points_per_face = choice.points;
   std::vector<Placed> joints;
@@ -526,8 +526,8 @@ Model compile_space(const ModelSpec& spec, const SpaceAssembly& assembly) {
   fill_lists(model);
   measure(assembly, model);
   compile_free_in_space(spec, model, faults);
-  for (const double mass : model.heavy_mass) model.weight += mass * model.solve.gravity;
-  for (const double mass : model.space.solids.node_heavy_mass)
+  for (const double mass : model.gravity_mass) model.weight += mass * model.solve.gravity;
+  for (const double mass : model.space.solids.node_gravity_mass)
     model.weight += mass * model.solve.gravity;
   const std::vector<double> bare = model.mass;
   const std::vector<PointLoad> floors = compile_space_floors(spec, assembly, id, model, faults);

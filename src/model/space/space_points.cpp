@@ -19,7 +19,7 @@ void add(FacePoints& points, Vec2 place, double share, double near) {
   points.share.push_back(share);
 }
 
-FacePoints on_quadrilateral(std::span<const Vec2> c, const FacePointRule& rule) {
+FacePoints on_quadrilateral(std::span<const Vec2> c, const FaceQuadrature& rule) {
   FacePoints points;
   double sum = 0;
   const std::size_t n = rule.xi.size();
@@ -69,7 +69,7 @@ FacePoints on_polygon(std::span<const Vec2> c, bool corners) {
 
 }  // namespace
 
-FacePoints points_on(std::span<const Vec2> corner, const PointChoice& choice) {
+FacePoints points_on(std::span<const Vec2> corner, const QuadratureChoice& choice) {
   if (corner.size() == 4) return on_quadrilateral(corner, face_points(choice.rule, choice.points));
   return on_polygon(corner, choice.rule == PointRule::kCorners);
 }

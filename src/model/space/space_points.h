@@ -1,4 +1,4 @@
-// Where the points of a joint face in space stand: the rule of a plane face (point_rule.h) along both
+// Where the points of a joint face in space stand: the rule of a plane face (quadrature.h) along both
 // directions of a quadrilateral; on other polygons a fan of triangles.
 //
 //   quadrilateral   n x n points, weights w_i w_j times the local stretch of its bilinear map
@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "model/point_rule.h"
+#include "model/quadrature.h"
 #include "wythe/vector.h"
 
 namespace wythe {
@@ -21,6 +21,6 @@ struct FacePoints {
 };
 
 // `corner`: of a convex polygon about the centre of its area, in order.
-[[nodiscard]] FacePoints points_on(std::span<const Vec2> corner, const PointChoice& choice);
+[[nodiscard]] FacePoints points_on(std::span<const Vec2> corner, const QuadratureChoice& choice);
 
 }  // namespace wythe

@@ -319,7 +319,7 @@ std::array<double, 4> shares_at(const std::array<Vec2, 4>& q, Vec2 p) {
 
 class ContactBuilder {
  public:
-  ContactBuilder(const PointChoice& choice, Model& model)
+  ContactBuilder(const QuadratureChoice& choice, Model& model)
       : choice_(choice), m_(model), s_(model.space.solids) {
     for (const SpaceSolidBody& body : s_.bodies) sides_.push_back(outer_sides(s_, body));
     s_.point_begin.push_back(m_.n_point());
@@ -389,7 +389,7 @@ class ContactBuilder {
     ++s_.n_contact;
   }
 
-  PointChoice choice_;
+  QuadratureChoice choice_;
   Model& m_;
   SpaceSolids& s_;
   std::vector<std::vector<Side>> sides_;  // of each body
@@ -414,11 +414,11 @@ void compile_space_solids(const ModelSpec& spec, const geometry::SpaceAssembly& 
   BodyBuilder builder(spec, model, faults);
   for (std::size_t k = 0; k < assembly.body.size(); ++k)
     if (has_zones(assembly.body[k])) builder.add(assembly.body[k], assembly.moments[k].centroid);
-  model.space.solids.node_heavy_mass = model.space.solids.node_mass;
+  model.space.solids.node_gravity_mass = model.space.solids.node_mass;
 }
 
-void compile_space_contacts(const std::vector<SpaceSolidFace>& faces, const PointChoice& choice,
-                            Model& model, FaultList& faults) {
+void compile_space_contacts(const std::vector<SpaceSolidFace>& faces,
+                            const QuadratureChoice& choice, Model& model, FaultList& faults) {
   SpaceSolids& s = model.space.solids;
   if (s.bodies.empty()) return;
   constexpr double kWhole = 0.999;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "geometry/bodies/joint_faces.h"
-#include "model/point_rule.h"
+#include "model/quadrature.h"
 #include "wythe/error.h"
 #include "wythe/model.h"
 
@@ -26,8 +26,8 @@ struct SpaceSolidFace {
 void compile_space_solids(const ModelSpec& spec, const geometry::SpaceAssembly& assembly,
                           Model& model, FaultList& faults);
 // Their contacts; after the joints, whose points come first. Lists what each node takes part in.
-void compile_space_contacts(const std::vector<SpaceSolidFace>& faces, const PointChoice& choice,
-                            Model& model, FaultList& faults);
+void compile_space_contacts(const std::vector<SpaceSolidFace>& faces,
+                            const QuadratureChoice& choice, Model& model, FaultList& faults);
 
 // --- the longest step (space_bound.cpp): omega^2 that the zones and contacts of each node allow
 [[nodiscard]] std::vector<double> space_node_bounds(const Model& model);

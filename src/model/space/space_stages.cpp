@@ -218,7 +218,7 @@ class SpaceStages {
       }
       if (!(own > 0)) continue;
       for (int k = s.bodies[b].first_node; k < s.bodies[b].first_node + s.bodies[b].n_node; ++k)
-        mass += s.node_heavy_mass[k];
+        mass += s.node_gravity_mass[k];
       sum += mass * own / area;
     }
     return sum;
@@ -231,7 +231,7 @@ class SpaceStages {
     if (floors_lie_)
       for (const PointLoad& load : floors_) weight -= load.block == id_[k] ? load.fy : 0.0;
     const double g = model_.solve.gravity;
-    return model_.heavy_mass[id_[k]] + zone_mass_beside(id_[k]) + (g > 0 ? weight / g : 0.0);
+    return model_.gravity_mass[id_[k]] + zone_mass_beside(id_[k]) + (g > 0 ? weight / g : 0.0);
   }
 
   // Of a body's free faces, what looks against the push, laid across it [m^2].

@@ -59,18 +59,18 @@ bool has(const std::string& text, const std::string& part) {
 
 // --- which shakes ------------------------------------------------------------------------------------
 
-ShakeAnswer stood(double intensity) {
-  ShakeAnswer a;
+ShakeResult stood(double intensity) {
+  ShakeResult a;
   a.intensity = intensity, a.status = "completed", a.gap_ratio = 0;
   return a;
 }
-ShakeAnswer fell(double intensity) {
-  ShakeAnswer a = stood(intensity);
+ShakeResult fell(double intensity) {
+  ShakeResult a = stood(intensity);
   a.status = "collapsed", a.collapsed = true;
   return a;
 }
-ShakeAnswer lost(double intensity) {
-  ShakeAnswer a = stood(intensity);
+ShakeResult lost(double intensity) {
+  ShakeResult a = stood(intensity);
   a.status = "unstable";
   return a;
 }
@@ -79,7 +79,7 @@ TEST(Shakes, climb_until_it_falls_then_halve) {
   ShakingSpec s;
   s.stage = "quake", s.first = 1, s.step = 2, s.most = 6, s.halvings = 2;
   const StudyRecord record;
-  const auto next = [&](const std::vector<ShakeAnswer>& done) {
+  const auto next = [&](const std::vector<ShakeResult>& done) {
     return study::next_intensity(s, record, done).value_or(0);
   };
   EXPECT_EQ(next({}), 1);
@@ -100,7 +100,7 @@ TEST(Shakes, count_where_they_ended_shaken_and_their_energy_closes) {
   EXPECT_TRUE(stood(1).counts());
   EXPECT_TRUE(fell(1).counts());
   EXPECT_FALSE(lost(1).counts());
-  ShakeAnswer a = stood(1);
+  ShakeResult a = stood(1);
   a.gap_ratio = 0.02;
   EXPECT_FALSE(a.counts());
   a.gap_ratio = kUnset;
@@ -139,7 +139,7 @@ TEST(ShakenCampaign, every_wall_meets_every_record_at_every_level) {
     EXPECT_EQ(of.wall, (record.sample - 1) / 3);
     EXPECT_EQ(of.record, (record.sample - 1) % 3);
     for (std::size_t k = 0; k < 3; ++k) {
-      const ShakeAnswer& shake = record.shakes[k];
+      const ShakeResult& shake = record.shakes[k];
       EXPECT_EQ(shake.intensity, 2.0 * std::pow(2, k));
       EXPECT_NEAR(shake.pga, shake.intensity, 1e-3 * shake.intensity);
       EXPECT_TRUE(shake.counts()) << shake.status;
@@ -160,11 +160,11 @@ TEST(ShakenCampaign, every_wall_meets_every_record_at_every_level) {
 TEST(ShakenCampaign, a_wall_that_still_falls_has_not_stood) {
   const TemporaryFolder folder;
   run(with_line("free_vibration = \"2 s\"", "free_vibration = \"3 s\""), folder / "long");
-  const ShakeAnswer whole = read_campaign(folder / "long").records.at(0).shakes.at(0);
+  const ShakeResult whole = read_campaign(folder / "long").records.at(0).shakes.at(0);
   ASSERT_TRUE(whole.collapsed);
   ASSERT_GT(whole.collapse_time, 0.5);
   run(with_line("free_vibration = \"2 s\"", "free_vibration = \"0.05 s\""), folder / "cut");
-  const ShakeAnswer shake = read_campaign(folder / "cut").records.at(0).shakes.at(0);
+  const ShakeResult shake = read_campaign(folder / "cut").records.at(0).shakes.at(0);
   EXPECT_FALSE(shake.counts());
   EXPECT_TRUE(has(text_of(shake.reason), "come to rest")) << text_of(shake.reason);
 }
@@ -201,7 +201,7 @@ TEST(ShakenCampaign, the_order_of_records_changes_no_bit_of_an_answer) {
   const auto hashes = [](const Campaign& campaign) {
     std::multiset<std::string> all;
     for (const SampleRecord& record : campaign.records)
-      for (const ShakeAnswer& shake : record.shakes) all.insert(shake.state_hash);
+      for (const ShakeResult& shake : record.shakes) all.insert(shake.state_hash);
     return all;
   };
   EXPECT_EQ(hashes(read_campaign(folder / "a")), hashes(read_campaign(folder / "b")));
@@ -214,7 +214,7 @@ TEST(ShakenCampaign, one_shake_alone_has_the_bits_of_the_campaign) {
   const Campaign campaign = read_campaign(folder / "a");
   const SampleRecord& record = campaign.records[3];
   ASSERT_GT(record.shakes.size(), 2U);
-  const ShakeAnswer& shake = record.shakes[1];
+  const ShakeResult& shake = record.shakes[1];
   const SampleRun alone = run_shake(campaign.study, campaign.samples, 4, shake.intensity,
                                     model_builder(campaign.study), {});
   ASSERT_EQ(alone.shakes.size(), 1U);
@@ -317,13 +317,13 @@ TEST(ShakenCampaign, pgv_and_sa_scale_to_what_is_asked) {
       shaken_study("measure = \"pgv\"\nlevels = [\"0.2 m/s\", \"0.4 m/s\"]", {0.4, 0.9}, 1);
   run(by_velocity, folder / "v");
   for (const SampleRecord& r : read_campaign(folder / "v").records)
-    for (const ShakeAnswer& s : r.shakes) EXPECT_NEAR(s.pgv / s.intensity, 1, 1e-12);
+    for (const ShakeResult& s : r.shakes) EXPECT_NEAR(s.pgv / s.intensity, 1, 1e-12);
   const StudySpec by_spectrum =
       shaken_study("measure = \"sa\"\nperiod = \"0.3 s\"\ndamping = 0.05\nlevels = [\"2 m/s^2\"]",
                    {0.4, 0.9}, 1);
   run(by_spectrum, folder / "s");
   for (const SampleRecord& r : read_campaign(folder / "s").records)
-    for (const ShakeAnswer& s : r.shakes) EXPECT_NEAR(s.sa / s.intensity, 1, 1e-12);
+    for (const ShakeResult& s : r.shakes) EXPECT_NEAR(s.sa / s.intensity, 1, 1e-12);
 }
 
 // A study without [shaking] of a model that shakes: answers are kept, in columns after the others.

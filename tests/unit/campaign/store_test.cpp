@@ -145,7 +145,7 @@ std::vector<std::string> told(const SampleRecord& record) {
   t("sample", static_cast<std::int64_t>(record.sample));
   for (const double x : record.inputs) t("input", x);
   each_column(t, record);
-  each_answer(t, record);
+  each_output(t, record);
   const RecordLists lists = lists_of(record);
   ToldLists all{t, lists};
   each_list(all);

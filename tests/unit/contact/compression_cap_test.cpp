@@ -33,8 +33,8 @@ JointMaterial with_hardening(JointMaterial m) {
   return m;
 }
 
-contact::Answer<double> step(const contact::LawConstants<double>& m, double w, double s,
-                             History<double>& h) {
+contact::LawUpdate<double> step(const contact::LawConstants<double>& m, double w, double s,
+                                History<double>& h) {
   return contact::with_variant(
       m.choice, [&](auto variant) { return contact::update<decltype(variant)>(m, w, s, h); });
 }
@@ -88,7 +88,7 @@ TEST(CompressionCap, crushing_takes_the_compressive_energy_in_every_direction_an
     const double far = 20 * m.compressive_energy / m.compressive_strength;
     const auto law = contact::constants_of(m);
     History<double> h{};
-    contact::Answer<double> before{}, now{};
+    contact::LawUpdate<double> before{}, now{};
     double work = 0, crushed = 0, w0 = 0, s0 = 0;
     for (int k = 1; k <= steps; ++k) {
       const double w = -far * std::cos(angle) * k / steps, s = far * std::sin(angle) * k / steps;

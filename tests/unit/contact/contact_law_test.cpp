@@ -245,7 +245,7 @@ template <class V>
 void check_balance(const JointMaterial& material, const std::vector<ContactPathRow>& path) {
   const auto m = contact::constants_of(material);
   contact::History<double> h{};
-  contact::Answer<double> before{};
+  contact::LawUpdate<double> before{};
   ContactPathRow from;
   double work = 0, dissipated = 0, stored = 0, handled = 0;
   for (const ContactPathRow& to : path) {

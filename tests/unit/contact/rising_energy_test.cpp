@@ -29,8 +29,8 @@ JointMaterial rising(Softening softening, double b = kB) {
   return m;
 }
 
-contact::Answer<double> update(const contact::LawConstants<double>& m, double w, double s,
-                               contact::History<double>& h) {
+contact::LawUpdate<double> update(const contact::LawConstants<double>& m, double w, double s,
+                                  contact::History<double>& h) {
   return contact::with_variant(
       m.choice, [&](auto variant) { return contact::update<decltype(variant)>(m, w, s, h); });
 }

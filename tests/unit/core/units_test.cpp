@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/text.h"
-#include "core/whole.h"
+#include "core/to_int.h"
 #include "geometry/wall/fit.h"
 #include "wythe/units.h"
 
@@ -152,9 +152,9 @@ TEST(Axis, far_places_are_nearest_to_its_ends) {
     EXPECT_EQ(axis.nearest(far), 4) << far;
     EXPECT_EQ(axis.nearest(-far), 0) << far;
   }
-  EXPECT_EQ(whole(-1e300), -1'000'000'000);
-  EXPECT_EQ(whole(std::nan("")), 0);
-  EXPECT_EQ(whole(2.9), 2);
+  EXPECT_EQ(to_int(-1e300), -1'000'000'000);
+  EXPECT_EQ(to_int(std::nan("")), 0);
+  EXPECT_EQ(to_int(2.9), 2);
 }
 
 TEST(EditDistance, counts_slips) {

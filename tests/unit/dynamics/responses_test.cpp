@@ -15,8 +15,8 @@
 #include "scenes/sample_run.h"
 #include "scenes/scenes.h"
 #include "wythe/io.h"
-#include "wythe/promise.h"
 #include "wythe/result.h"
+#include "wythe/slow_push.h"
 
 namespace wythe::responses_test {
 namespace {

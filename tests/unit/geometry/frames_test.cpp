@@ -167,7 +167,8 @@ TEST(Frames, round_an_opening_touch_its_jambs_and_head_and_stand_on_the_ground) 
   EXPECT_NEAR(head, 2, 1e-9);
   double mass = 0, inertia = 0;
   for (std::size_t b = 0; b < m.anatomy.block_role.size(); ++b)
-    if (m.anatomy.block_role[b] == BlockRole::kFrame) mass += m.heavy_mass[b], inertia += m.mass[b];
+    if (m.anatomy.block_role[b] == BlockRole::kFrame)
+      mass += m.gravity_mass[b], inertia += m.mass[b];
   EXPECT_NEAR(mass, profile_named("HEB 140")->mass * (2 * (2.2 - 0.07) + 2 - 0.14), 1e-9 * mass);
   EXPECT_GE(inertia, mass);
   // sections: of each member all its length, whatever the quadrature

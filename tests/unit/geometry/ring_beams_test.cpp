@@ -150,8 +150,8 @@ TEST(RingBeam, weighs_what_its_section_weighs_whatever_courses_it_takes) {
   spec.ring_beam[0].thickness = 0.25;
   const Model model = compile(spec);
   double mass = 0, stiffness = 0;
-  for (std::size_t b = 0; b < model.heavy_mass.size(); ++b)
-    if (model.anatomy.block_role[b] == BlockRole::kRingBeam) mass += model.heavy_mass[b];
+  for (std::size_t b = 0; b < model.gravity_mass.size(); ++b)
+    if (model.anatomy.block_role[b] == BlockRole::kRingBeam) mass += model.gravity_mass[b];
   EXPECT_NEAR(mass, 2 * 0.23 * 0.25 * 2500, 1e-9);
   for (std::size_t j = 0; j < model.joint_a.size(); ++j)
     if (model.anatomy.joint_kind[j] == JointKind::kLintelChain)
@@ -467,7 +467,7 @@ TEST(RingBeam, whose_segments_get_much_inertia_says_that_it_drags) {
     const Model model = compile(spec);
     double heavy = 0, mass = 0, said = 0;
     for (std::size_t i = 0; i < model.mass.size(); ++i)
-      heavy += model.heavy_mass[i], mass += model.mass[i];
+      heavy += model.gravity_mass[i], mass += model.mass[i];
     const double percent = 100 * (mass / heavy - 1);
     for (const Message& note : model.anatomy.notes) {
       if (!note.code.starts_with("inertia.block")) continue;

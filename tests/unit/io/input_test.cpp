@@ -408,7 +408,7 @@ class Drawings : public Files {
   // What is said of a file with this content.
   std::string said(const std::string& text, const std::string& unit = "m") {
     write(at("stones.dxf"), text);
-    return refusal([&] { (void)io::read_drawing(at("stones.dxf"), unit); });
+    return refusal([&] { (void)io::parse_drawing(at("stones.dxf"), unit); });
   }
   static std::string section(const std::string& entities) {
     return "0\nSECTION\n2\nENTITIES\n" + entities + "0\nENDSEC\n0\nEOF\n";
@@ -438,13 +438,13 @@ TEST_F(Drawings, that_are_none_are_refused_with_what_to_do) {
 TEST_F(Drawings, at_their_largest_are_refused_before_they_are_read) {
   write(at("stones.dxf"), section(""));
   fs::resize_file(at("stones.dxf"), kMostDxf + 1);
-  expect_words(refusal([&] { (void)io::read_drawing(at("stones.dxf"), "m"); }), {"64 MB"});
+  expect_words(refusal([&] { (void)io::parse_drawing(at("stones.dxf"), "m"); }), {"64 MB"});
 }
 
 TEST_F(Drawings, what_is_no_outline_is_kept_with_its_place) {
   const auto unread = [&](const std::string& entities) {
     write(at("stones.dxf"), section(entities));
-    const io::Drawing drawing = io::read_drawing(at("stones.dxf"), "m");
+    const io::Drawing drawing = io::parse_drawing(at("stones.dxf"), "m");
     EXPECT_TRUE(drawing.outlines.empty());
     return drawing.unread.size() == 1 ? to_string(io::fault_of(drawing.unread[0], "f.dxf")) : "";
   };
@@ -463,7 +463,7 @@ TEST_F(Drawings, what_is_no_outline_is_kept_with_its_place) {
 TEST_F(Drawings, of_an_old_code_page_keep_the_names_of_their_layers) {
   write(at("stones.dxf"), section("0\nLWPOLYLINE\n8\nT\xfc"
                                   "ff\n70\n1\n10\n0\n20\n0\n10\n1\n20\n0\n10\n1\n20\n1\n"));
-  const io::Drawing drawing = io::read_drawing(at("stones.dxf"), "m");
+  const io::Drawing drawing = io::parse_drawing(at("stones.dxf"), "m");
   ASSERT_EQ(drawing.outlines.size(), 1U);
   EXPECT_EQ(drawing.outlines[0].layer,
             "T\xc3\xbc"

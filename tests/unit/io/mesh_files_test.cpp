@@ -99,7 +99,7 @@ geometry::SpaceAssembly assembly_of(const std::string& file) {
   FaultList faults;
   std::vector<BodySpec> bodies;
   if (io::is_mesh_file(file))
-    bodies = io::read_mesh_bodies(file, faults);
+    bodies = io::parse_mesh_bodies(file, faults);
   else
     bodies = io::compas_bodies(nlohmann::json::parse(read_text(file, 1'000'000)), file, faults);
   io::place(bodies, 1, true);
@@ -179,7 +179,7 @@ TEST(MeshFiles, a_block_model_has_the_contacts_that_compas_found) {
 // Six stray solids of COMPAS's examples, two pairs of which lie in each other.
 TEST(MeshFiles, solids_in_each_other_are_named_with_their_depth) {
   FaultList faults;
-  auto bodies = io::read_mesh_bodies(data("ursula.obj"), faults);
+  auto bodies = io::parse_mesh_bodies(data("ursula.obj"), faults);
   ASSERT_EQ(bodies.size(), 6U);
   (void)geometry::assemble(bodies, faults);
   EXPECT_TRUE(has(said(faults), "wall.blocks.Mesh 4 = 51.3408 mm deep: lies in body Mesh 3"))
@@ -262,7 +262,7 @@ TEST_F(BodyFiles, every_mesh_format_gives_the_same_solids) {
   for (const std::string name : {"w1.stl", "w2.stl", "w3.ply", "w4.ply", "w5.ply"}) {
     SCOPED_TRACE(name);
     FaultList faults;
-    const auto bodies = io::read_mesh_bodies(at(name), faults);
+    const auto bodies = io::parse_mesh_bodies(at(name), faults);
     ASSERT_EQ(bodies.size(), 4U) << said(faults);  // though they share corners, edges and faces
     const auto assembly = geometry::assemble(bodies, faults);
     EXPECT_TRUE(faults.empty()) << said(faults);
@@ -483,7 +483,7 @@ TEST_F(BodyFiles, faults_of_a_blocks_file_in_space_are_told_at_once) {
 TEST(MeshFiles, faults_name_their_line) {
   const auto obj = [](const std::string& text) {
     FaultList faults;
-    (void)io::read_obj({text, "f.obj", "f"}, faults);
+    (void)io::parse_obj({text, "f.obj", "f"}, faults);
     return said(faults);
   };
   EXPECT_TRUE(has(obj("v 0 0 0\nv 1 x 0\n"), "f.obj:2"));
@@ -494,7 +494,7 @@ TEST(MeshFiles, faults_name_their_line) {
   EXPECT_TRUE(has(obj("curv 0 1 2\n"), "curved surface"));
   const auto stl = [](const std::string& text) {
     FaultList faults;
-    (void)io::read_stl({text, "f.stl", "f"}, faults);
+    (void)io::parse_stl({text, "f.stl", "f"}, faults);
     return said(faults);
   };
   EXPECT_TRUE(has(stl("solid\nvertex 0 0\nendloop\n"), "f.stl:2"));
@@ -502,7 +502,7 @@ TEST(MeshFiles, faults_name_their_line) {
   EXPECT_TRUE(has(stl("nothing of the kind"), "is no STL file"));
   const auto ply_of = [](const std::string& text) {
     FaultList faults;
-    (void)io::read_ply({text, "f.ply", "f"}, faults);
+    (void)io::parse_ply({text, "f.ply", "f"}, faults);
     return said(faults);
   };
   EXPECT_TRUE(has(ply_of("plx\n"), "is no PLY file"));
@@ -556,9 +556,9 @@ TEST(MeshFiles, damaged_files_are_refused_or_read) {
     std::vector<BodySpec> bodies;
     try {
       const io::MeshText mesh{text, "f", "f"};
-      if (kind == "obj") bodies = io::read_obj(mesh, faults);
-      if (kind == "stl") bodies = io::read_stl(mesh, faults);
-      if (kind == "ply") bodies = io::read_ply(mesh, faults);
+      if (kind == "obj") bodies = io::parse_obj(mesh, faults);
+      if (kind == "stl") bodies = io::parse_stl(mesh, faults);
+      if (kind == "ply") bodies = io::parse_ply(mesh, faults);
       if (kind == "json") {
         const auto json = nlohmann::json::parse(text, nullptr, false);
         if (!json.is_discarded()) bodies = io::compas_bodies(json, "f", faults);

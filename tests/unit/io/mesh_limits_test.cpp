@@ -24,7 +24,7 @@ std::string said(const FaultList& faults) {
 
 std::string obj(const std::string& text) {
   FaultList faults;
-  (void)io::read_obj({text, "f.obj", "f"}, faults);
+  (void)io::parse_obj({text, "f.obj", "f"}, faults);
   return said(faults);
 }
 
@@ -54,7 +54,7 @@ TEST(MeshLimits, each_solid_of_an_stl_is_read_with_its_own_corners_alone) {
     text += "solid s" + std::to_string(i) +
             "\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendsolid\n";
   FaultList faults;
-  const auto bodies = io::read_stl({text, "f.stl", "f"}, faults);
+  const auto bodies = io::parse_stl({text, "f.stl", "f"}, faults);
   EXPECT_EQ(bodies.size(), 20'000U);  // 1e9 corners sorted else
   EXPECT_EQ(bodies.back().part[0].vertex.size(), 3U);
 }
@@ -101,7 +101,7 @@ std::string drawing(const std::string& entities, const std::string& tail) {
              "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n6\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n" +
                  entities + "0\nENDSEC\n0\nEOF\n" + tail);
   try {
-    return std::to_string(io::read_drawing(folder / "d.dxf", "").layers.size()) + " layers";
+    return std::to_string(io::parse_drawing(folder / "d.dxf", "").layers.size()) + " layers";
   } catch (const InputError& error) {
     return error.what();
   }

@@ -120,12 +120,12 @@ TEST(Fields, a_wall_that_takes_a_lane_and_leaves_it_keeps_every_number) {
     for (int lane = 0; lane < lanes; ++lane) {
       dynamics::Processor processor(model, lanes);
       State kept = state, back = initial_state(model);
-      processor.put(lane, model, kept);
-      processor.access(lane)->bring_up(back);
+      processor.load_wall(lane, model, kept);
+      processor.access(lane)->store_state(back);
       for (const StateField& field : kStateFields)
         EXPECT_EQ(back.*field.array, state.*field.array)
             << field.name << ", lane " << lane << " of " << lanes;
-      processor.drop(lane);
+      processor.unload_wall(lane);
     }
 }
 

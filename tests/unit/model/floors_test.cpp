@@ -112,9 +112,9 @@ TEST(Floors, the_ground_carries_weight_and_floor) {
       carried += joint.compression;
       moment += joint.compression * joint.shape.centre.x + joint.moment;
     }
-  for (std::size_t i = 0; i < model.heavy_mass.size(); ++i) {
-    weight += kGravity * model.heavy_mass[i];
-    of_weight += kGravity * model.heavy_mass[i] * model.centroid_x[i];
+  for (std::size_t i = 0; i < model.gravity_mass.size(); ++i) {
+    weight += kGravity * model.gravity_mass[i];
+    of_weight += kGravity * model.gravity_mass[i] * model.centroid_x[i];
   }
   EXPECT_NEAR(carried, weight + 40e3 * 0.62, 1e-5 * weight);
   // the arms are those of the wall at the start, the blocks stand a few micrometres beside
@@ -145,7 +145,7 @@ TEST(Floors, mass_is_inertia_and_no_weight) {
   for (std::size_t i = 0; i < with.mass.size(); ++i) added += with.mass[i] - without.mass[i];
   EXPECT_NEAR(added, 1240, 1e-9 * 1240);
   EXPECT_EQ(with.weight, without.weight);
-  EXPECT_EQ(with.heavy_mass, without.heavy_mass);
+  EXPECT_EQ(with.gravity_mass, without.gravity_mass);
 }
 
 TEST(Floors, patterns_count_the_floor_as_mass_at_its_level) {
@@ -169,9 +169,9 @@ TEST(Floors, patterns_count_the_floor_as_mass_at_its_level) {
   for (const Pattern pattern : {Pattern::kUniform, Pattern::kMass}) {
     const Model wall = compile(scenes::small_wall());
     double counted = 0;  // of levels: what is not nearest to the ground
-    for (std::size_t i = 0; i < wall.heavy_mass.size(); ++i)
+    for (std::size_t i = 0; i < wall.gravity_mass.size(); ++i)
       counted += pattern == Pattern::kMass || wall.centroid_y[i] > 0.06
-                     ? kGravity * wall.heavy_mass[i]
+                     ? kGravity * wall.gravity_mass[i]
                      : 0.0;
     const double bare = share_of_floor(pattern, 1e-6);  // so light that it has no part
     EXPECT_NEAR(share_of_floor(pattern, 10e3), (bare * counted + load) / (counted + load), 1e-8);

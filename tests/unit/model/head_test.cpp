@@ -128,7 +128,7 @@ TEST(Head, with_its_point_of_contraflexure_gives_the_rocking_strength_of_statics
     ASSERT_EQ(result.status, SolveStatus::kCompleted) << result.reason;
     // the elastic base leans 1e-3 of its width before it rocks
     EXPECT_NEAR(result.responses.peak_reaction / statics, 1, 1e-2) << share;
-    const LimitAnswer limit = limit_load(model, {});
+    const LimitResult limit = limit_load(model, {});
     EXPECT_NEAR(limit.kinematic / statics, 1, 1e-6) << share;
     EXPECT_NEAR(limit.load / statics, 1, 1e-6) << share;
   }
@@ -196,7 +196,7 @@ TEST(Head, held_against_rising_tells_its_axial_force) {
   const Result result = solve(model, state);
   ASSERT_EQ(result.status, SolveStatus::kCompleted) << result.reason;
   const auto head = static_cast<std::size_t>(model.stages.back().driven.front());
-  const double own = 9.81 * model.heavy_mass[head];
+  const double own = 9.81 * model.gravity_mass[head];
   // at first what lies on the head; then more, as the pier would rise on its toe
   EXPECT_NEAR(result.curve.front().head_axial, 200e3 + own, 50);
   for (std::size_t k = 1; k < result.curve.size(); ++k)

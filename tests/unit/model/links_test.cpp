@@ -285,7 +285,7 @@ ModelSpec overturning() {
   spec.stage = {scenes::gravity_stage(), quake};
   return spec;
 }
-LimitAnswer dry_limit(const ModelSpec& spec) {
+LimitResult dry_limit(const ModelSpec& spec) {
   return limit_load(compile(spec), {.strength = JointStrength::kDry});
 }
 constexpr double kWeight = 2000 * 0.5 * 2.0 * 0.1 * 9.81;
@@ -300,7 +300,7 @@ TEST(LimitLinks, a_tie_adds_its_yield_force_at_its_lever_arm) {
     tie.yield_strength = 50e6;  // 500 N
     tie.prestress = 10e6;       // in balance with itself: no part of a limit load
     spec.tie = {tie};
-    const LimitAnswer answer = dry_limit(spec);
+    const LimitResult answer = dry_limit(spec);
     const double force = side < 0 ? 500 : 0;
     EXPECT_NEAR(answer.load, 0.25 + 2 * force / kWeight, 1e-9);
     EXPECT_NEAR(answer.kinematic, answer.load, 1e-9);

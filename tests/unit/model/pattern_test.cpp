@@ -77,9 +77,9 @@ TEST(Pattern, levels_carry_the_mass_nearest_to_them) {
     const auto i = static_cast<std::size_t>(b);
     const double y = model.centroid_y[i];
     if (y > 0.55)
-      high += model.heavy_mass[i];
+      high += model.gravity_mass[i];
     else if (y > 0.15)
-      low += model.heavy_mass[i];
+      low += model.gravity_mass[i];
   }
   for (const Stage& stage : model.stages)
     for (const PointLoad& load : stage.loads) high -= load.fy / model.solve.gravity;
@@ -93,7 +93,7 @@ TEST(Pattern, of_mass_pushes_every_block_by_its_mass) {
   ASSERT_EQ(push.driven.size(), static_cast<std::size_t>(model.n_block));
   for (std::size_t k = 0; k < push.driven.size(); ++k)
     EXPECT_NEAR(push.driven_share[k] * model.weight / model.solve.gravity / model.n_block,
-                model.heavy_mass[static_cast<std::size_t>(push.driven[k])], 1e-9);
+                model.gravity_mass[static_cast<std::size_t>(push.driven[k])], 1e-9);
 }
 
 // The lintel's mass goes to the blocks that it touches, and to no other: in sum all masses push.
@@ -103,14 +103,14 @@ TEST(Pattern, of_mass_counts_a_lintel_of_zones) {
   spec.stage.back().pattern = Pattern::kMass;
   const Model model = compile(spec);
   double zones = 0, added = 0;
-  for (const double mass : model.solids.node_heavy_mass) zones += mass;
+  for (const double mass : model.solids.node_gravity_mass) zones += mass;
   ASSERT_GT(zones, 1);
   const Stage& push = push_of(model);
   ASSERT_EQ(push.driven.size(), static_cast<std::size_t>(model.n_block));
   const auto& touched = model.solids.contact_block;
   for (std::size_t k = 0; k < push.driven.size(); ++k) {
     const double mass = push.driven_share[k] * model.weight / model.solve.gravity / model.n_block;
-    const double more = mass - model.heavy_mass[static_cast<std::size_t>(push.driven[k])];
+    const double more = mass - model.gravity_mass[static_cast<std::size_t>(push.driven[k])];
     const bool touches = std::find(touched.begin(), touched.end(), push.driven[k]) != touched.end();
     EXPECT_EQ(more > 1e-9, touches) << k;
     added += more;
@@ -134,12 +134,12 @@ TEST(Pattern, at_levels_counts_a_lintel_of_zones_where_it_is_nearest) {
       low += mass;
   };
   for (int b = 0; b < model.n_block; ++b)
-    add(model.heavy_mass[static_cast<std::size_t>(b)],
+    add(model.gravity_mass[static_cast<std::size_t>(b)],
         model.centroid_y[static_cast<std::size_t>(b)]);
   for (const SolidBody& body : model.solids.bodies) {
     double mass = 0;
     for (int n = body.first_node; n < body.first_node + body.n_node; ++n)
-      mass += model.solids.node_heavy_mass[static_cast<std::size_t>(n)];
+      mass += model.solids.node_gravity_mass[static_cast<std::size_t>(n)];
     add(mass, 0.5 * (body.y0 + body.y1));
   }
   for (const Stage& stage : model.stages)

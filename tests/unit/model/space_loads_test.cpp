@@ -203,7 +203,7 @@ TEST(SpaceFloors, gravity_sets_them_and_they_bear_off_the_middle) {
   EXPECT_NEAR(under(r, "c1u2").compression, weight + part, 0.5);
   EXPECT_NEAR(under(r, "c1u2").moment, part * 0.05, 0.1);
   const auto top = static_cast<std::size_t>(scenes::block_named(r.model, "c1u0"));
-  EXPECT_NEAR(r.model.mass[top] - r.model.heavy_mass[top], 500 * 0.4, 1e-9);
+  EXPECT_NEAR(r.model.mass[top] - r.model.gravity_mass[top], 500 * 0.4, 1e-9);
 }
 
 TEST(SpaceFloors, joists_share_the_load_and_one_over_a_joint_lies_on_both_blocks) {
@@ -304,7 +304,7 @@ TEST(SpaceLinks, forces_and_moments_are_the_slope_of_the_energy) {
     put(rig.state, -1, 0, 0);
     ASSERT_GT(energy(-1, 0, 0), 1);
     rig.controls.dt = 1e-9, rig.controls.damping = 0;
-    rig.put();
+    rig.load_state();
     rig.step();
     double pull = 0;
     for (std::size_t i = 0; i < 2; ++i) {
@@ -337,7 +337,7 @@ TEST(SpaceLinks, a_tie_across_the_wall_adds_its_yield_force_to_the_limit_load) {
     spec.stage = {scenes::gravity_stage(), quake};
     spec.tie = {tie_between(at(0.7, 2, side < 0 ? 0.0 : 0.4), at(0.7, 2, 2 * side), true)};
     spec.tie[0].yield_strength = 10e6;  // 1 kN
-    const LimitAnswer answer = limit_load(compile(spec), {.strength = JointStrength::kDry});
+    const LimitResult answer = limit_load(compile(spec), {.strength = JointStrength::kDry});
     const double weight = kDensity * kG * 1.5 * 2 * 0.4, force = side < 0 ? 1e3 : 0;
     EXPECT_NEAR(answer.load, 0.2 + 2 * force / weight, 1e-6);
     EXPECT_NEAR(answer.kinematic, answer.load, 1e-6);
@@ -359,7 +359,7 @@ TEST(SpaceLinks, a_dead_line_load_is_in_the_limit_load) {
   quake.along = {0, 0, 1};
   spec.stage = {scenes::gravity_stage(), line, quake};
   const double weight = kDensity * kG * 1.5 * 2 * 0.4;
-  const LimitAnswer answer = limit_load(compile(spec), {.strength = JointStrength::kDry});
+  const LimitResult answer = limit_load(compile(spec), {.strength = JointStrength::kDry});
   EXPECT_NEAR(answer.load, 0.2 + 8e3 * 1.5 * 0.3 / weight, 1e-6);
 }
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "campaign/answer_keys.h"
 #include "campaign/draws/distribution.h"
+#include "campaign/output_keys.h"
 #include "campaign/store/record_rows.h"
 #include "campaign/store/store_schema.h"
 #include "io/results/curve_csv.h"
@@ -123,9 +123,9 @@ TEST(Columns, reference_has_each_with_its_unit) {
 
 // --- answers -------------------------------------------------------------------------------------
 
-std::vector<study::AnswerKey> answer_keys() {
-  std::vector<study::AnswerKey> keys;
-  const auto add = [&](const study::AnswerKey& key, const auto&) { keys.push_back(key); };
+std::vector<study::OutputKey> answer_keys() {
+  std::vector<study::OutputKey> keys;
+  const auto add = [&](const study::OutputKey& key, const auto&) { keys.push_back(key); };
   const SampleRecord any;
   study::each_response(add, any.responses);
   study::each_quasi_static(add, any.quasi_static);
@@ -136,7 +136,7 @@ TEST(Answers, each_is_in_the_summary_and_its_reference) {
   const auto summary =
       report::Json::parse(summary_json(scenes::sample_model(), scenes::sample_result()));
   const std::string page = text_of("results.md");
-  for (const study::AnswerKey& key : answer_keys()) {
+  for (const study::OutputKey& key : answer_keys()) {
     std::string path = "/" + std::string(key.summary);
     if (const auto dot = path.find('.'); dot != std::string::npos) path[dot] = '/';
     EXPECT_TRUE(summary.contains(report::Json::json_pointer(path))) << path;
@@ -151,7 +151,7 @@ TEST(Answers, each_has_columns_of_its_own_in_the_store_its_view_and_the_csv) {
   const std::string schema = study::schema_sql(), view = study::samples_view_sql(none.samples),
                     csv = samples_csv(none), page = text_of("store.md");
   std::set<std::string> stored, columns;
-  for (const study::AnswerKey& key : answer_keys()) {
+  for (const study::OutputKey& key : answer_keys()) {
     EXPECT_TRUE(stored.insert(key.stored).second) << key.stored;
     EXPECT_NE(schema.find(std::string(", ") + key.stored + " "), std::string::npos) << key.stored;
     if (key.listed == study::Listed::kNowhere) continue;
@@ -169,7 +169,7 @@ TEST(Answers, of_the_statistics_are_those_of_the_samples) {
   for (const Quantity& q : quantities()) {
     if (std::string(q.name) == "displacement_at_50_percent") continue;  // a fraction, asked for
     std::size_t found = 0;
-    for (const study::AnswerKey& key : answer_keys())
+    for (const study::OutputKey& key : answer_keys())
       found += key_of(q) == key.column && q.to_unit == key.to_unit;
     EXPECT_EQ(found, 1U) << key_of(q);
   }

@@ -127,7 +127,7 @@ TEST(Reading, of_the_bearings_of_a_deformable_lintel_the_forces_carry_its_weight
     EXPECT_EQ(joint.shape.b, model.n_block);
     up += joint.compression * joint.shape.normal.y - joint.shear * joint.shape.along.y;
   }
-  const std::vector<double>& mass = model.solids.node_heavy_mass;
+  const std::vector<double>& mass = model.solids.node_gravity_mass;
   const double weight = model.solve.gravity * std::accumulate(mass.begin(), mass.end(), 0.0);
   EXPECT_NEAR(up / weight, 1, 1e-3);  // settled
 }

@@ -22,7 +22,7 @@ ModelSpec block_on_floor() {
 SpaceRig& settled(SpaceRig& rig) {
   rig.state.uy[0] = -rig.model.mass[0] * 9.81 / (1e9 * 0.04);
   rig.set_gravity({0, -9.81, 0});
-  rig.put();
+  rig.load_state();
   rig.advance();
   return rig;
 }
@@ -35,7 +35,7 @@ TEST(SpaceMeters, a_block_that_a_couple_turns_is_not_in_balance) {
   EXPECT_LT(settled(rig).processor.access(0)->unbalance_ratio(), 1e-9);
   rig.state.load_scale[0] = 1;
   rig.controls.damping = 0;
-  rig.put();
+  rig.load_state();
   rig.run(0.02);
   EXPECT_GT(std::fabs(rig.momentum(0).y), 0.05);  // it spins up, with no force to show for it
   EXPECT_GT(rig.processor.access(0)->unbalance_ratio(), 0.1);
@@ -46,7 +46,7 @@ TEST(SpaceMeters, a_block_that_spins_beyond_all_measure_runs_away) {
   settled(rig);
   EXPECT_EQ(rig.processor.access(0)->runaway_block(), -1);
   rig.set_momentum(0, {0, 1e6, 0});
-  rig.put();
+  rig.load_state();
   EXPECT_EQ(rig.processor.access(0)->runaway_block(), 0);
 }
 

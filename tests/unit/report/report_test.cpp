@@ -14,9 +14,9 @@
 #include "report/bundle.h"
 #include "report/html.h"
 #include "report/model_inputs.h"
-#include "report/said.h"
 #include "report/svg.h"
 #include "report/texts.h"
+#include "report/translation.h"
 #include "report/wall_arrays.h"
 #include "report/wall_picture.h"
 #include "scenes/sample_run.h"
@@ -448,7 +448,7 @@ TEST(Said, data_beside_a_text_take_its_place) {
   Json json = Json::parse(R"({"peak": 7, "reason": "peak", "reason_message": {"code": "event.peak"},
     "old": "as it was", "rows": [{"why": "x", "why_message": {"code": "no.such_code"}}],
     "notes": ["peak", "plain"], "notes_message": [{"code": "event.peak"}, null]})");
-  say_messages(json);
+  translate_messages(json);
   EXPECT_EQ(json.dump(),
             R"({"peak":7,"reason":["peak","picco"],"old":"as it was","rows":[{"why":"x"}],)"
             R"("notes":[["peak","picco"],"plain"]})");

@@ -12,8 +12,8 @@
 namespace wythe::shaking_statistics_test {
 namespace {
 
-ShakeAnswer answer(double intensity, double capacity, double drift = 0.01) {
-  ShakeAnswer a;
+ShakeResult answer(double intensity, double capacity, double drift = 0.01) {
+  ShakeResult a;
   a.intensity = intensity;
   a.collapsed = intensity >= capacity;
   a.status = a.collapsed ? "collapsed" : "completed";
@@ -86,11 +86,11 @@ TEST(ShakingStatistics, records_alone_are_told_by_profile_likelihood) {
 TEST(ShakingStatistics, copies_of_a_record_count_once) {
   Campaign c = made({.records = 10});
   for (SampleRecord& record : c.records)
-    for (ShakeAnswer& shake : record.shakes)
+    for (ShakeResult& shake : record.shakes)
       shake.state_hash = std::to_string(record.sample % 2) + "@" + std::to_string(shake.intensity);
   EXPECT_EQ(first(shaking_statistics(c)).verdict, LimitStateVerdict::kFewRecords);
   for (SampleRecord& record : c.records)
-    for (ShakeAnswer& shake : record.shakes)
+    for (ShakeResult& shake : record.shakes)
       shake.state_hash = std::to_string(record.sample) + "@" + std::to_string(shake.intensity);
   EXPECT_EQ(first(shaking_statistics(c)).verdict, LimitStateVerdict::kTold);
 }
@@ -181,7 +181,7 @@ TEST(ShakingStatistics, lost_shakes_are_neither_stood_nor_fallen) {
   Campaign c = made({.records = 10});
   const LimitStateFragility whole = first(shaking_statistics(c));
   // record a: the shake below its collapse is lost, so its bracket grows; nothing is assumed
-  std::vector<ShakeAnswer>& shakes = c.records[0].shakes;
+  std::vector<ShakeResult>& shakes = c.records[0].shakes;
   const auto fell =
       std::find_if(shakes.begin(), shakes.end(), [](const auto& s) { return s.collapsed; });
   ASSERT_TRUE(fell - shakes.begin() >= 2);
@@ -199,7 +199,7 @@ TEST(ShakingStatistics, lost_shakes_are_neither_stood_nor_fallen) {
 TEST(ShakingStatistics, a_sample_whose_deciding_shakes_are_lost_is_left_out_and_bounded) {
   Campaign c = made({.records = 10});
   const LimitStateFragility whole = first(shaking_statistics(c));
-  for (ShakeAnswer& shake : c.records[2].shakes)
+  for (ShakeResult& shake : c.records[2].shakes)
     if (shake.collapsed) shake.gap_ratio = 0.5, shake.status = "completed", shake.collapsed = false;
   const LimitStateFragility f = first(shaking_statistics(c));
   EXPECT_EQ(f.n, 9);
@@ -217,7 +217,7 @@ TEST(ShakingStatistics, a_limit_state_that_comes_back_counts_at_its_lowest) {
   const auto strong = std::find_if(c.records.begin(), c.records.end(),
                                    [](const SampleRecord& r) { return !r.shakes[4].collapsed; });
   ASSERT_NE(strong, c.records.end());
-  std::vector<ShakeAnswer>& shakes = strong->shakes;
+  std::vector<ShakeResult>& shakes = strong->shakes;
   shakes[2] = answer(shakes[2].intensity, 0);  // falls early, and stands again
   const LimitStateFragility f = first(shaking_statistics(c));
   const Bracket& bracket = f.bracket.at(static_cast<std::size_t>(strong->sample - 1));
@@ -238,7 +238,7 @@ TEST(ShakingStatistics, tells_nothing_where_nothing_is_known) {
   EXPECT_EQ(verdict(made({.levels = {3}})), V::kSeparated);
   Campaign lost = made({});
   for (SampleRecord& r : lost.records)
-    for (ShakeAnswer& s : r.shakes) s.status = "unstable";
+    for (ShakeResult& s : r.shakes) s.status = "unstable";
   EXPECT_EQ(verdict(lost), V::kFewRecords);
   EXPECT_TRUE(std::isnan(first(shaking_statistics(lost)).median.value));
   Campaign none = made({});
@@ -250,7 +250,7 @@ TEST(ShakingStatistics, tells_nothing_where_nothing_is_known) {
 
 TEST(ShakingStatistics, limits_are_reached_by_any_of_them_and_by_collapse) {
   const LimitStateSpec drift{.name = "d", .peak_drift = 0.02, .slip = 5e-3};
-  ShakeAnswer a = answer(1, 10, 0.0199);
+  ShakeResult a = answer(1, 10, 0.0199);
   EXPECT_FALSE(reaches(drift, a));
   a.slip = 5e-3;
   EXPECT_TRUE(reaches(drift, a));

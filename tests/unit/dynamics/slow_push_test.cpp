@@ -1,5 +1,5 @@
 // What a push says of a slow one beyond its force, on hand-made curves.
-#include "wythe/promise.h"
+#include "wythe/slow_push.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include "dynamics/meters/balance.h"
 #include "dynamics/meters/responses.h"
 
-namespace wythe::promise_test {
+namespace wythe::slow_push_test {
 namespace {
 
 // A push to 4 mm. It rises to 100 at 1 mm, jumps by `fall` at 2 mm, and falls to 60 at 3 mm.
@@ -28,8 +28,10 @@ constexpr double kVelocity = 5e-3;
 struct Pushed {
   Model model;
   Result result;
-  [[nodiscard]] Promise displacement() const { return promised_displacement(model, result); }
-  [[nodiscard]] Promise mode() const { return promised_mode(model, result); }
+  [[nodiscard]] SlowPushVerdict displacement() const {
+    return displacement_of_slow_push(model, result);
+  }
+  [[nodiscard]] SlowPushVerdict mode() const { return mode_of_slow_push(model, result); }
 };
 
 double force_at(double d, const Push& p) {
@@ -66,7 +68,7 @@ Pushed pushed(const Push& p) {
   return made;
 }
 
-TEST(Promise, a_push_in_balance_all_the_way_promises_displacement_and_mode) {
+TEST(SlowPushVerdict, a_push_in_balance_all_the_way_promises_displacement_and_mode) {
   const Pushed still = pushed({});
   EXPECT_EQ(still.result.quasi_static.judgement, "slow enough");
   EXPECT_NEAR(still.result.responses.displacement_at_80, 3e-3, 2e-5);
@@ -76,9 +78,9 @@ TEST(Promise, a_push_in_balance_all_the_way_promises_displacement_and_mode) {
 }
 
 // 0.012 of unbalance over 0.01 mm: 0.04 mm at the limit of 0.003, 2.5 % of 2 mm at damping 0.2.
-TEST(Promise, a_drive_that_goes_on_in_a_jump_promises_nothing_beyond_it) {
+TEST(SlowPushVerdict, a_drive_that_goes_on_in_a_jump_promises_nothing_beyond_it) {
   const Pushed went_on = pushed({.unbalance = 0.012});
-  const Promise said = went_on.displacement();
+  const SlowPushVerdict said = went_on.displacement();
   EXPECT_EQ(said.verdict, "not known");
   EXPECT_EQ(said.reason.code, "promise.jump");
   EXPECT_NEAR(said.reason.number("displacement_mm"), 2, 1e-9);
@@ -89,7 +91,7 @@ TEST(Promise, a_drive_that_goes_on_in_a_jump_promises_nothing_beyond_it) {
   EXPECT_EQ(pushed({.unbalance = 0.012, .turned = -1}).displacement().reason.code, "promise.jump");
 }
 
-TEST(Promise, the_way_pushed_in_a_jump_does_not_hang_on_the_rows) {
+TEST(SlowPushVerdict, the_way_pushed_in_a_jump_does_not_hang_on_the_rows) {
   for (const int rows : {80, 200, 400})
     EXPECT_NEAR(
         pushed({.unbalance = 0.012, .rows = rows}).displacement().reason.number("way_percent"), 2.5,
@@ -98,19 +100,19 @@ TEST(Promise, the_way_pushed_in_a_jump_does_not_hang_on_the_rows) {
 }
 
 // What is followed may fly ahead of the drive.
-TEST(Promise, the_way_pushed_is_that_of_the_drive) {
+TEST(SlowPushVerdict, the_way_pushed_is_that_of_the_drive) {
   Pushed flies = pushed({.unbalance = 0.012});
   flies.model.stages.back().spec.velocity = 0.1 * kVelocity;
   EXPECT_EQ(flies.displacement().verdict, "slow enough");
 }
 
-TEST(Promise, unbalance_that_lifts_no_force_off_the_wall_is_no_jump) {
+TEST(SlowPushVerdict, unbalance_that_lifts_no_force_off_the_wall_is_no_jump) {
   EXPECT_EQ(pushed({.fall = 1.9, .unbalance = 0.05}).displacement().verdict, "slow enough");
   EXPECT_EQ(pushed({.fall = 2.1, .unbalance = 0.05}).displacement().verdict, "not known");
 }
 
 // Of the unbalanced force local damping leaves 1 - damping to a block that gains speed.
-TEST(Promise, damping_makes_a_jump_slower) {
+TEST(SlowPushVerdict, damping_makes_a_jump_slower) {
   const Pushed light = pushed({.unbalance = 0.002}),
                heavy = pushed({.unbalance = 0.002, .damping = 0.9});
   EXPECT_EQ(light.displacement().verdict, "slow enough");
@@ -119,13 +121,13 @@ TEST(Promise, damping_makes_a_jump_slower) {
 }
 
 // Up to where it begins the wall was in balance, and a slow push falls no less far.
-TEST(Promise, the_fall_itself_is_no_reason_to_doubt_where_it_is) {
+TEST(SlowPushVerdict, the_fall_itself_is_no_reason_to_doubt_where_it_is) {
   Push fails{.fall = 30, .unbalance = 0.05};
   EXPECT_EQ(pushed(fails).displacement().verdict, "slow enough");
   EXPECT_EQ(pushed(fails).mode().reason.code, "promise.jump");  // read beyond it
 }
 
-TEST(Promise, drag_in_one_part_of_the_way_is_enough) {
+TEST(SlowPushVerdict, drag_in_one_part_of_the_way_is_enough) {
   EXPECT_EQ(pushed({.felt = 0.995}).displacement().verdict, "slow enough");
   Pushed dragged = pushed({});
   for (CurveRow& row : dragged.result.curve)
@@ -136,8 +138,8 @@ TEST(Promise, drag_in_one_part_of_the_way_is_enough) {
 }
 
 // A wall that stands for long at 0.81 of its peak: 2 % of the force decide where it ends.
-TEST(Promise, a_capacity_on_a_knifes_edge_is_not_known) {
-  const Promise near = pushed({.fall = 19}).displacement();
+TEST(SlowPushVerdict, a_capacity_on_a_knifes_edge_is_not_known) {
+  const SlowPushVerdict near = pushed({.fall = 19}).displacement();
   EXPECT_EQ(near.reason.code, "promise.threshold");
   EXPECT_NEAR(near.reason.number("low_mm"), 2, 0.02);
   EXPECT_NEAR(near.reason.number("high_mm"), 3, 0.02);
@@ -147,7 +149,7 @@ TEST(Promise, a_capacity_on_a_knifes_edge_is_not_known) {
   EXPECT_EQ(pushed({.fall = 19, .later = 81}).displacement().reason.code, "promise.threshold");
 }
 
-TEST(Promise, nothing_is_promised_where_the_force_is_not) {
+TEST(SlowPushVerdict, nothing_is_promised_where_the_force_is_not) {
   Pushed made = pushed({});
   for (const char* judgement : {"usable", "too fast", "unknown"}) {
     made.result.quasi_static.judgement = judgement;
@@ -166,7 +168,7 @@ TEST(Promise, nothing_is_promised_where_the_force_is_not) {
   EXPECT_EQ(made.displacement().verdict, "no push");
 }
 
-TEST(Promise, the_cure_is_that_of_the_push) {
+TEST(SlowPushVerdict, the_cure_is_that_of_the_push) {
   Pushed made = pushed({.unbalance = 0.024});
   const auto cure = [&] {
     for (const Argument& a : made.displacement().reason.arguments)
@@ -185,4 +187,4 @@ TEST(Promise, the_cure_is_that_of_the_push) {
 }
 
 }  // namespace
-}  // namespace wythe::promise_test
+}  // namespace wythe::slow_push_test

@@ -7,7 +7,7 @@
 namespace wythe {
 
 // The whole part; a thousand million at most on either side, 0 for what is no number.
-[[nodiscard]] inline int whole(double x) {
+[[nodiscard]] inline int to_int(double x) {
   return std::isnan(x) ? 0 : static_cast<int>(std::clamp(x, -1e9, 1e9));
 }
 

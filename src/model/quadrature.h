@@ -18,20 +18,20 @@
 
 namespace wythe {
 
-struct FacePointRule {
+struct FaceQuadrature {
   std::vector<double> xi, weight;
 };
 
 // The rule and number a file means: where it states one of the two, the other follows.
-struct PointChoice {
+struct QuadratureChoice {
   PointRule rule;
   int points;
 };
-[[nodiscard]] PointChoice point_choice(const SolveSpec& solve);
+[[nodiscard]] QuadratureChoice quadrature_choice(const SolveSpec& solve);
 // Numbers that the rule does not have, as faults.
 void check_points(const SolveSpec& solve, FaultList& faults);
 
 // Throws nothing: `points` must have passed check_points().
-[[nodiscard]] FacePointRule face_points(PointRule rule, int points);
+[[nodiscard]] FaceQuadrature face_points(PointRule rule, int points);
 
 }  // namespace wythe

@@ -1,4 +1,4 @@
-#include "campaign/store/doubles.h"
+#include "campaign/store/duplicate_samples.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // Two convex parts that meet in space: how they overlap, and the force of it (docs/theory/contacts.md, "Two parts
-// in space"). As meeting.h, with a facet in the place of an edge:
+// in space"). As convex_contact.h, with a facet in the place of an edge:
 //
 //            n = z                  V = kn / 2  integral of d^2 dA      over what the other part's facets
 //            |    y                 cover of the facet, seen along z; force and moment are its derivatives
@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-#include "contact/meeting.h"
+#include "contact/convex_contact.h"
 #include "core/rotation.h"
 #include "wythe/body.h"
 

@@ -12,12 +12,12 @@
 #include <utility>
 #include <vector>
 
+#include "contact/fast_paths.h"
 #include "contact/parameters.h"
-#include "contact/short_ways.h"
 #include "scenes/rig.h"
 #include "scenes/scenes.h"
 
-namespace wythe::law_shortcuts_test {
+namespace wythe::fast_paths_test {
 namespace {
 
 // Repeatable numbers.
@@ -42,7 +42,7 @@ struct Tally {
   int closed = 0, unchanged = 0, rest = 0;
   int crushed = 0, slid = 0, torn = 0, worn = 0, open = 0;
   int opens = 0, slides = 0, crushes = 0, presses = 0;
-  int whole = 0, drawn = 0, widened = 0;
+  int undamaged = 0, drawn = 0, widened = 0;
 };
 
 bool same_bits(double a, double b) {
@@ -94,8 +94,8 @@ class Walker {
     w_ = w;
     s_ = s;
     History any = h_;
-    const contact::Answer<double> now = contact::update<V>(m_, w, s, h_);
-    const contact::Answer<double> same = contact::update<contact::AnyVariant>(m_, w, s, any);
+    const contact::LawUpdate<double> now = contact::update<V>(m_, w, s, h_);
+    const contact::LawUpdate<double> same = contact::update<contact::AnyVariant>(m_, w, s, any);
     EXPECT_TRUE(same_bits(h_, any) && same_bits(now.sigma, same.sigma) &&
                 same_bits(now.tau, same.tau) && same_bits(now.fracture, same.fracture));
   }
@@ -105,51 +105,54 @@ class Walker {
   }
 
   void ask(double w, double s, bool counted = true) {
-    const contact::Rest<double> rest = contact::at_rest<V, false>(m_, w, s, h_);
+    const contact::ElasticStep<double> rest = contact::elastic_step<V, false>(m_, w, s, h_);
     History now = h_;
-    const contact::Answer<double> answer = contact::update<V>(m_, w, s, now);
+    const contact::LawUpdate<double> answer = contact::update<V>(m_, w, s, now);
     // the way of closed points: the same answer, or none
-    const contact::Rest<double> shut = contact::at_rest<V, true>(m_, w, s, h_);
-    EXPECT_EQ(shut.rests, rest.rests && w + h_.crush <= 0);
-    if (shut.rests) {
+    const contact::ElasticStep<double> shut = contact::elastic_step<V, true>(m_, w, s, h_);
+    EXPECT_EQ(shut.is_elastic, rest.is_elastic && w + h_.crush <= 0);
+    if (shut.is_elastic) {
       EXPECT_TRUE(same_bits(shut.sigma, rest.sigma) && same_bits(shut.tau, rest.tau));
     }
     const bool closed = counted && w + h_.crush < 0;
     tally_.closed += closed;
     tally_.unchanged += closed && same_bits(h_, now);
-    tally_.rest += closed && rest.rests;
-    if (!rest.rests)
+    tally_.rest += closed && rest.is_elastic;
+    if (!rest.is_elastic)
       check_busy(w, s, answer, now);
     else
       check_rest(rest, w, answer, now);
-    if (contact::knows_whole<V>(m_) && contact::is_whole<V>(m_, h_)) check_whole(w, s, answer, now);
+    if (contact::has_undamaged_path<V>(m_) && contact::is_undamaged<V>(m_, h_))
+      check_whole(w, s, answer, now);
   }
 
   // Zeros may differ in their sign: a face adds its points to 0.
-  void check_whole(double w, double s, const contact::Answer<double>& answer, const History& now) {
-    const contact::Whole<double> whole = contact::whole_point(m_, w, s);
+  void check_whole(double w, double s, const contact::LawUpdate<double>& answer,
+                   const History& now) {
+    const contact::UndamagedStress<double> undamaged = contact::undamaged_point(m_, w, s);
     const bool slides = now.slip > 0, crushes = now.crush > 0;
-    EXPECT_TRUE(!whole.stays || contact::is_whole<V>(m_, now));
-    EXPECT_TRUE(whole.stays || slides || crushes || w > contact::whole_until(m_)) << w << " " << s;
-    if (!whole.stays) return;
-    EXPECT_EQ(whole.sigma, answer.sigma);
-    EXPECT_EQ(whole.tau, answer.tau);
+    EXPECT_TRUE(!undamaged.stays || contact::is_undamaged<V>(m_, now));
+    EXPECT_TRUE(undamaged.stays || slides || crushes || w > contact::undamaged_opening(m_))
+        << w << " " << s;
+    if (!undamaged.stays) return;
+    EXPECT_EQ(undamaged.sigma, answer.sigma);
+    EXPECT_EQ(undamaged.tau, answer.tau);
     EXPECT_EQ(answer.friction + answer.fracture + answer.crushing, 0);
     History wider = h_;
     if (w > wider.kappa) wider.kappa = w;
     EXPECT_TRUE(same_bits(wider, now));
-    ++tally_.whole;
+    ++tally_.undamaged;
     tally_.drawn += w > 0;
     tally_.widened += now.kappa > h_.kappa;
   }
 
-  void check_rest(const contact::Rest<double>& rest, double w,
-                  const contact::Answer<double>& answer, const History& now) {
+  void check_rest(const contact::ElasticStep<double>& rest, double w,
+                  const contact::LawUpdate<double>& answer, const History& now) {
     EXPECT_TRUE(same_bits(rest.sigma, answer.sigma)) << rest.sigma << " " << answer.sigma;
     EXPECT_TRUE(same_bits(rest.tau, answer.tau)) << rest.tau << " " << answer.tau;
     EXPECT_TRUE(same_bits(h_, now));
     EXPECT_EQ(answer.friction + answer.fracture + answer.crushing, 0);
-    EXPECT_FALSE(contact::moves(h_, now));
+    EXPECT_FALSE(contact::history_changed(h_, now));
     tally_.crushed += h_.crush > 0;
     tally_.slid += h_.slip > 0;
     tally_.torn += contact::tension_left<V>(m_, h_.kappa) == 0;
@@ -159,7 +162,8 @@ class Walker {
 
   // What a point does is read off its stresses. Slip and crushing below 1e-9 of their elastic part
   // may vanish in the rounding of the history, and need not be called busy.
-  void check_busy(double w, double s, const contact::Answer<double>& answer, const History& now) {
+  void check_busy(double w, double s, const contact::LawUpdate<double>& answer,
+                  const History& now) {
     const double press = m_.kn * (w + h_.crush), shear = m_.ks * (s - h_.plastic_slip);
     const bool opens = now.kappa > h_.kappa;
     const bool slides = std::fabs(shear) * (1 - 1e-9) > std::fabs(answer.tau);
@@ -170,7 +174,7 @@ class Walker {
     tally_.crushes += crushes;
     tally_.presses += presses;
     if (opens || slides || crushes || presses) {
-      EXPECT_TRUE(contact::moves(h_, now))
+      EXPECT_TRUE(contact::history_changed(h_, now))
           << "opens " << opens << " slides " << slides << " crushes " << crushes;
     }
   }
@@ -226,27 +230,27 @@ TEST_P(EveryVariant, a_whole_point_is_elastic_with_the_bits_of_update) {
   const auto [softening, coupling, unloading, cap] = GetParam();
   const Tally t = walk_variant(softening, coupling, unloading, cap);
   const bool known = coupling != Coupling::kStiffness && !cap;
-  for (const int met : {t.whole, t.drawn, t.widened}) EXPECT_EQ(met > 30, known) << met;
+  for (const int met : {t.undamaged, t.drawn, t.widened}) EXPECT_EQ(met > 30, known) << met;
 }
 
 // Each number of the history alone keeps a point from being whole; so does strength that a dry joint lacks.
 TEST(WholePoint, remembers_nothing_but_how_far_it_has_opened) {
   const auto law = contact::constants_of(scenes::paper_joint());
-  const auto is_whole = [&](double History::*number, double value) {
+  const auto is_undamaged = [&](double History::*number, double value) {
     History h{};
     h.*number = value;
-    return contact::is_whole<contact::PaperVariant>(law, h);
+    return contact::is_undamaged<contact::PaperVariant>(law, h);
   };
-  EXPECT_TRUE(is_whole(&History::kappa, 0));
-  EXPECT_TRUE(is_whole(&History::kappa, 0.999 * law.w0));
-  EXPECT_FALSE(is_whole(&History::kappa, law.w0));
-  EXPECT_FALSE(is_whole(&History::kappa, std::nan("")));
+  EXPECT_TRUE(is_undamaged(&History::kappa, 0));
+  EXPECT_TRUE(is_undamaged(&History::kappa, 0.999 * law.w0));
+  EXPECT_FALSE(is_undamaged(&History::kappa, law.w0));
+  EXPECT_FALSE(is_undamaged(&History::kappa, std::nan("")));
   for (const auto number :
        {&History::crush, &History::plastic_slip, &History::slip, &History::shear_damage})
-    EXPECT_FALSE(is_whole(number, 1e-12));
-  EXPECT_FALSE(is_whole(&History::plastic_slip, -1e-12));
+    EXPECT_FALSE(is_undamaged(number, 1e-12));
+  EXPECT_FALSE(is_undamaged(&History::plastic_slip, -1e-12));
   const auto dry = contact::constants_of(scenes::dry_joint(20e9, 8e9, scenes::degrees(30)));
-  EXPECT_FALSE(contact::is_whole<contact::PaperVariant>(dry, History{}));
+  EXPECT_FALSE(contact::is_undamaged<contact::PaperVariant>(dry, History{}));
 }
 
 std::string name_of(const testing::TestParamInfo<EveryVariant::ParamType>& info) {
@@ -384,4 +388,4 @@ TEST(FaceFrame, forces_and_moments_are_those_of_plain_vectors_at_any_turn) {
 }
 
 }  // namespace
-}  // namespace wythe::law_shortcuts_test
+}  // namespace wythe::fast_paths_test

@@ -1,5 +1,5 @@
 // Point rules of a face: what they integrate exactly, that both halves are alike, and which a file means.
-#include "model/point_rule.h"
+#include "model/quadrature.h"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +9,10 @@
 #include "scenes/scenes.h"
 #include "wythe/reading.h"
 
-namespace wythe::point_rule_test {
+namespace wythe::quadrature_test {
 namespace {
 
-double integral(const FacePointRule& rule, int power) {
+double integral(const FaceQuadrature& rule, int power) {
   double sum = 0;
   for (std::size_t k = 0; k < rule.xi.size(); ++k)
     sum += rule.weight[k] * std::pow(rule.xi[k], power);
@@ -22,7 +22,7 @@ double integral(const FacePointRule& rule, int power) {
 double exact(int power) { return power % 2 == 1 ? 0 : 1.0 / (power + 1); }
 
 void expect_exact_to(PointRule kind, int n, int degree) {
-  const FacePointRule rule = face_points(kind, n);
+  const FaceQuadrature rule = face_points(kind, n);
   ASSERT_EQ(rule.xi.size(), static_cast<std::size_t>(n));
   for (int power = 0; power <= degree; ++power)
     EXPECT_NEAR(integral(rule, power), exact(power), 4e-15) << n << " points, power " << power;
@@ -39,14 +39,14 @@ TEST(PointRule, each_is_exact_to_its_degree_and_no_further) {
 }
 
 TEST(PointRule, published_values) {
-  const FacePointRule lobatto = face_points(PointRule::kLobatto, 3);
+  const FaceQuadrature lobatto = face_points(PointRule::kLobatto, 3);
   EXPECT_DOUBLE_EQ(lobatto.weight[0], 1.0 / 6);
   EXPECT_DOUBLE_EQ(lobatto.weight[1], 2.0 / 3);
   EXPECT_EQ(lobatto.xi[1], 0);
-  const FacePointRule four = face_points(PointRule::kLobatto, 4);
+  const FaceQuadrature four = face_points(PointRule::kLobatto, 4);
   EXPECT_DOUBLE_EQ(four.xi[2], 1 / std::sqrt(5.0));
   EXPECT_DOUBLE_EQ(four.weight[2], 5.0 / 12);
-  const FacePointRule gauss = face_points(PointRule::kGauss, 3);
+  const FaceQuadrature gauss = face_points(PointRule::kGauss, 3);
   EXPECT_DOUBLE_EQ(gauss.xi[2], std::sqrt(0.6));
   EXPECT_NEAR(gauss.weight[0], 5.0 / 18, 1e-15);
 }
@@ -54,7 +54,7 @@ TEST(PointRule, published_values) {
 TEST(PointRule, halves_of_a_face_are_alike_bit_for_bit) {
   for (const Word<PointRule>& word : kPointRuleWords)
     for (int n = 2; n <= 16; ++n) {
-      const FacePointRule rule = face_points(word.value, n);
+      const FaceQuadrature rule = face_points(word.value, n);
       for (std::size_t k = 0; k < rule.xi.size(); ++k) {
         const std::size_t other = rule.xi.size() - 1 - k;
         EXPECT_EQ(rule.xi[k] + 0.0, -rule.xi[other] + 0.0) << word.word << n;
@@ -72,7 +72,7 @@ TEST(PointRule, a_number_alone_means_what_it_always_meant) {
     SolveSpec solve;
     solve.point_rule = rule;
     solve.points_per_face = points;
-    const PointChoice choice = point_choice(solve);
+    const QuadratureChoice choice = quadrature_choice(solve);
     return std::string(word_of(kPointRuleWords, choice.rule)) + " " + std::to_string(choice.points);
   };
   EXPECT_EQ(meant(PointRule::kDefault, 0), "lobatto 3");
@@ -132,4 +132,4 @@ TEST(PointRule, the_opening_of_a_joint_is_that_of_its_wider_end) {
 }
 
 }  // namespace
-}  // namespace wythe::point_rule_test
+}  // namespace wythe::quadrature_test

@@ -11,8 +11,8 @@
 namespace wythe::report {
 
 // "" where nothing is said, one text where it is the same in every language.
-[[nodiscard]] Json said(const Message& message);
-[[nodiscard]] Json said(const std::vector<Message>& messages);
+[[nodiscard]] Json translated(const Message& message);
+[[nodiscard]] Json translated(const std::vector<Message>& messages);
 // The same without the keys and commands of its cures, which are for who types them: words of CODE.page in the place of
 // those of CODE, in all its parts.
 [[nodiscard]] Message for_page(Message message);
@@ -21,6 +21,6 @@ namespace wythe::report {
 // Names of a wall's parts, by which elements and flags are called: {"left pier": [...], ...}.
 [[nodiscard]] Json names_of(const Model& model);
 // In the JSON of a file (io/results/message_json.h): KEY becomes what KEY_message says, which goes.
-void say_messages(Json& json);
+void translate_messages(Json& json);
 
 }  // namespace wythe::report

@@ -1,4 +1,4 @@
-#include "wythe/promise.h"
+#include "wythe/slow_push.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,9 +28,9 @@ struct Jump {
 };
 
 // Rows of a push up to a displacement, and the way to each of them.
-class Way {
+class PushPath {
  public:
-  Way(const Curve& rows, double peak, const StageSpec& push, double up_to)
+  PushPath(const Curve& rows, double peak, const StageSpec& push, double up_to)
       : rows_(rows), peak_(peak), push_(push), up_to_(up_to) {
     for (const CurveRow& row : rows)
       far_.push_back(std::max(far_.empty() ? 0.0 : far_.back(), std::fabs(row.displacement)));
@@ -114,7 +114,7 @@ const Stage* last_push(const Model& model) {
   return nullptr;
 }
 
-Promise not_known(Message why) { return {"not known", std::move(why)}; }
+SlowPushVerdict not_known(Message why) { return {"not known", std::move(why)}; }
 
 // What helps: a speed at which `excess`, over what is allowed, would be half of it.
 Message cure(const StageSpec& push, double excess) {
@@ -125,7 +125,7 @@ Message cure(const StageSpec& push, double excess) {
   return {"promise.cure", {{"velocity", 1e3 * slower * push.velocity}}};
 }
 
-Promise of_jump(const Jump& jump, const StageSpec& push) {
+SlowPushVerdict of_jump(const Jump& jump, const StageSpec& push) {
   return not_known({"promise.jump",
                     {{"displacement_mm", 1e3 * jump.from},
                      {"way_percent", 100 * jump.way},
@@ -133,8 +133,8 @@ Promise of_jump(const Jump& jump, const StageSpec& push) {
                      {"cure", cure(push, jump.way / kAllowedWay)}}});
 }
 
-std::optional<Promise> of_drag(const Way& way, const StageSpec& push) {
-  const double drag = way.drag();
+std::optional<SlowPushVerdict> of_drag(const PushPath& path, const StageSpec& push) {
+  const double drag = path.drag();
   if (drag <= kAllowedDrag) return std::nullopt;
   return not_known({"promise.drag",
                     {{"drag_percent", 100 * drag},
@@ -143,20 +143,20 @@ std::optional<Promise> of_drag(const Way& way, const StageSpec& push) {
 }
 
 // Where the force is judged, and a push was at all.
-std::optional<Promise> without_judging(const Model& model, const JudgedCurve& curve,
-                                       const Stage* push) {
+std::optional<SlowPushVerdict> without_judging(const Model& model, const JudgedCurve& curve,
+                                               const Stage* push) {
   const std::string& force = curve.rate.judgement;
   if (push == nullptr || force.empty() || force == "no push" || curve.rows.size() < 2 ||
       curve.rate.verdict.code == "rate.load")
-    return Promise{};
+    return SlowPushVerdict{};
   const bool has_peak = curve.responses.peak_reaction > 0;
-  if (!has_peak && dynamics::drives_supports(model, *push)) return Promise{};
+  if (!has_peak && dynamics::drives_supports(model, *push)) return SlowPushVerdict{};
   if (force != "slow enough" || !has_peak) return not_known({"promise.force"});
   return std::nullopt;
 }
 
 // A force that is wrong by no more than its verdict allows must not move the capacity by more than a tenth.
-std::optional<Promise> of_threshold(const JudgedCurve& curve) {
+std::optional<SlowPushVerdict> of_threshold(const JudgedCurve& curve) {
   const double lift = curve.rate.lift, at = curve.responses.displacement_at_80;
   const Collapse& collapse = curve.responses.collapse;
   const Responses read =
@@ -174,46 +174,46 @@ std::optional<Promise> of_threshold(const JudgedCurve& curve) {
 
 }  // namespace
 
-Promise promised_displacement(const Model& model, const JudgedCurve& curve) {
+SlowPushVerdict displacement_of_slow_push(const Model& model, const JudgedCurve& curve) {
   const Stage* push = last_push(model);
   if (const auto said = without_judging(model, curve, push)) return *said;
   const double at = curve.responses.displacement_at_80;
-  const Way way(curve.rows, curve.responses.peak_reaction, push->spec, at);
-  for (const Jump& jump : way.jumps()) {
+  const PushPath path(curve.rows, curve.responses.peak_reaction, push->spec, at);
+  for (const Jump& jump : path.jumps()) {
     // the fall itself: a slow push comes to where it begins on the same way, and falls no less far
     const bool is_fall =
         !curve.responses.censored_80 && jump.to >= at && at - jump.from <= kLastingShare * at;
     if (jump.way > kAllowedWay && !is_fall) return of_jump(jump, push->spec);
   }
-  if (const auto said = of_drag(way, push->spec)) return *said;
+  if (const auto said = of_drag(path, push->spec)) return *said;
   if (const auto said = of_threshold(curve)) return *said;
   return {"slow enough", {}};
 }
 
-Promise promised_displacement(const Model& model, const Result& result) {
-  return promised_displacement(model, {result.curve, result.responses, result.quasi_static});
+SlowPushVerdict displacement_of_slow_push(const Model& model, const Result& result) {
+  return displacement_of_slow_push(model, {result.curve, result.responses, result.quasi_static});
 }
 
-Promise promised_mode(const Model& model, const JudgedCurve& curve, double read_at) {
+SlowPushVerdict mode_of_slow_push(const Model& model, const JudgedCurve& curve, double read_at) {
   const Stage* push = last_push(model);
   if (const auto said = without_judging(model, curve, push)) return *said;
   if (!(std::fabs(read_at) > 0)) return not_known({"promise.no_mode"});
-  const Way way(curve.rows, curve.responses.peak_reaction, push->spec, std::fabs(read_at));
-  for (const Jump& jump : way.jumps())
+  const PushPath path(curve.rows, curve.responses.peak_reaction, push->spec, std::fabs(read_at));
+  for (const Jump& jump : path.jumps())
     if (jump.way > kAllowedWay) return of_jump(jump, push->spec);
-  if (const auto said = of_drag(way, push->spec)) return *said;
+  if (const auto said = of_drag(path, push->spec)) return *said;
   return {"slow enough", {}};
 }
 
-Promise promised_mode(const Model& model, const Result& result) {
-  return promised_mode(model, {result.curve, result.responses, result.quasi_static},
-                       result.failure_mode.read_at);
+SlowPushVerdict mode_of_slow_push(const Model& model, const Result& result) {
+  return mode_of_slow_push(model, {result.curve, result.responses, result.quasi_static},
+                           result.failure_mode.read_at);
 }
 
 Message warning_of(const Model& model, const Result& result) {
   if (Message warning = warning_of(result); !warning.empty()) return warning;
   if (result.quasi_static.judgement == "usable") return {};  // its verdict speaks of all numbers
-  const Promise drift = promised_displacement(model, result);
+  const SlowPushVerdict drift = displacement_of_slow_push(model, result);
   return drift.is_missing() ? Message{"promise.no_drift", {{"why", drift.reason}}} : Message{};
 }
 

@@ -1,4 +1,4 @@
-#include "contact/meeting_in_space.h"
+#include "contact/convex_contact_in_space.h"
 
 #include <algorithm>
 #include <array>

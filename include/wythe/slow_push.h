@@ -11,7 +11,7 @@
 
 namespace wythe {
 
-struct Promise {
+struct SlowPushVerdict {
   std::string verdict = "no push";  // "slow enough", "not known", "no push"
   Message reason = {};              // of "not known": what happened on the way, and what helps
   [[nodiscard]] bool is_missing() const { return verdict == "not known"; }
@@ -24,11 +24,13 @@ struct JudgedCurve {
   const RateVerdict& rate;
 };
 // That a push ten times slower keeps 80 % of its peak up to the same displacement, within a tenth of it.
-[[nodiscard]] Promise promised_displacement(const Model& model, const JudgedCurve& curve);
-[[nodiscard]] Promise promised_displacement(const Model& model, const Result& result);
+[[nodiscard]] SlowPushVerdict displacement_of_slow_push(const Model& model,
+                                                        const JudgedCurve& curve);
+[[nodiscard]] SlowPushVerdict displacement_of_slow_push(const Model& model, const Result& result);
 // That it fails in the same way; the mode is read at a displacement [m].
-[[nodiscard]] Promise promised_mode(const Model& model, const JudgedCurve& curve, double read_at);
-[[nodiscard]] Promise promised_mode(const Model& model, const Result& result);
+[[nodiscard]] SlowPushVerdict mode_of_slow_push(const Model& model, const JudgedCurve& curve,
+                                                double read_at);
+[[nodiscard]] SlowPushVerdict mode_of_slow_push(const Model& model, const Result& result);
 
 // Around the peak, where the force stays within kFlatPeak of it: on a flat curve small causes move the displacement of the
 // peak this far. NaN where there is no peak; `is_bound`: the push ended within it.

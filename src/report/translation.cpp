@@ -1,4 +1,4 @@
-#include "report/said.h"
+#include "report/translation.h"
 
 #include "core/messages.h"
 #include "judge/modes/wall_parts.h"
@@ -9,18 +9,19 @@ namespace {
 constexpr std::string_view kData = "_message";
 
 // `text` stands where the data are null.
-Json said_of(const Json& data, const Json& text) {
+Json translated_json(const Json& data, const Json& text) {
   if (!data.is_array())
-    return data.is_object() && text.is_string() ? said(message_of(data.dump(), text)) : text;
+    return data.is_object() && text.is_string() ? translated(message_of(data.dump(), text)) : text;
   Json list = Json::array();
   for (std::size_t i = 0; i < data.size(); ++i)
-    list.push_back(said_of(data[i], text.is_array() && i < text.size() ? text[i] : Json("")));
+    list.push_back(
+        translated_json(data[i], text.is_array() && i < text.size() ? text[i] : Json("")));
   return list;
 }
 
 }  // namespace
 
-Json said(const Message& message) {
+Json translated(const Message& message) {
   Json texts = Json::array();
   bool same = true;
   const Message on_page = for_page(message);
@@ -31,9 +32,9 @@ Json said(const Message& message) {
   return same ? texts.front() : texts;
 }
 
-Json said(const std::vector<Message>& messages) {
+Json translated(const std::vector<Message>& messages) {
   Json list = Json::array();
-  for (const Message& message : messages) list.push_back(said(message));
+  for (const Message& message : messages) list.push_back(translated(message));
   return list;
 }
 
@@ -60,22 +61,22 @@ Message shortened(Message sentence) {
 
 Json names_of(const Model& model) {
   Json names = Json::object();
-  for (const auto& [name, words] : study::find_parts(model).words) names[name] = said(words);
+  for (const auto& [name, words] : study::find_parts(model).words) names[name] = translated(words);
   return names;
 }
 
-void say_messages(Json& json) {
+void translate_messages(Json& json) {
   if (json.is_array())
-    for (Json& part : json) say_messages(part);
+    for (Json& part : json) translate_messages(part);
   if (!json.is_object()) return;
   Json out = Json::object();
   for (auto& [key, value] : json.items()) {
     if (key.ends_with(kData) && json.contains(key.substr(0, key.size() - kData.size()))) continue;
     const std::string data = key + std::string(kData);
     if (json.contains(data)) {
-      out[key] = said_of(json[data], value);
+      out[key] = translated_json(json[data], value);
     } else {
-      say_messages(value);
+      translate_messages(value);
       out[key] = std::move(value);
     }
   }

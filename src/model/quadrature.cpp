@@ -1,4 +1,4 @@
-#include "model/point_rule.h"
+#include "model/quadrature.h"
 
 #include <fmt/core.h>
 
@@ -46,8 +46,8 @@ std::vector<double> positive_roots(const Value& value) {
 
 // Both halves of a face alike, bit for bit: a wall and its mirror image behave the same.
 template <class Weight>
-FacePointRule symmetric(int n, const std::vector<double>& positive, const Weight& weight) {
-  FacePointRule rule;
+FaceQuadrature symmetric(int n, const std::vector<double>& positive, const Weight& weight) {
+  FaceQuadrature rule;
   const auto add = [&](double xi) {
     rule.xi.push_back(xi);
     rule.weight.push_back(weight(std::fabs(xi)));
@@ -58,8 +58,8 @@ FacePointRule symmetric(int n, const std::vector<double>& positive, const Weight
   return rule;
 }
 
-FacePointRule trapezoid(int n) {
-  FacePointRule rule;
+FaceQuadrature trapezoid(int n) {
+  FaceQuadrature rule;
   for (int k = 0; k < n; ++k) {
     const int from_end = k < n - 1 - k ? k : n - 1 - k;
     const double beyond = 1.0 - 2.0 * from_end / (n - 1);
@@ -70,7 +70,7 @@ FacePointRule trapezoid(int n) {
 }
 
 // Ends and the roots of P'_(n-1);  weight 1/(n (n-1) P_(n-1)^2)  (Abramowitz & Stegun 25.4.32, halved).
-FacePointRule lobatto(int n) {
+FaceQuadrature lobatto(int n) {
   const auto slope = [&](double x) {  // (x^2 - 1)/(n - 1) P'_(n-1)
     const Legendre p = legendre(n - 1, x);
     return x * p.now - p.before;
@@ -84,7 +84,7 @@ FacePointRule lobatto(int n) {
 }
 
 // Roots of P_n;  weight (1 - x^2)/(n P_(n-1))^2  (Abramowitz & Stegun 25.4.29, halved).
-FacePointRule gauss(int n) {
+FaceQuadrature gauss(int n) {
   const std::vector<double> positive = positive_roots([&](double x) { return legendre(n, x).now; });
   return symmetric(n, positive, [&](double x) {
     const double p = n * legendre(n, x).before;
@@ -94,7 +94,7 @@ FacePointRule gauss(int n) {
 
 }  // namespace
 
-PointChoice point_choice(const SolveSpec& solve) {
+QuadratureChoice quadrature_choice(const SolveSpec& solve) {
   const int n = solve.points_per_face;
   switch (solve.point_rule) {
     case PointRule::kDefault:
@@ -109,7 +109,7 @@ PointChoice point_choice(const SolveSpec& solve) {
 }
 
 void check_points(const SolveSpec& solve, FaultList& faults) {
-  const auto [rule, points] = point_choice(solve);
+  const auto [rule, points] = quadrature_choice(solve);
   if (points < 2 || points > kMost)
     faults.add({"", "solve.points_per_face", std::to_string(points),
                 fmt::format("must be between 2 and {}", kMost), "write points_per_face = 3", 0});
@@ -119,7 +119,7 @@ void check_points(const SolveSpec& solve, FaultList& faults) {
                 "write points_per_face = 2 or point_rule = \"lobatto\"", 0});
 }
 
-FacePointRule face_points(PointRule rule, int points) {
+FaceQuadrature face_points(PointRule rule, int points) {
   switch (rule) {
     case PointRule::kLobatto: return lobatto(points);
     case PointRule::kGauss: return gauss(points);

@@ -18,7 +18,7 @@
 #include "wythe/error.h"
 #include "wythe/io.h"
 
-namespace wythe::study::doubles_test {
+namespace wythe::study::duplicate_samples_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -160,4 +160,4 @@ TEST_F(Doubles, time_and_program_may_differ) {
 }
 
 }  // namespace
-}  // namespace wythe::study::doubles_test
+}  // namespace wythe::study::duplicate_samples_test

@@ -1,4 +1,4 @@
-#include "contact/meeting.h"
+#include "contact/convex_contact.h"
 
 #include <map>
 
