@@ -88,7 +88,7 @@ struct LimitStopped : std::runtime_error {
 // Deformable blocks count as rigid ones of the same outline, weight and contacts; the lists of the
 // answer cover the rigid blocks and joints only. Associated flow, small displacements. Throws
 // InputError when no load grows, when the dead loads alone cannot be carried (names a block that
-// cannot stand), and when the load has no limit; LimitStopped when `watch` asks to stop.
+// cannot stand), and when the load has no limit; LimitStopped when `monitor` asks to stop.
 [[nodiscard]] LimitResult limit_load(const Model& model, const LimitOptions& options,
                                      const LimitMonitor& monitor = {});
 // What limit analysis treats otherwise than the run (stages, deformable blocks).

@@ -1,5 +1,5 @@
-// Short ways through the law (law.h) where it would keep a point's history or only widen its opening: a point
-// to which nothing has happened, a point at rest. Each gives the bits of update() or says that it does not
+// Fast paths through the law (law.h) for two kinds of points: an undamaged point, of which at most the largest opening
+// grows, and an elastic step, in which no history changes. Each gives the bits of update(), or says that it does not
 // hold (docs/theory/joint_law.md, 3.12a, 3.12b; tests/unit/contact/fast_paths_test.cpp).
 #pragma once
 
@@ -7,14 +7,14 @@
 
 namespace wythe::contact {
 
-// A point to which nothing has happened: not crushed, not slid, and opened no wider than its tensile strength
-// bears. It is elastic, pressed or drawn, as long as it stays so (joint_law.md, 3.12b). With stiffness damage
-// or a cap no point is taken for one.
+// An undamaged point has not been crushed, has not slid, and has opened no wider than its tensile strength
+// bears. It is elastic in compression and tension as long as it stays so (joint_law.md, 3.12b). With stiffness damage
+// or a cap no point counts as undamaged.
 template <class V, class C>
 [[nodiscard]] WYTHE_INLINE constexpr bool has_undamaged_path(const LawConstants<C>& m) {
   return choice_of<V>(m).coupling != Coupling::kStiffness && !choice_of<V>(m).cap;
 }
-// How far it may open; below ft/kn by more than rounding can hide. A dry joint is never whole (onset < 0).
+// How far it may open; below ft/kn by more than rounding can hide. A dry joint is never undamaged (onset < 0).
 template <class C>
 [[nodiscard]] WYTHE_INLINE C undamaged_opening(const LawConstants<C>& m) {
   return minimum(m.w0, m.tension_onset) * C(1 - 1e-9);
@@ -31,8 +31,7 @@ template <class V, class C, class Real>
   return undamaged;
 }
 
-// Stresses of a whole point. Where it `stays` whole update() gives the same, bit for bit, and of the history
-// only kappa grows, to w.
+// Stresses of an undamaged point. Where it `stays` undamaged, update() gives the same bits, and kappa alone grows, to w.
 template <class Real>
 struct UndamagedStress {
   Real sigma, tau;  // [Pa]
@@ -49,17 +48,16 @@ template <class C, class Real>
   return {sigma, tau, stays};
 }
 
-// A point that keeps its history: it crushes no further, opens no wider than before, does not slide, and
-// its shear damage does not grow under the present pressure. Where it `rests`, update() gives the same
-// stresses and history, bit for bit; elsewhere, and where something is not a number, it has to be asked.
+// A step in which the history does not change: the point crushes no further, opens no wider than before, does not slide,
+// and its shear damage does not grow under the present pressure. Where the step `is_elastic`, update() gives the same
+// bits. Elsewhere, and where a value is not a number, update() has to be called.
 template <class Real>
 struct ElasticStep {
   Real sigma, tau;  // [Pa]
   bool_of_t<Real> is_elastic, open;
 };
 
-// `closed`: the caller expects no point to be open, which spares most of the work; one that is does not
-// rest.
+// `closed`: the caller expects no open point, which spares most of the work. A point that is open is not elastic then.
 template <class V, bool closed, class C, class Real>
 [[nodiscard]] WYTHE_INLINE ElasticStep<Real> elastic_step(const LawConstants<C>& m, Real w, Real s,
                                                           const History<Real>& h) {
@@ -94,7 +92,7 @@ template <class V, bool closed, class C, class Real>
   return {sigma, tau, is_elastic, is_open};
 }
 
-// Whether update() took a point from `before` to `now` by changing its history: it may go on doing so.
+// Whether update() changed the history of a point. If it did, the next step may change it again.
 template <class Real>
 [[nodiscard]] WYTHE_INLINE bool_of_t<Real> history_changed(const History<Real>& before,
                                                            const History<Real>& now) {

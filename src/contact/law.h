@@ -81,8 +81,8 @@ struct LawConstants {
   LawChoice choice;
 };
 // Its numbers, in order: how they are copied, and laid out for walls side by side. First those that strengths,
-// cohesions and their energies make, which a field varies most; of both parts first what a closed point at
-// rest asks for, so that little memory is read.
+// cohesions and their energies make, which a field varies most; in both parts the constants that an elastic
+// step of a closed point needs come first, so that little memory is read.
 template <class Real, class C = LawConstants<Real>>
 inline constexpr std::array kConstants{&C::tension_onset,
                                        &C::tension_rate,
@@ -130,7 +130,7 @@ struct History {
 template <class Real, class H = History<Real>>
 inline constexpr std::array kHistory{&H::kappa,        &H::crush,       &H::plastic_slip, &H::slip,
                                      &H::shear_damage, &H::tension_set, &H::crush_path};
-// How many of them, from the first, a law of this choice asks for: no others are kept in memory.
+// How many of them, from the first, a law of this choice needs. No others are stored.
 [[nodiscard]] WYTHE_INLINE constexpr int history_size(const LawChoice& choice) {
   constexpr int all = static_cast<int>(kHistory<double>.size());
   static_assert(kHistory<double>[all - 2] == &History<double>::tension_set &&

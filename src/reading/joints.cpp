@@ -1,5 +1,5 @@
-// read_points(): the law asked on the present state, with the step's arithmetic, nothing kept; and what
-// the points of each joint come to.
+// read_points(): the law evaluated at the present state, with the arithmetic of the step and without storing anything;
+// and the sums over the points of each joint.
 #include <algorithm>
 #include <cmath>
 
@@ -103,7 +103,7 @@ class Histories {
   std::array<const double*, contact::kHistory<double>.size()> row_{};
 };
 
-// The law's answer, by its short way where nothing has happened to the point.
+// The law's result, by the fast path where the point is undamaged.
 template <class V>
 contact::LawUpdate<double> answer_of(const LawConstants<double>& law, const PointMotion& at,
                                      contact::History<double>& h) {
@@ -142,7 +142,7 @@ std::vector<SinCos<double>> rotations_of(const State& state) {
   return rotations;
 }
 
-// The constants of a joint's material: of the last asked for, since joints come in runs of one. A list of all
+// The constants of a joint's material. Those of the last joint are cached, since joints come in runs of one material. A list of all
 // would be long where each joint of a field has its own material.
 class LawOf {
  public:

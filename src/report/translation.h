@@ -1,5 +1,5 @@
-// Messages on their way to a page: a list of texts, one a language of the table of words, so that the
-// page needs no words of the engine's.
+// Messages of the engine as texts for a page: one text for each language of the table of words, so that the page needs
+// no words of the engine.
 //
 //   "reason": ["stage \"push\" did not settle: ...", "la fase “push” non ...", ]
 #pragma once
@@ -10,7 +10,7 @@
 
 namespace wythe::report {
 
-// "" where nothing is said, one text where it is the same in every language.
+// "" for an empty message, one text where it is the same in every language, or a list of texts.
 [[nodiscard]] Json translated(const Message& message);
 [[nodiscard]] Json translated(const std::vector<Message>& messages);
 // The same without the keys and commands of its cures, which are for who types them: words of CODE.page in the place of
@@ -20,7 +20,7 @@ namespace wythe::report {
 [[nodiscard]] Message shortened(Message sentence);
 // Names of a wall's parts, by which elements and flags are called: {"left pier": [...], ...}.
 [[nodiscard]] Json names_of(const Model& model);
-// In the JSON of a file (io/results/message_json.h): KEY becomes what KEY_message says, which goes.
+// In the JSON of a file (io/results/message_json.h): KEY gets the texts of KEY_message, and KEY_message is removed.
 void translate_messages(Json& json);
 
 }  // namespace wythe::report

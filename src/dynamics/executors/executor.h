@@ -33,9 +33,9 @@ class WallAccess {
   [[nodiscard]] virtual double moved(BlockId i, const Vec3& along) const = 0;
   // Marks the blocks that the drive moves.
   virtual void choose_driven(const std::vector<BlockId>& blocks) = 0;
-  // Copies motion and history from where they are into the state's own arrays.
+  // Copies motion and history from the lane into the state's arrays.
   virtual void store_state(State& state) const = 0;
-  // Takes what was changed in the state anew.
+  // Loads what was changed in the state.
   virtual void reload_wall(State&) {}
 };
 
@@ -55,10 +55,10 @@ class Executor {
   [[nodiscard]] virtual int lanes() const = 0;
   // Stands for all walls that fit it.
   [[nodiscard]] virtual const Model& model() const = 0;
-  // A wall takes a lane, or anew what was changed in its state; model and state have to live until it is
-  // dropped.
+  // A wall takes a lane, or loads again what was changed in its state. Model and state have to live until
+  // unload_wall().
   virtual void load_wall(int lane, const Model& model, State& state) = 0;
-  // The state's own arrays are brought up to date; the lane stands still from then on.
+  // Stores the lane into the state's arrays; the lane stands still from then on.
   virtual void unload_wall(int lane) = 0;
   [[nodiscard]] virtual std::unique_ptr<WallAccess> access(int lane) = 0;
   // What the next step takes of a lane; where it is not set, the lane stands still.

@@ -10,16 +10,16 @@
 namespace wythe::dynamics {
 
 void Executor::step() {
-  begin_step();  //          dead loads follow; forces of links, frames, layers  passes/links.h, frames.h, layers.h
-  run(kJoints);  //          openings and slips, the law, forces of joints      passes/joints.h
-  run(kZones);   //          forces of deformable blocks on their nodes         passes/solids.h
-  run(kEdges);   //          the law between these and rigid blocks
-  update_free_contacts();  //          free contacts, and joints that give way to them    passes/free_contacts.h
-  apply_dashpots();  //          dashpots of the joints that are left               passes/dashpots.h
-  run(kBlocks);      //          central differences with local damping, poses      passes/blocks.h
-  run(kNodes);       //          the same for nodes                                 passes/solids.h
-  drive();           //          the driven blocks, and their reaction              passes/drive.h
-  end_step();        //          works into the ledger, clock
+  begin_step();  // dead loads follow; forces of links, frames, layers  passes/links.h, frames.h, layers.h
+  run(kJoints);            // openings and slips, the law, forces of joints      passes/joints.h
+  run(kZones);             // forces of deformable blocks on their nodes         passes/solids.h
+  run(kEdges);             // the law between these and rigid blocks
+  update_free_contacts();  // free contacts, and joints that give way to them    passes/free_contacts.h
+  apply_dashpots();        // dashpots of the joints that are left               passes/dashpots.h
+  run(kBlocks);            // central differences with local damping, poses      passes/blocks.h
+  run(kNodes);             // the same for nodes                                 passes/solids.h
+  drive();                 // the driven blocks, and their reaction              passes/drive.h
+  end_step();              // works into the ledger, clock
 }
 
 namespace {

@@ -186,8 +186,8 @@ struct WallLanes {
   }
 };
 
-// The numbers of a law: strengths from one row of the table on, the others from another. What a way through
-// the law does not ask for is not loaded.
+// The numbers of a law: strengths from one row of the table on, the others from another. What a path through
+// the law does not need is not loaded.
 template <class Access>
 [[nodiscard]] WYTHE_INLINE contact::LawConstants<typename Access::Real> law_of(
     Access access, const double* law, std::ptrdiff_t strengths, std::ptrdiff_t others,

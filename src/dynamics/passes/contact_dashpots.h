@@ -13,7 +13,7 @@
 
 namespace wythe::dynamics {
 
-// A contact on its way through its dashpots: forces by its springs alone, and how it has moved in the step.
+// A contact as its dashpots need it: forces of its springs alone, and its motion in the step.
 struct ContactMotion {
   double normal_stiffness, shear_stiffness;  // now [N/m]
   double pressed;                            // [N]

@@ -79,7 +79,7 @@ struct MaxwellStresses {
   void store_state(State& s) const {
     s.maxwell_normal = normal, s.maxwell_shear = shear_1, s.maxwell_shear_2 = shear_2;
   }
-  // In a stage without them they carry nothing.
+  // For a stage without Maxwell elements.
   void set_zero() {
     for (std::vector<double>* all : {&normal, &shear_1, &shear_2})
       if (bears) std::fill(all->begin(), all->end(), 0.0);

@@ -1,9 +1,9 @@
 // The pass over free contacts of one wall, in its plane or in space: finds them, hands joints over to them, and
 // adds their forces to the blocks (docs/theory/contacts.md). Called after the joints and before the blocks.
 //
-//   every step       each pair of parts that may touch: face, overlap, friction -> force on both bodies
-//   every kRecheckEvery whether a pair's joints have given way, and whether another face has become the contact's
-//   when due         which pairs may touch (near_pairs.h)
+//   every step           each pair of parts that may touch: face, overlap, friction -> force on both bodies
+//   every kRecheckEvery  whether a pair's joints have failed, and whether the contact has another face now
+//   when due             which pairs may touch (near_pairs.h)
 //
 // A pair that is apart by s sleeps: first until the straight paths of its two bodies, and what these stray from them, have
 // brought them together by s, then as long as they have moved and turned against each other by less. That changes no bit.
@@ -28,13 +28,13 @@
 
 namespace wythe::dynamics {
 
-inline constexpr int kRecheckEvery = 64;  // steps between looks at joints and at faces of contacts
+inline constexpr int kRecheckEvery = 64;  // steps between checks of joints and of faces of contacts
 // Bodies are looked for as far around each as it goes in so many steps at its present speed.
 inline constexpr int kSearchAhead = 16;
 // After such a way nothing is left of what a hand-over could not give to the contact: over the size of a block; [rad].
 inline constexpr double kForgottenSlip = 0.05, kForgottenTurn = 0.05;
 
-// Force on a body and moment about its centroid.
+// Force on a body and moment about its centroid; of rates: velocity and spin.
 struct ForceMoment {
   Vector<double> f{0, 0, 0}, m{0, 0, 0};
 };
@@ -109,15 +109,15 @@ class FreeContacts {
   // Two parts whose bodies' boxes meet.
   struct NearPair {
     std::int32_t a, b, part_a, part_b;
-    std::int32_t slot;  // in pairs_; -1: none, for it neither presses nor remembers
-    std::int32_t feature = contact::kNoFeature;  // that was asked last
-    // It touches not while the parts, which were `apart` when b was at `offset` from a and both had turned by
-    // `turned`, have not come together by that [m]
+    std::int32_t slot;  // in pairs_; -1: none, for it neither presses nor has a history
+    std::int32_t feature = contact::kNoFeature;  // of the last update
+    // The parts were `apart` when b was at `offset` from a and both had turned by `turned`. They cannot touch before they
+    // have come together by that [m].
     double apart = 0, turned = 0;
     Vector<double> offset{0, 0, 0};
   };
-  // What is asked of each of them in every step. It touches not before what both bodies have strayed has grown to
-  // `until` together [m], less what they come together, on straight paths, at the speed `closing` [m/s].
+  // Until when a pair sleeps, checked in every step. It cannot touch before the deviations of both bodies from their
+  // straight paths have grown to `until` together [m], less the distance closed at the speed `closing` [m/s].
   struct WakeLimit {
     std::int32_t a, b;
     double until = 0, closing = 0;

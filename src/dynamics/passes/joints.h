@@ -84,7 +84,7 @@ struct FaceJump {
   Real jn, jt, dn, dt;
 };
 
-// A run of joints (or edges) on its way through the law: who they are, what their points are.
+// A run of joints (or edges) that share law and points: their tables, their points.
 template <class Access>
 struct FaceRun {
   using Real = typename Access::Real;
@@ -190,7 +190,7 @@ struct FacePoints {
     });
   }
 
-  // Forces of points that keep their history; whether they do, and whether any is open.
+  // Forces in an elastic step; whether it is one, and whether any point is open.
   template <bool closed>
   WYTHE_INLINE void elastic(Real area, const FaceJump<Real>& jump, FaceForce<Real>& sum,
                             bool_of_t<Real>& is_elastic, bool_of_t<Real>& open) const {
@@ -200,7 +200,7 @@ struct FacePoints {
     is_elastic = is_elastic & now.is_elastic.all_parts();
     open = open | now.open.any_part();
   }
-  // Forces of whole points; whether they stay whole.
+  // Forces of undamaged points; whether they stay undamaged.
   WYTHE_INLINE void undamaged(Real area, const FaceJump<Real>& jump, FaceForce<Real>& sum,
                               bool_of_t<Real>& stays) const {
     const contact::UndamagedStress<Points> now =
@@ -208,7 +208,7 @@ struct FacePoints {
     add(area, now.sigma, now.tau, sum);
     stays = stays & now.stays.all_parts();
   }
-  // How far whole points have opened: all that they remember.
+  // How far undamaged points have opened: all their history.
   WYTHE_INLINE void store_opening(const FaceJump<Real>& jump) const {
     const Points w = opening(jump);
     for_each_part<n>([&](auto k) __attribute__((always_inline)) {
@@ -218,8 +218,8 @@ struct FacePoints {
       if (any(wider)) run.access.store(select(wider, now, kappa), run.history, first + k * rows());
     });
   }
-  // The whole law: the one place where all of the history advances. Whether it did, whether any is open
-  // and whether all are whole. jump_before() is asked where a point slides, for the work of that.
+  // The full law: the one place where all of the history advances. Gives whether it did, whether any point is open
+  // and whether all are undamaged. jump_before() is called where a point slides, for the work of the slip.
   template <class Before>
   WYTHE_INLINE void advance(Real area, const FaceJump<Real>& jump, const Before& jump_before,
                             FaceForce<Real>& sum, JointWork<Real>& work, bool_of_t<Real>& moved,
@@ -287,7 +287,7 @@ WYTHE_OUTLINE FaceForce<Real> full_law_face(const FaceRun<Access>& run, std::ptr
   return sum;
 }
 
-// Forces of a face whose points are whole; false where one does not stay so.
+// Forces of a face whose points are undamaged; false where one does not stay so.
 template <class V, int n, bool one_slip, class Access, class Real>
 [[nodiscard]] WYTHE_INLINE bool undamaged_face(const FaceRun<Access>& run, std::ptrdiff_t item,
                                                Real area, const FaceJump<Real>& jump,
@@ -306,7 +306,7 @@ template <class V, int n, bool one_slip, class Access, class Real>
   return true;
 }
 
-// Forces of a face whose points keep their history; false where they do not.
+// Forces of a face in an elastic step; false where the history of a point changes.
 template <class V, int n, bool one_slip, bool closed, class Access, class Real>
 [[nodiscard]] WYTHE_INLINE bool elastic_face(const FaceRun<Access>& run, std::ptrdiff_t item,
                                              Real area, const FaceJump<Real>& jump,
@@ -323,8 +323,8 @@ template <class V, int n, bool one_slip, bool closed, class Access, class Real>
   return true;
 }
 
-// Forces of a face. Short ways store no history, but for the opening of whole points; a face that moved in
-// the last step is asked for none. `before` gives the jump of the step before.
+// Forces of a face. Fast paths store no history but the opening of undamaged points. A face whose history changed in the
+// last step takes the full law at once. `before` gives the jump of the step before.
 template <class V, int n, bool one_slip, class Access, class Before, class Real>
 [[nodiscard]] WYTHE_INLINE FaceForce<Real> face_force(const FaceRun<Access>& run,
                                                       std::ptrdiff_t item, Real area,

@@ -468,7 +468,7 @@ void PlaneBodies::release(JointId joint, const WallView& wall) const {
       wall.t.history[layout_.point_number(chunk, n, k, row, 1)] = 0;
 }
 
-// No other face is known to be whole or at rest any more.
+// Every other face takes the full law in the next step.
 void PlaneBodies::end_release(const WallView& wall) const {
   mark_released(wall.t.joint_b, wall.t.n_block, layout_.joints, width_, wall.t.joint_law_path);
 }

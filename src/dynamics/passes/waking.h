@@ -1,5 +1,5 @@
-// Which pairs of free contacts are asked in a step: the search for near ones, how far bodies have moved since, and who
-// sleeps meanwhile (docs/theory/contacts.md). A part of free_contacts.h, which includes it.
+// Which pairs of free contacts are updated in a step: the search for near pairs, how far bodies have moved since, and
+// which pairs sleep meanwhile (docs/theory/contacts.md). A part of free_contacts.h, which includes it.
 #pragma once
 
 #include "dynamics/passes/free_contacts.h"

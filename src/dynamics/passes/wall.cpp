@@ -166,7 +166,7 @@ void load_lane(const Layout& l, const Tables& t, int lane, const Model& m, const
   load_laws(l, t, lane, m, l.chunks[kEdges], m.solids.contact_material);
   for (const StateField& field : kStateFields)
     each_number(l, t, m, field, [&](std::size_t i, double* to) { to[lane] = (s.*field.array)[i]; });
-  // no face is known to be whole any more
+  // no face counts as undamaged any more
   std::fill_n(t.joint_law_path, l.joints * t.lanes, std::uint8_t{0});
   std::fill_n(t.edge_law_path, l.edges * t.lanes, std::uint8_t{0});
   const WallView wall = view_of(l, m, t, lane);

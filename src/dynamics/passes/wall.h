@@ -56,7 +56,7 @@ struct WallView {
 [[nodiscard]] WallView view_of(const Layout& layout, const Model& model, const Tables& tables,
                                int lane);
 
-// A wall takes a lane: what it has for itself and where it is. Its time step is still to be set.
+// Loads a wall into a lane: its own numbers and its state. Its time step is still to be set.
 void load_lane(const Layout& layout, const Tables& tables, int lane, const Model& model,
                const State& state);
 // Of a wall alone in its tables whose stages cut openings: joints and sections of what does not stand in the state's
@@ -64,7 +64,7 @@ void load_lane(const Layout& layout, const Tables& tables, int lane, const Model
 void stand(const Layout& layout, const Tables& tables, const Model& model, const State& state);
 // The latter alone, after a drive has chosen its blocks.
 void hold_still(const WallView& wall, const Model& model, int stage);
-// Its motion and history, into the state's own arrays.
+// Stores motion and history of a lane into the state's arrays.
 void store_lane(const Layout& layout, const Tables& tables, int lane, const Model& model,
                 State& state);
 // The pose of every block, from where it is.

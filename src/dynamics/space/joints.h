@@ -15,7 +15,7 @@ template <class Real, class Access>
   return {access.shared(table, row), access.shared(table, row + 1), access.shared(table, row + 2)};
 }
 
-// Whether a point to which nothing has happened (contact/fast_paths.h) stays so; its shear (s1, s2) is held against
+// Whether an undamaged point (contact/fast_paths.h) stays undamaged. Its shear (s1, s2) is compared with
 // the strength by squares, a little on the strict side, so that no root is taken and update() never slides where
 // this holds.
 template <class C, class Real>
@@ -106,7 +106,7 @@ struct Joints {
     access.store_rows({l.on_b.x, l.on_b.y, l.on_b.z, zero}, t.moment_b, j);
   }
 
-  // A point on its way through the law.
+  // A point: place, share of the area, opening and shear.
   struct Asked {
     Real r1, r2, share, w;
     contact::Shear<Real> shear;
@@ -156,7 +156,7 @@ struct Joints {
     sum.r2 = sum.r2 + p.r2 * f;
   }
 
-  // Forces of a face; a face that rests stores no history, one that moved last is not asked whether it does.
+  // Forces of a face. An elastic step stores no history; after a step that changed it the full law comes at once.
   [[nodiscard]] WYTHE_INLINE contact::FaceLoad<Real> ask(std::ptrdiff_t j,
                                                          const contact::FaceGap<Real>& gap,
                                                          Work& work) const {
@@ -171,8 +171,8 @@ struct Joints {
     if (law_path == kOpen && elastic<false>(j, law, area, gap, sum)) return sum;
     return advance(j, law, area, gap, work);
   }
-  // Points to which nothing has happened (contact/fast_paths.h): no history is read, and none kept but how far they
-  // opened. False where one does not stay so.
+  // Undamaged points (contact/fast_paths.h): no history is loaded, and only the opening is stored. False where a point
+  // does not stay undamaged.
   [[nodiscard]] WYTHE_INLINE bool undamaged(std::ptrdiff_t j,
                                             const contact::LawConstants<Real>& law, Real area,
                                             const contact::FaceGap<Real>& gap,
@@ -222,7 +222,7 @@ struct Joints {
     if constexpr (!closed) access.store_flag(t.law_path, j, any(open) ? kOpen : kClosed);
     return true;
   }
-  // The whole law: the one place where history advances.
+  // The full law: the one place where history advances.
   WYTHE_OUTLINE contact::FaceLoad<Real> advance(std::ptrdiff_t j,
                                                 const contact::LawConstants<Real>& law, Real area,
                                                 const contact::FaceGap<Real>& gap,

@@ -447,7 +447,7 @@ void SpaceBodies::release(JointId joint, const WallView& wall) const {
       history_number(joint, k, row, wall) = 0;
 }
 
-// No other face is known to be at rest any more.
+// Every other face takes the full law in the next step.
 void SpaceBodies::end_release(const WallView& wall) const {
   mark_released(wall.t.joint_b, wall.t.n_block, layout_.n_joint, width_, wall.t.law_path);
 }

@@ -209,7 +209,7 @@ WallView view_of(const Layout& layout, const Model& model, const Tables& tables,
 }
 
 void load_lane(const WallView& w, const Model& m, const State& s) {
-  // a history from outside: no face may be taken at its word to be whole (passes/joints.h)
+  // a history from outside: no face counts as undamaged (passes/joints.h)
   std::fill_n(w.t.law_path, static_cast<std::ptrdiff_t>(w.layout->n_joint) * w.t.lanes,
               std::uint8_t{0});
   load_laws(w, m);

@@ -106,8 +106,8 @@ const Controls& WallRun::next() {
 
 double WallRun::seconds() const { return seconds_before_ + seconds_since(start_); }
 
-// After all that the step itself has to say, so that a run cut here and continued says the same: the
-// caller's checkpoint, an interrupt, the budget.
+// The caller's checkpoint, an interrupt, the budget. They come after all else of the step, so that a run that is cut
+// here and continued gives the same.
 void WallRun::poll_caller() {
   const bool asked = options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed);
   const bool spent = options_.step_budget > 0 && state_.step >= options_.step_budget;

@@ -1,7 +1,7 @@
 // One stage under way, a step at a time, so that any number of walls can be stepped together.
 //
 //   prepare()       controls, ramps and loads of the next step
-//   look(reaction)  after it: rows, settling, stop criteria, collapse
+//   after_step(R)   rows, settling, stop criteria, collapse
 //
 //   gravity, load   ramp with a smooth start, then settle below settle_ratio
 //   push            smooth start to the velocity, along one or several target displacements
@@ -31,8 +31,7 @@ struct StageEnd {
   bool finished = true;  // false: the run ends here
 };
 
-inline constexpr int kCheckEvery =
-    500;  // steps between looks at collapse and at the caller's wishes
+inline constexpr int kCheckEvery = 500;  // steps between checks for collapse and for a stop
 
 // What all stages of a run work on.
 struct StageContext {
@@ -56,7 +55,7 @@ class StageRun {
   [[nodiscard]] bool ended() const { return ended_; }
   // The first end stands: what is noticed later in the same step does not undo it.
   void end(StageEnd how);
-  // Closes rows, writes the stage's report; call once, after the last look.
+  // Closes rows, writes the stage's report; call once, after the last step.
   StageEnd close();
   // Blocks that the step moves by the drive; marked anew when the wall changes its place.
   [[nodiscard]] const std::vector<BlockId>& driven() const { return *driven_; }

@@ -35,7 +35,7 @@ class LinearProgramme {
     return static_cast<int>(row_low_.size() + 3 * circle_rows_.size());
   }
 
-  // `watch` is asked several times a second.
+  // `monitor` is called several times a second.
   ProgrammeStatus solve(const Monitor& monitor = {});
   [[nodiscard]] double objective() const { return objective_; }
   [[nodiscard]] const std::vector<double>& solution() const { return solution_; }  // (columns)
