@@ -438,9 +438,9 @@ TEST(Texts, words_are_translated_and_numbers_localised) {
 }
 
 TEST(Said, a_message_is_a_text_in_each_language) {
-  EXPECT_EQ(said(Message{"event.peak"}), Json({"peak", "picco"}));
-  EXPECT_EQ(said(as_text("theirs")), "theirs");
-  EXPECT_EQ(said(Message{}), "");
+  EXPECT_EQ(translated(Message{"event.peak"}), Json({"peak", "picco"}));
+  EXPECT_EQ(translated(as_text("theirs")), "theirs");
+  EXPECT_EQ(translated(Message{}), "");
 }
 
 // What a file says in English and as data, a page says in every language.
