@@ -56,6 +56,10 @@ std::vector<std::pair<const char*, std::string>> with_factor(const std::string& 
          [&](const std::string& proportional) {
            return study::slip_energy(proportional, times(m.cohesion, "Pa"), m, k);
          });
+  // b belongs to the mean GII; a model that states GII alone has none
+  if (m.mode_2_energy_per_pressure > 0)
+    out.emplace_back("mode_2_energy_per_pressure",
+                     fmt::format("{:.17g} m", m.mode_2_energy_per_pressure));
   strength("compressive_strength", m.compressive_strength);
   energy("compressive_energy", m.compressive_energy, scatters(m.compressive_strength),
          [&](const std::string& proportional) {

@@ -297,6 +297,61 @@ TEST(Scatter, no_wall_is_refused_for_its_mean_strength) {
   }
 }
 
+constexpr const char* kByRules = R"(
+[wall]
+length = "0.6 m"
+height = "0.34 m"
+thickness = "0.25 m"
+[wall.unit]
+length = "290 mm"
+height = "75 mm"
+density = "1750 kg/m^3"
+mortar = { bed = "10 mm", head = "10 mm" }
+[masonry]
+use = "clay_brick_old"
+vertical_stress = "0.2 MPa"
+shear_modulus = "rule"
+unit_youngs_modulus = "rule"
+[material.joint]
+missing = "rule"
+[material.unit]
+missing = "rule"
+[scatter]
+use = "clay_brick"
+[assessment]
+code = "circolare_2019"
+[assessment.spectrum]
+kind = "ntc2018"
+ground_acceleration = "1.5 m/s^2"
+amplification = 2.5
+corner_period = "0.30 s"
+[[stage]]
+name = "gravity"
+[[stage]]
+name = "push"
+at = { x = "0 m", y = "0.2 m" }
+velocity = "1 mm/s"
+until = "1 mm"
+)";
+
+// A rule reads other keys of its table, and some rules stand back where one of them is given: a wall of mean strength is
+// the model for all that.
+TEST(Scatter, a_wall_of_mean_strength_is_the_model_by_rules_too) {
+  const scenes::TemporaryFolder folder;
+  std::ofstream(folder / "model.toml") << kByRules;
+  const StudySpec study =
+      assess_study({.model_file = folder / "model.toml", .walls = 3, .between = 1e-9});
+  const ModelSpec model = model_builder(study)({});
+  const ModelSpec wall = model_builder(study)(settings_of(draw_samples(study), 2));
+  EXPECT_GT(model.material.at("joint").mode_2_energy_per_pressure, 0);
+  for (const char* name : {"joint", "unit"})
+    for (const FieldKey& key : field_keys()) {
+      const double mean = model.material.at(name).*key.value;
+      if (!std::isfinite(mean)) continue;
+      EXPECT_NEAR(wall.material.at(name).*key.value, mean, 1e-6 * mean) << name << "." << key.name;
+    }
+}
+
 // What [scatter] and the factor of a wall begin from is the model's, with its settings; not so what a formula sets.
 TEST(Scatter, settings_of_what_scatters_are_its_means) {
   const scenes::TemporaryFolder folder;
