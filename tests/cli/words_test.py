@@ -77,7 +77,8 @@ class Words(unittest.TestCase):
         for name, text, found in (("README.md", words(33) + ".", 1), ("README.md", words(32) + ".", 0), ("docs/howto/a.md", "Good.\n\n" + words(33), 1),
                                   ("docs/howto/a.md", f"- {words(20)}\n- {words(20)}", 0), ("README.md", f"{words(20)}. {words(20)}. `law.h` {words(20)}", 0),
                                   ("README.md", f"```\n{words(40)}\n```\n| {words(40)} |\n# {words(40)}\n<!-- {words(40)} -->", 0),
-                                  ("README.md", f"{words(30)} `a b c` 1 2 3.", 0), ("docs/theory/a.md", words(40), 0), ("src/law/README.md", words(40), 0)):
+                                  ("README.md", f"{words(30)} `a b c` 1 2 3.", 0), ("docs/theory/a.md", words(40), 1),
+                                  ("docs/theory/a.md", f"    a = {words(40)}", 0), ("src/law/README.md", words(40), 0)):
             with self.subTest(f"{name}: {text}"):
                 status, output = check({**GOOD, name: text + "\n"})
                 self.assertEqual((status, output.count("words, 32 at most")), (found, found), output)

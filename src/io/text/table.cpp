@@ -69,7 +69,7 @@ std::vector<std::string> sampled_rows(std::string_view text, const std::string& 
   return rows.empty() ? all : rows;
 }
 
-std::string outside_quotes(const std::string& line) {
+std::string unquoted_part(const std::string& line) {
   std::string out;
   bool quoted = false;
   for (const char c : line) {
@@ -87,7 +87,7 @@ char delimiter_of(std::string_view text, const std::string& file) {
   };
   for (const char mark : {';', '\t', '|'}) {
     const auto is_there = [&](const std::string& row) {
-      const std::string marks = outside_quotes(row);
+      const std::string marks = unquoted_part(row);
       return marks.find(mark) != std::string::npos &&
              (mark != '\t' || marks.find(",\t") == std::string::npos);
     };

@@ -73,7 +73,7 @@ void note_shape(std::vector<Message>& notes, const TestedKind& tested, const Mod
                       {"high_percent", 100 * tested.axial_high}}});
 }
 
-const char* words_of(const std::string& kind) {
+const char* kind_key(const std::string& kind) {
   if (kind == "shear") return "range.kind_shear";
   return kind == "sliding" ? "range.kind_sliding" : "range.kind_rocking";
 }
@@ -101,7 +101,7 @@ TestedDrift drift_of(const Model& model, const std::string& kind) {
 }
 
 void note_bias(std::vector<Message>& notes, const TestedKind& tested) {
-  const Message kind{words_of(tested.kind)};
+  const Message kind{kind_key(tested.kind)};
   if (tested.walls < kFew) {
     notes.push_back({"range.few", {{"kind", kind}, {"walls", tested.walls}}});
   } else if (tested.bias < kUsableLow || tested.bias > kUsableHigh) {
