@@ -1,3 +1,6 @@
+// New results go into a hidden folder, and commit() puts all of them in place together (Replacement, wythe/io.h). A
+// page is made from its .data text, so that it can be made again. Campaigns get an assessment only where their base
+// model asks for one. A second opinion beside a run takes another name for its page, so the page of the run stays.
 #include "wythe/folders.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,7 @@
+// Cuts the lower side of the other part to the edge, piece by piece, and adds exact integrals (docs/theory/contacts.md,
+// 13.1 to 13.4, without kn t). Another face is taken only if it is better by `slop`; whether the parts touch at all
+// does not depend on it. Feature e >= 0 is edge e of a, and -1 - e is edge e of b. Parts of one outline share their
+// corners.
 #include "contact/convex_contact.h"
 
 #include <map>

@@ -1,3 +1,7 @@
+// Sees each facet of the other part along the normal of the reference facet and cuts it at that facet's plane and
+// sides. Over what is left it adds exact integrals (docs/theory/contacts.md, 13.6 and 13.7, without kn). A cut side
+// remembers which side cut it, for the push of that side. A polygon has room for 64 corners, and further ones are
+// dropped.
 #include "contact/convex_contact_in_space.h"
 
 #include <algorithm>

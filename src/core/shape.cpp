@@ -1,3 +1,5 @@
+// Counts open brackets, dots of keys, keys and lines, and skips strings and comments, whose brackets open nothing. It
+// is no parser, and its counts are upper bounds: in TOML a decimal point counts as a dot, and a list as a key.
 #include "core/shape.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,6 @@
+// Checks ids, densities and names of a file's blocks, then makes an outline of each polygon. Corners that repeat a
+// neighbour are left out. So are those on the line of their neighbours, which would part a joint in two; blocks with
+// zones keep them as nodes. Overlaps are looked for later (wall/checks.cpp).
 #include "geometry/blocks_file.h"
 
 #include <algorithm>

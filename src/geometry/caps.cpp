@@ -1,3 +1,5 @@
+// Puts plates on the piers, or one beam over the length, on the top of the masonry's box. A plate is half a course
+// high, or a twentieth of the wall where a blocks file has no course. A wall has plates or a beam, not both.
 #include "geometry/caps.h"
 
 #include <algorithm>

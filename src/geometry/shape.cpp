@@ -1,3 +1,5 @@
+// Hashes all that shapes a wall, member by member. Each struct is taken apart into all its members, so that a new one
+// does not compile until it is named here. What is named and not added shapes nothing, such as moduli.
 #include "geometry/shape.h"
 
 #include <array>

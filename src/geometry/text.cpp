@@ -1,3 +1,4 @@
+// Texts of lengths and shares for faults (a length has six digits), and the checks of numbers that must be there.
 #include "geometry/text.h"
 
 #include <cmath>

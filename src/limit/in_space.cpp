@@ -1,3 +1,6 @@
+// Builds the static programme (forces in balance) and the kinematic one (velocities that flow) of a wall in space.
+// Both see the same points of faces, and friction is a circle of the solver, so nothing is cut by planes. Unknowns are
+// in units of a mean dead load of a block and of a mean face size, so that they are near 1.
 #include "limit/in_space.h"
 
 #include <algorithm>

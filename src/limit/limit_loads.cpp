@@ -1,3 +1,6 @@
+// Makes limit loads of stages: the last push, body force or tilt grows, and what stands before it is dead load.
+// A factor multiplies the blocks' weights; loads that press join it only where they are said to be masses. The `secant`
+// of a tilt, 1/cos, multiplies dead point loads alone. Zones must be rigid blocks before: with_rigid_bodies().
 #include "limit/limit_loads.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,6 @@
+// Compares units as drawn with units as built in every storey, and tells what the storey worth least allows to say.
+// Tested walls to compare with exist in running bond alone, for the same multiple both ways (kCoarseWalls). Any other
+// wall is told to be untested. docs/theory/assessment.md, "Units drawn larger".
 #include "model/coarse_units.h"
 
 #include <algorithm>

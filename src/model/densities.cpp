@@ -1,3 +1,6 @@
+// Writes notes on values that are probably slips of the unit: sizes, laws, moduli, densities, scatters, far pushes.
+// A note refuses nothing and changes no model. Ranges are in SI: those of masonry, and of steel, timber and fibres that
+// hold it. One more note tells which blocks take the unit's density, and one that a shake has local damping.
 #include "model/densities.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Lists the joints or blocks that a field acts on, in the assembly's order, and puts drawn values into their materials.
+// A drawn number is a factor on the stated value; with a formula it is the value itself. A wall that changed after the
+// draw is refused. Which course and unit a joint counts to: docs/theory/fields.md, "Places".
 #include "model/field_places.h"
 
 #include <algorithm>

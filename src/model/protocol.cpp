@@ -1,3 +1,5 @@
+// Turns levels and cycles of a test into the targets of a push, and finds the first fault of a stated protocol.
+// Levels are displacements [m], or drifts times the height. They may not fall. One number of cycles serves all levels.
 #include "model/protocol.h"
 
 #include <fmt/core.h>

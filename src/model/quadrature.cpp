@@ -1,3 +1,5 @@
+// Finds the points of a rule as roots of Legendre polynomials by bisection, with the same bits on every machine.
+// One half of a face mirrors the other bit for bit. docs/theory/kinematics.md, "Points".
 #include "model/quadrature.h"
 
 #include <fmt/core.h>

@@ -1,3 +1,6 @@
+// Lets the wall fall flat at 1 m/s and steps the vertical motion of its blocks on springs and dashpots of their beds.
+// Beds only press, and weight has no part. The fall ends when the ground has carried nothing for as long as a shock
+// needs up and down. The answer is then momentum over mass. See docs/theory/dynamics.md, "The step".
 #include "model/rebound.h"
 
 #include <algorithm>

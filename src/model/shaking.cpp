@@ -1,3 +1,7 @@
+// Makes motions of a shake's records and pulses, finds what they drive, and sets dashpots (14.6) and Maxwell elements.
+// The first record decides the factor of all. Motions of driven blocks are taken against the base, in whose frame the
+// wall is computed. A peak that no earthquake has is refused as a slip of the unit. Dashpots need final masses, so they
+// come last.
 #include "model/shaking.h"
 
 #include <fmt/core.h>

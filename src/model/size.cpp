@@ -1,3 +1,6 @@
+// Estimates blocks, memory, steps and time from stated lengths and measured costs, and refuses what no machine can run.
+// Millimetres for metres, or the other way, are told first and alone, since all further messages would be wrong. Memory
+// may be stated by WYTHE_MEMORY; else it is that of the machine or its container.
 #include "model/size.h"
 
 #include <fmt/core.h>

@@ -1,3 +1,6 @@
+// Asks the joint law at every point of a wall in space, with a state's history, and sums points to joints.
+// Shear is a vector: the law sees the length of the elastic slip, and its stress acts along that. A joint that a free
+// contact replaces carries nothing. docs/theory/space.md, "Shear as a vector".
 #include "reading/space.h"
 
 #include <algorithm>

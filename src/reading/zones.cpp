@@ -1,3 +1,6 @@
+// Reads zones of a plane wall: energy (8.3), stresses in the wall's axes, passed limits, measures of a lintel.
+// Stress is linear in the turned frame of a zone and is then turned back. Where a lintel has no node line or no column
+// of zones in its middle, both beside it count by half. See docs/theory/zones.md, "Measures of a lintel".
 #include "reading/zones.h"
 
 #include <algorithm>

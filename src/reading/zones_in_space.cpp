@@ -1,3 +1,6 @@
+// Reads zones of a wall in space: contacts as joints, energies, stresses, and the measures of a lintel by sections.
+// A lintel runs along its longer level direction, towards +x, or +z where it runs along z. So its left end does not
+// depend on how its corners are numbered.
 #include "reading/zones_in_space.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Packs a header and aligned arrays into deflated bytes, and reads the header of such bytes back.
+// Bytes that are read may come from anybody. Unpacking stops at the sizes that the header states, and more than a
+// browser takes is refused before it is unpacked. Arrays lie as in memory, so the build asks for little endian.
 #include "report/bundle.h"
 
 #include <fmt/format.h>

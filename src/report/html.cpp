@@ -1,3 +1,6 @@
+// Escapes text for HTML and XML, and rounds numbers to significant digits.
+// Zeros that end the decimals are dropped, and a minus is written as a minus sign. Values, names and meanings of cards
+// must be markup already.
 #include "report/html.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// One style sheet for all pictures: rules name colours by variables, and dark mode changes the variables alone.
 #include "report/style.h"
 
 namespace wythe::report {

@@ -1,3 +1,5 @@
+// Writes SVG elements as text, in pixels to a tenth. Labels and titles are escaped here.
+// Ticks are multiples of the step, not sums, so that rounding does not grow along an axis.
 #include "report/svg.h"
 
 #include <fmt/format.h>

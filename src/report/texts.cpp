@@ -1,3 +1,5 @@
+// Looks words up in assets/texts.json, which is parsed once. A text is escaped before values are put in.
+// Each place is filled once, and an unknown key throws. Phrases joined by " + " are looked up one by one.
 #include "report/texts.h"
 
 #include <algorithm>

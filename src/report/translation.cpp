@@ -1,3 +1,5 @@
+// Puts a message into every language of the table, in the order of message_languages(), and one text where all agree.
+// Words of CODE.page go before those of CODE, also in messages that a message lists.
 #include "report/translation.h"
 
 #include "core/messages.h"

@@ -1,3 +1,6 @@
+// Checks the moduli of a deformable block, and inverts its compliances to D (docs/theory/zones.md, "The material").
+// A block is orthotropic where youngs_modulus_across is stated. Plane strain takes the third direction out of the
+// compliances first. G enters D as stated; in an isotropic block it must agree with E and nu within 1 %.
 #include "solids/elasticity.h"
 
 #include <fmt/core.h>

@@ -1,3 +1,6 @@
+// Appends the nodes, zones and rim of one body to the arrays of all, and sums the zones' masses at the nodes.
+// All zones of a grid share one shape; a triangle has its own and repeats its last corner. join_nodes() comes after all
+// contacts. It lists where in the step's force array the forces on each node stand.
 #include "solids/mesh.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Sums the stiffness of a zone over four triangles with half the thickness each, (8.1) or (8.2).
+// Triangles without area are skipped, which makes a triangle of a quadrilateral with two equal corners. The highest
+// omega^2 is that of the zone alone on its own masses, as (8.7) takes it.
 #include "solids/shape.h"
 
 #include <Eigen/Dense>

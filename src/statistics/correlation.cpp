@@ -1,3 +1,6 @@
+// Computes Pearson, Spearman and partial rank correlations with intervals (7.7), and variance ratios in bins (7.10).
+// A lower bound gets the mean of the ranks that it can have (7.9); Pearson and the bins take it as recorded. Values are
+// centred before they are squared. Collinear inputs give NaN.
 #include "statistics/correlation.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Evaluates the closed forms (7.2), (7.3), (7.7) and (7.24) to (7.28) of docs/theory/statistics.md.
+// Quantiles of F and chi-square come from scatter.cpp. Fewer than kFewestForInterval samples give NaN for a mean, a CoV
+// and a lognormal; shares have an interval from one sample on.
 #include "statistics/intervals.h"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+// Finds the median and dispersion of greatest likelihood (15.2) by Newton's method, and their profile intervals (15.3).
+// First the ends of the brackets decide the verdict; without kTold there is no median, dispersion or interval.
+// Logarithms are scaled by the mean and deviation of those ends. A difference of Phi is taken from the nearer tail,
+// where its digits are.
 #include "statistics/lognormal_fit.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Computes signs, median, means, scatter and gains of paired differences, option less base (7.11) to (7.13).
+// A lower bound leaves the difference open on its side, and open pairs count against a finding. Means of displacements
+// are cut at the smallest bound; other means leave pairs with bounds out. Too few pairs, or too many cut, give no mean.
 #include "statistics/pairs.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Splits a full table of walls by records into mean squares, and these into components with intervals (15.4).
+// A missing or unfinished cell refuses the table with its reason. Quantiles of F, t and chi-square are found here by
+// bisection of their tails; intervals.cpp takes them from here.
 #include "statistics/scatter.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Lets OpenTURNS choose the terms: Legendre products up to a total degree, thinned by least angle regression.
+// OpenTURNS is held with its default settings for one caller at a time. A constant response keeps the mean alone.
 #include "statistics/surrogate.h"
 
 #include <openturns/ComposedDistribution.hxx>

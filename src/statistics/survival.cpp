@@ -1,3 +1,6 @@
+// Walks readings in ascending order with falls and samples at risk: curve (7.4), interval (7.5) and mean (7.6).
+// The lognormal is fitted by expectation and maximisation. Readings must be in order, equal observed ones before
+// censored ones; weights by count then let a bootstrap use one order for all replicates.
 #include "statistics/survival.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Reads a dimension from a unit's definition in SI base units, and writes the SI unit of a dimension.
+// The scale of a definition is skipped, and radians count as 1. Named units such as N/m go before products of bases.
 #include "units/dimension.h"
 
 #include <array>

@@ -1,3 +1,6 @@
+// Reads each formula, orders the dependents depth first so that each follows those it uses, and derives units in that
+// order. A dependent with a unit of its own must agree with it; any other takes that of its formula, which must have
+// whole powers. A formula at fault causes no further faults of units in those that use it.
 #include "campaign/draws/dependents.h"
 
 #include <algorithm>

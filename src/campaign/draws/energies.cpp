@@ -1,3 +1,6 @@
+// Writes each energy as the text of a formula: max(proportional, 1.05 G s^2 / k + spent). s is the drop of stress and G
+// the steepest slope of the softening (docs/theory/joint_law.md, 3.13). Slip has two such bounds where GII rises with
+// pressure: without pressure and at the greatest drop. Numbers have 17 digits, so they read back to the same bits.
 #include "campaign/draws/energies.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,6 @@
+// Cholesky with the largest pivot first, so that a kernel whose matrix is singular to rounding is factored too
+// (docs/theory/fields.md, "Drawing"). Coordinates that differ by no more than `same` become one column or row. The grid
+// or the list of places is factored, whichever takes fewer operations. Every sum runs in a fixed order.
 #include "campaign/draws/field_factor.h"
 
 #include <algorithm>

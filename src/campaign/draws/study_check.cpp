@@ -1,3 +1,6 @@
+// A variable is checked in three steps, each only if the one before found nothing: which parameters stand there, their
+// values, what truncation leaves. Faults of all parts of a study are collected and told together. Columns and unused
+// variables are looked for only in a study without other faults.
 #include "campaign/draws/study_check.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,6 @@
+// A digest runs over the rows of one sample, table by table and in order of position, with all columns of each row.
+// States have a digest of their own. The digests themselves are left out. The study is compared within one read
+// transaction, so that no writer comes between its rows and its digest.
 #include "campaign/store/digest.h"
 
 #include <fmt/format.h>

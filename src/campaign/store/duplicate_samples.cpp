@@ -1,3 +1,6 @@
+// Walks the rows of both stores side by side, table by table and in order of position, to the first value that differs.
+// Only wall_seconds, provenance and the table of checksums are left out. Packed arrays whose bytes differ are unpacked
+// and compared by their content.
 #include "campaign/store/duplicate_samples.h"
 
 #include <fmt/format.h>

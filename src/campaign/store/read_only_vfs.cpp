@@ -1,3 +1,6 @@
+// Copies of the system's ways to files with two calls changed: open takes away every right to write or make, and delete
+// removes nothing. This holds for the store and its journals alone; other files, such as temporary ones, are opened as
+// asked.
 #include "campaign/store/read_only_vfs.h"
 
 #include <sqlite3.h>

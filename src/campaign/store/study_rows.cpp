@@ -1,3 +1,6 @@
+// Templates list the keys of a study, its variables, shaking and records; RowWriter and RowReader visit them, so
+// writing and reading agree. Models are compared without comments and blank lines, settings by what they do to the
+// model. A new key counts as a change of the study unless may_change() names it.
 #include "campaign/store/study_rows.h"
 
 #include <fmt/format.h>

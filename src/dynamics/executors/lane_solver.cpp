@@ -1,3 +1,6 @@
+// Each wall comes with a step of its own. When walls came or ended, those that fit the first are moved into as few
+// lanes as hold them. Lanes that would be no more than half full cost more than walls alone, so they are given up.
+// Where no walls share lanes, one after the other is stepped to its end.
 #include "dynamics/executors/lane_solver.h"
 
 #include <fmt/core.h>

@@ -1,3 +1,6 @@
+// Executor::step() is the order of a time step. Around its passes stands what is done wall by wall: dead loads, links,
+// dashpots, drive and ledger. Each chunk keeps its own sums of work, and the ledger adds them in the order of chunks.
+// So no bit depends on threads (docs/theory/determinism.md). A lane without a wall holds one at rest.
 #include "dynamics/executors/processor.h"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+// Balance is asked of a stretch of rows (4.11a): reaction and base shear that vibrate against each other are equal
+// twice in a period. The rate is judged at the largest force in balance (4.12), of driven supports in the worst fifth
+// of their way (4.12a). A meter that is no number stays one and never passes; a ledger that does not close makes it
+// "unknown".
 #include "dynamics/meters/balance.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Reads the envelope of each direction as a push of one way; the direction with the larger peak gives the responses.
+// Turns of the displacement bound excursions, and two half ones that follow each other in opposite senses are one full
+// cycle. Definitions: docs/reference/results.md, "Cyclic pushes".
 #include "dynamics/meters/cyclic.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Of a state: nodes follow each other strand by strand. A length is detached where 95 % of the energy of its bond is
+// spent; a strand is broken with its first broken node. Of a run: the largest use of all rows, and what is detached and
+// broken in the last one.
 #include "dynamics/meters/layer_uses.h"
 
 #include <cmath>

@@ -1,3 +1,7 @@
+// Sums elastic energy from the readings of a state. The ledger sets it and kinetic energy against the works that the
+// steps added up (docs/theory/integration.md, "Energy ledger"). Velocities stand half a step before displacements, so
+// the two energies belong to different moments. Where nothing happened the gap ratio is 0; a gap that is no number
+// stays one.
 #include "dynamics/meters/residual.h"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+// Finds the peak among rows in balance, then falls after it and dips before it, stiffness, works, bilinear curve and
+// drifts. A fall needs reaction and base shear both below, since in a rebound one of them dips alone
+// (docs/theory/drift.md). Stiffness is read off `rise` where it is known, finer than rows. Without a peak all that
+// needs one is NaN.
 #include "dynamics/meters/responses.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Sweeps along the axis on which the moving boxes are spread most, in strips across the next widest
+// (docs/theory/contacts.md, "Who may touch"). A pair that shares several strips is taken in the first of them alone.
+// Ties go by number and pairs are sorted at the end, so the answer depends on the boxes alone.
 #include "dynamics/passes/near_pairs.h"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+// Follows docs/theory/contacts.md for blocks in their plane. Slip grows by the motion of the last step, with arms and
+// axes taken half a step back, where the velocities stand. press() gives a group the bits of update_slip(). A joint
+// that gave way lies between the ground and itself, without an area. Feature e >= 0 is edge e of a, and -1 - e is edge
+// e of b.
 #include "dynamics/passes/plane_bodies.h"
 
 #include "contact/parameters.h"

@@ -1,3 +1,6 @@
+// Copies a wall from its state to the tables and back. Both ways go through each_number(), which knows the place of
+// each field, so they agree; the assertions tie rows to the order of fields. In stages that cut openings, what does not
+// stand lies between the ground and itself, and its blocks keep still.
 #include "dynamics/passes/wall.h"
 
 #include <algorithm>

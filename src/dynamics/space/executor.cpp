@@ -1,3 +1,6 @@
+// The step is Executor::step() (executors/processor.cpp). Joints and blocks run in chunks over all walls, zones wall by
+// wall. Works are kept for each chunk and added in a fixed order. Contacts need how far driven supports went in the
+// step before: where a stage tells that from its clock, a restart has the same bits.
 #include "dynamics/space/executor.h"
 
 #include <algorithm>

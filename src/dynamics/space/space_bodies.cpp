@@ -1,3 +1,6 @@
+// As passes/plane_bodies.cpp, with facets for edges. Slip has three lengths: two along the facet, and the twist times
+// the radius of gyration of the cover (docs/theory/contacts.md, "Two parts in space"). Supports may be driven; their
+// velocity is that of the last step. A joint that gave way lies between what rests and itself, without an area.
 #include "dynamics/space/space_bodies.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Copies one wall in space from its state to the tables and back, both by each_number(), and holds its loads, links,
+// drive and meters. A drive moves blocks in fixed shares, each block alike, or supports. The reaction of supports adds
+// up joints, free contacts and zones. Works use the mean of the velocities before and after a step.
 #include "dynamics/space/wall.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Each step: forces of zones on their corners, the law at contacts with rigid blocks, then nodes (docs/theory/zones.md,
+// 8.13 to 8.15). Zones and contacts write rows of their own, and each node gathers them in a fixed order, so that
+// threads change no bit. The gap of the step before is asked for only where a point slips.
 #include "dynamics/space/zones.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// What is put up goes where it fits its neighbours (23.3). What its joints, sections and links have there counts as
+// without stress, and a gap opens only after its joints are free. Then a step of almost no length tells what each
+// touched block lacks of balance (23.1). Stored energy that left goes into work_loads, so the ledger closes.
 #include "dynamics/stages/cutting.h"
 
 #include <algorithm>

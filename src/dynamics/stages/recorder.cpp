@@ -1,3 +1,6 @@
+// A row closes when the driven path has grown by one window; its forces are means over that path
+// (docs/theory/integration.md, "What a row holds"). States for readings are taken at the step, so that rows do not move
+// them. All that later steps need lies in the recording, so that a run can be cut and continued.
 #include "dynamics/stages/recorder.h"
 
 #include <fmt/core.h>

@@ -1,3 +1,6 @@
+// An earthquake stage, step by step: the base's mean acceleration over a step is taken off gravity
+// (docs/theory/dynamics.md, 14.1 and 14.2). The ground's force is sampled every 8 steps, and a row has the mean.
+// Displacement alone is no collapse here: a block must have fallen, left the world or be tilted past 60 degrees.
 #include "dynamics/stages/shake.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// The stages as classes: SettlingStage (gravity, load, cut), Push, Factor (body force, tilt) and Hold, with equations
+// 4.7 to 4.7c and 4.9 of docs/theory/integration.md. What all of them share comes first: step, runaways, collapse.
+// Unbalance is looked at every 50 steps, collapse every 500. The first end stands, unless a block has run away.
 #include "dynamics/stages/stage_run.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Two bodies overlap by the largest depth of any pair of their convex parts. Each depth is the least over separating
+// axes: normals of both parts, then cross products of their edges. The warps of both bodies are allowed on top. Support
+// is the set of bodies that joints link to a fixed one.
 #include "geometry/bodies/body_checks.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Mends bodies one by one. Corners are welded only where a surface is not closed. The sign of its volume tells whether
+// a closed piece is inside out. A piece that is not convex is cut, and flat neighbours become one face. What can't be
+// mended throws a Problem, and Preparation::take() makes a fault of it and leaves the body as it is.
 #include "geometry/bodies/convex_parts.h"
 
 #include <algorithm>

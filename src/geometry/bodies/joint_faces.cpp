@@ -1,3 +1,6 @@
+// Lays facing facets of near bodies into their mean plane and finds their common parts; those of one pair of bodies are
+// united. A common part covers both faces. Parts of one body cover each other too, and so do fixed bodies, without a
+// joint. What stays uncovered becomes outer faces. Slivers and narrow gaps are counted as lost, with one note for all.
 #include "geometry/bodies/joint_faces.h"
 
 #include <algorithm>

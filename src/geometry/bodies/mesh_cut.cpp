@@ -1,3 +1,6 @@
+// Ranks the planes through a notch and one more corner: by sharp edges crossed, notches on them, balance of corners.
+// The first plane that leaves two closed sides is taken. Three such searches follow each other, the last with a tenth
+// of the tolerance; then the solid is tried as a prism. The volumes of the pieces must add up to that of the whole.
 #include "geometry/bodies/mesh_cut.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Collects the faces of a solid from edge to edge. Where several faces run the other way along an edge, the one at the
+// smallest angle through the inside goes on. Angles are compared without a sine, by a measure from 0 to 4. A face that
+// lies on this one is a neighbour's: its angle counts as the largest.
 #include "geometry/bodies/pieces.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Cuts convex polygons by the lines of another's edges, one edge at a time (Sutherland and Hodgman). A corner within
+// the tolerance of a line belongs to both sides and gets no twin. The rest is what each edge cuts off, in turn.
 #include "geometry/bodies/polygon_in_space.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Sums exact integrals over tetrahedra (docs/theory/space.md, "Mass and inertia"). They start from a corner of the
+// body: one far from the origin would cost digits. A facet's normal is Newell's sum about the mean of its corners.
 #include "geometry/bodies/polyhedron.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Splits the faces of a convex solid at a plane and closes both halves by one face, its corners sorted by their angle.
+// A corner within kOnPlane [m] of the plane lies on it and belongs to both halves. A difference keeps one piece for
+// each plane that cuts. Parts hang together where they share more than 1e-8 m^2.
 #include "geometry/bodies/solid_cut.h"
 
 #include <algorithm>

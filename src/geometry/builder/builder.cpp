@@ -1,3 +1,6 @@
+// Builds the tables in a fixed order: plan walls, slabs, arches, domes (docs/theory/builder.md). Names are checked
+// first, since bodies are named after them. Slabs cut pockets into walls, so they are built only while there is no
+// fault.
 #include "geometry/builder/builder.h"
 
 #include <algorithm>

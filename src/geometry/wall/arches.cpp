@@ -1,3 +1,6 @@
+// Checks the keys of an arch, lays its voussoirs and cuts the masonry to them (docs/theory/conventions.md, "The lattice
+// of a wall"). The right half mirrors the left, and the end joints stand on the jambs to the bit. Slivers join a
+// neighbour in rounds: all neighbours are chosen before any of them grows, so both sides are treated alike.
 #include "geometry/wall/arches.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Repeats the cycle of units that the bond has in odd and even courses, from a start at or left of the wall's end.
+// Places on the grid of half columns get the grid's bits, so that joints of different courses are equal where they
+// align. Units are clipped to the wall and parted at their crack planes. Openings are cut last.
 #include "geometry/wall/bond.h"
 
 #include <algorithm>

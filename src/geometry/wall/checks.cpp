@@ -1,3 +1,6 @@
+// Two blocks overlap where they share more than a film as thick as the contact tolerance. Blocks that are one and the
+// same are told together, as given twice. Support is a chain of faces and frame sections down to the ground. Faces of
+// masonry that a stage cuts out carry nothing in the end, so they do not count.
 #include "geometry/wall/checks.h"
 
 #include <algorithm>

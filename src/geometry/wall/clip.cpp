@@ -1,3 +1,5 @@
+// Takes outlines to Clipper's grid of nanometres and back. Each grid line keeps the first coordinate that fell on it.
+// Corners within a line or two are merged and holes are dropped. Parts are sorted from left to right.
 #include "geometry/wall/clip.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Finds the solid runs of each course and lays the pieces of its bond in them. The band is divided at the sides of all
+// holes that reach into it. Neighbours of one height become one run again, so no joint arises there. Where units may
+// split, they are numbered through the whole wall: pieces of one number are one unit.
 #include "geometry/wall/courses.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// The kind of a contact follows from the roles of its blocks: frame, beam, plate, lintel, arch, masonry, in that order.
+// The material follows from the kind; in a blocks file a contact rule may name it. The masonry's bed joint stands in
+// for "joint" and "foundation" where the model has no such material. The ground is always side a.
 #include "geometry/wall/faces.h"
 
 #include <algorithm>

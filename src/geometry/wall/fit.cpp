@@ -1,3 +1,6 @@
+// Where steps must be whole, takes the number of them that changes a step least. One mortar joint at the end may be
+// there or not (docs/theory/conventions.md, "The lattice of a wall"). After a fault the axis is that of its first cure,
+// so that later cures hold together with it.
 #include "geometry/wall/fit.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Moves each step's level to a course line, and its side to a column line of every storey that the side crosses. The
+// reach is 2 % or one joint; with fit = "cut" a level may move a quarter of a course. Beyond the reach, units are cut
+// there or the step is refused. Soil beside a step touches nothing (docs/theory/ring_beams.md, "Ground in steps").
 #include "geometry/wall/foundation.h"
 
 #include <algorithm>

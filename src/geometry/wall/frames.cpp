@@ -1,3 +1,6 @@
+// Makes an axis from an opening or a line, lays its corners, then 4 to 8 segments a part between them, an even number.
+// The lengths of the sections are weights of Gregory's rule (docs/theory/frames.md, 20.6 and 20.7). Outlines are moved
+// by the gap so that they touch the masonry; the gap is kept beside each segment.
 #include "geometry/wall/frames.h"
 
 #include <algorithm>

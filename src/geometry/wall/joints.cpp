@@ -1,3 +1,6 @@
+// Compares the edges of near blocks in pairs. The ends of a contact are corners of its blocks, never new points, so
+// neighbours share their bits. A pair of blocks may stand in several cells and is counted in one, where the overlap of
+// its boxes begins. Contacts are sorted by height and place, whatever the order of the search.
 #include "geometry/wall/joints.h"
 
 #include <algorithm>

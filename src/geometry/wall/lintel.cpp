@@ -1,3 +1,6 @@
+// A lintel or sill takes whole courses and whole columns of bearing, both rounded and one at least. The opening's edge
+// moves to a course line first, and the bearing is counted from the jamb. The body is then parted at column lines; with
+// model = "zones" a lintel stays whole.
 #include "geometry/wall/lintel.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Places openings one by one: hole, sill, lintel, arch. An edge moves to a joint line within its reach. Beyond it, the
+// edge stays where units may be cut. Otherwise a fault names the nearest span that fits, and the opening takes that
+// span. Pairs are compared when all are placed.
 #include "geometry/wall/openings.h"
 
 #include <algorithm>

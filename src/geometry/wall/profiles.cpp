@@ -1,3 +1,5 @@
+// Nominal sizes in millimetres and the closed forms that make section values in metres of them (docs/theory/frames.md,
+// 20.9 and 20.10). Fillets and rounded corners are squares less quarter circles. Channels have listed values instead.
 #include "geometry/wall/profiles.h"
 
 #include <algorithm>

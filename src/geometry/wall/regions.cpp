@@ -1,3 +1,6 @@
+// Reads the place of each region as a box or a polygon and marks the blocks whose centroid it holds. Piers are counted
+// from the left between the openings of one storey. Heights count from the storey's foot where a storey is named. A
+// later region takes blocks from an earlier one, with a note. Only the mark and a thickness are written.
 #include "geometry/wall/regions.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Lays a ring beam in whole courses: below the top of its storey, or from the course line nearest to y. Its ends move
+// to the nearest column lines, with a note (docs/theory/ring_beams.md). Chains are compared with openings and ground by
+// their boxes, with arches by their outlines.
 #include "geometry/wall/ring_beams.h"
 
 #include <algorithm>

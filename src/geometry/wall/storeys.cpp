@@ -1,3 +1,6 @@
+// Each storey has the wall's keys, then its own. Mortar is added to bare units at once, so all sizes are nominal
+// afterwards. A storey remembers the sizes that it states itself, so that a fault stands where the user wrote. Faults
+// of what several storeys inherit are told once.
 #include "geometry/wall/storeys.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Reads mesh files by their ending and solids from JSON: corners and faces, parts, or an outline between two depths.
+// Coordinates are the file's own until place() divides by the units in a metre and turns z up into y up. A path with *
+// makes one body of each file. "lowest" fixes bodies whose foot is within 1/1000 of the height.
 #include "io/bodies/bodies_file.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Tells a format by the first two lines of a text and refuses the file where its ending says another. A text with no
+// known beginning is left to the reader of .dxf, .obj, .ply or .stl. Under another ending it is refused as no JSON.
 #include "io/bodies/other_format.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// A row is inputs, status, then answers in the order of campaign/output_keys.h, with falls and failure mode among them.
+// A sample without an answer has empty cells, so that all rows have the same columns. The row of a run has the same
+// names and is filled from summary.json by the keys of that file.
 #include "io/export/export_samples.h"
 
 #include <fmt/format.h>

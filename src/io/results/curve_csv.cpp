@@ -1,3 +1,5 @@
+// Writes the tables of a run, at most ten digits a number. Links, frames and layers are flat lists with n entries for
+// each row of the curve. Callers ask for such a table only where n > 0: with n = 0 the loop over rows has no end.
 #include "io/results/curve_csv.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// One list of columns serves both samples.csv and the file of a study with [shaking]. A sample without any shake has
+// one row with its own status. Limit states are named only for shakes that count.
 #include "io/results/shakes_csv.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,6 @@
+// Collects points and cells of a state and writes them as one unstructured grid; no two cells share a point. In space a
+// block has one polyhedron for each convex part, all with the block's values; joints are polygons and zones hexahedra.
+// Blocks that do not stand are kept, with 0 in the array `stands`. vtu_arrays() reads back arrays of doubles alone.
 #include "io/results/vtu.h"
 
 #include <fmt/core.h>

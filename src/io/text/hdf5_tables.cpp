@@ -1,3 +1,5 @@
+// Collects rows by column and writes them in chunks of 16384, numbers compressed. A Handle holds each object within the
+// file and closes it; an error of HDF5 throws IoError. Times of objects are not kept: equal results give equal bytes.
 #include "io/text/hdf5_tables.h"
 
 #include <hdf5.h>

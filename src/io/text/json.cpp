@@ -1,3 +1,5 @@
+// Looks at a text three times: how deep it nests (core/shape.h), whether a key stands twice, then the parse itself. The
+// look at keys is a pass of its own because the parser's callback costs the square of a long list.
 #include "io/text/json.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// Writes limits in the unit in which an engineer writes the key, and an example with the quotes that its kind needs.
 #include "io/text/range_text.h"
 
 #include <cmath>

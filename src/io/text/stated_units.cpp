@@ -1,3 +1,6 @@
+// Reads sizes of units from the tree itself, since the rules of materials come before the model is read. Each key is
+// the storey's own or the wall's; beside mortar sizes are bare, and the joint is added. A region without a storey may
+// lie in any. What is no length gives NaN, and the key's reader says why.
 #include "io/text/stated_units.h"
 
 #include <algorithm>

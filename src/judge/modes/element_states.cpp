@@ -1,3 +1,7 @@
+// Measures each sign of damage of each part: cracks, slips of whole sections, rocking, crushing, pieces broken off.
+// A crack reaches as far as lines through the part moved apart by `crack`, (5.1) to (5.3). In a dry pier the share of
+// turning (5.5) counts as rocking and shortens the diagonal crack. Truths repeat all this at five crack widths.
+// Reasons: docs/theory/failure_modes.md. Lengths are in m inside; a sign that is shown in mm holds mm.
 #include "judge/modes/element_states.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Names the failure of a wall in space: first which blocks take part, then which rigid pieces explain their motion.
+// Order: loose stones, one piece, motion in the plane of thin walls, up to four pieces. The first rule that holds gives
+// the name. Any name becomes "unclear" where a slab slips on the walls, or moved joints are pressed beyond their faces.
 #include "judge/modes/in_space.h"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+// Reads what each joint and block did in a state, and sums it along straight lines (5.1) and along beds.
+// Plates and the beam are kept apart as the top; frames and coats are left out, since a name tells of the masonry. For
+// pieces that came off, a rigid motion is fitted to the rest of the wall again and again. Blocks that left it by
+// `parted` are then joined across joints that moved less than that.
 #include "judge/modes/joint_motion.h"
 
 #include <algorithm>

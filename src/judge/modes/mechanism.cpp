@@ -1,3 +1,6 @@
+// Weighs each storey's piers by width and the spandrels by length, and scores the shares that are sheared or rock.
+// The scores follow (5.6) of docs/theory/failure_modes.md. The highest one gives the mechanism if it leads by kClear.
+// Otherwise the mechanism is "unclear" and its sentence gives the two nearest. No sheared pier counts as rocking.
 #include "judge/modes/mechanism.h"
 
 #include <algorithm>

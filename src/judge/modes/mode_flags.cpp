@@ -1,3 +1,5 @@
+// Measures how severe a failure is: wider piers, sliding in spandrels, slip of pushed blocks, falls of the force.
+// A fall counts within one crack width of push, as a share of the largest reaction of the whole curve.
 #include "judge/modes/mode_flags.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Fits rigid pieces to blocks that moved in space, by least squares over displacement and turn, weighted by mass.
+// Four steps of Gauss and Newton find the turn of a piece. As long as too much is left unexplained, the worst piece is
+// cut in two by height, along or across the wall. Then each block goes to the piece that explains it best.
 #include "judge/modes/space_pieces.h"
 
 #include <algorithm>

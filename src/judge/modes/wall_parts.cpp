@@ -1,3 +1,6 @@
+// Finds openings as holes in a raster of the blocks, orders them in storeys, and divides the masonry into parts.
+// A cell is a quarter of the usual block, which is half a unit long and a course high. Where blocks have no such sizes,
+// medians stand for them. Edges of holes move to the nearest block edge, and rows of openings are filled from below.
 #include "judge/modes/wall_parts.h"
 
 #include <algorithm>

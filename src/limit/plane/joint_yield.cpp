@@ -1,3 +1,6 @@
+// Sets a joint's strength by the assumed bond, friction and crushing, and cuts stress blocks (6.4) by tangents.
+// A joint without tensile strength counts as broken, so even "bonded" gives it residual cohesion and friction. Infinite
+// strengths stay infinite. Each tangent touches the curve at the N of a solution that lies beyond it.
 #include "limit/plane/joint_yield.h"
 
 #include <cmath>

@@ -1,3 +1,7 @@
+// Solves the homogeneous self-dual form by Mehrotra's predictor and corrector (docs/decisions/0017).
+// An iteration factors one system and solves it three times with refinement. A small term on the diagonal keeps pivots
+// off zero. Where round-off wins, that term grows tenfold and the search goes on from the best point. Rows of G are
+// scaled to capacities of 1 at most.
 #include "limit/solver/interior_point.h"
 
 #include <Eigen/OrderingMethods>

@@ -1,3 +1,6 @@
+// Brings rows, bounds and circles into the interior point's form: equal bounds give equations, others inequalities.
+// A programme of equations alone, such as the kinematic one, goes in as its dual, which the interior point handles
+// better. Its unknowns are then the multipliers of that dual, and "infeasible" and "unbounded" change places.
 #include "limit/solver/linear_program.h"
 
 #include <cmath>

@@ -1,3 +1,6 @@
+// Compiles a wall in space: zones, blocks in principal axes, joints, floors, links, stages, and the step at the end.
+// Free blocks are numbered first and supports after them. Joints between blocks stand before those on supports. Then
+// the variant of the law, the material and the number of points order them. A lintel's section is two joints (11.10).
 #include "model/space/space.h"
 
 #include "model/coarse_units.h"

@@ -1,3 +1,6 @@
+// Finds bodies by what a place states: an id or its beginning, a box round centroids, or a point; a role narrows each.
+// Numbers of a place are in the axes of the blocks file; in_wall() turns them where z points up there. A coordinate
+// that a point leaves out is that of each body's own centroid.
 #include "model/space/space_places.h"
 
 #include "model/space/space_roles.h"

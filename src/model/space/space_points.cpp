@@ -1,3 +1,6 @@
+// Lays the points of a rule on a face, with shares of its area that sum to 1.
+// Shares on a quadrilateral are divided by their sum. On other polygons, points that triangles have in common are one
+// point with the sum of their shares. Corners are coordinates about the centre of the area, where the fan begins.
 #include "model/space/space_points.h"
 
 #include <cmath>

@@ -1,3 +1,6 @@
+// Parses the ids that builders give, and takes from them the unit, course, lintel and joint material of a body.
+// A [[contact]] rule goes before what the ids say, and one with "ground" goes before that. A role stated in the file
+// goes before the id. An id that a user writes in the same form is read as a builder's.
 #include "model/space/space_roles.h"
 
 #include "geometry/blocks_file.h"

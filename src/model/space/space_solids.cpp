@@ -1,3 +1,6 @@
+// Divides hexahedra into zones on the trilinear map of their corners, and cuts joint faces at the zones' sides (8.14).
+// Direction b starts along the edge nearest to upright. Zones of a parallelepiped share one shape. Points of contacts
+// follow those of joints in Space. A face that does not lie on zones to 99.9 % is a fault.
 #include "model/space/space_solids.h"
 
 #include <fmt/core.h>
