@@ -10,6 +10,7 @@
 #include "api/job.h"
 #include "core/files.h"
 #include "core/limits.h"
+#include "core/number.h"
 #include "io/results/curve_csv.h"
 #include "io/results/element_columns.h"
 #include "wythe/error.h"
@@ -85,9 +86,9 @@ Table table_of(const std::string& csv) {
     table.add(head.substr(from, comma - from), {});
     from = comma + 1;
   }
-  const char* text = csv.c_str();
   for (std::size_t i = 0; at != std::string::npos && at + 1 < csv.size(); ++i) {
-    table.value[i % table.column.size()].push_back(std::strtod(text + at + 1, nullptr));
+    const auto cell = leading_number(std::string_view(csv).substr(at + 1));
+    table.value[i % table.column.size()].push_back(cell ? cell->value : kUnset);
     at = csv.find_first_of(",\n", at + 1);
   }
   return table;

@@ -1,18 +1,13 @@
 // Texts of lengths and shares for faults (a length has six digits), and the checks of numbers that must be there.
 #include "geometry/text.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 namespace wythe::geometry {
 namespace {
-
-std::string number(const char* format, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
 
 std::string write_example(const Needed& number) {
   return "write e.g. " + last_key(number.path) + " = \"" + number.example + "\"";
@@ -27,17 +22,19 @@ bool is_finite(const Needed& given, FaultList& faults) {
   return std::isfinite(given.value);
 }
 
-std::string value_text(const Needed& given) { return number("%.6g ", given.value) + given.unit; }
+std::string value_text(const Needed& given) {
+  return fmt::format("{:.6g} {}", given.value, given.unit);
+}
 
 }  // namespace
 
-std::string metres(double length) { return number("%.6g m", length); }
-std::string millimetres(double length) { return number("%.6g mm", 1000 * length); }
-std::string percent(double share) { return number("%+.1f %%", 100 * share); }
+std::string metres(double length) { return fmt::format("{:.6g} m", length); }
+std::string millimetres(double length) { return fmt::format("{:.6g} mm", 1000 * length); }
+std::string percent(double share) { return fmt::format("{:+.1f} %", 100 * share); }
 
 std::string last_key(const std::string& path) { return path.substr(path.rfind('.') + 1); }
 
-std::string times(double factor) { return number("%.2g", factor); }
+std::string times(double factor) { return fmt::format("{:.2g}", factor); }
 
 std::string opening_path(int index, const std::string& key) {
   return "wall.opening." + std::to_string(index) + "." + key;

@@ -1,6 +1,6 @@
 // Words for the reader: lengths as text, and the faults that every part of geometry reports.
 //
-// Called by the other files of src/geometry; standard library only.
+// Called by the other files of src/geometry.
 #pragma once
 
 #include <string>

@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "core/number.h"
 #include "geometry/wall/storeys.h"
 #include "model/protocol.h"
 #include "model/quadrature.h"
@@ -296,9 +297,7 @@ SizeProblem check_samples(const ModelSpec& spec, double samples) {
 double memory_limit() {
   const char* stated = std::getenv("WYTHE_MEMORY");
   if (stated == nullptr) return memory_of_this_machine();
-  char* rest = nullptr;
-  const double number = std::strtod(stated, &rest);
-  const std::string unit = rest;
+  const auto [number, unit] = leading_number(stated).value_or(LeadingNumber<double>{});
   for (const auto& [name, factor] : {std::pair("GB", 1e9), std::pair("MB", 1e6), {"TB", 1e12}})
     if ((unit == name || unit == std::string(" ") + name) && std::isfinite(number) && number > 0)
       return number * factor;

@@ -16,9 +16,10 @@ std::string with_power(double value, int digits) {
   static constexpr const char* kRaised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
   const std::string text = fmt::format("{:.{}e}", value, std::max(0, digits - 2));
   const std::size_t e = text.find('e');
-  const int power = std::stoi(text.substr(e + 1));
-  std::string raised = power < 0 ? "⁻" : "";
-  for (char c : std::to_string(std::abs(power))) raised += kRaised[c - '0'];
+  std::string_view power = std::string_view(text).substr(e + 2);  // behind its sign
+  while (power.size() > 1 && power.front() == '0') power.remove_prefix(1);
+  std::string raised = text[e + 1] == '-' ? "⁻" : "";
+  for (const char c : power) raised += kRaised[c - '0'];
   return text.substr(0, e) + "·10" + raised;
 }
 

@@ -8,10 +8,10 @@
 #include <fmt/format.h>
 
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <map>
 
+#include "core/number.h"
 #include "core/text.h"
 #include "statistics/intervals.h"
 #include "wythe/statistics.h"
@@ -63,11 +63,10 @@ struct RuleReader {
   }
   static constexpr double kWidest = 1e6;
   double limit_of(const std::string& clause, const std::string& text) const {
-    double value = 0;
-    const char* end = text.data() + text.size();
-    const auto [rest, error] = std::from_chars(text.data(), end, value);
-    const std::string_view unit(rest, static_cast<std::size_t>(end - rest));
-    if (error != std::errc() || (!unit.empty() && unit != "%")) {
+    const LeadingNumber<double> number =
+        leading_number(text).value_or(LeadingNumber<double>{0, "?"});
+    const auto [value, unit] = number;
+    if (!unit.empty() && unit != "%") {
       fault(fmt::format("\"{}\": after < stands a number, with or without %", clause));
     } else if (!(value > 0) || !std::isfinite(value)) {
       fault(fmt::format("\"{}\": never met, the limit must be positive", clause));

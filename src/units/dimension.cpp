@@ -3,11 +3,11 @@
 #include "units/dimension.h"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "core/number.h"
 #include "units/quantity_error.h"
 
 namespace wythe {
@@ -26,7 +26,8 @@ Factor split_factor(std::string_view text) {
   const std::size_t digits = text.find_first_of("-0123456789");
   Factor out{std::string(text.substr(0, digits)), 1};
   if (digits != std::string_view::npos)
-    std::from_chars(text.data() + digits, text.data() + text.size(), out.exponent);
+    if (const auto exponent = leading_number<int>(text.substr(digits)))
+      out.exponent = exponent->value;
   return out;
 }
 

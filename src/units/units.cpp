@@ -4,12 +4,12 @@
 // Factors are cached: a wall uses some twenty units, each looked up once.
 #include "wythe/units.h"
 
+#include <locale.h>
 #include <udunits2.h>
 
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -20,6 +20,7 @@
 
 #include <fmt/format.h>
 
+#include "core/number.h"
 #include "core/text.h"
 #include "units/dimension.h"
 #include "units/quantity_error.h"
@@ -39,6 +40,23 @@ struct Conversion {
   double value = 0;
 };
 
+// UDUNITS reads and writes numbers as the locale has them: a host program's decimal comma is set aside for its calls, in
+// this thread alone.
+class DecimalPoint {
+ public:
+  DecimalPoint() : before_(uselocale(plain())) {}
+  ~DecimalPoint() { uselocale(before_); }
+  DecimalPoint(const DecimalPoint&) = delete;
+  DecimalPoint& operator=(const DecimalPoint&) = delete;
+
+ private:
+  static locale_t plain() {
+    static const locale_t made = newlocale(LC_ALL_MASK, "C", nullptr);
+    return made;
+  }
+  locale_t before_;
+};
+
 // Linear without offset: neither Celsius nor the reciprocal that UDUNITS offers (s -> 1/s).
 bool is_proportional(const cv_converter* converter) {
   return cv_convert_double(converter, 0.0) == 0.0 &&
@@ -48,6 +66,7 @@ bool is_proportional(const cv_converter* converter) {
 class UnitTable {
  public:
   UnitTable() {
+    const DecimalPoint point;
     ut_set_error_message_handler(ut_ignore);
     system_ = ut_read_xml(nullptr);
     if (!system_) throw IoError("the unit database of UDUNITS-2 (udunits2.xml) can't be read");
@@ -60,6 +79,7 @@ class UnitTable {
 
   Conversion factor(const std::string& unit, const std::string& si_unit) {
     const std::lock_guard lock(mutex_);
+    const DecimalPoint point;
     const auto key = std::pair(unit, si_unit);
     if (const auto found = known_.find(key); found != known_.end()) return found->second;
     return known_[key] = look_up(unit, si_unit);
@@ -68,6 +88,7 @@ class UnitTable {
   // "" when the unit is not known.
   std::string definition(const std::string& text) {
     const std::lock_guard lock(mutex_);
+    const DecimalPoint point;
     const Unit unit = parse(text);
     std::array<char, 256> buffer{};
     const int length =
@@ -152,12 +173,9 @@ struct Split {
 std::optional<Split> split_quantity(std::string_view text) {
   std::string_view rest = trimmed(text);
   if (rest.starts_with('+') && !rest.starts_with("+-")) rest.remove_prefix(1);
-  Split out;
-  const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), out.number);
-  if (error != std::errc()) return std::nullopt;
-  rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
-  out.unit = trimmed(rest);
-  return out;
+  const auto found = leading_number(rest);
+  if (!found) return std::nullopt;
+  return Split{found->value, std::string(trimmed(found->rest))};
 }
 
 // UDUNITS would read "1 200 mm" as 1 x 200 mm and "3 m 4" as 12 m: a slip of the hand, not a unit.

@@ -29,6 +29,8 @@ BAD = [  # file, a line put at its end, what must be said
     ("src/report/arrays.cpp", "double e = model->half_y[j];", "half_y is the plane's"),
     ("src/io/results/vtu.cpp", "auto t = &Model::tangent_x;", "tangent_x is the plane's"),
     ("src/model/parts.h", "double t = std::tan(phi);", "std::tan has other bits on other machines"),
+    ("src/model/parts.h", "double n = std::stod(text);", "std::stod follows the locale"),
+    ("apps/main.cpp", "double n = strtod(text, nullptr);", "strtod follows the locale"),
     ("apps/main.cpp", "int p = joint * model.n_face_point;", "n_face_point is the plane's"),
     ("src/judge/modes.cpp", "namespace wythe {\nnamespace study {\nstruct Piece {\n};\n}  // namespace study\n}  // namespace wythe",
      "src/reading/joints.cpp:3: wythe::study::Piece is also the type of src/judge/modes.cpp:5"),

@@ -10,6 +10,7 @@ import pickle
 import signal
 import subprocess
 import sys
+import tempfile
 import threading
 import unittest
 import warnings
@@ -385,6 +386,38 @@ for call in (result.curve.frame, result.plot, lambda: wythe.openturns.function({
         model = str(SOURCE / "examples/brick_pier/model.toml")
         with self.assertRaises((wythe.InputError, MemoryError)):
             wythe.check(model, set={"wall.length": "1e6 m"})
+
+    def test_a_decimal_comma_of_the_host_changes_nothing(self):
+        # what localedef makes of LC_NUMERIC with "," and "." for thousands; no locale is installed on a bare machine
+        numeric = bytes.fromhex("14110320060000002000000022000000240000002800000"
+                                "02c000000300000002c002e00030300002c0000002e000000") + b"ANSI_X3.4-1968\0"
+        code = f"""
+import locale, sys
+def comma():
+    locale.setlocale(locale.LC_NUMERIC, "comma")
+    assert locale.str(0.5) == "0,5"
+if sys.argv[1] == "before": comma()
+import wythe
+if sys.argv[1] == "between": wythe.check({DRY!r}); comma()
+facade = wythe.check({str(SOURCE / "examples/brick_facade/model.toml")!r})
+print(facade.model)
+result = wythe.run({DRY!r}, set={SHORT!r}, progress=False)
+print([(key, value) for key, value in sorted(result.summary.items()) if "second" not in key])
+print({{name: list(column) for name, column in result.curve.items()}})
+walls = wythe.run_many({DRY!r}, {{{KN!r}: [10.5, 12.5]}}, units={{{KN!r}: "GPa/m"}}, set={SHORT!r}, progress=False)
+print(walls.frame().drop(columns=[c for c in walls.frame() if "second" in c]).to_csv())
+try: wythe.check({str(SOURCE / "examples/brick_facade/model.toml")!r}, set={{"wall.unit.length": "-0.295 m"}})
+except wythe.InputError as error: print(error)
+"""
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "comma").mkdir()
+            (pathlib.Path(folder) / "comma/LC_NUMERIC").write_bytes(numeric)
+            said = [subprocess.run(["/usr/bin/python3", "-c", code, when], capture_output=True, text=True, check=False,
+                                   env={**CHILD, "LOCPATH": folder}) for when in ("never", "before", "between")]
+        for done in said:
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(done.stdout, said[0].stdout)
+        self.assertIn("-0.295 m", said[0].stdout)
 
 
 if __name__ == "__main__":

@@ -4,11 +4,11 @@
 #include "campaign/draws/formula_parser.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "core/number.h"
 #include "core/text.h"
 #include "units/quantity_error.h"
 #include "wythe/units.h"
@@ -112,17 +112,15 @@ std::size_t FormulaParser::atom() {
 
 std::size_t FormulaParser::number() {
   const std::size_t begin = at_;
-  double value = 0;
-  const auto [stop, error] =
-      std::from_chars(text_.data() + at_, text_.data() + text_.size(), value);
-  at_ = static_cast<std::size_t>(stop - text_.data());
-  if (error != std::errc())
+  const auto found = leading_number(std::string_view(text_).substr(at_));
+  if (!found)
     throw FormulaError(fmt::format("'{}' is not a number", text_.substr(begin)),
                        "write it with a point, e.g. 0.15");
+  at_ = text_.size() - found->rest.size();
   const std::string digits = text_.substr(begin, at_ - begin);
   const std::string unit = unit_after_number(begin);
   const std::size_t out = add(Kind::kNumber, begin, {});
-  node[out].number = value;
+  node[out].number = found->value;
   if (unit.empty()) return out;
   node[out].dimension = dimension_of(unit);
   // through the same door as every quantity: 310 mm has the bits of 0.31 m

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 
@@ -14,6 +13,7 @@
 #include "campaign/draws/sampling.h"
 #include "campaign/draws/study_check.h"
 #include "core/hash.h"
+#include "core/number.h"
 #include "model/field_places.h"
 #include "wythe/model.h"
 #include "wythe/units.h"
@@ -58,12 +58,8 @@ Columns design_of(const StudySpec& study, int batch) {
 
 // The reason of a refusal has to fit in a table: "0.28274333882308139 rad" -> "0.282743 rad".
 std::string shortened(const std::string& value) {
-  double number = 0;
-  const char* end = value.data() + value.size();
-  const auto [stop, error] = std::from_chars(value.data(), end, number);
-  if (error != std::errc()) return value;
-  return fmt::format("{:.6g}{}", number,
-                     std::string_view(stop, static_cast<std::size_t>(end - stop)));
+  const auto number = leading_number(value);
+  return number ? fmt::format("{:.6g}{}", number->value, number->rest) : value;
 }
 
 // Each drawn wall once for each record that it meets.

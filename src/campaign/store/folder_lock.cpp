@@ -12,11 +12,11 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <cstring>
 #include <filesystem>
 
 #include "core/files.h"
+#include "core/number.h"
 #include "core/text.h"
 #include "wythe/error.h"
 
@@ -115,10 +115,10 @@ std::string lock_holder(const std::string& folder) { return of_held(folder, hold
 int lock_workers(const std::string& folder) {
   return of_held(folder, [](int descriptor) {
     const std::string text = content(descriptor);
-    int workers = 0;
-    if (const std::size_t line = text.find('\n'); line != std::string::npos)
-      std::from_chars(text.data() + line + 1, text.data() + text.size(), workers);
-    return std::clamp(workers, 0, 1 << 16);
+    const std::size_t line = text.find('\n');
+    if (line == std::string::npos) return 0;
+    const auto workers = leading_number<int>(std::string_view(text).substr(line + 1));
+    return workers ? std::clamp(workers->value, 0, 1 << 16) : 0;
   });
 }
 

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -18,6 +17,7 @@
 #include "campaign/store/store_schema.h"
 #include "core/limits.h"
 #include "core/messages.h"
+#include "core/number.h"
 #include "model/size.h"
 #include "wythe/error.h"
 
@@ -340,10 +340,8 @@ StudySpec Store::study_in(const Rows& rows) {
 
 StoreHead Store::head() {
   const std::string height = value("load_height_m");
-  double metres = 0;
-  const auto [end, error] = std::from_chars(height.data(), height.data() + height.size(), metres);
-  if (error != std::errc() || end != height.data() + height.size() || !(metres >= 0) ||
-      std::isinf(metres))
+  const double metres = parse_number(height).value_or(kUnset);
+  if (!(metres >= 0) || std::isinf(metres))
     database_.damaged(fmt::format("table study, load_height_m: \"{}\" is not a height", height));
   const std::string shard = value("shard");
   if (!shard_of(shard))
@@ -354,9 +352,8 @@ StoreHead Store::head() {
 int Store::number_of_sample(const std::string& key) {
   const std::string text = value(key);
   if (text.empty()) return 0;
-  int number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || end != text.data() + text.size() || number < 0)
+  const int number = parse_number<int>(text).value_or(-1);
+  if (number < 0)
     database_.damaged(fmt::format("table study, {}: \"{}\" is not a number of samples", key, text));
   return number;
 }

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -13,6 +12,7 @@
 #include "campaign/store/record_rows.h"
 #include "campaign/store/store.h"
 #include "campaign/store/store_schema.h"
+#include "core/number.h"
 #include "wythe/error.h"
 #include "wythe/units.h"
 
@@ -259,13 +259,11 @@ int last_counted(Store& store) {
 }
 
 std::optional<Shard> shard_of(const std::string& text) {
-  Shard shard;
-  const char* end = text.data() + text.size();
-  const auto [slash, error] = std::from_chars(text.data(), end, shard.number);
-  if (error != std::errc() || slash == end || *slash != '/') return std::nullopt;
-  const auto [rest, other_error] = std::from_chars(slash + 1, end, shard.of);
-  if (other_error != std::errc() || rest != end || shard.number < 1 || shard.of < shard.number)
-    return std::nullopt;
+  const auto number = leading_number<int>(text);
+  if (!number || !number->rest.starts_with('/')) return std::nullopt;
+  const auto of = parse_number<int>(number->rest.substr(1));
+  if (!of || number->value < 1 || *of < number->value) return std::nullopt;
+  const Shard shard{number->value, *of};
   if (text != fmt::format("{}/{}", shard.number, shard.of)) return std::nullopt;  // " 01/2"
   return shard;
 }

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <set>
@@ -14,6 +13,7 @@
 
 #include "campaign/draws/distribution.h"
 #include "core/hash.h"
+#include "core/number.h"
 #include "core/text.h"
 #include "wythe/error.h"
 
@@ -40,11 +40,10 @@ std::vector<std::string> lines_of(const std::string& text) {
 // "0.15 Pa" -> 0.15; "" is not set.
 template <class Number>
 Number number_in(const std::string& key, const std::string& text) {
-  const char* end = text.data() + text.size();
-  Number number{};
-  const auto [stop, error] = std::from_chars(text.data(), end, number);
-  if (error != std::errc() || (stop != end && *stop != ' ')) refuse(key, text, "a number");
-  return number;
+  const auto number = leading_number<Number>(text);
+  if (!number || (!number->rest.empty() && number->rest.front() != ' '))
+    refuse(key, text, "a number");
+  return number->value;
 }
 
 // Members to rows; what is not set leaves no row.

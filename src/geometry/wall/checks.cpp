@@ -3,9 +3,10 @@
 // masonry that a stage cuts out carry nothing in the end, so they do not count.
 #include "geometry/wall/checks.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
-#include <sstream>
 
 #include "geometry/polygon.h"
 #include "geometry/text.h"
@@ -39,9 +40,9 @@ bool refuse_overlap(const Block& a, const Block& b, double tolerance, Twins& twi
     twins.push_back(a.id + " and " + b.id);
     return false;
   }
-  std::ostringstream text;
-  text << "blocks \"" << a.id << "\" and \"" << b.id << "\" overlap by " << area << " m^2";
-  add_fault(faults, "wall.blocks." + b.id, "", text.str(), "move their corners apart");
+  add_fault(faults, "wall.blocks." + b.id, "",
+            fmt::format("blocks \"{}\" and \"{}\" overlap by {:.6g} m^2", a.id, b.id, area),
+            "move their corners apart");
   return true;
 }
 

@@ -62,12 +62,11 @@ std::vector<Rect> solid_runs(const Rect& band, const std::vector<Rect>& holes) {
 }
 
 std::string name_of(int course, const Piece& piece, std::set<std::string>& used) {
-  char text[48];
-  std::snprintf(text, sizeof text, "c%02du%02d", course, piece.unit);
+  const std::string text = fmt::format("c{:02d}u{:02d}", course, piece.unit);
   std::string id = text;
   if (piece.half != ' ') id += piece.half;
   // An opening can leave two pieces of one unit that is not split in its middle.
-  for (char letter = 'c'; !used.insert(id).second; ++letter) id = std::string(text) + letter;
+  for (char letter = 'c'; !used.insert(id).second; ++letter) id = text + letter;
   return id;
 }
 

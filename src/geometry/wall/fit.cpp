@@ -3,9 +3,10 @@
 // so that later cures hold together with it.
 #include "geometry/wall/fit.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "core/to_int.h"
 #include "geometry/text.h"
@@ -74,18 +75,16 @@ void refuse_fit(const AxisRequest& request, FaultList& faults) {
   };
   const auto extent = [&](int n) { return metres(request.step * n); };
   const int best = best_count(request), other = best == below ? below + 1 : below;
-  std::ostringstream problem, cure;
-  problem.precision(4);
-  problem << request.whose << " " << request.extent_name << " of " << metres(request.extent)
-          << " holds " << request.extent / request.step << " " << request.step_name
-          << "s; a whole number of them would change "
-          << "the size by " << percent(change_of(request, best)) << ", more than 2 %";
-  cure << "write " << last_key(request.size_path) << " = \"" << size(best) << "\" (or "
-       << size(other) << "), or a " << request.extent_name << " of " << extent(below) << " or "
-       << extent(below + 1) << ", or " << request.fit_key << " = \"cut\"";
   add_fault(faults, request.size_path,
-            millimetres(request.size_per_step * request.step - request.joint), problem.str(),
-            cure.str());
+            millimetres(request.size_per_step * request.step - request.joint),
+            fmt::format("{} {} of {} holds {:.4g} {}s; a whole number of them would change the "
+                        "size by {}, more than 2 %",
+                        request.whose, request.extent_name, metres(request.extent),
+                        request.extent / request.step, request.step_name,
+                        percent(change_of(request, best))),
+            fmt::format("write {} = \"{}\" (or {}), or a {} of {} or {}, or {} = \"cut\"",
+                        last_key(request.size_path), size(best), size(other), request.extent_name,
+                        extent(below), extent(below + 1), request.fit_key));
 }
 
 // After a fault it is the axis of the first cure, so that the openings' cures hold with it.

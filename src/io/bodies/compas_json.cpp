@@ -10,13 +10,13 @@
 // or by guid; a mesh under block, geometry, shape or mesh; keys of corners as texts; faces as lists of corners or,
 // as half-edges, from each corner to the next; coordinates left out where they are the default.
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 
 #include <fmt/format.h>
 
 #include "core/limits.h"
+#include "core/number.h"
 #include "io/bodies/bodies_file.h"
 
 namespace wythe::io {
@@ -61,10 +61,8 @@ std::string key_text(const nlohmann::json& key) {
 std::vector<std::string> sorted_keys(const nlohmann::json& object) {
   std::vector<std::pair<long long, std::string>> keys;
   for (const auto& item : object.items()) {
-    long long number = std::numeric_limits<long long>::max();
-    const std::string& text = item.key();
-    (void)std::from_chars(text.data(), text.data() + text.size(), number);
-    keys.emplace_back(number, text);
+    const auto number = leading_number<long long>(item.key());
+    keys.emplace_back(number ? number->value : std::numeric_limits<long long>::max(), item.key());
   }
   std::stable_sort(keys.begin(), keys.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });

@@ -16,6 +16,7 @@
 #include "core/file_kinds.h"
 #include "core/files.h"
 #include "core/limits.h"
+#include "core/number.h"
 #include "core/text.h"
 #include "io/bodies/other_format.h"
 #include "io/keys/key.h"
@@ -54,10 +55,7 @@ template <class T>
 std::optional<T> from_text(std::string_view text) {
   text = trimmed(text);
   if (text.starts_with('+')) text.remove_prefix(1);
-  T value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
+  return parse_number<T>(text);
 }
 
 // The pairs of the file one by one.

@@ -3,7 +3,6 @@
 // Called by meshes.cpp and ply.cpp.
 #pragma once
 
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -13,6 +12,7 @@
 #include <vector>
 
 #include "core/limits.h"
+#include "core/number.h"
 #include "core/text.h"
 #include "geometry/bodies/pieces.h"
 #include "io/bodies/meshes.h"
@@ -22,10 +22,7 @@ namespace wythe::io {
 template <class T>
 std::optional<T> mesh_number(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
-  T value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
+  return parse_number<T>(text);
 }
 
 // Words of a line, by blanks and tabs.

@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "core/number.h"
 #include "wythe/statistics.h"
 
 namespace wythe::io {
@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 
 inline Json number(double value) {
   if (!std::isfinite(value)) return nullptr;
-  return std::strtod(fmt::format("{:.9g}", value).c_str(), nullptr);
+  return *parse_number(fmt::format("{:.9g}", value));
 }
 inline Json pair(const Interval& interval, double scale = 1) {
   return Json::array({number(interval.low * scale), number(interval.high * scale)});

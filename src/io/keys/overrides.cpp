@@ -1,10 +1,10 @@
 // --set path=value: values put into the TOML tree before it is read, so that they meet the same
 // checks as the file. Members of a list are found by index or by their `name`.
 #include <algorithm>
-#include <charconv>
 
 #include <fmt/format.h>
 
+#include "core/number.h"
 #include "core/text.h"
 #include "io/text/toml_reader.h"
 #include "io/text/toml_writer.h"
@@ -37,11 +37,8 @@ void put_value(toml::table& table, const std::string& key, const std::string& te
 }
 
 std::optional<std::size_t> index_in(const toml::array& list, const std::string& step) {
-  std::size_t index = 0;
-  const char* end = step.data() + step.size();
-  const auto [stop, error] = std::from_chars(step.data(), end, index);
-  if (error == std::errc() && stop == end)
-    return index < list.size() ? std::optional(index) : std::nullopt;
+  if (const auto index = parse_number<std::size_t>(step))
+    return *index < list.size() ? index : std::nullopt;
   for (std::size_t i = 0; i < list.size(); ++i) {
     const toml::table* member = list.get(i)->as_table();
     const auto name = member ? (*member)["name"].value<std::string>() : std::nullopt;

@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "core/elementary.h"
+#include "core/number.h"
 #include "core/text.h"
 #include "io/model/office.h"
 #include "io/text/magnitude.h"
@@ -76,7 +77,7 @@ std::string shown_value(double value, const Key& key) {
 double rounded(double value, const Key& key) {
   if (!std::isfinite(value)) return value;
   const int digits = std::string_view(key.unit) == "rad" ? 15 : 6;
-  if (!*key.unit) return std::stod(fmt::format("{:.{}g}", value, digits));
+  if (!*key.unit) return *parse_number(fmt::format("{:.{}g}", value, digits));
   const double shown = value / unit_factor(key.shown, key.unit);
   return parse_quantity(fmt::format("{:.{}g} {}", shown, digits, key.shown), key.unit);
 }

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "core/limits.h"
+#include "core/number.h"
 #include "core/text.h"
 #include "io/text/csv.h"
 #include "io/text/table.h"
@@ -496,9 +497,12 @@ std::optional<RecordNumbers> parse_knet(const std::string& text, const std::stri
 struct Fixed {
   std::size_t many = 0, wide = 0;
 };
+std::size_t whole_in(const std::smatch& found, std::size_t k) {
+  return parse_number<std::size_t>(found[k].str()).value_or(0);
+}
 Fixed fixed_in(const std::smatch& found, std::size_t at) {
   const auto number = [&](std::size_t k) {
-    return found[k].length() == 0 ? 1 : static_cast<std::size_t>(std::stoul(found[k].str()));
+    return found[k].length() == 0 ? 1 : whole_in(found, k);
   };
   return {number(at), number(at + 1)};
 }
@@ -552,8 +556,7 @@ std::vector<CosmosChannel> cosmos_channels(std::string_view text, const std::str
     std::smatch found;
     if (std::regex_match(line, found, kHead)) {
       head.clear();
-      const auto count = static_cast<std::size_t>(std::stoul(found[1].str()));
-      const auto rows = static_cast<std::size_t>(std::stoul(found[2].str()));
+      const std::size_t count = whole_in(found, 1), rows = whole_in(found, 2);
       for (std::size_t k = i + 1; k < std::min(lines.size(), i + 1 + rows); ++k)
         if (!add_fixed(lines[k], fixed_in(found, 3), count, head))
           refuse(file, static_cast<int>(k) + 1, std::string(trimmed(lines[k])),
@@ -562,8 +565,8 @@ std::vector<CosmosChannel> cosmos_channels(std::string_view text, const std::str
       CosmosChannel channel{.line = static_cast<int>(i) + 1,
                             .words = std::string(trimmed(line)),
                             .unit = found[3].str(),
-                            .count = std::stod(found[1].str()),
-                            .seconds = std::stod(found[2].str()),
+                            .count = number_in(found[1].str()),
+                            .seconds = number_in(found[2].str()),
                             .head = std::move(head),
                             .value = {}};
       head.clear();

@@ -3,13 +3,13 @@
 // Order matters: a variable's unit is that of the key it sets, so the base model is read first and
 // its keys listed; what can be wrong between the parts (check_study) comes last and is given lines.
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <set>
 
 #include <fmt/format.h>
 
 #include "core/files.h"
+#include "core/number.h"
 #include "core/text.h"
 #include "io/bodies/blocks_json.h"
 #include "io/keys/describe.h"
@@ -205,9 +205,10 @@ class StudyReader {
       return;
     }
     const std::string text = shown(*node);
-    const bool number = node->is_integer() || node->is_string();
-    const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), study_.seed);
-    if (!number || error != std::errc() || stop != text.data() + text.size())
+    const auto seed = parse_number<std::uint64_t>(text);
+    if (seed && (node->is_integer() || node->is_string()))
+      study_.seed = *seed;
+    else
       reader.refuse("seed", "must be a whole number from 0", "write e.g. seed = 2026");
   }
 
@@ -594,7 +595,9 @@ class StudyReader {
       if (const toml::table* table = node->as_table())
         node = table->get(step);
       else if (const toml::array* list = node->as_array())
-        node = index && !step.empty() && step.size() < 9 ? list->get(std::stoul(step)) : nullptr;
+        node = index && !step.empty() && step.size() < 9
+                   ? list->get(*parse_number<std::size_t>(step))
+                   : nullptr;
       else
         node = nullptr;
     }

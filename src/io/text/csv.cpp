@@ -5,12 +5,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <iterator>
 #include <limits>
 
 #include "core/limits.h"
+#include "core/number.h"
 #include "core/text.h"
 #include "wythe/error.h"
 
@@ -119,15 +119,13 @@ std::string short_cell(double value) {
 }
 
 double number_in(std::string_view cell) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   constexpr std::size_t kLongestNumber =
       2000;  // every double has fewer digits; 64 MB of them take seconds
-  if (cell.size() > kLongestNumber) return std::numeric_limits<double>::quiet_NaN();
+  if (cell.size() > kLongestNumber) return kNone;
   if (cell.starts_with('+')) cell.remove_prefix(1);
-  double number = 0;
-  const char* end = cell.data() + cell.size();
-  const auto [stop, error] = std::from_chars(cell.data(), end, number);
-  const bool whole = error == std::errc() && stop == end && std::isfinite(number);
-  return whole ? number : std::numeric_limits<double>::quiet_NaN();
+  const double number = parse_number(cell).value_or(kNone);
+  return std::isfinite(number) ? number : kNone;
 }
 
 }  // namespace wythe::io

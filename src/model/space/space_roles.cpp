@@ -3,6 +3,7 @@
 // goes before the id. An id that a user writes in the same form is read as a builder's.
 #include "model/space/space_roles.h"
 
+#include "core/number.h"
 #include "geometry/blocks_file.h"
 
 #include <cmath>
@@ -73,7 +74,7 @@ std::optional<int> course_of(const std::string& id) {
     while (end < id.size() && id[end] >= '0' && id[end] <= '9') ++end;
     const bool has_unit = end < id.size() && (id[end] == 'u' || id[end] == 't');
     if (dot + 1 < id.size() && id[dot + 1] == 'c' && end > dot + 2 && end < dot + 9 && has_unit)
-      return std::stoi(id.substr(dot + 2, end - dot - 2));
+      return parse_number<int>(std::string_view(id).substr(dot + 2, end - dot - 2));
   }
   return std::nullopt;
 }
