@@ -282,7 +282,7 @@ class RunHeadline {
   }
   [[nodiscard]] std::string tested_drift() const {
     const std::string note = text_in(member(member(s_, "tested_range"), "drift"), "note");
-    return note.empty() ? "" : " " + report::sentence(escaped(note));
+    return note.empty() ? "" : " " + report::sentence(note);
   }
   [[nodiscard]] std::string threshold() const {
     const Json& capacity = member(s_, "drift_capacity");

@@ -23,7 +23,7 @@ constexpr double kDegree = 57.29577951308232;  // per radian
 
 // A row of the material table: SI value times factor is the value shown. Every key of a material that is
 // a number has its row (tests/unit/report/report_test.cpp compares them with the keys of the model file). Forces
-// are in kN and stresses in MPa on the whole page; 1 kN/m is 1 N/mm, 1 MPa/mm is 1 GPa/m.
+// are in kN and stresses in MPa, moduli of bars and layers in GPa; 1 kN/m is 1 N/mm, 1 MPa/mm is 1 GPa/m.
 struct MaterialRow {
   const char* key;
   const char* unit;

@@ -75,11 +75,11 @@ std::string Texts::localised(std::string number) const {
 }
 
 std::string Texts::number(double value, int digits) const {
-  return localised(rounded(value, digits));
+  return std::isinf(value) ? say("unlimited") : localised(rounded(value, digits));
 }
 
 std::string Texts::quantity(double value, std::string_view unit, int digits) const {
-  return localised(report::quantity(value, unit, digits));
+  return std::isinf(value) ? say("unlimited") : localised(report::quantity(value, unit, digits));
 }
 
 }  // namespace wythe::report

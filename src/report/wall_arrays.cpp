@@ -259,7 +259,7 @@ double state_numbers(const Model& m) {
   if (m.in_space())
     return 6.0 * (m.n_block + m.space.solids.n_zone + m.space.n_support) + 5.0 * joint_count(m);
   return 3.0 * m.n_block + 4.0 * (m.n_joint + m.solids.n_contact) + 2.0 * m.solids.n_node +
-         4.0 * m.frames.n;
+         2.0 * m.solids.n_zone + m.links.n + 4.0 * m.frames.n;
 }
 
 std::vector<bool> states_shown(const std::vector<bool>& labelled, int most) {

@@ -25,7 +25,7 @@ void add_fields(Bundle& bundle, const ModelSpec& spec, const Model& model, int s
 // Which states of a run go along where no more than `most` fit: all that are labelled, and of the others as
 // many as there is room for, evenly spread.
 [[nodiscard]] std::vector<bool> states_shown(const std::vector<bool>& labelled, int most);
-// Numbers of a page that one state takes.
+// Numbers of a page that one state takes, without forces of joints, which a run alone has.
 [[nodiscard]] double state_numbers(const Model& model);
 
 // Bodies and joint faces of a wall in space. Header: "wall.space", to go into `wall`.

@@ -104,6 +104,18 @@ const CorrelationSpec* pair_of(const StudySpec& study, const std::string& a, con
   return nullptr;
 }
 
+// The inverse of correlation_behind(), by halving: the rank correlation of a pair whose normal variables correlate by `rho`.
+double rank_given_by(const StudySpec& study, CorrelationSpec pair, double rho) {
+  constexpr int kHalvings = 20;  // more than the three digits that are shown
+  double low = 0, high = 1;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    pair.value = std::copysign(middle, rho);
+    (std::abs(correlation_behind(study, pair).rho) < std::abs(rho) ? low : high) = middle;
+  }
+  return std::copysign(low, rho);
+}
+
 // "ft_j and fc rank 0.873, ft_j and phi gaussian 0.112"
 std::string pairs_text(const StudySpec& study, const Copula& copula) {
   std::vector<std::string> texts;
@@ -115,7 +127,7 @@ std::string pairs_text(const StudySpec& study, const Copula& copula) {
       const bool rank = stated ? stated->rank : study.correlation.front().rank;
       const double rho = copula.matrix.at(i, j);
       texts.push_back(fmt::format("{} and {} {} = {:.3f}", a, b, rank ? "rank" : "gaussian",
-                                  rank ? rank_of_gaussian(rho) : rho));
+                                  rank ? rank_given_by(study, {a, b}, rho) : rho));
     }
   return joined(texts, ", ");
 }
@@ -123,7 +135,6 @@ std::string pairs_text(const StudySpec& study, const Copula& copula) {
 }  // namespace
 
 double gaussian_of_rank(double rank) { return 2 * elementary::sin(std::numbers::pi * rank / 6); }
-double rank_of_gaussian(double rho) { return 6 / std::numbers::pi * elementary::asin(rho / 2); }
 
 Copula copula_of(const StudySpec& study, bool all) {
   Copula out;

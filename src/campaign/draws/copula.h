@@ -16,9 +16,7 @@ struct Copula {
 // Every pair must name two variables. `all`: the variables in no pair too, correlated with none.
 [[nodiscard]] Copula copula_of(const StudySpec& study, bool all = false);
 
-// Spearman's rank correlation of two jointly normal variables and their linear correlation:
-//   rho = 2 sin(pi rank / 6),   rank = 6/pi asin(rho / 2)
+// The linear correlation of two jointly normal variables from Spearman's rank correlation: rho = 2 sin(pi rank / 6).
 [[nodiscard]] double gaussian_of_rank(double rank);
-[[nodiscard]] double rank_of_gaussian(double rho);
 
 }  // namespace wythe

@@ -26,7 +26,7 @@ struct PoolTask {
 // How many workers solve_samples() starts.
 [[nodiscard]] int workers_of(const PoolTask& task);
 
-// look(), take() and keep() are called by several workers at once. Returns when all workers have ended;
+// poll(), take() and keep() are called by several workers at once. Returns when all workers have ended;
 // throws what the first failure threw. Samples that were under way at a halt are dropped.
 void solve_samples(const PoolTask& task);
 

@@ -2,7 +2,7 @@
 // threads; or walls side by side, one a lane.
 //
 //   Processor one(model, 1, threads);
-//   one.put(0, model, state);
+//   one.load_wall(0, model, state);
 //   one.set(0, controls);
 //   one.step();
 //   one.access(0)->store_state(state);

@@ -3,7 +3,7 @@
 // in a row behind those of frames; within a block it moves nodes alone.
 //
 // Nodes have no mass. Each step moves every node by half of what would bring it into balance if the others stood
-// still (22.6). What this takes is the exact difference of stored energies, and goes into the ledger as damping.
+// still (22.7). What this takes is the exact difference of stored energies, and goes into the ledger as damping.
 #pragma once
 
 #include "contact/layer.h"

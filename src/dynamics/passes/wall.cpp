@@ -114,7 +114,7 @@ void load_frames(const WallView& wall, const Frames& frames) {
 }
 
 void load_layers(const WallView& wall, const Layers& layers) {
-  constexpr double kShare = 0.5;  // of what would bring a node into balance (22.6)
+  constexpr double kShare = 0.5;  // of what would bring a node into balance (22.7)
   double behind = 0;
   for (int k = 0; k < layers.n; ++k) {
     const auto put = [&](LayerRowName row, const std::vector<double>& of) {

@@ -53,7 +53,7 @@ double settle_on_grid(const Axis& columns, double x) {
 }
 
 // One unit, whole or in the pieces its crack planes leave, clipped to the wall. A plane stands inside the
-// wall, and pieces are named a, b, c by their unit, also where the wall's end takes one of them away.
+// wall, and the pieces that the wall's end leaves are named a, b, c.
 void add_unit(const Piece& unit, const std::vector<double>& planes, const Axis& columns,
               std::vector<Piece>& course) {
   const double margin = 1e-9 * columns.extent;

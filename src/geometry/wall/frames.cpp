@@ -132,13 +132,8 @@ class Builder {
       if (n > 0 && length(next - axis_.point[n - 1]) < kNear)
         return fault("line", metres(x) + ", " + metres(y), "is there twice in a row",
                      "write each corner once");
-      if (n > 1 &&
-          std::abs(cross(axis_.point[n - 1] - axis_.point[n - 2], next - axis_.point[n - 1])) <
-              kNear * length(next - axis_.point[n - 1]))
-        return fault("line." + std::to_string(n),
-                     metres(axis_.point[n - 1].x) + ", " + metres(axis_.point[n - 1].y),
-                     "is no corner: the line goes straight on or turns back there",
-                     "leave this point out");
+      if (n > 1 && !is_corner(axis_.point[n - 2], axis_.point[n - 1], next))
+        return no_corner(n - 1);
       axis_.point.push_back(next);
     }
     if (axis_.point.size() < 2)
@@ -147,7 +142,10 @@ class Builder {
           "write its axis from corner to corner: [[\"1 m\", \"0 m\"], [\"1 m\", \"2.5 m\"]]");
     axis_.closed =
         axis_.point.size() > 3 && length(axis_.point.back() - axis_.point.front()) < kNear;
-    if (axis_.closed) axis_.point.pop_back();
+    if (axis_.closed) {
+      axis_.point.pop_back();
+      if (!is_corner(axis_.point.back(), axis_.point[0], axis_.point[1])) return no_corner(0);
+    }
     for (std::size_t k = 0; k < axis_.parts(); ++k) {
       const Vec2 d = axis_.to(k) - axis_.from(k);
       if (std::min(std::abs(d.x), std::abs(d.y)) > kNear)
@@ -193,6 +191,15 @@ class Builder {
     return false;
   }
 
+  // Whether the line turns at `at`.
+  static bool is_corner(const Vec2& before, const Vec2& at, const Vec2& after) {
+    return std::abs(cross(at - before, after - at)) >= kNear * length(after - at);
+  }
+  bool no_corner(std::size_t k) {
+    return fault(
+        "line." + std::to_string(k), metres(axis_.point[k].x) + ", " + metres(axis_.point[k].y),
+        "is no corner: the line goes straight on or turns back there", "leave this point out");
+  }
   [[nodiscard]] bool is_held() const {
     return spec_.feet == FrameFeet::kFixed || spec_.feet == FrameFeet::kHinged;
   }

@@ -21,7 +21,7 @@ using geometry::Role;
 constexpr double kClose = 2e-3;     // pieces of a strand, no further apart [m]
 constexpr double kShortest = 1e-3;  // of a piece [m]
 constexpr int kMostNodes = 4;       // of a piece
-constexpr double kWidest = 2;       // nodes apart, over the decay length of the bond (22.7)
+constexpr double kWidest = 2;       // nodes apart, over the decay length of the bond (22.4)
 
 // Where the layer lies, or a block: along a strand from..to, or across.
 struct Span {

@@ -187,6 +187,42 @@ TEST(StudyRefused, matrix_that_is_not_positive_definite_with_the_nearest) {
       Texts{});
 }
 
+// Ranks of few values correlate less than the normal variables behind them say.
+TEST(StudyRefused, the_nearest_matrix_of_few_values_is_one_too) {
+  const Folder folder;
+  folder.write("model.toml", kModel);
+  folder.write("t.csv", "ft_MPa\n0.1\n0.2\n0.3\n");
+  const auto faults = [&](const std::string& a, const std::string& b, const std::string& c) {
+    std::string text = "[study]\nmodel = \"model.toml\"\nsamples = 8\nseed = 1\n";
+    for (const char* name : {"tensile_strength", "cohesion", "compressive_strength"})
+      text += std::string("[variable.") + name + "]\npath = \"material.joint." + name +
+              "\"\ndistribution = \"empirical\"\nfile = \"t.csv\"\n";
+    const auto pair = [&](const char* first, const char* second, const std::string& rank) {
+      text += std::string("[[correlation]]\nbetween = [\"") + first + "\", \"" + second +
+              "\"]\nrank = " + rank + "\n";
+    };
+    pair("tensile_strength", "cohesion", a);
+    pair("cohesion", "compressive_strength", b);
+    pair("tensile_strength", "compressive_strength", c);
+    try {
+      (void)read_study(folder.write("study.toml", text));
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const std::string fault = faults("0.8", "0.75", "0.05");
+  ASSERT_NE(fault.find("the nearest that is one: "), std::string::npos) << fault;
+  const auto rank_of = [&](const std::string& pair) {
+    const std::size_t at = fault.find(pair + " rank = ") + pair.size() + 8;
+    return fault.substr(at, fault.find(',', at) - at);
+  };
+  EXPECT_EQ(
+      faults(rank_of("tensile_strength and cohesion"), rank_of("cohesion and compressive_strength"),
+             rank_of("tensile_strength and compressive_strength")),
+      "");
+}
+
 TEST(StudyRefused, measured_values_that_are_none) {
   const Folder folder;
   folder.write("model.toml", kModel);

@@ -435,6 +435,7 @@ TEST(Texts, words_are_translated_and_numbers_localised) {
   EXPECT_EQ(italian.phrase("something else"), "something else");
   EXPECT_EQ(english.phrase("left pier"), "left pier");
   EXPECT_EQ(italian.quantity(1.5, "mm"), "1,5\u202fmm");
+  EXPECT_EQ(italian.quantity(kUnlimited, "MPa"), "illimitata");
 }
 
 TEST(Said, a_message_is_a_text_in_each_language) {
