@@ -187,7 +187,8 @@ class Assess(unittest.TestCase):
         self.assertEqual(wythe("run", model, "--out", out, "--quiet").returncode, 0)
         return json.loads((out / "summary.json").read_text())["assessment"]["verdict"]
 
-    def many_walls(self, text, walls=16):
+    # Sixteen walls by make test-long.
+    def many_walls(self, text, walls=16 if LONG else 8):
         out = self.folder / f"walls{abs(hash(text))}"
         if not out.exists():  # two tests look at the same walls
             ended = wythe("assess", self.file("walls.toml", text), "--out", out, "--walls", walls, "--quiet")
@@ -195,7 +196,7 @@ class Assess(unittest.TestCase):
         return json.loads((out / "assessment.json").read_text()), rows_of(out / "walls.csv")
 
     def test_the_probability_moves_smoothly_where_one_run_turns(self):
-        # 7 % more strength of units turns one run from met to not met and back; of sixteen walls the share moves by a quarter at most
+        # 7 % more strength of units turns one run from met to not met and back; of many walls the share moves by a quarter at most
         known = {-2: "fails", 4: "holds", 5: "fails", 6: "holds"}
         powers = [k for k in known if LONG or k >= 5]  # the others by make test-long: their walls are no other test's
         self.assertEqual([self.one_run(self.knife(0.5 * 1.07**k)) for k in powers], [known[k] for k in powers])
@@ -215,7 +216,7 @@ class Assess(unittest.TestCase):
         fast, slow = (self.knife(0.5 * 1.07**5, v) for v in (8, 4))
         self.assertEqual([self.one_run(text) for text in (fast, slow)], ["holds", "fails"])
         fast, slow = (self.many_walls(text)[0] for text in (fast, slow))
-        self.assertLess(abs(fast["probability"] - slow["probability"]), 0.1)
+        self.assertLessEqual(abs(fast["not_met"] - slow["not_met"]), 1)
         self.assertEqual(fast["verdict"], slow["verdict"])
         self.assertAlmostEqual(fast["pga_capacity_g"]["median"], slow["pga_capacity_g"]["median"], delta=0.002)
 
@@ -241,6 +242,8 @@ class Assess(unittest.TestCase):
                                     ("hardly waits", 'velocity = "4 mm/s"\nfast_velocity = "4.1 mm/s"', True),
                                     ("always in balance", 'fast_below = 1.0', True), ("damped", "", True),
                                     ("slow alone", 'velocity = "1 mm/s"\nfast_velocity = "5 mm/s"', True)):
+            if name in ("one speed", "slow alone") and not LONG:
+                continue
             with self.subTest(name):
                 out = self.folder / name
                 text = knife.replace('velocity = "1 mm/s"', speed).replace("damping = 0.2", "damping = 0.8" if name == "damped" else "damping = 0.2")
@@ -323,7 +326,7 @@ class Assess(unittest.TestCase):
         model = self.file("means.toml", WALL.replace("confidence_factor = 1.2\n", ""))
         for more, signed, spread in (((), False, 0.02), (("--between", "0.3"), True, 0.1)):
             out = self.folder / f"means{len(more)}"
-            ended = wythe("assess", model, "--out", out, "--walls", "6", "--quiet", *QUICK, *more)
+            ended = wythe("assess", model, "--out", out, "--walls", "4", "--quiet", *QUICK, *more)
             self.assertEqual(ended.returncode, 0, ended.stderr)
             j = json.loads((out / "assessment.json").read_text())
             self.assertEqual("mean strengths" not in " ".join(j["cautions"]), signed)
@@ -414,7 +417,9 @@ class Assess(unittest.TestCase):
         self.assertIn("no mass", json.loads((out / "statistics.json").read_text())["assessment"]["reason"])
 
     def test_parts_out_of_plane_are_in_the_verdict(self):
-        of_walls = json.loads((self.out / "assessment.json").read_text())["verdict_of_pushes"]
+        out = self.folder / "without_parts"
+        self.assertEqual(wythe("assess", self.model, "--out", out, "--walls", "2", "--quiet").returncode, 0)
+        of_walls = json.loads((out / "assessment.json").read_text())["verdict_of_pushes"]
         part = '[[assessment.part]]\nname = "timpano"\n'
         for name, rest, verdict, english, italian in (
                 ("stands", 'foot = "0.4 m"\n', of_walls, "out of plane timpano has the least reserve", "fuori piano timpano ha la riserva minore"),
@@ -423,7 +428,7 @@ class Assess(unittest.TestCase):
                 ("beyond", 'foot = "0.4 m"\nhead = "2 m"\n', "not shown", "timpano could not be checked out of plane", "verifica fuori piano impossibile per timpano")):
             with self.subTest(name):
                 out = self.folder / f"part_{name}"
-                arguments = ("assess", self.file(f"part_{name}.toml", WALL + part + rest), "--out", out, "--walls", "6", "--quiet", "--lang", "it")
+                arguments = ("assess", self.file(f"part_{name}.toml", WALL + part + rest), "--out", out, "--walls", "2", "--quiet", "--lang", "it")
                 ended = wythe(*arguments)
                 self.assertEqual(ended.returncode, 0, ended.stderr)
                 said = (out / "assessment.json").read_bytes()

@@ -4,19 +4,7 @@ import { execFileSync } from "node:child_process";
 import fs from "node:fs";
 import path from "node:path";
 import { after, before, test } from "node:test";
-import {
-  downloaded,
-  folder,
-  launch,
-  open,
-  pageOf,
-  pdfPages,
-  run,
-  screenshot,
-  viewerModule,
-  violations,
-  wantsPictures,
-} from "./helpers.mjs";
+import { assertReadable, downloaded, folder, launch, open, pageOf, pdfPages, run, screenshot, viewerModule, violations, wantsPictures } from "./helpers.mjs";
 import { makeCampaign, makeCampaignOf } from "./small_study.mjs";
 
 let browser, page, s;
@@ -473,19 +461,7 @@ test("shares below a drift limit that no push reached are lower bounds, or unkno
   assert.deepEqual([...kinds].sort(), ["at least", "share", "unknown"]);
 });
 
-test("axe finds nothing, in light and dark, wide and narrow", async () => {
-  for (const scheme of ["light", "dark"])
-    for (const width of [1440, 390]) {
-      const other = await open(browser, pageOf("campaign"), { width, scheme });
-      assert.deepEqual(await violations(other), [], `${scheme} ${width}`);
-      assert.ok(
-        await other.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth),
-        `wider than the screen at ${width}`,
-      );
-      await screenshot(other, `campaign_${width}_${scheme}`);
-      await other.context().close();
-    }
-});
+test("axe finds nothing, in light and dark, wide and narrow", () => assertReadable(browser, "campaign"));
 
 test("a fragility shows every sample, and its law within the samples alone", async () => {
   const figure = page.locator("#fragility-input"),

@@ -1,5 +1,6 @@
 // What the tests of the viewer share: results made by the program once, a browser, a page that is
 // watched for errors and network requests.
+import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { createRequire } from "node:module";
 import fs from "node:fs";
@@ -157,6 +158,18 @@ export async function violations(page) {
       (v) => `${v.id}: ${v.nodes.length} x ${v.nodes[0].target.join(" ")}: ${v.nodes[0].failureSummary}`,
     );
   });
+}
+
+// Axe finds nothing on the page, and it is no wider than the screen: light on a desktop, dark on a phone, so that each
+// scheme and each width is looked at once.
+export async function assertReadable(browser, name) {
+  for (const [scheme, width] of [["light", 1440], ["dark", 390]]) {
+    const page = await open(browser, pageOf(name), { width, scheme });
+    assert.deepEqual(await violations(page), [], `${name}, ${scheme}, ${width} px`);
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth), `${name} is wider than ${width} px`);
+    await screenshot(page, `${name}_${width}_${scheme}`);
+    await page.context().close();
+  }
 }
 
 // Pages of a PDF: its page objects; streams of Chromium's PDFs leave them readable.

@@ -3,18 +3,7 @@ import assert from "node:assert/strict";
 import fs from "node:fs";
 import path from "node:path";
 import { after, before, test } from "node:test";
-import {
-  browserPath,
-  downloaded,
-  folder,
-  launch,
-  open,
-  pageOf,
-  pdfPages,
-  run,
-  screenshot,
-  violations,
-} from "./helpers.mjs";
+import { assertReadable, browserPath, downloaded, folder, launch, open, pageOf, pdfPages, run, screenshot, violations } from "./helpers.mjs";
 import { makeFacade, makeRun } from "./small_study.mjs";
 
 let browser, page, summary;
@@ -429,19 +418,7 @@ test("the theme can be chosen", async () => {
   assert.equal(await paper(), light);
 });
 
-test("axe finds nothing, in light and dark, wide and narrow", async () => {
-  for (const scheme of ["light", "dark"])
-    for (const width of [1440, 390]) {
-      const other = await open(browser, pageOf("run"), { width, scheme });
-      assert.deepEqual(await violations(other), [], `${scheme} ${width}`);
-      assert.ok(
-        await other.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth),
-        `wider than the screen at ${width}`,
-      );
-      await screenshot(other, `run_${width}_${scheme}`);
-      await other.context().close();
-    }
-});
+test("axe finds nothing, in light and dark, wide and narrow", () => assertReadable(browser, "run"));
 
 test("a push to and fro shows its loops, their envelopes and every cycle", async () => {
   const { cyclic } = makeRun("cyclic_run", "cyclic.toml");

@@ -272,7 +272,8 @@ ground_acceleration = "1.5 m/s^2"
 test("of a house with all it has, no key is shown, nothing is cut, and the appendix has five pages at most", async () => {
   const key = /\b(assess|assessment|sheet|input|origin|section|stage|promise|rate|mode|range)\.[a-z_]+|--[a-z]+|\bwythe (run|assess|limit)\b|\[[a-z]{4,}(\.[a-z]+)?\]|\b[a-z]+_[a-z_]+\b/g;
   fs.rmSync(folder("sheet_house"), { recursive: true, force: true });
-  const fast = ['until="4 mm"', 'velocity="4 mm/s"', 'fast_velocity="8 mm/s"'].flatMap((text) => ["--set", `stage.push.${text}`]);
+  const fast = ['stage.push.until="4 mm"', 'stage.push.velocity="4 mm/s"', 'stage.push.fast_velocity="8 mm/s"', 'wall.unit.length="1 m"',
+    'wall.unit.height="260 mm"'].flatMap((text) => ["--set", text]);
   run("run", path.join(root, "examples/palazzina/model.toml"), ...fast, "--out", folder("sheet_house"), "--quiet");
   for (const language of ["en", "it"]) {
     run("report", folder("sheet_house"), "--lang", language);

@@ -7,8 +7,9 @@ import { after, before, test } from "node:test";
 import { folder, launch, open, pageOf, pdfPages, root, run, screenshot, shots, violations } from "./helpers.mjs";
 
 const kPalazzina = path.join(root, "examples/palazzina/model.toml");
-// Fast and short: what the numbers are is no matter here.
-const kShort = ['until="8 mm"', 'velocity="8 mm/s"', 'fast_velocity="8 mm/s"'].flatMap((text) => ["--set", `stage.push.${text}`]);
+// Of large units, fast and short: what the numbers are is no matter here.
+const kShort = ['stage.push.until="8 mm"', 'stage.push.velocity="8 mm/s"', 'stage.push.fast_velocity="8 mm/s"', 'wall.unit.length="1 m"',
+  'wall.unit.height="260 mm"'].flatMap((text) => ["--set", text]);
 
 let browser;
 before(async () => {
