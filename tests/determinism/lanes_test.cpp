@@ -116,10 +116,8 @@ std::unique_ptr<Wall> wall_of(double strength, int columns = 5, double haste = 1
   return std::make_unique<Wall>(spec, haste);
 }
 
-// Solves all walls with `width` lanes and compares every one with itself alone. `sharing`: the most walls that were
-// side by side when one ended.
-std::vector<Result> solve_together(std::vector<std::unique_ptr<Wall>>& walls, int width,
-                                   int* sharing = nullptr) {
+// Solves all walls with `width` lanes and compares every one with itself alone.
+std::vector<Result> solve_together(std::vector<std::unique_ptr<Wall>>& walls, int width) {
   LaneSolver solver(width);
   std::vector<Result> results(walls.size());
   const SolveOptions options;
@@ -128,7 +126,6 @@ std::vector<Result> solve_together(std::vector<std::unique_ptr<Wall>>& walls, in
     for (; solver.has_room() && next < walls.size(); ++next)
       solver.add_wall(static_cast<int>(next), walls[next]->model, walls[next]->state, options);
     auto ended = solver.next();
-    if (sharing != nullptr) *sharing = std::max(*sharing, solver.sharing());
     const auto k = static_cast<std::size_t>(ended.ticket);
     results[k] = std::move(ended.result);
     // what is not a number has no bits to compare
@@ -243,37 +240,6 @@ TEST(Lanes, walls_with_frames_too) {
   }
   EXPECT_FALSE(dynamics::fit_together(compile(scenes::small_wall(0.1e-3, 0.05)),
                                       compile(scenes::framed(scenes::small_wall(0.1e-3, 0.05)))));
-}
-
-// Walls settle at their own times, so one is cut while others still wait for that.
-TEST(Lanes, walls_whose_openings_are_cut_too) {
-  const auto cut_wall = [](bool framed, double strength) {
-    ModelSpec spec = scenes::small_wall(0.1e-3, 0.05);
-    if (framed) spec = scenes::framed(spec);
-    spec = scenes::cut_under_load(spec);
-    spec.material.at("joint").tensile_strength *= strength;
-    spec.material.at("joint").normal_stiffness *= strength;
-    return std::make_unique<Wall>(spec, 1);
-  };
-  for (const bool framed : {false, true})
-    for (const int width : {2, 4, 8}) {
-      std::vector<std::unique_ptr<Wall>> walls;
-      for (const double strength : {1.0, 1.1, 0.9, 1.2, 0.8, 1.3})
-        walls.push_back(cut_wall(framed, strength));
-      ASSERT_TRUE(dynamics::fit_together(walls[0]->model, walls[1]->model));
-      EXPECT_NE(walls[0]->alone, walls[1]->alone);
-      int sharing = 0;
-      solve_together(walls, width, &sharing);
-      EXPECT_GT(sharing, 0) << "walls that are cut, " << width << " lanes";
-    }
-  // beside walls that nobody cuts
-  std::vector<std::unique_ptr<Wall>> walls;
-  for (const double strength : {1.0, 1.1, 0.9}) {
-    walls.push_back(cut_wall(false, strength));
-    walls.push_back(wall_of(strength));
-  }
-  EXPECT_FALSE(dynamics::fit_together(walls[0]->model, walls[1]->model));
-  solve_together(walls, 4);
 }
 
 TEST(Lanes, walls_with_layers_too) {

@@ -83,11 +83,10 @@ class Executor {
 [[nodiscard]] std::unique_ptr<Executor> processor_for(const Model& model, int lanes,
                                                       int threads = 1);
 
-// True where the walls can be stepped side by side while the same of both stands: one topology, cut by the same
-// stages, and joints that stay what they are.
+// True where the walls can be stepped side by side: one topology, and joints that stay what they are.
 [[nodiscard]] inline bool fit_together(const Model& a, const Model& b) {
-  return a.topology == b.topology && !a.free.any() && !b.free.any() &&
-         a.standing.from == b.standing.from && a.standing.until == b.standing.until;
+  return a.topology == b.topology && !a.free.any() && !b.free.any() && !a.standing.any() &&
+         !b.standing.any();
 }
 
 }  // namespace wythe::dynamics

@@ -9,7 +9,6 @@
 #include <cstdlib>
 #include <string>
 
-#include "dynamics/stages/cutting.h"
 #include "wythe/error.h"
 #include "wythe/lanes.h"
 #include "wythe/solve.h"
@@ -47,24 +46,16 @@ LaneSolver::LaneSolver(int width) : width_(width) {}
 void LaneSolver::add_wall(int ticket, const Model& model, State& state,
                           const SolveOptions& options) {
   auto wall =
-      std::make_unique<RunningWall>(RunningWall{ticket, model, state, 0, -1, nullptr, nullptr});
+      std::make_unique<RunningWall>(RunningWall{ticket, model, state, -1, nullptr, nullptr});
   wall->alone = processor_for(model, 1);
   wall->alone->load_wall(0, model, state);
   wall->run = std::make_unique<WallRun>(model, state, options, wall->alone->access(0));
-  for (int stage = 1; stage <= state.stage; ++stage)
-    wall->phase += changes_standing(model, stage) ? 1 : 0;
-  wall->run->before_change([this, &moved = *wall] {
-    leave_lane(moved);
-    ++moved.phase;
-    changed_ = true;
-  });
   walls_.push_back(std::move(wall));
   changed_ = true;
 }
 
-int LaneSolver::sharing() const {
-  return static_cast<int>(std::count_if(walls_.begin(), walls_.end(),
-                                        [](const auto& wall) { return wall->lane >= 0; }));
+bool LaneSolver::fits(const RunningWall& wall) const {
+  return together_ && fit_together(wall.model, together_->model());
 }
 
 // Takes the wall out of where it is stepped now and into `lane` (-1: a step of its own).
@@ -82,12 +73,6 @@ void LaneSolver::settle_in(RunningWall& wall, int lane) {
   wall.lane = lane;
 }
 
-void LaneSolver::leave_lane(RunningWall& wall) {
-  if (wall.lane < 0) return;
-  together_->unload_wall(wall.lane);
-  settle_in(wall, -1);
-}
-
 int LaneSolver::lanes_for(int fitting) const {
   int lanes = 1;
   while (lanes < fitting) lanes *= 2;
@@ -99,16 +84,17 @@ int LaneSolver::lanes_for(int fitting) const {
 // As few lanes as hold the walls that are running, and every wall that fits in one of them.
 void LaneSolver::arrange() {
   changed_ = false;
-  if (!together_) phase_ = walls_.front()->phase;
-  const Model& first = together_ ? together_->model() : walls_.front()->model;
-  const auto fits = [&](const RunningWall& wall) {
-    return wall.phase == phase_ && fit_together(wall.model, first);
-  };
+  const Model& first = together_ && !walls_.empty() ? together_->model() : walls_.front()->model;
   int fitting = 0;
-  for (const auto& wall : walls_) fitting += fits(*wall) ? 1 : 0;
+  for (const auto& wall : walls_) fitting += fit_together(wall->model, first) ? 1 : 0;
   const int lanes = lanes_for(fitting);
   if (together_ && together_->lanes() != lanes) {
-    for (const auto& wall : walls_) leave_lane(*wall);
+    for (const auto& wall : walls_)
+      if (wall->lane >= 0) {
+        together_->unload_wall(wall->lane);
+        wall->lane = -1;
+        settle_in(*wall, -1);
+      }
     if (lanes < 2) {
       together_.reset();
       if (fitting == 0 && running() > 1) arrange();  // those left may fit each other
@@ -131,12 +117,7 @@ void LaneSolver::arrange() {
 }
 
 void LaneSolver::step() {
-  const int last =
-      (*std::min_element(walls_.begin(), walls_.end(), [](const auto& a, const auto& b) {
-        return a->phase < b->phase;
-      }))->phase;
   for (const auto& wall : walls_) {
-    if (wall->phase > last) continue;  // until those behind have caught up
     const Controls& controls = wall->run->next();
     if (wall->lane >= 0) {
       together_->set(wall->lane, controls);
@@ -147,17 +128,16 @@ void LaneSolver::step() {
     wall->run->after_step(wall->alone->reaction(0));
     if (!together_) return;  // walls that share nothing take their turns one after the other
   }
-  if (phase_ > last) return;
   together_->step();
   for (const auto& wall : walls_)
     if (wall->lane >= 0) wall->run->after_step(together_->reaction(wall->lane));
 }
 
 LaneSolver::Ended LaneSolver::next() {
+  if (changed_) arrange();
   const auto ended = [](const auto& wall) { return wall->run->ended(); };
   auto found = std::find_if(walls_.begin(), walls_.end(), ended);
   while (found == walls_.end()) {
-    if (changed_) arrange();
     step();
     found = std::find_if(walls_.begin(), walls_.end(), ended);
   }

@@ -8,8 +8,7 @@
 //
 // When half of the lanes stay empty each wall goes on in a step of its
 // own (its joints in the lanes of the packs). A wall that does not fit the others (fit_together) is
-// stepped alone beside them. Walls that stages cut share lanes while the same of each stands: those ahead wait for
-// those behind. No wall's bits depend on any of this (docs/theory/determinism.md).
+// stepped alone beside them. No wall's bits depend on any of this (docs/theory/determinism.md).
 #pragma once
 
 #include <memory>
@@ -30,8 +29,6 @@ class LaneSolver {
 
   [[nodiscard]] int running() const { return static_cast<int>(walls_.size()); }
   [[nodiscard]] bool has_room() const { return running() < width_; }
-  // Walls that are stepped side by side now; the others are stepped each by itself.
-  [[nodiscard]] int sharing() const;
   // Takes a wall; model, state and what options refer to have to live until it has ended.
   void add_wall(int ticket, const Model& model, State& state, const SolveOptions& options);
 
@@ -47,7 +44,6 @@ class LaneSolver {
     int ticket;
     const Model& model;
     State& state;
-    int phase = 0;                    // how often what stands has changed
     int lane = -1;                    // -1: alone
     std::unique_ptr<Executor> alone;  // where lane is -1
     std::unique_ptr<WallRun> run;
@@ -55,14 +51,13 @@ class LaneSolver {
 
   void arrange();
   void settle_in(RunningWall& wall, int lane);
-  void leave_lane(RunningWall& wall);
   void step();
+  [[nodiscard]] bool fits(const RunningWall& wall) const;
 
   [[nodiscard]] int lanes_for(int fitting) const;
 
   int width_;
   std::unique_ptr<Executor> together_;
-  int phase_ = 0;  // of the walls in it
   std::vector<std::unique_ptr<RunningWall>> walls_;
   bool changed_ = false;  // walls came or went since the last arrange()
 };

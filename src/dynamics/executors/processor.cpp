@@ -166,7 +166,7 @@ void Processor::load_wall(int lane, const Model& model, State& state) {
   wall.dashpot_state = {};
   wall.dashpot_state.maxwell.load_state(state);
   load_lane(layout_, bank_of(lane).tables, lane % width_, model, state);
-  if (model.standing.any()) stand(layout_, bank_of(lane).tables, lane % width_, model, state);
+  if (model.standing.any()) stand(layout_, bank_of(lane).tables, model, state);
   if (free_) free_->load_state(state, wall.view);
   set(lane, {});
 }

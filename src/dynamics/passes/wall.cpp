@@ -196,11 +196,8 @@ void load_lane(const Layout& l, const Tables& t, int lane, const Model& m, const
   turn_all(wall);
 }
 
-void stand(const Layout& l, const Tables& t, int lane, const Model& m, const State& s) {
-  const WallView wall = view_of(l, m, t, lane);
-  const auto let_go = [&](std::ptrdiff_t row) {
-    for (int c = 0; c < 4; ++c) wall.column_of(t.force, row, c) = 0;
-  };
+void stand(const Layout& l, const Tables& t, const Model& m, const State& s) {
+  const WallView wall = view_of(l, m, t, 0);
   for (JointId j = 0; j < m.n_joint; ++j) {
     const auto i = static_cast<std::size_t>(j);
     const std::int32_t place = l.joint_place[i];
@@ -210,7 +207,7 @@ void stand(const Layout& l, const Tables& t, int lane, const Model& m, const Sta
         stands ? a : t.n_block;  // else between the ground and itself, without an area
     t.joint_b[place] = stands ? m.joint_b[i] : t.n_block;
     t.joint[l.number(place, kJointRows, kArea, 1)] = stands ? m.area[i] : 0;
-    let_go(place);
+    std::fill_n(t.force + 4 * static_cast<std::ptrdiff_t>(place), 4, 0.0);
   }
   for (int k = 0; k < m.links.n; ++k) {
     const auto i = static_cast<std::size_t>(k);
@@ -219,7 +216,7 @@ void stand(const Layout& l, const Tables& t, int lane, const Model& m, const Sta
     t.link_a[k] = stands && a != kGroundBlock ? a : t.n_block;
     t.link_b[k] = stands ? b : t.n_block;
     wall.link(k, kLinkJack) = stands && m.standing.begins(a, b, s.stage) ? m.links.jack[i] : 0;
-    let_go(wall.joints + k);
+    std::fill_n(t.force + 4 * static_cast<std::ptrdiff_t>(wall.joints + k), 4, 0.0);
   }
   for (int k = 0; k < m.frames.n; ++k) {
     const auto i = static_cast<std::size_t>(k);
@@ -227,7 +224,7 @@ void stand(const Layout& l, const Tables& t, int lane, const Model& m, const Sta
     const std::int32_t a = m.frames.a[i] == kGroundBlock ? t.n_block : m.frames.a[i];
     t.frame_a[k] = stands ? a : t.n_block;
     t.frame_b[k] = stands ? m.frames.b[i] : t.n_block;
-    let_go(wall.joints + wall.linked + k);
+    std::fill_n(t.force + 4 * static_cast<std::ptrdiff_t>(wall.joints + wall.linked + k), 4, 0.0);
   }
   for (int i = 0; i < m.n_block; ++i)
     if (!m.standing.holds(i, s.stage) || s.release_x[i] != 0 || s.release_y[i] != 0 ||

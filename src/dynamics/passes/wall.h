@@ -59,10 +59,9 @@ struct WallView {
 // Loads a wall into a lane: its own numbers and its state. Its time step is still to be set.
 void load_lane(const Layout& layout, const Tables& tables, int lane, const Model& model,
                const State& state);
-// Of a wall whose stages cut openings: joints and sections of what does not stand in the state's stage have no force, and
-// its blocks keep still. Joints belong to all lanes: the same stands in every wall of the tables.
-void stand(const Layout& layout, const Tables& tables, int lane, const Model& model,
-           const State& state);
+// Of a wall alone in its tables whose stages cut openings: joints and sections of what does not stand in the state's
+// stage have no force, and its blocks keep still.
+void stand(const Layout& layout, const Tables& tables, const Model& model, const State& state);
 // The latter alone, after a drive has chosen its blocks.
 void hold_still(const WallView& wall, const Model& model, int stage);
 // Stores motion and history of a lane into the state's arrays.

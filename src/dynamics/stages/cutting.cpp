@@ -234,13 +234,6 @@ double stored(const Model& model, const State& state, int stage) {
 
 }  // namespace
 
-bool changes_standing(const Model& model, int stage) {
-  const auto begins = [&](const std::vector<std::int32_t>& stages) {
-    return std::find(stages.begin(), stages.end(), stage) != stages.end();
-  };
-  return stage > 0 && (begins(model.standing.from) || begins(model.standing.until));
-}
-
 void begin_cut(StageContext& wall) {
   const Model& model = wall.model;
   State& state = wall.state;

@@ -9,8 +9,6 @@
 
 namespace wythe::dynamics {
 
-// Whether the stage cuts something out or puts something up.
-[[nodiscard]] bool changes_standing(const Model& model, int stage);
 // Once, before the first step of the stage; of a stage that goes on from a checkpoint nothing is left to do.
 void begin_cut(StageContext& wall);
 

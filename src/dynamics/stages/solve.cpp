@@ -12,7 +12,6 @@
 #include "dynamics/meters/layer_uses.h"
 #include "dynamics/meters/residual.h"
 #include "dynamics/meters/responses.h"
-#include "dynamics/stages/cutting.h"
 #include "dynamics/stages/shake.h"
 #include "dynamics/stages/wall_run.h"
 #include "model/size.h"
@@ -84,7 +83,6 @@ void WallRun::start_stages() {
   while (!stage_ && static_cast<std::size_t>(state_.stage) < model_.stages.size()) {
     const Stage& stage = model_.stages[static_cast<std::size_t>(state_.stage)];
     record_.result.time_step = stage_time_step(model_, stage);
-    if (before_change_ && changes_standing(model_, state_.stage)) before_change_();
     stage_ = StageRun::start(wall_, stage);
     if (!stage_->ended()) return;
     close_stage();  // nothing to do in it

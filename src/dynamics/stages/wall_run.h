@@ -6,7 +6,6 @@
 #pragma once
 
 #include <chrono>
-#include <functional>
 
 #include "dynamics/stages/stage_run.h"
 
@@ -28,8 +27,6 @@ class WallRun {
   void after_step(double reaction);
   // Goes on elsewhere; the new place holds the same state.
   void move_to(std::unique_ptr<WallAccess> access);
-  // Called before a stage begins that changes what stands: the wall has to be alone in its place by then.
-  void before_change(std::function<void()> act) { before_change_ = std::move(act); }
   // What the curve says; call once, at the end.
   Result finish();
 
@@ -46,7 +43,6 @@ class WallRun {
   RunRecord record_;
   StageContext wall_;
   std::unique_ptr<StageRun> stage_;
-  std::function<void()> before_change_;
   std::chrono::steady_clock::time_point start_;
   double seconds_before_;  // of the steps before
 };
