@@ -4,8 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
-#include <cstdlib>
+#include <charconv>
 #include <optional>
 
 #include "wythe/text.h"
@@ -25,10 +24,10 @@ std::optional<std::vector<long>> parts_of(const std::string& text) {
   std::vector<long> parts;
   std::string digits;
   for (const char c : text + ":") {
-    if (std::isdigit(static_cast<unsigned char>(c)) != 0) {
+    if (c >= '0' && c <= '9') {
       digits += c;
     } else if (c == ':' && !digits.empty() && digits.size() <= 6) {
-      parts.push_back(std::atol(digits.c_str()));
+      std::from_chars(digits.data(), digits.data() + digits.size(), parts.emplace_back());
       digits.clear();
     } else {
       return std::nullopt;

@@ -12,6 +12,7 @@
 #include <optional>
 #include <ostream>
 
+#include "core/decimal_point.h"
 #include "core/messages.h"
 
 namespace wythe {
@@ -185,6 +186,7 @@ std::string message_json(const Message& message) {
 
 Message message_of(std::string_view json, const std::string& text) {
   if (json.empty()) return as_text(text);
+  const DecimalPoint point;
   const std::optional<Message> message = read(Json::parse(json, nullptr, false));
   return message && !message->empty() ? *message : as_text(text);
 }

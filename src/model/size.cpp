@@ -12,6 +12,7 @@
 #include <fstream>
 
 #include "core/number.h"
+#include "core/text.h"
 #include "geometry/wall/storeys.h"
 #include "model/protocol.h"
 #include "model/quadrature.h"
@@ -297,7 +298,9 @@ SizeProblem check_samples(const ModelSpec& spec, double samples) {
 double memory_limit() {
   const char* stated = std::getenv("WYTHE_MEMORY");
   if (stated == nullptr) return memory_of_this_machine();
-  const auto [number, unit] = leading_number(stated).value_or(LeadingNumber<double>{});
+  std::string_view text = trimmed(stated);
+  if (text.starts_with('+')) text.remove_prefix(1);
+  const auto [number, unit] = leading_number(text).value_or(LeadingNumber<double>{});
   for (const auto& [name, factor] : {std::pair("GB", 1e9), std::pair("MB", 1e6), {"TB", 1e12}})
     if ((unit == name || unit == std::string(" ") + name) && std::isfinite(number) && number > 0)
       return number * factor;

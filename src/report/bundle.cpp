@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "core/decimal_point.h"
 #include "core/limits.h"
 #include "core/shape.h"
 #include "wythe/error.h"
@@ -171,6 +172,7 @@ Json header_of(std::string_view packed) {
   try {
     const std::string text = data.next(length);
     check_shape(text, Syntax::kJson, "");
+    const DecimalPoint point;
     Json header = Json::parse(text);
     if (!header.contains("kind") || !data.ends_after(bytes_of_arrays(header.at("arrays"))))
       refuse_data("are damaged");

@@ -12,6 +12,7 @@
 #include <set>
 
 #include "campaign/draws/sampling.h"
+#include "core/decimal_point.h"
 #include "report/bundle.h"
 #include "report/model_inputs.h"
 #include "report/translation.h"
@@ -269,6 +270,7 @@ std::string campaign_data(const Campaign& campaign, const Statistics& statistics
   bundle.header["kind"] = "campaign";
   bundle.header["title"] = campaign.study.name;
   bundle.header["note"] = campaign.study.note;
+  const DecimalPoint point;
   bundle.header["statistics"] = Json::parse(statistics_json(statistics));
   translate_messages(bundle.header["statistics"]);
   bundle.header["quantities"] = quantities_json();

@@ -1,6 +1,7 @@
 // comparison_data(): what the page of options side by side shows, which is comparison.json; its headline.
 #include <filesystem>
 
+#include "core/decimal_point.h"
 #include "report/bundle.h"
 #include "report/headline.h"
 #include "report/html.h"
@@ -137,6 +138,7 @@ std::string comparison_data(const PairedComparison& comparison) {
   Bundle bundle;
   bundle.header["kind"] = "comparison";
   bundle.header["title"] = comparison.study;
+  const DecimalPoint point;
   bundle.header["comparison"] = Json::parse(comparison_json(comparison));
   drop_folders(bundle.header["comparison"]);
   translate_messages(bundle.header["comparison"]);

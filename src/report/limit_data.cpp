@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "core/decimal_point.h"
 #include "report/bundle.h"
 #include "report/model_inputs.h"
 #include "report/translation.h"
@@ -37,6 +38,7 @@ std::string limit_data(const ModelSpec& spec, const Model& model,
   bundle.header["kind"] = "limit";
   bundle.header["title"] = spec.name;
   bundle.header["note"] = spec.note;
+  const DecimalPoint point;
   bundle.header["opinion"] = Json::parse(mechanisms_json);
   drop_compared_folder(bundle.header["opinion"]);
   translate_messages(bundle.header["opinion"]);

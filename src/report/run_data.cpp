@@ -6,6 +6,7 @@
 #include <map>
 
 #include "campaign/output_keys.h"
+#include "core/decimal_point.h"
 #include "dynamics/meters/residual.h"
 #include "judge/modes/wall_parts.h"
 #include "model/shaking.h"
@@ -236,6 +237,7 @@ std::string run_data(const ModelSpec& spec, const Model& model, const Result& re
   bundle.header["title"] = spec.name;
   bundle.header["note"] = spec.note;
   bundle.header["weight_kN"] = model.weight * 1e-3;
+  const DecimalPoint point;
   bundle.header["summary"] = Json::parse(summary_json(spec, model, result));
   translate_messages(bundle.header["summary"]);
   bundle.header["mode"] = mode_of(model, result);

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "core/text.h"
 #include "report/html.h"
 #include "report/verdict_words.h"
 
@@ -279,8 +280,7 @@ class Appendix {
     }
     if (w_.language() == "it")
       for (std::size_t k = 1; k + 1 < way.size(); ++k)
-        if (way[k] == '.' && std::isdigit(way[k - 1]) != 0 && std::isdigit(way[k + 1]) != 0)
-          way[k] = ',';
+        if (way[k] == '.' && is_digit(way[k - 1]) && is_digit(way[k + 1])) way[k] = ',';
     return escaped(way);
   }
   // Typologies that values were taken from, with their sources, each once.

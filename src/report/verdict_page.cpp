@@ -7,6 +7,7 @@
 #include <iterator>
 #include <utility>
 
+#include "core/ascii.h"
 #include "core/check.h"
 #include "judge/modes/wall_parts.h"
 #include "report/html.h"
@@ -131,7 +132,7 @@ class VerdictPage {
     if (v_.verdict == AssessmentVerdict::kHolds) key = "assess.holds";
     if (v_.verdict == AssessmentVerdict::kFails) key = "assess.fails";
     std::string state = words_.state(v_.state());
-    state[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(state[0])));
+    state[0] = ascii_capital(state[0]);
     std::string standing = v_.verdict == AssessmentVerdict::kNotKnown
                                ? say("assess.unknown")
                                : say(key, {{"state", state}});

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/ascii.h"
 #include "core/number.h"
 #include "core/text.h"
 #include "statistics/intervals.h"
@@ -30,7 +31,7 @@ struct Clause {
 std::string without_blanks(std::string_view text) {
   std::string out;
   for (char c : text)
-    if (!std::isspace(static_cast<unsigned char>(c))) out += c;
+    if (!is_ascii_space(c)) out += c;
   return out;
 }
 
@@ -39,7 +40,7 @@ std::vector<std::string> clauses_of(const std::string& rule) {
   std::vector<std::string> clauses;
   std::string padded = " " + rule + " ";
   for (char& c : padded)
-    if (std::isspace(static_cast<unsigned char>(c))) c = ' ';
+    if (is_ascii_space(c)) c = ' ';
   std::size_t start = 0;
   for (std::size_t at = padded.find(" and "); at != std::string::npos;
        at = padded.find(" and ", start)) {

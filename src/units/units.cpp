@@ -4,7 +4,6 @@
 // Factors are cached: a wall uses some twenty units, each looked up once.
 #include "wythe/units.h"
 
-#include <locale.h>
 #include <udunits2.h>
 
 #include <algorithm>
@@ -20,6 +19,8 @@
 
 #include <fmt/format.h>
 
+#include "core/ascii.h"
+#include "core/decimal_point.h"
 #include "core/number.h"
 #include "core/text.h"
 #include "units/dimension.h"
@@ -38,23 +39,6 @@ enum class Verdict { kGood, kUnknown, kOtherDimension };
 struct Conversion {
   Verdict verdict = Verdict::kUnknown;
   double value = 0;
-};
-
-// UDUNITS reads and writes numbers as the locale has them: a host program's decimal comma is set aside for its calls, in
-// this thread alone.
-class DecimalPoint {
- public:
-  DecimalPoint() : before_(uselocale(plain())) {}
-  ~DecimalPoint() { uselocale(before_); }
-  DecimalPoint(const DecimalPoint&) = delete;
-  DecimalPoint& operator=(const DecimalPoint&) = delete;
-
- private:
-  static locale_t plain() {
-    static const locale_t made = newlocale(LC_ALL_MASK, "C", nullptr);
-    return made;
-  }
-  locale_t before_;
 };
 
 // Linear without offset: neither Celsius nor the reciprocal that UDUNITS offers (s -> 1/s).
@@ -180,15 +164,14 @@ std::optional<Split> split_quantity(std::string_view text) {
 
 // UDUNITS would read "1 200 mm" as 1 x 200 mm and "3 m 4" as 12 m: a slip of the hand, not a unit.
 bool holds_number(std::string_view unit) {
-  const bool leads =
-      !unit.empty() && std::isdigit(static_cast<unsigned char>(unit[0])) && !unit.starts_with("1/");
+  const bool leads = !unit.empty() && is_digit(unit[0]) && !unit.starts_with("1/");
   // behind a blank or a mark of arithmetic, of which some end with the byte 0x97 or 0xb7: "MPa/10", "MPa×10"
   constexpr std::string_view kMarks = " /\x97\xb7";
   bool is_factor = false;
   for (std::size_t i = 1; i < unit.size(); ++i) {
     const bool is_times = unit[i - 1] == '*' && (i < 2 || unit[i - 2] != '*');
     is_factor = is_factor || ((is_times || kMarks.find(unit[i - 1]) != std::string_view::npos) &&
-                              std::isdigit(static_cast<unsigned char>(unit[i])));
+                              is_digit(unit[i]));
   }
   return leads || is_factor;
 }
@@ -247,9 +230,7 @@ bool is_multiple(std::string_view word, std::string_view of) {
 }
 
 void refuse_doubtful_words(std::string_view unit, std::string_view si_unit) {
-  const auto is_letter = [](char c) {
-    return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_';
-  };
+  const auto is_letter = [](char c) { return is_ascii_letter(c) || c == '_'; };
   for (std::size_t i = 0; i < unit.size();) {
     std::size_t end = i;
     while (end < unit.size() && is_letter(unit[end])) ++end;

@@ -387,37 +387,47 @@ for call in (result.curve.frame, result.plot, lambda: wythe.openturns.function({
         with self.assertRaises((wythe.InputError, MemoryError)):
             wythe.check(model, set={"wall.length": "1e6 m"})
 
-    def test_a_decimal_comma_of_the_host_changes_nothing(self):
-        # what localedef makes of LC_NUMERIC with "," and "." for thousands; no locale is installed on a bare machine
-        numeric = bytes.fromhex("14110320060000002000000022000000240000002800000"
-                                "02c000000300000002c002e00030300002c0000002e000000") + b"ANSI_X3.4-1968\0"
+    def test_a_decimal_mark_of_the_host_changes_nothing(self):
+        # LC_NUMERIC as localedef makes it: the marks of Italy and of Iran, of two bytes. No locale is installed on a bare machine
+        marks = {"comma": "141103200600000020000000220000002400000028000000" "2c000000300000002c002e00030300002c0000002e000000"
+                          "414e53495f58332e342d3139363800",
+                 "momayyez": "141103200600000020000000230000002600000" "02c0000003000000034000000d9ab00d9ac000303000000006b06"
+                             "00006c0600005554462d3800"}
+        facade = str(SOURCE / "examples/brick_facade/model.toml")
+        blocks = ('{"units": "m", "blocks": [{"id": "base", "polygon": [[0, 0], [0.25, 0], [0.25, 0.25], [0, 0.25]]},'
+                  '{"id": "top", "polygon": [[0, 0.25], [0.25, 0.25], [0.25, 0.4375], [0, 0.4375]]}]}')
         code = f"""
-import locale, sys
-def comma():
-    locale.setlocale(locale.LC_NUMERIC, "comma")
-    assert locale.str(0.5) == "0,5"
-if sys.argv[1] == "before": comma()
+import locale, pathlib, sys
+def mark():
+    locale.setlocale(locale.LC_NUMERIC, sys.argv[2])
+    assert locale.str(0.5) in ("0,5", "0\u066b5")
+if sys.argv[1] == "before": mark()
 import wythe
-if sys.argv[1] == "between": wythe.check({DRY!r}); comma()
-facade = wythe.check({str(SOURCE / "examples/brick_facade/model.toml")!r})
-print(facade.model)
+if sys.argv[1] == "between": wythe.check({DRY!r}); mark()
+print(wythe.check({facade!r}).model)
 result = wythe.run({DRY!r}, set={SHORT!r}, progress=False)
 print([(key, value) for key, value in sorted(result.summary.items()) if "second" not in key])
 print({{name: list(column) for name, column in result.curve.items()}})
 walls = wythe.run_many({DRY!r}, {{{KN!r}: [10.5, 12.5]}}, units={{{KN!r}: "GPa/m"}}, set={SHORT!r}, progress=False)
 print(walls.frame().drop(columns=[c for c in walls.frame() if "second" in c]).to_csv())
-try: wythe.check({str(SOURCE / "examples/brick_facade/model.toml")!r}, set={{"wall.unit.length": "-0.295 m"}})
+model = pathlib.Path({DRY!r}).read_text()
+pathlib.Path("blocks.json").write_text({blocks!r})
+pathlib.Path("model.toml").write_text('wall = {{ blocks = "blocks.json", thickness = "0.2 m", unit = {{ density = "2000 kg/m^3" }} }}' + chr(10)
+    + 'stage = [{{ name = "gravity" }}]' + chr(10) + model[model.index("[material.joint]"):].split("[[")[0])
+print(str(wythe.check("model.toml")).split(", about")[0])
+try: wythe.check({facade!r}, set={{"wall.unit.length": "-0.295 m"}})
 except wythe.InputError as error: print(error)
 """
-        with tempfile.TemporaryDirectory() as folder:
-            (pathlib.Path(folder) / "comma").mkdir()
-            (pathlib.Path(folder) / "comma/LC_NUMERIC").write_bytes(numeric)
-            said = [subprocess.run(["/usr/bin/python3", "-c", code, when], capture_output=True, text=True, check=False,
-                                   env={**CHILD, "LOCPATH": folder}) for when in ("never", "before", "between")]
-        for done in said:
-            self.assertEqual(done.returncode, 0, done.stderr)
-            self.assertEqual(done.stdout, said[0].stdout)
-        self.assertIn("-0.295 m", said[0].stdout)
+        for name, numeric in marks.items():
+            with self.subTest(name), tempfile.TemporaryDirectory() as folder:
+                (pathlib.Path(folder) / name).mkdir()
+                (pathlib.Path(folder) / name / "LC_NUMERIC").write_bytes(bytes.fromhex(numeric))
+                said = [subprocess.run(["/usr/bin/python3", "-c", code, when, name], capture_output=True, text=True, check=False,
+                                       cwd=folder, env={**CHILD, "LOCPATH": folder}) for when in ("never", "before", "between")]
+                for done in said:
+                    self.assertEqual(done.returncode, 0, done.stderr)
+                    self.assertEqual(done.stdout, said[0].stdout)
+                self.assertIn("-0.295 m", said[0].stdout)
 
 
 if __name__ == "__main__":

@@ -104,16 +104,11 @@ const CorrelationSpec* pair_of(const StudySpec& study, const std::string& a, con
   return nullptr;
 }
 
-// The inverse of correlation_behind(), by halving: the rank correlation of a pair whose normal variables correlate by `rho`.
-double rank_given_by(const StudySpec& study, CorrelationSpec pair, double rho) {
-  constexpr int kHalvings = 20;  // more than the three digits that are shown
-  double low = 0, high = 1;
-  for (int i = 0; i < kHalvings; ++i) {
-    const double middle = 0.5 * (low + high);
-    pair.value = std::copysign(middle, rho);
-    (std::abs(correlation_behind(study, pair).rho) < std::abs(rho) ? low : high) = middle;
-  }
-  return std::copysign(low, rho);
+// The rank correlation of two variables whose normal ones correlate by `rho`.
+double rank_given_by(const StudySpec& study, const std::string& a, const std::string& b,
+                     double rho) {
+  return rank_of_gaussian(rho, shares_of_values(study.variable[variable_named(study, a)]),
+                          shares_of_values(study.variable[variable_named(study, b)]));
 }
 
 // "ft_j and fc rank 0.873, ft_j and phi gaussian 0.112"
@@ -127,7 +122,7 @@ std::string pairs_text(const StudySpec& study, const Copula& copula) {
       const bool rank = stated ? stated->rank : study.correlation.front().rank;
       const double rho = copula.matrix.at(i, j);
       texts.push_back(fmt::format("{} and {} {} = {:.3f}", a, b, rank ? "rank" : "gaussian",
-                                  rank ? rank_given_by(study, {a, b}, rho) : rho));
+                                  rank ? rank_given_by(study, a, b, rho) : rho));
     }
   return joined(texts, ", ");
 }

@@ -62,6 +62,33 @@ double rate(double t, const std::vector<Step>& a, const std::vector<Step>& b) {
   return sum;
 }
 
+// The covariance of the ranks of two variables, at least one of few values, by the correlation sin t behind them.
+class Ranks {
+ public:
+  static constexpr int kPieces = 512;
+  static constexpr double kPiece = 0.5 * kPi / kPieces;  // of t
+
+  Ranks(const std::vector<double>& of_a, const std::vector<double>& of_b, double sign)
+      : way_(sign < 0 ? -1 : 1) {
+    const std::vector<double>& first = of_a.empty() ? of_b : of_a;
+    const std::vector<double>& second = of_a.empty() ? of_a : of_b;
+    a_ = steps_of(first), b_ = steps_of(second);
+    unit_ = std::sqrt(variance_of(first) * (second.empty() ? 1.0 / 12 : variance_of(second)));
+  }
+
+  [[nodiscard]] double way() const { return way_; }    // sign of the correlation
+  [[nodiscard]] double unit() const { return unit_; }  // covariance of a rank correlation of 1
+  // What the covariance grows by between t = from and from + length, by Simpson's rule.
+  [[nodiscard]] double growth(double from, double length) const {
+    const auto f = [&](double t) { return rate(way_ * std::min(t, 0.5 * kPi - 1e-9), a_, b_); };
+    return length / 6 * (f(from) + 4 * f(from + 0.5 * length) + f(from + length));
+  }
+
+ private:
+  double way_, unit_ = 0;
+  std::vector<Step> a_, b_;
+};
+
 }  // namespace
 
 std::vector<double> shares_of_values(const VariableSpec& v) {
@@ -81,21 +108,11 @@ std::vector<double> shares_of_values(const VariableSpec& v) {
 RankReached gaussian_of_rank(double rank, const std::vector<double>& of_a,
                              const std::vector<double>& of_b) {
   if (of_a.empty() && of_b.empty()) return {gaussian_of_rank(rank), rank};
-  const std::vector<double>& first = of_a.empty() ? of_b : of_a;
-  const std::vector<double>& second = of_a.empty() ? of_a : of_b;
-  const std::vector<Step> a = steps_of(first), b = steps_of(second);
-  const double unit =
-      std::sqrt(variance_of(first) * (second.empty() ? 1.0 / 12 : variance_of(second)));
-  const double wanted = std::fabs(rank) * unit, way = rank < 0 ? -1 : 1;
-  constexpr int kPieces = 512;
-  const double h = 0.5 * kPi / kPieces;
-  const auto piece = [&](double from, double length) {  // Simpson
-    const auto f = [&](double t) { return rate(way * std::min(t, 0.5 * kPi - 1e-9), a, b); };
-    return length / 6 * (f(from) + 4 * f(from + 0.5 * length) + f(from + length));
-  };
+  const Ranks ranks(of_a, of_b, rank);
+  const double wanted = std::fabs(rank) * ranks.unit(), h = Ranks::kPiece;
   double covariance = 0;
-  for (int k = 0; k < kPieces; ++k) {
-    const double more = piece(k * h, h);
+  for (int k = 0; k < Ranks::kPieces; ++k) {
+    const double more = ranks.growth(k * h, h);
     if (covariance + more < wanted) {
       covariance += more;
       continue;
@@ -103,11 +120,22 @@ RankReached gaussian_of_rank(double rank, const std::vector<double>& of_a,
     double low = 0, high = h;
     for (int round = 0; round < 40; ++round) {
       const double middle = 0.5 * (low + high);
-      (covariance + piece(k * h, middle) < wanted ? low : high) = middle;
+      (covariance + ranks.growth(k * h, middle) < wanted ? low : high) = middle;
     }
-    return {way * elementary::sin(k * h + high), rank};
+    return {ranks.way() * elementary::sin(k * h + high), rank};
   }
-  return {way, way * covariance / unit};
+  return {ranks.way(), ranks.way() * covariance / ranks.unit()};
+}
+
+double rank_of_gaussian(double rho, const std::vector<double>& of_a,
+                        const std::vector<double>& of_b) {
+  if (of_a.empty() && of_b.empty()) return 6 / kPi * elementary::asin(rho / 2);
+  const Ranks ranks(of_a, of_b, rho);
+  const double end = elementary::asin(std::min(1.0, std::fabs(rho)));
+  double covariance = 0;
+  for (double t = 0; t < end; t += Ranks::kPiece)
+    covariance += ranks.growth(t, std::min(Ranks::kPiece, end - t));
+  return ranks.way() * covariance / ranks.unit();
 }
 
 }  // namespace wythe

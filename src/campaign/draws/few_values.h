@@ -18,5 +18,8 @@ struct RankReached {
 };
 [[nodiscard]] RankReached gaussian_of_rank(double rank, const std::vector<double>& a,
                                            const std::vector<double>& b);
+// Its inverse: the rank correlation that a linear correlation `rho` behind them gives.
+[[nodiscard]] double rank_of_gaussian(double rho, const std::vector<double>& a,
+                                      const std::vector<double>& b);
 
 }  // namespace wythe

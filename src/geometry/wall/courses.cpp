@@ -3,9 +3,10 @@
 // split, they are numbered through the whole wall: pieces of one number are one unit.
 #include "geometry/wall/courses.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <set>
 
 namespace wythe::geometry {

@@ -196,9 +196,10 @@ class Builder {
     return std::abs(cross(at - before, after - at)) >= kNear * length(after - at);
   }
   bool no_corner(std::size_t k) {
-    return fault(
-        "line." + std::to_string(k), metres(axis_.point[k].x) + ", " + metres(axis_.point[k].y),
-        "is no corner: the line goes straight on or turns back there", "leave this point out");
+    return fault("line." + std::to_string(k),
+                 metres(axis_.point[k].x) + ", " + metres(axis_.point[k].y),
+                 "is no corner: the line goes straight on or turns back there",
+                 k == 0 ? "let the line begin and end at a corner" : "leave this point out");
   }
   [[nodiscard]] bool is_held() const {
     return spec_.feet == FrameFeet::kFixed || spec_.feet == FrameFeet::kHinged;

@@ -3,10 +3,10 @@
 #include "geometry/wall/profiles.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <numbers>
 
+#include "core/ascii.h"
 #include "core/elementary.h"
 
 namespace wythe::geometry {
@@ -135,8 +135,7 @@ Section section_of(const Tube& p) {
 std::string key_of(const std::string& name) {
   std::string key;
   for (const char c : name)
-    if (std::isspace(static_cast<unsigned char>(c)) == 0)
-      key += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    if (!is_ascii_space(c)) key += ascii_capital(c);
   if (key.size() > 3 && key.starts_with("HE") && (key.back() == 'A' || key.back() == 'B'))
     key = "HE" + key.substr(key.size() - 1) + key.substr(2, key.size() - 3);
   return key;

@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include "core/ascii.h"
 #include "core/limits.h"
 #include "core/number.h"
 #include "core/text.h"
@@ -74,14 +75,13 @@ const HeadLine* line_with(const std::vector<HeadLine>& head, std::string_view wo
   return nullptr;
 }
 
-bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
-
 // Where a word begins that stands alone.
 std::size_t word_at(std::string_view line, std::string_view word) {
   for (std::size_t at = line.find(word); at != std::string_view::npos;
        at = line.find(word, at + 1)) {
     const std::size_t end = at + word.size();
-    if ((at == 0 || !is_letter(line[at - 1])) && (end == line.size() || !is_letter(line[end])))
+    if ((at == 0 || !is_ascii_letter(line[at - 1])) &&
+        (end == line.size() || !is_ascii_letter(line[end])))
       return at;
   }
   return std::string_view::npos;
@@ -95,8 +95,7 @@ std::vector<double> numbers_in(std::string_view text) {
     const char c = i < text.size() ? text[i] : ' ';
     const bool is_exponent =
         !cell.empty() && (c == 'e' || c == 'd' || ((c == '-' || c == '+') && cell.back() == 'e'));
-    if (std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '.' || is_exponent ||
-        (c == '-' && cell.empty())) {
+    if (is_digit(c) || c == '.' || is_exponent || (c == '-' && cell.empty())) {
       cell += c == 'd' ? 'e' : c;  // of Fortran: 5.0D-02
       continue;
     }
@@ -117,8 +116,7 @@ std::vector<std::string_view> touching_numbers(std::string_view cell) {
     const bool has_points =
         before.find('.') != std::string_view::npos &&
         behind.substr(0, behind.find_first_of("+-")).find('.') != std::string_view::npos;
-    if (!is_sign || !has_points || std::isalpha(static_cast<unsigned char>(cell[at - 1])) != 0)
-      continue;
+    if (!is_sign || !has_points || is_ascii_letter(cell[at - 1])) continue;
     parts.push_back(before);
     cell.remove_prefix(at);
     at = 0;
@@ -178,17 +176,17 @@ std::string word_behind(std::string_view rest, bool behind_number) {
   rest.remove_prefix(std::min(rest.size(), rest.find_first_not_of(kMarks)));
   if (behind_number) {
     std::size_t end = 0;
-    while (end < rest.size() && (std::isdigit(static_cast<unsigned char>(rest[end])) != 0 ||
-                                 rest[end] == '.' || rest[end] == '-' || rest[end] == '+' ||
-                                 ((rest[end] == 'e' || rest[end] == 'd') && end + 1 < rest.size() &&
-                                  !is_letter(rest[end + 1]))))
+    while (end < rest.size() &&
+           (is_digit(rest[end]) || rest[end] == '.' || rest[end] == '-' || rest[end] == '+' ||
+            ((rest[end] == 'e' || rest[end] == 'd') && end + 1 < rest.size() &&
+             !is_ascii_letter(rest[end + 1]))))
       ++end;
     if (end == 0) return "";
     rest.remove_prefix(end);
     rest.remove_prefix(std::min(rest.size(), rest.find_first_not_of(" \t([")));
   }
   std::size_t end = 0;
-  while (end < rest.size() && is_letter(rest[end])) ++end;
+  while (end < rest.size() && is_ascii_letter(rest[end])) ++end;
   return std::string(rest.substr(0, end));
 }
 
@@ -618,7 +616,7 @@ std::optional<RecordNumbers> parse_cosmos(const std::string& text, const std::st
   check_head(file, channel.line, channel.count, out.step, "points and step of COSMOS");
   // stated in whole seconds, rounded or cut
   const double seconds = channel.count * out.step;
-  if (std::fabs(seconds - channel.seconds) > 1 + 1e-9)
+  if (!(std::fabs(seconds - channel.seconds) <= 1 + 1e-9))
     refuse(file, channel.line, channel.words,
            fmt::format("has {:.0f} points, one each {:g} s, which last {:g} s", channel.count,
                        out.step, seconds),

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/ascii.h"
 #include "core/elementary.h"
 #include "core/text.h"
 #include "io/model/record_formats.h"
@@ -26,7 +27,7 @@ bool is_one_of(std::string_view word, Words words) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-bool is_alnum(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
+bool is_alnum(char c) { return is_ascii_letter(c) || is_digit(c); }
 bool is_ascii(char c) { return static_cast<unsigned char>(c) < 0x80; }
 // Whether a word of the name begins so: "ground acc" with acc.
 bool has_word(const std::string& name, std::string_view start) {
@@ -38,7 +39,7 @@ bool has_word(const std::string& name, std::string_view start) {
 // A letter that stands alone, or before a mark, a digit or an axis: a, a_x, ax, a1.
 bool is_letter(const std::string& name, char letter) {
   return !name.empty() && name[0] == letter &&
-         (name.size() == 1 || std::isalpha(static_cast<unsigned char>(name[1])) == 0 ||
+         (name.size() == 1 || !is_ascii_letter(name[1]) ||
           (name.size() == 2 && std::string("xyzgh").find(name[1]) != std::string::npos));
 }
 
@@ -46,7 +47,7 @@ bool is_letter(const std::string& name, char letter) {
 std::string letters_of(const std::string& small) {
   std::string out;
   for (const char c : small)
-    if (std::isalpha(static_cast<unsigned char>(c)) != 0) out += c;
+    if (is_ascii_letter(c)) out += c;
   return out;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/decimal_point.h"
 #include "core/messages.h"
 
 namespace wythe::io {
@@ -12,6 +13,7 @@ namespace wythe::io {
 template <class Json>
 Json data_of(const Message& message) {
   const std::string data = message_json(message);
+  const DecimalPoint point;
   return data.empty() ? Json() : Json::parse(data);
 }
 

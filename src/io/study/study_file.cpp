@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "core/ascii.h"
 #include "core/files.h"
 #include "core/number.h"
 #include "core/text.h"
@@ -559,7 +560,7 @@ class StudyReader {
     const auto names = [&](const std::string& name) {
       const auto is_letter = [&](std::size_t i) {
         return i < text.size() &&
-               (std::isalnum(static_cast<unsigned char>(text[i])) != 0 || text[i] == '_');
+               ((is_ascii_letter(text[i]) || is_digit(text[i])) || text[i] == '_');
       };
       for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1))
         if (!is_letter(at + name.size()) && !(at > 0 && is_letter(at - 1))) return true;

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 
+#include "core/ascii.h"
 #include "core/text.h"
 #include "io/keys/describe_study.h"
 #include "wythe/text.h"
@@ -25,8 +25,7 @@ std::string path_of(const std::string& setting) {
 std::string folder_of(const std::string& name) {
   std::string out;
   for (const char c : small_letters(name)) {
-    const bool plain =
-        std::isalnum(static_cast<unsigned char>(c)) != 0 && static_cast<unsigned char>(c) < 128;
+    const bool plain = is_ascii_letter(c) || is_digit(c);
     if (plain)
       out += c;
     else if (!out.empty() && out.back() != '_')

@@ -8,6 +8,7 @@
 #include <set>
 #include <vector>
 
+#include "core/decimal_point.h"
 #include "core/shape.h"
 #include "wythe/error.h"
 
@@ -59,6 +60,7 @@ class Keys : public nlohmann::json_sax<nlohmann::json> {
 
 nlohmann::json parse_json(const std::string& text, const std::string& file) {
   check_shape(text, Syntax::kJson, file);
+  const DecimalPoint point;
   Keys keys(file);
   static_cast<void>(nlohmann::json::sax_parse(text, &keys));
   try {

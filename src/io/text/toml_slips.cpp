@@ -4,10 +4,10 @@
 #include "io/text/toml_slips.h"
 
 #include <algorithm>
-#include <cctype>
 
 #include <fmt/format.h>
 
+#include "core/ascii.h"
 #include "core/text.h"
 
 namespace wythe::io {
@@ -193,8 +193,7 @@ bool is_bare_quantity(std::string_view value) {
   const std::size_t first = i;
   while (i < value.size() && (is_digit(value[i]) || value[i] == '.')) ++i;
   return i > first && i < value.size() &&
-         (std::isalpha(static_cast<unsigned char>(value[i])) != 0 || value[i] == ' ' ||
-          value[i] == '%');
+         (is_ascii_letter(value[i]) || value[i] == ' ' || value[i] == '%');
 }
 
 }  // namespace
@@ -260,7 +259,7 @@ Slip slip_in(std::string_view written) {
     if (is_bare_quantity(value))
       return {"is a quantity without quotes", fmt::format("write {} = \"{}\"", key, value)};
     const bool has_sign = value.size() > 1 && (value[0] == '+' || value[0] == '-');
-    if (std::isalpha(static_cast<unsigned char>(value[has_sign ? 1 : 0])) != 0)
+    if (is_ascii_letter(value[has_sign ? 1 : 0]))
       return {"is a text without quotes", fmt::format("write {} = \"{}\"", key, value)};
   }
   return {};

@@ -3,6 +3,8 @@
 // line. A model's fields that [scatter] makes again on reading are left out; one that differs from those is written.
 #include "io/text/toml_writer.h"
 #include "campaign/draws/scatter.h"
+#include "core/ascii.h"
+#include "core/text.h"
 #include "io/keys/same_spec.h"
 
 #include <algorithm>
@@ -46,8 +48,8 @@ std::string quoted(const std::string& text) {
 }
 
 std::string key_text(const std::string& name) {
-  const bool bare = !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {
-    return std::isalnum(c) || c == '_' || c == '-';
+  const bool bare = !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+    return is_ascii_letter(c) || is_digit(c) || c == '_' || c == '-';
   });
   return bare ? name : quoted(name);
 }

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "core/ascii.h"
 #include "core/files.h"
 #include "core/limits.h"
 #include "core/text.h"
@@ -152,11 +153,8 @@ class ColumnReader {
          at = whole.find_first_of(kMarks, at + 1)) {
       const std::string end = unit_spelling(whole.substr(at + 1));
       const std::size_t slash = end.find('/');
-      const auto is = [&](auto kind, std::size_t k) {
-        return k < end.size() && kind(static_cast<unsigned char>(end[k])) != 0;
-      };
-      if (slash != std::string::npos && is(isalpha, slash + 1) && is(isdigit, end.size() - 1) &&
-          !unit_definition(end).empty())
+      if (slash != std::string::npos && slash + 1 < end.size() && is_ascii_letter(end[slash + 1]) &&
+          is_digit(end.back()) && !unit_definition(end).empty())
         return end;
     }
     return "";

@@ -4,10 +4,10 @@
 #include "judge/modes/in_space.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <string>
 
+#include "core/text.h"
 #include "judge/modes/space_pieces.h"
 #include "wythe/reading.h"
 
@@ -202,7 +202,7 @@ struct Wall {
 std::string wall_of(const std::string& id) {
   for (std::size_t dot = id.find('.'); dot != std::string::npos; dot = id.find('.', dot + 1)) {
     const std::string_view rest = std::string_view(id).substr(dot + 1);
-    const bool unit = rest.size() > 1 && rest[0] == 'c' && std::isdigit(rest[1]) != 0;
+    const bool unit = rest.size() > 1 && rest[0] == 'c' && is_digit(rest[1]);
     if (unit || rest.starts_with("lintel") || rest.starts_with("sill") || rest.starts_with("arch"))
       return id.substr(0, dot);
   }

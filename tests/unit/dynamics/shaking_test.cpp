@@ -868,6 +868,9 @@ TEST_F(RecordFile, a_channel_of_cosmos_that_is_not_whole_or_not_alone_is_refused
   };
   const std::vector<std::string> two = {"   1.00000   2.00000"};
   const std::string one = cosmos(0.02, 20, 2, "cm/s^2", "8F10.5", two, 0);
+  std::string no_number = one;  // of seconds
+  no_number.replace(no_number.find("approx   0 secs"), 15, "approx 1.2.3 secs");
+  EXPECT_NE(told(no_number).find("which last 0.04 s"), std::string::npos) << told(no_number);
   says(told(one + one), {"second of 2 accelerations", "keep one channel"});
   says(told(cosmos(0.02, 20, 2, "counts (50)", "8F10.5", two, 0)), {"counts", "no unit of acc"});
   says(told(cosmos(-999, -999, 2, "cm/s^2", "8F10.5", two, 0)), {"has no step"});

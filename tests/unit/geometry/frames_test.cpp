@@ -386,7 +386,7 @@ TEST(Frames, bad_input_is_named_located_and_cured) {
                  {"frame.0.line.1", "1.5 m, 1 m", "no corner"});
   // a closed line that begins in the middle of a side has a corner too many
   expect_refused(line({{2, 0.1}, {2.5, 0.1}, {2.5, 2}, {1.5, 2}, {1.5, 0.1}, {2, 0.1}}),
-                 {"frame.0.line.0", "2 m, 0.1 m", "no corner"});
+                 {"frame.0.line.0", "2 m, 0.1 m", "no corner", "begin and end at a corner"});
   expect_refused(line({{1.5, 0}, {1.5, 0.2}, {2.5, 0.2}}), {"frame.0", "too short to be a bar"});
   expect_refused(
       [](ModelSpec& s) {
