@@ -4,6 +4,7 @@
 // All physical parameters start as NaN; check_joint_material() refuses what is missing.
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -13,6 +14,7 @@
 namespace wythe {
 
 inline constexpr double kUnset = std::numeric_limits<double>::quiet_NaN();
+[[nodiscard]] inline bool is_set(double value) { return !std::isnan(value); }
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 inline constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 

@@ -33,6 +33,8 @@ struct GroundMotion {
 // a + factor b, at the times of both.
 [[nodiscard]] GroundMotion combined(const GroundMotion& a, const GroundMotion& b, double factor);
 
+// One g of records and intensities, whatever the model's gravity and whatever a code means by g [m/s^2].
+inline constexpr double kGravityOfRecords = 9.80665;
 [[nodiscard]] double peak_acceleration(const GroundMotion& motion);  // [m/s^2]
 [[nodiscard]] double peak_velocity(const GroundMotion& motion);      // [m/s]
 // pi / (2 g) times the integral of a^2 [m/s].

@@ -1,13 +1,26 @@
 // Numbers from text, the same in every locale: std::strtod, std::stod and streams follow the decimal comma that a host
-// program may have set. Through std::from_chars, so "+1", blanks in front and numbers too large are none.
+// program may have set. "+1", blanks in front and numbers too large are none. Fractions go through fast_float, whole
+// numbers through std::from_chars, which not every standard library has for fractions.
 #pragma once
 
 #include <charconv>
+#include <cmath>
+#include <fast_float/fast_float.h>
 #include <optional>
 #include <string_view>
 #include <system_error>
+#include <type_traits>
 
 namespace wythe {
+
+namespace detail {
+// Whether digits were read as a number that is too large or too small for a double.
+inline bool is_out_of_range(double value, std::string_view text) {
+  const std::string_view digits = text.substr(0, text.find_first_of("eE"));
+  return (std::isinf(value) && digits.find_first_of("0123456789") != std::string_view::npos) ||
+         (value == 0 && digits.find_first_of("123456789") != std::string_view::npos);
+}
+}  // namespace detail
 
 template <class T>
 struct LeadingNumber {
@@ -19,9 +32,20 @@ struct LeadingNumber {
 template <class T = double>
 [[nodiscard]] std::optional<LeadingNumber<T>> leading_number(std::string_view text) {
   LeadingNumber<T> out;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), out.value);
-  if (error != std::errc()) return std::nullopt;
-  out.rest = text.substr(static_cast<std::size_t>(end - text.data()));
+  const char *const first = text.data(), *const last = first + text.size();
+  const char* end = nullptr;
+  if constexpr (std::is_floating_point_v<T>) {
+    const auto read = fast_float::from_chars(first, last, out.value);
+    const auto length = static_cast<std::size_t>(read.ptr - first);
+    if (read.ec != std::errc() || detail::is_out_of_range(out.value, text.substr(0, length)))
+      return std::nullopt;
+    end = read.ptr;
+  } else {
+    const auto read = std::from_chars(first, last, out.value);
+    if (read.ec != std::errc()) return std::nullopt;
+    end = read.ptr;
+  }
+  out.rest = text.substr(static_cast<std::size_t>(end - first));
   return out;
 }
 

@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <set>
 
-#include "campaign/draws/sampling.h"
+#include "campaign/draws/margin.h"
 #include "core/decimal_point.h"
 #include "report/bundle.h"
 #include "report/model_inputs.h"

@@ -23,17 +23,6 @@ namespace {
 constexpr int kHighestDegree = 9, kFolds = 5, kFewestForSurrogate = 40;
 constexpr double kFewCensored = 0.05;
 
-// Orthonormal on (0, 1).
-double legendre(int degree, double u) {
-  const double t = 2 * u - 1;
-  double before = 1, now = degree == 0 ? 1 : t;
-  for (int k = 2; k <= degree; ++k) {
-    const double next = ((2 * k - 1) * t * now - (k - 1) * before) / k;
-    before = now, now = next;
-  }
-  return std::sqrt(2.0 * degree + 1) * now;
-}
-
 // Middles of n equal strata; equal values share one.
 Column places_of(const Column& values) {
   Column places = ranks(values);
@@ -110,13 +99,9 @@ int distinct(const Column& values) {
 }
 
 LeastSquares cubic_of(const Column& input, const Column& response) {
-  const Column u = places_of(input);
-  std::vector<Column> terms;
-  for (int degree = 0; degree <= std::min(3, distinct(input) - 1); ++degree) {
-    Column& term = terms.emplace_back();
-    for (const double v : u) term.push_back(legendre(degree, v));
-  }
-  return {std::move(terms), response};
+  std::vector<Term> terms;
+  for (int degree = 0; degree <= std::min(3, distinct(input) - 1); ++degree) terms.push_back({degree});
+  return {legendre_products(terms, {places_of(input)}), response};
 }
 
 double width_of(double variance) { return 1 - std::sqrt(1 - std::clamp(variance, 0.0, 1.0)); }
@@ -173,17 +158,6 @@ int degree_for(std::size_t inputs, int n) {
   return std::max(degree, 1);
 }
 
-std::vector<Column> columns_of(const std::vector<Term>& terms, const Columns& u) {
-  std::vector<Column> columns;
-  for (const Term& term : terms) {
-    Column& column = columns.emplace_back(u.front().size(), 1.0);
-    for (std::size_t k = 0; k < term.size(); ++k)
-      if (term[k] > 0)
-        for (std::size_t i = 0; i < column.size(); ++i) column[i] *= legendre(term[k], u[k][i]);
-  }
-  return columns;
-}
-
 // Share of the variance predicted where a fifth of the samples, each in turn, is left out of the choice of
 // terms and of their fit.
 double predicted_share(const Columns& u, const Column& y, int degree) {
@@ -198,7 +172,7 @@ double predicted_share(const Columns& u, const Column& y, int degree) {
       for (std::size_t k = 0; k < u.size(); ++k) kept[k].push_back(u[k][i]);
       response.push_back(y[i]), count[i] = 1;
     }
-    const std::vector<Column> terms = columns_of(chosen_terms(kept, response, degree), u);
+    const std::vector<Column> terms = legendre_products(chosen_terms(kept, response, degree), u);
     const std::vector<double> b = LeastSquares(terms, y).solve(count);
     if (b.empty()) return kUnset;
     double mean = 0;
@@ -241,7 +215,7 @@ Estimate widened(double value, std::vector<double> replicates, double q2) {
 
 void tell_indices(const Columns& u, const Column& y, int degree, SurrogateIndices& out) {
   const std::vector<Term> terms = chosen_terms(u, y, degree);
-  const LeastSquares fit(columns_of(terms, u), y);
+  const LeastSquares fit(legendre_products(terms, u), y);
   const int n = static_cast<int>(y.size());
   const std::vector<double> b = fit.solve(Counts(n, 1));
   out.terms = static_cast<int>(terms.size());
@@ -252,7 +226,7 @@ void tell_indices(const Columns& u, const Column& y, int degree, SurrogateIndice
   std::vector<std::vector<double>> first(u.size()), total(u.size());
   const Resampled part(y.size());
   const LeastSquares few =
-      part.is_all() ? fit : LeastSquares(columns_of(terms, parts_of(part, u)), part.of(y));
+      part.is_all() ? fit : LeastSquares(legendre_products(terms, parts_of(part, u)), part.of(y));
   const std::vector<double> b_of_few = part.is_all() ? b : few.solve(Counts(part.size(), 1));
   const auto shares = shares_of(terms, b);
   if (!b_of_few.empty()) {

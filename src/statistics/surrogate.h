@@ -1,17 +1,18 @@
-// Sparse polynomial of the inputs that follows a response: which products of Legendre polynomials it
-// needs (surrogate.cpp, a door to OpenTURNS).
+// Sparse polynomial of the inputs that follows a response: which products of Legendre polynomials it needs.
 #pragma once
 
 #include <vector>
-
-#include "campaign/draws/sampling.h"
 
 namespace wythe {
 
 // Degree in each input; all 0 is the mean.
 using Term = std::vector<int>;
+using Columns = std::vector<std::vector<double>>;  // (n_variable, n_sample)
 
-// Terms chosen by least angle regression with the corrected leave-one-out error (Blatman and Sudret, J.
+// Values of each term, a product of Legendre polynomials orthonormal on (0, 1), at each sample: (n_term, n_sample).
+[[nodiscard]] Columns legendre_products(const std::vector<Term>& terms, const Columns& inputs);
+
+// Terms chosen by least angle regression (Efron et al. 2004) with the corrected leave-one-out error (Blatman and Sudret, J.
 // Comput. Phys. 230, 2011) among those up to `degree` in all; inputs in (0, 1), (n_input, n_sample). The
 // mean is always among them. Deterministic.
 [[nodiscard]] std::vector<Term> chosen_terms(const Columns& inputs,

@@ -107,26 +107,12 @@ class Surroundings(unittest.TestCase):
 
     def test_settings_of_other_programs_change_nothing(self):
         told = (self.made / "campaign/samples.csv").read_bytes()
-        for change in ({"OPENTURNS_NUM_THREADS": "3"}, {"HOME": "/nowhere", "TMPDIR": "/nowhere"}, {"LC_ALL": "de_DE.UTF-8"},
+        for change in ({"HOME": "/nowhere", "TMPDIR": "/nowhere"}, {"LC_ALL": "de_DE.UTF-8"},
                        {"LC_ALL": "nowhere", "LANG": "x"}, {"HDF5_PLUGIN_PATH": "/nowhere", "HDF5_DRIVER": "none"}):
             with self.subTest(change=change):
                 self.assertEqual(self.drawn("study.toml", change), told)
         bare = wythe("run", self.made / "model.toml", "--out", self.out, "--quiet", env={})
         self.assertEqual(bare.returncode, 0, bare.stderr)
-
-    def test_settings_of_openturns_change_no_sample(self):
-        """What a campaign draws uses its Sobol sequence, and its search for the shape of a Weibull distribution."""
-        drawn = STUDY.replace('seed = 7', 'seed = 7\ndesign = "sobol"').replace('distribution = "normal"', 'distribution = "weibull"')
-        self.assertNotEqual(drawn, STUDY)
-        (self.made / "sobol.toml").write_text(drawn)
-        told = self.drawn("sobol.toml", {})
-        place = self.out.parent / "openturns/etc"
-        place.mkdir(parents=True)
-        (place / "openturns.conf").write_text('<openturns-configuration version="1"><SobolSequence-InitialSeed value_int="50"/>'
-                                              '<Distribution-DefaultQuantileEpsilon value_float="0.3"/></openturns-configuration>')
-        for change in ({"OPENTURNS_CONFIG_PATH": str(place)}, {"HOME": str(self.out.parent)}):
-            with self.subTest(change=change):
-                self.assertEqual(self.drawn("sobol.toml", change), told)
 
     def drawn(self, study, change):
         """samples.csv of a campaign in a changed environment."""

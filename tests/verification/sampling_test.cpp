@@ -9,6 +9,8 @@
 #include <set>
 
 #include "campaign/draws/copula.h"
+#include "campaign/draws/correlation.h"
+#include "campaign/draws/margin.h"
 #include "campaign/draws/sampling.h"
 #include "verification/record.h"
 #include "wythe/statistics.h"

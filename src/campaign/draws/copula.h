@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "campaign/draws/sampling.h"
+#include "campaign/draws/correlation.h"
 #include "wythe/study.h"
 
 namespace wythe {

@@ -11,10 +11,10 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <openturns/DistFunc.hxx>
 
 #include "campaign/draws/copula.h"
 #include "core/elementary.h"
+#include "core/normal.h"
 
 namespace wythe {
 namespace {
@@ -30,7 +30,7 @@ std::vector<Step> steps_of(const std::vector<double>& shares) {
   double below = 0;
   for (std::size_t i = 0; i + 1 < shares.size(); ++i) {
     below += shares[i];
-    steps.push_back({OT::DistFunc::qNormal(below), 0.5 * (shares[i] + shares[i + 1])});
+    steps.push_back({normal_quantile(below), 0.5 * (shares[i] + shares[i + 1])});
   }
   return steps;
 }

@@ -17,11 +17,14 @@
 #include <optional>
 #include <set>
 
+#include "campaign/draws/correlation.h"
 #include "campaign/draws/field_factor.h"
 #include "campaign/draws/formula.h"
-#include "campaign/draws/sampling.h"
+#include "campaign/draws/generator.h"
+#include "campaign/draws/margin.h"
 #include "campaign/draws/scatter.h"
 #include "core/elementary.h"
+#include "core/normal.h"
 #include "core/text.h"
 #include "geometry/shape.h"
 #include "model/field_places.h"
@@ -42,8 +45,6 @@ constexpr double kMostWork = 4e9;    // operations to draw: some seconds
 constexpr double kShortest = 0.2;    // of a half unit: there exp(-5) of correlation is left
 constexpr double kMostScatter = 10;  // cov
 constexpr double kFarthest = 100;    // times the wall: its ends are correlated by 0.99
-
-bool is_set(double value) { return !std::isnan(value); }
 
 struct Field {
   std::string name;
@@ -387,7 +388,7 @@ double mean_of(const Margin& margin, int power = 1) {
   constexpr double kStep = 0.0625, kEnd = 8.25;
   double sum = 0, weights = 0;
   for (double z = -kEnd; z <= kEnd; z += kStep) {
-    const double weight = elementary::exp(-0.5 * z * z), value = margin.quantile(normal_share(z));
+    const double weight = elementary::exp(-0.5 * z * z), value = margin.quantile(inside(normal_share(z)));
     sum += weight * (power == 1 ? value : value * value);
     weights += weight;
   }
@@ -453,7 +454,7 @@ void draw_group(const std::vector<Field*>& group, FaultList& faults) {
         for (std::size_t p = 0; p < field.places.size(); ++p) {
           double z = 0;
           for (std::size_t k = 0; k <= i; ++k) z += share[i][k] * wave[k][first + p];
-          spec.drawn[p] = margin.quantile(normal_share(z));
+          spec.drawn[p] = margin.quantile(inside(normal_share(z)));
         }
       } catch (const std::exception&) {
         faults.add({"", "field." + field.name + ".cov", fmt::format("{:g}", spec.cov),

@@ -10,6 +10,7 @@
 #include "campaign/draws/dependents.h"
 #include "campaign/draws/formula.h"
 #include "campaign/draws/records.h"
+#include "campaign/draws/margin.h"
 #include "campaign/draws/sampling.h"
 #include "campaign/draws/study_check.h"
 #include "core/hash.h"

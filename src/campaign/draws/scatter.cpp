@@ -23,11 +23,11 @@ namespace {
 
 // Coefficients of variation from unit to unit of one wall; sources and what is weak in them:
 // docs/theory/fields.md, "Scatter of a masonry".
-struct Kind {
+struct ScatterKind {
   const char* name;
   double joint_tension, joint_cohesion, unit_tension;
 };
-constexpr Kind kKinds[] = {{"clay_brick", 0.30, 0.25, 0.20},
+constexpr ScatterKind kKinds[] = {{"clay_brick", 0.30, 0.25, 0.20},
                            {"calcium_silicate", 0.30, 0.25, 0.18},
                            {"stone", 0.40, 0.30, 0.25},
                            {"tuff", 0.30, 0.25, 0.22}};
@@ -45,10 +45,10 @@ class Scatter {
       : spec_(spec), s_(spec.scatter), has_places_(has_places), faults_(faults) {}
 
   void add() {
-    Kind kind{"", 0, 0, 0};
+    ScatterKind kind{"", 0, 0, 0};
     if (!s_.use.empty()) {
       const auto* found = std::find_if(std::begin(kKinds), std::end(kKinds),
-                                       [&](const Kind& k) { return s_.use == k.name; });
+                                       [&](const ScatterKind& k) { return s_.use == k.name; });
       if (found == std::end(kKinds)) return refuse_kind();
       kind = *found;
     }
@@ -83,7 +83,7 @@ class Scatter {
   }
   void refuse_kind() {
     std::vector<std::string> names;
-    for (const Kind& kind : kKinds) names.emplace_back(kind.name);
+    for (const ScatterKind& kind : kKinds) names.emplace_back(kind.name);
     refuse("use", s_.use, "is no kind of masonry whose scatter is known",
            name_advice(s_.use, names));
   }
@@ -239,13 +239,13 @@ std::vector<OddScatter> odd_scatter(const ModelSpec& spec, const Model& model, d
   std::vector<OddScatter> out;
   const double b = std::isnan(between) ? 0 : between;
   const auto look = [&](const char* words, const std::string& material, const char* key,
-                        double JointMaterial::*mean, double Kind::*tested) {
+                        double JointMaterial::*mean, double ScatterKind::*tested) {
     const auto found = spec.material.find(material);
     if (found == spec.material.end() || !(found->second.*mean > 0) ||
         std::isinf(found->second.*mean))
       return;
     double least = std::numeric_limits<double>::infinity(), most = 0;
-    for (const Kind& kind : kKinds) {
+    for (const ScatterKind& kind : kKinds) {
       if (!spec.scatter.use.empty() && spec.scatter.use != kind.name) continue;
       least = std::fmin(least, kind.*tested), most = std::fmax(most, kind.*tested);
     }
@@ -257,12 +257,12 @@ std::vector<OddScatter> odd_scatter(const ModelSpec& spec, const Model& model, d
       out.push_back({words, total, most});
   };
   look("verdict.scatter.joint_tension", spec.scatter.joint, "tensile_strength",
-       &JointMaterial::tensile_strength, &Kind::joint_tension);
+       &JointMaterial::tensile_strength, &ScatterKind::joint_tension);
   look("verdict.scatter.joint_cohesion", spec.scatter.joint, "cohesion", &JointMaterial::cohesion,
-       &Kind::joint_cohesion);
+       &ScatterKind::joint_cohesion);
   if (has_unit_planes(model))
     look("verdict.scatter.unit_tension", spec.scatter.unit, "tensile_strength",
-         &JointMaterial::tensile_strength, &Kind::unit_tension);
+         &JointMaterial::tensile_strength, &ScatterKind::unit_tension);
   return out;
 }
 

@@ -16,6 +16,7 @@
 #include "campaign/draws/distribution.h"
 #include "campaign/draws/formula_parser.h"
 #include "campaign/draws/result_columns.h"
+#include "campaign/draws/margin.h"
 #include "campaign/draws/sampling.h"
 #include "core/text.h"
 #include "model/protocol.h"
@@ -74,8 +75,6 @@ class VariableCheck {
         fmt::format("variable.{}{}{}", spec_.name, key.empty() ? "" : ".", key);
     faults_.add({.file = file_, .path = path, .value = value, .problem = problem, .cure = cure});
   }
-
-  static bool is_set(double value) { return !std::isnan(value); }
 
   // Which parameters stand there: none too many, and all of one form.
   void check_form() {

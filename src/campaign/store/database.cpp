@@ -10,7 +10,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <bit>
 #include <chrono>
 #include <cmath>
 #include <cstring>
@@ -18,6 +17,7 @@
 #include <thread>
 
 #include "campaign/store/read_only_vfs.h"
+#include "core/bits.h"
 #include "core/files.h"
 #include "core/hash.h"
 #include "core/limits.h"
@@ -232,8 +232,8 @@ bool Statement::equals(Statement& other, int at) {
   if (type == SQLITE_NULL) return true;
   if (type == SQLITE_INTEGER) return sqlite3_column_int64(a, at) == sqlite3_column_int64(b, at);
   if (type == SQLITE_FLOAT)
-    return std::bit_cast<std::uint64_t>(sqlite3_column_double(a, at)) ==
-           std::bit_cast<std::uint64_t>(sqlite3_column_double(b, at));
+    return bits_as<std::uint64_t>(sqlite3_column_double(a, at)) ==
+           bits_as<std::uint64_t>(sqlite3_column_double(b, at));
   const void *here = sqlite3_column_blob(a, at), *there = sqlite3_column_blob(b, at);
   const int size = sqlite3_column_bytes(a, at);
   return size == sqlite3_column_bytes(b, at) &&

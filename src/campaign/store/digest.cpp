@@ -6,15 +6,15 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 
-#include <bit>
 
 #include "campaign/store/store_schema.h"
+#include "core/bits.h"
 #include "core/hash.h"
 
 namespace wythe::study {
 namespace {
 
-std::int64_t as_stored(const Hash& hash) { return std::bit_cast<std::int64_t>(hash.value()); }
+std::int64_t as_stored(const Hash& hash) { return bits_as<std::int64_t>(hash.value()); }
 
 std::string rows_of_sample(const std::string& table) {
   const bool is_list = table != "sample" && table != "curve";

@@ -29,10 +29,8 @@ struct Kernels {
 // All that this build and this processor have, narrowest first.
 [[nodiscard]] const std::vector<const Kernels*>& kernels_here();
 
-#if defined(__x86_64__)
 [[nodiscard]] const Kernels& sse2_kernels();
 [[nodiscard]] const Kernels& avx2_kernels();
 [[nodiscard]] const Kernels& avx512_kernels();
-#endif
 
 }  // namespace wythe::dynamics

@@ -6,11 +6,9 @@
 
 namespace wythe::dynamics {
 
-#if defined(__x86_64__)
 void press_sse2(const PressTables& tables, PressGroup& group);
 void press_avx2(const PressTables& tables, PressGroup& group);
 void press_avx512(const PressTables& tables, PressGroup& group);
-#endif
 
 std::vector<double> rows_of_corners(const contact::PartEdges& edges) {
   std::vector<double> rows;

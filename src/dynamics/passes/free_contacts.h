@@ -250,7 +250,7 @@ auto FreeContacts<Bodies>::near_of(std::int32_t a, std::int32_t b) -> std::span<
                        [](const NearPair& p, const auto& wanted) { return bodies_of(p) < wanted; });
   auto end = first;
   while (end != near_.end() && bodies_of(*end) == std::pair(a, b)) ++end;
-  return {first, end};
+  return std::span(near_).subspan(at(first - near_.begin()), at(end - first));
 }
 
 template <class Bodies>

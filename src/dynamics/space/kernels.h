@@ -20,9 +20,7 @@ struct KernelSet {
 // All this processor has, narrowest first, as WYTHE_SIMD allows (executors/kernels.h).
 [[nodiscard]] const std::vector<const KernelSet*>& kernels_here();
 
-#if defined(__x86_64__)
 [[nodiscard]] const KernelSet& avx2_kernels();
 [[nodiscard]] const KernelSet& avx512_kernels();
-#endif
 
 }  // namespace wythe::dynamics::space

@@ -2,11 +2,11 @@
 #include "io/bodies/meshes.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstring>
 
 #include <fmt/format.h>
 
+#include "core/bits.h"
 #include "io/bodies/mesh_parts.h"
 #include "wythe/text.h"
 
@@ -157,7 +157,7 @@ class StlReader {
     std::uint32_t bits = 0;
     for (std::size_t k = 0; k < 4; ++k)
       bits |= static_cast<std::uint32_t>(static_cast<unsigned char>(text_[place + k])) << (8 * k);
-    return static_cast<double>(std::bit_cast<float>(bits));
+    return static_cast<double>(bits_as<float>(bits));
   }
 
   void parse_binary() {

@@ -2,10 +2,10 @@
 //
 // Reads x, y, z of `vertex` and the list of corners of `face`; passes over everything else by its type.
 #include <algorithm>
-#include <bit>
 
 #include <fmt/format.h>
 
+#include "core/bits.h"
 #include "io/bodies/mesh_parts.h"
 
 namespace wythe::io {
@@ -74,8 +74,8 @@ class Values {
     rest_.remove_prefix(type.bytes);
     if (type.kind == Kind::kReal)
       return type.bytes == 8
-                 ? std::bit_cast<double>(bits)
-                 : static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
+                 ? bits_as<double>(bits)
+                 : static_cast<double>(bits_as<float>(static_cast<std::uint32_t>(bits)));
     const std::size_t width = 8 * type.bytes;
     if (type.kind == Kind::kSigned && (bits >> (width - 1) & 1) != 0)
       return static_cast<double>(bits) - static_cast<double>(std::uint64_t{1} << width);

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "campaign/draws/field_factor.h"
-#include "campaign/draws/sampling.h"
+#include "campaign/draws/generator.h"
 #include "model/field_places.h"
 #include "scenes/scenes.h"
 #include "scenes/small_study.h"
