@@ -7,7 +7,7 @@ BUILD := build/$(PRESET)
 KERNELS ?= all
 SOURCES = $(shell find include src apps tests benchmarks -name '*.h' -o -name '*.cpp')
 
-.PHONY: all help setup build demo test test-long fuzz sanitize bench docs site web format check install package clean
+.PHONY: all help setup build demo wasm test test-long fuzz sanitize bench docs site web format check install package clean
 all: build
 
 help:            ## this list
@@ -32,7 +32,13 @@ demo: configure  ## run one wall, then 24 samples of its study; says where the r
 	$(BUILD)/wythe campaign $(STUDY) --out $(BUILD)/demo_campaign --samples 24
 	@echo "open $(BUILD)/demo/report.html and $(BUILD)/demo_campaign/report.html"
 
-test: setup      ## build and run every test; last line: N passed, N failed
+wasm:            ## the engine for browsers and Node: build/wasm/package (Emscripten, deps/wasm.txt)
+	@tools/setup deps/wasm.txt
+	@cmake --preset wasm >build-configure.log 2>&1 || { cat build-configure.log; rm -f build-configure.log; exit 1; }
+	@rm -f build-configure.log
+	@cmake --build --preset wasm
+
+test: setup wasm ## build and run every test; last line: N passed, N failed
 	@tools/run_tests --preset $(PRESET)
 
 test-long: setup ## the tests that are too dear for each change; docs/testing.md

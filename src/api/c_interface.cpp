@@ -21,11 +21,12 @@ struct wythe_job {
 namespace wythe::api {
 namespace {
 
-const std::map<std::string, Task>& tasks() {
-  static const std::map<std::string, Task> kTasks = {
-      {"run", do_run},         {"check", do_check},   {"limit", do_limit},
-      {"contact", do_contact}, {"batch", do_batch},   {"campaign", do_campaign},
-      {"results", do_results}, {"replay", do_replay}, {"keys", do_keys}};
+const Tasks& tasks() {
+  static const Tasks kTasks = [] {
+    Tasks all = run_tasks();
+    all.insert(study_tasks().begin(), study_tasks().end());
+    return all;
+  }();
   return kTasks;
 }
 

@@ -1,21 +1,18 @@
 // New results go into a hidden folder, and commit() puts all of them in place together (Replacement, wythe/io.h). A
-// page is made from its .data text, so that it can be made again. Campaigns get an assessment only where their base
-// model asks for one. A second opinion beside a run takes another name for its page, so the page of the run stays.
+// page is made from its .data text, so that it can be made again. A second opinion beside a run takes another name for
+// its page, so the page of the run stays.
 #include "wythe/folders.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 
-#include "model/shaking.h"
 #include "wythe/assessment.h"
 #include "wythe/error.h"
 #include "wythe/failure_mode.h"
 #include "wythe/provenance.h"
 #include "wythe/report.h"
-#include "wythe/stored_states.h"
 
 namespace wythe {
 namespace {
@@ -58,56 +55,6 @@ void read_result(const ModelSpec& spec, const Model& model, Result& result) {
   result.failure_mode = name_failure_mode(model, result);
   result.features = read_features(model, result);
   if (is_asked(spec.assessment)) result.pushed = read_pushed_wall(spec, model, result);
-}
-
-// The damping of the stage that takes the records; of what samples draw, the name of the input.
-std::vector<Message> damping_of_study(const StudySpec& study, const ModelSpec& base) {
-  const auto shake = std::find_if(base.stage.begin(), base.stage.end(), [&](const StageSpec& s) {
-    return s.name == study.shaking.stage;
-  });
-  if (shake == base.stage.end()) return {};
-  const std::vector<std::string> tables{
-      "stage." + shake->name + ".", "stage." + std::to_string(shake - base.stage.begin()) + "."};
-  std::map<std::string, std::string> drawn;
-  const auto look = [&](const InputSpec& input) {
-    for (const std::string& table : tables)
-      if (input.path.starts_with(table)) {
-        const std::size_t end = input.path.find('.', table.size());
-        drawn.emplace(input.path.substr(table.size(), end - table.size()), input.name);
-      }
-  };
-  for (const VariableSpec& input : study.variable) look(input);
-  for (const DependentSpec& input : study.dependent) look(input);
-  return damping_of(*shake, drawn);
-}
-
-Statistics full_statistics(const Campaign& campaign) {
-  Statistics statistics = statistics_of(campaign);
-  const ModelSpec base = model_builder(campaign.study)({});
-  statistics.project = base.project;
-  if (statistics.shaking.is_told())
-    statistics.shaking.damping = damping_of_study(campaign.study, base);
-  if (is_asked(base.assessment))
-    statistics.assessment = assess_campaign(campaign, base, compile(base));
-  return statistics;
-}
-
-Statistics write_campaign_files(const std::string& folder, const Campaign& campaign,
-                                const std::string& language, const Points& at) {
-  Replacement results(folder, [](const std::string& name) {
-    return name == "samples.csv" || name == "statistics.json" || name == "report.html";
-  });
-  write_text(results.path() + "/samples.csv", samples_csv(campaign));
-  Statistics statistics = full_statistics(campaign);
-  write_text(results.path() + "/statistics.json", statistics_json(statistics));
-  StoredStates stored(folder);
-  const SampleWalls walls = {
-      .build = model_builder(campaign.study),
-      .states = [&](int sample, const Model& model) { return stored.of(sample, model); }};
-  write_text(results.path() + "/report.html",
-             report_page(campaign_data(campaign, statistics, walls), language));
-  results.commit(at);
-  return statistics;
 }
 
 std::string write_second_opinion(const std::string& folder, const ModelSpec& spec,

@@ -93,14 +93,8 @@ struct Job {
 
 // Each fills job.out; true: it was stopped before its end. Throws InputError, IoError.
 using Task = bool (*)(Job& job);
-bool do_run(Job& job);
-bool do_replay(Job& job);
-bool do_check(Job& job);
-bool do_limit(Job& job);
-bool do_contact(Job& job);
-bool do_batch(Job& job);
-bool do_campaign(Job& job);
-bool do_results(Job& job);
-bool do_keys(Job& job);
+using Tasks = std::map<std::string, Task>;
+[[nodiscard]] const Tasks& run_tasks();    // about one wall
+[[nodiscard]] const Tasks& study_tasks();  // about many; none in the engine for browsers (src/wasm)
 
 }  // namespace wythe::api

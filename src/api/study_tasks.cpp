@@ -1,4 +1,4 @@
-// Tasks about many walls: batch, campaign, results.
+// Tasks about many walls: batch, campaign, results, and one of a campaign again: replay.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "api/job.h"
+#include "api/run_answers.h"
 #include "campaign/output_keys.h"
 #include "core/limits.h"
 #include "io/text/toml_reader.h"
@@ -170,8 +171,6 @@ void answer_campaign(Job& job, const std::string& folder, const Campaign& campai
   job.out.table_later("curves", [folder] { return curves_of(read_campaign(folder).records); });
 }
 
-}  // namespace
-
 bool do_batch(Job& job) {
   job.in.check("batch", {"model", "file", "set", "path", "unit"},
                {"jobs", "curves", "read_modes_at_mm"}, true);
@@ -231,6 +230,52 @@ bool do_results(Job& job) {
   answer_campaign(job, folder, campaign, full_statistics(campaign));
   job.out.text_later("study", [study = campaign.study] { return write_study(study); });
   return false;
+}
+
+bool do_replay(Job& job) {
+  job.in.check("replay", {"folder", "out", "language"}, {"sample", "threads", "frames", "replace"},
+               false);
+  const std::string language = job.in.one("language", "en"), out = job.in.out_folder();
+  check_language(language, "language");
+  const SolveOptions options = options_of(job);
+  const Campaign campaign = read_campaign(job.in.one("folder"));
+  const int sample = job.in.integer("sample", 0, 1, campaign.samples.n_sample());
+  const std::unique_ptr<Replacement> results =
+      out.empty() ? nullptr
+                  : replace_run(out, {job.in.one("folder"), 0, job.in.real("replace", 0) != 0});
+  SampleRun run =
+      run_sample(campaign.study, campaign.samples, sample, model_builder(campaign.study), options);
+  if (!run.refused.empty())
+    throw InputError({{.file = job.in.one("folder"),
+                       .path = fmt::format("sample {}", sample),
+                       .value = "",
+                       .problem = "was refused: " + run.refused,
+                       .cure = "choose another sample"}});
+  std::string stored;
+  for (const SampleRecord& record : campaign.records)
+    if (record.sample == sample) stored = record.state_hash;
+  auto done = std::make_shared<Done>();
+  done->spec = std::move(run.spec);
+  done->model = std::move(run.model);
+  done->result = std::move(run.result);
+  if (results) write_done(language, *results, *done);
+  answer_run(job, done);
+  Json settings = run.settings;
+  job.out.put("replay", dumped({{"sample", sample},
+                                {"stored_state_hash", stored},
+                                {"equal", stored == done->result.state_hash},
+                                {"settings", settings}}));
+  return done->result.status == SolveStatus::kInterrupted;
+}
+
+}  // namespace
+
+const Tasks& study_tasks() {
+  static const Tasks kTasks = {{"batch", do_batch},
+                               {"campaign", do_campaign},
+                               {"results", do_results},
+                               {"replay", do_replay}};
+  return kTasks;
 }
 
 }  // namespace wythe::api

@@ -4,7 +4,6 @@
 #include "report/bundle.h"
 
 #include <fmt/format.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <bit>
@@ -14,6 +13,7 @@
 #include "core/decimal_point.h"
 #include "core/limits.h"
 #include "core/shape.h"
+#include "report/deflate.h"
 #include "wythe/error.h"
 
 namespace wythe::report {
@@ -25,62 +25,33 @@ constexpr char kMark[8] = {'W', 'Y', 'T', 'H', 'E', 0, 0, 1};  // the last byte 
 constexpr std::size_t kHead = sizeof kMark + sizeof(std::uint32_t);
 constexpr std::size_t kAlign = 8;
 
-std::string deflated(const std::string& bytes) {
-  uLongf size = compressBound(static_cast<uLong>(bytes.size()));
-  std::string out(size, '\0');
-  const int code = compress2(reinterpret_cast<Bytef*>(out.data()), &size,
-                             reinterpret_cast<const Bytef*>(bytes.data()),
-                             static_cast<uLong>(bytes.size()), Z_BEST_COMPRESSION);
-  if (code != Z_OK) throw IoError("out of memory while packing the report's data");
-  out.resize(size);
-  return out;
-}
-
 // Packed bytes, unpacked as far as somebody asks: a few of them may stand for any number.
 class Inflation {
  public:
-  explicit Inflation(std::string_view packed) {
+  explicit Inflation(std::string_view packed) : inflater_(packed) {
     if (packed.size() > kMostPacked) refuse_data("are larger than a browser takes");
-    // zlib takes the input as const in effect only
-    stream_.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));
-    stream_.avail_in = static_cast<uInt>(packed.size());
-    if (inflateInit(&stream_) != Z_OK)
-      throw IoError("out of memory while reading the report's data");
   }
-  ~Inflation() { inflateEnd(&stream_); }
-  Inflation(const Inflation&) = delete;
-  Inflation& operator=(const Inflation&) = delete;
 
   // The next bytes, exactly as many.
   std::string next(std::size_t count) {
     std::string out(count, '\0');
-    if (unpack(out) != count) refuse_data("are damaged");
+    if (inflater_.read(out) != count) refuse_data("are damaged");
     return out;
   }
   // Whether exactly `count` bytes are left, sums of control included; none of them is kept.
   bool ends_after(std::size_t count) {
     std::string chunk(1 << 18, '\0');
     while (count > chunk.size()) {
-      if (unpack(chunk) != chunk.size()) return false;
+      if (inflater_.read(chunk) != chunk.size()) return false;
       count -= chunk.size();
     }
     chunk.resize(count + 1);
-    return unpack(chunk) == count && ended_;
+    return inflater_.read(chunk) == count && inflater_.ended();
   }
 
  private:
-  std::size_t unpack(std::string& to) {
-    stream_.next_out = reinterpret_cast<Bytef*>(to.data());
-    stream_.avail_out = static_cast<uInt>(to.size());
-    int code = Z_OK;
-    while (code == Z_OK && stream_.avail_out > 0) code = inflate(&stream_, Z_NO_FLUSH);
-    ended_ = code == Z_STREAM_END;
-    return to.size() - stream_.avail_out;
-  }
-  z_stream stream_{};
-  bool ended_ = false;
+  Inflater inflater_;
 };
-
 // Bytes of all arrays, as the header places them.
 std::size_t bytes_of_arrays(const Json& arrays) {
   double end = 0;

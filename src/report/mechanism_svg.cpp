@@ -15,7 +15,7 @@ namespace {
 
 using namespace report;
 
-constexpr double kMost = 0.08;  // displacement drawn, of the wall's height
+constexpr double kMostDrawn = 0.08;  // displacement drawn, of the wall's height
 
 std::string style() {
   return R"css(
@@ -35,13 +35,13 @@ static_assert(names_all(kTitles));
 
 // --- pictures of mechanisms
 
-struct Canvas {
+struct MechanismCanvas {
   Axis x, y;
   double width = 0, height = 0;
   [[nodiscard]] Pixel operator()(Vec2 p) const { return {x(p.x), y(p.y)}; }
 };
 
-Canvas canvas_of(const Model& model) {
+MechanismCanvas canvas_of(const Model& model) {
   constexpr double kWall = 420, kMargin = 60;
   const Anatomy& a = model.anatomy;
   const auto [x0, x1] = std::minmax_element(a.outline_x.begin(), a.outline_x.end());
@@ -53,16 +53,16 @@ Canvas canvas_of(const Model& model) {
           height + 2 * kMargin};
 }
 
-// The state that is seen well: up to `kMost` of the height, at most half the way.
+// The state that is seen well: up to `kMostDrawn` of the height, at most half the way.
 const ChainState& shown_state(const Model& model, const Mechanism& m) {
   const auto& states = m.curve.states;
-  const double wanted = std::min(kMost * model.anatomy.height, 0.5 * states.back().displacement);
+  const double wanted = std::min(kMostDrawn * model.anatomy.height, 0.5 * states.back().displacement);
   for (const ChainState& s : states)
     if (s.displacement >= wanted) return s;
   return states.back();
 }
 
-std::string blocks_at_rest(const Model& model, const Canvas& canvas) {
+std::string blocks_at_rest(const Model& model, const MechanismCanvas& canvas) {
   std::string data;
   for (BlockId b = 0; b < model.n_block; ++b) {
     std::vector<Pixel> outline;
@@ -72,7 +72,7 @@ std::string blocks_at_rest(const Model& model, const Canvas& canvas) {
   return path(data, "mortar");
 }
 
-std::string bodies(const Mechanism& m, const ChainState& now, const Canvas& canvas) {
+std::string bodies(const Mechanism& m, const ChainState& now, const MechanismCanvas& canvas) {
   std::string before, after;
   for (std::size_t i = 0; i < m.chain.bodies.size(); ++i) {
     std::vector<Pixel> rest, moved;
@@ -86,7 +86,7 @@ std::string bodies(const Mechanism& m, const ChainState& now, const Canvas& canv
   return before + after;
 }
 
-std::string hinges(const ChainState& now, const Canvas& canvas) {
+std::string hinges(const ChainState& now, const MechanismCanvas& canvas) {
   constexpr const char* kNames[] = {"C1", "C12", "C23", "C3"};
   std::string out;
   for (std::size_t i = 0; i < now.hinges.size(); ++i) {
@@ -97,7 +97,7 @@ std::string hinges(const ChainState& now, const Canvas& canvas) {
   return out;
 }
 
-std::string arrow(const Mechanism& m, const ChainState& now, const Canvas& canvas) {
+std::string arrow(const Mechanism& m, const ChainState& now, const MechanismCanvas& canvas) {
   const auto body = static_cast<std::size_t>(m.chain.loaded_body);
   const Pixel tip = canvas(placed(m.chain, now, body, m.chain.load_point));
   const double back = -m.chain.direction;
@@ -112,7 +112,7 @@ std::string title_of(const Mechanism& m) { return m.mode + ", " + word_of(kTitle
 }  // namespace
 
 std::string mechanism_svg(const Model& model, const Mechanism& mechanism) {
-  const Canvas canvas = canvas_of(model);
+  const MechanismCanvas canvas = canvas_of(model);
   const ChainState& now = shown_state(model, mechanism);
   const std::string caption =
       fmt::format("{}: {:.1f} kN at rest; drawn at {:.0f} mm", title_of(mechanism),

@@ -8,7 +8,7 @@
 namespace wythe::report {
 namespace {
 
-constexpr std::size_t kSentences = 3;  // limit states that get one each; more are in the cards
+constexpr std::size_t kShakenSentences = 3;  // limit states that get one each; more are in the cards
 
 // The same as headline.cpp has: a number that is there, or none.
 double number_at(const Json& json, const std::string& key) {
@@ -33,7 +33,7 @@ class ShakenHeadline {
                                                    {"walls", count("walls")}});
     std::size_t told = 0;
     for (const Json& f : states_)
-      if (is_told(f) && told++ < kSentences)
+      if (is_told(f) && told++ < kShakenSentences)
         words += " " + texts_.say("shaken.half", {{"state", "<b>" + name_of(f) + "</b>"},
                                                   {"at", "<b>" + median(f) + "</b>"},
                                                   {"low", texts_.number(end(f, 0))},

@@ -23,7 +23,7 @@ namespace {
 
 constexpr double kWidth = 640;        // of the wall in the picture [px]
 constexpr double kTallest = 560;      // of the wall in the picture [px]
-constexpr double kMargin = 46;        // around it: arrow, ground, scale bar [px]
+constexpr double kMarginOfWall = 46;        // around it: arrow, ground, scale bar [px]
 constexpr double kVisible = 0.05e-3;  // openings and slips below are drawn as closed [m]
 constexpr double kCrushMark = 0.05;   // crushing from which a point is marked [-]
 constexpr int kTints = 4;
@@ -65,11 +65,11 @@ Canvas canvas_of(const Bounds& bounds) {
   const double high = bounds.y1 - bounds.y0;
   const double pixels = std::min(kWidth / wide, kTallest / high);  // a metre
   Canvas canvas;
-  canvas.width = kWidth + 2 * kMargin;
-  canvas.height = high * pixels + 2 * kMargin;
+  canvas.width = kWidth + 2 * kMarginOfWall;
+  canvas.height = high * pixels + 2 * kMarginOfWall;
   const double left = (canvas.width - wide * pixels) / 2;
   canvas.x = {.offset = left - bounds.x0 * pixels, .factor = pixels};
-  canvas.y = {.offset = kMargin + bounds.y1 * pixels, .factor = -pixels};
+  canvas.y = {.offset = kMarginOfWall + bounds.y1 * pixels, .factor = -pixels};
   return canvas;
 }
 

@@ -1,0 +1,19 @@
+// import { load } from "wythe";
+// const wythe = await load();
+// const { texts } = wythe.do("run", { texts: { model: toml } }, { texts: ["summary"] });
+import { readFile } from "node:fs/promises";
+import { createRequire } from "node:module";
+import { doTask } from "./job.mjs";
+
+/** The engine in this process: `do(task, inputs, want, progress)` as doTask of job.mjs, and its version. */
+export async function load() {
+  const engine = await createRequire(import.meta.url)("./wythe.cjs")({
+    wasmBinary: await readFile(new URL("wythe.wasm", import.meta.url)),
+    printErr: () => {},
+  });
+  return {
+    engine,
+    version: engine.UTF8ToString(engine._wythe_version()),
+    do: (task, inputs, want, progress) => doTask(engine, task, inputs, want, progress),
+  };
+}

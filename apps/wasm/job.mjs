@@ -1,0 +1,69 @@
+// One task of the engine (include/wythe/wythe.h) from JavaScript: the same calls in a worker of a page and in Node.
+
+/** @typedef {{texts?: Record<string, string | string[]>, numbers?: Record<string, number>, columns?: Record<string, ArrayLike<number>>}} Inputs */
+
+/**
+ * Does a task and gives its code, and the answers that are asked for. "*" stands for all texts or tables.
+ * @param {any} engine the module that wytheEngine() gives
+ * @param {string} task "run", "check", "limit", "contact" or "keys"
+ * @param {Inputs} inputs texts (lists of texts for "set" and "only"), numbers and columns of the task
+ * @param {{texts?: string[], tables?: string[]}} want names of answers
+ * @param {(what: string, share: number, displacement_mm: number, reaction_kN: number) => boolean | void} progress true stops the job
+ */
+export function doTask(engine, task, inputs, want = {}, progress = () => false) {
+  const zone = [];
+  const text = (value) => {
+    const size = engine.lengthBytesUTF8(value);
+    const at = engine._malloc(size + 1);
+    zone.push(at);
+    engine.stringToUTF8(value, at, size + 1);
+    return [at, size];
+  };
+  const job = engine._wythe_new(text(task)[0]);
+  try {
+    for (const [name, value] of Object.entries(inputs.texts ?? {}))
+      for (const one of Array.isArray(value) ? value : [value]) engine._wythe_set_text(job, text(name)[0], ...text(one));
+    for (const [name, value] of Object.entries(inputs.numbers ?? {})) engine._wythe_set_number(job, text(name)[0], value);
+    for (const [name, values] of Object.entries(inputs.columns ?? {})) {
+      const at = engine._malloc(8 * values.length + 8);
+      zone.push(at);
+      engine.HEAPF64.set(values, at / 8);
+      engine._wythe_set_column(job, text(name)[0], at, values.length);
+    }
+    engine.progress = progress;
+    const code = engine._wythe_do_here(job);
+    const answer = (name) => {
+      const at = engine._wythe_text(job, text(name)[0], 0);
+      return at === 0 ? undefined : engine.UTF8ToString(at);
+    };
+    const list = (name) => JSON.parse(answer(name) ?? "[]");
+    const texts = {};
+    for (const name of ["error", "faults"]) texts[name] = answer(name) ?? "";
+    for (const name of want.texts?.includes("*") ? list("texts") : (want.texts ?? [])) {
+      const found = answer(name);
+      if (found !== undefined) texts[name] = found;
+    }
+    const tables = {};
+    for (const name of want.tables?.includes("*") ? Object.keys(JSON.parse(answer("tables") ?? "{}")) : (want.tables ?? [])) {
+      const columns = JSON.parse(answer(`columns of ${name}`) ?? "[]");
+      if (columns.length === 0) continue;
+      tables[name] = { columns: {} };
+      for (const column of columns) tables[name].columns[column] = columnOf(engine, job, text(name)[0], text(column)[0]);
+    }
+    return { code, texts, tables };
+  } finally {
+    engine._wythe_free(job);
+    for (const at of zone) engine._free(at);
+  }
+}
+
+function columnOf(engine, job, table, column) {
+  const rows = engine._malloc(8);
+  try {
+    const at = engine._wythe_column(job, table, column, rows);
+    const count = new DataView(engine.HEAPU8.buffer).getUint32(rows, true);
+    return at === 0 ? new Float64Array() : new Float64Array(engine.HEAPU8.buffer.slice(at, at + 8 * count));
+  } finally {
+    engine._free(rows);
+  }
+}

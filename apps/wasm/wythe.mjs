@@ -1,0 +1,127 @@
+#!/usr/bin/env node
+// wythe for Node on any system: run, check and limit with the engine as WebAssembly. Files and bits are those of the program.
+//
+//   wythe run MODEL.toml --out DIR [--set KEY=VALUE ...] [--lang en|it] [--replace] [--quiet]
+//   wythe check MODEL.toml [--set KEY=VALUE ...]
+//   wythe limit MODEL.toml --out DIR [--set KEY=VALUE ...] [--only NAME ...] [--assessment] [--lang en|it]
+import { mkdir, stat, writeFile } from "node:fs/promises";
+import path from "node:path";
+import { load } from "./index.mjs";
+
+const HOST = "/host"; // where the engine sees the machine's files
+const USAGE = `usage: wythe run MODEL.toml --out DIR [--set KEY=VALUE ...] [--lang en|it] [--replace] [--quiet]
+       wythe check MODEL.toml [--set KEY=VALUE ...]
+       wythe limit MODEL.toml --out DIR [--set KEY=VALUE ...] [--only NAME ...] [--assessment] [--lang en|it]
+       wythe --version
+
+Campaigns, comparisons and checkpoints need the program itself: see the site's page "Install".`;
+
+class Wrong extends Error {}
+
+const OPTIONS = {
+  run: { values: ["out", "lang"], lists: ["set"], flags: ["replace", "quiet"] },
+  check: { values: [], lists: ["set"], flags: [] },
+  limit: { values: ["out", "lang"], lists: ["set", "only"], flags: ["replace", "assessment", "quiet"] },
+};
+
+function parse(command, words) {
+  const known = OPTIONS[command];
+  const options = { set: [], only: [] };
+  for (let k = 0; k < words.length; ++k) {
+    const [name, stated] = words[k].startsWith("--") ? words[k].slice(2).split(/=(.*)/s) : [undefined, undefined];
+    if (name === undefined) {
+      if (options.model !== undefined) throw new Wrong(`${words[k]}: one model at a time`);
+      options.model = words[k];
+    } else if (known.flags.includes(name) && stated === undefined) {
+      options[name] = true;
+    } else if (known.values.includes(name) || known.lists.includes(name)) {
+      const value = stated ?? words[++k];
+      if (value === undefined) throw new Wrong(`--${name}: a value is missing`);
+      if (known.lists.includes(name)) options[name].push(value);
+      else options[name] = value;
+    } else {
+      throw new Wrong(`--${name}: is no option of wythe ${command}`);
+    }
+  }
+  if (options.model === undefined) throw new Wrong("MODEL.toml: is missing");
+  if (known.values.includes("out") && !options.out) throw new Wrong("--out: is missing; write the folder for the results");
+  return options;
+}
+
+// The engine, with the drive of the model at /host; what it writes stays in memory.
+async function loaded(root) {
+  const wythe = await load();
+  if (root !== undefined) {
+    wythe.engine.FS.mkdir(HOST);
+    wythe.engine.FS.mount(wythe.engine.NODEFS, { root }, HOST);
+  }
+  return wythe;
+}
+
+function seenByEngine(file, root) {
+  return `${HOST}/${path.relative(root, file).split(path.sep).join("/")}`;
+}
+
+// Copies what the engine wrote in memory to the machine.
+async function copyOut(engine, from, to) {
+  await mkdir(to, { recursive: true });
+  for (const name of engine.FS.readdir(from)) {
+    if (name === "." || name === "..") continue;
+    const [source, target] = [`${from}/${name}`, path.join(to, name)];
+    if (engine.FS.isDir(engine.FS.stat(source).mode)) await copyOut(engine, source, target);
+    else await writeFile(target, engine.FS.readFile(source));
+  }
+}
+
+const exists = (file) => stat(file).then(() => true, () => false);
+
+async function main(words) {
+  const [command, ...rest] = words;
+  if (command === "--version") {
+    console.log((await loaded()).version);
+    return 0;
+  }
+  if (command === undefined || command === "--help" || command === "help" || !(command in OPTIONS)) {
+    (command === undefined || !command.endsWith("help") ? console.error : console.log)(USAGE);
+    return command?.endsWith("help") ? 0 : 2;
+  }
+  const options = parse(command, rest);
+  const file = path.resolve(options.model);
+  const root = path.parse(file).root;
+  if (options.out !== undefined && !options.replace && (await exists(options.out)))
+    throw new Wrong(`${options.out}: is there already; name another folder, or write --replace`);
+  const wythe = await loaded(root);
+  const texts = { file: seenByEngine(file, root), set: options.set };
+  if (options.lang) texts.language = options.lang;
+  if (options.only.length > 0) texts.only = options.only;
+  if (options.out) texts.out = "/out";
+  const numbers = options.assessment ? { assessment: 1 } : {};
+  let shown = 0;
+  const progress = (what, share, mm, kN) => {
+    if (options.quiet || !process.stderr.isTTY || Date.now() - shown < 200) return false;
+    shown = Date.now();
+    process.stderr.write(`\r${what} ${Math.round(100 * share)} %  ${mm.toFixed(2)} mm  ${kN.toFixed(1)} kN   `);
+    return false;
+  };
+  const want = { run: ["summary"], check: ["check"], limit: ["mechanisms"] }[command];
+  const { code, texts: told } = wythe.do(command, { texts, numbers }, { texts: want }, progress);
+  if (shown > 0) process.stderr.write("\r\u001b[K");
+  if (told.error) console.error(told.error.replaceAll(`${HOST}/`, root));
+  if (options.out && (code === 0 || code === 3)) await copyOut(wythe.engine, "/out", options.out);
+  if (code !== 0) return code;
+  if (command === "check") console.log(told.check);
+  if (command === "run") {
+    const summary = JSON.parse(told.summary);
+    console.log(`${options.out}: peak ${summary.peak_reaction_kN} kN, state ${summary.state_hash}`);
+  }
+  if (options.out) console.log(`report: ${path.join(options.out, "report.html")}`);
+  return 0;
+}
+
+main(process.argv.slice(2)).then(
+  (code) => { process.exitCode = code; },
+  (error) => {
+    console.error(error instanceof Wrong ? `wythe: ${error.message}\n\n${USAGE}` : error);
+    process.exitCode = error instanceof Wrong ? 2 : 6;
+  },
+);

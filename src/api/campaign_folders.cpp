@@ -1,0 +1,67 @@
+// What a campaign's folder gets beside its store: samples, statistics and the page. Campaigns get an assessment only where
+// their base model asks for one.
+#include <algorithm>
+#include <map>
+
+#include "model/shaking.h"
+#include "wythe/assessment.h"
+#include "wythe/folders.h"
+#include "wythe/report.h"
+#include "wythe/stored_states.h"
+
+namespace wythe {
+namespace {
+
+// The damping of the stage that takes the records; of what samples draw, the name of the input.
+std::vector<Message> damping_of_study(const StudySpec& study, const ModelSpec& base) {
+  const auto shake = std::find_if(base.stage.begin(), base.stage.end(), [&](const StageSpec& s) {
+    return s.name == study.shaking.stage;
+  });
+  if (shake == base.stage.end()) return {};
+  const std::vector<std::string> tables{
+      "stage." + shake->name + ".", "stage." + std::to_string(shake - base.stage.begin()) + "."};
+  std::map<std::string, std::string> drawn;
+  const auto look = [&](const InputSpec& input) {
+    for (const std::string& table : tables)
+      if (input.path.starts_with(table)) {
+        const std::size_t end = input.path.find('.', table.size());
+        drawn.emplace(input.path.substr(table.size(), end - table.size()), input.name);
+      }
+  };
+  for (const VariableSpec& input : study.variable) look(input);
+  for (const DependentSpec& input : study.dependent) look(input);
+  return damping_of(*shake, drawn);
+}
+
+}  // namespace
+
+Statistics full_statistics(const Campaign& campaign) {
+  Statistics statistics = statistics_of(campaign);
+  const ModelSpec base = model_builder(campaign.study)({});
+  statistics.project = base.project;
+  if (statistics.shaking.is_told())
+    statistics.shaking.damping = damping_of_study(campaign.study, base);
+  if (is_asked(base.assessment))
+    statistics.assessment = assess_campaign(campaign, base, compile(base));
+  return statistics;
+}
+
+Statistics write_campaign_files(const std::string& folder, const Campaign& campaign,
+                                const std::string& language, const Points& at) {
+  Replacement results(folder, [](const std::string& name) {
+    return name == "samples.csv" || name == "statistics.json" || name == "report.html";
+  });
+  write_text(results.path() + "/samples.csv", samples_csv(campaign));
+  Statistics statistics = full_statistics(campaign);
+  write_text(results.path() + "/statistics.json", statistics_json(statistics));
+  StoredStates stored(folder);
+  const SampleWalls walls = {
+      .build = model_builder(campaign.study),
+      .states = [&](int sample, const Model& model) { return stored.of(sample, model); }};
+  write_text(results.path() + "/report.html",
+             report_page(campaign_data(campaign, statistics, walls), language));
+  results.commit(at);
+  return statistics;
+}
+
+}  // namespace wythe

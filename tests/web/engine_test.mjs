@@ -1,0 +1,91 @@
+// The engine as WebAssembly (build/wasm/package): the bits of the native program, its errors, and the package as npm installs it.
+import assert from "node:assert/strict";
+import { execFileSync, spawnSync } from "node:child_process";
+import fs from "node:fs";
+import path from "node:path";
+import { test } from "node:test";
+import { folder, root, run } from "./helpers.mjs";
+
+const made = path.join(root, "build/wasm/package");
+const skip = fs.existsSync(path.join(made, "wythe.wasm")) ? false : "build/wasm is not built: make wasm";
+const inFolder = (name) => {
+  fs.rmSync(folder(name), { recursive: true, force: true });
+  fs.mkdirSync(folder(name), { recursive: true });
+  return folder(name);
+};
+const command = (...words) =>
+  spawnSync(process.execPath, [path.join(made, "wythe.mjs"), ...words], { encoding: "utf8" });
+
+// One of each kind that builds otherwise: plane, lintels, cracks, scatter, layers, space, arches, dry stone. Pushes end within seconds.
+const WALLS = [
+  ["tuff_wall", "stage.push.until=1 mm"],
+  ["brick_pier", "stage.push.until=0.4 mm", "scatter.use=clay_brick"],
+  ["random_field", "stage.push.until=0.2 mm"],
+  ["strengthening/after", "stage.push.until=0.1 mm"],
+  ["wall_with_returns", "stage.force.factor=0.01"],
+];
+
+for (const [name, ...settings] of WALLS)
+  test(`${name} ends in the state of the native program`, { skip }, () => {
+    const where = path.join(root, "examples", name);
+    const model = fs.existsSync(`${where}.toml`) ? `${where}.toml` : path.join(where, "model.toml");
+    const set = settings.flatMap((s) => ["--set", s]);
+    const out = inFolder(`engine_${name.replace("/", "_")}`);
+    spawnSync(process.env.WYTHE ?? path.join(root, "build/release/wythe"), ["run", model, "--out", `${out}/native`, "--quiet", ...set]);
+    const done = command("run", model, "--out", `${out}/wasm`, "--quiet", ...set);
+    const [native, wasm] = ["native", "wasm"].map((kind) => JSON.parse(fs.readFileSync(`${out}/${kind}/summary.json`, "utf8")));
+    assert.equal(wasm.state_hash, native.state_hash, done.stderr);
+    assert.equal(wasm.steps, native.steps);
+    assert.equal(
+      fs.readFileSync(`${out}/wasm/curve.csv`, "utf8"),
+      fs.readFileSync(`${out}/native/curve.csv`, "utf8"),
+    );
+  });
+
+test("faults are those of the native program, with the path of the machine", { skip }, () => {
+  const out = inFolder("engine_faults");
+  const model = path.join(out, "model.toml");
+  fs.writeFileSync(
+    model,
+    fs.readFileSync(path.join(root, "examples/brick_pier/model.toml"), "utf8").replace(/^thickness = .*$/m, 'thickness = "12 parsnips"'),
+  );
+  const native = spawnSync(path.join(root, "build/release/wythe"), ["check", model], { encoding: "utf8" });
+  const wasm = command("check", model);
+  assert.equal(wasm.status, 2);
+  assert.ok(native.stderr.includes(wasm.stderr.trim().split("\n")[0]), `${wasm.stderr}\n${native.stderr}`);
+  assert.ok(wasm.stderr.includes(model), wasm.stderr);
+});
+
+test("what the command cannot do it says", { skip }, () => {
+  const nothing = command();
+  assert.equal(nothing.status, 2);
+  assert.match(nothing.stderr, /wythe run MODEL\.toml --out DIR/);
+  assert.match(command("run", "model.toml").stderr, /--out: is missing/);
+  assert.match(command("check", "model.toml", "--walls", "8").stderr, /--walls: is no option of wythe check/);
+  const missing = command("check", path.join(folder("engine_faults"), "none.toml"));
+  assert.equal(missing.status, 4);
+  assert.match(missing.stderr, /none\.toml/);
+});
+
+test("the package installs from its tarball and answers", { skip }, () => {
+  const out = inFolder("engine_package");
+  const [packed] = JSON.parse(execFileSync("npm", ["pack", made, "--json", "--pack-destination", out], { encoding: "utf8", cwd: out, stdio: "pipe" }));
+  assert.ok(packed.size < 3e6, `${packed.size} bytes`);
+  fs.writeFileSync(path.join(out, "package.json"), "{}");
+  execFileSync("npm", ["install", "--offline", "--no-audit", "--no-fund", path.join(out, packed.filename)], { cwd: out, stdio: "pipe" });
+  const version = execFileSync("npx", ["--offline", "wythe", "--version"], { cwd: out, encoding: "utf8" });
+  assert.match(version, /^wythe \d+\.\d+\.\d+ /);
+  fs.writeFileSync(
+    path.join(out, "use.mjs"),
+    `import { load } from "wythe";
+import fs from "node:fs";
+const wythe = await load();
+const { code, texts } = wythe.do("check", { texts: { model: fs.readFileSync(process.argv[2], "utf8") } }, { texts: ["check"] });
+console.log(code, JSON.parse(texts.check).blocks);
+`,
+  );
+  const told = execFileSync(process.execPath, ["use.mjs", path.join(root, "examples/brick_pier/model.toml")], { cwd: out, encoding: "utf8" });
+  const blocks = Number(/blocks\D+(\d+)/.exec(run("check", path.join(root, "examples/brick_pier/model.toml")))?.[1] ?? NaN);
+  assert.equal(told.split(" ")[0], "0");
+  if (!Number.isNaN(blocks)) assert.equal(Number(told.split(" ")[1]), blocks);
+});
