@@ -10,9 +10,6 @@
 namespace wythe {
 namespace {
 
-constexpr double kStandardGravity =
-    9.80665;  // of intensities, whatever the model's gravity [m/s^2]
-
 // Where a time lies: the samples k and k + 1, how far behind k, the slope between them.
 struct Place {
   std::size_t k;
@@ -122,7 +119,7 @@ double arias_intensity(const GroundMotion& m) {
     const double a = m.acceleration[k], b = m.acceleration[k + 1];
     sum += (m.time[k + 1] - m.time[k]) * (a * a + a * b + b * b) / 3;
   }
-  return sum * M_PI / (2 * kStandardGravity);
+  return sum * M_PI / (2 * kGravityOfRecords);
 }
 
 double spectral_displacement(const GroundMotion& m, double period, double damping) {

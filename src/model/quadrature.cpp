@@ -9,7 +9,7 @@
 namespace wythe {
 namespace {
 
-constexpr int kMost = 16;
+constexpr int kMostPoints = 16;
 
 // Legendre polynomials of degree n and n - 1 at x.
 struct Legendre {
@@ -112,9 +112,9 @@ QuadratureChoice quadrature_choice(const SolveSpec& solve) {
 
 void check_points(const SolveSpec& solve, FaultList& faults) {
   const auto [rule, points] = quadrature_choice(solve);
-  if (points < 2 || points > kMost)
+  if (points < 2 || points > kMostPoints)
     faults.add({"", "solve.points_per_face", std::to_string(points),
-                fmt::format("must be between 2 and {}", kMost), "write points_per_face = 3", 0});
+                fmt::format("must be between 2 and {}", kMostPoints), "write points_per_face = 3", 0});
   else if (rule == PointRule::kCorners && points != 2)
     faults.add({"", "solve.points_per_face", std::to_string(points),
                 "does not go with point_rule = \"corners\": a face has two ends",

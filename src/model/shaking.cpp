@@ -19,10 +19,8 @@
 namespace wythe {
 namespace {
 
-constexpr double kStandardGravity = 9.80665;  // of what is told in g [m/s^2]
 constexpr double kLeastShake = 1e-4;          // less is no earthquake [g]
 
-bool is_set(double number) { return !std::isnan(number); }
 bool says_something(const PlaceSpec& p) {
   return is_set(p.x) || is_set(p.y) || is_set(p.z) || is_set(p.width) || !p.block.empty() ||
          p.beam || !p.role.empty();
@@ -224,7 +222,7 @@ class ShakeCompiler {
   // A unit that is ten or a hundred times off shows by the size of the numbers.
   void weigh(const GroundMotion& m, std::size_t k) {
     constexpr double kMost = 5, kLeast = kLeastShake;  // [g]: no record lies beyond
-    const double pga = peak_acceleration(m) / kStandardGravity;
+    const double pga = peak_acceleration(m) / kGravityOfRecords;
     if (stage_.spec.record[k].pulse != PulseShape::kNone || (pga >= kLeast && pga <= kMost)) return;
     if (pga == 0)
       return fault(key_of(k, stage_.spec.record[k].file.empty() ? "accelerations" : "file"), "",
@@ -238,7 +236,7 @@ class ShakeCompiler {
   void look_at(const GroundMotion& m, std::size_t k) {
     constexpr double kMost = 20;     // [g]: beyond lies a slip of the scale
     constexpr double kDrift = 0.05;  // of the largest velocity left at the end
-    const double pga = peak_acceleration(m) / kStandardGravity;
+    const double pga = peak_acceleration(m) / kGravityOfRecords;
     if (!(pga <= kMost))
       fault(stage_.spec.record[k].pulse == PulseShape::kNone ? "scale" : key_of(k, "amplitude"),
             fmt::format("{:.3g} g", pga), "is the peak acceleration that follows",
@@ -294,8 +292,8 @@ class ShakeCompiler {
   void note_rest() {
     double most = peak_acceleration(stage_.driven_motion);
     for (const GroundMotion& m : stage_.base) most = std::max(most, peak_acceleration(m));
-    if (most < kLeastShake * kStandardGravity)
-      note("shake.nothing", {{"stage", stage_.spec.name}, {"pga_g", most / kStandardGravity}});
+    if (most < kLeastShake * kGravityOfRecords)
+      note("shake.nothing", {{"stage", stage_.spec.name}, {"pga_g", most / kGravityOfRecords}});
   }
 
   // In the plane samples of the base are compared with the wall's first period (compile.cpp).

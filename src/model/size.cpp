@@ -30,7 +30,7 @@ constexpr double kFramesKept = 64;        // for moving pictures, and start, pea
 constexpr double kReadEvery = 1e-3;       // a state is kept for reading each millimetre [m]
 constexpr double kSecondsPerStep = 1e-7;  // a block on one core
 constexpr double kMostNumbers = 2.5e8;    // of blocks: joints and points are numbered in 32 bits
-constexpr double kMostRows = 1e6;         // as output.rows
+constexpr double kMostRowsOfModel = 1e6;         // as output.rows
 constexpr double kMostSeconds = 3.2e8;    // ten years
 constexpr double kSeconds = 0.1;          // of a ramp, and what a wall usually needs after it
 
@@ -172,11 +172,11 @@ void check_rows(const ModelSpec& spec, FaultList& faults) {
   double rows = 0, path = 0;
   for (const StageSpec& stage : spec.stage) path = std::max(path, pace_of(stage).path);
   rows = path / window;
-  if (rows <= kMostRows * (1 + 1e-9)) return;
+  if (rows <= kMostRowsOfModel * (1 + 1e-9)) return;
   faults.add({"", "output.window", fmt::format("{:g} mm", 1e3 * window),
               fmt::format("makes {:.3g} rows of the path of {:g} mm, at most {} are kept", rows,
-                          1e3 * path, count_text(kMostRows)),
-              fmt::format("write window = \"{:.6g} mm\" or more", 1e3 * path / kMostRows), 0});
+                          1e3 * path, count_text(kMostRowsOfModel)),
+              fmt::format("write window = \"{:.6g} mm\" or more", 1e3 * path / kMostRowsOfModel), 0});
 }
 
 void check_time(const ModelSpec& spec, const Size& size, FaultList& faults) {

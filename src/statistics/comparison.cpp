@@ -39,16 +39,9 @@ std::vector<int> places_in(const SampleTable& base, const SampleTable& other) {
   return places;
 }
 
-std::vector<std::size_t> random_columns(const SampleTable& samples) {
-  std::vector<std::size_t> places;
-  for (std::size_t i = 0; i < samples.column.size(); ++i)
-    if (samples.column[i].is_random) places.push_back(i);
-  return places;
-}
-
 std::string names_of(const SampleTable& samples) {
   std::string names;
-  for (const std::size_t i : random_columns(samples))
+  for (const int i : study::random_columns(samples))
     names += (names.empty() ? "" : ", ") + samples.column[i].name;
   return names;
 }
@@ -449,13 +442,13 @@ OptionComparison compare_one(const PairedComparison& all, const ComparedCampaign
 
 std::string other_inputs(const SampleTable& base, const SampleTable& other) {
   const std::vector<int> place = places_in(base, other);
-  const std::vector<std::size_t> own = random_columns(base);
+  const std::vector<int> own = study::random_columns(base);
   for (std::size_t k = 0; k < own.size(); ++k)
     if (place[k] < 0)
       return fmt::format("{} is drawn in the base and not here ({})", base.column[own[k]].name,
                          names_of(other));
-  for (const std::size_t i : random_columns(other))
-    if (std::find(place.begin(), place.end(), static_cast<int>(i)) == place.end())
+  for (const int i : study::random_columns(other))
+    if (std::find(place.begin(), place.end(), i) == place.end())
       return fmt::format("{} is drawn here and not in the base ({})", other.column[i].name,
                          names_of(base));
   for (std::size_t k = 0; k < own.size(); ++k) {
@@ -482,11 +475,11 @@ PairedComparison compare_campaigns(const std::vector<ComparedCampaign>& stores) 
   out.provenance = base.campaign.provenance;
   out.base_name = base.name, out.base_folder = base.folder;
   out.samples = base.campaign.samples.n_sample();
-  const std::vector<std::size_t> columns = random_columns(base.campaign.samples);
-  for (const std::size_t i : columns) out.input.push_back(base.campaign.samples.column[i]);
+  const std::vector<int> columns = study::random_columns(base.campaign.samples);
+  for (const int i : columns) out.input.push_back(base.campaign.samples.column[i]);
   for (const std::vector<double>& row : base.campaign.samples.value) {
     std::vector<double>& values = out.value.emplace_back();
-    for (const std::size_t i : columns) values.push_back(row[i]);
+    for (const int i : columns) values.push_back(row[i]);
   }
   for (std::size_t i = 1; i < stores.size(); ++i)
     out.option.push_back(compare_one(out, base, stores[i]));

@@ -17,7 +17,7 @@
 namespace wythe {
 namespace {
 
-constexpr double kRounding = 1e-6;  // a smaller relative difference is none
+constexpr double kSameTo = 1e-6;  // a smaller relative difference is none
 
 // --- one change ------------------------------------------------------------------------------------
 
@@ -41,8 +41,8 @@ Interval reach_of(const Change& change) {
 
 ChangeAnswer answer_of(const Change& change, double least, double most) {
   const Interval reach = reach_of(change);
-  const double low = least * (1 - kRounding);
-  const double high = std::isnan(most) ? kInfinity : most * (1 + kRounding);
+  const double low = least * (1 - kSameTo);
+  const double high = std::isnan(most) ? kInfinity : most * (1 + kSameTo);
   if (reach.low >= low && reach.high <= high) return ChangeAnswer::kYes;
   if (reach.high < low || reach.low > high) return ChangeAnswer::kNo;
   return ChangeAnswer::kNotShown;
@@ -277,7 +277,7 @@ Change change_of(const PairedResponse& r, int lost, double least, double most) {
     base += pair.base.censored ? 1 : 0, option += pair.option.censored ? 1 : 0;
     const double a = pair.base.value, b = pair.option.value;
     if (a > 0 && b > 0) logs.add(std::log(b / a));
-    same += std::fabs(b - a) <= kRounding * std::max(std::fabs(a), std::fabs(b)) ? 1 : 0;
+    same += std::fabs(b - a) <= kSameTo * std::max(std::fabs(a), std::fabs(b)) ? 1 : 0;
   }
   const int silent = all - logs.n();
   if (silent > 0 || all == 0) {

@@ -19,7 +19,7 @@ constexpr int kFewestForGain = 10;  // pairs to correlate with an input
 constexpr int kFewestBesideBounds =
     5;                              // pairs without a bound that a mean may be of, beside others
 constexpr double kCut = 1.01;       // a value this many times the end of the means is cut by it
-constexpr double kRounding = 1e-6;  // a smaller relative difference is none
+constexpr double kEqualTo = 1e-6;  // a smaller relative difference is none
 
 struct Sides {
   Column base, option, difference;
@@ -64,7 +64,7 @@ void count_signs(PairedResponse& r) {
   for (const PairValue& pair : r.pair) {
     const Interval d = difference_bounds(pair);
     const double same =
-        kRounding * std::max(std::fabs(pair.base.value), std::fabs(pair.option.value));
+        kEqualTo * std::max(std::fabs(pair.base.value), std::fabs(pair.option.value));
     r.bounds += pair.base.censored || pair.option.censored ? 1 : 0;
     if (d.low > same)
       ++r.larger;

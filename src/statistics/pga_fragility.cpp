@@ -18,7 +18,7 @@ namespace {
 using study::Counts;
 using study::Lognormal;
 
-constexpr int kGrid = 60;  // points of a curve
+constexpr int kGridOfPga = 60;  // points of a curve
 
 // The band of the curve: 2.5 and 97.5 % of what the replicates give, of few samples by the closed form; of `observed`
 // 0 none.
@@ -61,9 +61,9 @@ void fit_to(std::vector<Reading> readings, double stated_scatter, PgaFragility& 
   const double scatter = std::isnan(stated_scatter) ? 0 : stated_scatter;
   out.beta = std::hypot(fit.beta, scatter);
   const double last = std::fmax(fit.median * std::exp(3 * out.beta), 1.1 * out.demand);
-  for (int i = 0; i <= kGrid; ++i)
+  for (int i = 0; i <= kGridOfPga; ++i)
     out.curve.push_back(
-        {last * i / kGrid, probability(last * i / kGrid, fit, by.fit, scatter, observed)});
+        {last * i / kGridOfPga, probability(last * i / kGridOfPga, fit, by.fit, scatter, observed)});
   if (out.demand > 0) out.at_demand = probability(out.demand, fit, by.fit, scatter, observed);
 }
 

@@ -13,7 +13,7 @@
 namespace wythe::study {
 namespace {
 
-constexpr double kTail = 0.025;
+constexpr double kScatterTail = 0.025;
 
 // Continued fraction of the incomplete beta function (Abramowitz and Stegun 26.5.8, by Lentz's method).
 double beta_fraction(double a, double b, double x) {
@@ -67,7 +67,7 @@ Estimate component(double of, int degrees, double rest, int rest_degrees, int si
     const double f = f_quantile_beyond(tail, degrees, rest_degrees);
     return root((sum - degrees * f * rest) / (size * chi_square_quantile_beyond(tail, degrees)));
   };
-  out.interval = {end(kTail), end(1 - kTail)};
+  out.interval = {end(kScatterTail), end(1 - kScatterTail)};
   return out;
 }
 
@@ -84,7 +84,7 @@ double f_quantile_beyond(double probability, int degrees, int below) {
 double student_97(double degrees) {
   return std::sqrt(
       where([&](double f) { return beta_share(0.5 * degrees, 0.5, degrees / (degrees + f)); },
-            2 * kTail));
+            2 * kScatterTail));
 }
 
 double chi_square_quantile_beyond(double probability, int degrees) {
@@ -138,8 +138,8 @@ Scatter scatter_of(const std::vector<Cell>& cells, double bracket) {
   out.record = component(ss_record / d_r, d_r, ms_rest, d_e, out.walls);
   out.wall = component(ss_wall / d_w, d_w, ms_rest, d_e, out.records);
   out.rest = {std::sqrt(ms_rest),
-              {std::sqrt(ss_rest / chi_square_quantile_beyond(kTail, d_e)),
-               std::sqrt(ss_rest / chi_square_quantile_beyond(1 - kTail, d_e))}};
+              {std::sqrt(ss_rest / chi_square_quantile_beyond(kScatterTail, d_e)),
+               std::sqrt(ss_rest / chi_square_quantile_beyond(1 - kScatterTail, d_e))}};
   return out;
 }
 

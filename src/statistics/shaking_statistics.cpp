@@ -25,9 +25,9 @@ namespace wythe {
 namespace study {
 namespace {
 
-constexpr int kCurvePoints = 41;
+constexpr int kShakenCurvePoints = 41;
 constexpr double kMostLostReplicates = 0.05;  // of a bootstrap, without a fit
-constexpr std::uint64_t kSeed = 0x46524147u;
+constexpr std::uint64_t kSeedOfShakes = 0x46524147u;
 
 // A sample that was shaken, in the order in which all is summed.
 struct Shaken {
@@ -186,7 +186,7 @@ class Replicates {
     std::map<int, int> record, wall;
     for (std::size_t i = 0; i < found.size(); ++i)
       record.emplace(samples[i].record_rank, 1), wall.emplace(found[i].bracket.wall, 1);
-    RandomBits bits(kSeed);
+    RandomBits bits(kSeedOfShakes);
     add(
         bits, record, [&](std::size_t i) { return record[samples[i].record_rank]; }, found);
     if (crossed && wall.size() > 1)
@@ -324,8 +324,8 @@ void fit(const ShakingSpec& shaking, const std::vector<Found>& found,
   }
   const double low = out.count.empty() ? best.median() : out.count.front().intensity;
   const double high = out.count.empty() ? best.median() : out.count.back().intensity;
-  for (int k = 0; k < kCurvePoints && high > low; ++k) {
-    const double x = low * std::pow(high / low, static_cast<double>(k) / (kCurvePoints - 1));
+  for (int k = 0; k < kShakenCurvePoints && high > low; ++k) {
+    const double x = low * std::pow(high / low, static_cast<double>(k) / (kShakenCurvePoints - 1));
     Estimate p = best.at(x);
     if (out.by_bootstrap) p.interval = replicates->hold() ? replicates->at(x) : Interval{};
     out.curve.push_back({x, p});

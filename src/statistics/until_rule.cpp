@@ -20,7 +20,7 @@
 namespace wythe {
 namespace {
 
-constexpr const char* kExample =
+constexpr const char* kExampleOfRule =
     "write e.g. relative_interval(peak_reaction) < 1 % and interval(share) < 0.1";
 
 struct Clause {
@@ -55,7 +55,7 @@ struct RuleReader {
   const std::string& rule;
   FaultList& faults;
 
-  void fault(const std::string& problem, const std::string& cure = kExample) const {
+  void fault(const std::string& problem, const std::string& cure = kExampleOfRule) const {
     faults.add({.file = "",
                 .path = "until",
                 .value = "\"" + rule + "\"",

@@ -15,7 +15,7 @@
 namespace wythe::geometry {
 namespace {
 
-constexpr double kThinnest = 0.1;   // of a course: the least width of a voussoir
+constexpr double kThinnestVoussoir = 0.1;   // of a course: the least width of a voussoir
 constexpr double kNothing = 1e-10;  // [m^2]
 constexpr int kFewest = 3;          // voussoirs where their number is not stated
 
@@ -169,7 +169,7 @@ bool rises_no_more_than_half(const ArchSpec& arch, const PlacedOpening& opening,
 bool are_wide_enough(const ArchSpec& arch, int n, double course, const PlacedOpening& opening,
                      FaultList& faults) {
   const double length = length_of(arch, opening.hole);
-  const int most = to_int(std::floor(length / (kThinnest * course)));
+  const int most = to_int(std::floor(length / (kThinnestVoussoir * course)));
   if (n <= most) return true;
   add_fault(faults, key_of(opening.index, "voussoirs"), std::to_string(n),
             "would make voussoirs of " + millimetres(length / n) + " in " + opening.called +
@@ -219,8 +219,8 @@ bool is_sliver(const Block& block, const std::vector<Storey>& storeys) {
   const Lattice& lattice = storeys[static_cast<std::size_t>(std::max(0, block.storey))].lattice;
   const Rect box = bounds(block.outline);
   return moments(block.outline).area < least_area(block, storeys) * (1 - 1e-6) ||
-         box.x1 - box.x0 < kThinnest * lattice.columns.step ||
-         box.y1 - box.y0 < kThinnest * lattice.courses.step;
+         box.x1 - box.x0 < kThinnestVoussoir * lattice.columns.step ||
+         box.y1 - box.y0 < kThinnestVoussoir * lattice.courses.step;
 }
 
 // Blocks that the cut leaves, the others untouched in `blocks`.

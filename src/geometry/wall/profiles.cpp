@@ -15,11 +15,11 @@ namespace {
 constexpr double kSteel = 7850;  // [kg/m^3], EN 1991-1-1 table A.4
 
 // Millimetres; `r` between web and flange. IPE, HEA, HEB: EN 10365.
-struct Beam {
+struct RolledBeam {
   const char* name;
   double h, b, tw, tf, r;
 };
-constexpr Beam kBeams[] = {
+constexpr RolledBeam kBeams[] = {
     {"IPE 80", 80, 46, 3.8, 5.2, 5},       {"IPE 100", 100, 55, 4.1, 5.7, 7},
     {"IPE 120", 120, 64, 4.4, 6.3, 7},     {"IPE 140", 140, 73, 4.7, 6.9, 7},
     {"IPE 160", 160, 82, 5.0, 7.4, 9},     {"IPE 180", 180, 91, 5.3, 8.0, 9},
@@ -98,7 +98,7 @@ Section in_metres(double h, double b, double area, double shear, double second, 
           1e-12 * second, 1e-9 * plastic, kSteel * 1e-6 * area};
 }
 
-Section section_of(const Beam& p) {
+Section section_of(const RolledBeam& p) {
   const double web = p.h - 2 * p.tf, flange = (p.h - p.tf) / 2;
   const Fillet corner = fillet(p.r);
   const double arm = web / 2 - corner.from_side;
@@ -159,7 +159,7 @@ std::optional<Section> profile_named(const std::string& name) {
 
 std::vector<std::string> profile_names() {
   std::vector<std::string> names;
-  for (const Beam& p : kBeams) names.emplace_back(p.name);
+  for (const RolledBeam& p : kBeams) names.emplace_back(p.name);
   for (const Channel& p : kChannels) names.emplace_back(p.name);
   for (const Tube& p : kTubes) names.emplace_back(p.name);
   return names;

@@ -16,7 +16,7 @@ namespace wythe::geometry {
 namespace {
 
 // What the regions of one wall are read against.
-struct Site {
+struct RegionSite {
   const std::vector<Storey>& storeys;
   const std::vector<PlacedOpening>& openings;
   const Assembly& assembly;
@@ -64,7 +64,7 @@ bool has_one_place(const NamedRegion& region, FaultList& faults) {
   return false;
 }
 
-std::optional<Area> pier_area(const NamedRegion& region, const Storey& storey, const Site& site) {
+std::optional<Area> pier_area(const NamedRegion& region, const Storey& storey, const RegionSite& site) {
   std::vector<PlacedOpening> beside;
   for (const PlacedOpening& opening : site.openings)
     if (site.storeys[static_cast<std::size_t>(opening.storey)].index == storey.index)
@@ -103,7 +103,7 @@ std::optional<Area> polygon_area(const NamedRegion& region, double base, FaultLi
   return std::nullopt;
 }
 
-std::optional<Area> area_of(const NamedRegion& region, const Site& site) {
+std::optional<Area> area_of(const NamedRegion& region, const RegionSite& site) {
   if (!changes_something(region.spec)) {
     add_fault(site.faults, region.path(), "", region.called() + " changes nothing",
               "write joint, head_joint, unit_joint, density or thickness, or leave it out");
@@ -193,7 +193,7 @@ bool fill(const Shape& shape, int index, const Area& area, const std::vector<Vec
 void assign_regions(const Shape& shape, const std::vector<Storey>& storeys,
                     const std::vector<PlacedOpening>& openings, Assembly& assembly,
                     FaultList& faults) {
-  const Site site{storeys, openings, assembly, faults};
+  const RegionSite site{storeys, openings, assembly, faults};
   std::vector<Vec2> centre;
   if (!shape.region.empty())
     for (const Block& block : assembly.blocks) centre.push_back(moments(block.outline).centroid);

@@ -108,7 +108,7 @@ double number_of(const nlohmann::json& value) {
 }
 
 // What summary.json says under a key; IoError where it does not say it.
-struct Summary {
+struct SummaryFile {
   const std::string& file;
   const nlohmann::json& json;
   [[nodiscard]] const nlohmann::json& at(const std::string& key) const {
@@ -147,7 +147,7 @@ ComparedRun parse_run(const fs::path& folder) {
   std::vector<CurveRow> rows = parse_curve((folder / "force_displacement.csv").string());
   const std::string file = (folder / "summary.json").string();
   const nlohmann::json summary = parse_json(read_text(file, kMostJson), file);
-  const Summary said{file, summary};
+  const SummaryFile said{file, summary};
   run.mode = said.text("failure_mode", "name");
   run.load_factor = std::fmax(0.0, number_of(said.at("load_factor")));
   const nlohmann::json& meter = said.at("quasi_static");

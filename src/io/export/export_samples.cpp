@@ -55,13 +55,6 @@ std::string meaning_of(const StudySpec& study, const InputColumn& column) {
 }
 
 // Fractions of the peak beside 0.8, which has its own columns.
-std::vector<double> more_fractions(const StudySpec& study) {
-  std::vector<double> fractions =
-      study.fractions.empty() ? ResponseOptions{}.fractions : study.fractions;
-  std::erase_if(fractions, [](double f) { return std::fabs(f - 0.8) < 1e-9; });
-  return fractions;
-}
-
 void add_fall(Cells& cells, double fraction, const std::string& displacement,
               const std::string& censored) {
   const double percent = 100 * fraction;

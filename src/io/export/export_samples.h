@@ -2,6 +2,8 @@
 // campaign's own samples.csv where that has the same; digits are all there are.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -9,6 +11,14 @@
 #include "wythe/campaign.h"
 
 namespace wythe::io {
+
+// Fractions of the peak that have columns of their own; 0.8 always has.
+inline std::vector<double> more_fractions(const StudySpec& study) {
+  std::vector<double> fractions =
+      study.fractions.empty() ? ResponseOptions{}.fractions : study.fractions;
+  std::erase_if(fractions, [](double f) { return std::fabs(f - 0.8) < 1e-9; });
+  return fractions;
+}
 
 struct ExportColumn {
   std::string name, unit, meaning;

@@ -11,20 +11,13 @@
 
 #include "campaign/draws/result_columns.h"
 #include "campaign/output_keys.h"
+#include "io/export/export_samples.h"
 #include "io/results/shakes_csv.h"
 #include "io/text/csv.h"
 #include "wythe/io.h"
 
 namespace wythe {
 namespace {
-
-// Fractions of the peak that have columns of their own; 0.8 always has.
-std::vector<double> more_fractions(const StudySpec& study) {
-  std::vector<double> fractions =
-      study.fractions.empty() ? ResponseOptions{}.fractions : study.fractions;
-  std::erase_if(fractions, [](double f) { return std::fabs(f - 0.8) < 1e-9; });
-  return fractions;
-}
 
 const FallTo* fall_to(const Responses& responses, double fraction) {
   for (const FallTo& fall : responses.falls)
@@ -85,7 +78,7 @@ std::vector<Cell> answer_cells(const Campaign& campaign, const SampleRecord& rec
     if (std::string_view(key.stored) == "displacement_max_m")
       cells.push_back({"failure_mode", io::csv_cell(record.failure_mode.name)});
     if (std::string_view(key.stored) != "censored_max") return;
-    for (const double fraction : more_fractions(campaign.study)) {
+    for (const double fraction : io::more_fractions(campaign.study)) {
       const FallTo* fall = fall_to(r, fraction);
       cells.push_back({fmt::format("displacement_at_{:g}_percent_mm", 100 * fraction),
                        fall ? io::short_cell(1e3 * fall->displacement) : ""});

@@ -154,9 +154,9 @@ class Mender {
   }
 
   static void join(toml::table& from, toml::table& to) {
-    for (auto&& [name, node] : from)
-      if (!to.contains(name.str()))
-        node.visit([&](auto& value) { to.insert_or_assign(name.str(), std::move(value)); });
+    for (auto&& [key, node] : from)
+      if (const std::string name(key.str()); !to.contains(name))
+        node.visit([&](auto& value) { to.insert_or_assign(name, std::move(value)); });
   }
 
   // In the order of their lines.

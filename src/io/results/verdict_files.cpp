@@ -16,7 +16,7 @@ namespace {
 using io::Json;
 using io::number;
 
-constexpr double kToG = 1 / kStandardGravity;
+constexpr double kGPerAcceleration = 1 / kStandardGravity;
 
 Json capacity_json(const WallCapacity& c, double scale) {
   return {{"median", number(c.median.value * scale)},
@@ -59,8 +59,8 @@ Json states_json(const std::vector<StateVerdict>& states) {
                                         {"verdict", word_of(kAssessmentVerdictWords, v.verdict)},
                                         {"direction", v.direction},
                                         {"pattern", v.pattern},
-                                        {"pga_demand_g", number(v.demand * kToG)},
-                                        {"pga_capacity_g", capacity_json(v.capacity, kToG)},
+                                        {"pga_demand_g", number(v.demand * kGPerAcceleration)},
+                                        {"pga_capacity_g", capacity_json(v.capacity, kGPerAcceleration)},
                                         {"risk_index", capacity_json(v.capacity, 1 / v.demand)},
                                         {"rules", rules_json(v.rules)}});
     if (v.is_checked) add_counts(json, v.counts);
@@ -90,7 +90,7 @@ Json ways_json(const std::vector<WayOfPushing>& ways) {
     Json& json = list.emplace_back(
         Json{{"direction", way.direction}, {"pattern", way.pattern}, {"folder", way.folder}});
     add_counts(json, way.counts);
-    json["pga_capacity_g"] = capacity_json(way.capacity, kToG);
+    json["pga_capacity_g"] = capacity_json(way.capacity, kGPerAcceleration);
     Json lost = Json::array();
     for (const JudgedWall& wall : way.walls) {
       if (!wall.is_lost()) continue;
@@ -131,11 +131,11 @@ std::string verdict_json(const WallsVerdict& v) {
   io::put(json, "reason", v.reason);
   const StateVerdict& worst = v.worst;
   add_counts(json, worst.counts);
-  json["pga_capacity_g"] = capacity_json(worst.capacity, kToG);
+  json["pga_capacity_g"] = capacity_json(worst.capacity, kGPerAcceleration);
   json["pga_interval_of_walls_g"] = io::pair(
-      {worst.capacity.median.interval.low * kToG, worst.capacity.median.interval.high * kToG});
+      {worst.capacity.median.interval.low * kGPerAcceleration, worst.capacity.median.interval.high * kGPerAcceleration});
   json["tested_drifts"] = tests_json(v);
-  json["pga_demand_g"] = number(worst.demand * kToG);
+  json["pga_demand_g"] = number(worst.demand * kGPerAcceleration);
   json["risk_index"] = capacity_json(worst.capacity, 1 / worst.demand);
   json["decides"] = v.decides();
   json["direction"] = worst.direction;
@@ -165,7 +165,7 @@ std::string walls_csv(const WallsVerdict& v) {
           fmt::format("{},{},{},{},{},{},{},{},{}", wall.wall, wall.seed,
                       direction_cell(way.direction), io::csv_cell(way.pattern),
                       io::csv_cell(word_of(kAssessmentVerdictWords, wall.verdict(v.worst.state))),
-                      io::csv_cell(capacity.value * kToG), capacity.censored ? 1 : 0,
+                      io::csv_cell(capacity.value * kGPerAcceleration), capacity.censored ? 1 : 0,
                       io::csv_cell(wall.mode), wall.is_in_plane ? 1 : 0);
       for (std::size_t s = 0; s < std::size(kLimitStateWords); ++s) {
         const LimitStateCheck* found = nullptr;
@@ -173,7 +173,7 @@ std::string walls_csv(const WallsVerdict& v) {
           if (check.state == static_cast<LimitState>(s)) found = &check;
         text += found == nullptr
                     ? ",,,"
-                    : fmt::format(",{},{},{}", io::csv_cell(found->acceleration * kToG),
+                    : fmt::format(",{},{},{}", io::csv_cell(found->acceleration * kGPerAcceleration),
                                   io::csv_cell(found->displacement * 1e3),
                                   io::csv_cell(found->governing));
       }

@@ -26,8 +26,6 @@ namespace fs = std::filesystem;
 
 constexpr double kMostLevels = 200;  // of a record: each is a run
 
-bool is_set(double value) { return !std::isnan(value); }
-
 std::string inline_text(const toml::node& node);
 
 std::string inline_table(const toml::table& table) {

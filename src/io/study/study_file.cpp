@@ -37,11 +37,6 @@ namespace {
 constexpr const char* kParts[] = {"study",   "variable", "dependent", "correlation", "field",
                                   "variant", "shaking",  "record",    "limit_state", "record_text"};
 
-std::string beside(const std::string& file, const std::string& other) {
-  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
-  return (folder / other).string();
-}
-
 using Shape = KnownName::Shape;
 
 KnownName value_named(const char* name) { return {name, Shape::kValue, false, nullptr}; }
@@ -645,49 +640,6 @@ bool is_of_study(const std::string& override_text) {
 }
 
 }  // namespace
-
-namespace {
-
-// Tables that no model has.
-bool has_study(const toml::table& root) {
-  const auto has = [&](const char* part) { return root.contains(part); };
-  constexpr const char* kNoModelHas[] = {"study",   "variable",    "dependent",  "correlation",
-                                         "shaking", "limit_state", "record_text"};
-  return std::any_of(std::begin(kNoModelHas), std::end(kNoModelHas), has);
-}
-
-// Tables that no study has.
-bool has_model(const toml::table& root) {
-  const auto has = [&](const char* part) { return root.contains(part); };
-  constexpr const char* kNoStudyHas[] = {"wall",    "stage",     "material",
-                                         "masonry", "plan_wall", "slab"};
-  return std::any_of(std::begin(kNoStudyHas), std::end(kNoStudyHas), has);
-}
-
-}  // namespace
-
-void refuse_study(const toml::table& root, const std::string& file) {
-  if (!has_study(root) || has_model(root)) return;
-  const auto base = root["study"]["model"].value<std::string>();
-  throw InputError(
-      {{.file = file,
-        .path = "",
-        .value = "",
-        .problem = "is a study, and a model is asked for",
-        .cure = fmt::format("name its model{}; a study runs by wythe campaign STUDY.toml "
-                            "--out DIR",
-                            base ? ", " + beside(file, *base) : "")}});
-}
-
-void refuse_model(const toml::table& root, const std::string& file) {
-  if (has_study(root) || !has_model(root)) return;
-  throw InputError({{.file = file,
-                     .path = "",
-                     .value = "",
-                     .problem = "is a model, and a study is asked for",
-                     .cure = "one wall runs by wythe run MODEL.toml --out DIR; wythe new study DIR "
-                             "writes a study to start from"}});
-}
 
 StudySpec parse_study_text(const std::string& toml_text, const std::string& file_name,
                            const std::vector<std::string>& overrides, StudyText from) {

@@ -200,6 +200,9 @@ void parse_table(ReadContext& context, const toml::table& table, const std::stri
                                      std::size_t most = kMostToml);
 // The name of a file beside one that is not there, but for case or a letter or two; "" where none is.
 [[nodiscard]] std::string nearest_file(const std::string& path);
+// The path of `other`, which stands in `file`, as seen from where the program runs.
+[[nodiscard]] std::string beside(const std::string& file, const std::string& other);
+[[nodiscard]] bool has_study(const toml::table& root);
 // Throws where a tree of a model stands in the place of a study, or a study in that of a model.
 void refuse_study(const toml::table& root, const std::string& file);
 void refuse_model(const toml::table& root, const std::string& file);

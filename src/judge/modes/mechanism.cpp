@@ -10,8 +10,8 @@
 namespace wythe::study {
 namespace {
 
-constexpr double kHalf = 0.5;
-constexpr double kMost = 2.0 / 3;  // of the failed width: "the piers", not "some"
+constexpr double kHalfMoves = 0.5;
+constexpr double kMostMoves = 2.0 / 3;  // of the failed width: "the piers", not "some"
 
 // What the failed piers do, and the sentence for it.
 struct How {
@@ -42,21 +42,21 @@ class Reader {
       storey.failed += width * std::max(sheared, rocks);
     }
     for (std::size_t k = 0; k < storeys_.size(); ++k)
-      if (ramp(storeys_[k].share(), kHalf, wall.rules) > kHalf)
+      if (ramp(storeys_[k].share(), kHalfMoves, wall.rules) > kHalfMoves)
         failed_.push_back(static_cast<int>(k) + 1);
   }
 
   [[nodiscard]] std::map<std::string, double> scores() const {
     const double rest = 1 - wall_.slips.truth, weak = weakness();
     double moves = 0;
-    for (const Storey& s : storeys_) moves = std::max(moves, ramp(s.share(), kHalf, wall_.rules));
+    for (const Storey& s : storeys_) moves = std::max(moves, ramp(s.share(), kHalfMoves, wall_.rules));
     double sheared = 0, rocks = 0;
     for (const Storey& s : storeys_)
-      if (moves > 0 && ramp(s.share(), kHalf, wall_.rules) >= std::min(moves, kHalf))
+      if (moves > 0 && ramp(s.share(), kHalfMoves, wall_.rules) >= std::min(moves, kHalfMoves))
         sheared += s.sheared, rocks += s.rocks;
     const double share = sheared + rocks > 0 ? sheared / (sheared + rocks) : 0.0;
-    const double shear = ramp(share, kMost, wall_.rules),
-                 rock = ramp(1 - share, kMost, wall_.rules);
+    const double shear = ramp(share, kMostMoves, wall_.rules),
+                 rock = ramp(1 - share, kMostMoves, wall_.rules);
     std::map<std::string, double> scores;
     const auto add = [&](const How& how, double sure) {
       scores[how.name] += rest * (1 - weak) * moves * sure;
@@ -121,7 +121,7 @@ class Reader {
       length += s.box.width();
       sheared += s.box.width() * truth_of(s, false);
     }
-    return length > 0 ? ramp(sheared / length, kHalf, wall_.rules) : 0.0;
+    return length > 0 ? ramp(sheared / length, kHalfMoves, wall_.rules) : 0.0;
   }
 
   // The truth that a pier or spandrel has failed at all, or that a piece of the wall came off.
@@ -173,7 +173,7 @@ class Reader {
     std::vector<Message> names;
     std::size_t more = 0;
     const auto add = [&](const Part& part, bool is_pier) {
-      if (measure(part, is_pier) <= kHalf) return;
+      if (measure(part, is_pier) <= kHalfMoves) return;
       if (names.size() < kListed)
         names.push_back(wall_.parts.words.at(part.name));
       else
@@ -229,7 +229,7 @@ class Reader {
     const double below = foot - parts.wall.y0 < parts.course ? 0.0 : moved_at(foot - parts.course);
     const double top = moved_at(parts.wall.y1 - parts.course);
     const double way = moved_at(head + parts.course) - below;
-    return top * way > 0 && ramp(way / top, kHalf, wall_.rules) == 1;
+    return top * way > 0 && ramp(way / top, kHalfMoves, wall_.rules) == 1;
   }
 
   const WallSigns& wall_;

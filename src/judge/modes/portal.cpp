@@ -242,9 +242,9 @@ double sum_of_weights(const std::vector<BodyLoad>& loads) {
 }
 
 // Cuts in the frame of the push: s from the end it comes from, along the push.
-class Cutter {
+class PortalCutter {
  public:
-  Cutter(const Model& model, const Portal& portal, bool cracked)
+  PortalCutter(const Model& model, const Portal& portal, bool cracked)
       : model_(model),
         p_(portal),
         cracked_(cracked),
@@ -351,8 +351,8 @@ double crushed_half(const Portal& p, double weight, double width, const std::str
   return half;
 }
 
-std::vector<NamedNumber> numbers_of(const Portal& p, const Cutter::Axial& axial,
-                                    const Cutter::Axial& inwards, double shift) {
+std::vector<NamedNumber> numbers_of(const Portal& p, const PortalCutter::Axial& axial,
+                                    const PortalCutter::Axial& inwards, double shift) {
   return {{"wall_left", p.left, "m"},
           {"wall_right", p.right, "m"},
           {"opening_left", p.jamb_left, "m"},
@@ -477,9 +477,9 @@ Mechanism cut_mechanism(const Model& model, const Portal& portal, const std::str
                         Hypothesis hypothesis) {
   if (!model.solids.bodies.empty())
     return cut_mechanism(with_rigid_bodies(model), portal, mode, hypothesis);
-  const Cutter cutter(model, portal, mode == "FM-1");
-  const Cutter::Axial axial = cutter.axial();
-  Cutter::Axial inwards;
+  const PortalCutter cutter(model, portal, mode == "FM-1");
+  const PortalCutter::Axial axial = cutter.axial();
+  PortalCutter::Axial inwards;
   if (hypothesis != Hypothesis::kInfinite)
     inwards = {crushed_half(portal, axial.near, cutter.near_width(), "C1"),
                crushed_half(portal, axial.far, cutter.far_width(), "C3")};

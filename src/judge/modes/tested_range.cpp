@@ -13,13 +13,13 @@ namespace {
 using study::TestedKind;
 
 // A wall this much beyond the most extreme test is still like it: the tests of a kind lie further apart.
-constexpr double kNear = 1.25;
+constexpr double kNearTested = 1.25;
 constexpr double kUsableLow = 0.9, kUsableHigh = 1.15;  // a bias within them needs no word
 constexpr double kUsableFactor = 1.65;  // of drifts: exp(0.5); a constant of shear has exp(0.38)
 constexpr int kFew = 3;                 // walls below which a bias is an anecdote
 
 bool is_beyond(double value, double low, double high) {
-  return value < low / kNear || value > kNear * high;
+  return value < low / kNearTested || value > kNearTested * high;
 }
 
 // Mean pressure on the ground before the push, over the strength there; NaN where nothing crushes.
@@ -178,7 +178,7 @@ TestedRange study::compare_with(std::span<const TestedKind> tests, const Model& 
   note_shape(range.notes, *tested, model, result);
   if (range.kind == "shear" && !has_unit_planes(model)) range.notes.push_back({"range.no_planes"});
   if (result.responses.cyclic.sense != 0) range.notes.push_back({"range.cyclic"});
-  if (const double times = times_too_stiff(model, result); times > kNear)
+  if (const double times = times_too_stiff(model, result); times > kNearTested)
     range.notes.push_back({"range.points", {{"times", times}}});
   return range;
 }

@@ -20,7 +20,7 @@ namespace {
 using geometry::Assembly;
 using geometry::Role;
 
-constexpr double kReach = 0.01;       // how far the stated level may lie from the bed joint [m]
+constexpr double kReachOfLevel = 0.01;       // how far the stated level may lie from the bed joint [m]
 constexpr double kFewMicrons = 5e-6;  // a gap that is round-off of what users write [m]
 
 // A stretch of a block's upper side.
@@ -120,7 +120,7 @@ class FloorCompiler {
       if (y <= stated && !(below >= y)) below = y;
       if (y >= stated && !(above <= y)) above = y;
     }
-    if (std::fabs(nearest - stated) <= kReach) return nearest + base_;
+    if (std::fabs(nearest - stated) <= kReachOfLevel) return nearest + base_;
     std::string cure = "write ";
     if (std::isfinite(below)) cure += fmt::format("y = \"{:.3f} m\"", below);
     if (std::isfinite(below) && std::isfinite(above)) cure += " or ";
@@ -141,7 +141,7 @@ class FloorCompiler {
     for (const Edge& e : at) left = std::min(left, e.x0), right = std::max(right, e.x1);
     const double x0 = std::isfinite(floor_->x) ? zero + floor_->x : left;
     const double x1 = std::isfinite(floor_->width) ? x0 + floor_->width : right;
-    if (x0 < left - kReach || x1 > right + kReach || !(x1 - x0 > tolerance_))
+    if (x0 < left - kReachOfLevel || x1 > right + kReachOfLevel || !(x1 - x0 > tolerance_))
       return fault(
           std::isfinite(floor_->x) ? ".x" : ".width", "",
           fmt::format("the floor goes from {:.3f} to {:.3f} m, the wall at this height from "

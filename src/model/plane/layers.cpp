@@ -19,7 +19,7 @@ using geometry::Assembly;
 using geometry::Role;
 
 constexpr double kClose = 2e-3;     // pieces of a strand, no further apart [m]
-constexpr double kShortest = 1e-3;  // of a piece [m]
+constexpr double kShortestPiece = 1e-3;  // of a piece [m]
 constexpr int kMostNodes = 4;       // of a piece
 constexpr double kWidest = 2;       // nodes apart, over the decay length of the bond (22.4)
 
@@ -157,7 +157,7 @@ class LayerCompiler {
                          const Span& wall, Span& out) {
       out.from = std::isnan(at) ? wall.from : at;
       out.to = std::isnan(length) ? wall.to : out.from + length;
-      if (out.from > wall.from - kShortest && out.to < wall.to + kShortest && out.from < out.to)
+      if (out.from > wall.from - kShortestPiece && out.to < wall.to + kShortestPiece && out.from < out.to)
         return;
       fault(std::isnan(at) ? std::string(".") + size : std::string(".") + start,
             fmt::format("from {:g} to {:g} m", out.from, out.to),
@@ -248,7 +248,7 @@ class LayerCompiler {
       std::sort(hits.begin(), hits.end());
       for (std::size_t i = 1; i < hits.size(); i += 2) {
         const Span along{std::max(hits[i - 1], over.from), std::min(hits[i], over.to)};
-        if (along.length() > kShortest) pieces.push_back({b, along});
+        if (along.length() > kShortestPiece) pieces.push_back({b, along});
       }
     }
     std::sort(pieces.begin(), pieces.end(),

@@ -18,7 +18,7 @@ namespace {
 using geometry::Facet;
 using geometry::SpaceAssembly;
 
-constexpr double kReach = 0.01;       // how far a line may lie off the face that it loads [m]
+constexpr double kReachOfLoad = 0.01;       // how far a line may lie off the face that it loads [m]
 constexpr double kFewMicrons = 5e-6;  // a gap that is round-off of what users write [m]
 
 struct Stretch {
@@ -90,7 +90,7 @@ class LineUnder {
         const Over o = over(face, start_, along_, length_);
         if (o.to - o.from <= kFewMicrons) continue;
         nearest_ = std::fmin(nearest_, o.away);
-        if (o.away <= kReach) stretch_.push_back({k, o.from, o.to});
+        if (o.away <= kReachOfLoad) stretch_.push_back({k, o.from, o.to});
       }
   }
 
@@ -117,7 +117,7 @@ std::optional<Line> line_of(const PlaceSpec& from, const PlaceSpec& to, const Sp
                               std::string(key).substr(1)),
                   0});
   if (!a || !b) return std::nullopt;
-  if (length(*b - *a) < kReach) {
+  if (length(*b - *a) < kReachOfLoad) {
     faults.add({"", path + ".to", metres(places.in_file(*b)), "is where the line begins",
                 "write two places apart from each other", 0});
     return std::nullopt;
@@ -154,7 +154,7 @@ std::vector<LinePiece> pieces_under(const SpaceAssembly& assembly, Vec3 from, Ve
            fmt::format("lies on nothing from {:.3f} to {:.3f} m along its line: an opening is "
                        "there, or no face looks against the load there{}",
                        cuts[k - 1], cuts[k],
-                       near && line.nearest() > kReach
+                       near && line.nearest() > kReachOfLoad
                            ? fmt::format("; the nearest is {:.3f} m off", line.nearest())
                            : ""),
            "end it beside the gap, write two, or move the line onto the faces (within 10 mm)", 0});
