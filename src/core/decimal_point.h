@@ -1,5 +1,5 @@
 // Numbers with a point while it stands, in this thread alone: what a host program's locale says of a decimal comma is set
-// aside. For libraries that ask the locale: UDUNITS, and nlohmann's JSON, which takes one byte of a mark for all of it.
+// aside. For nlohmann's JSON, which asks the locale and takes one byte of a mark for all of it.
 #pragma once
 
 #include <locale.h>

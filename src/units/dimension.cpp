@@ -1,5 +1,4 @@
-// Reads a dimension from a unit's definition in SI base units, and writes the SI unit of a dimension.
-// The scale of a definition is skipped, and radians count as 1. Named units such as N/m go before products of bases.
+// The dimension of a unit, and the SI unit of a dimension: named units such as N/m go before products of bases.
 #include "units/dimension.h"
 
 #include <array>
@@ -7,33 +6,14 @@
 
 #include <fmt/format.h>
 
-#include "core/number.h"
 #include "units/quantity_error.h"
+#include "units/unit_parser.h"
 
 namespace wythe {
 namespace {
 
 constexpr std::array kNamedUnits = {"m",   "s",   "N",     "Pa",     "N/m", "Pa/m",
                                     "m/s", "1/s", "m/s^2", "kg/m^3", "m^2", "kg"};
-
-struct Factor {
-  std::string base;
-  int exponent = 1;
-};
-
-// "m-1" -> m, -1
-Factor split_factor(std::string_view text) {
-  const std::size_t digits = text.find_first_of("-0123456789");
-  Factor out{std::string(text.substr(0, digits)), 1};
-  if (digits != std::string_view::npos)
-    if (const auto exponent = leading_number<int>(text.substr(digits)))
-      out.exponent = exponent->value;
-  return out;
-}
-
-bool is_number_text(std::string_view word) {
-  return word.find_first_not_of("0123456789.eE+-") == std::string_view::npos;
-}
 
 }  // namespace
 
@@ -80,23 +60,12 @@ std::string Dimension::words() const {
 }
 
 Dimension dimension_of(std::string_view unit) {
-  const std::string definition = unit_definition(unit);
-  if (definition.empty())
+  const auto known = parse_unit(unit);
+  if (!known || known->logarithm)
     throw QuantityError(fmt::format("the unit {} is not known", unit),
                         "write it in a unit such as MPa, N/m, GPa/m, mm or deg");
   Dimension out;
-  for (std::size_t begin = 0; begin < definition.size();) {
-    const std::size_t end = std::min(definition.find_first_of(" ", begin), definition.size());
-    std::string_view word = std::string_view(definition).substr(begin, end - begin);
-    begin = end + 1;
-    if (is_number_text(word)) continue;  // the scale
-    for (std::size_t from = 0; from < word.size();) {
-      const std::size_t dot = std::min(word.find('.', from), word.size());
-      const Factor factor = split_factor(word.substr(from, dot - from));
-      if (factor.base != "rad") out.add(factor.base, factor.exponent);
-      from = dot + 1;
-    }
-  }
+  for (std::size_t i = 0; i < kRadian; ++i) out.add(std::string(kBaseUnits[i]), known->exponent[i]);
   return out;
 }
 

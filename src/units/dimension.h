@@ -1,7 +1,7 @@
 // Arithmetic of dimensions, for formulas over quantities: Pa m = N/m, N/m / Pa = m.
 //
-// A dimension is the exponents of the SI base units. Angles count as numbers here (rad = 1), as in
-// UDUNITS-2, so that tan(friction_angle) and atan(...) need no units of their own.
+// A dimension is the exponents of the SI base units. Angles count as numbers here (rad = 1), so that
+// tan(friction_angle) and atan(...) need no units of their own.
 #pragma once
 
 #include <map>
@@ -37,10 +37,10 @@ class Dimension {
   std::map<std::string, double> exponent_;  // base unit -> exponent, never 0
 };
 
-// Dimension of "MPa", "GPa/m", "deg"; throws QuantityError when UDUNITS-2 does not know the unit.
+// Dimension of "MPa", "GPa/m", "deg"; throws QuantityError where the unit is not known.
 [[nodiscard]] Dimension dimension_of(std::string_view unit);
 
-// The unit in SI base units, "1000000 m-1.kg.s-2", "" when it is not known (units.cpp).
+// The unit in SI base units, "1000000 m-1.kg.s-2", without the zero of a degC; "" when it is not known (units.cpp).
 [[nodiscard]] std::string unit_definition(std::string_view unit);
 
 // "a stress" for "Pa"; "" for a unit without a name of its own (units.cpp).

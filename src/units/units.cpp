@@ -1,39 +1,23 @@
-// The door to UDUNITS-2: units to factors, quantities to SI and back.
-//
-// UDUNITS keeps global state (status, message handler), so every call stands behind one mutex.
-// Factors are cached: a wall uses some twenty units, each looked up once.
+// Quantities to SI and back, with what is said of wrong ones. unit_parser.cpp knows the units.
 #include "wythe/units.h"
 
-#include <udunits2.h>
-
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <cmath>
-#include <limits>
 #include <map>
-#include <memory>
-#include <mutex>
 #include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "core/ascii.h"
-#include "core/decimal_point.h"
 #include "core/number.h"
 #include "core/text.h"
 #include "units/dimension.h"
 #include "units/quantity_error.h"
-#include "wythe/error.h"
+#include "units/unit_parser.h"
 
 namespace wythe {
 namespace {
-
-struct FreeUnit {
-  void operator()(ut_unit* unit) const { ut_free(unit); }
-};
-using Unit = std::unique_ptr<ut_unit, FreeUnit>;
 
 enum class Verdict { kGood, kUnknown, kOtherDimension };
 struct Conversion {
@@ -41,72 +25,15 @@ struct Conversion {
   double value = 0;
 };
 
-// Linear without offset: neither Celsius nor the reciprocal that UDUNITS offers (s -> 1/s).
-bool is_proportional(const cv_converter* converter) {
-  return cv_convert_double(converter, 0.0) == 0.0 &&
-         std::isfinite(cv_convert_double(converter, 1.0));
-}
-
-class UnitTable {
- public:
-  UnitTable() {
-    const DecimalPoint point;
-    ut_set_error_message_handler(ut_ignore);
-    system_ = ut_read_xml(nullptr);
-    if (!system_) throw IoError("the unit database of UDUNITS-2 (udunits2.xml) can't be read");
-    const Unit degree(ut_get_unit_by_name(system_, "degree"));  // UDUNITS has no "deg"
-    ut_map_symbol_to_unit("deg", UT_ASCII, degree.get());
-  }
-  ~UnitTable() { ut_free_system(system_); }
-  UnitTable(const UnitTable&) = delete;
-  UnitTable& operator=(const UnitTable&) = delete;
-
-  Conversion factor(const std::string& unit, const std::string& si_unit) {
-    const std::lock_guard lock(mutex_);
-    const DecimalPoint point;
-    const auto key = std::pair(unit, si_unit);
-    if (const auto found = known_.find(key); found != known_.end()) return found->second;
-    return known_[key] = look_up(unit, si_unit);
-  }
-
-  // "" when the unit is not known.
-  std::string definition(const std::string& text) {
-    const std::lock_guard lock(mutex_);
-    const DecimalPoint point;
-    const Unit unit = parse(text);
-    std::array<char, 256> buffer{};
-    const int length =
-        unit ? ut_format(unit.get(), buffer.data(), buffer.size() - 1, UT_ASCII | UT_DEFINITION)
-             : -1;
-    return length < 0 ? "" : std::string(buffer.data());
-  }
-
- private:
-  // UDUNITS reads "1/s" but not "/s".
-  [[nodiscard]] Unit parse(const std::string& text) const {
-    const std::string whole = text.starts_with('/') ? "1" + text : text;
-    return Unit(ut_parse(system_, whole.c_str(), UT_UTF8));
-  }
-
-  [[nodiscard]] Conversion look_up(const std::string& unit, const std::string& si_unit) const {
-    const Unit from = parse(unit), to = parse(si_unit);
-    if (!from || !to) return {Verdict::kUnknown, 0};
-    cv_converter* converter = ut_get_converter(from.get(), to.get());
-    if (!converter) return {Verdict::kOtherDimension, 0};
-    Conversion out{Verdict::kOtherDimension, 0};
-    if (is_proportional(converter)) out = {Verdict::kGood, cv_convert_double(converter, 1.0)};
-    cv_free(converter);
-    return out;
-  }
-
-  ut_system* system_ = nullptr;
-  std::mutex mutex_;
-  std::map<std::pair<std::string, std::string>, Conversion> known_;
-};
-
-UnitTable& unit_table() {
-  static UnitTable table;
-  return table;
+Conversion conversion(std::string_view unit, std::string_view si_unit) {
+  const auto from = parse_unit(unit), to = parse_unit(si_unit);
+  if (!from || !to) return {Verdict::kUnknown, 0};
+  const double factor = from->factor.times(to->factor.power(-1)).value();
+  const bool alike =
+      std::equal(from->exponent.begin(), from->exponent.begin() + kRadian, to->exponent.begin());
+  if (from->shifted || from->logarithm || !alike || !std::isnormal(factor))
+    return {Verdict::kOtherDimension, 0};
+  return {Verdict::kGood, factor};
 }
 
 }  // namespace
@@ -130,8 +57,18 @@ std::string quantity_name(std::string_view si_unit) {
   return found == kNames.end() ? "" : found->second;
 }
 
-std::string unit_definition(std::string_view unit) {
-  return unit_table().definition(std::string(unit));
+std::string unit_definition(std::string_view text) {
+  const auto unit = parse_unit(text);
+  if (!unit || unit->logarithm) return "";
+  std::string bases;
+  for (std::size_t i = 0; i < kBaseUnits.size(); ++i) {
+    if (unit->exponent[i] == 0) continue;
+    bases += fmt::format("{}{}", bases.empty() ? "" : ".", kBaseUnits[i]);
+    if (unit->exponent[i] != 1) bases += std::to_string(unit->exponent[i]);
+  }
+  if (bases.empty()) bases = "1";
+  const double factor = unit->factor.value();
+  return factor == 1 ? bases : fmt::format("{:.15g} {}", factor, bases);
 }
 
 namespace {
@@ -162,7 +99,7 @@ std::optional<Split> split_quantity(std::string_view text) {
   return Split{found->value, std::string(trimmed(found->rest))};
 }
 
-// UDUNITS would read "1 200 mm" as 1 x 200 mm and "3 m 4" as 12 m: a slip of the hand, not a unit.
+// "1 200 mm" would be 1 x 200 mm and "3 m 4" 12 m: a slip of the hand, not a unit.
 bool holds_number(std::string_view unit) {
   const bool leads = !unit.empty() && is_digit(unit[0]) && !unit.starts_with("1/");
   // behind a blank or a mark of arithmetic, of which some end with the byte 0x97 or 0xb7: "MPa/10", "MPa×10"
@@ -207,7 +144,7 @@ void refuse_second_number(std::string_view text, std::string_view unit) {
                         "write one number without blanks, then its unit");
 }
 
-// Words that UDUNITS reads as units of the trade in America, and masonry's own users do not: a short ton of 2000 lb,
+// Words that are units of the trade in America, as UDUNITS has them, and masonry's own users do not mean: a short ton of 2000 lb,
 // the grain of 65 mg.
 struct DoubtfulWord {
   std::string_view word, meaning, cure;
@@ -261,7 +198,7 @@ void refuse_slopes(const std::string& unit, std::string_view si_unit) {
 
 double checked_factor(const std::string& unit, std::string_view si_unit) {
   refuse_doubtful_words(unit, si_unit);
-  const Conversion factor = unit_table().factor(unit, std::string(si_unit));
+  const Conversion factor = conversion(unit, si_unit);
   const std::string cure = fmt::format("write it in {} or a multiple of it", si_unit);
   if (factor.verdict == Verdict::kUnknown)
     throw QuantityError(fmt::format("the unit {} is not known", unit), cure);

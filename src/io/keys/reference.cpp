@@ -27,7 +27,7 @@ starter with `wythe new`, and look up here what you want to change.
 The file is TOML: `key = value`, with a `[table]` for each part.
 
 - **A quantity is a text with its unit**: `length = "5.10 m"`. Any unit of the right kind will do
-  (`"510 cm"`, `"0.15 N/mm^2"`, `"150 kPa"`; UDUNITS-2 knows them). A bare number is refused, because
+  (`"510 cm"`, `"0.15 N/mm^2"`, `"150 kPa"`; spelt as UDUNITS-2 spells them). A bare number is refused, because
   nobody can see its unit.
 - **Numbers without a unit** and true or false stand without quotes; words and names stand in quotes.
 - **A key from the command line**: `--set path=value` changes any key for one run. Members of a list are

@@ -244,7 +244,7 @@ struct AccelerationHead {
   std::string strange;
 };
 
-// A head with its unit, g and gal too: UDUNITS has grams and gallons.
+// A head with its unit, g and gal too: to the units g is the gram alone.
 AccelerationHead acceleration_head(const std::string& whole) {
   constexpr std::size_t kLongestHead = 100, kLongestUnit = 24;
   const std::string text = with_plain_brackets(whole);

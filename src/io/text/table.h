@@ -30,7 +30,7 @@ struct ColumnHead {
 [[nodiscard]] bool is_missing_mark(double value);
 // "cm/sec^2" for what heads write: "cm/sec**2", "cm per sec^2", "cm_sec^2".
 [[nodiscard]] std::string unit_spelling(std::string_view text);
-// A unit as heads spell it, "cm/sec**2", "m_per_s2", as UDUNITS reads it; "" where it is none of `si_unit`.
+// A unit as heads spell it, "cm/sec**2", "m_per_s2", as units are spelt here; "" where it is none of `si_unit`.
 [[nodiscard]] std::string spelt_unit(std::string_view text, std::string_view si_unit);
 
 // Whether the name is one of row numbers, "nr" or "#", and of no measured value.

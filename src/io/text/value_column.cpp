@@ -127,7 +127,7 @@ class ColumnReader {
     return true;
   }
 
-  // The unit as UDUNITS reads it; "" where it is none of the quantity, which is said.
+  // The unit as units are spelt here; "" where it is none of the quantity, which is said.
   std::string known_unit(const std::string& stated) {
     const bool is_angle =
         stated.find("deg") != std::string::npos || stated.find("°") != std::string::npos;

@@ -53,7 +53,7 @@ std::string refusal(const std::string& text, const std::string& si_unit) {
   return "";
 }
 
-// UDUNITS reads a short ton and a grain, which nobody means who weighs masonry.
+// A short ton and a grain, as UDUNITS has them, nobody means who weighs masonry.
 TEST(QuantityRefused, words_that_mean_two_things) {
   for (const char* text : {"1.8 ton/m^3", "1.8 ton m-3", "1.8 tons/m^3", "0.0018 kton/m^3"})
     EXPECT_NE(refusal(text, "kg/m^3").find("write t (1000 kg) or 2000 lb"), std::string::npos)
@@ -76,7 +76,7 @@ TEST(QuantityRefused, other_dimension_names_both_units) {
   EXPECT_NE(refusal("3 m", "rad"), "");
 }
 
-// UDUNITS offers s -> 1/s as its reciprocal and degC -> K with its offset.
+// 3 s is no 1/3 of 1/s, and degC has another zero than K.
 TEST(QuantityRefused, reciprocals_and_offsets_are_not_factors) {
   EXPECT_NE(refusal("3 s", "1/s"), "");
   EXPECT_NE(refusal("3 degC", "K"), "");
@@ -128,7 +128,7 @@ TEST(UnitFactor, converts_units_and_refuses_others) {
   EXPECT_EQ(unit_factor("kN·m-2", "Pa"), 1e3);
 }
 
-// UDUNITS keeps global state; the door must not let two threads at it.
+// The table of units is made at the first call, by one thread for all.
 TEST(UnitTable, serves_threads_at_once) {
   std::vector<std::thread> threads;
   std::vector<int> wrong(4, 0);
