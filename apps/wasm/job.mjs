@@ -3,7 +3,7 @@
 /** @typedef {{texts?: Record<string, string | string[]>, numbers?: Record<string, number>, columns?: Record<string, ArrayLike<number>>}} Inputs */
 
 /**
- * Does a task and gives its code, and the answers that are asked for. "*" stands for all texts or tables.
+ * Does a task and gives its code, and the answers that are asked for: texts by name, tables by name and column. "*" stands for all.
  * @param {any} engine the module that wytheEngine() gives
  * @param {string} task "run", "check", "limit", "contact" or "keys"
  * @param {Inputs} inputs texts (lists of texts for "set" and "only"), numbers and columns of the task
@@ -47,8 +47,8 @@ export function doTask(engine, task, inputs, want = {}, progress = () => false) 
     for (const name of want.tables?.includes("*") ? Object.keys(JSON.parse(answer("tables") ?? "{}")) : (want.tables ?? [])) {
       const columns = JSON.parse(answer(`columns of ${name}`) ?? "[]");
       if (columns.length === 0) continue;
-      tables[name] = { columns: {} };
-      for (const column of columns) tables[name].columns[column] = columnOf(engine, job, text(name)[0], text(column)[0]);
+      tables[name] = {};
+      for (const column of columns) tables[name][column] = columnOf(engine, job, text(name)[0], text(column)[0]);
     }
     return { code, texts, tables };
   } finally {
