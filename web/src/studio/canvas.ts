@@ -155,12 +155,12 @@ export class Canvas {
     if (!box) return out;
     const self = this.preview ? this.preview.self : this.selected;
     const g = gaps(d, box, self);
-    const middle = this.y(box.y + box.height / 2),
-      axis = this.x(box.x + box.width / 2);
+    const low = this.y(box.y + 0.25 * box.height), // under the label of the height
+      axis = this.x(box.x + 0.25 * box.width);
     const high = this.y(box.y + box.height) - 14;
     out.push(this.level(box.x, box.x + box.width, high, "dim strong"), this.upright(box.y, box.y + box.height, this.x(box.x + box.width) + 14, "dim strong"));
-    if (g.left > 1e-6) out.push(this.level(box.x - g.left, box.x, middle, "dim gap"));
-    if (g.right > 1e-6) out.push(this.level(box.x + box.width, box.x + box.width + g.right, middle + (g.right * this.view.metre > 70 ? 0 : 0), "dim gap"));
+    if (g.left > 1e-6) out.push(this.level(box.x - g.left, box.x, low, "dim gap"));
+    if (g.right > 1e-6) out.push(this.level(box.x + box.width, box.x + box.width + g.right, low, "dim gap"));
     if (g.below > 1e-6) out.push(this.upright(box.y - g.below, box.y, axis, "dim gap"));
     if (g.above > 1e-6) out.push(this.upright(box.y + box.height, box.y + box.height + g.above, axis, "dim gap"));
     return out;

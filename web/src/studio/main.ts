@@ -68,6 +68,7 @@ const list = new FaultList(project, (fault) => {
 });
 const push = new Push(project, new WorkerEngine(), () => language, (picture) => showCracks(picture), (found) => showFaults(found), () => refreshBar());
 const status = h("p", { class: "status", role: "status", "aria-live": "polite" });
+const notes = h("details", { class: "notes", hidden: true });
 const notice = h("div", { class: "notice", role: "status", hidden: true });
 const reason = h("p", { class: "reason", role: "status", hidden: true });
 
@@ -111,21 +112,23 @@ input.addEventListener("change", () => {
 let timer = 0;
 function ask(): void {
   window.clearTimeout(timer);
+  document.documentElement.dataset.checking = "yes"; // until the stones are those of the text
   timer = window.setTimeout(check, kPause);
 }
 function check(): void {
   if (!hasEngine()) {
     status.textContent = say("studio.noengine");
+    delete document.documentElement.dataset.checking;
     return localFaults();
   }
   const text = project.text;
-  document.documentElement.dataset.checking = "yes";
   checker.ask({ task: "check", texts: { model: text }, want: ["check", "svg"] }, (answer) => {
     if (text !== project.text) return;
     delete document.documentElement.dataset.checking;
     if (answer.code === 0) {
       const c = JSON.parse(answer.texts.check);
       status.textContent = say("studio.counts", { blocks: whole(c.blocks), weight: qty(c.weight_kN, "kN"), seconds: qty(c.expected_seconds, "s", 2) });
+      showNotes(c.notes ?? []);
       stones = readPicture(answer.texts.svg ?? "", c.length_m);
       if (!canvas.readOnly) canvas.setPicture(stones);
       showFaults([]);
@@ -134,6 +137,10 @@ function check(): void {
       showFaults(faultsOf(answer));
     } else status.textContent = say("studio.failed", { why: answer.texts.error ?? "" });
   });
+}
+function showNotes(list: string[]): void {
+  notes.hidden = list.length === 0;
+  notes.replaceChildren(h("summary", {}, say(list.length === 1 ? "studio.note" : "studio.notes", { count: list.length })), h("ul", {}, ...list.map((n) => h("li", {}, n))));
 }
 function localFaults(): void {
   showFaults(project.broken ? [{ line: project.broken.line, path: "", value: "", problem: project.broken.message, cure: "" }] : []);
@@ -208,11 +215,7 @@ function begin(text: string): void {
   if (canvas.readOnly) push.leave();
   fitNext = true;
   if (project.text === "") project.open(text);
-  else {
-    project.endStep();
-    project.drawing = null;
-    project.change(text, -1);
-  }
+  else project.replace(text);
   canvas.fit();
 }
 async function openFile(from: File): Promise<void> {
@@ -354,7 +357,7 @@ document.body.prepend(
       h("div", { id: "pane-numbers", class: "pane", role: "tabpanel", "aria-label": say("studio.pane.numbers") }, panel.root),
       h("div", { id: "pane-file", class: "pane", role: "tabpanel", "aria-label": say("studio.pane.file") }, file.root),
       list.root),
-    h("div", { class: "below" }, h("div", { class: "status-line" }, status), push.root)),
+    h("div", { class: "below" }, h("div", { class: "status-line" }, status, notes), push.root)),
   notice, commands.palette, commands.sheet,
 );
 showPane("numbers");

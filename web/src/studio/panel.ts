@@ -131,7 +131,7 @@ export class Panel {
   }
   // A text field whose words `take` turns into an edit; null: it cannot be read.
   private entry(label: string, unit: string, show: () => string, take: (text: string) => string | null, step?: (by: number) => string | null, wide = false): HTMLElement {
-    const input = h("input", { type: "text", autocomplete: "off", spellcheck: "false", inputmode: unit === "" ? undefined : "decimal" });
+    const input = h("input", { type: "text", "aria-label": label, "aria-description": unit === "" ? undefined : unit, autocomplete: "off", spellcheck: "false", inputmode: unit === "" ? undefined : "decimal" });
     const commit = (): void => {
       if (input.value === input.dataset.shown) return;
       const text = take(input.value);
@@ -176,7 +176,7 @@ export class Panel {
     return this.entry(label, "", show, (text) => (text.trim() === "" ? null : set(text.trim())), undefined, wide);
   }
   private choice(label: string, options: [string, string][], show: () => string, set: (value: string) => string, wide = false): HTMLElement {
-    const select = h("select", { onchange: () => this.edit(set(select.value)) });
+    const select = h("select", { "aria-label": label, onchange: () => this.edit(set(select.value)) });
     for (const [value, text] of options) select.append(h("option", { value }, text));
     const root = h("label", { class: wide ? "entry wide" : "entry" }, h("span", {}, label), select);
     this.fields.push({ root, refresh: () => {

@@ -48,6 +48,12 @@ export class Project {
     this.drawing = null;
     this.read(text, -1);
   }
+  // Another wall altogether, as one step: nothing of the drawing before stays.
+  replace(text: string): void {
+    this.joined = "";
+    if (text !== this.text) this.drawing = null;
+    this.change(text, -1);
+  }
   // A new text as one step; steps that are parts of one (`join`) become one.
   change(text: string, selected = this.selected, join = ""): void {
     if (text === this.text) return this.select(selected);

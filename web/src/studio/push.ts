@@ -32,7 +32,8 @@ export class Push {
   private readonly at = h("output", { class: "soft" });
   private readonly states_row: HTMLElement;
   private readonly bar = h("progress", { max: 1, value: 0, "aria-label": say("studio.progress"), hidden: true });
-  private readonly report = h("button", { class: "button", type: "button", hidden: true, onclick: () => this.openReport() }, say("studio.report"));
+  private readonly back = h("button", { class: "button small", type: "button", onclick: () => this.leave() }, say("studio.back"));
+  private readonly report = h("button", { class: "button small", type: "button", hidden: true, onclick: () => this.openReport() }, say("studio.report"));
 
   constructor(
     private readonly project: Project,
@@ -42,12 +43,13 @@ export class Push {
     private readonly refused: (faults: Fault[]) => void,
     private readonly changed: () => void,
   ) {
-    this.states_row = h("div", { class: "states", hidden: true }, h("span", {}, say("studio.cracks")), this.slider, this.at, h("button", { class: "button small", type: "button", onclick: () => this.leave() }, say("studio.back")));
+    this.states_row = h("div", { class: "states", hidden: true }, h("span", {}, say("studio.cracks")), this.slider, this.at, this.back, this.report);
     this.slider.addEventListener("input", () => this.showState(Number(this.slider.value)));
     this.curve.pick = (mm) => this.pick(mm);
     this.root = h("section", { class: "push", "aria-label": say("studio.push") },
-      h("div", { class: "curve-box" }, this.curve.root, this.bar),
-      h("div", { class: "result" }, this.words, this.states_row, h("div", { class: "result-actions" }, this.report)));
+      this.bar,
+      h("div", { class: "curve-box" }, this.curve.root),
+      h("div", { class: "result", tabindex: "0", role: "group", "aria-label": say("studio.result") }, this.states_row, this.words));
     this.say(h("p", { class: "soft" }, say("studio.push.before")));
   }
 
@@ -147,13 +149,13 @@ export class Push {
       at = number("displacement_at_peak_mm");
     curve.peak = peak !== null && at !== null ? [at, peak] : null;
     this.say(
-      h("p", { class: "answer" }, headlineOf(this.page) || say("run.resists", { force: qty(peak, "kN"), at: qty(at, "mm"), drift: "" })),
       h("dl", { class: "key" },
         ...card(say("studio.peak"), qty(peak, "kN")),
         ...card(say("studio.peak.drift"), qty(number("drift_percent_at_peak"), "%", 2)),
         ...card(say("studio.ultimate"), `${summary.censored_80 ? "> " : ""}${qty(number("drift_percent_at_80"), "%", 2)}`),
         ...card(say("studio.mode"), String(summary.failure_mode?.name ?? "–")),
       ),
+      h("p", { class: "answer" }, headlineOf(this.page) || say("run.resists", { force: qty(peak, "kN"), at: qty(at, "mm"), drift: "" })),
     );
     this.report.hidden = this.page === "";
     this.slider.max = String(this.states.length - 1);

@@ -58,7 +58,7 @@ export function snapMove(d: Drawing, self: number, box: Box, reach: number, how:
   if (x.target)
     for (const at of [moved.x, moved.x + moved.width, moved.x + moved.width / 2])
       if (near(at, x.target.at)) guides.push({ axis: "x", ...x.target, at });
-  if (y.target) for (const at of [moved.y, moved.y + moved.height]) if (near(at, y.target.at)) guides.push({ axis: "y", ...y.target, at });
+  if (y.target && y.target.at > 0) for (const at of [moved.y, moved.y + moved.height]) if (near(at, y.target.at)) guides.push({ axis: "y", ...y.target, at });
   return { box: moved, guides };
 }
 
