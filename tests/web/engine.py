@@ -44,7 +44,8 @@ def answer(question):
 
     heard = PROGRESS(progress)
     code = library.wythe_do(job, ctypes.cast(heard, ctypes.c_void_p), None)
-    texts = {name: text(job, name) for name in [*question.get("want", []), "faults", "error"]}
+    # faults first: to ask for a text that there is not is a fault of its own
+    texts = {name: text(job, name) for name in ["faults", "error", *(question.get("want", []) if code == 0 else [])]}
     tables, rows = {}, ctypes.c_size_t()
     for name in question.get("tables", []) if code == 0 else []:
         tables[name] = {}

@@ -86,10 +86,10 @@ export async function openStudio(browser, file, options = {}) {
     children.get(number).stdin.write(`${question}\n`);
   });
   await page.addInitScript(fakeWorkers);
-  page.end = async () => {
+  page.on("close", () => {
     for (const child of children.values()) child.kill("SIGKILL");
-    await context.close();
-  };
+  });
+  page.end = () => context.close();
   await page.goto(address + (options.hash ?? ""));
   await page.waitForSelector("html[data-ready]");
   if (!options.impatient) await stonesOf(page);

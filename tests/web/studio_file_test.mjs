@@ -67,7 +67,7 @@ test("faults stand at their lines and on the opening; the cure is a button", asy
 test("a broken text leaves the drawing as it was, and says which line", async () => {
   await begin("portal");
   await write((t) => t.replace('length = "3.50 m"', 'length = "3.50 m'));
-  assert.match(await page.locator(".faults").innerText(), /Line 14/);
+  assert.match(await page.locator(".faults").innerText(), /Line 15/);
   assert.equal(await page.locator('.tool-button:has-text("Door")').isDisabled(), true);
   assert.equal(await page.locator('[data-opening="0"]').count(), 1);
 });

@@ -33,7 +33,7 @@ export function writeQuantity(value: number, unit: string, like = ""): string {
   const [base, factor] = kFactors[unit] ?? [unit, 1];
   const inUnit = value / factor;
   const most = base === "m" ? Math.max(0, Math.round(4 + Math.log10(factor))) : 6;
-  const wanted = /\.(\d+)/.exec(like)?.[1].length ?? 0;
+  const wanted = Math.min(2, /\.(\d+)/.exec(like)?.[1].length ?? 0);
   let text = Number(inUnit.toFixed(most)).toString();
   const has = text.split(".")[1]?.length ?? 0;
   if (has < wanted && !text.includes("e")) text = Number(text).toFixed(Math.min(wanted, most));
