@@ -174,7 +174,7 @@ void answer_states(Job& job, const std::shared_ptr<const Done>& done) {
   job.out.put("states", dumped(states));
 }
 
-void answer_run(Job& job, const std::shared_ptr<const Done>& done) {
+void answer_run(Job& job, const std::shared_ptr<const Done>& done, const std::string& language) {
   const Result& r = done->result;
   job.out.put("summary", summary_json(done->spec, done->model, r));
   job.out.put("curve", curve_of(r, done->model));
@@ -185,8 +185,8 @@ void answer_run(Job& job, const std::shared_ptr<const Done>& done) {
   for (const SolidBody& body : done->model.solids.bodies) names.push_back(body.id);
   job.out.put("block_ids", dumped(names));
   job.out.text_later("model", [done] { return write_model(done->spec); });
-  job.out.text_later("page", [done] {
-    return report_page(run_data(done->spec, done->model, done->result), "en");
+  job.out.text_later("page", [done, language] {
+    return report_page(run_data(done->spec, done->model, done->result), language);
   });
   answer_states(job, done);
 }
@@ -234,7 +234,7 @@ bool do_run(Job& job) {
   done->result = solve(done->model, state, options);
   read_result(done->spec, done->model, done->result);
   if (results) write_done(language, *results, *done);
-  answer_run(job, done);
+  answer_run(job, done, language);
   return done->result.status == SolveStatus::kInterrupted;
 }
 
@@ -265,7 +265,7 @@ bool do_replay(Job& job) {
   done->model = std::move(run.model);
   done->result = std::move(run.result);
   if (results) write_done(language, *results, *done);
-  answer_run(job, done);
+  answer_run(job, done, language);
   Json settings = run.settings;
   job.out.put("replay", dumped({{"sample", sample},
                                 {"stored_state_hash", stored},

@@ -22,7 +22,7 @@ export interface Preview {
   guides: Guide[];
 }
 
-const kPad = { left: 74, right: 60, top: 54, bottom: 62 };
+const kPad = { left: 74, right: 60, top: 54, bottom: 86 };
 
 export class Canvas {
   readonly root: SVGSVGElement;
@@ -57,7 +57,7 @@ export class Canvas {
     const { clientWidth, clientHeight } = this.root;
     if (!this.drawing || clientWidth === 0) return;
     const { length, height } = this.drawing;
-    const pad = clientWidth < 560 ? { left: 44, right: 26, top: 44, bottom: 52 } : kPad;
+    const pad = clientWidth < 560 ? { left: 56, right: 26, top: 40, bottom: 84 } : kPad;
     const wide = Math.max(40, clientWidth - pad.left - pad.right),
       high = Math.max(40, clientHeight - pad.top - pad.bottom);
     const metre = Math.min(wide / length, high / height);
@@ -149,13 +149,13 @@ export class Canvas {
   private dimensions(d: Drawing, wall: { length: number; height: number }): Child {
     const out: Child[] = [
       this.level(0, wall.length, this.y(0) + 32, "dim"),
-      this.upright(0, wall.height, this.x(0) - 40, "dim"),
+      this.upright(0, wall.height, this.x(0) - 36, "dim"),
     ];
     const box = this.preview && !this.preview.wall ? this.preview.box : this.selected >= 0 && this.showOpenings ? d.openings[this.selected] : null;
     if (!box) return out;
     const self = this.preview ? this.preview.self : this.selected;
     const g = gaps(d, box, self);
-    const low = this.y(box.y + 0.25 * box.height), // under the label of the height
+    const low = this.y(box.y + 0.25 * box.height),
       axis = this.x(box.x + 0.25 * box.width);
     const high = this.y(box.y + box.height) - 14;
     out.push(this.level(box.x, box.x + box.width, high, "dim strong"), this.upright(box.y, box.y + box.height, this.x(box.x + box.width) + 14, "dim strong"));
@@ -180,7 +180,7 @@ export class Canvas {
     return svg(
       "g", { class: css, "aria-hidden": "true" },
       svg("path", { d: `M${x - 5} ${y1}H${x + 5}M${x} ${y1}V${y2}M${x - 5} ${y2}H${x + 5}` }),
-      label(x, (y1 + y2) / 2 + 4, metres(b - a)),
+      upright(css.includes("strong") ? x + 14 : x - 5, css.includes("strong") ? y1 + 0.7 * (y2 - y1) : (y1 + y2) / 2, metres(b - a)),
     );
   }
 
@@ -207,4 +207,5 @@ export class Canvas {
 }
 
 const label = (x: number, y: number, text: string): SVGElement => svg("text", { x, y }, text);
+const upright = (x: number, y: number, text: string): SVGElement => svg("text", { x, y, transform: `rotate(-90 ${x} ${y})` }, text);
 const flat = (children: Child[]): Node[] => children.flatMap((c) => (Array.isArray(c) ? flat(c) : c instanceof Node ? [c] : []));
