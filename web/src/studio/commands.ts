@@ -85,7 +85,7 @@ export class Commands {
     command?.does();
   }
   openSheet(): void {
-    const rows = this.all.filter((c) => c.keys.length > 0);
+    const rows = this.all.filter((c, k) => c.keys.length > 0 && this.all.findIndex((other) => other.name === c.name) === k);
     this.sheet.replaceChildren(
       h("h2", {}, say("studio.do.keys")),
       h("dl", {}, ...rows.map((c) => h("div", {}, h("dt", {}, kbd(c.keys)), h("dd", {}, say(`studio.do.${c.name}`))))),
