@@ -7,7 +7,7 @@ BUILD := build/$(PRESET)
 KERNELS ?= all
 SOURCES = $(shell find include src apps tests benchmarks -name '*.h' -o -name '*.cpp')
 
-.PHONY: all help setup build demo wasm test test-long fuzz sanitize bench docs site web format check install package clean
+.PHONY: all help setup build demo wasm test test-long fuzz sanitize bench docs site web studio format check install package clean
 all: build
 
 help:            ## this list
@@ -65,6 +65,10 @@ site:            ## build/site: these pages as a site, offline; needs the packag
 
 web: setup       ## build the report viewer: src/report/assets/viewer.html
 	@cd web && npm ci --no-audit --no-fund && npm run build
+
+studio: setup wasm ## build the page to draw walls on: build/studio.html
+	@cd web && npm ci --no-audit --no-fund && npx tsc && STUDIO_OUT=../build/wasm/page npx vite build --config vite.studio.config.js
+	@node apps/wasm/page.mjs build/wasm/page/studio.html build/wasm build/studio.html
 
 format:          ## clang-format all C++
 	clang-format -i $(SOURCES)

@@ -3,6 +3,7 @@ import { fileURLToPath } from "node:url";
 import { rename } from "node:fs/promises";
 import { defineConfig } from "vite";
 import { viteSingleFile } from "vite-plugin-singlefile";
+import { textsOf } from "./texts_of.js";
 
 const here = fileURLToPath(new URL(".", import.meta.url));
 const folder = process.env.VIEWER_OUT ?? `${here}../src/report/assets`;
@@ -18,6 +19,7 @@ export default defineConfig({
     chunkSizeWarningLimit: 2000,
   },
   plugins: [
+    textsOf("reports"),
     viteSingleFile({ removeViteModuleLoader: true }),
     {
       name: "viewer-name",

@@ -125,7 +125,7 @@ void answer_states(Job& job, const std::shared_ptr<const Done>& done) {
 
 }  // namespace
 
-void answer_run(Job& job, const std::shared_ptr<const Done>& done) {
+void answer_run(Job& job, const std::shared_ptr<const Done>& done, const std::string& language) {
   const Result& r = done->result;
   job.out.put("summary", summary_json(done->spec, done->model, r));
   job.out.put("curve", curve_of(r, done->model));
@@ -136,8 +136,8 @@ void answer_run(Job& job, const std::shared_ptr<const Done>& done) {
   for (const SolidBody& body : done->model.solids.bodies) names.push_back(body.id);
   job.out.put("block_ids", dumped(names));
   job.out.text_later("model", [done] { return write_model(done->spec); });
-  job.out.text_later("page", [done] {
-    return report_page(run_data(done->spec, done->model, done->result), "en");
+  job.out.text_later("page", [done, language] {
+    return report_page(run_data(done->spec, done->model, done->result), language);
   });
   answer_states(job, done);
 }

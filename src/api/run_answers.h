@@ -19,8 +19,8 @@ struct Done {
   Result result;
 };
 
-// Summary, curve, history, states, the model as it was read and the page.
-void answer_run(Job& job, const std::shared_ptr<const Done>& done);
+// Summary, curve, history, states, the model as it was read, and the page in a language.
+void answer_run(Job& job, const std::shared_ptr<const Done>& done, const std::string& language);
 // Threads and frames as the job asks; its stop and its progress.
 [[nodiscard]] SolveOptions options_of(Job& job);
 // The files of a run, put in place together.

@@ -82,7 +82,7 @@ bool do_run(Job& job) {
   done->result = solve(done->model, state, options);
   read_result(done->spec, done->model, done->result);
   if (results) write_done(language, *results, *done);
-  answer_run(job, done);
+  answer_run(job, done, language);
   return done->result.status == SolveStatus::kInterrupted;
 }
 

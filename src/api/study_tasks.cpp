@@ -259,7 +259,7 @@ bool do_replay(Job& job) {
   done->model = std::move(run.model);
   done->result = std::move(run.result);
   if (results) write_done(language, *results, *done);
-  answer_run(job, done);
+  answer_run(job, done, language);
   Json settings = run.settings;
   job.out.put("replay", dumped({{"sample", sample},
                                 {"stored_state_hash", stored},

@@ -1,0 +1,120 @@
+// The studio in a browser, for its tests: the page is built once, and its workers are answered by the program's own
+// library (engine.py) in the place of WebAssembly.
+import { execFileSync, spawn } from "node:child_process";
+import fs from "node:fs";
+import path from "node:path";
+import { createInterface } from "node:readline";
+import { pathToFileURL } from "node:url";
+import { folder, launch as launchBrowser, root } from "./helpers.mjs";
+
+const build = process.env.BUILD ?? path.join(root, "build/release");
+const library = path.join(build, "libwythe.so");
+
+// studio.html as `make studio` builds it, with a mark in the place of the engine.
+export function studioPage() {
+  const out = folder("studio");
+  const file = path.join(out, `page_${process.pid}.html`);
+  fs.mkdirSync(out, { recursive: true });
+  execFileSync("npx", ["vite", "build", "--config", "vite.studio.config.js"], {
+    cwd: path.join(root, "web"),
+    env: { ...process.env, STUDIO_OUT: path.join(out, String(process.pid)) },
+    stdio: "pipe",
+  });
+  const built = path.join(out, String(process.pid), "studio.html");
+  fs.writeFileSync(file, fs.readFileSync(built, "utf8").replace("<!--wythe:worker-->", "/* answered by the test */"));
+  fs.rmSync(path.dirname(built), { recursive: true });
+  return file;
+}
+
+// In the page: workers that hand their questions to the test.
+function fakeWorkers() {
+  window.testWorkers = [];
+  window.Worker = class {
+    constructor() {
+      this.number = window.testWorkers.push(this) - 1;
+    }
+    postMessage(question) {
+      if ("wasm" in question) setTimeout(() => this.onmessage({ data: { ready: true, version: "test" } }));
+      else void window.testAsk(this.number, JSON.stringify(question));
+    }
+    terminate() {
+      this.onmessage = () => undefined;
+      void window.testAsk(this.number, "");
+    }
+  };
+}
+
+export async function openStudio(browser, file, options = {}) {
+  const context = await browser.newContext({
+    viewport: { width: options.width ?? 1440, height: options.height ?? 900 },
+    colorScheme: options.scheme ?? "light",
+    hasTouch: options.touch ?? false,
+    locale: options.locale ?? "en-GB",
+    acceptDownloads: true,
+  });
+  const page = await context.newPage();
+  page.faults = [];
+  page.on("console", (m) => m.type() === "error" && page.faults.push(`console: ${m.text()}`));
+  page.on("pageerror", (e) => page.faults.push(`error: ${e.message}`));
+  const address = pathToFileURL(file).href;
+  page.on("request", (r) => {
+    if (!/^(data|blob):/.test(r.url()) && r.url().split("#")[0] !== address) page.faults.push(`request: ${r.url()}`);
+  });
+  const children = new Map();
+  await page.exposeFunction("testAsk", (number, question) => {
+    if (question === "") {
+      children.get(number)?.kill("SIGKILL");
+      return void children.delete(number);
+    }
+    if (!children.has(number)) {
+      const child = spawn("python3", [path.join(root, "tests/web/engine.py"), library], { stdio: ["pipe", "pipe", "inherit"] });
+      createInterface({ input: child.stdout }).on("line", (line) => {
+        page
+          .evaluate(
+            ([k, text]) => {
+              const data = JSON.parse(text);
+              for (const table of Object.values(data.tables ?? {}))
+                for (const name of Object.keys(table)) table[name] = Float64Array.from(table[name]);
+              window.testWorkers[k].onmessage({ data });
+            },
+            [number, line],
+          )
+          .catch(() => undefined); // the page is gone
+      });
+      children.set(number, child);
+    }
+    children.get(number).stdin.write(`${question}\n`);
+  });
+  await page.addInitScript(fakeWorkers);
+  page.on("close", () => {
+    for (const child of children.values()) child.kill("SIGKILL");
+  });
+  page.end = () => context.close();
+  await page.goto(address + (options.hash ?? ""));
+  await page.waitForSelector("html[data-ready]");
+  if (!options.impatient) await stonesOf(page);
+  return page;
+}
+export const launch = launchBrowser;
+
+// Waits until the stones belong to the text as it is.
+export async function stonesOf(page) {
+  await page.waitForTimeout(120);
+  await page.waitForFunction(() => document.documentElement.dataset.checking === undefined, null, { timeout: 15000 });
+}
+export const textOf = (page) => page.locator(".file-text").inputValue();
+
+// Pixels of a point of the wall [m].
+export const pixelsOf = (page, x, y) =>
+  page.evaluate(
+    ([x, y]) => {
+      const frame = document.querySelector(".outline").getBoundingClientRect();
+      const [length, height] = [...document.querySelectorAll(".numbers .group")]
+        .flatMap((g) => [...g.querySelectorAll("input")])
+        .filter((i) => ["Length", "Height", "Lunghezza", "Altezza"].includes(i.closest("label")?.firstChild.textContent))
+        .slice(-2)
+        .map((i) => Number(i.value));
+      return [frame.left + (x / length) * frame.width, frame.bottom - (y / height) * frame.height];
+    },
+    [x, y],
+  );

@@ -1,0 +1,133 @@
+// The model file beside the drawing, faults at their places, and that nothing is lost: autosave, links, files.
+import assert from "node:assert/strict";
+import fs from "node:fs";
+import path from "node:path";
+import { after, before, test } from "node:test";
+import { folder } from "./helpers.mjs";
+import { launch, openStudio, stonesOf, studioPage, textOf } from "./studio.mjs";
+
+let browser, file, page;
+before(async () => {
+  file = studioPage();
+  browser = await launch();
+  page = await openStudio(browser, file);
+});
+after(async () => {
+  assert.deepEqual(page.faults, []);
+  await browser?.close();
+});
+const write = async (change) => {
+  await page.locator('[data-pane="file"].tab').click();
+  await page.locator(".file-text").fill(change(await textOf(page)));
+  await page.waitForTimeout(300);
+  await stonesOf(page);
+};
+const begin = async (name) => {
+  await page.locator(".starters").selectOption(name);
+  await stonesOf(page);
+};
+const outline = () => page.locator(".outline").evaluate((e) => e.getBoundingClientRect().width / e.getBoundingClientRect().height);
+
+test("what is written in the file is drawn, and undone as one step", async () => {
+  await begin("portal");
+  const before = await textOf(page);
+  await write((t) => t.replace('length = "3.50 m"', 'length = "5.84 m"'));
+  await page.keyboard.press("Escape");
+  await page.keyboard.press("f");
+  assert.ok(Math.abs((await outline()) - 2) < 0.01);
+  await page.keyboard.press("Control+z");
+  assert.equal(await textOf(page), before);
+});
+
+test("what the drawing does not know stays through all gestures", async () => {
+  await begin("portal");
+  await write((t) => t.replace("[masonry]", "[project]  # for the sheet\nauthor = 'me'\n\n[masonry]"));
+  await page.locator('[data-pane="numbers"].tab').click();
+  await page.getByLabel("Height", { exact: true }).fill("3.65");
+  await page.getByLabel("Height", { exact: true }).press("Enter");
+  assert.match(await textOf(page), /height = "3\.65 m"[^]*\[project\] {2}# for the sheet\nauthor = 'me'/);
+});
+
+test("faults stand at their lines and on the opening; the cure is a button", async () => {
+  await begin("facade");
+  await write((t) => t.replace('x = "7.00 m"', 'x = "9.40 m"'));
+  const list = page.locator(".faults");
+  assert.match(await list.innerText(), /One thing to mend[^]*Line 78[^]*outside the wall/);
+  assert.match(await page.locator('[data-opening="2"]').getAttribute("class"), /faulty/);
+  assert.equal(await page.locator(".lines .bad").innerText(), "78\n");
+  assert.equal(await page.locator(".primary").isDisabled(), true);
+  await list.locator(".fault").click();
+  const chosen = await page.locator(".file-text").evaluate((e) => e.value.slice(e.selectionStart, e.selectionEnd));
+  assert.equal(chosen, 'width = "1.10 m"');
+  await list.getByRole("button", { name: "Do that" }).click();
+  await stonesOf(page);
+  assert.match(await textOf(page), /x = "9\.15 m"\ny = "0\.90 m"\nwidth = "0\.15 m"/);
+});
+
+test("a broken text leaves the drawing as it was, and says which line", async () => {
+  await begin("portal");
+  await write((t) => t.replace('length = "3.50 m"', 'length = "3.50 m'));
+  assert.match(await page.locator(".faults").innerText(), /Line 15/);
+  assert.equal(await page.locator('.tool-button:has-text("Door")').isDisabled(), true);
+  assert.equal(await page.locator('[data-opening="0"]').count(), 1);
+});
+
+test("what cannot be drawn is told, and its text is open to change", async () => {
+  await begin("portal");
+  await write((t) => t.replace('width = "1.00 m"', 'width = "1.00 furlong"'));
+  assert.match(await page.locator(".reason").innerText(), /wall\.opening\.0\.width/);
+  assert.equal(await page.locator(".file-text").isEditable(), true);
+  await write((t) => t.replace("1.00 furlong", "1.25 m"));
+  assert.equal(await page.locator(".reason").isVisible(), false);
+});
+
+test("the wall is back after the page was closed", async () => {
+  await begin("pier");
+  await write((t) => t.replace('name = "brick pier"', 'name = "my pier"'));
+  await page.reload();
+  await page.waitForSelector("html[data-ready]");
+  assert.match(await textOf(page), /name = "my pier"/);
+  assert.match(await page.locator(".notice").innerText(), /Your wall is back/);
+});
+
+test("a link holds the wall", async () => {
+  await begin("arch");
+  await page.getByRole("button", { name: "Link" }).click();
+  await page.waitForFunction(() => location.hash.startsWith("#w="));
+  const other = await openStudio(browser, file, { hash: new URL(page.url()).hash });
+  assert.equal(await textOf(other), await textOf(page));
+  assert.deepEqual(other.faults, []);
+  await other.end();
+});
+
+test("a hostile link is refused in words, and no word of a file becomes markup", async () => {
+  for (const hash of ["#w=AAAA", "#w=%3Cscript%3E", `#w=${"A".repeat(5000)}`]) {
+    const other = await openStudio(browser, file, { hash });
+    assert.match(await other.locator(".notice").innerText(), /holds no wall/);
+    assert.deepEqual(other.faults, []);
+    await other.end();
+  }
+  await begin("portal");
+  const evil = `<img src=x onerror="document.title='owned'"><script>document.title='owned'</script>`;
+  await write((t) => t.replace('name = "door"', `name = ${JSON.stringify(evil)}\nx_${"y".repeat(9)} = 1`).replace('name = "brick wall with a door"', `name = ${JSON.stringify(evil)}`));
+  assert.equal(await page.locator("img").count(), 0);
+  assert.notEqual(await page.title(), "owned");
+  assert.ok((await page.locator(".faults").innerText()).includes("x_yyyyyyyyy"));
+});
+
+test("files: saved with every byte, opened, dropped, and refused where they are none", async () => {
+  await begin("ring");
+  const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Save" }).click()]);
+  const saved = fs.readFileSync(await download.path(), "utf8");
+  assert.equal(saved, await textOf(page));
+  assert.match(download.suggestedFilename(), /^[a-z0-9_]+\.toml$/);
+  fs.mkdirSync(folder("studio"), { recursive: true });
+  const copy = path.join(folder("studio"), `copy_${process.pid}.toml`);
+  fs.writeFileSync(copy, saved.replace(/^name = .*/m, 'name = "opened"'));
+  await page.locator('input[type="file"]').setInputFiles(copy);
+  await page.waitForFunction(() => document.querySelector(".file-text").value.includes('name = "opened"'));
+  fs.writeFileSync(copy, Buffer.from([0xff, 0xfe, 0x00, 0x80]));
+  await page.locator('input[type="file"]').setInputFiles(copy);
+  await page.waitForFunction(() => /is no text/.test(document.querySelector(".notice").textContent));
+  assert.match(await textOf(page), /name = "opened"/);
+});

@@ -1,0 +1,138 @@
+// The studio for everybody: no fault of axe and no page wider than its screen, light and dark, desktop, tablet and
+// phone, English and Italian; its worker's protocol; and a page without an engine.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import fs from "node:fs";
+import path from "node:path";
+import { pathToFileURL } from "node:url";
+import { after, before, test } from "node:test";
+import { axe, folder, root, run, shots, viewerModule, wantsPictures } from "./helpers.mjs";
+import { launch, openStudio, stonesOf, studioPage } from "./studio.mjs";
+
+let browser, file;
+before(async () => {
+  file = studioPage();
+  browser = await launch();
+});
+after(() => browser?.close());
+
+async function violations(page) {
+  await page.evaluate(axe);
+  return page.evaluate(async () => {
+    const { violations } = await window.axe.run(document, { resultTypes: ["violations"] });
+    return violations.map((v) => `${v.id}: ${v.nodes.map((n) => `${n.target.join(" ")} ${n.failureSummary}`).join("; ")}`);
+  });
+}
+const picture = async (page, name) => {
+  if (!wantsPictures) return;
+  fs.mkdirSync(shots, { recursive: true });
+  await page.screenshot({ path: path.join(shots, `${name}.png`) });
+};
+
+for (const [width, height] of [[1440, 900], [820, 1180], [390, 844]])
+  for (const scheme of ["light", "dark"])
+    test(`${width} px, ${scheme}`, async () => {
+      const page = await openStudio(browser, file, { width, height, scheme, touch: width < 1000, locale: scheme === "dark" ? "it-IT" : "en-GB" });
+      await page.locator('[data-opening="0"]').click();
+      assert.deepEqual(await violations(page), []);
+      assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth), "wider than the screen");
+      await picture(page, `studio_${width}_${scheme}`);
+      await page.locator('[data-pane="file"].tab').click();
+      await page.locator(".file-text").fill("[wall]\nlength = 3\n");
+      await page.waitForTimeout(300);
+      await stonesOf(page);
+      assert.deepEqual(await violations(page), []);
+      await picture(page, `studio_fault_${width}_${scheme}`);
+      await page.locator(".canvas").focus();
+      await page.keyboard.press("Control+k");
+      assert.deepEqual(await violations(page), []);
+      assert.deepEqual(page.faults, []);
+      await page.end();
+    });
+
+test("Italian has no English word left of the page's own", async () => {
+  const page = await openStudio(browser, file, { locale: "it-IT" });
+  assert.equal(await page.getAttribute("html", "lang"), "it");
+  const words = await page.locator("body").innerText();
+  for (const word of ["Push", "Length", "Height", "Thickness", "Wall", "Load", "File saved", "blocks", "Select"])
+    assert.ok(!new RegExp(`\\b${word}\\b`).test(words), word);
+  assert.ok(words.includes("Spingi"));
+  await page.end();
+});
+
+test("a finger draws a door", async () => {
+  const page = await openStudio(browser, file, { width: 820, height: 1180, touch: true });
+  await page.locator(".starters").selectOption("empty");
+  await stonesOf(page);
+  await page.locator('.tool-button:has-text("Door")').tap();
+  const frame = await page.locator(".outline").boundingBox();
+  const at = (x, y) => ({ x: frame.x + (x / 4) * frame.width, y: frame.y + frame.height - (y / 2.92) * frame.height });
+  const session = await page.context().newCDPSession(page);
+  const touch = (type, point) => session.send("Input.dispatchTouchEvent", { type, touchPoints: point ? [point] : [] });
+  await touch("touchStart", at(1, 0.5));
+  for (let k = 1; k <= 5; ++k) await touch("touchMove", at(1 + 0.2 * k, 0.5 + 0.3 * k));
+  await touch("touchEnd");
+  assert.match(await page.locator(".file-text").inputValue(), /name = "door 1"\nx = "1\.00 m"\ny = "0\.00 m"\nwidth = "1\.00 m"/);
+  assert.deepEqual(page.faults, []);
+  await page.end();
+});
+
+test("every material of the library can be chosen", async () => {
+  const { kMaterials } = await viewerModule("studio/materials");
+  const listed = run("materials").split("\n\n")[0].split("\n").slice(1).map((l) => l.trim().split(/\s+/)[0]);
+  assert.deepEqual([...kMaterials].sort(), listed.sort());
+  const { texts } = JSON.parse(fs.readFileSync(path.join(root, "src/report/assets/texts.json"), "utf8"));
+  for (const name of kMaterials) assert.ok(`studio.material.${name}` in texts, name);
+});
+
+test("a real worker: made from the page's text, given its code, asked, and ended", async () => {
+  const worker = `onmessage = ({ data }) => {
+    if ("wasm" in data) return postMessage({ ready: true, version: new TextDecoder().decode(data.wasm) });
+    if (data.task === "check") {
+      const text = { blocks: 7, weight_kN: 1, expected_seconds: 2, length_m: 3.5, notes: [] };
+      const svg = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 20 20"><script>document.title="owned"</' + 'script><style>*{display:none}</style>' +
+        '<path class="rest" d="M1.0 9.0L1.0 1.0L8.0 1.0L8.0 9.0"/><path class="stone0" onclick="x()" style="fill:red" d="M1 9L2 9L2 8Z"/><image href="http://evil.example/x"/></svg>';
+      return postMessage({ id: data.id, code: 0, texts: { check: JSON.stringify(text), svg }, tables: {} });
+    }
+    postMessage({ id: data.id, progress: { what: "push", share: 0.5, displacement_mm: 1, reaction_kN: 2 } });
+  };`;
+  const code = execFileSync("node", ["-e", "process.stdout.write(require('zlib').deflateRawSync('code').toString('base64'))"]).toString();
+  const own = path.join(folder("studio"), `worker_${process.pid}.html`);
+  const html = fs.readFileSync(file, "utf8").replace("/* answered by the test */", () => worker.replace(/<\//g, "<\\/")).replace("<!--wythe:wasm-->", code);
+  fs.writeFileSync(own, html);
+  const page = await browser.newPage();
+  const wrong = [];
+  page.on("pageerror", (e) => wrong.push(e.message));
+  page.on("console", (m) => m.type() === "error" && wrong.push(m.text()));
+  page.on("request", (r) => /^https?:/.test(r.url()) && wrong.push(r.url()));
+  await page.goto(pathToFileURL(own).href);
+  await page.waitForFunction(() => /^7 blocks/.test(document.querySelector(".status")?.textContent ?? ""));
+  assert.equal(await page.locator(".stones .stone0").count(), 1);
+  assert.equal(await page.locator(".stones .stone0").getAttribute("style"), null);
+  assert.equal(await page.locator(".stones .stone0").getAttribute("onclick"), null);
+  assert.equal(await page.locator(".stones script, .stones style, .stones image").count(), 0);
+  await page.locator(".canvas").focus();
+  await page.keyboard.press("p");
+  await page.waitForFunction(() => /2\skN/.test(document.querySelector(".result-words").textContent));
+  await page.keyboard.press("p");
+  await page.waitForFunction(() => /Stopped/.test(document.querySelector(".result-words").textContent));
+  assert.deepEqual(wrong, []);
+  await page.close();
+});
+
+test("a page without an engine draws and says so", async () => {
+  const bare = path.join(folder("studio"), `bare_${process.pid}.html`);
+  fs.writeFileSync(bare, fs.readFileSync(file, "utf8").replace("/* answered by the test */", "<!--wythe:worker-->"));
+  const page = await browser.newPage();
+  await page.goto(pathToFileURL(bare).href);
+  await page.waitForFunction(() => /holds no engine/.test(document.querySelector(".status")?.textContent ?? ""));
+  assert.equal(await page.locator('[data-opening="0"]').count(), 1);
+  await page.close();
+});
+
+test("the page is small and asks for nothing", () => {
+  const page = fs.readFileSync(file, "utf8");
+  assert.ok(Buffer.byteLength(page) < 250e3, `${Buffer.byteLength(page)} bytes`);
+  for (const door of [/<script[^>]+src=/, /<link[^>]+href="(?!data:)/, /@import/, /url\((?!#|"?data:)/]) assert.doesNotMatch(page, door);
+  assert.match(page, /default-src 'none'/);
+});

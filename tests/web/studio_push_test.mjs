@@ -1,0 +1,134 @@
+// A push in the studio: its curve while it runs, stop, cracks state by state, the report; numbers of the program.
+import assert from "node:assert/strict";
+import fs from "node:fs";
+import path from "node:path";
+import { after, before, test } from "node:test";
+import { folder, run } from "./helpers.mjs";
+import { launch, openStudio, stonesOf, studioPage, textOf } from "./studio.mjs";
+
+// A wall of large stones: pushed in a second.
+const kWall = `name = "wall of large stones"
+
+[wall]
+length = "2.4 m"
+height = "1.6 m"
+thickness = "0.4 m"
+
+[wall.unit]
+length = "400 mm"
+height = "200 mm"
+split = "none"
+density = "1800 kg/m^3"
+
+[masonry]
+use = "clay_brick_old"
+vertical_stress = "0.1 MPa"
+shear_modulus = "rule"
+unit_youngs_modulus = "rule"
+
+[material.joint]
+missing = "rule"
+
+[material.unit]
+missing = "rule"
+
+[[stage]]
+name = "gravity"
+
+[[stage]]
+name = "floor"
+pressure = "0.1 MPa"
+
+[[stage]]
+name = "push"
+at = { x = "0 m", y = "1.5 m" }
+velocity = "1 mm/s"
+until = "4 mm"
+`;
+
+let browser, file, page;
+before(async () => {
+  file = studioPage();
+  browser = await launch();
+  page = await openStudio(browser, file, { impatient: true });
+  await page.locator(".file-text").evaluate((area, text) => {
+    area.value = text;
+    area.dispatchEvent(new Event("blur"));
+  }, kWall);
+  await stonesOf(page);
+});
+after(async () => {
+  assert.deepEqual(page.faults, []);
+  await browser?.close();
+});
+const ended = () => page.waitForFunction(() => !document.querySelector(".primary.running"), null, { timeout: 25000 });
+
+test("P pushes; the answer is the program's own", async () => {
+  await page.locator(".canvas").focus();
+  await page.keyboard.press("p");
+  await page.waitForSelector(".primary.running");
+  await ended();
+  fs.mkdirSync(folder("studio"), { recursive: true });
+  const model = path.join(folder("studio"), `push_${process.pid}.toml`);
+  fs.writeFileSync(model, kWall);
+  run("run", model, "--out", `${model}.out`);
+  const summary = JSON.parse(fs.readFileSync(path.join(`${model}.out`, "summary.json"), "utf8"));
+  const words = await page.locator(".result-words").innerText();
+  assert.ok(words.includes(`${Number(summary.peak_reaction_kN.toPrecision(3))}\u202fkN`), words);
+  assert.ok(words.includes(summary.failure_mode.name), words);
+  assert.equal(await page.locator(".curve .force").count(), 1);
+  assert.equal(await page.locator(".curve .peak").count(), 1);
+});
+
+test("the slider shows the wall at each state; arrows go along; Escape goes back", async () => {
+  const slider = page.getByLabel("State of the push");
+  assert.ok(Number(await slider.getAttribute("max")) >= 15);
+  const d = () => page.locator(".stones .stone0").getAttribute("d");
+  await page.waitForSelector(".canvas.cracked");
+  const end = await d();
+  assert.ok((await page.locator(".stones .crack").count()) > 0);
+  await slider.focus();
+  await page.keyboard.press("Home");
+  assert.notEqual(await d(), end);
+  assert.equal(await page.locator(".stones .crack").count(), 0);
+  await page.locator(".canvas").focus();
+  await page.keyboard.press("ArrowRight");
+  assert.match(await slider.getAttribute("aria-valuetext"), /^0\.25 mm/);
+  await page.keyboard.press("Escape");
+  assert.equal(await page.locator(".canvas.cracked").count(), 0);
+});
+
+test("the report opens from the page, with the same sentence", async () => {
+  const [popup] = await Promise.all([page.context().waitForEvent("page"), page.getByRole("button", { name: "Open the report" }).click()]);
+  await popup.waitForSelector("html[data-ready]", { timeout: 15000 });
+  const answer = (await popup.locator("#headline .answer").innerText()).replace(/\s+/g, " ");
+  assert.equal((await page.locator(".result-words .answer").innerText()).replace(/\s+/g, " "), answer);
+  await popup.close();
+});
+
+test("an edit marks the result as that of the wall before", async () => {
+  await page.getByLabel("Thickness").fill("0.5");
+  await page.getByLabel("Thickness").press("Enter");
+  assert.equal(await page.locator(".push.stale").count(), 1);
+  await page.locator(".canvas").focus();
+  await page.keyboard.press("Control+z");
+  assert.equal(await page.locator(".push.stale").count(), 0);
+  assert.equal(await textOf(page), kWall);
+});
+
+test("a push is stopped at once, and the next one runs", async () => {
+  await page.getByLabel("As far as").fill("400 mm");
+  await page.getByLabel("As far as").press("Enter");
+  await stonesOf(page);
+  await page.getByRole("button", { name: "Push", exact: true }).click();
+  await page.waitForFunction(() => /kN/.test(document.querySelector(".result-words .live")?.textContent ?? ""), null, { timeout: 15000 });
+  await page.getByRole("button", { name: "Stop", exact: true }).click();
+  assert.match(await page.locator(".result-words").innerText(), /Stopped/);
+  await page.locator(".canvas").focus();
+  await page.keyboard.press("Control+z");
+  await stonesOf(page);
+  await page.keyboard.press("p");
+  await page.waitForSelector(".primary.running");
+  await ended();
+  assert.match(await page.locator(".result-words").innerText(), /kN/);
+});

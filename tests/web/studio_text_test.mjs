@@ -1,0 +1,189 @@
+// The studio's edits of a model file: one value changes and every other byte stays; what cannot be drawn is told.
+import assert from "node:assert/strict";
+import fs from "node:fs";
+import path from "node:path";
+import { before, test } from "node:test";
+import { root, viewerModule } from "./helpers.mjs";
+
+let toml, drawing, units, faults, packed;
+const example = (name, file = "model.toml") => fs.readFileSync(path.join(root, "examples", name, file), "utf8");
+const lines = (text) => text.split("\n");
+// Lines that differ, as [before, after].
+const changes = (a, b) => lines(a).map((l, k) => [l, lines(b)[k]]).filter(([x, y]) => x !== y);
+
+before(async () => {
+  toml = await viewerModule("studio/toml");
+  drawing = await viewerModule("studio/drawing");
+  units = await viewerModule("studio/units");
+  faults = await viewerModule("studio/faults");
+  packed = await viewerModule("studio/packed");
+});
+
+test("every example is read, and reading changes nothing", () => {
+  let read = 0;
+  const folders = fs.readdirSync(path.join(root, "examples"), { withFileTypes: true }).filter((e) => e.isDirectory());
+  for (const { name: dir } of folders)
+    for (const file of fs.readdirSync(path.join(root, "examples", dir)).filter((f) => f.endsWith(".toml"))) {
+      const doc = toml.parse(example(dir, file));
+      assert.ok(doc.root.keys.size > 0, `${dir}/${file}`);
+      ++read;
+    }
+  assert.ok(read > 15);
+});
+
+test("a value changes in place, and its comment keeps its column", () => {
+  const text = example("tuff_wall");
+  const longer = toml.setValue(text, ["wall", "opening", 0, "lintel", "zone_length"], '"155.25 mm"');
+  assert.deepEqual(changes(text, longer), [['zone_length = "155 mm"', 'zone_length = "155.25 mm"']]);
+  const [[, line]] = changes(text, toml.setValue(text, ["stage", 2, "damping"], "0.25"));
+  assert.equal(line.indexOf("#"), lines(text).find((l) => l.startsWith("damping")).indexOf("#"));
+});
+
+test("a key that is missing comes after its sisters, a table where it belongs", () => {
+  const text = example("brick_portal");
+  const bond = toml.setValue(text, ["wall", "joint"], '"old"');
+  assert.equal(lines(bond)[lines(bond).findIndex((l) => l.startsWith("fit ")) + 1], 'joint = "old"');
+  const deep = toml.setValue(text, ["wall", "opening", 0, "sill", "kind"], '"stone"');
+  assert.equal(toml.valueAt(toml.parse(deep), ["wall", "opening", 0, "sill", "kind"]), "stone");
+  assert.ok(deep.indexOf("[wall.opening.sill]") < deep.indexOf("[masonry]"));
+  const top = toml.setValue("# a remark\n\n[wall]\n", ["name"], '"n"');
+  assert.equal(toml.valueAt(toml.parse(top), ["name"]), "n");
+  assert.ok(top.startsWith("# a remark\n"));
+});
+
+test("inline tables and lists in a line are edited where they stand", () => {
+  const text = '[wall]\nopening = [ { x = "1 m", y = "0 m" }, { x = "3 m" } ] # two\n';
+  assert.equal(toml.setValue(text, ["wall", "opening", 1, "x"], '"4 m"'), text.replace("3 m", "4 m"));
+  assert.equal(toml.setValue(text, ["wall", "opening", 1, "y"], '"1 m"'), text.replace('{ x = "3 m" }', '{ x = "3 m", y = "1 m" }'));
+  assert.equal(toml.removeAt(text, ["wall", "opening", 0]), '[wall]\nopening = [ { x = "3 m" } ] # two\n');
+  assert.equal(toml.countAt(toml.parse(toml.appendTable(text, ["wall", "opening"], [["x", '"5 m"']])), ["wall", "opening"]), 3);
+  assert.equal(toml.removeAt('a = { b = 1, c = 2 }\n', ["a", "c"]), "a = { b = 1 }\n");
+  assert.equal(toml.setValue("a.b = 1\n", ["a", "c"], "2"), "a.b = 1\na.c = 2\n");
+});
+
+test("an opening is added and removed with its lintel, and all else is as it was", () => {
+  for (const name of ["brick_portal", "brick_facade", "tuff_wall", "arch"]) {
+    const text = example(name);
+    const d = drawing.readDrawing(toml.parse(text));
+    const more = drawing.addOpening(text, d, { x: 0.25, y: 0, width: 0.5, height: 1.2 }, "hatch");
+    const now = drawing.readDrawing(toml.parse(more));
+    assert.equal(now.openings.length, d.openings.length + 1, name);
+    const { x, y, width, height, lintel } = now.openings.at(-1);
+    assert.deepEqual({ x, y, width, height, lintel }, { x: 0.25, y: 0, width: 0.5, height: 1.2, lintel: true });
+    const back = drawing.removeOpening(more, d.openings.length);
+    assert.deepEqual(drawing.readDrawing(toml.parse(back)), d);
+    for (const line of lines(text)) assert.ok(back.includes(line), `${name} lost ${line}`);
+    if (find(text, "timber_face")) assert.equal(back, text, name);
+  }
+  function find(text, word) {
+    return text.includes(`[material.${word}]`) && text.includes("[material.timber]");
+  }
+});
+
+test("sizes keep their units and decimals, and the push goes along with the wall", () => {
+  const text = example("tuff_wall");
+  const d = drawing.readDrawing(toml.parse(text));
+  const wider = drawing.setWallSize(text, d, 6.2, d.height + 0.5);
+  assert.deepEqual(changes(text, wider), [
+    ['length = "5.10 m"', 'length = "6.20 m"'],
+    ['height = "3.62 m"', 'height = "4.12 m"'],
+    ['at = { x = "0 m", y = "3.12 m", courses = 3 }', 'at = { x = "0 m", y = "3.62 m", courses = 3 }'],
+  ]);
+  assert.equal(drawing.setWallSize(text, d, d.length, d.height), text);
+  const other = drawing.setDirection(text, d, "-x");
+  assert.match(other, /at = \{ x = "5\.1 m", y = "3\.12 m", courses = 3 \}\ndirection = "-x"/);
+  const back = drawing.setDirection(other, d, "+x");
+  assert.deepEqual(drawing.pushOf(toml.parse(back)), drawing.pushOf(toml.parse(text)));
+});
+
+test("storeys: openings stand on their floor, the last storey takes the height", () => {
+  const text = example("brick_facade");
+  const d = drawing.readDrawing(toml.parse(text));
+  assert.equal(d.openings[3].y, 3.4 + 0.8);
+  assert.ok(Math.abs(d.course - 0.085) < 1e-9 && Math.abs(d.half - 0.15) < 1e-9);
+  const more = drawing.addOpening(text, d, { x: 8.8, y: 4.25, width: 0.5, height: 1 }, "window");
+  assert.match(more, /name = "window 7"\nstorey = "first floor"\nx = "8\.80 m"\ny = "0\.85 m"/);
+  const higher = drawing.setWallSize(text, d, d.length, d.height + 0.17);
+  assert.deepEqual(changes(text, higher), [['height = "2.975 m"                 # 35 courses', 'height = "3.145 m"                 # 35 courses']]);
+});
+
+test("what cannot be drawn is refused with the place", () => {
+  const refused = (text) => drawing.readDrawing(toml.parse(text));
+  assert.deepEqual(refused('[[plan_wall]]\nname = "a"\n'), { why: "space", path: ["plan_wall"] });
+  assert.deepEqual(refused('[wall]\nblocks = "s.json"\n'), { why: "blocks", path: ["wall", "blocks"] });
+  assert.deepEqual(refused("[wall]\nlength = 3\n"), { why: "number", path: ["wall", "length"] });
+  const far = '[wall]\nlength = "3 m"\nheight = "2 m"\n[[wall.opening]]\nx = "1 parsec"\n';
+  assert.deepEqual(refused(far), { why: "number", path: ["wall", "opening", 0, "x"] });
+});
+
+test("broken texts give the line", () => {
+  for (const [text, line] of [["a = 1\nb = \n", 2], ["[a\n", 1], ['a = "x\n', 1], ["a = 1\na = 2\n", 2], ["a = 1\n[b]\nc = [1, 2\n", 4], ["x\n", 1], ["[a]\n[a]\n", 2], [`a = ${"[".repeat(50)}`, 1], ["a = x y\n", 1]])
+    assert.throws(() => toml.parse(text), (e) => e.line === line, JSON.stringify(text));
+});
+
+test("random edits leave a text that reads back what was set", () => {
+  let seed = 7;
+  const random = (n) => (seed = (seed * 1103515245 + 12345) % 2147483648) % n;
+  for (const name of ["brick_facade", "tuff_wall", "palazzina", "ring_beam"]) {
+    let text = example(name);
+    for (let k = 0; k < 200; ++k) {
+      const doc = toml.parse(text);
+      const d = drawing.readDrawing(doc);
+      const box = { x: random(40) / 10, y: d.storeys[0] ? random(10) / 10 : random(10) / 10, width: (1 + random(20)) / 10, height: (1 + random(9)) / 10 };
+      const which = d.openings.length > 0 ? random(d.openings.length) : -1;
+      if (which < 0 || random(3) === 0) {
+        text = drawing.addOpening(text, d, box, "o", random(2) === 0);
+        const made = drawing.readDrawing(toml.parse(text)).openings.at(-1);
+        for (const key of ["x", "y", "width", "height"]) assert.ok(Math.abs(made[key] - box[key]) < 1e-4);
+      } else if (random(3) === 0) {
+        const left = d.openings.filter((_, i) => i !== which).map((o) => o.name);
+        text = drawing.removeOpening(text, which);
+        assert.deepEqual(drawing.readDrawing(toml.parse(text)).openings.map((o) => o.name), left);
+      } else {
+        const o = d.openings[which];
+        box.y += o.foot;
+        text = drawing.setOpening(text, which, box, o.foot);
+        const moved = drawing.readDrawing(toml.parse(text)).openings[which];
+        for (const key of ["x", "y", "width", "height"]) assert.ok(Math.abs(moved[key] - box[key]) < 1e-4, `${moved[key]} ${box[key]}`);
+      }
+    }
+    for (const line of lines(example(name)).filter((l) => l.startsWith("#"))) assert.ok(text.includes(line), line);
+  }
+});
+
+test("lengths as people type them", () => {
+  const close = (a, b) => assert.ok(Math.abs(a - b) < 1e-12, `${a} ${b}`);
+  close(units.typedLength("1,25"), 1.25);
+  close(units.typedLength(" 80 cm"), 0.8);
+  close(units.typedLength("310mm"), 0.31);
+  for (const bad of ["", "x", "1.2.3", "1 kg", "1e999"]) assert.equal(units.typedLength(bad), null, bad);
+  assert.equal(units.typedQuantity("70", "60 kN"), "70 kN");
+  assert.equal(units.typedQuantity("0,3", "0.2 MPa"), "0.3 MPa");
+  assert.equal(units.typedQuantity("3 m", "60 kN"), null);
+  assert.equal(units.writeQuantity(0.1 + 0.2, "m", "0.00"), "0.30 m");
+  assert.equal(units.writeQuantity(0.146, "mm"), "146 mm");
+});
+
+test("a cure that is a value can be done; an example cannot", () => {
+  const doc = toml.parse(example("brick_facade"));
+  const fault = (path, cure) => ({ line: 1, path, value: "", problem: "", cure });
+  assert.deepEqual(faults.editsOf(fault("wall.bond", 'did you mean "running"?'), doc), [[["wall", "bond"], '"running"']]);
+  const both = 'write x = "9.15 m" and width = "0.15 m", on the joint lines every 150 mm';
+  assert.deepEqual(faults.editsOf(fault("wall.opening.2.width", both), doc), [
+    [["wall", "opening", 2, "x"], '"9.15 m"'],
+    [["wall", "opening", 2, "width"], '"0.15 m"'],
+  ]);
+  assert.equal(faults.editsOf(fault("wall.opening.2.x", 'write it with its unit, e.g. x = "1.70 m"'), doc), null);
+  assert.equal(faults.editsOf(fault("stage", 'write [[stage]] and under it name = "gravity"'), doc), null);
+});
+
+test("a link gives the text back, and refuses what is none", async () => {
+  const text = example("brick_facade") + "# è così ✓\n";
+  const link = await packed.toLink(text);
+  assert.match(link, /^[A-Za-z0-9_-]+$/);
+  assert.ok(link.length < 4000, `${link.length}`);
+  assert.equal(await packed.fromLink(link), text);
+  await assert.rejects(packed.fromLink("%%%"));
+  await assert.rejects(packed.fromLink("AAAA"));
+  await assert.rejects(packed.fromLink(await packed.toLink("a".repeat(3 << 20))), /too long/);
+});

@@ -1,0 +1,126 @@
+// The engine behind the page: tasks of the C interface (docs/reference/c_interface.md), answered by a worker that
+// the page makes from its own text. One worker answers one question at a time; to stop it is to end it.
+import { unpacked } from "./packed";
+
+export interface Question {
+  task: "run" | "check" | "limit" | "keys";
+  texts: Record<string, string | string[]>;
+  numbers?: Record<string, number>;
+  want?: string[]; // names of the texts that are wanted
+  tables?: string[]; // and of the tables
+}
+export interface Progress {
+  what: string;
+  share: number;
+  displacement_mm: number;
+  reaction_kN: number;
+}
+export interface Answer {
+  code: number; // 0 done, 2 an input is not admissible, 3 stopped, others: texts.error
+  texts: Record<string, string>;
+  tables: Record<string, Record<string, Float64Array>>;
+}
+export interface Engine {
+  ask(question: Question, progress?: (p: Progress) => void): Promise<Answer>;
+  stop(): void; // the question under way is answered with code 3
+}
+export const kStopped = 3;
+
+interface Message extends Partial<Answer> {
+  ready?: boolean;
+  id?: number;
+  progress?: Progress;
+}
+
+export class WorkerEngine implements Engine {
+  private worker: Promise<Worker> | null = null;
+  private count = 0;
+  private waiting: { id: number; done: (a: Answer) => void; progress?: (p: Progress) => void } | null = null;
+
+  async ask(question: Question, progress?: (p: Progress) => void): Promise<Answer> {
+    this.stop();
+    const id = ++this.count;
+    const answer = new Promise<Answer>((done) => (this.waiting = { id, done, progress }));
+    try {
+      const worker = await (this.worker ??= started((m) => this.hear(m), (why) => this.end(6, why)));
+      if (this.waiting?.id === id) worker.postMessage({ id, ...question });
+    } catch (error) {
+      if (this.waiting?.id === id) this.end(6, error instanceof Error ? error.message : String(error));
+    }
+    return answer;
+  }
+  stop(): void {
+    if (this.waiting) this.end(kStopped, "");
+  }
+  // Ends the question under way with the worker that was at it.
+  private end(code: number, error: string): void {
+    this.worker?.then((w) => w.terminate(), () => undefined);
+    this.worker = null;
+    const waiting = this.waiting;
+    this.waiting = null;
+    waiting?.done({ code, texts: { error }, tables: {} });
+  }
+  private hear(m: Message): void {
+    const waiting = this.waiting;
+    if (!waiting || m.id !== waiting.id) return;
+    if (m.progress) return waiting.progress?.(m.progress);
+    this.waiting = null;
+    waiting.done({ code: m.code ?? 6, texts: m.texts ?? {}, tables: m.tables ?? {} });
+  }
+}
+
+// Asks for the newest of many questions: one that is overtaken while the engine is busy is never asked.
+export class Latest {
+  private busy = false;
+  private next: (() => void) | null = null;
+  constructor(private readonly engine: Engine) {}
+  ask(question: Question, done: (a: Answer) => void): void {
+    const go = async (): Promise<void> => {
+      this.busy = true;
+      const answer = await this.engine.ask(question);
+      this.busy = false;
+      const next = this.next;
+      this.next = null;
+      if (next) next();
+      else done(answer);
+    };
+    if (this.busy) this.next = go;
+    else void go();
+  }
+}
+
+// --- the worker of the page --------------------------------------------------------------------------
+
+// Two elements of the page hold the engine: its script, and its code packed (packed.ts).
+let module: Promise<[string, ArrayBuffer]> | null = null;
+function engineOfPage(): Promise<[string, ArrayBuffer]> {
+  return (module ??= (async () => {
+    const script = document.getElementById("wythe-worker")?.textContent ?? "";
+    if (script.trim() === "" || script.includes("<!--")) throw new Error("this file holds no engine");
+    return [script, await unpacked(document.getElementById("wythe-wasm")?.textContent ?? "")];
+  })());
+}
+export const hasEngine = (): boolean => {
+  const script = document.getElementById("wythe-worker")?.textContent?.trim() ?? "";
+  return script !== "" && !script.includes("<!--");
+};
+
+async function started(hear: (m: Message) => void, failed: (why: string) => void): Promise<Worker> {
+  const [script, wasm] = await engineOfPage();
+  const url = URL.createObjectURL(new Blob([script], { type: "text/javascript" }));
+  const worker = new Worker(url);
+  return new Promise((done, refuse) => {
+    worker.onmessage = ({ data }: MessageEvent<Message>) => {
+      if (data.ready) {
+        URL.revokeObjectURL(url);
+        done(worker);
+      } else hear(data);
+    };
+    worker.onerror = (e) => {
+      e.preventDefault();
+      refuse(new Error(e.message));
+      failed(e.message || "the engine ended");
+    };
+    worker.postMessage({ wasm });
+  });
+}

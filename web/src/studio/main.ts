@@ -1,0 +1,379 @@
+// The studio: draw a wall, see its stones, push it, watch it crack. Puts the parts together.
+import "./studio.css";
+import { h, svg } from "../dom";
+import { qty, say, speak } from "../texts";
+import { Canvas } from "./canvas";
+import { Commands, type Command } from "./commands";
+import { pushOf, removeOpening, setDirection } from "./drawing";
+import { hasEngine, Latest, WorkerEngine } from "./engine";
+import { FaultList, openingOf } from "./faults";
+import { FilePane } from "./file";
+import { Panel } from "./panel";
+import { readPicture, type Picture } from "./picture";
+import { Project, type Fault } from "./project";
+import { faultsOf, Push } from "./push";
+import { kStarters, starter } from "./starters";
+import * as store from "./store";
+import { kTools, Tools, type Tool } from "./tools";
+import { lineOf, valueAt } from "./toml";
+import { whole } from "./words";
+
+const kPause = 60; // after an edit, before the engine is asked for its stones [ms]
+const kLanguages = [["en", "English"], ["it", "Italiano"]];
+
+const remembered = (key: string): string | null => {
+  try {
+    return localStorage.getItem(`wythe.studio.${key}`);
+  } catch {
+    return null;
+  }
+};
+const remember = (key: string, value: string): void => {
+  try {
+    localStorage.setItem(`wythe.studio.${key}`, value);
+  } catch {
+    // the choice holds as long as the page
+  }
+};
+
+let language = remembered("language") ?? (navigator.language.startsWith("it") ? "it" : "en");
+speak(language);
+document.documentElement.lang = language;
+document.title = say("studio.title");
+const kThemes = ["auto", "light", "dark"];
+const prefersDark = matchMedia("(prefers-color-scheme: dark)");
+let theme = Math.max(0, kThemes.indexOf(remembered("theme") ?? "auto"));
+function showTheme(): void {
+  document.documentElement.dataset.theme = theme > 0 ? kThemes[theme] : prefersDark.matches ? "dark" : "light";
+}
+prefersDark.addEventListener("change", showTheme);
+showTheme();
+
+const project = new Project();
+const canvas = new Canvas();
+const checker = new Latest(new WorkerEngine());
+let faults: Fault[] = [];
+let stones: Picture | null = null; // of the newest text that the engine took
+let fitNext = true;
+
+// --- parts ----------------------------------------------------------------------------------------------
+
+const tools = new Tools(canvas, project, () => refreshBar());
+const file = new FilePane(project);
+const panel = new Panel(project, () => canvas.draw());
+const list = new FaultList(project, (fault) => {
+  showPane("file");
+  file.show(fault.line, true);
+  if (openingOf(fault) >= 0) project.select(openingOf(fault));
+});
+const push = new Push(project, new WorkerEngine(), () => language, (picture) => showCracks(picture), (found) => showFaults(found), () => refreshBar());
+const status = h("p", { class: "status", role: "status", "aria-live": "polite" });
+const notes = h("details", { class: "notes", hidden: true });
+const notice = h("div", { class: "notice", role: "status", hidden: true });
+const reason = h("p", { class: "reason", role: "status", hidden: true });
+
+const toolButtons = new Map<Tool, HTMLButtonElement>();
+const toolIcons: Record<Tool, string> = {
+  select: "M5 2V16L9 12.5L11.5 18L14 17L11.5 11.5H17Z",
+  wall: "M2 3H20V17H2ZM2 7.7H20M2 12.3H20M8 3V7.7M14 7.7V12.3M8 12.3V17",
+  door: "M2 17H20M6 17V3H16V17M13 10.5V11",
+  window: "M3 4H19V16H3ZM11 4V16M3 10H19",
+};
+for (const tool of kTools)
+  toolButtons.set(tool, h("button", { class: "tool-button", type: "button", "aria-pressed": "false", title: say(`studio.do.${tool}`), onclick: () => tools.choose(tool) }, h("span", { "aria-hidden": "true", class: "icon" }, svg("svg", { viewBox: "0 0 22 20" }, svg("path", { d: toolIcons[tool] }))), h("span", { class: "tool-name" }, say(`studio.tool.${tool}`))));
+
+const button = (name: string, does: () => void, css = "button"): HTMLButtonElement => h("button", { class: css, type: "button", title: say(`studio.do.${name}`), onclick: does }, say(`studio.button.${name}`));
+const themeName = (): string => `${say("theme")}: ${say(`theme.${kThemes[theme]}`)}`;
+const themes = h("button", { class: "button", type: "button", title: say("studio.do.theme"), onclick: nextTheme }, themeName());
+const undo = h("button", { class: "button icon-only", type: "button", title: say("studio.do.undo"), "aria-label": say("studio.do.undo"), onclick: () => project.undo() }, "↶");
+const redo = h("button", { class: "button icon-only", type: "button", title: say("studio.do.redo"), "aria-label": say("studio.do.redo"), onclick: () => project.redo() }, "↷");
+const go = h("button", { class: "button primary", type: "button", onclick: () => togglePush() });
+const snapButtons = (["masonry", "objects"] as const).map((key) =>
+  h("button", { class: "chip-button", type: "button", "aria-pressed": "true", "data-snap": key, onclick: () => toggleSnap(key) }, say(`studio.snap.${key}`)),
+);
+const starters = h("select", { class: "starters", "aria-label": say("studio.begin") }, h("option", { value: "" }, say("studio.begin")), ...kStarters.map(([name]) => h("option", { value: name }, say(`studio.starter.${name}`))));
+starters.addEventListener("change", () => {
+  if (starters.value !== "") begin(starter(starters.value));
+  starters.value = "";
+});
+const languages = h("select", { class: "language", "aria-label": say("studio.language") }, ...kLanguages.map(([code, name]) => h("option", { value: code, selected: code === language }, name)));
+languages.addEventListener("change", () => {
+  remember("language", languages.value);
+  location.reload(); // the wall is kept
+});
+const input = h("input", { type: "file", accept: ".toml,text/plain", hidden: true, "aria-label": say("studio.do.open"), tabindex: "-1" });
+input.addEventListener("change", () => {
+  if (input.files?.[0]) void openFile(input.files[0]);
+  input.value = "";
+});
+
+// --- engine -----------------------------------------------------------------------------------------------
+
+let timer = 0;
+function ask(): void {
+  window.clearTimeout(timer);
+  document.documentElement.dataset.checking = "yes"; // until the stones are those of the text
+  timer = window.setTimeout(check, kPause);
+}
+function check(): void {
+  if (!hasEngine()) {
+    status.textContent = say("studio.noengine");
+    delete document.documentElement.dataset.checking;
+    return localFaults();
+  }
+  const text = project.text;
+  checker.ask({ task: "check", texts: { model: text }, want: ["check", "svg"] }, (answer) => {
+    if (text !== project.text) return;
+    delete document.documentElement.dataset.checking;
+    if (answer.code === 0) {
+      const c = JSON.parse(answer.texts.check);
+      status.textContent = say("studio.counts", { blocks: whole(c.blocks), weight: qty(c.weight_kN, "kN"), seconds: qty(c.expected_seconds, "s", 2) });
+      showNotes(c.notes ?? []);
+      stones = readPicture(answer.texts.svg ?? "", c.length_m);
+      if (!canvas.readOnly) canvas.setPicture(stones);
+      showFaults([]);
+    } else if (answer.code === 2) {
+      status.textContent = say("studio.notbuilt");
+      showFaults(faultsOf(answer));
+    } else status.textContent = say("studio.failed", { why: answer.texts.error ?? "" });
+  });
+}
+function showNotes(list: string[]): void {
+  notes.hidden = list.length === 0;
+  notes.replaceChildren(h("summary", {}, say(list.length === 1 ? "studio.note" : "studio.notes", { count: list.length })), h("ul", {}, ...list.map((n) => h("li", {}, n))));
+}
+function localFaults(): void {
+  showFaults(project.broken ? [{ line: project.broken.line, path: "", value: "", problem: project.broken.message, cure: "" }] : []);
+}
+function showFaults(found: Fault[]): void {
+  faults = found;
+  list.show(found);
+  file.mark(found);
+  canvas.faulty = new Map(found.filter((f) => openingOf(f) >= 0).map((f) => [openingOf(f), f.problem]));
+  canvas.root.classList.toggle("outdated", found.length > 0);
+  canvas.draw();
+  refreshBar();
+}
+
+// --- what is shown ------------------------------------------------------------------------------------------
+
+project.listen((why) => {
+  canvas.drawing = project.drawing;
+  canvas.selected = project.selected;
+  if (why === "selection") {
+    if (project.selected >= 0 && project.doc && !file.hasFocus) file.show(lineOf(project.doc, ["wall", "opening", project.selected]), false);
+    canvas.draw();
+    return refreshBar();
+  }
+  reason.hidden = project.drawable || project.broken !== null;
+  reason.textContent = project.refusal ? say(`studio.why.${project.refusal.why}`, { path: project.refusal.path.join(".") }) : "";
+  push.edited();
+  if (fitNext && project.drawing) {
+    fitNext = false;
+    canvas.fit();
+  } else canvas.draw();
+  if (!store.keep(project.text)) tell(say("studio.notkept"));
+  ask();
+  refreshBar();
+});
+
+function showCracks(picture: Picture | null): void {
+  canvas.readOnly = picture !== null;
+  canvas.showOpenings = picture === null;
+  canvas.root.classList.toggle("cracked", picture !== null);
+  canvas.setPicture(picture ?? stones);
+  canvas.draw();
+  refreshBar();
+}
+function refreshBar(): void {
+  undo.disabled = !project.canUndo;
+  redo.disabled = !project.canRedo;
+  for (const [tool, b] of toolButtons) {
+    b.setAttribute("aria-pressed", String(tools.tool === tool));
+    b.disabled = !project.drawable && tool !== "select";
+  }
+  canvas.root.dataset.tool = tools.tool;
+  go.textContent = say(push.running ? "studio.button.stop" : "studio.button.push");
+  go.title = say(push.running ? "studio.do.stop" : "studio.do.push");
+  go.disabled = !push.running && (!hasEngine() || project.broken !== null || faults.length > 0);
+  go.classList.toggle("running", push.running);
+  for (const b of snapButtons) b.setAttribute("aria-pressed", String(tools.snapping[b.dataset.snap as "masonry" | "objects"]));
+}
+function tell(text: string): void {
+  notice.replaceChildren(text, h("button", { class: "button small", type: "button", onclick: () => (notice.hidden = true) }, say("studio.close")));
+  notice.hidden = false;
+}
+function showPane(name: "numbers" | "file"): void {
+  document.documentElement.dataset.pane = name;
+  for (const tab of tabs) tab.setAttribute("aria-selected", String(tab.dataset.pane === name));
+}
+
+// --- what can be done ------------------------------------------------------------------------------------------
+
+function begin(text: string): void {
+  store.forgetLink();
+  if (canvas.readOnly) push.leave();
+  fitNext = true;
+  if (project.text === "") project.open(text);
+  else project.replace(text);
+  canvas.fit();
+}
+async function openFile(from: File): Promise<void> {
+  try {
+    begin(await store.readFile(from));
+  } catch {
+    tell(say("studio.notopened", { name: from.name }));
+  }
+}
+const title = (): string => String((project.doc && valueAt(project.doc, ["name"])) ?? "");
+function togglePush(): void {
+  file.take();
+  if (push.running) push.stop();
+  else if (!go.disabled) void push.start();
+}
+function toggleSnap(key: "masonry" | "objects"): void {
+  tools.snapping[key] = !tools.snapping[key];
+  refreshBar();
+}
+async function share(): Promise<void> {
+  const link = await store.linkTo(project.text);
+  history.replaceState(null, "", link);
+  try {
+    await navigator.clipboard.writeText(link);
+    tell(say("studio.linked"));
+  } catch {
+    tell(say("studio.link.address"));
+  }
+}
+function remove(): void {
+  if (!project.drawable || project.selected < 0) return;
+  project.endStep();
+  project.change(removeOpening(project.text, project.selected), -1);
+}
+function turn(): void {
+  const now = project.doc && pushOf(project.doc);
+  if (now && project.drawing && project.drawable) {
+    project.endStep();
+    project.change(setDirection(project.text, project.drawing, now.direction === "-x" ? "+x" : "-x"));
+  }
+}
+function nextTheme(): void {
+  theme = (theme + 1) % kThemes.length;
+  remember("theme", kThemes[theme]);
+  showTheme();
+  themes.textContent = themeName();
+}
+function escape(): void {
+  if (tools.tool !== "select") tools.choose("select");
+  else if (canvas.readOnly) push.leave();
+  else project.select(-1);
+}
+const arrow = (dx: number, dy: number, fine: boolean) => (): void => {
+  if (canvas.readOnly) push.step(dx);
+  else tools.nudge(dx, dy, fine);
+};
+const all: Command[] = [
+  { name: "select", keys: ["v"], does: () => tools.choose("select") },
+  { name: "wall", keys: ["w"], does: () => tools.choose("wall") },
+  { name: "door", keys: ["d"], does: () => tools.choose("door") },
+  { name: "window", keys: ["o"], does: () => tools.choose("window") },
+  { name: "place", keys: ["Enter"], does: () => tools.place(), hidden: true },
+  { name: "delete", keys: ["Delete", "Backspace"], does: remove },
+  { name: "undo", keys: ["Ctrl+z"], does: () => project.undo() },
+  { name: "redo", keys: ["Ctrl+y", "Ctrl+Shift+z"], does: () => project.redo() },
+  { name: "fit", keys: ["f"], does: () => canvas.fit() },
+  { name: "larger", keys: ["+", "="], does: () => canvas.zoom(1.25) },
+  { name: "smaller", keys: ["-"], does: () => canvas.zoom(0.8) },
+  { name: "push", keys: ["p", "Ctrl+Enter"], does: togglePush, typing: true },
+  { name: "turn", keys: ["r"], does: turn },
+  { name: "snap", keys: ["s"], does: () => {
+    const on = !(tools.snapping.masonry && tools.snapping.objects);
+    tools.snapping = { masonry: on, objects: on };
+    refreshBar();
+  } },
+  { name: "numbers", keys: ["n"], does: () => {
+    showPane("numbers");
+    panel.root.querySelector<HTMLInputElement>("input:not([disabled])")?.focus();
+  } },
+  { name: "file", keys: ["t"], does: () => {
+    showPane("file");
+    file.root.querySelector("textarea")?.focus();
+  } },
+  { name: "save", keys: ["Ctrl+s"], does: () => store.save(store.fileName(title()), project.text), typing: true },
+  { name: "open", keys: ["Ctrl+o"], does: () => input.click(), typing: true },
+  { name: "share", keys: [], does: () => void share() },
+  { name: "report", keys: [], does: () => push.openReport() },
+  { name: "theme", keys: [], does: nextTheme },
+  { name: "escape", keys: ["Escape"], does: escape, hidden: true },
+  { name: "palette", keys: ["Ctrl+k"], does: () => commands.openPalette(), hidden: true, typing: true },
+  { name: "keys", keys: ["?"], does: () => commands.openSheet() },
+  ...kStarters.map(([name]): Command => ({ name: `begin.${name}`, keys: [], does: () => begin(starter(name)) })),
+  { name: "left", keys: ["ArrowLeft"], does: arrow(-1, 0, false), hidden: true },
+  { name: "right", keys: ["ArrowRight"], does: arrow(1, 0, false), hidden: true },
+  { name: "up", keys: ["ArrowUp"], does: arrow(0, 1, false), hidden: true },
+  { name: "down", keys: ["ArrowDown"], does: arrow(0, -1, false), hidden: true },
+  { name: "fine", keys: ["Shift+ArrowLeft"], does: arrow(-1, 0, true), hidden: true },
+  { name: "fine", keys: ["Shift+ArrowRight"], does: arrow(1, 0, true), hidden: true },
+  { name: "fine", keys: ["Shift+ArrowUp"], does: arrow(0, 1, true), hidden: true },
+  { name: "fine", keys: ["Shift+ArrowDown"], does: arrow(0, -1, true), hidden: true },
+];
+const commands = new Commands(all);
+
+document.addEventListener("keydown", (e) => {
+  if (commands.palette.open || commands.sheet.open) return;
+  const target = e.target as HTMLElement;
+  const inField = target.matches("input:not([type=range]):not([type=checkbox]), textarea, select");
+  if (!inField && tools.key(e)) return e.preventDefault();
+  const onButton = target.matches("button, summary, [type=range], [type=checkbox]") && (e.key === "Enter" || e.key === " " || e.key.startsWith("Arrow"));
+  if (onButton && !e.ctrlKey) return;
+  if (inField && e.key === "Escape") return canvas.root.focus();
+  if (commands.key(e, inField && !(e.ctrlKey || e.metaKey) ? true : inField)) e.preventDefault();
+});
+document.addEventListener("dragover", (e) => e.preventDefault());
+document.addEventListener("drop", (e) => {
+  e.preventDefault();
+  const dropped = e.dataTransfer?.files[0];
+  if (dropped) void openFile(dropped);
+});
+new ResizeObserver(() => canvas.fit()).observe(canvas.root);
+
+// --- the page ----------------------------------------------------------------------------------------------------
+
+const tabs = (["numbers", "file"] as const).map((name) => h("button", { class: "tab", type: "button", role: "tab", "data-pane": name, "aria-controls": `pane-${name}`, onclick: () => showPane(name) }, say(`studio.pane.${name}`)));
+document.body.prepend(
+  h("header", { class: "top" },
+    h("h1", {}, say("studio.title")),
+    h("div", { class: "top-group" }, starters, button("open", () => input.click()), button("save", () => store.save(store.fileName(title()), project.text)), button("share", () => void share())),
+    h("div", { class: "top-group" }, undo, redo),
+    h("span", { class: "gap" }),
+    h("div", { class: "top-group" }, languages, themes, h("button", { class: "button icon-only", type: "button", title: say("studio.do.keys"), "aria-label": say("studio.do.keys"), onclick: () => commands.openSheet() }, "?")),
+    go,
+    input),
+  h("main", { class: "desk" },
+    h("nav", { class: "tools", "aria-label": say("studio.tools") }, ...toolButtons.values()),
+    h("section", { class: "board", "aria-label": say("studio.drawing") }, canvas.root, tools.typing, reason, h("div", { class: "snaps", role: "group", "aria-label": say("studio.snap") }, ...snapButtons, h("button", { class: "chip-button", type: "button", onclick: () => canvas.fit() }, say("studio.button.fit")))),
+    h("aside", { class: "side", "aria-label": say("studio.side") },
+      h("div", { class: "tabs", role: "tablist" }, ...tabs),
+      h("div", { id: "pane-numbers", class: "pane", role: "tabpanel", "aria-label": say("studio.pane.numbers") }, panel.root),
+      h("div", { id: "pane-file", class: "pane", role: "tabpanel", "aria-label": say("studio.pane.file") }, file.root),
+      list.root),
+    h("div", { class: "below" }, h("div", { class: "status-line" }, status, notes), push.root)),
+  notice, commands.palette, commands.sheet,
+);
+showPane("numbers");
+
+async function start(): Promise<void> {
+  let text = store.kept();
+  let told = text === null ? "" : say("studio.restored");
+  if (store.hasLink())
+    try {
+      text = await store.textOfLink();
+      told = "";
+    } catch {
+      told = say("studio.badlink");
+    }
+  begin(text ?? starter("portal"));
+  if (told !== "") tell(told);
+  document.documentElement.dataset.ready = "yes";
+}
+void start();

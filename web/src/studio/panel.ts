@@ -1,0 +1,189 @@
+// The numbers of the wall beside the drawing. Each field shows what the file says and edits it in place.
+import { h, type Child } from "../dom";
+import { num, say } from "../texts";
+import { addLintel, isDoor, loadOf, pushOf, removeLintel, removeOpening, setDirection, setLength, setOpening, setWallSize, type Box } from "./drawing";
+import { kMaterials } from "./materials";
+import type { Project } from "./project";
+import { countAt, find, quoted, setValue, valueAt, type Path } from "./toml";
+import { lengthOf, readQuantity, typedLength, typedQuantity, writeQuantity } from "./units";
+
+const kBonds = ["running", "stack", "flemish", "english", "header"];
+
+interface Field {
+  root: HTMLElement;
+  refresh(): void;
+}
+
+export class Panel {
+  readonly root = h("div", { class: "numbers" });
+  private fields: Field[] = [];
+  private shape = ""; // of what is shown: another one is built anew
+
+  constructor(
+    private readonly project: Project,
+    private readonly changed: () => void,
+  ) {
+    project.listen(() => this.refresh());
+  }
+
+  refresh(): void {
+    const { project } = this;
+    const doc = project.doc;
+    const load = doc && loadOf(doc);
+    const push = doc && pushOf(doc);
+    const shape = [project.drawing?.openings.length ?? -1, project.selected, load?.key, load?.path[1], push?.stage, push?.until !== null, project.drawing?.storeys.length, find(doc ?? { text: "", root: { kind: "table", inline: false, from: 0, to: 0, keys: new Map() }, sections: [] }, ["masonry"]) !== undefined].join();
+    if (shape !== this.shape) {
+      this.shape = shape;
+      this.build();
+    }
+    for (const field of this.fields) field.refresh();
+    this.root.classList.toggle("locked", !project.drawable);
+    for (const input of this.root.querySelectorAll<HTMLInputElement>("input, select, button")) input.disabled = !project.drawable || input.dataset.off === "1";
+  }
+
+  private build(): void {
+    const { project } = this;
+    this.fields = [];
+    if (!project.drawing) return this.root.replaceChildren();
+    const k = project.selected;
+    this.root.replaceChildren(...(k >= 0 ? [this.openingGroup(k)] : []), this.wallGroup(), this.masonryGroup(), this.loadGroup());
+  }
+  private group(title: string, ...fields: Child[]): HTMLElement {
+    return h("section", { class: "group" }, h("h2", {}, title), h("div", { class: "fields" }, fields));
+  }
+
+  // --- groups -------------------------------------------------------------------------------------
+
+  private openingGroup(k: number): HTMLElement {
+    const { project } = this;
+    const opening = () => project.drawing!.openings[Math.min(k, project.drawing!.openings.length - 1)];
+    const side = (key: keyof Box, label: string): HTMLElement =>
+      this.length(label, () => opening()[key] - (key === "y" ? opening().foot : 0), (value) => {
+        const o = opening();
+        return setOpening(project.text, k, { ...o, [key]: value + (key === "y" ? o.foot : 0) }, o.foot);
+      }, key === "x" || key === "width" ? "half" : "course");
+    const lintel = h("input", { type: "checkbox", onchange: () => this.edit(opening().lintel ? removeLintel(project.text, k) : addLintel(project.text, project.drawing!, k)) });
+    this.fields.push({ root: lintel, refresh: () => {
+      lintel.checked = opening().lintel;
+      lintel.dataset.off = opening().arch ? "1" : "";
+    } });
+    return this.group(
+      say(isDoor(opening()) ? "studio.door" : "studio.window"),
+      this.text(say("studio.name"), () => opening().name, (name) => setValue(project.text, ["wall", "opening", k, "name"], quoted(name)), true),
+      side("x", say("studio.left")), side("y", say("studio.sill")), side("width", say("studio.width")), side("height", say("studio.height")),
+      h("label", { class: "check" }, lintel, say("studio.lintel")),
+      h("button", { class: "button", type: "button", onclick: () => this.edit(removeOpening(project.text, k), -1) }, say("studio.delete")),
+    );
+  }
+  private wallGroup(): HTMLElement {
+    const { project } = this;
+    const d = () => project.drawing!;
+    const own = (label: string, path: Path): HTMLElement | null =>
+      find(project.doc!, path) === undefined ? null : this.length(label, () => lengthOf(valueAt(project.doc!, path)) ?? NaN, (v) => setLength(project.text, path, v), 0.01, readQuantity(valueAt(project.doc!, path))?.unit);
+    return this.group(
+      say("studio.wall"),
+      this.length(say("studio.length"), () => d().length, (v) => setWallSize(project.text, d(), v, d().height), "half"),
+      this.length(say("studio.height"), () => d().height, (v) => setWallSize(project.text, d(), d().length, v), "course"),
+      own(say("studio.thickness"), ["wall", "thickness"]),
+      this.choice(say("studio.bond"), kBonds.map((b) => [b, say(`studio.bond.${b}`)]), () => String(valueAt(project.doc!, ["wall", "bond"]) ?? "running"), (b) => setValue(project.text, ["wall", "bond"], quoted(b))),
+      own(say("studio.unit.length"), ["wall", "unit", "length"]),
+      own(say("studio.unit.height"), ["wall", "unit", "height"]),
+    );
+  }
+  private masonryGroup(): HTMLElement {
+    const { project } = this;
+    if (find(project.doc!, ["masonry"]) === undefined)
+      return this.group(say("studio.masonry"), h("p", { class: "hint" }, say("studio.masonry.numbers")));
+    return this.group(
+      say("studio.masonry"),
+      this.choice(say("studio.material"), kMaterials.map((m) => [m, say(`studio.material.${m}`)]), () => String(valueAt(project.doc!, ["masonry", "use"]) ?? ""), (m) => setValue(project.text, ["masonry", "use"], quoted(m)), true),
+    );
+  }
+  private loadGroup(): HTMLElement {
+    const { project } = this;
+    const load = loadOf(project.doc!),
+      push = pushOf(project.doc!);
+    const fields: Child[] = [];
+    if (load) fields.push(this.quantity(say(`studio.load.${load.key}`), () => loadOf(project.doc!)?.value ?? "", (v) => setValue(project.text, load.path, quoted(v))));
+    if (countAt(project.doc!, ["floor"]) > 0) fields.push(h("p", { class: "hint" }, say("studio.floors", { count: countAt(project.doc!, ["floor"]) })));
+    if (push) {
+      fields.push(this.choice(say("studio.direction"), [["+x", say("studio.right")], ["-x", say("studio.leftwards")]], () => pushOf(project.doc!)?.direction ?? "+x", (v) => setDirection(project.text, project.drawing!, v)));
+      if (push.until !== null) {
+        const drift = h("output", { class: "hint" });
+        const path: Path = ["stage", push.stage, "until"];
+        const until = () => lengthOf(pushOf(project.doc!)?.until) ?? NaN;
+        fields.push(this.quantity(say("studio.until"), () => pushOf(project.doc!)?.until ?? "", (v) => setValue(project.text, path, quoted(v))), drift);
+        this.fields.push({ root: drift, refresh: () => {
+          const height = pushOf(project.doc!)?.y ?? project.drawing!.height;
+          drift.textContent = say("studio.drift", { drift: num((100 * until()) / height, 2) });
+        } });
+      }
+    } else fields.push(h("p", { class: "hint" }, say("studio.nopush")));
+    return this.group(say("studio.load"), fields);
+  }
+
+  // --- fields -------------------------------------------------------------------------------------------
+
+  private edit(text: string, selected = this.project.selected): void {
+    this.project.endStep();
+    this.project.change(text, selected);
+    this.changed();
+  }
+  // A text field whose words `take` turns into an edit; null: it cannot be read.
+  private entry(label: string, unit: string, show: () => string, take: (text: string) => string | null, step?: (by: number) => string | null, wide = false): HTMLElement {
+    const input = h("input", { type: "text", "aria-label": label, "aria-description": unit === "" ? undefined : unit, autocomplete: "off", spellcheck: "false", inputmode: unit === "" ? undefined : "decimal" });
+    const commit = (): void => {
+      if (input.value === input.dataset.shown) return;
+      const text = take(input.value);
+      input.setAttribute("aria-invalid", String(text === null));
+      if (text !== null) this.edit(text);
+    };
+    input.addEventListener("change", commit);
+    input.addEventListener("keydown", (e) => {
+      if (e.key === "Enter") commit();
+      else if (e.key === "Escape") {
+        input.value = input.dataset.shown ?? "";
+        input.removeAttribute("aria-invalid");
+      } else if (step && (e.key === "ArrowUp" || e.key === "ArrowDown")) {
+        e.preventDefault();
+        const text = step(e.key === "ArrowUp" ? 1 : -1);
+        if (text !== null) this.edit(text);
+      }
+    });
+    const refresh = (): void => {
+      const value = show();
+      if (input.dataset.shown === value && input.getAttribute("aria-invalid") !== "true") return;
+      input.dataset.shown = input.value = value;
+      input.removeAttribute("aria-invalid");
+    };
+    const root = h("label", { class: wide ? "entry wide" : "entry" }, h("span", {}, label), h("span", { class: "box" }, input, unit !== "" && h("span", { class: "unit" }, unit)));
+    this.fields.push({ root, refresh });
+    return root;
+  }
+  private length(label: string, show: () => number, set: (value: number) => string, step: "half" | "course" | number, unit = "m"): HTMLElement {
+    const by = (): number => (typeof step === "number" ? step : this.project.drawing![step]);
+    const safe = (v: number | null): string | null => (v === null || v < 0 || v > 1e4 ? null : set(v));
+    const plain = (v: number): string => (Number.isFinite(v) ? writeQuantity(v, unit, unit === "m" ? "0.00" : "").split(" ")[0] : "");
+    return this.entry(label, unit, () => plain(show()), (text) => safe(typedLength(/[a-z]/i.test(text) ? text : `${text} ${unit}`)), (n) => safe(show() + n * by()));
+  }
+  private quantity(label: string, show: () => string, set: (value: string) => string): HTMLElement {
+    return this.entry(label, "", show, (text) => {
+      const value = typedQuantity(text, show());
+      return value === null ? null : set(value);
+    });
+  }
+  private text(label: string, show: () => string, set: (value: string) => string, wide = false): HTMLElement {
+    return this.entry(label, "", show, (text) => (text.trim() === "" ? null : set(text.trim())), undefined, wide);
+  }
+  private choice(label: string, options: [string, string][], show: () => string, set: (value: string) => string, wide = false): HTMLElement {
+    const select = h("select", { "aria-label": label, onchange: () => this.edit(set(select.value)) });
+    for (const [value, text] of options) select.append(h("option", { value }, text));
+    const root = h("label", { class: wide ? "entry wide" : "entry" }, h("span", {}, label), select);
+    this.fields.push({ root, refresh: () => {
+      const value = show();
+      if (![...select.options].some((o) => o.value === value)) select.append(h("option", { value }, value === "" ? say("studio.none") : value));
+      select.value = value;
+    } });
+    return root;
+  }
+}
