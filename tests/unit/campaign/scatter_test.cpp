@@ -217,7 +217,7 @@ TEST(Scatter, a_field_of_the_model_itself_holds) {
 // What would follow a strength keeps its mean beside a field of another name, and a note says so.
 TEST(Scatter, what_does_not_follow_a_field_of_the_model_is_told) {
   const auto notes = [](const std::string& scatter, const std::string& name, const std::string& key,
-                        const std::string& more = "cov = 0.1\n") {
+                        const std::string& more = "cov = 0.1\nby = \"joint\"\n") {
     return texts_of(notes_of_fields(wall_of("[scatter]\n" + scatter + "\n[field." + name +
                                             "]\npath = \"material." + key + "\"\n" + more)));
   };
@@ -240,11 +240,13 @@ TEST(Scatter, what_does_not_follow_a_field_of_the_model_is_told) {
                  "material.unit.mode_1_energy, material.unit.cohesion, material.unit.mode_2_energy",
                  "scatter_unit_tensile_strength"));
   const Texts none;
-  EXPECT_EQ(notes(use, "scatter_joint_tensile_strength", "joint.tensile_strength"), none);
+  EXPECT_EQ(notes(use, "scatter_joint_tensile_strength", "joint.tensile_strength", "cov = 0.1\n"),
+            none);
   EXPECT_EQ(notes(use, "own", "joint.friction_angle"), none);
   EXPECT_EQ(notes("joint_tension = 0.3", "own", "joint.cohesion"), none);  // in no one's place
   EXPECT_EQ(notes(use, "own", "joint.tensile_strength",
-                  "cov = 0.1\n[field.gi]\npath = \"material.joint.mode_1_energy\"\nformula = "
+                  "cov = 0.1\nby = \"joint\"\n[field.gi]\npath = "
+                  "\"material.joint.mode_1_energy\"\nformula = "
                   "\"4e-6 m * own\"\n"),
             none);
 }
