@@ -12,7 +12,8 @@ namespace wythe {
 // NaN of one that follows others.
 [[nodiscard]] double cov_of(const FieldSpec& field);
 
-// One for each field whose scatter a cut makes smaller by more than one per cent of it.
+// One for each field whose scatter a cut makes smaller by more than one per cent of it, and for each that takes the place
+// of a strength of [scatter] and leaves the energies alone that would follow.
 [[nodiscard]] std::vector<Message> notes_of_fields(const ModelSpec& spec);
 
 }  // namespace wythe

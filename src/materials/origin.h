@@ -14,6 +14,14 @@ struct Origin {
   std::string by;  // "by gi_from_ft from tensile_strength 0.15 MPa"
 };
 
+// Why a joint goes without the slope of GII that a rule would give it: "mode_2_energy_per_pressure 0 mm: given as
+// mode_2_energy is stated", "... is typical of NAME", "... is by NAME". No value stands beside this line.
+inline const std::string kAsEnergyIs = "as mode_2_energy is ", kTypicalOf = "typical of ",
+                         kBy = "by ";
+// Of a value that is stated where a knowledge level would take another: "masonry_strength 3 MPa: given as
+// stated beside knowledge_level LC1, not minimum 2.6 MPa / 1.35".
+inline const std::string kBesideLevel = "as stated beside knowledge_level ", kNot = ", not ";
+
 [[nodiscard]] inline std::string kind_word(Origin::Kind kind) {
   return kind == Origin::kGiven ? "given" : kind == Origin::kDerived ? "derived" : "typical";
 }

@@ -1,6 +1,7 @@
 // Writes notes on values that are probably slips of the unit: sizes, laws, moduli, densities, scatters, far pushes.
 // A note refuses nothing and changes no model. Ranges are in SI: those of masonry, and of steel, timber and fibres that
-// hold it. One more note tells which blocks take the unit's density, and one that a shake has local damping.
+// hold it. More notes tell which blocks take the unit's density, that a shake has local damping, and what a rule or a
+// knowledge level leaves alone because another value is stated.
 #include "model/densities.h"
 
 #include <algorithm>
@@ -11,6 +12,8 @@
 #include <utility>
 
 #include "core/text.h"
+#include "materials/origin.h"
+#include "materials/rules.h"
 #include "wythe/text.h"
 
 namespace wythe {
@@ -169,6 +172,44 @@ void note_odd_scatter(const ModelSpec& spec, std::vector<Message>& notes) {
   look("scatter.unit_tension", spec.scatter.unit_tension);
 }
 
+// The slope b of GII that `missing` asks for and GII, which does not come by its rule, keeps away: its origin says so.
+void note_slopes_left_out(const ModelSpec& spec, std::vector<Message>& notes) {
+  constexpr const char* kSlope = "mode_2_energy_per_pressure";
+  const materials::Rule* rule = materials::rule_for(materials::Role::kJoint, kSlope);
+  const auto whence = [](const std::string& words) -> Message {
+    if (words.starts_with(materials::kTypicalOf))
+      return {"rule.typical", {{"entry", words.substr(materials::kTypicalOf.size())}}};
+    if (words.starts_with(materials::kBy))
+      return {"rule.other", {{"rule", words.substr(materials::kBy.size())}}};
+    return {"rule.stated"};
+  };
+  for (const auto& [name, material] : spec.material)
+    for (const std::string& line : material.origin) {
+      const auto origin = materials::origin_of(line);
+      if (!origin || origin->key != kSlope || !origin->by.starts_with(materials::kAsEnergyIs))
+        continue;
+      notes.push_back({"rule.slope_left_out",
+                       {{"key", "material." + name + ".mode_2_energy"},
+                        {"how", whence(origin->by.substr(materials::kAsEnergyIs.size()))},
+                        {"b_mm", 1e3 * rule->value({})}}});
+    }
+}
+
+// What is stated beside a knowledge level, which divides and multiplies what it takes of the table alone.
+void note_undivided(const ModelSpec& spec, std::vector<Message>& notes) {
+  for (const std::string& line : spec.masonry.origin) {
+    const auto origin = materials::origin_of(line);
+    if (!origin || !origin->by.starts_with(materials::kBesideLevel)) continue;
+    const std::string words = origin->by.substr(materials::kBesideLevel.size());
+    const std::size_t end = std::min(words.find(materials::kNot), words.size());
+    notes.push_back(
+        {"office.undivided",
+         {{"key", "masonry." + origin->key},
+          {"level", words.substr(0, end)},
+          {"way", words.substr(std::min(end + materials::kNot.size(), words.size()))}}});
+  }
+}
+
 // In a shake local damping brakes every motion, a fall too.
 void note_shake_damping(const ModelSpec& spec, Model& model) {
   for (const StageSpec& stage : spec.stage)
@@ -205,6 +246,8 @@ std::vector<Message> notes_of_values(const ModelSpec& spec) {
   note_odd_densities(spec, notes);
   note_odd_values(spec, notes);
   note_odd_scatter(spec, notes);
+  note_slopes_left_out(spec, notes);
+  note_undivided(spec, notes);
   return notes;
 }
 

@@ -53,7 +53,7 @@ struct MaxwellElement {
 // (14.5, 14.10).
 [[nodiscard]] double share_of_step(double omega_max, const Dashpots& dashpots);
 
-// The fraction that stands for no restitution at all: 0.3 % of the energy comes back, as good as none.
+// The fraction that stands for no restitution at all: 0.2 % of the energy comes back, as good as none.
 inline constexpr double kNoRebound = 2;
 // Fraction of critical damping with which a mass on a spring that only presses comes back with a share
 // `restitution` of its speed (docs/theory/dynamics.md, 14.6).

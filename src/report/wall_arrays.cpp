@@ -242,9 +242,12 @@ void add_fields(Bundle& bundle, const ModelSpec& spec, const Model& model, int s
                     {"mean", follows ? sum / count : mean_of(spec, target) / factor},
                     {"follows", follows},
                     {"onBlocks", field.of_joint.empty()}});
+    std::vector<Message> own;
     for (const Message& note : notes)
-      if (note.arguments.front() == Argument("field", field.name))
-        list.back()["note"] = translated(note);
+      if (note.arguments.front() == Argument("field", field.name)) own.push_back(note);
+    if (!own.empty())
+      list.back()["note"] =
+          translated(own.size() == 1 ? own.front() : Message{"field.notes", {{"notes", own}}});
     if (sample > 0) list.back()["sample"] = sample;
   }
   if (!list.empty()) bundle.header["wall"]["fields"] = list;

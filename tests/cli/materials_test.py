@@ -73,6 +73,53 @@ class Materials(Base):
         self.assertEqual(done.returncode, 2)
         self.assertIn("--set: material.joint.head_joint_bond = 1.5: ", done.stderr)
 
+    LEFT_OUT = "is stated, so mode_2_energy_per_pressure is 0 and not the 0.13 mm of its rule"
+    ENERGY = "material.joint.mode_2_energy=100 N/m"
+
+    def test_check_run_page_and_used_model_tell_of_a_slope_that_a_stated_energy_leaves_out(self):
+        told = "note: material.joint.mode_2_energy " + self.LEFT_OUT
+        model = self.write(RULES)
+        self.assertNotIn("per_pressure", wythe("check", model).stdout)
+        self.assertEqual(wythe("check", model, "--set", self.ENERGY).stdout.count(told), 1)
+        done = wythe("run", model, "--out", self.out, "--set", self.ENERGY, "--set", "stage.push.until=0.1 mm")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn(self.LEFT_OUT, done.stdout + done.stderr)
+        page = zlib.decompress((self.out / "report.data").read_bytes()).decode(errors="replace")  # src/report/bundle.cpp
+        self.assertIn(self.LEFT_OUT, page)
+        self.assertIn("0 e non 0,13 mm come da regola", page)
+        used, again = (self.out / "model.used.toml").read_text(), pathlib.Path(self.temporary.name) / "again"
+        done = wythe("run", self.out / "model.used.toml", "--out", again)
+        self.assertIn(self.LEFT_OUT, done.stdout + done.stderr)
+        self.assertEqual(used, (again / "model.used.toml").read_text())
+
+    def test_a_study_tells_once_of_a_slope_that_its_base_an_input_or_options_leave_out(self):
+        self.write(RULES)
+        study = """[study]
+model = "rules.toml"
+samples = 3
+seed = 1
+[variable.x]
+path = "material.joint.tensile_strength"
+distribution = "lognormal"
+mean = "0.1 MPa"
+cov = 0.2
+"""
+        options = "".join(f'[[variant]]\nname = "{name}"\nset = ["{setting}"]\n' for name, setting in
+                          (("one", "material.joint.mode_1_energy=5 N/m"), ("two", self.ENERGY), ("three", self.ENERGY)))
+
+        def said(text):
+            return wythe("check", self.write(text, "study.toml")).stdout
+        self.assertNotIn(self.LEFT_OUT, said(study))
+        text = said(study + options)
+        self.assertEqual(text.count(self.LEFT_OUT), 1, text)
+        self.assertLess(text.index('variant "two"'), text.index(self.LEFT_OUT))
+        text = said(study.replace("tensile_strength", "mode_2_energy").replace("0.1 MPa", "100 N/m"))
+        self.assertEqual(text.count("mode_2_energy by variable.x " + self.LEFT_OUT), 1, text)
+        self.assertEqual(text.count(self.LEFT_OUT), 1, text)
+        self.write(RULES.replace("[material.joint]", '[material.joint]\nmode_2_energy = "100 N/m"'))
+        text = said(study + options)
+        self.assertEqual(text.count(self.LEFT_OUT), 1, text)
+
     def test_a_knowledge_level_divides_and_the_page_shows_the_way(self):
         office = HEAD + """
 [masonry]

@@ -569,6 +569,7 @@ std::vector<Message> notes_of_fields(const ModelSpec& spec) {
           {"field.cut",
            {{"field", name}, {"cov_percent", 100 * cov}, {"asked_percent", 100 * field.cov}}});
   }
+  for (Message& note : study::notes_of_scatter(spec)) notes.push_back(std::move(note));
   return notes;
 }
 

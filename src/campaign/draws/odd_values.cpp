@@ -40,11 +40,17 @@ std::vector<Message> notes_of_medians(const SampleTable& samples, const ModelBui
   };
   std::vector<Message> notes = notes_with(settings);
   if (!notes.empty()) return notes;
+  const auto is_of = [](const Message& note, const std::string& setting) {
+    const auto* key = std::get_if<std::string>(&note.arguments.front().value);
+    return key != nullptr && setting.starts_with(*key + '=');
+  };
   for (const std::string& one : settings)
-    for (Message& note : notes_with({one})) {
-      const auto* key = std::get_if<std::string>(&note.arguments.front().value);
-      if (key != nullptr && one.starts_with(*key + '=')) notes.push_back(std::move(note));
-    }
+    for (Message& note : notes_with({one}))
+      if (is_of(note, one)) notes.push_back(std::move(note));
+  for (Message& note : notes_with({}))  // of what no input sets
+    if (std::none_of(settings.begin(), settings.end(),
+                     [&](const std::string& one) { return is_of(note, one); }))
+      notes.push_back(std::move(note));
   return notes;
 }
 

@@ -210,6 +210,45 @@ void add_scatter(ModelSpec& spec, const std::function<bool(const std::string& pa
   if (spec.scatter.is_asked()) Scatter(spec, has_places, faults).add();
 }
 
+std::vector<Message> notes_of_scatter(const ModelSpec& spec) {
+  std::vector<Message> notes;
+  const auto has_field = [&](const std::string& path) {
+    return std::any_of(spec.field.begin(), spec.field.end(),
+                       [&](const auto& field) { return field.second.path == path; });
+  };
+  using Followers = std::vector<std::pair<const char*, double JointMaterial::*>>;
+  using M = JointMaterial;
+  const ScatterSpec& s = spec.scatter;
+  const auto look = [&](const std::string& role, const std::string& strength, double cov,
+                        const Followers& followers) {
+    const bool is_drawn = std::isnan(cov) ? !s.use.empty() : cov > 0;
+    if (!is_drawn) return;
+    const std::string& material = role == "joint" ? s.joint : s.unit;
+    const auto law = spec.material.find(material);
+    if (law == spec.material.end()) return;
+    const std::string own = kScatterPrefix + role + '_' + strength,
+                      table = "material." + material + '.';
+    for (const auto& [name, field] : spec.field) {
+      if (field.path != table + strength || (name == own && field.formula.empty())) continue;
+      std::vector<std::string> alone;
+      for (const auto& [key, value] : followers)
+        if (law->second.*value > 0 && !has_field(table + key)) alone.push_back(table + key);
+      if (!alone.empty())
+        notes.push_back(
+            {"field.alone", {{"field", name}, {"keys", joined(alone, ", ")}, {"name", own}}});
+    }
+  };
+  look("joint", "tensile_strength", s.joint_tension, {{"mode_1_energy", &M::mode_1_energy}});
+  look("joint", "cohesion", s.joint_cohesion,
+       {{"mode_2_energy", &M::mode_2_energy}, {"residual_cohesion", &M::residual_cohesion}});
+  look("unit", "tensile_strength", s.unit_tension,
+       {{"mode_1_energy", &M::mode_1_energy},
+        {"cohesion", &M::cohesion},
+        {"mode_2_energy", &M::mode_2_energy},
+        {"residual_cohesion", &M::residual_cohesion}});
+  return notes;
+}
+
 namespace {
 
 constexpr double kFewer = 0.5, kMore = 2.5;  // times what tests scatter: far from it

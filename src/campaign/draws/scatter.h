@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "wythe/error.h"
+#include "wythe/message.h"
 #include "wythe/model.h"
 #include "wythe/wall_spec.h"
 
@@ -18,6 +19,9 @@ inline constexpr const char* kScatterPrefix = "scatter_";
 // already keeps what it says. Refuses an unknown kind of masonry and a scatter of nothing.
 void add_scatter(ModelSpec& spec, const std::function<bool(const std::string& path)>& has_places,
                  FaultList& faults);
+
+// A field of the model in the place of one of these: what would follow a strength keeps its mean beside it.
+[[nodiscard]] std::vector<Message> notes_of_scatter(const ModelSpec& spec);
 
 // A strength whose stated scatter is far from that of tests.
 struct OddScatter {

@@ -149,6 +149,7 @@ class Resolver {
     for (Table& law : laws) fill(law);
     fill_densities();
     if (masonry_.toml) fill_masonry();
+    tell_undivided();
     for (Table& law : laws) confirm(law);
     if (masonry_.toml) confirm(masonry_);
     refuse_idle_level();
@@ -256,6 +257,24 @@ class Resolver {
   // Of [masonry]: a knowledge level that lacks its typology is told, and what that would have given is no fault more.
   [[nodiscard]] bool lacks_typology() const {
     return masonry_.toml && !masonry_.use && context_.has_fault_at("masonry.knowledge_level");
+  }
+
+  // What is stated beside a level stands as it is: a line of origin says what the level would take, and a note does.
+  void tell_undivided() {
+    if (!masonry_.toml || !masonry_.use || !office_.is_asked()) return;
+    for (const Datum& datum : masonry_.use->data) {
+      if (datum.role != Role::kMasonry ||
+          context_.derived.contains(under(masonry_.path, datum.key)))
+        continue;
+      const Found found = given(masonry_, datum.key);
+      const std::string way = office_.taken(*masonry_.use, datum).way;
+      const bool is_changed =
+          way.find(" / ") != std::string::npos || way.find(" x ") != std::string::npos;
+      if (found.known() && is_changed)
+        masonry_.origin.push_back(to_text(
+            {datum.key, shown_value(found.value, masonry_.keys->at(datum.key)), Origin::kGiven,
+             materials::kBesideLevel + office_.word() + materials::kNot + way}));
+    }
   }
 
   void state_confidence_factor() {
@@ -404,6 +423,9 @@ class Resolver {
 
   UnitType unit_type(const Table& table) {
     context_.asked.insert("unit_type");
+    return type_of(table);
+  }
+  [[nodiscard]] UnitType type_of(const Table& table) const {
     if (masonry_.toml)
       if (const auto word = (*masonry_.toml)["unit_type"].value<std::string>())
         for (const auto& known : kUnitTypeWords)
@@ -449,15 +471,39 @@ class Resolver {
     return {};
   }
 
-  // b goes with a GII by rule: a stated one holds for the pressures of its tests. It comes from mortar on clay.
+  // b goes with a GII by its first rule: any other holds for the pressures of its tests. It comes from mortar on clay.
+  // Where `missing` asks for b and GII alone speaks against it, a line of origin says so, and a note does.
   bool takes_energy_per_pressure(Table& table, const Rule& rule) {
-    const toml::node* energy = table.toml->get("mode_2_energy");
-    const bool by_rule =
-        energy ? asks_for_rule(energy) && rule_asked(table, "mode_2_energy", *energy) ==
-                                              materials::rule_for(table.role, "mode_2_energy")
-               : !typical(table, table.use, table.role, "mode_2_energy").known();
-    return by_rule && materials::holds_for(rule, unit_type(table)) &&
-           value_of(table, "cohesion").value > 0;
+    const std::string other = energy_otherwise(table);
+    if (!other.empty() && !table.missing) return false;
+    const bool holds =
+        materials::holds_for(rule, other.empty() ? unit_type(table) : type_of(table)) &&
+        value_of(table, "cohesion").value > 0;
+    if (holds && !other.empty())
+      table.origin.push_back(
+          to_text({kEnergyPerPressure, shown_value(0, table.keys->at(kEnergyPerPressure)),
+                   Origin::kGiven, materials::kAsEnergyIs + other}));
+    return holds && other.empty();
+  }
+
+  // Whence GII comes where it is not by its first rule; "" where it is. Its own value is looked for before b.
+  std::string energy_otherwise(const Table& table) const {
+    const std::string key = "mode_2_energy";
+    const toml::node* node = table.toml->get(key);
+    if (!node)
+      return typical(table, table.use, table.role, key).known()
+                 ? materials::kTypicalOf + std::string(table.use->name)
+                 : "";
+    if (asks_for_rule(node)) {
+      const Rule* asked = rule_asked(table, key, *node);
+      if (asked == materials::rule_for(table.role, key)) return "";
+      return materials::kBy + std::string(asked ? asked->name : "");
+    }
+    for (const std::string& line : table.origin)
+      if (const auto origin = origin_of(line); origin && origin->key == key)
+        return (origin->kind == Origin::kTypical ? materials::kTypicalOf : materials::kBy) +
+               name_in(*origin);
+    return "stated";
   }
 
   bool can_follow(Table& table, const Rule& rule) {
@@ -718,6 +764,10 @@ class Resolver {
     for (std::size_t i = 0; old && i < old->size(); ++i) {
       const auto origin = origin_of(old->get(i)->as_string()->get());
       const toml::node* value = origin ? table.toml->get(origin->key) : nullptr;
+      if (origin && origin->by.starts_with(materials::kAsEnergyIs)) {
+        if (!value && is_left_out_still(table, *origin)) table.origin.push_back(to_text(*origin));
+        continue;
+      }
       if (!value || shown(*value) != origin->value ||
           context_.derived.contains(under(table.path, origin->key)))
         continue;
@@ -730,6 +780,19 @@ class Resolver {
     toml::array lines;
     for (const std::string& line : table.origin) lines.push_back(line);
     table.toml->insert_or_assign("origin", std::move(lines));
+  }
+
+  // A line that says why b is 0, while GII stands there and no rule gives it anew.
+  [[nodiscard]] bool is_left_out_still(const Table& table, const Origin& origin) const {
+    const std::string line = to_text(origin);
+    return origin.key == kEnergyPerPressure && table.toml->contains("mode_2_energy") &&
+           !context_.derived.contains(under(table.path, "mode_2_energy")) &&
+           std::find(table.origin.begin(), table.origin.end(), line) == table.origin.end();
+  }
+
+  // "by NAME from ...", "of NAME (source)".
+  static std::string name_in(const Origin& origin) {
+    return origin.by.substr(3, origin.by.find(' ', 3) - 3);
   }
 
   // What a typology of the earlier run gave to a rule: "... from NAME 0.2 MPa (typical of ENTRY), ...".
@@ -754,7 +817,7 @@ class Resolver {
   }
 
   bool gives_again(Table& table, const Origin& origin) {
-    const std::string name = origin.by.substr(3, origin.by.find(' ', 3) - 3);  // "by NAME from ..."
+    const std::string name = name_in(origin);
     const Rule* rule = materials::rule_for(table.role, origin.key, name);
     if (!rule) return false;
     materials::Inputs inputs{{}, rule->by_unit_type ? unit_type(table) : UnitType::kUnstated};
@@ -782,7 +845,7 @@ class Resolver {
   // A setting of [masonry] that no rule asks for would change nothing.
   // Whether the library still says so.
   static bool is_typical(const Table& table, const Origin& origin) {
-    const std::string name = origin.by.substr(3, origin.by.find(' ', 3) - 3);  // "of NAME (source)"
+    const std::string name = name_in(origin);
     const Entry* entry = materials::entry_of(name);
     const Datum* datum = entry ? materials::datum_of(*entry, table.role, origin.key) : nullptr;
     if (!datum) return entry && origin.key == "unit_type";

@@ -13,6 +13,7 @@
 #include "scenes/small_study.h"
 #include "wythe/contact_law.h"
 #include "wythe/error.h"
+#include "wythe/field_notes.h"
 #include "wythe/io.h"
 #include "wythe/study.h"
 #include "wythe/verdict.h"
@@ -211,6 +212,43 @@ TEST(Scatter, a_field_of_the_model_itself_holds) {
       "\"material.joint.tensile_strength\"\ncov = 0.1\nby = \"joint\"\n");
   EXPECT_FALSE(spec.field.contains("scatter_joint_tensile_strength"));
   EXPECT_NEAR(spread_of(spec.field.at("own").drawn).cov, 0.1, 0.01);
+}
+
+// What would follow a strength keeps its mean beside a field of another name, and a note says so.
+TEST(Scatter, what_does_not_follow_a_field_of_the_model_is_told) {
+  const auto notes = [](const std::string& scatter, const std::string& name, const std::string& key,
+                        const std::string& more = "cov = 0.1\nby = \"joint\"\n") {
+    return texts_of(notes_of_fields(wall_of("[scatter]\n" + scatter + "\n[field." + name +
+                                            "]\npath = \"material." + key + "\"\n" + more)));
+  };
+  using Texts = std::vector<std::string>;
+  const std::string use = "use = \"clay_brick\"";
+  const auto told = [](const std::string& field, const std::string& keys, const std::string& name) {
+    return Texts{
+        "field " + field +
+        " takes the place of that of [scatter], so these keep their means and do not follow it: " +
+        keys + ". Call it field." + name +
+        " without a formula, and they follow; or give them formulas"};
+  };
+  EXPECT_EQ(notes(use, "own", "joint.tensile_strength"),
+            told("own", "material.joint.mode_1_energy", "scatter_joint_tensile_strength"));
+  EXPECT_EQ(notes(use, "own", "joint.cohesion"),
+            told("own", "material.joint.mode_2_energy, material.joint.residual_cohesion",
+                 "scatter_joint_cohesion"));
+  EXPECT_EQ(notes(use, "own", "unit.tensile_strength"),
+            told("own",
+                 "material.unit.mode_1_energy, material.unit.cohesion, material.unit.mode_2_energy",
+                 "scatter_unit_tensile_strength"));
+  const Texts none;
+  EXPECT_EQ(notes(use, "scatter_joint_tensile_strength", "joint.tensile_strength", "cov = 0.1\n"),
+            none);
+  EXPECT_EQ(notes(use, "own", "joint.friction_angle"), none);
+  EXPECT_EQ(notes("joint_tension = 0.3", "own", "joint.cohesion"), none);  // in no one's place
+  EXPECT_EQ(notes(use, "own", "joint.tensile_strength",
+                  "cov = 0.1\nby = \"joint\"\n[field.gi]\npath = "
+                  "\"material.joint.mode_1_energy\"\nformula = "
+                  "\"4e-6 m * own\"\n"),
+            none);
 }
 
 TEST(Scatter, one_change_of_its_own_field_holds) {

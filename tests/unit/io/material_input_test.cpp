@@ -6,6 +6,10 @@
 
 #include "io/keys/same_spec.h"
 #include "unit/io_helpers.h"
+#include "wythe/message.h"
+#include "wythe/model.h"
+#include "wythe/study.h"
+#include "wythe/study_notes.h"
 
 namespace wythe::io_tests::material_input_test {
 namespace {
@@ -60,6 +64,11 @@ std::string line_of(const std::vector<std::string>& origin, const std::string& k
 // Derived values are written with six digits.
 void expect_near(double found, double by_hand) {
   EXPECT_NEAR(found, by_hand, 2e-5 * std::fabs(by_hand));
+}
+
+std::string study_of(const std::string& path, const std::string& mean) {
+  return "[study]\nmodel = \"rules.toml\"\nsamples = 4\nseed = 1\n[variable.x]\npath = \"" + path +
+         "\"\ndistribution = \"lognormal\"\nmean = \"" + mean + "\"\ncov = 0.2\n";
 }
 
 bool says(const std::string& text, const std::string& part) {
@@ -320,12 +329,94 @@ TEST(MaterialInput, an_origin_holds_only_for_the_value_it_names) {
   EXPECT_EQ(line_of(read(false_claim).material.at("joint").origin, "cohesion"), "");
 }
 
-// --- studies and laws -----------------------------------------------------------------------------
+// --- what a stated value silences -----------------------------------------------------------------
 
-std::string study_of(const std::string& path, const std::string& mean) {
-  return "[study]\nmodel = \"rules.toml\"\nsamples = 4\nseed = 1\n[variable.x]\npath = \"" + path +
-         "\"\ndistribution = \"lognormal\"\nmean = \"" + mean + "\"\ncov = 0.2\n";
+// The notes that a slope of GII is left out.
+Texts slopes_left_out(const std::vector<Message>& notes) {
+  Texts out;
+  for (const Message& note : notes)
+    if (note.code == "rule.slope_left_out") out.push_back(text_of(note));
+  return out;
 }
+
+Texts slopes_left_out(const std::string& text, const Texts& set = {}) {
+  return slopes_left_out(compile_model(read(text, set), text, "model.toml", set).anatomy.notes);
+}
+
+std::string with_joint(const std::string& lines) {
+  return with(kRules, "[material.joint]\n", "[material.joint]\n" + lines + "\n");
+}
+
+const std::string kLeftOut =
+    "so mode_2_energy_per_pressure is 0 and not the 0.13 mm of its rule. State it too: \"0 mm\" if "
+    "this energy holds at every pressure, \"rule\" if it is that without pressure";
+const std::string kStatedEnergy = "material.joint.mode_2_energy is stated, " + kLeftOut;
+
+TEST(MaterialInput, a_stated_energy_of_slip_without_its_slope_is_noted) {
+  EXPECT_EQ(slopes_left_out(with_joint("mode_2_energy = \"100 N/m\"")), Texts{kStatedEnergy});
+  EXPECT_EQ(slopes_left_out(kRules, {"material.joint.mode_2_energy=100 N/m"}),
+            Texts{kStatedEnergy});
+  EXPECT_EQ(slopes_left_out(with_joint("mode_2_energy = \"rule: gii_published\"")),
+            Texts{"material.joint.mode_2_energy is by the rule gii_published, " + kLeftOut});
+  EXPECT_EQ(slopes_left_out(with_joint("use = \"clay_brick_eindhoven\"")),
+            Texts{"material.joint.mode_2_energy is typical of clay_brick_eindhoven, " + kLeftOut});
+}
+
+TEST(MaterialInput, a_slope_that_is_stated_or_that_no_rule_would_give_is_no_note) {
+  const Texts none;
+  const std::string energy = "mode_2_energy = \"100 N/m\"\n";
+  EXPECT_EQ(slopes_left_out(kRules), none);
+  EXPECT_EQ(slopes_left_out(with_joint("mode_2_energy = \"rule\"")), none);
+  for (const char* slope : {"\"0 mm\"", "\"0.05 mm\"", "\"rule\""})
+    EXPECT_EQ(slopes_left_out(with_joint(energy + "mode_2_energy_per_pressure = " + slope)), none)
+        << slope;
+  EXPECT_EQ(slopes_left_out(with_joint(energy), {"material.joint.mode_2_energy_per_pressure=0 mm"}),
+            none);
+  EXPECT_EQ(slopes_left_out(with_joint(energy + "cohesion = \"0 MPa\"")), none);
+  EXPECT_EQ(slopes_left_out(with(with_joint(energy), "\"clay\"", "\"calcium_silicate\"")), none);
+  // where each value is asked for by itself, b is not
+  EXPECT_EQ(slopes_left_out(with(kRules, "[material.joint]\nmissing = \"rule\"\n",
+                                 "[material.joint]\nuse = \"clay_brick_eindhoven\"\n"
+                                 "mode_1_energy = \"rule\"\ncohesion = \"rule\"\n"
+                                 "friction_angle = \"rule\"\nresidual_friction_angle = \"rule\"\n"
+                                 "normal_stiffness = \"rule\"\nshear_stiffness = \"rule\"\n"
+                                 "compressive_strength = \"unlimited\"\n")),
+            none);
+}
+
+// A used model tells it again, until b is stated or GII comes by its rule.
+TEST(MaterialInput, a_used_model_still_says_that_a_slope_is_left_out) {
+  const std::string used = write_model(read(with_joint("mode_2_energy = \"100 N/m\"")));
+  EXPECT_EQ(line_of(read(used).material.at("joint").origin, "mode_2_energy_per_pressure"),
+            "mode_2_energy_per_pressure 0 mm: given as mode_2_energy is stated");
+  EXPECT_EQ(write_model(read(used)), used);
+  EXPECT_EQ(slopes_left_out(used), Texts{kStatedEnergy});
+  const Texts none;
+  EXPECT_EQ(slopes_left_out(used, {"material.joint.mode_2_energy_per_pressure=0 mm"}), none);
+  EXPECT_EQ(slopes_left_out(used, {"material.joint.mode_2_energy=rule"}), none);
+}
+
+// Whatever a study states is told once, however many samples it has.
+TEST(MaterialInput, a_study_that_states_an_energy_of_slip_is_noted_once) {
+  const Folder folder;
+  const auto notes = [&](const std::string& model, const std::string& study) {
+    folder.write("rules.toml", model);
+    const StudySpec spec = read_study(folder.write("study.toml", study));
+    return slopes_left_out(notes_of_values(spec, draw_samples(spec), model_builder(spec)));
+  };
+  const std::string energy = study_of("material.joint.mode_2_energy", "100 N/m");
+  EXPECT_EQ(notes(kRules, energy),
+            Texts{"material.joint.mode_2_energy by variable.x is stated, " + kLeftOut});
+  EXPECT_EQ(notes(with_joint("mode_2_energy_per_pressure = \"0.05 mm\""), energy), Texts{});
+  const std::string other = study_of("masonry.unit_strength", "14.92 MPa");
+  EXPECT_EQ(notes(kRules, other), Texts{});
+  EXPECT_EQ(notes(with_joint("mode_2_energy = \"100 N/m\""), other), Texts{kStatedEnergy});
+  // medians that do not go together hide no note of the model itself
+  const std::string apart = study_of("material.joint.residual_friction_angle", "42 deg");
+  EXPECT_EQ(notes(with_joint("mode_2_energy = \"100 N/m\""), apart), Texts{kStatedEnergy});
+}
+
+// --- studies and laws -----------------------------------------------------------------------------
 
 TEST(MaterialInput, a_study_varies_the_input_of_a_rule_and_the_law_follows) {
   const Folder folder;

@@ -7,6 +7,8 @@
 
 #include "io/keys/same_spec.h"
 #include "unit/io_helpers.h"
+#include "wythe/message.h"
+#include "wythe/model.h"
 
 namespace wythe::io_tests::office_test {
 namespace {
@@ -221,6 +223,40 @@ injections = true
   ASSERT_EQ(again.floor.size(), 1U);
   EXPECT_EQ(first.floor[0].origin, again.floor[0].origin);
   EXPECT_EQ(written, write_model(again));
+}
+
+// What the file states beside a level is not the table's: no factor acts on it, and a note says so.
+TEST(Office, a_value_stated_beside_a_level_is_noted) {
+  const auto notes = [](const std::string& masonry, const Texts& set = {}) {
+    const std::string text = model(kBrick + masonry);
+    Texts out;
+    for (const Message& note :
+         compile_model(read(text, set), text, "model.toml", set).anatomy.notes)
+      if (note.code == "office.undivided") out.push_back(text_of(note));
+    return out;
+  };
+  const std::string level = "knowledge_level = \"LC1\"\n";
+  const auto told = [](const std::string& key, const std::string& way) {
+    return Texts{"masonry." + key +
+                 " is stated, so knowledge_level LC1 leaves it as it is and does "
+                 "not take " +
+                 way + ". State a value that is divided already, or leave the key out"};
+  };
+  const Texts none;
+  EXPECT_EQ(notes(level), none);
+  EXPECT_EQ(notes("masonry_strength = \"3 MPa\"\n"), none);  // nothing is divided
+  const Texts strength = told("masonry_strength", "minimum 2.6 MPa / 1.35");
+  EXPECT_EQ(notes(level + "masonry_strength = \"3 MPa\"\n"), strength);
+  EXPECT_EQ(notes(level, {"masonry.masonry_strength=3 MPa"}), strength);
+  EXPECT_EQ(notes(level + "youngs_modulus = \"1.5 GPa\"\n"), none);  // means, and no coefficient
+  EXPECT_EQ(notes(level + "injections = true\nyoungs_modulus = \"1.5 GPa\"\n"),
+            told("youngs_modulus", "mean 1500 MPa x 1.2 injections"));
+  // as a run writes it, the value is still the stated one
+  const std::string used =
+      write_model(read(model(kBrick + level + "masonry_strength = \"3 MPa\"\n")));
+  EXPECT_EQ(line_of(read(used).masonry.origin, "masonry_strength"),
+            "masonry_strength 3 MPa: given as stated beside knowledge_level LC1, not minimum 2.6 "
+            "MPa / 1.35");
 }
 
 TEST(Office, the_confidence_factor_is_that_of_the_level) {
