@@ -3,9 +3,9 @@
 // numbers through std::from_chars, which not every standard library has for fractions.
 #pragma once
 
+#include <fast_float/fast_float.h>
 #include <charconv>
 #include <cmath>
-#include <fast_float/fast_float.h>
 #include <optional>
 #include <string_view>
 #include <system_error>

@@ -114,7 +114,8 @@ void check_points(const SolveSpec& solve, FaultList& faults) {
   const auto [rule, points] = quadrature_choice(solve);
   if (points < 2 || points > kMostPoints)
     faults.add({"", "solve.points_per_face", std::to_string(points),
-                fmt::format("must be between 2 and {}", kMostPoints), "write points_per_face = 3", 0});
+                fmt::format("must be between 2 and {}", kMostPoints), "write points_per_face = 3",
+                0});
   else if (rule == PointRule::kCorners && points != 2)
     faults.add({"", "solve.points_per_face", std::to_string(points),
                 "does not go with point_rule = \"corners\": a face has two ends",

@@ -19,7 +19,7 @@
 namespace wythe {
 namespace {
 
-constexpr double kLeastShake = 1e-4;          // less is no earthquake [g]
+constexpr double kLeastShake = 1e-4;  // less is no earthquake [g]
 
 bool says_something(const PlaceSpec& p) {
   return is_set(p.x) || is_set(p.y) || is_set(p.z) || is_set(p.width) || !p.block.empty() ||

@@ -30,7 +30,7 @@ constexpr double kFramesKept = 64;        // for moving pictures, and start, pea
 constexpr double kReadEvery = 1e-3;       // a state is kept for reading each millimetre [m]
 constexpr double kSecondsPerStep = 1e-7;  // a block on one core
 constexpr double kMostNumbers = 2.5e8;    // of blocks: joints and points are numbered in 32 bits
-constexpr double kMostRowsOfModel = 1e6;         // as output.rows
+constexpr double kMostRowsOfModel = 1e6;  // as output.rows
 constexpr double kMostSeconds = 3.2e8;    // ten years
 constexpr double kSeconds = 0.1;          // of a ramp, and what a wall usually needs after it
 
@@ -176,7 +176,8 @@ void check_rows(const ModelSpec& spec, FaultList& faults) {
   faults.add({"", "output.window", fmt::format("{:g} mm", 1e3 * window),
               fmt::format("makes {:.3g} rows of the path of {:g} mm, at most {} are kept", rows,
                           1e3 * path, count_text(kMostRowsOfModel)),
-              fmt::format("write window = \"{:.6g} mm\" or more", 1e3 * path / kMostRowsOfModel), 0});
+              fmt::format("write window = \"{:.6g} mm\" or more", 1e3 * path / kMostRowsOfModel),
+              0});
 }
 
 void check_time(const ModelSpec& spec, const Size& size, FaultList& faults) {

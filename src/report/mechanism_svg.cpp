@@ -56,7 +56,8 @@ MechanismCanvas canvas_of(const Model& model) {
 // The state that is seen well: up to `kMostDrawn` of the height, at most half the way.
 const ChainState& shown_state(const Model& model, const Mechanism& m) {
   const auto& states = m.curve.states;
-  const double wanted = std::min(kMostDrawn * model.anatomy.height, 0.5 * states.back().displacement);
+  const double wanted =
+      std::min(kMostDrawn * model.anatomy.height, 0.5 * states.back().displacement);
   for (const ChainState& s : states)
     if (s.displacement >= wanted) return s;
   return states.back();

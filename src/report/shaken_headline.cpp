@@ -8,7 +8,8 @@
 namespace wythe::report {
 namespace {
 
-constexpr std::size_t kShakenSentences = 3;  // limit states that get one each; more are in the cards
+constexpr std::size_t kShakenSentences =
+    3;  // limit states that get one each; more are in the cards
 
 // The same as headline.cpp has: a number that is there, or none.
 double number_at(const Json& json, const std::string& key) {

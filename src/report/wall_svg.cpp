@@ -23,7 +23,7 @@ namespace {
 
 constexpr double kWidth = 640;        // of the wall in the picture [px]
 constexpr double kTallest = 560;      // of the wall in the picture [px]
-constexpr double kMarginOfWall = 46;        // around it: arrow, ground, scale bar [px]
+constexpr double kMarginOfWall = 46;  // around it: arrow, ground, scale bar [px]
 constexpr double kVisible = 0.05e-3;  // openings and slips below are drawn as closed [m]
 constexpr double kCrushMark = 0.05;   // crushing from which a point is marked [-]
 constexpr int kTints = 4;

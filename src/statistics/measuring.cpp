@@ -100,7 +100,8 @@ int distinct(const Column& values) {
 
 LeastSquares cubic_of(const Column& input, const Column& response) {
   std::vector<Term> terms;
-  for (int degree = 0; degree <= std::min(3, distinct(input) - 1); ++degree) terms.push_back({degree});
+  for (int degree = 0; degree <= std::min(3, distinct(input) - 1); ++degree)
+    terms.push_back({degree});
   return {legendre_products(terms, {places_of(input)}), response};
 }
 

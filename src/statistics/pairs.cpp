@@ -17,8 +17,8 @@ namespace {
 constexpr double kLevel = 0.05;
 constexpr int kFewestForGain = 10;  // pairs to correlate with an input
 constexpr int kFewestBesideBounds =
-    5;                              // pairs without a bound that a mean may be of, beside others
-constexpr double kCut = 1.01;       // a value this many times the end of the means is cut by it
+    5;                             // pairs without a bound that a mean may be of, beside others
+constexpr double kCut = 1.01;      // a value this many times the end of the means is cut by it
 constexpr double kEqualTo = 1e-6;  // a smaller relative difference is none
 
 struct Sides {

@@ -62,8 +62,8 @@ void fit_to(std::vector<Reading> readings, double stated_scatter, PgaFragility& 
   out.beta = std::hypot(fit.beta, scatter);
   const double last = std::fmax(fit.median * std::exp(3 * out.beta), 1.1 * out.demand);
   for (int i = 0; i <= kGridOfPga; ++i)
-    out.curve.push_back(
-        {last * i / kGridOfPga, probability(last * i / kGridOfPga, fit, by.fit, scatter, observed)});
+    out.curve.push_back({last * i / kGridOfPga,
+                         probability(last * i / kGridOfPga, fit, by.fit, scatter, observed)});
   if (out.demand > 0) out.at_demand = probability(out.demand, fit, by.fit, scatter, observed);
 }
 

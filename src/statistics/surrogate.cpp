@@ -122,7 +122,8 @@ Columns legendre_products(const std::vector<Term>& terms, const Columns& inputs)
     std::vector<double>& column = columns.emplace_back(inputs.front().size(), 1.0);
     for (std::size_t k = 0; k < term.size(); ++k)
       if (term[k] > 0)
-        for (std::size_t i = 0; i < column.size(); ++i) column[i] *= legendre(term[k], inputs[k][i]);
+        for (std::size_t i = 0; i < column.size(); ++i)
+          column[i] *= legendre(term[k], inputs[k][i]);
   }
   return columns;
 }

@@ -12,8 +12,10 @@
 extern "C" {
 using Contacts = std::vector<wythe::FreeContact>;
 using HandOvers = std::vector<wythe::HandOver>;
-Contacts* make_contacts(void* at) __asm__("_ZNSt3__26vectorIN5wythe11FreeContactENS_9allocatorIS2_EEEC1Ev");
-HandOvers* make_hand_overs(void* at) __asm__("_ZNSt3__26vectorIN5wythe8HandOverENS_9allocatorIS2_EEEC1Ev");
+Contacts* make_contacts(void* at) __asm__(
+    "_ZNSt3__26vectorIN5wythe11FreeContactENS_9allocatorIS2_EEEC1Ev");
+HandOvers* make_hand_overs(void* at) __asm__(
+    "_ZNSt3__26vectorIN5wythe8HandOverENS_9allocatorIS2_EEEC1Ev");
 Contacts* make_contacts(void* at) { return new (at) Contacts(0); }
 HandOvers* make_hand_overs(void* at) { return new (at) HandOvers(0); }
 }

@@ -388,7 +388,8 @@ double mean_of(const Margin& margin, int power = 1) {
   constexpr double kStep = 0.0625, kEnd = 8.25;
   double sum = 0, weights = 0;
   for (double z = -kEnd; z <= kEnd; z += kStep) {
-    const double weight = elementary::exp(-0.5 * z * z), value = margin.quantile(inside(normal_share(z)));
+    const double weight = elementary::exp(-0.5 * z * z),
+                 value = margin.quantile(inside(normal_share(z)));
     sum += weight * (power == 1 ? value : value * value);
     weights += weight;
   }

@@ -56,10 +56,9 @@ void Generator::refill() {
                           std::uint64_t shifted, std::uint64_t far, std::uint64_t mask) {
       return (lung ^ (was >> kC) ^ (was << kD) ^ here ^ shifted ^ ((far >> kB) & mask)) & kFraction;
     };
-    const Pair r = {
-        mixed(lung_.high, last.low, a.low, a.low << kA, b.low, kMaskLow),
-        mixed(lung_.low, last.high, a.high, (a.high << kA) | (a.low >> (64 - kA)), b.high,
-              kMaskHigh)};
+    const Pair r = {mixed(lung_.high, last.low, a.low, a.low << kA, b.low, kMaskLow),
+                    mixed(lung_.low, last.high, a.high, (a.high << kA) | (a.low >> (64 - kA)),
+                          b.high, kMaskHigh)};
     lung_.low ^= r.low, lung_.high ^= r.high;
     last = state_[i] = {r.low | kOne, r.high | kOne};
   }
@@ -72,9 +71,7 @@ std::uint64_t Generator::next() {
   return at_++ % 2 == 0 ? pair.low : pair.high;
 }
 
-double Generator::uniform() {
-  return bits_as<double>(next()) - 1;
-}
+double Generator::uniform() { return bits_as<double>(next()) - 1; }
 
 std::vector<double> normal_numbers(int seed, const std::string& name, std::size_t count) {
   Hash hash;

@@ -44,14 +44,12 @@ Distribution lognormal(double of_log, double spread) {
   const auto z = [of_log, spread](double x) {
     return x > 0 ? (elementary::log(x) - of_log) / spread : -kInfinity;
   };
-  return {.below = [z](double x) { return normal_share(z(x)); },
-          .above = [z](double x) { return normal_share(-z(x)); },
-          .density = [z, spread](double x) {
-            return x > 0 ? normal_density(z(x)) / (spread * x) : 0;
-          },
-          .quantile = [of_log, spread](double u) {
-            return elementary::exp(of_log + spread * normal_quantile(u));
-          }};
+  return {
+      .below = [z](double x) { return normal_share(z(x)); },
+      .above = [z](double x) { return normal_share(-z(x)); },
+      .density = [z, spread](double x) { return x > 0 ? normal_density(z(x)) / (spread * x) : 0; },
+      .quantile = [of_log, spread](
+                      double u) { return elementary::exp(of_log + spread * normal_quantile(u)); }};
 }
 
 Distribution make_lognormal(const VariableSpec& s) {

@@ -28,9 +28,9 @@ struct ScatterKind {
   double joint_tension, joint_cohesion, unit_tension;
 };
 constexpr ScatterKind kKinds[] = {{"clay_brick", 0.30, 0.25, 0.20},
-                           {"calcium_silicate", 0.30, 0.25, 0.18},
-                           {"stone", 0.40, 0.30, 0.25},
-                           {"tuff", 0.30, 0.25, 0.22}};
+                                  {"calcium_silicate", 0.30, 0.25, 0.18},
+                                  {"stone", 0.40, 0.30, 0.25},
+                                  {"tuff", 0.30, 0.25, 0.22}};
 constexpr double kTie = 0.7;    // of a joint's cohesion and its tensile strength
 constexpr double kLower = 0.2;  // of a lognormal, times the mean
 constexpr double kUpper = 2.5;

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 
-
 #include "campaign/store/store_schema.h"
 #include "core/bits.h"
 #include "core/hash.h"

@@ -15,9 +15,9 @@
 namespace wythe::geometry {
 namespace {
 
-constexpr double kThinnestVoussoir = 0.1;   // of a course: the least width of a voussoir
-constexpr double kNothing = 1e-10;  // [m^2]
-constexpr int kFewest = 3;          // voussoirs where their number is not stated
+constexpr double kThinnestVoussoir = 0.1;  // of a course: the least width of a voussoir
+constexpr double kNothing = 1e-10;         // [m^2]
+constexpr int kFewest = 3;                 // voussoirs where their number is not stated
 
 std::string key_of(int index, const char* key) {
   return opening_path(index, std::string("arch.") + key);

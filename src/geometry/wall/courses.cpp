@@ -77,7 +77,8 @@ struct CourseSite {
   int first_unit;  // number of the course's first unit
 };
 
-Block block_of(const CourseSite& site, const Piece& piece, const Rect& run, std::set<std::string>& used) {
+Block block_of(const CourseSite& site, const Piece& piece, const Rect& run,
+               std::set<std::string>& used) {
   Block block;
   block.id = name_of(site.course, piece, used);
   block.outline = outline_of({piece.x0, run.y0, piece.x1, run.y1});

@@ -64,7 +64,8 @@ bool has_one_place(const NamedRegion& region, FaultList& faults) {
   return false;
 }
 
-std::optional<Area> pier_area(const NamedRegion& region, const Storey& storey, const RegionSite& site) {
+std::optional<Area> pier_area(const NamedRegion& region, const Storey& storey,
+                              const RegionSite& site) {
   std::vector<PlacedOpening> beside;
   for (const PlacedOpening& opening : site.openings)
     if (site.storeys[static_cast<std::size_t>(opening.storey)].index == storey.index)

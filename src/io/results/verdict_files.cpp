@@ -54,15 +54,16 @@ Json rules_json(const std::vector<RuleOfWalls>& rules) {
 Json states_json(const std::vector<StateVerdict>& states) {
   Json list = Json::array();
   for (const StateVerdict& v : states) {
-    Json& json = list.emplace_back(Json{{"state", word_of(kLimitStateWords, v.state)},
-                                        {"is_checked", v.is_checked},
-                                        {"verdict", word_of(kAssessmentVerdictWords, v.verdict)},
-                                        {"direction", v.direction},
-                                        {"pattern", v.pattern},
-                                        {"pga_demand_g", number(v.demand * kGPerAcceleration)},
-                                        {"pga_capacity_g", capacity_json(v.capacity, kGPerAcceleration)},
-                                        {"risk_index", capacity_json(v.capacity, 1 / v.demand)},
-                                        {"rules", rules_json(v.rules)}});
+    Json& json =
+        list.emplace_back(Json{{"state", word_of(kLimitStateWords, v.state)},
+                               {"is_checked", v.is_checked},
+                               {"verdict", word_of(kAssessmentVerdictWords, v.verdict)},
+                               {"direction", v.direction},
+                               {"pattern", v.pattern},
+                               {"pga_demand_g", number(v.demand * kGPerAcceleration)},
+                               {"pga_capacity_g", capacity_json(v.capacity, kGPerAcceleration)},
+                               {"risk_index", capacity_json(v.capacity, 1 / v.demand)},
+                               {"rules", rules_json(v.rules)}});
     if (v.is_checked) add_counts(json, v.counts);
   }
   return list;
@@ -132,8 +133,9 @@ std::string verdict_json(const WallsVerdict& v) {
   const StateVerdict& worst = v.worst;
   add_counts(json, worst.counts);
   json["pga_capacity_g"] = capacity_json(worst.capacity, kGPerAcceleration);
-  json["pga_interval_of_walls_g"] = io::pair(
-      {worst.capacity.median.interval.low * kGPerAcceleration, worst.capacity.median.interval.high * kGPerAcceleration});
+  json["pga_interval_of_walls_g"] =
+      io::pair({worst.capacity.median.interval.low * kGPerAcceleration,
+                worst.capacity.median.interval.high * kGPerAcceleration});
   json["tested_drifts"] = tests_json(v);
   json["pga_demand_g"] = number(worst.demand * kGPerAcceleration);
   json["risk_index"] = capacity_json(worst.capacity, 1 / worst.demand);
@@ -173,9 +175,9 @@ std::string walls_csv(const WallsVerdict& v) {
           if (check.state == static_cast<LimitState>(s)) found = &check;
         text += found == nullptr
                     ? ",,,"
-                    : fmt::format(",{},{},{}", io::csv_cell(found->acceleration * kGPerAcceleration),
-                                  io::csv_cell(found->displacement * 1e3),
-                                  io::csv_cell(found->governing));
+                    : fmt::format(
+                          ",{},{},{}", io::csv_cell(found->acceleration * kGPerAcceleration),
+                          io::csv_cell(found->displacement * 1e3), io::csv_cell(found->governing));
       }
       std::string cautions;
       for (const Message& caution : wall.assessment.cautions)

@@ -49,7 +49,8 @@ class Reader {
   [[nodiscard]] std::map<std::string, double> scores() const {
     const double rest = 1 - wall_.slips.truth, weak = weakness();
     double moves = 0;
-    for (const Storey& s : storeys_) moves = std::max(moves, ramp(s.share(), kHalfMoves, wall_.rules));
+    for (const Storey& s : storeys_)
+      moves = std::max(moves, ramp(s.share(), kHalfMoves, wall_.rules));
     double sheared = 0, rocks = 0;
     for (const Storey& s : storeys_)
       if (moves > 0 && ramp(s.share(), kHalfMoves, wall_.rules) >= std::min(moves, kHalfMoves))

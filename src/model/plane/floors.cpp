@@ -20,8 +20,8 @@ namespace {
 using geometry::Assembly;
 using geometry::Role;
 
-constexpr double kReachOfLevel = 0.01;       // how far the stated level may lie from the bed joint [m]
-constexpr double kFewMicrons = 5e-6;  // a gap that is round-off of what users write [m]
+constexpr double kReachOfLevel = 0.01;  // how far the stated level may lie from the bed joint [m]
+constexpr double kFewMicrons = 5e-6;    // a gap that is round-off of what users write [m]
 
 // A stretch of a block's upper side.
 struct Edge {

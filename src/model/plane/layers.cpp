@@ -18,10 +18,10 @@ namespace {
 using geometry::Assembly;
 using geometry::Role;
 
-constexpr double kClose = 2e-3;     // pieces of a strand, no further apart [m]
+constexpr double kClose = 2e-3;          // pieces of a strand, no further apart [m]
 constexpr double kShortestPiece = 1e-3;  // of a piece [m]
-constexpr int kMostNodes = 4;       // of a piece
-constexpr double kWidest = 2;       // nodes apart, over the decay length of the bond (22.4)
+constexpr int kMostNodes = 4;            // of a piece
+constexpr double kWidest = 2;            // nodes apart, over the decay length of the bond (22.4)
 
 // Where the layer lies, or a block: along a strand from..to, or across.
 struct Span {
@@ -157,7 +157,8 @@ class LayerCompiler {
                          const Span& wall, Span& out) {
       out.from = std::isnan(at) ? wall.from : at;
       out.to = std::isnan(length) ? wall.to : out.from + length;
-      if (out.from > wall.from - kShortestPiece && out.to < wall.to + kShortestPiece && out.from < out.to)
+      if (out.from > wall.from - kShortestPiece && out.to < wall.to + kShortestPiece &&
+          out.from < out.to)
         return;
       fault(std::isnan(at) ? std::string(".") + size : std::string(".") + start,
             fmt::format("from {:g} to {:g} m", out.from, out.to),

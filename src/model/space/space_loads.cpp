@@ -18,8 +18,8 @@ namespace {
 using geometry::Facet;
 using geometry::SpaceAssembly;
 
-constexpr double kReachOfLoad = 0.01;       // how far a line may lie off the face that it loads [m]
-constexpr double kFewMicrons = 5e-6;  // a gap that is round-off of what users write [m]
+constexpr double kReachOfLoad = 0.01;  // how far a line may lie off the face that it loads [m]
+constexpr double kFewMicrons = 5e-6;   // a gap that is round-off of what users write [m]
 
 struct Stretch {
   std::size_t body;

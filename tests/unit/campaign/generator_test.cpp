@@ -31,7 +31,7 @@ TEST(Generator, fills_the_unit_interval_evenly) {
     ++count[static_cast<std::size_t>(16 * u)];
     sum += u;
   }
-  EXPECT_NEAR(sum / kDrawn, 0.5, 4 * 0.29 / 400);             // four standard errors
+  EXPECT_NEAR(sum / kDrawn, 0.5, 4 * 0.29 / 400);               // four standard errors
   for (const int here : count) EXPECT_NEAR(here, 10'000, 400);  // the same of each sixteenth
 }
 

@@ -47,8 +47,7 @@ TEST(ChosenTerms, are_those_of_a_sparse_polynomial) {
   const Columns u = design(80, {"a", "b", "c", "d"});
   const std::vector<Term> terms = {{0, 0, 0, 0}, {1, 0, 0, 0}, {0, 2, 0, 0}, {1, 0, 1, 0}};
   const std::vector<Term> chosen = chosen_terms(u, response_of(terms, {5, 1, -2, 0.5}, u), 3);
-  for (const Term& term : terms)
-    EXPECT_EQ(std::count(chosen.begin(), chosen.end(), term), 1);
+  for (const Term& term : terms) EXPECT_EQ(std::count(chosen.begin(), chosen.end(), term), 1);
   // what the others hold is left to rounding
   const Columns values = legendre_products(chosen, u);
   EXPECT_LT(chosen.size(), 20U);
@@ -56,7 +55,8 @@ TEST(ChosenTerms, are_those_of_a_sparse_polynomial) {
 
 TEST(ChosenTerms, of_pure_noise_are_few) {
   const Columns u = design(100, {"a", "b", "c"});
-  const std::vector<double> noise = unit_design({.design = Design::kMonteCarlo, .samples = 100, .seed = 9}, {"n"})[0];
+  const std::vector<double> noise =
+      unit_design({.design = Design::kMonteCarlo, .samples = 100, .seed = 9}, {"n"})[0];
   EXPECT_LE(chosen_terms(u, noise, 3).size(), 6U);
 }
 
