@@ -127,6 +127,24 @@ test("snapping is switched by its chips, and Escape gives a gesture up", async (
   assert.equal(await textOf(page), before);
 });
 
+test("an undo in the middle of a gesture ends the gesture", async () => {
+  await begin("portal");
+  await page.keyboard.press("o");
+  await page.keyboard.press("Enter");
+  const [x, y] = await opening(1).evaluate((e) => {
+    const box = e.getBoundingClientRect();
+    return [box.x + box.width / 3, box.y + box.height / 2];
+  });
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 30, y, { steps: 3 });
+  await page.keyboard.press("Control+z");
+  await page.mouse.move(x + 60, y, { steps: 3 });
+  await page.mouse.up();
+  assert.doesNotMatch(await textOf(page), /window 1/);
+  assert.deepEqual(page.faults, []);
+});
+
 test("an opening is resized by its handles, and a typed distance moves it", async () => {
   await begin("portal");
   await opening(0).click();

@@ -80,6 +80,15 @@ test("an opening is added and removed with its lintel, and all else is as it was
   }
 });
 
+test("a lintel bears as far as there is masonry, and stays out where there is none", () => {
+  const text = example("brick_portal");
+  const d = drawing.readDrawing(toml.parse(text));
+  const bearing = (x) => toml.valueAt(toml.parse(drawing.addOpening(text, d, { x, y: 0.5, width: 0.5, height: 0.5 }, "o")), ["wall", "opening", 1, "lintel", "bearing"]);
+  assert.equal(bearing(0.375), "250 mm");
+  assert.equal(bearing(0.125), "125 mm");
+  assert.equal(bearing(0), undefined);
+});
+
 test("sizes keep their units and decimals, and the push goes along with the wall", () => {
   const text = example("tuff_wall");
   const d = drawing.readDrawing(toml.parse(text));

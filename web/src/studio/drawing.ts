@@ -121,7 +121,7 @@ export function addOpening(text: string, d: Drawing, box: Box, word: string, wit
   if (storey) pairs.push(["storey", quoted(storey.name)]);
   pairs.push(["x", metres(box.x)], ["y", metres(box.y - (storey?.foot ?? 0))], ["width", metres(box.width)], ["height", metres(box.height)]);
   const out = appendTable(text, ["wall", "opening"], pairs);
-  return withLintel ? addLintel(out, d, d.openings.length) : out;
+  return withLintel ? addLintel(out, d, d.openings.length, box) : out;
 }
 
 export const removeOpening = (text: string, k: number): string => removeAt(text, ["wall", "opening", k]);
@@ -143,11 +143,15 @@ residual_cohesion = "0 MPa"
 compressive_strength = "unlimited"
 `;
 
-// A timber lintel over opening k; its materials come along where the file has none.
-export function addLintel(text: string, d: Drawing, k: number): string {
+// A timber lintel over opening k, where there is masonry beside it to bear on; its materials come along where the
+// file has none.
+export function addLintel(text: string, d: Drawing, k: number, box: Box = d.openings[k]): string {
+  const room = gaps(d, box, k);
+  const halves = Math.min(2, Math.floor((Math.min(room.left, room.right) + 1e-6) / d.half));
+  if (halves < 1) return text;
   const courses = Math.max(1, Math.round(0.15 / d.course));
   const mm = (v: number): string => quoted(writeQuantity(v, "mm"));
-  const lintel = `{ kind = "timber", depth = ${mm(courses * d.course)}, bearing = ${mm(2 * d.half)}, material = "timber", bond = "timber_face" }`;
+  const lintel = `{ kind = "timber", depth = ${mm(courses * d.course)}, bearing = ${mm(halves * d.half)}, material = "timber", bond = "timber_face" }`;
   let out = setValue(text, ["wall", "opening", k, "lintel"], lintel);
   for (const [name, lines] of [["timber", kTimber], ["timber_face", kTimberFace]])
     if (!find(parse(out), ["material", name])) out = beforeStages(out, lines);

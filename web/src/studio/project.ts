@@ -66,7 +66,7 @@ export class Project {
     this.read(text, selected);
   }
   select(index: number): void {
-    if (index === this.selected) return;
+    if (index === this.selected || index >= (this.drawing?.openings.length ?? 0)) return;
     this.selected = index;
     this.tell("selection");
   }

@@ -49,6 +49,9 @@ export class Tools {
     private readonly project: Project,
     private readonly changed: () => void,
   ) {
+    project.listen((why) => {
+      if (why === "text" && this.gesture) this.forget(); // what it holds may be gone
+    });
     const root = canvas.root;
     root.addEventListener("pointerdown", (e) => this.down(e));
     root.addEventListener("pointermove", (e) => this.move(e));
@@ -70,10 +73,13 @@ export class Tools {
     this.changed();
   }
   cancel(): void {
+    this.forget();
+    this.canvas.draw();
+  }
+  private forget(): void {
     this.gesture = null;
     this.canvas.preview = null;
     this.typing.hidden = true;
-    this.canvas.draw();
   }
 
   // --- pointers ------------------------------------------------------------------------------------------
