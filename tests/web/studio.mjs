@@ -9,9 +9,50 @@ import { folder, launch as launchBrowser, root } from "./helpers.mjs";
 
 const build = process.env.BUILD ?? path.join(root, "build/release");
 const library = path.join(build, "libwythe.so");
+export const kPatience = 120000; // [ms]; only a defect takes as long
 
-// studio.html as `make studio` builds it, with a mark in the place of the engine.
-export function studioPage() {
+// A wall of large stones: pushed in a second.
+export const kWall = `name = "wall of large stones"
+
+[wall]
+length = "2.4 m"
+height = "1.6 m"
+thickness = "0.4 m"
+
+[wall.unit]
+length = "400 mm"
+height = "200 mm"
+split = "none"
+density = "1800 kg/m^3"
+
+[masonry]
+use = "clay_brick_old"
+vertical_stress = "0.1 MPa"
+shear_modulus = "rule"
+unit_youngs_modulus = "rule"
+
+[material.joint]
+missing = "rule"
+
+[material.unit]
+missing = "rule"
+
+[[stage]]
+name = "gravity"
+
+[[stage]]
+name = "floor"
+pressure = "0.1 MPa"
+
+[[stage]]
+name = "push"
+at = { x = "0 m", y = "1.5 m" }
+velocity = "1 mm/s"
+until = "4 mm"
+`;
+
+// studio.html as `make studio` builds it, with a mark in the place of the engine; or with the engine of `folder`.
+export function studioPage(engine) {
   const out = folder("studio");
   const file = path.join(out, `page_${process.pid}.html`);
   fs.mkdirSync(out, { recursive: true });
@@ -21,7 +62,8 @@ export function studioPage() {
     stdio: "pipe",
   });
   const built = path.join(out, String(process.pid), "studio.html");
-  fs.writeFileSync(file, fs.readFileSync(built, "utf8").replace("<!--wythe:worker-->", "/* answered by the test */"));
+  if (engine) execFileSync(process.execPath, [path.join(root, "apps/wasm/page.mjs"), built, engine, file], { stdio: "pipe" });
+  else fs.writeFileSync(file, fs.readFileSync(built, "utf8").replace("<!--wythe:worker-->", "/* answered by the test */"));
   fs.rmSync(path.dirname(built), { recursive: true });
   return file;
 }
@@ -52,6 +94,7 @@ export async function openStudio(browser, file, options = {}) {
     locale: options.locale ?? "en-GB",
     acceptDownloads: true,
   });
+  context.setDefaultTimeout(kPatience);
   const page = await context.newPage();
   page.faults = [];
   page.on("console", (m) => m.type() === "error" && page.faults.push(`console: ${m.text()}`));
@@ -85,7 +128,7 @@ export async function openStudio(browser, file, options = {}) {
     }
     children.get(number).stdin.write(`${question}\n`);
   });
-  await page.addInitScript(fakeWorkers);
+  if (!options.own) await page.addInitScript(fakeWorkers);
   page.on("close", () => {
     for (const child of children.values()) child.kill("SIGKILL");
   });
@@ -100,7 +143,15 @@ export const launch = launchBrowser;
 // Waits until the stones belong to the text as it is.
 export async function stonesOf(page) {
   await page.waitForTimeout(120);
-  await page.waitForFunction(() => document.documentElement.dataset.checking === undefined, null, { timeout: 15000 });
+  await page.waitForFunction(() => document.documentElement.dataset.checking === undefined, null, { timeout: kPatience });
+}
+// Puts a text into the file, as somebody who pastes it there.
+export async function write(page, text) {
+  await page.locator(".file-text").evaluate((area, text) => {
+    area.value = text;
+    area.dispatchEvent(new Event("blur"));
+  }, text);
+  await stonesOf(page);
 }
 export const textOf = (page) => page.locator(".file-text").inputValue();
 

@@ -4,64 +4,20 @@ import fs from "node:fs";
 import path from "node:path";
 import { after, before, test } from "node:test";
 import { folder, run } from "./helpers.mjs";
-import { launch, openStudio, stonesOf, studioPage, textOf } from "./studio.mjs";
-
-// A wall of large stones: pushed in a second.
-const kWall = `name = "wall of large stones"
-
-[wall]
-length = "2.4 m"
-height = "1.6 m"
-thickness = "0.4 m"
-
-[wall.unit]
-length = "400 mm"
-height = "200 mm"
-split = "none"
-density = "1800 kg/m^3"
-
-[masonry]
-use = "clay_brick_old"
-vertical_stress = "0.1 MPa"
-shear_modulus = "rule"
-unit_youngs_modulus = "rule"
-
-[material.joint]
-missing = "rule"
-
-[material.unit]
-missing = "rule"
-
-[[stage]]
-name = "gravity"
-
-[[stage]]
-name = "floor"
-pressure = "0.1 MPa"
-
-[[stage]]
-name = "push"
-at = { x = "0 m", y = "1.5 m" }
-velocity = "1 mm/s"
-until = "4 mm"
-`;
+import { kPatience, kWall, launch, openStudio, stonesOf, studioPage, textOf, write } from "./studio.mjs";
 
 let browser, file, page;
 before(async () => {
   file = studioPage();
   browser = await launch();
   page = await openStudio(browser, file, { impatient: true });
-  await page.locator(".file-text").evaluate((area, text) => {
-    area.value = text;
-    area.dispatchEvent(new Event("blur"));
-  }, kWall);
-  await stonesOf(page);
+  await write(page, kWall);
 });
 after(async () => {
   assert.deepEqual(page.faults, []);
   await browser?.close();
 });
-const ended = () => page.waitForFunction(() => !document.querySelector(".primary.running"), null, { timeout: 25000 });
+const ended = () => page.waitForFunction(() => !document.querySelector(".primary.running"), null, { timeout: kPatience });
 
 test("P pushes; the answer is the program's own", async () => {
   await page.locator(".canvas").focus();
@@ -100,7 +56,7 @@ test("the slider shows the wall at each state; arrows go along; Escape goes back
 
 test("the report opens from the page, with the same sentence", async () => {
   const [popup] = await Promise.all([page.context().waitForEvent("page"), page.getByRole("button", { name: "Open the report" }).click()]);
-  await popup.waitForSelector("html[data-ready]", { timeout: 15000 });
+  await popup.waitForSelector("html[data-ready]", { timeout: kPatience });
   const answer = (await popup.locator("#headline .answer").innerText()).replace(/\s+/g, " ");
   assert.equal((await page.locator(".result-words .answer").innerText()).replace(/\s+/g, " "), answer);
   await popup.close();
@@ -121,7 +77,7 @@ test("a push is stopped at once, and the next one runs", async () => {
   await page.getByLabel("As far as").press("Enter");
   await stonesOf(page);
   await page.getByRole("button", { name: "Push", exact: true }).click();
-  await page.waitForFunction(() => /kN/.test(document.querySelector(".result-words .live")?.textContent ?? ""), null, { timeout: 15000 });
+  await page.waitForFunction(() => /kN/.test(document.querySelector(".result-words .live")?.textContent ?? ""), null, { timeout: kPatience });
   await page.getByRole("button", { name: "Stop", exact: true }).click();
   assert.match(await page.locator(".result-words").innerText(), /Stopped/);
   await page.locator(".canvas").focus();
