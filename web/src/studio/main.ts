@@ -157,8 +157,12 @@ function showFaults(found: Fault[]): void {
 
 // --- what is shown ------------------------------------------------------------------------------------------
 
+let shownSize = ""; // of the wall: another one is fitted into the window
 project.listen((why) => {
   canvas.drawing = project.drawing;
+  const size = project.drawing ? `${project.drawing.length} ${project.drawing.height}` : shownSize;
+  fitNext ||= size !== shownSize;
+  shownSize = size;
   canvas.selected = project.selected;
   if (why === "selection") {
     if (project.selected >= 0 && project.doc && !file.hasFocus) file.show(lineOf(project.doc, ["wall", "opening", project.selected]), false);

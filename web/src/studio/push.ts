@@ -1,6 +1,6 @@
 // The push: its curve while it runs, and what came out: a sentence, key numbers, the cracks at each state.
 import { h } from "../dom";
-import { num, qty, say } from "../texts";
+import { num, phrase, qty, say } from "../texts";
 import { Curve } from "./curve";
 import { pushOf } from "./drawing";
 import type { Answer, Engine } from "./engine";
@@ -153,7 +153,7 @@ export class Push {
         ...card(say("studio.peak"), qty(peak, "kN")),
         ...card(say("studio.peak.drift"), qty(number("drift_percent_at_peak"), "%", 2)),
         ...card(say("studio.ultimate"), `${summary.censored_80 ? "> " : ""}${qty(number("drift_percent_at_80"), "%", 2)}`),
-        ...card(say("studio.mode"), String(summary.failure_mode?.name ?? "–")),
+        ...card(say("studio.mode"), phrase(String(summary.failure_mode?.name ?? "–"))),
       ),
       h("p", { class: "answer" }, headlineOf(this.page) || say("run.resists", { force: qty(peak, "kN"), at: qty(at, "mm"), drift: "" })),
     );
