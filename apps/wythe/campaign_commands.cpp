@@ -475,14 +475,14 @@ std::vector<Message> new_to(std::vector<Message>& told, const std::vector<Messag
 
 // What the base model says of itself: not of values, which samples may set, nor of records that a study replaces.
 std::vector<Message> notes_of_base(const Model& base, const StudySpec& study) {
-  constexpr const char* kOfValues[] = {"value.odd", "density.odd", "scatter.odd",
-                                       "rule.slope_left_out", "office.undivided"};
+  const auto is_of_values = [](const std::string& code) {
+    return code == "value.odd" || code == "density.odd" || code == "scatter.odd" ||
+           code == "rule.slope_left_out" || code == "office.undivided";
+  };
   std::vector<Message> notes;
   for (const Message& note : base.anatomy.notes) {
-    const bool is_of_values = std::any_of(std::begin(kOfValues), std::end(kOfValues),
-                                          [&](const char* code) { return note.code == code; });
     const bool is_replaced = study.shaking.is_asked() && note.code.starts_with("shake.");
-    if (!is_of_values && !is_replaced) notes.push_back(note);
+    if (!is_of_values(note.code) && !is_replaced) notes.push_back(note);
   }
   return notes;
 }

@@ -157,11 +157,13 @@ Distribution weibull(double scale, double shape, double location) {
 // Gamma(1 + 2/k) / Gamma(1 + 1/k)^2 = 1 + ratio^2, which falls as k grows.
 double weibull_shape(double ratio) {
   const auto excess = [&](double log_shape) {
+    const auto log_gamma = [](double x) {  // of 1 + x, where x may be tiny
+      return elementary::log1p(boost::math::tgamma1pm1(x));
+    };
     const double inverse = elementary::exp(-log_shape);
-    return boost::math::lgamma(1 + 2 * inverse) - 2 * boost::math::lgamma(1 + inverse) -
-           elementary::log1p(ratio * ratio);
+    return log_gamma(2 * inverse) - 2 * log_gamma(inverse) - elementary::log1p(ratio * ratio);
   };
-  double low = -4, high = 12;  // ln of the shape: ratios from 1e-5 to 1e26
+  double low = -4, high = 30;  // ln of the shape: ratios from 1e-13 to 1e26
   if (!(excess(low) > 0) || !(excess(high) < 0))
     throw std::domain_error("no Weibull distribution has this ratio of deviation to mean");
   for (int k = 0; k < 80; ++k) {
