@@ -32,13 +32,13 @@ demo: configure  ## run one wall, then 24 samples of its study; says where the r
 	$(BUILD)/wythe campaign $(STUDY) --out $(BUILD)/demo_campaign --samples 24
 	@echo "open $(BUILD)/demo/report.html and $(BUILD)/demo_campaign/report.html"
 
-wasm:            ## the engine for browsers and Node: build/wasm/package (Emscripten, deps/wasm.txt)
+wasm: setup      ## the engine for browsers and Node: build/wasm/package (Emscripten, deps/wasm.txt)
 	@tools/setup deps/wasm.txt
 	@cmake --preset wasm >build-configure.log 2>&1 || { cat build-configure.log; rm -f build-configure.log; exit 1; }
 	@rm -f build-configure.log
 	@cmake --build --preset wasm
 
-test: setup wasm ## build and run every test; last line: N passed, N failed
+test: wasm       ## build and run every test; last line: N passed, N failed
 	@tools/run_tests --preset $(PRESET)
 
 test-long: setup ## the tests that are too dear for each change; docs/testing.md
@@ -66,7 +66,7 @@ site:            ## build/site: these pages as a site, offline; needs the packag
 web: setup       ## build the report viewer: src/report/assets/viewer.html
 	@cd web && npm ci --no-audit --no-fund && npm run build
 
-studio: setup wasm ## build the page to draw walls on: build/studio.html
+studio: wasm     ## build the page to draw walls on: build/studio.html
 	@cd web && npm ci --no-audit --no-fund && npx tsc && STUDIO_OUT=../build/wasm/page npx vite build --config vite.studio.config.js
 	@node apps/wasm/page.mjs build/wasm/page/studio.html build/wasm build/studio.html
 
