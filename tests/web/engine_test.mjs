@@ -16,10 +16,10 @@ const inFolder = (name) => {
 const command = (...words) =>
   spawnSync(process.execPath, [path.join(made, "wythe.mjs"), ...words], { encoding: "utf8" });
 
-// One of each kind that builds otherwise: plane, lintels, cracks, fields, layers, space, arches, dry stone. Pushes end within seconds.
+// One of each kind that builds otherwise: plane, lintels, cracks, scatter, fields, layers, space, arches, dry stone. Pushes end within seconds.
 const WALLS = [
   ["tuff_wall", "stage.push.until=1 mm"],
-  ["brick_pier", "stage.push.until=0.4 mm"],
+  ["brick_pier", "stage.push.until=0.4 mm", "scatter.use=clay_brick"],
   ["random_field", "stage.push.until=0.2 mm"],
   ["strengthening/after", "stage.push.until=0.1 mm"],
   ["wall_with_returns", "stage.force.factor=0.01"],

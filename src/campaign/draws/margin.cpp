@@ -1,10 +1,9 @@
-// Distributions by their closed forms. Only the incomplete beta function and the gamma function come from a library, Boost, so a beta
-// or a Weibull of given mean may differ by an ulp between machines; the others have the same bits everywhere.
+// Distributions by their closed forms, with the same bits everywhere. Only the incomplete beta function comes from a library, Boost,
+// which calls libm: a value drawn from a beta may differ by an ulp between machines.
 #include "campaign/draws/margin.h"
 
 #include <algorithm>
 #include <boost/math/special_functions/beta.hpp>
-#include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
 #include <stdexcept>
 
@@ -12,6 +11,7 @@
 #include "campaign/draws/generator.h"
 #include "core/check.h"
 #include "core/elementary.h"
+#include "core/gamma.h"
 #include "core/normal.h"
 
 namespace wythe {
@@ -157,11 +157,8 @@ Distribution weibull(double scale, double shape, double location) {
 // Gamma(1 + 2/k) / Gamma(1 + 1/k)^2 = 1 + ratio^2, which falls as k grows.
 double weibull_shape(double ratio) {
   const auto excess = [&](double log_shape) {
-    const auto log_gamma = [](double x) {  // of 1 + x, where x may be tiny
-      return elementary::log1p(boost::math::tgamma1pm1(x));
-    };
     const double inverse = elementary::exp(-log_shape);
-    return log_gamma(2 * inverse) - 2 * log_gamma(inverse) - elementary::log1p(ratio * ratio);
+    return log_gamma_1p(2 * inverse) - 2 * log_gamma_1p(inverse) - elementary::log1p(ratio * ratio);
   };
   double low = -4, high = 30;  // ln of the shape: ratios from 1e-13 to 1e26
   if (!(excess(low) > 0) || !(excess(high) < 0))
@@ -181,7 +178,7 @@ Distribution make_weibull(const VariableSpec& s) {
   if (!(above > 0))
     throw std::domain_error("the mean of a Weibull distribution lies above its location");
   const double shape = weibull_shape(deviation / above);
-  return weibull(above / boost::math::tgamma(1 + 1 / shape), shape, location);
+  return weibull(above / elementary::exp(log_gamma_1p(1 / shape)), shape, location);
 }
 
 // Each kind: what it takes, and how it is made; measured values have no formula.

@@ -1,10 +1,12 @@
-// The standard normal distribution against forty digits of mpmath.
+// The standard normal distribution and the gamma function against forty digits of mpmath.
 #include "core/normal.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+
+#include "core/gamma.h"
 
 namespace wythe {
 namespace {
@@ -43,6 +45,16 @@ TEST(NormalQuantile, undoes_the_share_and_never_falls) {
     EXPECT_NEAR(normal_share(z), u, 4e-16 + 4e-15 * u);
     before = z;
   }
+}
+
+TEST(LogGamma, has_the_digits_of_a_double_from_tiny_to_large) {
+  for (const Known& k : {Known{1e-12, -5.7721566490071038e-13}, Known{1e-6, -5.7721484243490010e-7},
+                         Known{0.01, -0.0056903079460696456}, Known{0.3, -0.10817480950786047},
+                         Known{0.5, -0.12078223763524522}, Known{0.75, -0.084401121020485556},
+                         Known{2.5, 1.2009736023470742}, Known{7.25, 9.0331869196051229},
+                         Known{55, 168.32744544842765}, Known{109.2, 406.56166430202995}})
+    EXPECT_NEAR(log_gamma_1p(k.at) / k.value, 1, 4e-15) << k.at;
+  EXPECT_NEAR(log_gamma_1p(1), 0, 4e-16);  // Gamma(2) = 1
 }
 
 }  // namespace
