@@ -76,7 +76,7 @@ function fakeWorkers() {
       this.number = window.testWorkers.push(this) - 1;
     }
     postMessage(question) {
-      if ("wasm" in question) setTimeout(() => this.onmessage({ data: { ready: true, version: "test" } }));
+      if ("wasm" in question) queueMicrotask(() => this.onmessage({ data: { ready: true, version: "test" } }));
       else void window.testAsk(this.number, JSON.stringify(question));
     }
     terminate() {
@@ -142,8 +142,11 @@ export const launch = launchBrowser;
 
 // Waits until the stones belong to the text as it is.
 export async function stonesOf(page) {
-  await page.waitForTimeout(120);
-  await page.waitForFunction(() => document.documentElement.dataset.checking === undefined, null, { timeout: kPatience });
+  await page.waitForFunction(
+    () => ["typing", "checking"].every((mark) => document.documentElement.dataset[mark] === undefined),
+    null,
+    { timeout: kPatience },
+  );
 }
 // Puts a text into the file, as somebody who pastes it there.
 export async function write(page, text) {

@@ -19,7 +19,6 @@ after(async () => {
 const write = async (change) => {
   await page.locator('[data-pane="file"].tab').click();
   await page.locator(".file-text").fill(change(await textOf(page)));
-  await page.waitForTimeout(300);
   await stonesOf(page);
 };
 const begin = async (name) => {

@@ -39,7 +39,6 @@ for (const [width, height] of [[1440, 900], [820, 1180], [390, 844]])
       await picture(page, `studio_${width}_${scheme}`);
       await page.locator('[data-pane="file"].tab').click();
       await page.locator(".file-text").fill("[wall]\nlength = 3\n");
-      await page.waitForTimeout(300);
       await stonesOf(page);
       assert.deepEqual(await violations(page), []);
       await picture(page, `studio_fault_${width}_${scheme}`);

@@ -16,6 +16,7 @@ export class FilePane {
     this.area = h("textarea", { class: "file-text", spellcheck: "false", wrap: "off", autocapitalize: "off", autocomplete: "off", "aria-label": say("studio.file") });
     this.area.addEventListener("input", () => {
       this.number();
+      document.documentElement.dataset.typing = "yes"; // until the text counts
       window.clearTimeout(this.timer);
       this.timer = window.setTimeout(() => this.take(), kPause);
     });
@@ -33,6 +34,7 @@ export class FilePane {
   take(): void {
     window.clearTimeout(this.timer);
     if (this.area.value !== this.project.text) this.project.change(this.area.value, this.project.selected, "typing");
+    delete document.documentElement.dataset.typing;
   }
   private refresh(): void {
     if (this.area.value === this.project.text) return this.number();
