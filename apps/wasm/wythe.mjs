@@ -4,7 +4,6 @@
 //   wythe run MODEL.toml --out DIR [--set KEY=VALUE ...] [--lang en|it] [--replace] [--quiet]
 //   wythe check MODEL.toml [--set KEY=VALUE ...]
 //   wythe limit MODEL.toml --out DIR [--set KEY=VALUE ...] [--only NAME ...] [--assessment] [--lang en|it]
-import { mkdir, stat, writeFile } from "node:fs/promises";
 import path from "node:path";
 import { load } from "./index.mjs";
 
@@ -48,7 +47,7 @@ function parse(command, words) {
   return options;
 }
 
-// The engine, with the drive of the model at /host; what it writes stays in memory.
+// The engine, with the drive of the model at /host.
 async function loaded(root) {
   const wythe = await load();
   if (root !== undefined) {
@@ -61,19 +60,6 @@ async function loaded(root) {
 function seenByEngine(file, root) {
   return `${HOST}/${path.relative(root, file).split(path.sep).join("/")}`;
 }
-
-// Copies what the engine wrote in memory to the machine.
-async function copyOut(engine, from, to) {
-  await mkdir(to, { recursive: true });
-  for (const name of engine.FS.readdir(from)) {
-    if (name === "." || name === "..") continue;
-    const [source, target] = [`${from}/${name}`, path.join(to, name)];
-    if (engine.FS.isDir(engine.FS.stat(source).mode)) await copyOut(engine, source, target);
-    else await writeFile(target, engine.FS.readFile(source));
-  }
-}
-
-const exists = (file) => stat(file).then(() => true, () => false);
 
 async function main(words) {
   const [command, ...rest] = words;
@@ -88,14 +74,15 @@ async function main(words) {
   const options = parse(command, rest);
   const file = path.resolve(options.model);
   const root = path.parse(file).root;
-  if (options.out !== undefined && !options.replace && (await exists(options.out)))
-    throw new Wrong(`${options.out}: is there already; name another folder, or write --replace`);
+  const out = options.out && path.resolve(options.out);
+  if (out && path.parse(out).root !== root) throw new Wrong(`--out: ${out} is on another drive than the model`);
   const wythe = await loaded(root);
   const texts = { file: seenByEngine(file, root), set: options.set };
   if (options.lang) texts.language = options.lang;
   if (options.only.length > 0) texts.only = options.only;
-  if (options.out) texts.out = "/out";
-  const numbers = options.assessment ? { assessment: 1 } : {};
+  if (out) texts.out = seenByEngine(out, root);
+  const numbers = {};
+  for (const flag of ["assessment", "replace"]) if (options[flag]) numbers[flag] = 1;
   let shown = 0;
   const progress = (what, share, mm, kN) => {
     if (options.quiet || !process.stderr.isTTY || Date.now() - shown < 200) return false;
@@ -107,12 +94,12 @@ async function main(words) {
   const { code, texts: told } = wythe.do(command, { texts, numbers }, { texts: want }, progress);
   if (shown > 0) process.stderr.write("\r\u001b[K");
   if (told.error) console.error(told.error.replaceAll(`${HOST}/`, root));
-  if (options.out && (code === 0 || code === 3)) await copyOut(wythe.engine, "/out", options.out);
   if (code !== 0) return code;
   if (command === "check") console.log(told.check);
   if (command === "run") {
     const summary = JSON.parse(told.summary);
-    console.log(`${options.out}: peak ${summary.peak_reaction_kN} kN, state ${summary.state_hash}`);
+    const peak = summary.peak_reaction_kN === null ? "no peak known" : `peak ${summary.peak_reaction_kN.toPrecision(4)} kN`;
+    console.log(`${options.out}: ${peak}, state ${summary.state_hash}`);
   }
   if (options.out) console.log(`report: ${path.join(options.out, "report.html")}`);
   return 0;

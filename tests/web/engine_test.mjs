@@ -56,6 +56,22 @@ test("faults are those of the native program, with the path of the machine", { s
   assert.ok(wasm.stderr.includes(model), wasm.stderr);
 });
 
+test("results of another model are refused, and a run leaves none of the run before", { skip }, () => {
+  const out = path.join(inFolder("engine_replace"), "run");
+  const pier = path.join(root, "examples/brick_pier/model.toml");
+  const states = () => fs.readdirSync(out).filter((name) => /^state_blocks/.test(name)).length;
+  const push = (model, ...more) => command("run", model, "--out", out, "--quiet", "--set", "stage.push.until=0.02 mm", ...more);
+  assert.equal(push(pier, "--set", "output.states=['0.005 mm', '0.01 mm', '0.015 mm']").status, 0);
+  const before = states();
+  const other = push(path.join(root, "examples/tuff_wall/model.toml"));
+  assert.equal(other.status, 2);
+  assert.match(other.stderr, /holds results of another model/);
+  assert.equal(states(), before);
+  assert.equal(push(pier, "--set", "output.states=['0.01 mm']").status, 0);
+  assert.ok(states() < before, `${states()} states, ${before} before`);
+  assert.deepEqual(fs.readdirSync(path.dirname(out)), ["run"]);
+});
+
 test("what the command cannot do it says", { skip }, () => {
   const nothing = command();
   assert.equal(nothing.status, 2);
