@@ -382,18 +382,30 @@ VariableSpec margin_of(const FieldSpec& field, double mean) {
   return v;
 }
 
+// Nodes of the trapezoidal rule over the standard normal: the share below each, and its weight.
+struct NormalNodes {
+  std::vector<double> share, weight;
+  double weights = 0;
+  NormalNodes() {
+    constexpr double kStep = 0.0625, kEnd = 8.25;
+    for (double z = -kEnd; z <= kEnd; z += kStep) {
+      share.push_back(inside(normal_share(z)));
+      weight.push_back(elementary::exp(-0.5 * z * z));
+      weights += weight.back();
+    }
+  }
+};
+
 // Mean of the p-th power of a distribution by the trapezoidal rule over the standard normal, exact to
 // rounding for smooth ones.
 double mean_of(const Margin& margin, int power = 1) {
-  constexpr double kStep = 0.0625, kEnd = 8.25;
-  double sum = 0, weights = 0;
-  for (double z = -kEnd; z <= kEnd; z += kStep) {
-    const double weight = elementary::exp(-0.5 * z * z),
-                 value = margin.quantile(inside(normal_share(z)));
-    sum += weight * (power == 1 ? value : value * value);
-    weights += weight;
+  static const NormalNodes kNodes;
+  double sum = 0;
+  for (std::size_t k = 0; k < kNodes.share.size(); ++k) {
+    const double value = margin.quantile(kNodes.share[k]);
+    sum += kNodes.weight[k] * (power == 1 ? value : value * value);
   }
-  return sum / weights;
+  return sum / kNodes.weights;
 }
 
 // The field's distribution with mean 1. What is cut off would shift the mean: the distribution that is cut
