@@ -1,9 +1,10 @@
 // Elementary functions with the same bits on every machine: only +, -, *, / and the square root of IEEE 754 are used,
 // which all processors round alike; the libraries' own differ in the last bit. Each is computed with twice the digits
 // of a double (Dekker 1971) from its Taylor series and rounded once at the end, so it is within 0.5001 ulp. They take
-// about a microsecond, and belong where a model is built, not into a step (core/rotation.h has sin_cos for that).
+// half a microsecond to one, and belong where a model is built, not into a step (core/rotation.h has sin_cos for that).
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -14,15 +15,15 @@ struct Twofold {
   double hi, lo;
 };
 
-inline Twofold fast_sum(double a, double b) {  // |a| >= |b|
+constexpr Twofold fast_sum(double a, double b) {  // |a| >= |b|
   const double s = a + b;
   return {s, b - (s - a)};
 }
-inline Twofold sum(double a, double b) {
+constexpr Twofold sum(double a, double b) {
   const double s = a + b, t = s - a;
   return {s, (a - (s - t)) + (b - t)};
 }
-inline Twofold product(double a, double b) {
+constexpr Twofold product(double a, double b) {
   const auto split = [](double x) {
     const double c = 134217729.0 * x;  // 2^27 + 1
     return c - (c - x);
@@ -30,19 +31,19 @@ inline Twofold product(double a, double b) {
   const double p = a * b, a1 = split(a), a2 = a - a1, b1 = split(b), b2 = b - b1;
   return {p, ((a1 * b1 - p) + a1 * b2 + a2 * b1) + a2 * b2};
 }
-inline Twofold operator+(const Twofold& a, const Twofold& b) {
+constexpr Twofold operator+(const Twofold& a, const Twofold& b) {
   const Twofold s = sum(a.hi, b.hi), t = sum(a.lo, b.lo);
   const Twofold v = fast_sum(s.hi, s.lo + t.hi);
   return fast_sum(v.hi, v.lo + t.lo);
 }
-inline Twofold operator-(const Twofold& a) { return {-a.hi, -a.lo}; }
-inline Twofold operator-(const Twofold& a, const Twofold& b) { return a + -b; }
-inline Twofold operator*(const Twofold& a, const Twofold& b) {
+constexpr Twofold operator-(const Twofold& a) { return {-a.hi, -a.lo}; }
+constexpr Twofold operator-(const Twofold& a, const Twofold& b) { return a + -b; }
+constexpr Twofold operator*(const Twofold& a, const Twofold& b) {
   const Twofold p = product(a.hi, b.hi);
   return fast_sum(p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi));
 }
-inline Twofold operator*(double a, const Twofold& b) { return Twofold{a, 0} * b; }
-inline Twofold operator/(const Twofold& a, const Twofold& b) {
+constexpr Twofold operator*(double a, const Twofold& b) { return Twofold{a, 0} * b; }
+constexpr Twofold operator/(const Twofold& a, const Twofold& b) {
   const double q = a.hi / b.hi;
   const Twofold r = a - q * b;
   const double q2 = r.hi / b.hi;
@@ -62,44 +63,66 @@ inline constexpr double kPiRest = -2.994769809718339666e-33;  // of pi, behind k
 inline constexpr Twofold kLn2 = {6.931471805599452862e-01, 2.319046813846299558e-17};
 inline constexpr Twofold kOne = {1, 0};
 
-// Sum of terms while they count: first, then each the last times next(n).
-template <class Next>
-Twofold series(Twofold term, const Next& next) {
-  constexpr double kFaint = 1e-33;
-  Twofold total = term;
-  for (int n = 1; n < 60; ++n) {
-    term = next(term, n);
-    total = total + term;
-    if (std::fabs(term.hi) <= kFaint * std::fabs(total.hi)) break;
+// Coefficients of the series below, computed by the compiler.
+template <int kCount>
+using Coefficients = std::array<Twofold, kCount>;
+// 1/(first)!, 1/(first + step)!, ... with signs that alternate where `sign` is -1.
+template <int kCount>
+consteval Coefficients<kCount> inverse_factorials(int first, int step, double sign) {
+  Coefficients<kCount> c{};
+  Twofold one = kOne;
+  double of_term = 1;
+  for (int n = 1, k = 0; k < kCount; ++n) {
+    if (n - 1 == first + k * step) {
+      c[static_cast<std::size_t>(k++)] = of_term * one;
+      of_term *= sign;
+    }
+    one = one / Twofold{double(n), 0};
   }
+  return c;
+}
+// 1, sign/3, 1/5, sign/7, ...
+template <int kCount>
+consteval Coefficients<kCount> inverse_odds(double sign) {
+  Coefficients<kCount> c{};
+  double of_term = 1;
+  for (int k = 0; k < kCount; ++k, of_term *= sign)
+    c[static_cast<std::size_t>(k)] = Twofold{of_term, 0} / Twofold{2.0 * k + 1, 0};
+  return c;
+}
+
+// c[0] + c[1] x + c[2] x^2 + ...
+template <std::size_t kCount>
+Twofold polynomial(const std::array<Twofold, kCount>& c, const Twofold& x) {
+  Twofold total = c[kCount - 1];
+  for (std::size_t k = kCount - 1; k-- > 0;) total = total * x + c[k];
   return total;
 }
 
 // --- exponential and logarithm --------------------------------------------------------------------
 
 struct Scaled {
-  Twofold value;  // 1 to 2, about
-  int power;      // of 2
+  Twofold value;   // 1 to 2, about
+  int power;       // of 2
+  Twofold less_1;  // value - 1, with digits of its own where it is small
 };
+// e^x = (1 + y)^32 2^k. Squared is y, as 2y + y^2: it keeps its digits where 1 + y loses them.
 inline Scaled exponential(const Twofold& x) {
   constexpr int kHalvings = 5;
   const double k = std::nearbyint(x.hi / kLn2.hi);
   const Twofold r = (1.0 / 32) * (x - k * kLn2);
-  Twofold e = series(kOne, [&](const Twofold& t, int n) { return t * r / Twofold{double(n), 0}; });
-  for (int i = 0; i < kHalvings; ++i) e = e * e;
-  return {e, static_cast<int>(k)};
+  constexpr auto kTerms = inverse_factorials<14>(1, 1, 1);
+  Twofold y = r * polynomial(kTerms, r);
+  for (int i = 0; i < kHalvings; ++i) y = y * y + 2.0 * y;
+  return {kOne + y, static_cast<int>(k), y};
 }
 inline Twofold logarithm(const Twofold& x) {
   int power = 0;
   if (std::frexp(x.hi, &power) < 0.70710678118654752440) --power;
   const Twofold m = {std::ldexp(x.hi, -power), std::ldexp(x.lo, -power)};  // about 1
-  const Twofold s = (m - kOne) / (m + kOne), s2 = s * s;
-  Twofold odd = s, total = s;
-  for (int n = 3; n < 61; n += 2) {
-    odd = odd * s2;
-    total = total + odd / Twofold{double(n), 0};
-  }
-  return double(power) * kLn2 + 2.0 * total;
+  const Twofold s = (m - kOne) / (m + kOne);
+  constexpr auto kTerms = inverse_odds<23>(1);
+  return double(power) * kLn2 + 2.0 * (s * polynomial(kTerms, s * s));
 }
 
 inline double exp(double x) {
@@ -119,6 +142,7 @@ inline double expm1(double x) {
   if (!(std::fabs(x) < 700)) return exp(x) - 1;
   if (std::fabs(x) < 1e-300) return x;
   const Scaled e = exponential({x, 0});
+  if (e.power == 0) return rounded(e.less_1);
   return rounded(Twofold{std::ldexp(e.value.hi, e.power), std::ldexp(e.value.lo, e.power)} - kOne);
 }
 inline double log1p(double x) {
@@ -161,13 +185,9 @@ struct Circle {
 inline Circle circle(double x) {
   const double k = std::nearbyint(x / (kPi.hi / 2));
   const Twofold r = Twofold{x, 0} - (k / 2) * kPi - Twofold{k / 2 * kPiRest, 0}, r2 = r * r;
-  const auto next = [&](int first) {
-    return [&r2, first](const Twofold& t, int n) {
-      const double a = 2.0 * n + first - 1, b = 2.0 * n + first;
-      return -(t * r2 / Twofold{a * b, 0});
-    };
-  };
-  const Twofold s = series(r, next(1)), c = series(kOne, next(0));
+  constexpr auto kSine = inverse_factorials<16>(1, 2, -1),
+                 kCosine = inverse_factorials<16>(0, 2, -1);
+  const Twofold s = r * polynomial(kSine, r2), c = polynomial(kCosine, r2);
   switch (static_cast<long>(k) & 3) {
     case 0: return {s, c};
     case 1: return {c, -s};
@@ -194,13 +214,8 @@ inline double tan(double x) {
 // Of a quotient between 0 and 1.
 inline Twofold arctangent(Twofold t) {
   for (int i = 0; i < 2; ++i) t = t / (kOne + root(kOne + t * t));
-  const Twofold t2 = t * t;
-  Twofold odd = t, total = t;
-  for (int n = 3; n < 61; n += 2) {
-    odd = -(odd * t2);
-    total = total + odd / Twofold{double(n), 0};
-  }
-  return 4.0 * total;
+  constexpr auto kTerms = inverse_odds<25>(-1);
+  return 4.0 * (t * polynomial(kTerms, t * t));
 }
 // Angle of (x, y), both as hi + lo and not both 0; y >= 0.
 inline Twofold angle(const Twofold& y, const Twofold& x) {

@@ -409,7 +409,7 @@ double mean_of(const Margin& margin, int power = 1) {
 }
 
 // The field's distribution with mean 1. What is cut off would shift the mean: the distribution that is cut
-// has another one, found by bisection, so that the bounds stay where they were put.
+// has another one, the root of `miss`, so that the bounds stay where they were put.
 Margin unit_margin(const Field& field, FaultList& faults) {
   const FieldSpec& s = *field.spec;
   Margin margin(margin_of(s, 1));
@@ -423,24 +423,20 @@ Margin unit_margin(const Field& field, FaultList& faults) {
       return kUnset;
     }
   };
-  const bool grows = miss(1) < 0;
-  double near = 1, far = 1;
-  while ((miss(far) < 0) == grows) {
+  double near = 1, far = 1, far_miss = miss(1);
+  const bool grows = far_miss < 0;
+  while ((far_miss < 0) == grows) {
     near = far;
     far *= grows ? kStep : 1 / kStep;
-    if (std::isnan(miss(far))) {
+    far_miss = miss(far);
+    if (std::isnan(far_miss)) {
       faults.add({"", "field." + field.name + (is_set(s.upper) ? ".upper" : ".lower"), "",
                   "cuts off so much that no distribution of this kind keeps the mean",
                   "write bounds further apart", 0});
       return margin;
     }
   }
-  for (int k = 0; k < 45; ++k) {
-    const double middle = 0.5 * (near + far);
-    ((miss(middle) < 0) == grows ? near : far) = middle;
-  }
-  margin = Margin(margin_of(s, far));
-  return margin;
+  return Margin(margin_of(s, root_between(miss, std::min(near, far), std::max(near, far))));
 }
 
 void draw_group(const std::vector<Field*>& group, FaultList& faults) {

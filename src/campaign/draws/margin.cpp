@@ -1,10 +1,12 @@
-// Distributions by their closed forms, with the same bits everywhere. Only the incomplete beta function comes from a library, Boost,
-// which calls libm: a value drawn from a beta may differ by an ulp between machines.
+// Distributions by their closed forms, with the same bits everywhere. Boost gives the incomplete
+// beta function, which calls libm (a value drawn from a beta may differ by an ulp between machines), and finds roots.
 #include "campaign/draws/margin.h"
 
 #include <algorithm>
 #include <boost/math/special_functions/beta.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 
 #include "campaign/draws/distribution.h"
@@ -160,14 +162,10 @@ double weibull_shape(double ratio) {
     const double inverse = elementary::exp(-log_shape);
     return log_gamma_1p(2 * inverse) - 2 * log_gamma_1p(inverse) - elementary::log1p(ratio * ratio);
   };
-  double low = -4, high = 30;  // ln of the shape: ratios from 1e-13 to 1e26
+  constexpr double low = -4, high = 30;  // ln of the shape: ratios from 1e-13 to 1e26
   if (!(excess(low) > 0) || !(excess(high) < 0))
     throw std::domain_error("no Weibull distribution has this ratio of deviation to mean");
-  for (int k = 0; k < 80; ++k) {
-    const double middle = 0.5 * (low + high);
-    (excess(middle) > 0 ? low : high) = middle;
-  }
-  return elementary::exp(0.5 * (low + high));
+  return elementary::exp(root_between(excess, low, high));
 }
 
 Distribution make_weibull(const VariableSpec& s) {
@@ -213,6 +211,13 @@ const KindRow& kind_of(DistributionKind kind) {
 }
 
 }  // namespace
+
+double root_between(const std::function<double(double)>& f, double low, double high) {
+  std::uintmax_t evaluations = 100;
+  const auto [a, b] = boost::math::tools::toms748_solve(
+      f, low, high, boost::math::tools::eps_tolerance<double>(), evaluations);
+  return 0.5 * (a + b);
+}
 
 const study::DistributionForms& study::forms_of(DistributionKind kind) {
   return kind_of(kind).takes;

@@ -16,6 +16,9 @@ struct Distribution {
   std::function<double(double u)> quantile;      // value with the share u below it, 0 < u < 1 [SI]
 };
 
+// Where f changes its sign between low and high, to the last bits (Alefeld, Potra and Shi 1995, algorithm 748).
+[[nodiscard]] double root_between(const std::function<double(double)>& f, double low, double high);
+
 // One variable's distribution; `spec` must have passed its check (check_variable in study_check.h).
 class Margin {
  public:
