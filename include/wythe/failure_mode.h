@@ -57,6 +57,10 @@ using ElementStates = std::vector<ElementState>;
 [[nodiscard]] FailureMode name_failure_mode(const Model& model, const Result& result,
                                             double read_at = kReadModesAt);
 
+// Whether the name would stay if the truth of each sign moved by 0.3; by 0.15 it would be "unclear". So a slow push gets
+// the same name although its signs differ a little. True of names in space and of "unclear".
+[[nodiscard]] bool is_firm(const FailureMode& mode);
+
 // Opening, slip and crushing of piers, spandrels, connections and base, summed in every snapshot.
 [[nodiscard]] std::vector<Feature> read_features(const Model& model, const Result& result);
 

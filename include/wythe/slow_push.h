@@ -27,9 +27,9 @@ struct JudgedCurve {
 [[nodiscard]] SlowPushVerdict displacement_of_slow_push(const Model& model,
                                                         const JudgedCurve& curve);
 [[nodiscard]] SlowPushVerdict displacement_of_slow_push(const Model& model, const Result& result);
-// That it fails in the same way; the mode is read at a displacement [m].
+// That it fails in the same way. The mode is read at a displacement [m]; `is_firm`: what is_firm() of failure_mode.h says.
 [[nodiscard]] SlowPushVerdict mode_of_slow_push(const Model& model, const JudgedCurve& curve,
-                                                double read_at);
+                                                double read_at, bool is_firm);
 [[nodiscard]] SlowPushVerdict mode_of_slow_push(const Model& model, const Result& result);
 
 // Around the peak, where the force stays within kFlatPeak of it: on a flat curve small causes move the displacement of the

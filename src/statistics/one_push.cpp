@@ -24,8 +24,9 @@ bool may_wait(const Model& model) {
 
 // The reason with the cure that many walls have: that of one push is to ask many walls.
 Message cured(Message why, const Message& cure) {
-  if (why.code == "promise.threshold") {
-    why.code = "verdict.threshold";
+  const std::string code = why.code;
+  if (code == "promise.threshold" || code == "promise.name") {
+    why.code = code == "promise.name" ? "verdict.name" : "verdict.threshold";
     why.arguments.emplace_back("cure", cure);
   }
   for (Argument& argument : why.arguments)

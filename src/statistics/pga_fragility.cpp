@@ -10,6 +10,8 @@
 #include "statistics/intervals.h"
 #include "statistics/one_push.h"
 #include "statistics/survival.h"
+#include "wythe/failure_mode.h"
+#include "wythe/slow_push.h"
 #include "wythe/statistics.h"
 
 namespace wythe {
@@ -185,7 +187,8 @@ CodeAssessment assess_sample(const SampleRecord& record, const ModelSpec& base,
       .responses = record.responses,
       .judgement = record.quasi_static.judgement,
       .displacement = displacement_of_slow_push(model, curve),
-      .mode = mode_of_slow_push(model, curve, record.failure_mode.read_at),
+      .mode = mode_of_slow_push(model, curve, record.failure_mode.read_at,
+                                is_firm(record.failure_mode)),
       .overlap_lost = record.overlap_lost,
       .rise = record.rise,
       .pier_slenderness = push.pier_slenderness,

@@ -197,7 +197,8 @@ SlowPushVerdict displacement_of_slow_push(const Model& model, const Result& resu
   return displacement_of_slow_push(model, {result.curve, result.responses, result.quasi_static});
 }
 
-SlowPushVerdict mode_of_slow_push(const Model& model, const JudgedCurve& curve, double read_at) {
+SlowPushVerdict mode_of_slow_push(const Model& model, const JudgedCurve& curve, double read_at,
+                                  bool is_firm) {
   const Stage* push = last_push(model);
   if (const auto said = without_judging(model, curve, push)) return *said;
   if (!(std::fabs(read_at) > 0)) return not_known({"promise.no_mode"});
@@ -205,12 +206,8 @@ SlowPushVerdict mode_of_slow_push(const Model& model, const JudgedCurve& curve, 
   for (const Jump& jump : path.jumps())
     if (jump.way > kAllowedWay) return of_jump(jump, push->spec);
   if (const auto said = of_drag(path, push->spec)) return *said;
+  if (!is_firm) return not_known({"promise.name"});
   return {"slow enough", {}};
-}
-
-SlowPushVerdict mode_of_slow_push(const Model& model, const Result& result) {
-  return mode_of_slow_push(model, {result.curve, result.responses, result.quasi_static},
-                           result.failure_mode.read_at);
 }
 
 Message warning_of(const Model& model, const Result& result) {

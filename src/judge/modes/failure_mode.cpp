@@ -10,6 +10,7 @@
 #include "judge/modes/mode_flags.h"
 #include "judge/modes/mode_names.h"
 #include "wythe/mechanism.h"
+#include "wythe/slow_push.h"
 
 namespace wythe {
 namespace {
@@ -404,6 +405,11 @@ FailureMode name_failure_mode(const Model& model, const Result& result, double r
   FailureMode mode = mode_of_push(model, result, read_at);
   name_fall(result, mode);
   return mode;
+}
+
+SlowPushVerdict mode_of_slow_push(const Model& model, const Result& result) {
+  return mode_of_slow_push(model, {result.curve, result.responses, result.quasi_static},
+                           result.failure_mode.read_at, is_firm(result.failure_mode));
 }
 
 WallMechanism mechanism_from_state(const Model& model, const State& state) {

@@ -74,7 +74,29 @@ Message sentence_of(const std::string& name) {
   return {"mode.none"};
 }
 
+// Kinds of damage of a wall that is no portal, with and without openings, in the order of Namer::rank_plainly.
+constexpr const char* kGravestFirst[] = {"pier shear",     "shear",
+                                         "spandrel shear", "pier sliding",
+                                         "sliding",        "bed sliding",
+                                         "base sliding",   "sliding at the base",
+                                         "top sliding",    "sliding at the top",
+                                         "pier rocking",   "rocking",
+                                         kPartOff,         "toe crushing",
+                                         "flexural cracks"};
+
 using Kinds = std::vector<std::string>;
+using RankedKinds =
+    std::vector<std::pair<std::string, double>>;  // with the truth of each, gravest first
+
+// The two gravest kinds whose truth reaches `least`; lesser damage only where there is no other.
+Kinds composed(const RankedKinds& ranked, double least) {
+  Kinds kinds;
+  for (const auto& [kind, sure] : ranked) {
+    const bool is_lesser = kind == kPartOff || kind == "toe crushing" || kind == "flexural cracks";
+    if (sure >= least && kinds.size() < 2 && !(is_lesser && !kinds.empty())) kinds.push_back(kind);
+  }
+  return kinds;
+}
 
 Message words_of(const Kinds& kinds) {
   std::vector<Message> list;
@@ -183,7 +205,7 @@ class Namer {
     const auto& [second, second_name] = ranked[1];
     if (-first < kClear) {
       rank_plainly();
-      const Kinds shown = composed(0.5 + 0.5 * kClear);
+      const Kinds shown = composed(ranked_, 0.5 + 0.5 * kClear);
       if (!shown.empty())
         mode_.sentence = {"mode.parts_only",
                           {{"kinds", words_of(shown)}, {"parts", parts_that_show()}}};
@@ -244,7 +266,8 @@ class Namer {
     rank_plainly();
     for (const auto& [kind, sure] : ranked_) mode_.scores[kind] = sure;
     constexpr double kHalf = 0.5;
-    const Kinds strict = composed(kHalf + 0.5 * kClear), lenient = composed(kHalf - 0.5 * kClear);
+    const Kinds strict = composed(ranked_, kHalf + 0.5 * kClear),
+                lenient = composed(ranked_, kHalf - 0.5 * kClear);
     if (strict == lenient && !strict.empty()) {
       give_name(joined(strict, " + "), words_of(strict));
       mode_.sentence = {"mode.parts", {{"parts", parts_that_show()}}};
@@ -263,18 +286,6 @@ class Namer {
   [[nodiscard]] bool has_top_joint() const {
     return std::any_of(elements_.begin(), elements_.end(),
                        [](const ElementState& e) { return e.element == kTopJoint; });
-  }
-
-  // The two gravest kinds whose truth reaches `least`; lesser damage only where there is no other.
-  [[nodiscard]] Kinds composed(double least) const {
-    Kinds kinds;
-    for (const auto& [kind, sure] : ranked_) {
-      const bool is_lesser =
-          kind == kPartOff || kind == "toe crushing" || kind == "flexural cracks";
-      if (sure >= least && kinds.size() < 2 && !(is_lesser && !kinds.empty()))
-        kinds.push_back(kind);
-    }
-    return kinds;
   }
 
   // Each part with its signs: "left pier: rocking, flexural crack".
@@ -305,7 +316,7 @@ class Namer {
   double later_;  // truth that the spandrel sheared after a pier
   ElementStates elements_;
   Truths truths_;
-  std::vector<std::pair<std::string, double>> ranked_;  // kinds of damage, gravest first
+  RankedKinds ranked_;
   double way_ = 0;  // the farthest any block has gone sideways [m]
   FailureMode mode_;
 };
@@ -356,3 +367,19 @@ Named name_wall(const WallParts& parts, const WallMotion& motion, const ModeRule
 Message words_of_mode(const std::string& name) { return words_of(name); }
 
 }  // namespace wythe::study
+
+bool wythe::is_firm(const FailureMode& mode) {
+  using namespace study;
+  if (mode.name == "unclear") return true;
+  if (mode.scores.count("FM-1") > 0) {  // the highest score is the name
+    std::vector<double> scores;
+    for (const auto& [name, score] : mode.scores) scores.push_back(score);
+    std::sort(scores.rbegin(), scores.rend());
+    return scores[0] - scores[1] >= 2 * kClear;
+  }
+  RankedKinds ranked;
+  for (const char* kind : kGravestFirst)
+    if (const auto found = mode.scores.find(kind); found != mode.scores.end())
+      ranked.emplace_back(*found);
+  return composed(ranked, 0.5 + kClear) == composed(ranked, 0.5 - kClear);
+}

@@ -77,6 +77,16 @@ TEST(SlowPushVerdict, a_push_in_balance_all_the_way_promises_displacement_and_mo
   EXPECT_TRUE(warning_of(still.model, still.result).empty());
 }
 
+TEST(SlowPushVerdict, a_name_that_hangs_on_a_threshold_is_not_promised) {
+  Pushed doubtful = pushed({});
+  FailureMode& mode = doubtful.result.failure_mode;
+  mode.name = "shear";
+  mode.scores = {{"shear", 1}, {"rocking", 0.1}};
+  EXPECT_EQ(doubtful.mode().verdict, "slow enough");
+  mode.scores["rocking"] = 0.26;
+  EXPECT_EQ(doubtful.mode().reason.code, "promise.name");
+}
+
 // 0.012 of unbalance over 0.01 mm: 0.04 mm at the limit of 0.003, 2.5 % of 2 mm at damping 0.2.
 TEST(SlowPushVerdict, a_drive_that_goes_on_in_a_jump_promises_nothing_beyond_it) {
   const Pushed went_on = pushed({.unbalance = 0.012});

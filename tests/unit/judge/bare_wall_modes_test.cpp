@@ -101,6 +101,21 @@ TEST(DryWalls, mixture_of_turning_and_sliding_passes_from_rocking_to_shear_throu
   EXPECT_EQ(std::count(names.begin(), names.end(), "shear"), 1);
 }
 
+TEST(DryWalls, firm_names_have_no_other_name_beside_them) {
+  constexpr int kSteps = 120;
+  std::vector<FailureMode> modes;
+  for (int k = 0; k <= kSteps; ++k)
+    modes.push_back(name_bare(dry_wall(), over_a_stepped_crack(0.03, 0.5e-3 * k)));
+  int firm = 0;
+  for (int k = 1; k < kSteps; ++k) {
+    if (modes[k].name == "unclear" || !is_firm(modes[k])) continue;
+    ++firm;
+    EXPECT_EQ(modes[k - 1].name, modes[k].name) << k;
+    EXPECT_EQ(modes[k + 1].name, modes[k].name) << k;
+  }
+  EXPECT_GT(firm, kSteps / 4);
+}
+
 TEST(DryWalls, crack_that_had_to_break_mortar_is_shear_however_the_parts_move_later) {
   EXPECT_EQ(name_bare(mortared_wall(), over_a_stepped_crack(0.025, 0)).name, "shear");
 }

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -583,6 +584,32 @@ TEST(Features, sum_the_joints_of_each_region) {
   EXPECT_NEAR(value("base_opening"), 0, kRoundOff);
   EXPECT_NEAR(value("spandrel_opening"), 0, kRoundOff);
   for (const Feature& f : features) EXPECT_DOUBLE_EQ(f.displacement, 20e-3);
+}
+
+// --- a name that a slow push may lose -----------------------------------------------------------
+
+FailureMode of_scores(const std::string& name, std::map<std::string, double> scores) {
+  FailureMode mode;
+  mode.name = name;
+  mode.scores = std::move(scores);
+  return mode;
+}
+
+TEST(FirmName, stays_where_each_truth_moves_by_a_third) {
+  EXPECT_TRUE(is_firm(of_scores("shear", {{"shear", 1}, {"rocking", 0.19}})));
+  EXPECT_FALSE(is_firm(of_scores("shear", {{"shear", 1}, {"rocking", 0.21}})));
+  EXPECT_FALSE(is_firm(of_scores("shear", {{"shear", 0.79}, {"rocking", 0}})));
+  EXPECT_TRUE(is_firm(of_scores("FM-4", {{"FM-1", 0.1}, {"FM-4", 0.75}})));
+  EXPECT_FALSE(is_firm(of_scores("FM-4", {{"FM-1", 0.3}, {"FM-4", 0.75}})));
+}
+
+TEST(FirmName, hangs_on_no_kind_that_it_would_not_name) {
+  // lesser damage beside graver, and a third kind
+  EXPECT_TRUE(is_firm(of_scores("shear", {{"shear", 1}, {"toe crushing", 0.5}})));
+  EXPECT_TRUE(is_firm(of_scores("pier shear + pier sliding",
+                                {{"pier shear", 1}, {"pier sliding", 1}, {"pier rocking", 0.5}})));
+  EXPECT_FALSE(is_firm(of_scores("pier shear + pier rocking",
+                                 {{"pier shear", 1}, {"pier sliding", 0.4}, {"pier rocking", 1}})));
 }
 
 }  // namespace
