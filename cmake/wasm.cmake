@@ -11,7 +11,7 @@ endforeach()
 file(GLOB_RECURSE sources CONFIGURE_DEPENDS src/*.cpp)
 list(FILTER sources EXCLUDE REGEX
   "/src/(campaign/(store|runner)|statistics|io/export|io/study)/|/src/wasm/|/api/(batch|campaign_folders|study_tasks)[.]cpp$")
-list(FILTER sources EXCLUDE REGEX "/(hdf5_tables|deflate|clip|campaign_data|sampling|samples)[.]cpp$|kernels_avx[0-9]+[.]cpp$")
+list(FILTER sources EXCLUDE REGEX "/(hdf5_tables|deflate|campaign_data|sampling|samples)[.]cpp$|kernels_avx[0-9]+[.]cpp$")
 # What runs in each step is optimised most; the rest is compiled ten sources of a folder at a time, which takes a third of the time.
 set(warm ${sources})
 list(FILTER warm INCLUDE REGEX "/src/(dynamics|contact|solids|core|limit)/")
@@ -29,7 +29,7 @@ target_compile_options(wythe_engine PUBLIC -O1 -fwasm-exceptions -msse2 -msimd12
 target_link_libraries(wythe_engine PUBLIC wythe_provenance)
 set_target_properties(wythe_engine PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
 
-add_executable(wythe_wasm src/wasm/engine.cpp src/wasm/no_cuts.cpp src/wasm/stored.cpp)
+add_executable(wythe_wasm src/wasm/engine.cpp src/wasm/stored.cpp)
 target_link_libraries(wythe_wasm PRIVATE wythe_engine)
 set_target_properties(wythe_wasm PROPERTIES OUTPUT_NAME wythe RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})
 # Eight megabytes of stack as a program has; memory grows as a wall needs it. Files are in memory; Node sees the machine's too.

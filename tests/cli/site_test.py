@@ -39,6 +39,12 @@ class Built(unittest.TestCase):
         text = re.sub(r"<[^>]*>", "", article.split("</h1>")[1])
         self.assertEqual(len(re.findall(r"\.(?:\s|$)", text.strip())), 3, text)
 
+    def test_the_first_card_opens_the_studio_where_it_is_built(self):
+        card = self.page("index.html").split('<div class="card')[2]  # after the box of all cards
+        lead = re.search(r'href="([^"]*)"', card).group(1)
+        self.assertEqual(lead, "studio.html" if TOOL.STUDIO.is_file() else "docs/howto/studio.html")
+        self.assertTrue((SITE / lead).is_file())
+
     def test_each_example_has_a_card_with_its_command_its_file_and_its_time(self):
         cards = self.page("gallery.html").split('<div class="card')[1:]
         folders = sorted(p.name for p in (SOURCE / "examples").iterdir() if p.is_dir())

@@ -23,6 +23,7 @@ const WALLS = [
   ["random_field", "stage.push.until=0.2 mm"],
   ["strengthening/after", "stage.push.until=0.1 mm"],
   ["wall_with_returns", "stage.force.factor=0.01"],
+  ["arch", "stage.push.until=0.1 mm"], // masonry cut to it
 ];
 
 for (const [name, ...settings] of WALLS)

@@ -1,77 +1,110 @@
-// Takes outlines to Clipper's grid of nanometres and back. Each grid line keeps the first coordinate that fell on it.
+// Takes outlines to a grid of nanometres and back. Each grid line keeps the first coordinate that fell on it.
 // Corners within a line or two are merged and holes are dropped. Parts are sorted from left to right.
 #include "geometry/wall/clip.h"
 
+#define BOOST_ALLOW_DEPRECATED_HEADERS  // Boost includes some of its own
 #include <algorithm>
+#include <boost/geometry/algorithms/correct.hpp>
+#include <boost/geometry/algorithms/difference.hpp>
+#include <boost/geometry/algorithms/union.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/geometries/polygon.hpp>
 #include <cmath>
 #include <map>
-#include <polyclipping/clipper.hpp>
 
 namespace wythe::geometry {
 namespace {
 
-namespace clipping = ClipperLib;
+namespace bg = boost::geometry;
 
-constexpr double kGrid =
-    1e9;  // lines a metre; the longest wall, 10 km, is far from its largest number
+constexpr double kGrid = 1e9;  // lines a metre; the longest wall, 10 km, is far from 2^53 of them
+constexpr double kRounded = 1.5;  // lines: what is rounded on both sides is no further apart
+
+using Point = bg::model::d2::point_xy<double>;  // in lines of the grid, whole numbers
+using Outline = bg::model::polygon<Point, false, false>;
+using Corners = std::vector<Vec2>;  // likewise
 
 // To the grid and back, to the bits of the coordinates that went there.
 class Grid {
  public:
-  clipping::Path put(const Polygon& outline) {
-    clipping::Path path;
-    for (const Vec2& p : outline) path.emplace_back(put(p.x, x_), put(p.y, y_));
-    return path;
+  Outline put(const Polygon& polygon) {
+    Outline outline;
+    for (const Vec2& p : polygon) outline.outer().emplace_back(put(p.x, x_), put(p.y, y_));
+    bg::correct(outline);
+    return outline;
   }
-  [[nodiscard]] Polygon take(const clipping::Path& path) const {
-    Polygon outline;
-    for (const clipping::IntPoint& p : path) outline.push_back({take(p.X, x_), take(p.Y, y_)});
-    const auto lowest = std::min_element(outline.begin(), outline.end(), [](Vec2 a, Vec2 b) {
+  [[nodiscard]] Polygon take(const Corners& corners) const {
+    Polygon polygon;
+    for (const Vec2& p : corners) polygon.push_back({take(p.x, x_), take(p.y, y_)});
+    const auto lowest = std::min_element(polygon.begin(), polygon.end(), [](Vec2 a, Vec2 b) {
       return a.y != b.y ? a.y < b.y : a.x < b.x;
     });
-    std::rotate(outline.begin(), lowest, outline.end());
-    return outline;
+    std::rotate(polygon.begin(), lowest, polygon.end());
+    return polygon;
   }
 
  private:
-  using Lines = std::map<clipping::cInt, double>;
-  static clipping::cInt put(double value, Lines& lines) {
-    const clipping::cInt line = std::llround(value * kGrid);
-    return lines.emplace(line, value).first->first;
+  using Lines = std::map<double, double>;
+  static double put(double value, Lines& lines) {
+    const double line = std::round(value * kGrid);
+    lines.emplace(line, value);
+    return line;
   }
-  static double take(clipping::cInt line, const Lines& lines) {
+  static double take(double line, const Lines& lines) {
     const auto known = lines.find(line);
-    return known != lines.end() ? known->second : static_cast<double>(line) / kGrid;
+    return known != lines.end() ? known->second : line / kGrid;
   }
   Lines x_, y_;
 };
 
-std::vector<Polygon> combine(clipping::ClipType what, const Polygon& a, const Polygon& b) {
+// Whether p is no corner between a and b: it lies on the way from one to the other, or goes there and back.
+bool is_no_corner(Vec2 a, Vec2 p, Vec2 b) {
+  const Vec2 way = b - a, to = p - a;
+  const double size = length(way);
+  if (size <= kRounded || length(to) <= kRounded) return true;
+  const bool is_between = dot(to, way) >= 0 && dot(to, way) <= size * size;
+  return is_between && std::fabs(cross(way, to)) <= kRounded * size;
+}
+
+Corners corners_of(const Outline& outline) {
+  Corners corners;
+  for (const Point& p : outline.outer()) corners.push_back({std::round(p.x()), std::round(p.y())});
+  for (;;) {  // a neighbour of what goes may be no corner without it
+    const std::size_t n = corners.size();
+    std::size_t k = 0;
+    while (k < n && !is_no_corner(corners[(k + n - 1) % n], corners[k], corners[(k + 1) % n])) ++k;
+    if (k == n) return corners;
+    corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(k));
+  }
+}
+
+template <class Operation>
+std::vector<Polygon> combine(const Polygon& a, const Polygon& b, const Operation& operation) {
   Grid grid;
-  clipping::Clipper clipper;
-  clipper.AddPath(grid.put(a), clipping::ptSubject, true);
-  clipper.AddPath(grid.put(b), clipping::ptClip, true);
-  clipping::Paths found;
-  clipper.Execute(what, found, clipping::pftNonZero, clipping::pftNonZero);
-  clipping::CleanPolygons(
-      found);  // corners within a line or two of the grid, or in line with their neighbours
-  std::vector<Polygon> outlines;
-  for (const clipping::Path& path : found)
-    if (path.size() >= 3 && clipping::Orientation(path)) outlines.push_back(grid.take(path));
-  std::sort(outlines.begin(), outlines.end(), [](const Polygon& p, const Polygon& q) {
+  const Outline first = grid.put(a), second = grid.put(b);
+  std::vector<Outline> found;
+  operation(first, second, found);
+  std::vector<Polygon> polygons;
+  for (const Outline& outline : found)
+    if (const Corners corners = corners_of(outline); corners.size() >= 3)
+      polygons.push_back(grid.take(corners));
+  std::sort(polygons.begin(), polygons.end(), [](const Polygon& p, const Polygon& q) {
     return p.front().x != q.front().x ? p.front().x < q.front().x : p.front().y < q.front().y;
   });
-  return outlines;
+  return polygons;
 }
 
 }  // namespace
 
 std::vector<Polygon> difference(const Polygon& outline, const Polygon& without) {
-  return combine(clipping::ctDifference, outline, without);
+  return combine(outline, without, [](const Outline& a, const Outline& b, auto& found) {
+    bg::difference(a, b, found);
+  });
 }
 
 Polygon joined_outline(const Polygon& a, const Polygon& b) {
-  const std::vector<Polygon> whole = combine(clipping::ctUnion, a, b);
+  const std::vector<Polygon> whole = combine(
+      a, b, [](const Outline& p, const Outline& q, auto& found) { bg::union_(p, q, found); });
   return whole.size() == 1 ? whole.front() : Polygon{};
 }
 

@@ -1,6 +1,6 @@
-// Differences and unions of outlines, by Clipper: the only file that knows it is clip.cpp.
+// Differences and unions of outlines, by Boost.Geometry: the only file that knows it is clip.cpp.
 //
-// Clipper counts on a grid: here of a nanometre. A corner whose coordinate falls on the grid line of a given
+// Corners lie on a grid of a nanometre. A corner whose coordinate falls on the grid line of a given
 // corner gets that corner's bits, so what touched before touches afterwards.
 #pragma once
 
