@@ -93,5 +93,15 @@ class Pages(unittest.TestCase):
         self.near(rows[5]["shear_stress_MPa"], re.search(r"= ([\d.]+) MPa in both", TUTORIAL).group(1), "friction")
 
 
+class Lists(unittest.TestCase):
+    def test_every_page_of_docs_stands_in_a_list_of_the_site(self):
+        # tools/site, which finds it too, runs where Sphinx is installed alone
+        listed = [re.sub(r".*<(.*)>", r"\1", line.strip()).lstrip("/") for page in (SOURCE / "docs/site").glob("*.md")
+                  for toctree in re.findall(r"^```{toctree}\n(.*?)^```", page.read_text(encoding="utf-8"), re.S | re.M)
+                  for line in toctree.splitlines() if line.strip() and not line.startswith(":")]
+        pages = [p.relative_to(SOURCE).with_suffix("") for p in (SOURCE / "docs").rglob("*.md") if "site" not in p.parts]
+        self.assertEqual([str(p) for p in pages if not any(p.match(name) for name in listed) and p.name != "README"], [])
+
+
 if __name__ == "__main__":
     unittest.main()
