@@ -59,7 +59,7 @@ docs: configure  ## write docs/reference from the specs' descriptions and the pr
 	$(BUILD)/wythe_reference docs/reference
 	tools/command_line $(BUILD)/wythe docs/reference/command_line.md
 
-site: studio     ## build/site: these pages and the studio as a site, offline; needs the packages of deps/site.txt
+site:            ## build/site: these pages as a site, offline, and the studio where it is built; packages: deps/site.txt
 	@tools/setup deps/site.txt
 	@tools/site
 

@@ -155,11 +155,11 @@ void print_assessment(const ModelSpec& spec, const Model& model, const Result& r
   fmt::print("note: {}\n", text_of(a.notes.front()));
 }
 
-// Beyond the force. Why a displacement is not known the first line says already.
+// Beyond the force. The first line says already why a displacement is not known.
 void print_slow_push(const SlowPushVerdict& displacement, const SlowPushVerdict& mode,
                      bool is_usable) {
   if (mode.verdict == "no push" || (mode.reason.code == "promise.force" && !is_usable)) return;
-  const bool is_new = mode.is_missing() && !displacement.is_missing();
+  const bool is_new = mode.is_missing() && mode.reason.code != displacement.reason.code;
   fmt::print("rate, for the displacement: {}; for the failure mode: {}{}\n", displacement.verdict,
              mode.verdict, is_new ? ": " + text_of(mode.reason) : "");
 }

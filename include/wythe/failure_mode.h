@@ -57,8 +57,8 @@ using ElementStates = std::vector<ElementState>;
 [[nodiscard]] FailureMode name_failure_mode(const Model& model, const Result& result,
                                             double read_at = kReadModesAt);
 
-// Whether the name would stay if the truth of each sign moved by 0.3; by 0.15 it would be "unclear". So a slow push gets
-// the same name although its signs differ a little. True of names in space and of "unclear".
+// Whether a slow push, whose signs differ a little, gets the same name: its score leads by 0.6 (a lead below 0.3 is
+// "unclear"), and of kinds of damage none that matters scores between 0.2 and 0.8 (0.35 and 0.65). True in space.
 [[nodiscard]] bool is_firm(const FailureMode& mode);
 
 // Opening, slip and crushing of piers, spandrels, connections and base, summed in every snapshot.

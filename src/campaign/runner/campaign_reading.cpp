@@ -83,8 +83,9 @@ Campaign read_answers(const std::string& folder) {
       record.events = {};
       record.energy = {};
       FailureMode& mode = record.failure_mode;
-      mode.evidence = {}, mode.scores = {};
-      if (!record.pushed.is_read()) mode.elements = {};  // an assessment asks how each pier fails
+      mode.evidence = {};
+      // an assessment asks how each pier fails, and whether the name is firm
+      if (!record.pushed.is_read()) mode.elements = {}, mode.scores = {};
       record.provenance = {};
       campaign.records.push_back(record);  // a copy has no room to spare in its lists
     }

@@ -2,6 +2,8 @@
 // Corners within a line or two are merged and holes are dropped. Parts are sorted from left to right.
 #include "geometry/wall/clip.h"
 
+// Boost's own grid multiplies in 64 bits, which a span of 20 m and a stone of 0.5 m overflow; doubles do not.
+#define BOOST_GEOMETRY_NO_ROBUSTNESS
 #define BOOST_ALLOW_DEPRECATED_HEADERS  // Boost includes some of its own
 #include <algorithm>
 #include <boost/geometry/algorithms/correct.hpp>

@@ -370,12 +370,12 @@ Message words_of_mode(const std::string& name) { return words_of(name); }
 
 bool wythe::is_firm(const FailureMode& mode) {
   using namespace study;
-  if (mode.name == "unclear") return true;
-  if (mode.scores.count("FM-1") > 0) {  // the highest score is the name
+  if (mode.scores.count("FM-1") > 0) {  // the highest score is the name, but of what fell
+    if (mode.name != "unclear" && mode.scores.count(mode.name) == 0) return true;
     std::vector<double> scores;
     for (const auto& [name, score] : mode.scores) scores.push_back(score);
     std::sort(scores.rbegin(), scores.rend());
-    return scores[0] - scores[1] >= 2 * kClear;
+    return scores[0] < 0.5 - kClear || scores[0] - scores[1] >= 2 * kClear;
   }
   RankedKinds ranked;
   for (const char* kind : kGravestFirst)

@@ -1,4 +1,4 @@
-// Differences and unions of outlines: areas add up, corners keep their bits, slivers of the grid are no corners.
+// Differences and unions of outlines: areas add up, corners keep their bits, corners a line of the grid apart are one.
 #include "geometry/wall/clip.h"
 
 #include <gtest/gtest.h>
@@ -27,52 +27,63 @@ bool has_corner(const Polygon& outline, Vec2 p) {
                      [&](Vec2 q) { return q.x == p.x && q.y == p.y; });
 }
 
-// Units of a wall, cut by an opening at any place.
+// Units of walls, cut by openings at any place; `size` 1 for bricks and doors, 10 for stones and bridges.
 template <class Check>
-void cut_many(const Check& check) {
+void cut_many(double size, const Check& check) {
   std::mt19937 random(3);  // NOLINT(cert-msc51-cpp): the same walls each time
   const auto between = [&](double low, double high) {
-    return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
+    return size * (low + (high - low) * static_cast<double>(random()) / 4294967296.0);
   };
   const auto below = [&](unsigned n) { return static_cast<int>(random() % n); };
-  for (int k = 0; k < 300; ++k) {
+  for (int k = 0; k < 400; ++k) {
     const Polygon opening =
         round_opening(between(0.3, 1.2), {between(1, 2), between(0.8, 1.4)}, 6 + below(30));
-    const double x = 0.125 * below(24), y = 0.1 * below(24);
-    check(outline_of({x, y, x + between(0.1, 0.5), y + 0.1}), opening);
+    const double x = size * 0.125 * below(24), y = size * 0.1 * below(24) - between(0, 0.06);
+    check(outline_of({x, y, x + between(0.1, 0.5), y + size * 0.1}), opening);
   }
 }
 
 TEST(Clip, what_is_left_and_what_is_cut_off_are_the_whole) {
-  int cut = 0;
-  cut_many([&](const Polygon& unit, const Polygon& opening) {
-    double left = 0;
-    for (const Polygon& part : difference(unit, opening)) {
-      EXPECT_TRUE(is_simple(part));
-      EXPECT_GT(moments(part).area, 0);
-      left += moments(part).area;
-    }
-    const double off = overlap_area(unit, opening), whole = moments(unit).area;
-    cut += off > 0 && left > 0 ? 1 : 0;
-    EXPECT_NEAR(left + off, whole, 4 * kGrid);  // of a metre of outline
-  });
-  EXPECT_GT(cut, 50);
+  for (const double size : {1.0, 10.0}) {
+    int cut = 0;
+    cut_many(size, [&](const Polygon& unit, const Polygon& opening) {
+      double left = 0;
+      for (const Polygon& part : difference(unit, opening)) {
+        EXPECT_TRUE(is_simple(part));
+        EXPECT_GT(moments(part).area, 0);
+        left += moments(part).area;
+      }
+      const double off = overlap_area(unit, opening), whole = moments(unit).area;
+      cut += off > 0 && left > 0 ? 1 : 0;
+      EXPECT_NEAR(left + off, whole, 6 * size * kGrid);  // a line off along the outline
+    });
+    EXPECT_GT(cut, 50);
+  }
 }
 
-TEST(Clip, corners_that_stay_keep_their_bits_and_new_ones_lie_on_the_grid) {
-  cut_many([](const Polygon& unit, const Polygon& opening) {
+TEST(Clip, corners_on_a_line_of_the_grid_with_a_given_one_have_its_bits) {
+  cut_many(1, [](const Polygon& unit, const Polygon& opening) {
     for (const Polygon& part : difference(unit, opening))
-      for (const Vec2& p : part) {
-        if (has_corner(unit, p) || has_corner(opening, p)) continue;
-        const auto is_known = [&](double value, double Vec2::*axis) {
-          const auto same = [&](Vec2 q) { return q.*axis == value; };
-          return std::any_of(unit.begin(), unit.end(), same) ||
-                 std::any_of(opening.begin(), opening.end(), same) ||
-                 std::round(value / kGrid) / 1e9 == value;
-        };
-        EXPECT_TRUE(is_known(p.x, &Vec2::x) && is_known(p.y, &Vec2::y)) << p.x << ' ' << p.y;
-      }
+      for (const Vec2& p : part)
+        for (const auto axis : {&Vec2::x, &Vec2::y}) {
+          bool is_near = false, is_same = false;
+          for (const Polygon* given : {&unit, &opening})
+            for (const Vec2& q : *given) {
+              is_near |= std::llround(p.*axis / kGrid) == std::llround(q.*axis / kGrid);
+              is_same |= p.*axis == q.*axis;
+            }
+          EXPECT_EQ(is_near, is_same) << p.*axis;
+        }
   });
+}
+
+TEST(Clip, corners_a_line_apart_are_one) {
+  Polygon unit = outline_of({0, 0, 0.25, 0.1});
+  unit.insert(unit.begin() + 1, {0.1, -kGrid});  // below the straight side
+  unit.push_back({kGrid, 0.1 - kGrid});          // beside a corner
+  const std::vector<Polygon> left = difference(unit, outline_of({0.2, -1, 1, 1}));
+  ASSERT_EQ(left.size(), 1u);
+  EXPECT_EQ(left[0].size(), 4u);
 }
 
 TEST(Clip, an_outline_apart_is_left_as_it_was) {

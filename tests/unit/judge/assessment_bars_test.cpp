@@ -12,6 +12,7 @@
 #include "wythe/campaign.h"
 #include "wythe/error.h"
 #include "wythe/solve.h"
+#include "wythe/stored_states.h"
 
 namespace wythe::assessment_bars_test {
 namespace {
@@ -229,6 +230,13 @@ TEST(CampaignAssessment, of_a_facade_is_that_of_its_runs) {
   const scenes::TemporaryFolder folder;
   const Facade f(folder / "out");
   ASSERT_EQ(f.campaign.records.size(), 4U);
+  // what statistics read is enough: a name without its scores would be firm
+  const Campaign answers = read_answers(folder / "out");
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_FALSE(answers.records[k].failure_mode.scores.empty());
+    EXPECT_EQ(texts_of(assess_sample(answers.records[k], f.base, f.model).cautions),
+              texts_of(assess_sample(f.campaign.records[k], f.base, f.model).cautions));
+  }
   std::vector<double> accelerations, masses;
   SolveOptions options;
   options.frames = 40;

@@ -114,6 +114,11 @@ TEST(DryWalls, firm_names_have_no_other_name_beside_them) {
     EXPECT_EQ(modes[k + 1].name, modes[k].name) << k;
   }
   EXPECT_GT(firm, kSteps / 4);
+  for (const auto& [kind, score] : modes.front().scores) {  // each kind counts
+    FailureMode doubtful = modes.front();
+    doubtful.scores = {{kind, 0.5}};
+    EXPECT_FALSE(is_firm(doubtful)) << kind;
+  }
 }
 
 TEST(DryWalls, crack_that_had_to_break_mortar_is_shear_however_the_parts_move_later) {

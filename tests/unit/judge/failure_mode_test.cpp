@@ -595,12 +595,18 @@ FailureMode of_scores(const std::string& name, std::map<std::string, double> sco
   return mode;
 }
 
-TEST(FirmName, stays_where_each_truth_moves_by_a_third) {
+TEST(FirmName, leads_by_far_and_no_kind_beside_it_is_in_doubt) {
   EXPECT_TRUE(is_firm(of_scores("shear", {{"shear", 1}, {"rocking", 0.19}})));
   EXPECT_FALSE(is_firm(of_scores("shear", {{"shear", 1}, {"rocking", 0.21}})));
   EXPECT_FALSE(is_firm(of_scores("shear", {{"shear", 0.79}, {"rocking", 0}})));
   EXPECT_TRUE(is_firm(of_scores("FM-4", {{"FM-1", 0.1}, {"FM-4", 0.75}})));
   EXPECT_FALSE(is_firm(of_scores("FM-4", {{"FM-1", 0.3}, {"FM-4", 0.75}})));
+  // nothing to promise between two names; something where no sign shows
+  EXPECT_FALSE(is_firm(of_scores("unclear", {{"shear", 1}, {"rocking", 0.4}})));
+  EXPECT_FALSE(is_firm(of_scores("unclear", {{"FM-1", 0.5}, {"FM-4", 0.5}})));
+  EXPECT_TRUE(is_firm(of_scores("unclear", {{"shear", 0.1}, {"rocking", 0}})));
+  EXPECT_TRUE(is_firm(of_scores("unclear", {{"FM-1", 0}, {"FM-4", 0}})));
+  EXPECT_TRUE(is_firm(of_scores("part breaking away", {{"FM-1", 0.1}, {"FM-4", 0.4}})));
 }
 
 TEST(FirmName, hangs_on_no_kind_that_it_would_not_name) {
