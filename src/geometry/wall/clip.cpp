@@ -105,8 +105,11 @@ std::vector<Polygon> difference(const Polygon& outline, const Polygon& without) 
 }
 
 Polygon joined_outline(const Polygon& a, const Polygon& b) {
-  const std::vector<Polygon> whole = combine(
-      a, b, [](const Outline& p, const Outline& q, auto& found) { bg::union_(p, q, found); });
+  const std::vector<Polygon> whole =
+      combine(a, b, [](const Outline& p, const Outline& q, auto& found) {
+        bg::union_(p, q, found);
+        std::erase_if(found, [](const Outline& outline) { return !outline.inners().empty(); });
+      });
   return whole.size() == 1 ? whole.front() : Polygon{};
 }
 

@@ -14,7 +14,7 @@ namespace wythe::geometry {
 // never lies inside it as a hole.
 [[nodiscard]] std::vector<Polygon> difference(const Polygon& outline, const Polygon& without);
 
-// Both together; empty where they do not share a side.
+// Both together; empty where they do not share a side, or enclose a hole.
 [[nodiscard]] Polygon joined_outline(const Polygon& a, const Polygon& b);
 
 }  // namespace wythe::geometry

@@ -103,6 +103,10 @@ TEST(Clip, two_that_share_a_side_are_one_and_others_none) {
   EXPECT_EQ(joined_outline(left, outline_of({0.1, 0.1, 0.2, 0.2})).size(), 8u);
   EXPECT_TRUE(joined_outline(left, outline_of({0.3, 0.1, 0.5, 0.2})).empty());  // a corner alone
   EXPECT_TRUE(joined_outline(left, outline_of({0.4, 0, 0.5, 0.1})).empty());
+  // a trough and its lid: as one outline they would fill it
+  const Polygon trough{{0, 0},      {0.3, 0},    {0.3, 0.1}, {0.2, 0.1},
+                       {0.2, 0.05}, {0.1, 0.05}, {0.1, 0.1}, {0, 0.1}};
+  EXPECT_TRUE(joined_outline(trough, outline_of({0.1, 0.1, 0.3, 0.2})).empty());
 }
 
 }  // namespace
