@@ -13,6 +13,7 @@
 
 #include "wythe/campaign.h"
 #include "wythe/statistics.h"
+#include "wythe/verdict.h"
 #include "wythe/words.h"
 
 namespace wythe {
@@ -104,8 +105,9 @@ struct LostPair {
 
 struct OptionComparison {
   std::string name, folder;
-  std::string direction, base_folder;  // of models: which way it was pushed, and its base then
-  std::vector<std::string> changes;    // what its study and model say and the base's do not
+  PushLabel push;                    // of models: which way it was pushed
+  std::string base_folder;           // and its base then
+  std::vector<std::string> changes;  // what its study and model say and the base's do not
   int pairs = 0;
   int not_run = 0;  // samples that neither side has run
   std::vector<LostPair> lost;
@@ -138,7 +140,7 @@ inline constexpr ChangeLimits kUsualLimits{.stiffness = 0.15, .strength = 0, .di
 
 // After over before, pushed one way.
 struct Change {
-  std::string direction;
+  PushLabel push;
   int pairs = 0;
   Estimate ratio;  // geometric mean of pairs (Student); of one pair without an interval
   bool at_least = false, at_most = false;  // only one side holds bounds: `ratio` is one, too
@@ -161,10 +163,10 @@ struct ModelCapacity {
   Estimate pga;
   bool at_least = false;
 };
-// A model against the one before it, pushed both ways.
+// A model against the one before it, pushed all ways.
 struct Intervention {
   std::string name;
-  std::vector<std::size_t> option = {};  // of PairedComparison::option, one a direction
+  std::vector<std::size_t> option = {};  // of PairedComparison::option, one a way of pushing
   std::vector<CheckedChange> change = {};
   ChangeAnswer answer = ChangeAnswer::kNotKnown;
   ModelCapacity before = {}, after = {};  // NaN: the models have no [assessment]
@@ -190,7 +192,7 @@ struct PairedComparison {
 
 // The same walls pushed one way: the campaign of the model before, then of those after it.
 struct ComparedWay {
-  std::string direction;
+  PushLabel push;
   std::vector<ComparedCampaign> stores;
 };
 struct ComparedModels {

@@ -77,6 +77,17 @@ struct RuleOfWalls {
       kUnset;  // median of the control point; where a push ended before, its end [m]
 };
 
+// A way of pushing among others.
+struct PushLabel {
+  std::string direction;    // "+x", "[1, 0, -1]"
+  std::string pattern;      // word of Pattern, or "at": at the place that the file names
+  bool is_several = false;  // the others have other patterns
+
+  [[nodiscard]] std::string text()
+      const;                            // "-x", or "-x, uniform" where there are several patterns
+  [[nodiscard]] Message words() const;  // "-x", or "-x with forces by mass"
+};
+
 // A limit state, by the pattern that is worst for it, each wall by its worse direction.
 struct StateVerdict {
   LimitState state = LimitState::kLifeSafety;
@@ -133,8 +144,8 @@ struct WallsVerdict {
   [[nodiscard]] bool part_decides() const;
   // The limit state that decides, of pushes or of a part.
   [[nodiscard]] LimitState state() const;
-  // "-x", or "-x, uniform" where there are several patterns.
-  [[nodiscard]] std::string decides() const;
+  // The way that decides.
+  [[nodiscard]] PushLabel decides() const;
 };
 
 // Every wall of a campaign, as a run of it would be judged; `model` is that of `base`, the study's base model.

@@ -56,10 +56,19 @@ PairedComparison write_models(const std::string& folder, const std::vector<Model
       ComparedCampaign& store = one.stores.emplace_back();
       store.folder = model.campaign[way];
       store.campaign = read_campaign(store.folder);
-      if (one.direction.empty())
-        one.direction = way_of(model_builder(store.campaign.study)({})).direction;
-      store.name = model.name + ", " + one.direction;
+      if (one.push.direction.empty()) {
+        const PushWay own = way_of(model_builder(store.campaign.study)({}));
+        one.push = {own.direction, own.pattern};
+      }
     }
+  }
+  const bool is_several = std::any_of(asked.way.begin(), asked.way.end(), [&](const auto& one) {
+    return one.push.pattern != asked.way.front().push.pattern;
+  });
+  for (ComparedWay& one : asked.way) {
+    one.push.is_several = is_several;
+    for (std::size_t k = 0; k < models.size(); ++k)
+      one.stores[k].name = models[k].name + ", " + one.push.text();
   }
   PairedComparison comparison = compare_models(asked);
   comparison.base_folder = shown(comparison.base_folder, folder);

@@ -1,4 +1,5 @@
 // comparison_data(): what the page of options side by side shows, which is comparison.json; its headline.
+#include <algorithm>
 #include <filesystem>
 
 #include "core/decimal_point.h"
@@ -58,18 +59,17 @@ Card card_of(const Json& option, const Texts& texts) {
 std::vector<Card> cards_of(const Json& intervention, const Texts& texts) {
   std::vector<Card> cards;
   for (const Json& change : intervention.at("change")) {
-    const Json* way = nullptr;
-    for (const Json& one : change.at("way"))
-      if (one.at("direction") == change.at("decides")) way = &one;
-    if (way == nullptr) continue;
-    const Json& interval = way->at("ratio_interval");
+    const Json& ways = change.at("way");
+    const Json& way = *std::find_if(ways.begin(), ways.end(),
+                                    [](const Json& w) { return w.at("decides") == true; });
+    const Json& interval = way.at("ratio_interval");
     const bool has_interval = interval.at(0).is_number() && interval.at(1).is_number();
-    const std::string bound = way->at("at_least") == true  ? "≥ "
-                              : way->at("at_most") == true ? "≤ "
-                                                           : "";
-    const bool known = way->at("answer") != "not known";
+    const std::string bound = way.at("at_least") == true  ? "≥ "
+                              : way.at("at_most") == true ? "≤ "
+                                                          : "";
+    const bool known = way.at("answer") != "not known";
     cards.push_back(
-        {known ? bound + change_of(way->at("ratio"), texts) : texts.say("card.not_known"),
+        {known ? bound + change_of(way.at("ratio"), texts) : texts.say("card.not_known"),
          plain(change.at("what"), texts) + ", " + escaped(change.at("decides").get<std::string>()) +
              ": <b>" + plain(change.at("answer_in_words"), texts) + "</b>",
          !known || !bound.empty() ? ""

@@ -90,7 +90,7 @@ CheckedChange check_of(const PairedComparison& all, const std::vector<std::size_
                                        [&](const auto& r) { return r.quantity == quantity; });
     const int lost = static_cast<int>(option.lost.size()) + option.not_run;
     Change change = change_of(*response, lost, out.least, out.most);
-    change.direction = option.direction;
+    change.push = option.push;
     out.way.push_back(std::move(change));
   }
   const auto is_worse = [&](const Change& a, const Change& b) {
@@ -106,7 +106,7 @@ CheckedChange check_of(const PairedComparison& all, const std::vector<std::size_
 
 Message words_of_change(const CheckedChange& of) {
   const Change& change = of.way[of.worst];
-  const std::string& direction = change.direction;
+  const Message direction = change.push.words();
   const Message what = words_of_quantity(of.quantity);
   const bool all_same =
       std::all_of(of.way.begin(), of.way.end(), [](const Change& way) { return way.is_same; });
@@ -190,7 +190,7 @@ void note_lost(const OptionComparison& option, const std::string& base, Interven
       if (reason.empty()) continue;
       const Message note{"compare.lost_wall",
                          {{"model", model},
-                          {"direction", option.direction},
+                          {"direction", option.push.words()},
                           {"wall", lost.sample},
                           {"status", status},
                           {"why", reason}}};
@@ -307,7 +307,7 @@ PairedComparison compare_models(const ComparedModels& models) {
   for (const ComparedWay& way : models.way) {
     PairedComparison one = compare_campaigns(way.stores);
     for (OptionComparison& option : one.option) {
-      option.direction = way.direction;
+      option.push = way.push;
       option.base_folder = one.base_folder;
     }
     if (all.option.empty()) {

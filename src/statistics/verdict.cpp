@@ -565,15 +565,9 @@ class Verdict {
              {"walls", counts.met + counts.not_met},
              {"from", 100 * share.low},
              {"to", 100 * share.high},
-             {"decides", decides_in_words()},
+             {"decides", out_.decides().words()},
              {"mode", study::words_of_mode(out_.mode)},
              {"modes", out_.mode_count}}};
-  }
-  [[nodiscard]] Message decides_in_words() const {
-    if (out_.decides() == out_.worst.direction) return as_text(out_.worst.direction);
-    return {
-        "verdict.decides",
-        {{"direction", out_.worst.direction}, {"pattern", words_of_pattern(out_.worst.pattern)}}};
   }
 
   // What tested walls say of drift, and what it does to the interval.
@@ -670,11 +664,18 @@ Interval WallCounts::with_tests() const {
           study::exact_share(walls - met_anyhow, walls).interval.high};
 }
 
-std::string WallsVerdict::decides() const {
-  const bool several = std::any_of(ways.begin(), ways.end(), [&](const WayOfPushing& way) {
+std::string PushLabel::text() const { return is_several ? direction + ", " + pattern : direction; }
+
+Message PushLabel::words() const {
+  if (!is_several) return as_text(direction);
+  return {"verdict.decides", {{"direction", direction}, {"pattern", words_of_pattern(pattern)}}};
+}
+
+PushLabel WallsVerdict::decides() const {
+  const bool is_several = std::any_of(ways.begin(), ways.end(), [&](const WayOfPushing& way) {
     return way.pattern != worst.pattern;
   });
-  return several ? worst.direction + ", " + worst.pattern : worst.direction;
+  return {worst.direction, worst.pattern, is_several};
 }
 
 Message PartsOutOfPlane::words_of(const std::string& name) const {

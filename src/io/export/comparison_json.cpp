@@ -121,8 +121,9 @@ Json lost_json(const std::vector<LostPair>& lost) {
 
 Json option_json(const OptionComparison& option) {
   Json json = {{"name", option.name}, {"folder", option.folder}, {"changes", option.changes}};
-  if (!option.direction.empty()) {
-    json["direction"] = option.direction;
+  if (!option.push.direction.empty()) {
+    json["direction"] = option.push.direction;
+    json["pattern"] = option.push.pattern;
     json["base_folder"] = option.base_folder;
   }
   put(json, "headline", option.headline);
@@ -156,8 +157,11 @@ Json capacity_json(const ModelCapacity& capacity) {
 
 Json change_json(const CheckedChange& change) {
   Json ways = Json::array();
-  for (const Change& way : change.way) {
-    Json& json = ways.emplace_back(Json{{"direction", way.direction},
+  for (std::size_t k = 0; k < change.way.size(); ++k) {
+    const Change& way = change.way[k];
+    Json& json = ways.emplace_back(Json{{"direction", way.push.direction},
+                                        {"pattern", way.push.pattern},
+                                        {"decides", k == change.worst},
                                         {"pairs", way.pairs},
                                         {"answer", word_of(kChangeAnswerWords, way.answer)},
                                         {"same", way.is_same},
@@ -173,7 +177,7 @@ Json change_json(const CheckedChange& change) {
                {"most", number(change.most)},
                {"limit", change.is_default ? "default, not verified" : "asked"},
                {"answer", word_of(kChangeAnswerWords, change.answer)},
-               {"decides", change.way[change.worst].direction}};
+               {"decides", change.way[change.worst].push.text()}};
   put(json, "what", change.what);
   put(json, "answer_in_words", change.said);
   json["way"] = ways;

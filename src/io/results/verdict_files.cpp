@@ -139,7 +139,7 @@ std::string verdict_json(const WallsVerdict& v) {
   json["tested_drifts"] = tests_json(v);
   json["pga_demand_g"] = number(worst.demand * kGPerAcceleration);
   json["risk_index"] = capacity_json(worst.capacity, 1 / worst.demand);
-  json["decides"] = v.decides();
+  json["decides"] = v.decides().text();
   json["direction"] = worst.direction;
   json["pattern"] = worst.pattern;
   json["failure_mode"] = {{"name", v.mode}, {"walls", v.mode_count}};

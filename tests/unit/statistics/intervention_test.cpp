@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "statistics/intervals.h"
 #include "statistics/pairs.h"
 #include "wythe/comparison.h"
+#include "wythe/io.h"
 
 namespace wythe::intervention_test {
 namespace {
@@ -135,8 +137,8 @@ ComparedCampaign campaign_of(const std::string& name, double factor, const std::
 ComparedModels models_of(double plus, double minus, const std::string& mode = "FM-1") {
   ComparedModels models;
   models.name = {"before.toml", "after.toml"};
-  models.way = {{"+x", {campaign_of("b", 1, "FM-1"), campaign_of("a", plus, mode)}},
-                {"-x", {campaign_of("b", 1, "FM-1"), campaign_of("a", minus, mode)}}};
+  models.way = {{{"+x", "uniform"}, {campaign_of("b", 1, "FM-1"), campaign_of("a", plus, mode)}},
+                {{"-x", "uniform"}, {campaign_of("b", 1, "FM-1"), campaign_of("a", minus, mode)}}};
   return models;
 }
 const CheckedChange& strength_of(const PairedComparison& found) {
@@ -150,8 +152,24 @@ TEST(Intervention, the_worse_direction_decides) {
   EXPECT_EQ(strength_of(found).way[0].answer, ChangeAnswer::kYes);
   EXPECT_EQ(strength_of(found).way[1].answer, ChangeAnswer::kNo);
   EXPECT_EQ(strength_of(found).answer, ChangeAnswer::kNo);
-  EXPECT_EQ(strength_of(found).way[strength_of(found).worst].direction, "-x");
+  EXPECT_EQ(strength_of(found).way[strength_of(found).worst].push.text(), "-x");
   EXPECT_EQ(found.intervention[0].answer, ChangeAnswer::kNo);
+}
+
+TEST(Intervention, of_ways_with_one_direction_and_two_patterns_the_worse_is_named_and_shown) {
+  ComparedModels models = models_of(0.9, 0.95);
+  models.way[1].push = {"+x", "mass_height"};
+  for (ComparedWay& way : models.way) way.push.is_several = true;
+  const PairedComparison found = compare_models(models);
+  const auto json = nlohmann::json::parse(comparison_json(found));
+  const auto& strength = json["intervention"][0]["change"][1];
+  EXPECT_EQ(strength["decides"], "+x, uniform");
+  EXPECT_EQ(strength["way"][0]["decides"], true);
+  EXPECT_EQ(strength["way"][1]["decides"], false);
+  EXPECT_EQ(json["option"][1]["pattern"], "mass_height");
+  EXPECT_NE(text_of(found.intervention[0].sentence).find("+x with forces by mass"),
+            std::string::npos)
+      << found.intervention[0].sentence;
 }
 
 TEST(Intervention, limits_are_inputs_and_say_whether_they_are_the_defaults) {

@@ -78,7 +78,7 @@ TEST(Verdict, of_strong_walls_in_both_directions_may_be_signed) {
       verdict_of(asked(), {way("+x", "at", same(8, 0.30)), way("-x", "at", same(8, 0.28))}, 8);
   EXPECT_EQ(v.verdict, AssessmentVerdict::kHolds);
   EXPECT_TRUE(v.may_be_signed) << text_of(v.sentence);
-  EXPECT_EQ(v.decides(), "-x");
+  EXPECT_EQ(v.decides().text(), "-x");
   EXPECT_EQ(v.worst.counts.met, 8);
   EXPECT_EQ(v.worst.counts.probability().value, 0);
   EXPECT_NEAR(v.worst.capacity.median.value / kStandardGravity, 0.28, 1e-12);
@@ -103,12 +103,12 @@ TEST(Verdict, is_that_of_the_worse_pattern) {
       way("+x", "uniform", same(8, 0.15)), way("-x", "uniform", same(8, 0.16))};
   const WallsVerdict v = verdict_of(asked(), ways, 8);
   EXPECT_EQ(v.verdict, AssessmentVerdict::kFails);
-  EXPECT_EQ(v.decides(), "+x, uniform");
+  EXPECT_EQ(v.decides().text(), "+x, uniform");
   EXPECT_NEAR(v.worst.capacity.median.value / kStandardGravity, 0.15, 1e-12);
   // whatever the order in which they ran
   std::vector<WayOfPushing> turned(ways.rbegin(), ways.rend());
   const WallsVerdict w = verdict_of(asked(), turned, 8);
-  EXPECT_EQ(w.decides(), v.decides());
+  EXPECT_EQ(w.decides().text(), v.decides().text());
   EXPECT_EQ(w.worst.capacity.median.value, v.worst.capacity.median.value);
 }
 
