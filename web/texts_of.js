@@ -1,5 +1,5 @@
-// Texts of one page out of the table of all, src/report/assets/texts.json: reports carry no word of the studio, and
-// the studio of the reports only what it says.
+// Where a page has its texts from. A report reads those of its language from an element that the engine fills
+// (texts_for_page, src/report/texts.h). The studio carries all languages of what it says, out of src/report/assets/texts.json.
 const kShared = ["theme", "theme.auto", "theme.light", "theme.dark", "unlimited", "run.resists"];
 
 // Failure modes as the engine names them.
@@ -7,7 +7,14 @@ const kModes = ["unclear", "rocking", "flexure", "flexural crack", "flexural cra
   "sliding", "base sliding", "top sliding", "bed sliding", "pier sliding", "pier rocking", "crushing", "toe crushing", "breaking away", "part breaking away", "fallen", "collapsed"];
 
 export function textsOf(page) {
-  const wanted = (key) => (page === "studio" ? key.startsWith("studio.") || kShared.includes(key) : !key.startsWith("studio."));
+  const wanted = (key) => key.startsWith("studio.") || kShared.includes(key);
+  if (page !== "studio")
+    return {
+      name: "texts-of-the-page",
+      enforce: "pre",
+      resolveId: (id) => (id.endsWith("texts.json") ? "\0texts" : null),
+      load: (id) => (id === "\0texts" ? 'export default JSON.parse(document.getElementById("wythe-texts").textContent);' : null),
+    };
   return {
     name: "texts-of-the-page",
     enforce: "pre",
@@ -15,7 +22,7 @@ export function textsOf(page) {
       if (!id.endsWith("texts.json")) return null;
       const table = JSON.parse(code);
       table.texts = Object.fromEntries(Object.entries(table.texts).filter(([key]) => wanted(key)));
-      if (page === "studio") table.phrases = Object.fromEntries(Object.entries(table.phrases).filter(([english]) => kModes.includes(english)));
+      table.phrases = Object.fromEntries(Object.entries(table.phrases).filter(([english]) => kModes.includes(english)));
       return { code: JSON.stringify(table, null, 0), map: null };
     },
   };

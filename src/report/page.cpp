@@ -37,6 +37,7 @@ std::string report_page(const std::string& data, const std::string& language) tr
   put(page, "<!--wythe:headline-->",
       headline_of(header, texts) + "<noscript><p class=\"warning\">" + texts.say("noscript") +
           "</p></noscript>");
+  put(page, "<!--wythe:texts-->", texts_for_page(language));
   put(page, "<!--wythe:data-->", base64(bytes_of(data)));
   return page;
 } catch (const Json::exception&) {

@@ -82,4 +82,25 @@ std::string Texts::quantity(double value, std::string_view unit, int digits) con
   return std::isinf(value) ? say("unlimited") : localised(report::quantity(value, unit, digits));
 }
 
+std::string texts_for_page(const std::string& language) {
+  const std::size_t own = Texts(language).place();
+  // `missing` texts of a row's languages are not in it
+  const auto only_own = [&](const Json& row, std::size_t missing) {
+    Json out = Json::array();
+    for (std::size_t k = 0; k + missing <= own; ++k)
+      out.push_back(k + missing == own || k + missing == 0 ? row.at(k) : Json(nullptr));
+    return out;
+  };
+  Json out = {{"languages", table()["languages"]}, {"decimal", table()["decimal"]}};
+  for (const auto& [key, row] : table()["texts"].items())
+    if (!key.starts_with("studio.")) out["texts"][key] = only_own(row, 0);
+  out["phrases"] = Json::object();
+  for (const auto& [english, row] : table()["phrases"].items())
+    if (own > 0) out["phrases"][english] = only_own(row, 1);
+  std::string text = out.dump();
+  for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at))
+    text.replace(at, 1, "\\u003c");
+  return text;
+}
+
 }  // namespace wythe::report

@@ -28,14 +28,18 @@ class Texts {
   // rounded() and quantity() of html.h with the language's decimal sign.
   [[nodiscard]] std::string number(double value, int digits = 3) const;
   [[nodiscard]] std::string quantity(double value, std::string_view unit, int digits = 3) const;
+  // A number in digits with the language's decimal sign.
+  [[nodiscard]] std::string localised(std::string number) const;
   // Of the language in every row of the table.
   [[nodiscard]] std::size_t place() const { return language_; }
 
  private:
-  [[nodiscard]] std::string localised(std::string number) const;
   std::size_t language_;  // its place in every row of the table
 };
 
 [[nodiscard]] std::vector<std::string> languages();
+// The table as JSON for an element of a page in `language`: each row has English first and the page's language at its
+// place, null between. Without the words of the studio, and without "<".
+[[nodiscard]] std::string texts_for_page(const std::string& language);
 
 }  // namespace wythe::report

@@ -278,9 +278,9 @@ class Appendix {
            at = way.find(word, at + said.size()))
         way.replace(at, std::string(word).size(), said);
     }
-    if (w_.language() == "it")
-      for (std::size_t k = 1; k + 1 < way.size(); ++k)
-        if (way[k] == '.' && is_digit(way[k - 1]) && is_digit(way[k + 1])) way[k] = ',';
+    const std::string sign = w_.texts().localised(".");
+    for (std::size_t k = 1; k + 1 < way.size(); ++k)
+      if (way[k] == '.' && is_digit(way[k - 1]) && is_digit(way[k + 1])) way.replace(k, 1, sign);
     return escaped(way);
   }
   // Typologies that values were taken from, with their sources, each once.

@@ -52,8 +52,7 @@ class VerdictWords {
 
   // Three decimals, so that numbers below each other compare.
   [[nodiscard]] std::string fixed(double value, const char* unit = "") const {
-    std::string text = fmt::format("{:.3f}", value);
-    if (language_ == "it") std::replace(text.begin(), text.end(), '.', ',');
+    const std::string text = texts_.localised(fmt::format("{:.3f}", value));
     return *unit == 0 ? text : text + "\u202f" + unit;
   }
   // " (0.14 to 0.24)"; "" without an interval.

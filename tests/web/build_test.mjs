@@ -39,6 +39,7 @@ test("the page is within 1.2 MB and asks for nothing", () => {
   assert.match(page, /default-src 'none'/);
   for (const mark of [
     "<!--wythe:headline-->",
+    "<!--wythe:texts-->",
     "<!--wythe:data-->",
     "<title>wythe</title>",
     '<html lang="en"',

@@ -438,6 +438,26 @@ TEST(Texts, words_are_translated_and_numbers_localised) {
   EXPECT_EQ(italian.quantity(kUnlimited, "MPa"), "illimitata");
 }
 
+TEST(Texts, a_page_has_those_of_its_language_beside_the_english_ones) {
+  for (const std::string& language : languages()) {
+    const std::string text = texts_for_page(language);
+    EXPECT_EQ(text.find('<'), std::string::npos);
+    const Json table = Json::parse(text);
+    const Texts texts(language);
+    const std::size_t place = texts.place();
+    EXPECT_EQ(table["languages"], languages());
+    EXPECT_FALSE(table["texts"].contains("studio.title"));
+    const Json& row = table["texts"]["kind.run"];
+    ASSERT_EQ(row.size(), place + 1);
+    EXPECT_EQ(row[0], Texts("en").say("kind.run"));
+    EXPECT_EQ(row[place], texts.say("kind.run"));
+    for (std::size_t k = 1; k < place; ++k) EXPECT_TRUE(row[k].is_null());
+    if (place > 0) {
+      EXPECT_EQ(table["phrases"]["rocking"][place - 1], texts.phrase("rocking"));
+    }
+  }
+}
+
 TEST(Said, a_message_is_a_text_in_each_language) {
   EXPECT_EQ(translated(Message{"event.peak"}), Json({"peak", "picco"}));
   EXPECT_EQ(translated(as_text("theirs")), "theirs");
