@@ -5,7 +5,7 @@
 #include <string.h>
 #include <time.h>
 
-#include "wythe/wythe.h"
+#include "wythe/c.h"
 
 static double now(void) {
   struct timespec t;

@@ -11,6 +11,8 @@ install(DIRECTORY include/wythe DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 configure_file(cmake/wythe.pc.in ${CMAKE_BINARY_DIR}/wythe.pc @ONLY)
 install(FILES ${CMAKE_BINARY_DIR}/wythe.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 install(FILES LICENSE CITATION.cff DESTINATION ${CMAKE_INSTALL_DATADIR}/wythe)
+# the page to draw walls on, where `make studio` has built it
+install(FILES ${CMAKE_SOURCE_DIR}/build/studio.html DESTINATION ${CMAKE_INSTALL_DATADIR}/wythe OPTIONAL)
 
 set(wythe_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/wythe)
 install(EXPORT wythe_targets NAMESPACE wythe:: DESTINATION ${wythe_package_dir})

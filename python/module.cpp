@@ -1,4 +1,4 @@
-// _wythe: the C interface (wythe/wythe.h) as a Python class. All that users see is written in Python on it.
+// _wythe: the C interface (wythe/c.h) as a Python class. All that users see is written in Python on it.
 //
 // A job works in a thread of its own without the interpreter's lock. The calling thread waits, hands progress
 // on, and looks for Ctrl-C, so that a signal reaches Python within a moment and the job is stopped with what it
@@ -15,7 +15,7 @@
 #include <thread>
 #include <utility>
 
-#include "wythe/wythe.h"
+#include "wythe/c.h"
 
 namespace py = pybind11;
 
@@ -166,7 +166,7 @@ class Job {
 }  // namespace
 
 PYBIND11_MODULE(_wythe, m) {
-  m.doc() = "The C interface of wythe (include/wythe/wythe.h). Use the package wythe.";
+  m.doc() = "The C interface of wythe (include/wythe/c.h). Use the package wythe.";
   m.attr("interface") = wythe_interface();
   m.attr("version") = wythe_version();
   py::class_<Column>(m, "Column", py::buffer_protocol())

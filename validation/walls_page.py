@@ -239,7 +239,7 @@ def header(found):
     def number(value):
         return "kUnset" if value is None else f"{value:.3g}"
     lines = ["// Written by tools/validation page from validation/walls.csv and predicted.csv: what the tested walls say, by kind of",
-             "// failure (docs/evidence/validation.md).", "#pragma once", "", '#include "wythe/result.h"', "", "namespace wythe::study {", "",
+             "// failure (docs/evidence/validation.md).", "#pragma once", "", '#include "wythe/parts/result.h"', "", "namespace wythe::study {", "",
              "struct TestedKind {", "  const char* kind;", "  int walls;",
              "  double bias, bias_low, bias_high, scatter;  // of predicted over measured peaks",
              "  double slender_low, slender_high;           // height over length of the walls",

@@ -1,4 +1,4 @@
-// One task of the engine (include/wythe/wythe.h) from JavaScript: the same calls in a worker of a page and in Node.
+// One task of the engine (include/wythe/c.h) from JavaScript: the same calls in a worker of a page and in Node.
 
 /** @typedef {{texts?: Record<string, string | string[]>, numbers?: Record<string, number>, columns?: Record<string, ArrayLike<number>>}} Inputs */
 

@@ -12,13 +12,10 @@
 #include "campaign_commands.h"
 #include "interrupt.h"
 #include "progress.h"
-#include "wythe/campaign.h"
 #include "wythe/error.h"
-#include "wythe/folders.h"
 #include "wythe/io.h"
-#include "wythe/lanes.h"
-#include "wythe/stored_states.h"
-#include "wythe/text.h"
+#include "wythe/solve.h"
+#include "wythe/study.h"
 
 namespace wythe::app {
 namespace {

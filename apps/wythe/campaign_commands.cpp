@@ -15,16 +15,11 @@
 #include "notes.h"
 #include "progress.h"
 #include "shaking_table.h"
-#include "wythe/campaign.h"
 #include "wythe/error.h"
-#include "wythe/folders.h"
 #include "wythe/io.h"
 #include "wythe/solve.h"
-#include "wythe/statistics.h"
-#include "wythe/stored_states.h"
-#include "wythe/study_notes.h"
-#include "wythe/text.h"
-#include "wythe/units.h"
+#include "wythe/spec.h"
+#include "wythe/study.h"
 
 namespace wythe::app {
 namespace fs = std::filesystem;

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "commands.h"
-#include "wythe/campaign.h"
 #include "wythe/model.h"
+#include "wythe/study.h"
 
 namespace wythe::app {
 

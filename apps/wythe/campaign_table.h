@@ -1,8 +1,7 @@
 // Short tables of a campaign for stdout.
 #pragma once
 
-#include "wythe/campaign.h"
-#include "wythe/statistics.h"
+#include "wythe/study.h"
 
 namespace wythe::app {
 

@@ -8,9 +8,8 @@
 #include "campaign_commands.h"
 #include "interrupt.h"
 #include "wythe/error.h"
-#include "wythe/folders.h"
-#include "wythe/text.h"
-#include "wythe/units.h"
+#include "wythe/io.h"
+#include "wythe/spec.h"
 
 namespace wythe::app {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "commands.h"
-#include "wythe/checkpoint.h"
 #include "wythe/io.h"
+#include "wythe/solve.h"
 
 namespace wythe::app {
 

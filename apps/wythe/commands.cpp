@@ -15,19 +15,11 @@
 #include "notes.h"
 #include "progress.h"
 #include "walls_command.h"
-#include "wythe/assessment.h"
-#include "wythe/drawing.h"
 #include "wythe/error.h"
-#include "wythe/field_notes.h"
-#include "wythe/folders.h"
 #include "wythe/io.h"
-#include "wythe/mechanism.h"
-#include "wythe/notes.h"
-#include "wythe/slow_push.h"
+#include "wythe/model.h"
+#include "wythe/result.h"
 #include "wythe/solve.h"
-#include "wythe/starter.h"
-#include "wythe/tested_range.h"
-#include "wythe/text.h"
 
 namespace wythe::app {
 namespace {

@@ -9,13 +9,9 @@
 #include "campaign_commands.h"
 #include "interrupt.h"
 #include "progress.h"
-#include "wythe/comparison.h"
 #include "wythe/error.h"
-#include "wythe/folders.h"
 #include "wythe/io.h"
-#include "wythe/report.h"
-#include "wythe/stored_states.h"
-#include "wythe/text.h"
+#include "wythe/study.h"
 
 namespace wythe::app {
 namespace {

@@ -11,13 +11,10 @@
 
 #include "campaign_commands.h"
 #include "interrupt.h"
-#include "wythe/assessment.h"
-#include "wythe/comparison.h"
 #include "wythe/error.h"
-#include "wythe/folders.h"
 #include "wythe/io.h"
-#include "wythe/stored_states.h"
-#include "wythe/text.h"
+#include "wythe/result.h"
+#include "wythe/study.h"
 
 namespace wythe::app {
 namespace {

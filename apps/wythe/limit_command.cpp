@@ -7,13 +7,10 @@
 #include "commands.h"
 #include "interrupt.h"
 #include "progress.h"
-#include "wythe/assessment.h"
 #include "wythe/error.h"
-#include "wythe/folders.h"
 #include "wythe/io.h"
 #include "wythe/limit.h"
-#include "wythe/second_opinion.h"
-#include "wythe/text.h"
+#include "wythe/result.h"
 
 namespace wythe::app {
 namespace {

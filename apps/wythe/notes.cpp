@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "wythe/notes.h"
-#include "wythe/slow_push.h"
-#include "wythe/text.h"
+#include "wythe/error.h"
+#include "wythe/io.h"
+#include "wythe/result.h"
 
 namespace wythe::app {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "wythe/message.h"
+#include "wythe/error.h"
 #include "wythe/model.h"
 #include "wythe/solve.h"
 

@@ -4,11 +4,9 @@
 #include <cmath>
 
 #include "campaign_commands.h"
-#include "wythe/campaign.h"
 #include "wythe/error.h"
 #include "wythe/io.h"
-#include "wythe/report.h"
-#include "wythe/text.h"
+#include "wythe/study.h"
 
 namespace wythe::app {
 namespace {

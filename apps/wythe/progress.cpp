@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <string>
 
-#include "wythe/text.h"
+#include "wythe/io.h"
 
 namespace wythe::app {
 namespace {

@@ -4,8 +4,8 @@
 #include <chrono>
 #include <string>
 
-#include "wythe/campaign.h"
 #include "wythe/solve.h"
+#include "wythe/study.h"
 
 namespace wythe::app {
 

@@ -7,8 +7,8 @@
 
 #include "notes.h"
 #include "progress.h"
+#include "wythe/io.h"
 #include "wythe/solve.h"
-#include "wythe/text.h"
 
 namespace wythe::app {
 namespace {

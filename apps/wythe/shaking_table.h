@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "wythe/campaign.h"
-#include "wythe/statistics.h"
+#include "wythe/study.h"
 
 namespace wythe::app {
 

@@ -21,11 +21,9 @@
 #include "campaign_commands.h"
 #include "slurm_scripts.h"
 #include "wythe/error.h"
-#include "wythe/folders.h"
 #include "wythe/io.h"
-#include "wythe/shards.h"
 #include "wythe/solve.h"
-#include "wythe/text.h"
+#include "wythe/study.h"
 
 extern char** environ;
 

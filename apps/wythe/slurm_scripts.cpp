@@ -7,7 +7,7 @@
 #include <charconv>
 #include <optional>
 
-#include "wythe/text.h"
+#include "wythe/io.h"
 
 namespace wythe::app {
 namespace {

@@ -14,11 +14,8 @@
 #include "campaign_commands.h"
 #include "progress.h"
 #include "wythe/error.h"
-#include "wythe/folders.h"
 #include "wythe/io.h"
-#include "wythe/shards.h"
-#include "wythe/stored_states.h"
-#include "wythe/text.h"
+#include "wythe/study.h"
 
 namespace wythe::app {
 namespace fs = std::filesystem;

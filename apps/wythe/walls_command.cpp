@@ -11,13 +11,9 @@
 #include "campaign_table.h"
 #include "interrupt.h"
 #include "progress.h"
-#include "wythe/campaign.h"
 #include "wythe/error.h"
-#include "wythe/folders.h"
 #include "wythe/io.h"
-#include "wythe/statistics.h"
-#include "wythe/stored_states.h"
-#include "wythe/text.h"
+#include "wythe/study.h"
 
 namespace wythe::app {
 namespace {

@@ -21,8 +21,8 @@
 #include <vector>
 
 #include "dynamics/executors/executor.h"
-#include "wythe/io.h"
-#include "wythe/model.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/model.h"
 
 namespace {
 

@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "dynamics/passes/tables.h"
-#include "wythe/model.h"
+#include "wythe/parts/model.h"
 
 namespace wythe::bench {
 

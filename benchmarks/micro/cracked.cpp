@@ -11,8 +11,8 @@
 #include "contact/parameters.h"
 #include "counted.h"
 #include "dynamics/executors/kernel_set.h"
-#include "wythe/io.h"
-#include "wythe/solve.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::bench {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "contact/parameters.h"
 #include "dynamics/space/executor.h"
-#include "wythe/solve.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::bench {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bare_space.h"
-#include "wythe/model.h"
+#include "wythe/parts/model.h"
 
 namespace wythe::bench {
 

@@ -20,8 +20,8 @@
 #include "dynamics/executors/processor.h"
 #include "dynamics/space/executor.h"
 #include "space_wall.h"
-#include "wythe/reading.h"
-#include "wythe/solve.h"
+#include "wythe/parts/reading.h"
+#include "wythe/parts/solve.h"
 
 namespace {
 

@@ -11,8 +11,8 @@
 #include "dynamics/meters/residual.h"
 #include "dynamics/stages/stage_run.h"
 #include "meter.h"
-#include "wythe/io.h"
-#include "wythe/model.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/model.h"
 
 namespace {
 

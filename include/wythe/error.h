@@ -1,55 +1,9 @@
-// Errors, by their cause (docs/architecture.md): a wrong input -> InputError with every fault at
-// once; a problem of the machine or file system -> IoError; a failure of the computation ->
-// SolveStatus inside Result, never thrown.
+// What goes wrong, and what the engine says: errors by their cause, messages as a code with arguments.
+//
+//   InputError   wrong input, with all faults: file, key, value, problem, cure
+//   IoError      a file or the machine
 #pragma once
 
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
-
-namespace wythe {
-
-// One thing wrong with the input: where it stands, what was read, what is allowed, what to do.
-struct Fault {
-  std::string file;     // file name, or "--set" for an override
-  std::string path;     // dotted key path, e.g. "wall.opening.0.width"
-  std::string value;    // the value as read, empty when missing
-  std::string problem;  // what is wrong, in one clause
-  std::string cure;     // what to write instead, may be empty
-  int line = 0;         // line in `file`, 0 when unknown
-};
-
-// "model.toml:12: wall.length = -3 m: must be positive; write e.g. length = \"5.10 m\""
-[[nodiscard]] std::string to_string(const Fault& fault);
-
-// All faults of one input; what() lists them one a line. Exit code 2.
-class InputError : public std::runtime_error {
- public:
-  explicit InputError(std::vector<Fault> faults);
-  [[nodiscard]] const std::vector<Fault>& faults() const { return faults_; }
-
- private:
-  std::vector<Fault> faults_;
-};
-
-// A problem of the machine or file system: missing file, unwritable folder, disk full. Exit code 4.
-class IoError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-// Collects faults while a spec is read and checked, and throws them together.
-class FaultList {
- public:
-  void add(Fault fault) { faults_.push_back(std::move(fault)); }
-  [[nodiscard]] bool empty() const { return faults_.empty(); }
-  [[nodiscard]] const std::vector<Fault>& all() const { return faults_; }
-  // Throws InputError when there is at least one fault.
-  void throw_if_any() const;
-
- private:
-  std::vector<Fault> faults_;
-};
-
-}  // namespace wythe
+#include "wythe/parts/error.h"
+#include "wythe/parts/message.h"
+#include "wythe/parts/notes.h"

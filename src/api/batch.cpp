@@ -1,6 +1,6 @@
 // run_batch(): the columns are checked against the base model, then the rows are solved by the pool of a
 // campaign (campaign/runner/sample_pool.h) and kept in memory.
-#include "wythe/batch.h"
+#include "wythe/parts/batch.h"
 
 #include <fmt/format.h>
 
@@ -11,9 +11,9 @@
 #include "campaign/runner/sample_pool.h"
 #include "io/keys/model_key.h"
 #include "units/quantity_error.h"
-#include "wythe/error.h"
-#include "wythe/io.h"
-#include "wythe/units.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/units.h"
 
 namespace wythe {
 namespace {

@@ -1,4 +1,4 @@
-// The functions of wythe/wythe.h: nothing is thrown beyond them.
+// The functions of wythe/c.h: nothing is thrown beyond them.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -7,11 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include "api/job.h"
-#include "wythe/error.h"
-#include "wythe/folders.h"
-#include "wythe/limit.h"
-#include "wythe/text.h"
-#include "wythe/wythe.h"
+#include "wythe/c.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/folders.h"
+#include "wythe/parts/limit.h"
+#include "wythe/parts/text.h"
 
 struct wythe_job {
   wythe::api::Job job;

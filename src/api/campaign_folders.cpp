@@ -4,10 +4,10 @@
 #include <map>
 
 #include "model/shaking.h"
-#include "wythe/assessment.h"
-#include "wythe/folders.h"
-#include "wythe/report.h"
-#include "wythe/stored_states.h"
+#include "wythe/parts/assessment.h"
+#include "wythe/parts/folders.h"
+#include "wythe/parts/report.h"
+#include "wythe/parts/stored_states.h"
 
 namespace wythe {
 namespace {

@@ -1,18 +1,18 @@
-// New results go into a hidden folder, and commit() puts all of them in place together (Replacement, wythe/io.h). A
+// New results go into a hidden folder, and commit() puts all of them in place together (Replacement, wythe/parts/io.h). A
 // page is made from its .data text, so that it can be made again. A second opinion beside a run takes another name for
 // its page, so the page of the run stays.
-#include "wythe/folders.h"
+#include "wythe/parts/folders.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
 
-#include "wythe/assessment.h"
-#include "wythe/error.h"
-#include "wythe/failure_mode.h"
-#include "wythe/provenance.h"
-#include "wythe/report.h"
+#include "wythe/parts/assessment.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/failure_mode.h"
+#include "wythe/parts/provenance.h"
+#include "wythe/parts/report.h"
 
 namespace wythe {
 namespace {

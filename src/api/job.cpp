@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/text.h"
-#include "wythe/error.h"
+#include "wythe/parts/error.h"
 
 namespace wythe::api {
 namespace {

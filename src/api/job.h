@@ -1,4 +1,4 @@
-// A job of the C interface (wythe/wythe.h): named inputs in, named texts and tables out.
+// A job of the C interface (wythe/c.h): named inputs in, named texts and tables out.
 //
 //   Job ──► task(job)       one function a task, below; throws what the library throws
 //

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <filesystem>
 
-#include "wythe/comparison.h"
-#include "wythe/folders.h"
-#include "wythe/report.h"
+#include "wythe/parts/comparison.h"
+#include "wythe/parts/folders.h"
+#include "wythe/parts/report.h"
 
 namespace wythe {
 namespace {

@@ -10,11 +10,11 @@
 #include "core/number.h"
 #include "io/results/curve_csv.h"
 #include "io/results/element_columns.h"
-#include "wythe/folders.h"
-#include "wythe/formats.h"
-#include "wythe/reading.h"
-#include "wythe/report.h"
-#include "wythe/text.h"
+#include "wythe/parts/folders.h"
+#include "wythe/parts/formats.h"
+#include "wythe/parts/reading.h"
+#include "wythe/parts/report.h"
+#include "wythe/parts/text.h"
 
 namespace wythe::api {
 namespace {

@@ -5,10 +5,10 @@
 #include <string>
 
 #include "api/job.h"
-#include "wythe/io.h"
-#include "wythe/model.h"
-#include "wythe/result.h"
-#include "wythe/solve.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/model.h"
+#include "wythe/parts/result.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::api {
 

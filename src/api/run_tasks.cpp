@@ -10,13 +10,13 @@
 #include "api/run_answers.h"
 #include "core/files.h"
 #include "core/limits.h"
-#include "wythe/error.h"
-#include "wythe/folders.h"
-#include "wythe/formats.h"
-#include "wythe/io.h"
-#include "wythe/report.h"
-#include "wythe/second_opinion.h"
-#include "wythe/solve.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/folders.h"
+#include "wythe/parts/formats.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/report.h"
+#include "wythe/parts/second_opinion.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::api {
 namespace {

@@ -11,12 +11,12 @@
 #include "campaign/output_keys.h"
 #include "core/limits.h"
 #include "io/text/toml_reader.h"
-#include "wythe/batch.h"
-#include "wythe/campaign.h"
-#include "wythe/error.h"
-#include "wythe/folders.h"
-#include "wythe/io.h"
-#include "wythe/slow_push.h"
+#include "wythe/parts/batch.h"
+#include "wythe/parts/campaign.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/folders.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/slow_push.h"
 
 namespace wythe::api {
 namespace {

@@ -5,11 +5,11 @@
 
 #include "campaign/draws/scatter.h"
 #include "model/coarse_units.h"
-#include "wythe/folders.h"
-#include "wythe/limit.h"
-#include "wythe/local_check.h"
-#include "wythe/model.h"
-#include "wythe/report.h"
+#include "wythe/parts/folders.h"
+#include "wythe/parts/limit.h"
+#include "wythe/parts/local_check.h"
+#include "wythe/parts/model.h"
+#include "wythe/parts/report.h"
 
 namespace wythe {
 

@@ -1,20 +1,20 @@
 // Checks, as it is compiled, that each table of words of a public header names every enumerator once and no word
-// twice (wythe/words.h). The checks stand here and not beside the tables: they took a second of each source that
+// twice (wythe/parts/words.h). The checks stand here and not beside the tables: they took a second of each source that
 // read the headers, a fifth of the whole build. tools/check_layers finds a table that is missing here.
-#include "wythe/assessment.h"
-#include "wythe/builder.h"
-#include "wythe/comparison.h"
-#include "wythe/contact_law.h"
-#include "wythe/field.h"
-#include "wythe/free_contacts.h"
-#include "wythe/limit.h"
-#include "wythe/masonry.h"
-#include "wythe/model.h"
-#include "wythe/result.h"
-#include "wythe/statistics.h"
-#include "wythe/study.h"
-#include "wythe/wall_spec.h"
-#include "wythe/zone_spec.h"
+#include "wythe/parts/assessment.h"
+#include "wythe/parts/builder.h"
+#include "wythe/parts/comparison.h"
+#include "wythe/parts/contact_law.h"
+#include "wythe/parts/field.h"
+#include "wythe/parts/free_contacts.h"
+#include "wythe/parts/limit.h"
+#include "wythe/parts/masonry.h"
+#include "wythe/parts/model.h"
+#include "wythe/parts/result.h"
+#include "wythe/parts/statistics.h"
+#include "wythe/parts/study.h"
+#include "wythe/parts/wall_spec.h"
+#include "wythe/parts/zone_spec.h"
 
 namespace wythe {
 

@@ -10,7 +10,7 @@
 
 #include <iterator>
 
-#include "wythe/result.h"
+#include "wythe/parts/result.h"
 
 namespace wythe::study {
 

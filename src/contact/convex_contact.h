@@ -22,7 +22,7 @@
 
 #include "contact/law.h"
 #include "core/real.h"
-#include "wythe/free_contacts.h"
+#include "wythe/parts/free_contacts.h"
 
 namespace wythe::contact {
 

@@ -15,7 +15,7 @@
 
 #include "contact/convex_contact.h"
 #include "core/rotation.h"
-#include "wythe/body.h"
+#include "wythe/parts/body.h"
 
 namespace wythe::contact {
 

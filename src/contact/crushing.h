@@ -1,7 +1,7 @@
 // What crushing asks of a material's energy (docs/theory/joint_law.md, "Snap-back").
 #pragma once
 
-#include "wythe/contact_law.h"
+#include "wythe/parts/contact_law.h"
 
 namespace wythe::contact {
 

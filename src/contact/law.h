@@ -27,7 +27,7 @@
 
 #include "contact/softening.h"
 #include "core/real.h"
-#include "wythe/contact_law.h"
+#include "wythe/parts/contact_law.h"
 
 namespace wythe::contact {
 

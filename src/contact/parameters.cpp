@@ -8,7 +8,7 @@
 
 #include "contact/crushing.h"
 #include "core/elementary.h"
-#include "wythe/error.h"
+#include "wythe/parts/error.h"
 
 namespace wythe {
 namespace {

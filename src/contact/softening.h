@@ -9,7 +9,7 @@
 #pragma once
 
 #include "core/real.h"
-#include "wythe/contact_law.h"
+#include "wythe/parts/contact_law.h"
 
 namespace wythe::contact {
 

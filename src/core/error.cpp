@@ -1,11 +1,11 @@
 // Faults as text, and InputError, which carries all of them.
-#include "wythe/error.h"
+#include "wythe/parts/error.h"
 
 #include <algorithm>
 
 #include "core/limits.h"
 #include "core/text.h"
-#include "wythe/text.h"
+#include "wythe/parts/text.h"
 
 namespace wythe {
 namespace {

@@ -7,8 +7,8 @@
 #include <iterator>
 
 #include "core/text.h"
-#include "wythe/error.h"
-#include "wythe/text.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/text.h"
 
 namespace wythe {
 namespace {

@@ -15,7 +15,7 @@
 
 #include "core/file_kinds.h"
 #include "core/text.h"
-#include "wythe/error.h"
+#include "wythe/parts/error.h"
 
 namespace wythe {
 namespace {

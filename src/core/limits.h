@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-#include "wythe/error.h"
+#include "wythe/parts/error.h"
 
 namespace wythe {
 

@@ -2,7 +2,7 @@
 //
 // A text of the table has {name} or {name:format} for each argument, the format as of fmt: a number's,
 // or what stands between the messages of a list ("; " without one).
-#include "wythe/message.h"
+#include "wythe/parts/message.h"
 
 #include <fmt/format.h>
 
@@ -12,6 +12,7 @@
 #include <optional>
 #include <ostream>
 
+#include "core/ascii.h"
 #include "core/decimal_point.h"
 #include "core/messages.h"
 
@@ -51,10 +52,22 @@ std::string in_digits(double number, std::string format) try {
   return fmt::format("{}", number);
 }
 
-std::string in_words(const Argument& argument, const std::string& format, std::size_t language) {
+// Whether what follows is the value of a key, as in `until = "{until_mm} mm"`: a file has decimal points in any language.
+// A single letter before the sign is a coordinate.
+bool is_value_of_key(std::string_view before) {
+  if (before.ends_with('"')) before.remove_suffix(1);
+  if (!before.ends_with("= ")) return false;
+  before.remove_suffix(2);
+  if (before.ends_with(' ')) before.remove_suffix(1);
+  const auto is_letter = [](char c) { return is_ascii_letter(c) || c == '_'; };
+  return before.size() > 1 && is_letter(before.back()) && is_letter(before[before.size() - 2]);
+}
+
+std::string in_words(const Argument& argument, const std::string& format, bool is_code,
+                     std::size_t language) {
   if (const auto* number = std::get_if<double>(&argument.value)) {
     std::string text = in_digits(*number, format);
-    const std::string sign = table()["decimal"].at(language);
+    const std::string sign = is_code ? "." : table()["decimal"].at(language);
     if (const std::size_t at = text.find('.'); at != std::string::npos) text.replace(at, 1, sign);
     return text;
   }
@@ -81,8 +94,9 @@ std::string said(const Message& message, std::size_t language) {
         std::find_if(message.arguments.begin(), message.arguments.end(),
                      [&](const Argument& a) { return a.name == place.substr(0, colon); });
     text += pattern.substr(from, open - from);
-    text +=
-        found == message.arguments.end() ? "{" + place + "}" : in_words(*found, format, language);
+    text += found == message.arguments.end()
+                ? "{" + place + "}"
+                : in_words(*found, format, is_value_of_key(text), language);
     from = close + 1;
   }
   return text + pattern.substr(from);

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "wythe/message.h"
+#include "wythe/parts/message.h"
 
 namespace wythe {
 

@@ -1,6 +1,6 @@
 // Notes that state a changed size of openings are of one kind, likewise of lintels and of sills, and their line names
 // the largest change. All other notes are of one kind with their code; a note without a code stays alone.
-#include "wythe/notes.h"
+#include "wythe/parts/notes.h"
 
 #include <cmath>
 #include <string>

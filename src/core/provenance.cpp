@@ -1,5 +1,5 @@
 // The only reader of the generated header, so that a moved HEAD recompiles one small file.
-#include "wythe/provenance.h"
+#include "wythe/parts/provenance.h"
 
 #include "wythe_provenance.h"
 

@@ -1,5 +1,5 @@
 // Vectors and quaternions of Reals for steps in space: + - * / and sqrt alone, so that the bits are the
-// same on every machine. Outside the step wythe/vector.h is the vocabulary.
+// same on every machine. Outside the step wythe/parts/vector.h is the vocabulary.
 #pragma once
 
 #include "core/real.h"

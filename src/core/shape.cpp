@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "core/limits.h"
-#include "wythe/error.h"
+#include "wythe/parts/error.h"
 
 namespace wythe {
 namespace {

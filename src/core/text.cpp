@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "core/limits.h"
-#include "wythe/text.h"
+#include "wythe/parts/text.h"
 
 namespace wythe {
 namespace {

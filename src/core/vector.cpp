@@ -1,5 +1,5 @@
-// Turns of wythe/vector.h.
-#include "wythe/vector.h"
+// Turns of wythe/parts/vector.h.
+#include "wythe/parts/vector.h"
 
 #include "core/elementary.h"
 

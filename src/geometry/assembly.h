@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "geometry/shape.h"
-#include "wythe/error.h"
-#include "wythe/message.h"
-#include "wythe/vector.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/message.h"
+#include "wythe/parts/vector.h"
 
 namespace wythe::geometry {
 

@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "wythe/error.h"
-#include "wythe/message.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/message.h"
 
 namespace wythe::geometry {
 

@@ -6,7 +6,7 @@
 
 #include "core/elementary.h"
 #include "limit/limit_loads.h"
-#include "wythe/limit.h"
+#include "wythe/parts/limit.h"
 
 namespace wythe {
 namespace {

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "core/elementary.h"
-#include "wythe/error.h"
+#include "wythe/parts/error.h"
 
 namespace wythe::limit {
 namespace {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "limit/plane/programmes.h"
-#include "wythe/limit.h"
-#include "wythe/model.h"
+#include "wythe/parts/limit.h"
+#include "wythe/parts/model.h"
 
 namespace wythe::limit {
 

@@ -7,8 +7,8 @@
 
 #include "limit/in_space.h"
 #include "limit/plane/programmes.h"
-#include "wythe/error.h"
-#include "wythe/limit.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/limit.h"
 
 namespace wythe {
 namespace {

@@ -10,8 +10,8 @@
 
 #include "core/elementary.h"
 #include "geometry/polygon.h"
-#include "wythe/error.h"
-#include "wythe/limit.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/limit.h"
 
 namespace wythe::limit {
 namespace {

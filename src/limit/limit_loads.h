@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "wythe/model.h"
+#include "wythe/parts/model.h"
 
 namespace wythe::limit {
 

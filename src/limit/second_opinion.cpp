@@ -1,12 +1,12 @@
 // second_opinion(): every mechanism and limit load of a model. What can't be answered is kept with its
 // reason; the rest goes on.
-#include "wythe/second_opinion.h"
+#include "wythe/parts/second_opinion.h"
 
 #include <algorithm>
 
 #include "core/text.h"
 #include "limit/limit_loads.h"
-#include "wythe/error.h"
+#include "wythe/parts/error.h"
 
 namespace wythe {
 namespace {

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "wythe/masonry.h"
+#include "wythe/parts/masonry.h"
 
 namespace wythe::materials {
 

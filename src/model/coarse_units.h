@@ -2,9 +2,9 @@
 // real size: it says which walls of docs/evidence/block_size.md, drawn so and as built, this one is like.
 #pragma once
 
-#include "wythe/message.h"
-#include "wythe/model.h"
-#include "wythe/wall_spec.h"
+#include "wythe/parts/message.h"
+#include "wythe/parts/model.h"
+#include "wythe/parts/wall_spec.h"
 
 namespace wythe {
 

@@ -7,7 +7,7 @@
 
 #include "geometry/assembly.h"
 #include "geometry/bodies/joint_faces.h"
-#include "wythe/model.h"
+#include "wythe/parts/model.h"
 
 namespace wythe {
 

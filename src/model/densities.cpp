@@ -14,7 +14,7 @@
 #include "core/text.h"
 #include "materials/origin.h"
 #include "materials/rules.h"
-#include "wythe/text.h"
+#include "wythe/parts/text.h"
 
 namespace wythe {
 namespace {

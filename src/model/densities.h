@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "wythe/message.h"
-#include "wythe/model.h"
-#include "wythe/wall_spec.h"
+#include "wythe/parts/message.h"
+#include "wythe/parts/model.h"
+#include "wythe/parts/wall_spec.h"
 
 namespace wythe {
 

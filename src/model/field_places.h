@@ -1,4 +1,4 @@
-// Where a field (wythe/field.h) acts: on which key, at which joints or blocks of the assembly, and what it
+// Where a field (wythe/parts/field.h) acts: on which key, at which joints or blocks of the assembly, and what it
 // makes of their material. draw_fields() asks for the places; compile() puts in what was drawn.
 #pragma once
 
@@ -10,7 +10,7 @@
 #include "geometry/assembly.h"
 #include "geometry/bodies/joint_faces.h"
 #include "model/parts.h"
-#include "wythe/model.h"
+#include "wythe/parts/model.h"
 
 namespace wythe {
 

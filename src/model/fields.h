@@ -16,7 +16,7 @@
 #include <string_view>
 #include <vector>
 
-#include "wythe/model.h"
+#include "wythe/parts/model.h"
 
 namespace wythe {
 

@@ -4,8 +4,8 @@
 #include "contact/convex_contact.h"
 #include "contact/convex_contact_in_space.h"
 #include "core/real.h"
-#include "wythe/error.h"
-#include "wythe/model.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/model.h"
 
 namespace wythe {
 

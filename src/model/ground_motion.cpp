@@ -1,5 +1,5 @@
 // Motions of the ground: exact integrals of an acceleration that is linear between samples.
-#include "wythe/ground_motion.h"
+#include "wythe/parts/ground_motion.h"
 
 #include <algorithm>
 #include <cmath>

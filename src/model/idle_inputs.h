@@ -2,8 +2,8 @@
 // one value over another and so leave an input idle.
 #pragma once
 
-#include "wythe/model.h"
-#include "wythe/wall_spec.h"
+#include "wythe/parts/model.h"
+#include "wythe/parts/wall_spec.h"
 
 namespace wythe {
 

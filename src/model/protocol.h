@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "wythe/wall_spec.h"
+#include "wythe/parts/wall_spec.h"
 
 namespace wythe {
 

@@ -13,8 +13,8 @@
 
 #include <vector>
 
-#include "wythe/error.h"
-#include "wythe/wall_spec.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/wall_spec.h"
 
 namespace wythe {
 

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "wythe/model.h"
+#include "wythe/parts/model.h"
 
 namespace wythe {
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <utility>
 
-#include "wythe/error.h"
-#include "wythe/model.h"
-#include "wythe/shaking.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/model.h"
+#include "wythe/parts/shaking.h"
 
 namespace wythe {
 

@@ -16,7 +16,7 @@
 #include "geometry/wall/storeys.h"
 #include "model/protocol.h"
 #include "model/quadrature.h"
-#include "wythe/curve.h"
+#include "wythe/parts/curve.h"
 
 namespace wythe {
 namespace {

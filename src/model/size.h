@@ -6,8 +6,8 @@
 
 #include <string>
 
-#include "wythe/error.h"
-#include "wythe/wall_spec.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/wall_spec.h"
 
 namespace wythe {
 

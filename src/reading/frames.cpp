@@ -4,7 +4,7 @@
 
 #include "core/rotation.h"
 #include "reading/frames.h"
-#include "wythe/reading.h"
+#include "wythe/parts/reading.h"
 
 namespace wythe {
 namespace {

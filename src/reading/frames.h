@@ -5,7 +5,7 @@
 
 #include "contact/link.h"
 #include "contact/section.h"
-#include "wythe/model.h"
+#include "wythe/parts/model.h"
 
 namespace wythe::reading {
 

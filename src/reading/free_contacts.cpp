@@ -11,7 +11,7 @@
 #include "core/elementary.h"
 #include "core/real.h"
 #include "model/free_shapes.h"
-#include "wythe/reading.h"
+#include "wythe/parts/reading.h"
 
 namespace wythe::reading {
 namespace {

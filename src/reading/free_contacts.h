@@ -1,7 +1,7 @@
 // What a state says of free contacts (docs/theory/contacts.md): their energy, and what has fallen.
 #pragma once
 
-#include "wythe/model.h"
+#include "wythe/parts/model.h"
 
 namespace wythe::reading {
 

@@ -8,7 +8,7 @@
 #include "core/real.h"
 #include "model/fields.h"
 #include "reading/space.h"
-#include "wythe/reading.h"
+#include "wythe/parts/reading.h"
 
 namespace wythe {
 namespace {

@@ -5,7 +5,7 @@
 #include "contact/link.h"
 #include "core/rotation.h"
 #include "reading/frames.h"
-#include "wythe/reading.h"
+#include "wythe/parts/reading.h"
 
 namespace wythe {
 namespace {

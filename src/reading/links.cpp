@@ -1,6 +1,6 @@
 // Links: what they carry in a state.
 #include "contact/link.h"
-#include "wythe/reading.h"
+#include "wythe/parts/reading.h"
 
 namespace wythe {
 

@@ -5,7 +5,7 @@
 
 #include "core/elementary.h"
 #include "reading/zones_in_space.h"
-#include "wythe/reading.h"
+#include "wythe/parts/reading.h"
 
 namespace wythe {
 namespace {

@@ -1,7 +1,7 @@
 // Points and joints of walls in space, read as those of plane walls (joints.cpp).
 #pragma once
 
-#include "wythe/reading.h"
+#include "wythe/parts/reading.h"
 
 namespace wythe::reading {
 

@@ -9,7 +9,7 @@
 #include "core/elementary.h"
 #include "reading/zones_in_space.h"
 #include "solids/zone.h"
-#include "wythe/curve.h"
+#include "wythe/parts/curve.h"
 
 namespace wythe {
 namespace reading {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "wythe/reading.h"
+#include "wythe/parts/reading.h"
 
 namespace wythe::reading {
 

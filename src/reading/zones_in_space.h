@@ -3,7 +3,7 @@
 
 #include "core/rotation.h"
 #include "reading/zones.h"
-#include "wythe/reading.h"
+#include "wythe/parts/reading.h"
 
 namespace wythe::reading {
 

@@ -14,7 +14,7 @@
 #include "core/limits.h"
 #include "core/shape.h"
 #include "report/deflate.h"
-#include "wythe/error.h"
+#include "wythe/parts/error.h"
 
 namespace wythe::report {
 namespace {

@@ -17,10 +17,10 @@
 #include "report/model_inputs.h"
 #include "report/translation.h"
 #include "report/wall_arrays.h"
-#include "wythe/error.h"
-#include "wythe/failure_mode.h"
-#include "wythe/io.h"
-#include "wythe/report.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/failure_mode.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/report.h"
 
 namespace wythe {
 namespace {

@@ -7,10 +7,10 @@
 #include "report/headline.h"
 #include "report/html.h"
 #include "report/translation.h"
-#include "wythe/comparison.h"
-#include "wythe/io.h"
-#include "wythe/provenance.h"
-#include "wythe/report.h"
+#include "wythe/parts/comparison.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/provenance.h"
+#include "wythe/parts/report.h"
 
 namespace wythe {
 namespace report {

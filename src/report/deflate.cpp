@@ -3,7 +3,7 @@
 
 #include <zlib.h>
 
-#include "wythe/error.h"
+#include "wythe/parts/error.h"
 
 namespace wythe::report {
 

@@ -9,9 +9,9 @@
 #include <map>
 
 #include "report/html.h"
-#include "wythe/failure_mode.h"
-#include "wythe/limit.h"
-#include "wythe/statistics.h"
+#include "wythe/parts/failure_mode.h"
+#include "wythe/parts/limit.h"
+#include "wythe/parts/statistics.h"
 
 namespace wythe::report {
 namespace {

@@ -8,9 +8,9 @@
 #include "report/model_inputs.h"
 #include "report/translation.h"
 #include "report/wall_arrays.h"
-#include "wythe/io.h"
-#include "wythe/provenance.h"
-#include "wythe/report.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/provenance.h"
+#include "wythe/parts/report.h"
 
 namespace wythe {
 namespace {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "report/bundle.h"
-#include "wythe/model.h"
-#include "wythe/wall_spec.h"
+#include "wythe/parts/model.h"
+#include "wythe/parts/wall_spec.h"
 
 namespace wythe::report {
 

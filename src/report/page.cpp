@@ -6,7 +6,7 @@
 #include "report/headline.h"
 #include "report/html.h"
 #include "report/texts.h"
-#include "wythe/report.h"
+#include "wythe/parts/report.h"
 
 namespace wythe {
 namespace {

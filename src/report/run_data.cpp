@@ -14,10 +14,10 @@
 #include "report/model_inputs.h"
 #include "report/translation.h"
 #include "report/wall_arrays.h"
-#include "wythe/element_forces.h"
-#include "wythe/io.h"
-#include "wythe/mechanism.h"
-#include "wythe/report.h"
+#include "wythe/parts/element_forces.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/mechanism.h"
+#include "wythe/parts/report.h"
 
 namespace wythe {
 namespace {

@@ -12,7 +12,7 @@
 #include <unordered_map>
 
 #include "report/wall_arrays.h"
-#include "wythe/reading.h"
+#include "wythe/parts/reading.h"
 
 namespace wythe::report {
 namespace {

@@ -7,7 +7,7 @@
 #include "report/style.h"
 #include "report/svg.h"
 #include "report/wall_picture.h"
-#include "wythe/report.h"
+#include "wythe/parts/report.h"
 
 namespace wythe {
 namespace {

@@ -5,8 +5,8 @@
 #pragma once
 
 #include "report/bundle.h"
-#include "wythe/message.h"
-#include "wythe/model.h"
+#include "wythe/parts/message.h"
+#include "wythe/parts/model.h"
 
 namespace wythe::report {
 

@@ -11,7 +11,7 @@
 #include "report/html.h"
 #include "report/texts.h"
 #include "report/translation.h"
-#include "wythe/verdict.h"
+#include "wythe/parts/verdict.h"
 
 namespace wythe::report {
 

@@ -9,9 +9,9 @@
 #include "model/field_places.h"
 #include "report/translation.h"
 #include "report/wall_picture.h"
-#include "wythe/field_notes.h"
-#include "wythe/reading.h"
-#include "wythe/units.h"
+#include "wythe/parts/field_notes.h"
+#include "wythe/parts/reading.h"
+#include "wythe/parts/units.h"
 
 namespace wythe::report {
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "report/bundle.h"
-#include "wythe/model.h"
-#include "wythe/result.h"
+#include "wythe/parts/model.h"
+#include "wythe/parts/result.h"
 
 namespace wythe::report {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "wythe/model.h"
+#include "wythe/parts/model.h"
 
 namespace wythe::report {
 

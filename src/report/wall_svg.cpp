@@ -14,8 +14,8 @@
 #include "report/style.h"
 #include "report/svg.h"
 #include "report/wall_picture.h"
-#include "wythe/reading.h"
-#include "wythe/report.h"
+#include "wythe/parts/reading.h"
+#include "wythe/parts/report.h"
 
 namespace wythe {
 namespace report {

@@ -9,8 +9,8 @@
 #include <array>
 #include <vector>
 
-#include "wythe/contact_law.h"
-#include "wythe/wall_spec.h"
+#include "wythe/parts/contact_law.h"
+#include "wythe/parts/wall_spec.h"
 
 namespace wythe::solids {
 

@@ -17,9 +17,9 @@
 #include <vector>
 
 #include "core/rotation.h"
-#include "wythe/contact_law.h"
-#include "wythe/hexahedron_shape.h"
-#include "wythe/vector.h"
+#include "wythe/parts/contact_law.h"
+#include "wythe/parts/hexahedron_shape.h"
+#include "wythe/parts/vector.h"
 
 namespace wythe::solids {
 

@@ -10,7 +10,7 @@
 #pragma once
 
 #include "solids/shape.h"
-#include "wythe/model.h"
+#include "wythe/parts/model.h"
 
 namespace wythe::solids {
 

@@ -16,7 +16,7 @@
 #include <array>
 
 #include "solids/elasticity.h"
-#include "wythe/model.h"
+#include "wythe/parts/model.h"
 
 namespace wythe::solids {
 

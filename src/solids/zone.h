@@ -11,7 +11,7 @@
 #pragma once
 
 #include "core/real.h"
-#include "wythe/zone_shape.h"
+#include "wythe/parts/zone_shape.h"
 
 namespace wythe::solids {
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "statistics/intervals.h"
-#include "wythe/statistics.h"
+#include "wythe/parts/statistics.h"
 
 namespace wythe::study {
 

@@ -1,5 +1,5 @@
 // compare_campaigns(): samples matched, pairs made, each response and the modes compared, then put in words.
-#include "wythe/comparison.h"
+#include "wythe/parts/comparison.h"
 
 #include <fmt/format.h>
 
@@ -12,8 +12,8 @@
 #include "campaign/store/study_rows.h"
 #include "statistics/pairs.h"
 #include "statistics/statistics_parts.h"
-#include "wythe/error.h"
-#include "wythe/failure_mode.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/failure_mode.h"
 
 namespace wythe {
 namespace {

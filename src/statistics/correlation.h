@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "wythe/statistics.h"
+#include "wythe/parts/statistics.h"
 
 namespace wythe::study {
 

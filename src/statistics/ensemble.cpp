@@ -5,7 +5,7 @@
 
 #include "statistics/intervals.h"
 #include "statistics/statistics_parts.h"
-#include "wythe/statistics.h"
+#include "wythe/parts/statistics.h"
 
 namespace wythe {
 namespace {

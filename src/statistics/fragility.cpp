@@ -19,8 +19,8 @@
 #include "statistics/intervals.h"
 #include "statistics/statistics_parts.h"
 #include "statistics/survival.h"
-#include "wythe/error.h"
-#include "wythe/units.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/units.h"
 
 namespace wythe::study {
 namespace {

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "wythe/statistics.h"
+#include "wythe/parts/statistics.h"
 
 namespace wythe::study {
 

@@ -12,7 +12,7 @@
 
 #include "judge/modes/mode_names.h"
 #include "statistics/intervals.h"
-#include "wythe/comparison.h"
+#include "wythe/parts/comparison.h"
 
 namespace wythe {
 namespace {

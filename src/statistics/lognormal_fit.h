@@ -11,7 +11,7 @@
 #include <array>
 #include <vector>
 
-#include "wythe/statistics.h"
+#include "wythe/parts/statistics.h"
 
 namespace wythe::study {
 

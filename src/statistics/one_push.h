@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "wythe/message.h"
-#include "wythe/model.h"
+#include "wythe/parts/message.h"
+#include "wythe/parts/model.h"
 
 namespace wythe::study {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "statistics/correlation.h"
-#include "wythe/comparison.h"
+#include "wythe/parts/comparison.h"
 
 namespace wythe::study {
 

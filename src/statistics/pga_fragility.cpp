@@ -10,9 +10,9 @@
 #include "statistics/intervals.h"
 #include "statistics/one_push.h"
 #include "statistics/survival.h"
-#include "wythe/failure_mode.h"
-#include "wythe/slow_push.h"
-#include "wythe/statistics.h"
+#include "wythe/parts/failure_mode.h"
+#include "wythe/parts/slow_push.h"
+#include "wythe/parts/statistics.h"
 
 namespace wythe {
 namespace {

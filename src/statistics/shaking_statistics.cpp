@@ -19,7 +19,7 @@
 #include "statistics/intervals.h"
 #include "statistics/lognormal_fit.h"
 #include "statistics/scatter.h"
-#include "wythe/statistics.h"
+#include "wythe/parts/statistics.h"
 
 namespace wythe {
 namespace study {

@@ -1,12 +1,12 @@
 // statistics_of(): the questions in order, each answered by a part (statistics_parts.h).
-#include "wythe/statistics.h"
+#include "wythe/parts/statistics.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "statistics/bootstrap.h"
 #include "statistics/statistics_parts.h"
-#include "wythe/failure_mode.h"
+#include "wythe/parts/failure_mode.h"
 
 namespace wythe {
 namespace {

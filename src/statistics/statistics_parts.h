@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "wythe/statistics.h"
+#include "wythe/parts/statistics.h"
 
 namespace wythe::study {
 

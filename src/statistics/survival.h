@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "statistics/bootstrap.h"
-#include "wythe/statistics.h"
+#include "wythe/parts/statistics.h"
 
 namespace wythe::study {
 

@@ -15,7 +15,7 @@
 #include "core/number.h"
 #include "core/text.h"
 #include "statistics/intervals.h"
-#include "wythe/statistics.h"
+#include "wythe/parts/statistics.h"
 
 namespace wythe {
 namespace {

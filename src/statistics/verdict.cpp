@@ -11,7 +11,7 @@
 #include "judge/modes/mode_names.h"
 #include "statistics/intervals.h"
 #include "statistics/one_push.h"
-#include "wythe/verdict.h"
+#include "wythe/parts/verdict.h"
 
 namespace wythe {
 namespace {

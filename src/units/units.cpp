@@ -1,5 +1,5 @@
 // Quantities to SI and back, with what is said of wrong ones. unit_parser.cpp knows the units.
-#include "wythe/units.h"
+#include "wythe/parts/units.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "api/job.h"
-#include "wythe/model.h"
-#include "wythe/wythe.h"
+#include "wythe/c.h"
+#include "wythe/parts/model.h"
 
 // clang 14 calls the default constructors of these two vectors of State without making them. Here they are, under the names it calls.
 extern "C" {

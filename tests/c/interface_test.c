@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "wythe/wythe.h"
+#include "wythe/c.h"
 
 static int failed = 0;
 #define CHECK(condition)                                            \

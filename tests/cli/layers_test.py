@@ -9,8 +9,9 @@ import unittest
 SOURCE = pathlib.Path(os.environ.get("SOURCE", ".")).resolve()
 
 GOOD = {
-    "include/wythe/model.h": "#include <vector>\n",
-    "src/model/model.cpp": '#include "wythe/model.h"\ndouble turn(const State& s) { return s.theta[0]; }\n',
+    "include/wythe/model.h": '#include "wythe/parts/model.h"\n',
+    "include/wythe/parts/model.h": "#include <vector>\n",
+    "src/model/model.cpp": '#include "wythe/parts/model.h"\ndouble turn(const State& s) { return s.theta[0]; }\n',
     "src/reading/joints.cpp": '#include "model/fields.h"\nnamespace wythe::study {\nstruct Piece {\n};\nstruct Piece::Whole {\n};\n}  // namespace wythe::study\n'
                               "namespace wythe {\nnamespace {\nstruct Fit {\n};\n}  // namespace\nstruct Piece {\n};\n}  // namespace wythe\n",
     "src/reading/zones.cpp": "namespace wythe {\nnamespace {\nstruct Fit {\n};\n}  // namespace\n}  // namespace wythe\n",
@@ -25,7 +26,7 @@ BAD = [  # file, a line put at its end, what must be said
     ("src/judge/modes.cpp", "#include <sqlite4.h>\n#include <zlib.h>", "<zlib.h> belongs to report"),
     ("apps/main.cpp", '#include "model/parts.h"', "only wythe/*.h may be seen from apps"),
     ("src/judge/modes.cpp", "double t = state.theta[b];",
-     "src/judge/modes.cpp:3: theta is the plane's: ask wythe/reading.h"),
+     "src/judge/modes.cpp:3: theta is the plane's: ask wythe/parts/reading.h"),
     ("src/report/arrays.cpp", "double e = model->half_y[j];", "half_y is the plane's"),
     ("src/io/results/vtu.cpp", "auto t = &Model::tangent_x;", "tangent_x is the plane's"),
     ("src/model/parts.h", "double t = std::tan(phi);", "std::tan has other bits on other machines"),
@@ -43,7 +44,7 @@ BAD = [  # file, a line put at its end, what must be said
 ]
 
 
-WORDS = {"include/wythe/fit.h": 'inline constexpr Word<Fit> kFitWords[] = {{"cut", Fit::kCut}};\n',
+WORDS = {"include/wythe/parts/fit.h": 'inline constexpr Word<Fit> kFitWords[] = {{"cut", Fit::kCut}};\n',
          "src/api/word_tables.cpp": "static_assert(names_all(kFitWords));\n"}
 
 
@@ -74,7 +75,7 @@ class Layers(unittest.TestCase):
         self.assertEqual(check({**GOOD, **WORDS})[0], 0)
         status, output = check({**GOOD, **WORDS, "src/api/word_tables.cpp": "static_assert(names_all(kFitWords2));\n"})
         self.assertEqual(status, 1)
-        self.assertIn("include/wythe/fit.h:1: kFitWords is a table of words without its static_assert", output)
+        self.assertIn("include/wythe/parts/fit.h:1: kFitWords is a table of words without its static_assert", output)
 
 
 if __name__ == "__main__":

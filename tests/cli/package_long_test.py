@@ -17,7 +17,7 @@ INSIDE = """set -e
 wythe --version
 wythe check /usr/share/doc/wythe/examples/brick_pier/model.toml
 python3 -c 'import wythe, importlib.metadata; assert wythe.__version__ == importlib.metadata.version("wythe")'
-test -e /usr/lib/*/libwythe.so -a -e /usr/include/wythe/wythe.h
+test -e /usr/lib/*/libwythe.so -a -e /usr/include/wythe/c.h
 gzip -dc /usr/share/man/man1/wythe.1.gz | grep -q campaign
 apt-get purge -q -y libwythe1 libwythe-dev python3-wythe wythe >/dev/null
 find /usr /etc -name '*wythe*' | grep . && exit 1

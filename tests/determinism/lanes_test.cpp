@@ -14,10 +14,10 @@
 #include "scenes/small_study.h"
 #include "scenes/zones.h"
 #include "scenes/zones_in_space.h"
-#include "wythe/campaign.h"
-#include "wythe/error.h"
-#include "wythe/io.h"
-#include "wythe/lanes.h"
+#include "wythe/parts/campaign.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/lanes.h"
 
 namespace wythe::lanes_test {
 namespace {

@@ -11,8 +11,8 @@
 #include "dynamics/space/executor.h"
 #include "dynamics/stages/wall_run.h"
 #include "scenes/scenes.h"
-#include "wythe/checkpoint.h"
-#include "wythe/solve.h"
+#include "wythe/parts/checkpoint.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::space_test {
 namespace {

@@ -8,7 +8,7 @@
 #include "scenes/rig.h"
 #include "scenes/scenes.h"
 #include "scenes/zones.h"
-#include "wythe/solve.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::threads_test {
 namespace {

@@ -10,11 +10,11 @@
 #include "fuzz/targets.h"
 #include "scenes/changed_store.h"
 #include "scenes/places.h"
-#include "wythe/checkpoint.h"
-#include "wythe/error.h"
-#include "wythe/io.h"
-#include "wythe/report.h"
-#include "wythe/statistics.h"
+#include "wythe/parts/checkpoint.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/report.h"
+#include "wythe/parts/statistics.h"
 
 namespace wythe::fuzz {
 namespace {

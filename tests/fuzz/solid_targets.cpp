@@ -1,7 +1,7 @@
 // Blocks files, COMPAS, drawings and meshes, through to the assembled wall.
 #include "fuzz/model_texts.h"
 #include "fuzz/targets.h"
-#include "wythe/io.h"
+#include "wythe/parts/io.h"
 
 namespace wythe::fuzz {
 namespace {

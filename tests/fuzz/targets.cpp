@@ -7,7 +7,7 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "wythe/error.h"
+#include "wythe/parts/error.h"
 
 namespace wythe::fuzz {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "fuzz/model_texts.h"
 #include "fuzz/targets.h"
-#include "wythe/io.h"
+#include "wythe/parts/io.h"
 
 namespace wythe::fuzz {
 namespace {

@@ -19,9 +19,9 @@
 #include "scenes/places.h"
 #include "scenes/scenes.h"
 #include "scenes/zones.h"
-#include "wythe/error.h"
-#include "wythe/io.h"
-#include "wythe/study.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/study.h"
 
 namespace wythe::io::compiler_test {
 namespace {

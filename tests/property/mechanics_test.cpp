@@ -8,7 +8,7 @@
 
 #include "scenes/rig.h"
 #include "scenes/scenes.h"
-#include "wythe/solve.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::mechanics_test {
 namespace {

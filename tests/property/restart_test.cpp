@@ -15,9 +15,9 @@
 #include "scenes/whole_result.h"
 #include "scenes/zones.h"
 #include "scenes/zones_in_space.h"
-#include "wythe/checkpoint.h"
-#include "wythe/io.h"
-#include "wythe/solve.h"
+#include "wythe/parts/checkpoint.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::restart_test {
 namespace {

@@ -17,8 +17,8 @@
 #include "io/keys/same_spec.h"
 #include "io/text/magnitude.h"
 #include "model/protocol.h"
-#include "wythe/io.h"
-#include "wythe/units.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/units.h"
 
 namespace wythe::io::spec_roundtrip_test {
 namespace {

@@ -10,7 +10,7 @@
 #include "scenes/rig.h"
 #include "scenes/scenes.h"
 #include "scenes/zones.h"
-#include "wythe/solve.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::zone_walls_test {
 namespace {

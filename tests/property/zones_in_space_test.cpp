@@ -12,9 +12,9 @@
 #include "scenes/run.h"
 #include "scenes/space_rig.h"
 #include "scenes/zones_in_space.h"
-#include "wythe/builder.h"
-#include "wythe/error.h"
-#include "wythe/solve.h"
+#include "wythe/parts/builder.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::zones_in_space_test {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "scenes/places.h"
 #include "scenes/scenes.h"
-#include "wythe/solve.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::golden_test {
 namespace {

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "wythe/model.h"
-#include "wythe/reading.h"
-#include "wythe/result.h"
+#include "wythe/parts/model.h"
+#include "wythe/parts/reading.h"
+#include "wythe/parts/result.h"
 
 namespace wythe::scenes {
 

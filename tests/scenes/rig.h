@@ -18,9 +18,9 @@
 
 #include "dynamics/executors/processor.h"
 #include "dynamics/meters/residual.h"
-#include "wythe/model.h"
-#include "wythe/reading.h"
-#include "wythe/result.h"
+#include "wythe/parts/model.h"
+#include "wythe/parts/reading.h"
+#include "wythe/parts/result.h"
 
 namespace wythe::scenes {
 

@@ -1,8 +1,8 @@
 // A model run to its end, with all that it was.
 #pragma once
 
-#include "wythe/model.h"
-#include "wythe/solve.h"
+#include "wythe/parts/model.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::scenes {
 

@@ -1,7 +1,7 @@
 // A made-up campaign: curves drawn from formulas, so that every statistic has something to say.
 #pragma once
 
-#include "wythe/campaign.h"
+#include "wythe/parts/campaign.h"
 
 namespace wythe::scenes {
 

@@ -8,9 +8,9 @@
 //        ///////////
 #pragma once
 
-#include "wythe/model.h"
-#include "wythe/result.h"
-#include "wythe/wall_spec.h"
+#include "wythe/parts/model.h"
+#include "wythe/parts/result.h"
+#include "wythe/parts/wall_spec.h"
 
 namespace wythe::scenes {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "wythe/io.h"
-#include "wythe/study.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/study.h"
 
 namespace wythe::scenes {
 

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "wythe/model.h"
-#include "wythe/wall_spec.h"
+#include "wythe/parts/model.h"
+#include "wythe/parts/wall_spec.h"
 
 namespace wythe::scenes {
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "wythe/io.h"
+#include "wythe/parts/io.h"
 
 namespace wythe::scenes {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "wythe/study.h"
+#include "wythe/parts/study.h"
 
 namespace wythe::scenes {
 

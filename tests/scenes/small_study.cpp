@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "wythe/io.h"
+#include "wythe/parts/io.h"
 
 namespace wythe::scenes {
 namespace {

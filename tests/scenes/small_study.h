@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "wythe/study.h"
+#include "wythe/parts/study.h"
 
 namespace wythe::scenes {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "wythe/body.h"
+#include "wythe/parts/body.h"
 
 namespace wythe::scenes {
 

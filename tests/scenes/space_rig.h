@@ -10,8 +10,8 @@
 #include "dynamics/space/executor.h"
 #include "scenes/scenes.h"
 #include "scenes/solids.h"
-#include "wythe/model.h"
-#include "wythe/reading.h"
+#include "wythe/parts/model.h"
+#include "wythe/parts/reading.h"
 
 namespace wythe::scenes {
 

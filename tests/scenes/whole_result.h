@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "wythe/result.h"
+#include "wythe/parts/result.h"
 
 namespace wythe::scenes {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "solids/mesh.h"
-#include "wythe/model.h"
+#include "wythe/parts/model.h"
 
 namespace wythe::scenes {
 

@@ -10,7 +10,7 @@
 #include "scenes/scenes.h"
 #include "scenes/solids.h"
 #include "scenes/zones.h"
-#include "wythe/model.h"
+#include "wythe/parts/model.h"
 
 namespace wythe::scenes {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "wythe/assessment.h"
-#include "wythe/io.h"
-#include "wythe/statistics.h"
+#include "wythe/parts/assessment.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/statistics.h"
 
 namespace wythe::test {
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/text.h"
-#include "wythe/error.h"
-#include "wythe/io.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/io.h"
 
 namespace wythe::io_tests {
 

@@ -5,8 +5,8 @@
 
 #include "core/text.h"
 #include "unit/io_helpers.h"
-#include "wythe/io.h"
-#include "wythe/study.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/study.h"
 
 namespace wythe::io_tests {
 

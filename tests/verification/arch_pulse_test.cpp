@@ -9,7 +9,7 @@
 #include "model/shaking.h"
 #include "scenes/scenes.h"
 #include "verification/record.h"
-#include "wythe/solve.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::verification::arch_pulse_test {
 namespace {

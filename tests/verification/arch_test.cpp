@@ -9,10 +9,10 @@
 #include "scenes/rig.h"
 #include "scenes/scenes.h"
 #include "verification/record.h"
-#include "wythe/error.h"
-#include "wythe/limit.h"
-#include "wythe/reading.h"
-#include "wythe/solve.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/limit.h"
+#include "wythe/parts/reading.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::verification::arch_test {
 namespace {

@@ -10,11 +10,11 @@
 
 #include "scenes/scenes.h"
 #include "verification/record.h"
-#include "wythe/error.h"
-#include "wythe/limit.h"
-#include "wythe/mechanism.h"
-#include "wythe/reading.h"
-#include "wythe/solve.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/limit.h"
+#include "wythe/parts/mechanism.h"
+#include "wythe/parts/reading.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::verification::coats_test {
 namespace {

@@ -17,8 +17,8 @@
 #include "scenes/run.h"
 #include "scenes/scenes.h"
 #include "scenes/solids.h"
-#include "wythe/reading.h"
-#include "wythe/solve.h"
+#include "wythe/parts/reading.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::compas_test {
 namespace {

@@ -10,7 +10,7 @@
 #include "dynamics/meters/residual.h"
 #include "reading/free_contacts.h"
 #include "scenes/space_rig.h"
-#include "wythe/solve.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::verification::contacts_in_space_test {
 namespace {

@@ -7,7 +7,7 @@
 #include "reading/free_contacts.h"
 #include "scenes/rig.h"
 #include "scenes/scenes.h"
-#include "wythe/solve.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::verification::contacts_test {
 namespace {

@@ -9,9 +9,9 @@
 
 #include "scenes/scenes.h"
 #include "verification/record.h"
-#include "wythe/error.h"
-#include "wythe/reading.h"
-#include "wythe/solve.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/reading.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::verification::cutting_test {
 namespace {

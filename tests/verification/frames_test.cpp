@@ -14,8 +14,8 @@
 #include "geometry/wall/profiles.h"
 #include "scenes/scenes.h"
 #include "verification/record.h"
-#include "wythe/reading.h"
-#include "wythe/solve.h"
+#include "wythe/parts/reading.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::verification::frames_test {
 namespace {

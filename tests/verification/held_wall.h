@@ -8,7 +8,7 @@
 
 #include "model/shaking.h"
 #include "scenes/scenes.h"
-#include "wythe/solve.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::verification {
 

@@ -6,8 +6,8 @@
 
 #include "scenes/scenes.h"
 #include "verification/record.h"
-#include "wythe/contact_law.h"
-#include "wythe/solve.h"
+#include "wythe/parts/contact_law.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::verification::joint_law_test {
 namespace {

@@ -17,8 +17,8 @@
 #include "scenes/rig.h"
 #include "scenes/scenes.h"
 #include "verification/record.h"
-#include "wythe/reading.h"
-#include "wythe/solve.h"
+#include "wythe/parts/reading.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::verification::layers_test {
 namespace {

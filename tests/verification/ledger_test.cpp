@@ -9,7 +9,7 @@
 #include "scenes/scenes.h"
 #include "scenes/zones.h"
 #include "verification/record.h"
-#include "wythe/solve.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::verification::ledger_test {
 namespace {

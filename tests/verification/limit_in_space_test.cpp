@@ -8,9 +8,9 @@
 #include "record.h"
 #include "scenes/places.h"
 #include "scenes/scenes.h"
-#include "wythe/error.h"
-#include "wythe/io.h"
-#include "wythe/limit.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/limit.h"
 
 namespace wythe::limit_in_space_test {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "scenes/places.h"
 #include "verification/record.h"
-#include "wythe/io.h"
-#include "wythe/limit.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/limit.h"
 
 namespace wythe::verification::limit_load_long_test {
 namespace {

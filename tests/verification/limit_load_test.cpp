@@ -9,10 +9,10 @@
 #include "scenes/scenes.h"
 #include "scenes/zones.h"
 #include "verification/record.h"
-#include "wythe/error.h"
-#include "wythe/io.h"
-#include "wythe/limit.h"
-#include "wythe/solve.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/limit.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::verification::limit_load_test {
 namespace {

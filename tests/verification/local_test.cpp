@@ -7,11 +7,11 @@
 #include <string>
 
 #include "verification/record.h"
-#include "wythe/assessment.h"
-#include "wythe/io.h"
-#include "wythe/limit.h"
-#include "wythe/local_check.h"
-#include "wythe/second_opinion.h"
+#include "wythe/parts/assessment.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/limit.h"
+#include "wythe/parts/local_check.h"
+#include "wythe/parts/second_opinion.h"
 
 namespace wythe::local_test {
 namespace {

@@ -10,8 +10,8 @@
 #include "scenes/scenes.h"
 #include "scenes/zones.h"
 #include "verification/record.h"
-#include "wythe/error.h"
-#include "wythe/limit.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/limit.h"
 
 namespace wythe::verification::mechanism_test {
 namespace {

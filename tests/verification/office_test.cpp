@@ -5,10 +5,10 @@
 #include <algorithm>
 
 #include "verification/record.h"
-#include "wythe/io.h"
-#include "wythe/model.h"
-#include "wythe/reading.h"
-#include "wythe/solve.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/model.h"
+#include "wythe/parts/reading.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::office_test {
 namespace {

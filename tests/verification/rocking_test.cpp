@@ -7,7 +7,7 @@
 #include "scenes/rig.h"
 #include "scenes/scenes.h"
 #include "verification/record.h"
-#include "wythe/solve.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::verification::rocking_test {
 namespace {

@@ -13,8 +13,8 @@
 #include "campaign/draws/margin.h"
 #include "campaign/draws/sampling.h"
 #include "verification/record.h"
-#include "wythe/statistics.h"
-#include "wythe/study.h"
+#include "wythe/parts/statistics.h"
+#include "wythe/parts/study.h"
 
 namespace wythe::sampling_test {
 namespace {

@@ -9,7 +9,7 @@
 #include "scenes/scenes.h"
 #include "verification/held_wall.h"
 #include "verification/record.h"
-#include "wythe/solve.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::verification::shaking_test {
 namespace {

@@ -6,10 +6,10 @@
 
 #include "record.h"
 #include "scenes/scenes.h"
-#include "wythe/io.h"
-#include "wythe/limit.h"
-#include "wythe/reading.h"
-#include "wythe/solve.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/limit.h"
+#include "wythe/parts/reading.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::slabs_test {
 namespace {

@@ -10,7 +10,7 @@
 #include "contact/parameters.h"
 #include "record.h"
 #include "scenes/space_rig.h"
-#include "wythe/io.h"
+#include "wythe/parts/io.h"
 
 namespace wythe::space_statics_test {
 namespace {

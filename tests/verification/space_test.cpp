@@ -8,8 +8,8 @@
 #include "record.h"
 #include "scenes/run.h"
 #include "scenes/scenes.h"
-#include "wythe/reading.h"
-#include "wythe/solve.h"
+#include "wythe/parts/reading.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::space_test {
 namespace {

@@ -12,8 +12,8 @@
 #include "scenes/run.h"
 #include "scenes/scenes.h"
 #include "scenes/space_rig.h"
-#include "wythe/limit.h"
-#include "wythe/solve.h"
+#include "wythe/parts/limit.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::space_walls_test {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "campaign/draws/formula.h"
-#include "wythe/error.h"
-#include "wythe/study.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/study.h"
 
 namespace wythe {
 

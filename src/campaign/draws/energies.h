@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "wythe/contact_law.h"
+#include "wythe/parts/contact_law.h"
 
 namespace wythe::study {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "wythe/study.h"
+#include "wythe/parts/study.h"
 
 namespace wythe {
 

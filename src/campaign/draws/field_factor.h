@@ -13,7 +13,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "wythe/field.h"
+#include "wythe/parts/field.h"
 
 namespace wythe {
 

@@ -32,8 +32,8 @@
 #include "model/space/space.h"
 #include "units/dimension.h"
 #include "units/quantity_error.h"
-#include "wythe/field_notes.h"
-#include "wythe/study.h"
+#include "wythe/parts/field_notes.h"
+#include "wythe/parts/study.h"
 
 namespace wythe {
 namespace {

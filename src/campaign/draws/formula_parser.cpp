@@ -11,7 +11,7 @@
 #include "core/number.h"
 #include "core/text.h"
 #include "units/quantity_error.h"
-#include "wythe/units.h"
+#include "wythe/parts/units.h"
 
 namespace wythe {
 namespace {

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "wythe/study.h"
+#include "wythe/parts/study.h"
 
 namespace wythe {
 

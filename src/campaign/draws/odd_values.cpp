@@ -7,8 +7,8 @@
 #include <variant>
 
 #include "model/densities.h"
-#include "wythe/error.h"
-#include "wythe/study_notes.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/study_notes.h"
 
 namespace wythe {
 namespace {

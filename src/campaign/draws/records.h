@@ -1,7 +1,7 @@
 // Samples that meet records: which wall and which record a sample is, and its intensities.
 #pragma once
 
-#include "wythe/study.h"
+#include "wythe/parts/study.h"
 
 namespace wythe {
 

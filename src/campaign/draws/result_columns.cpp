@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "campaign/output_keys.h"
-#include "wythe/campaign.h"
+#include "wythe/parts/campaign.h"
 
 namespace wythe::study {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "wythe/result.h"
+#include "wythe/parts/result.h"
 
 namespace wythe::study {
 

@@ -16,8 +16,8 @@
 #include "core/hash.h"
 #include "core/number.h"
 #include "model/field_places.h"
-#include "wythe/model.h"
-#include "wythe/units.h"
+#include "wythe/parts/model.h"
+#include "wythe/parts/units.h"
 
 namespace wythe {
 

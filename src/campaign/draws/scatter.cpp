@@ -15,8 +15,8 @@
 #include "campaign/draws/energies.h"
 #include "contact/parameters.h"
 #include "core/text.h"
-#include "wythe/error.h"
-#include "wythe/reading.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/reading.h"
 
 namespace wythe::study {
 namespace {

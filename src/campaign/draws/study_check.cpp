@@ -21,11 +21,11 @@
 #include "core/text.h"
 #include "model/protocol.h"
 #include "units/quantity_error.h"
-#include "wythe/campaign.h"
-#include "wythe/failure_mode.h"
-#include "wythe/field_notes.h"
-#include "wythe/statistics.h"
-#include "wythe/units.h"
+#include "wythe/parts/campaign.h"
+#include "wythe/parts/failure_mode.h"
+#include "wythe/parts/field_notes.h"
+#include "wythe/parts/statistics.h"
+#include "wythe/parts/units.h"
 
 namespace wythe {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "wythe/error.h"
-#include "wythe/study.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/study.h"
 
 namespace wythe {
 

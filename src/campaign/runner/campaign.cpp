@@ -17,9 +17,9 @@
 #include "campaign/store/folder_lock.h"
 #include "campaign/store/store.h"
 #include "core/files.h"
-#include "wythe/error.h"
-#include "wythe/statistics.h"
-#include "wythe/study_notes.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/statistics.h"
+#include "wythe/parts/study_notes.h"
 
 namespace wythe {
 namespace study {

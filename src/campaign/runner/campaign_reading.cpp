@@ -4,8 +4,8 @@
 
 #include "campaign/store/folder_lock.h"
 #include "campaign/store/store.h"
-#include "wythe/error.h"
-#include "wythe/stored_states.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/stored_states.h"
 
 namespace wythe {
 namespace {

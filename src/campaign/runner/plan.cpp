@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "campaign/runner/shakes.h"
-#include "wythe/error.h"
+#include "wythe/parts/error.h"
 
 namespace wythe::study {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "campaign/store/store.h"
-#include "wythe/campaign.h"
+#include "wythe/parts/campaign.h"
 
 namespace wythe::study {
 

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "dynamics/executors/lane_solver.h"
-#include "wythe/lanes.h"
+#include "wythe/parts/lanes.h"
 
 namespace wythe::study {
 namespace {

@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "campaign/runner/shakes.h"
-#include "wythe/assessment.h"
-#include "wythe/error.h"
-#include "wythe/failure_mode.h"
+#include "wythe/parts/assessment.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/failure_mode.h"
 
 namespace wythe {
 namespace study {

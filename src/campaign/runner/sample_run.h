@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "model/compiler.h"
-#include "wythe/campaign.h"
-#include "wythe/solve.h"
+#include "wythe/parts/campaign.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::study {
 

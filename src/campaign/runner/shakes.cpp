@@ -11,8 +11,8 @@
 
 #include "core/hash.h"
 #include "dynamics/meters/still_moving.h"
-#include "wythe/error.h"
-#include "wythe/ground_motion.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/ground_motion.h"
 
 namespace wythe {
 

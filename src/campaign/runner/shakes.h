@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "wythe/campaign.h"
+#include "wythe/parts/campaign.h"
 
 namespace wythe::study {
 

@@ -2,7 +2,7 @@
 // are made and the small ones grow.
 //
 //   check_shards ─► the largest design there, grown to what is asked ─► make_shards: create | grow | leave
-#include "wythe/shards.h"
+#include "wythe/parts/shards.h"
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@
 #include "campaign/runner/plan.h"
 #include "campaign/store/folder_lock.h"
 #include "campaign/store/store.h"
-#include "wythe/error.h"
+#include "wythe/parts/error.h"
 
 namespace wythe {
 namespace study {

@@ -22,7 +22,7 @@
 #include "core/hash.h"
 #include "core/limits.h"
 #include "model/size.h"
-#include "wythe/error.h"
+#include "wythe/parts/error.h"
 
 namespace wythe::study {
 namespace {

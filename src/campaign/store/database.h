@@ -12,7 +12,7 @@
 #include <string_view>
 #include <utility>
 
-#include "wythe/error.h"
+#include "wythe/parts/error.h"
 
 struct sqlite3;
 struct sqlite3_stmt;

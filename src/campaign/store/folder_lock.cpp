@@ -18,7 +18,7 @@
 #include "core/files.h"
 #include "core/number.h"
 #include "core/text.h"
-#include "wythe/error.h"
+#include "wythe/parts/error.h"
 
 namespace wythe::study {
 namespace {

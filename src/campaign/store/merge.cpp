@@ -17,7 +17,7 @@
 #include "campaign/store/store.h"
 #include "campaign/store/store_schema.h"
 #include "core/parallel.h"
-#include "wythe/error.h"
+#include "wythe/parts/error.h"
 
 namespace wythe {
 namespace study {

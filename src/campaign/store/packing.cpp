@@ -9,7 +9,7 @@
 
 #include "campaign/store/database.h"
 #include "core/hash.h"
-#include "wythe/error.h"
+#include "wythe/parts/error.h"
 
 namespace wythe::study {
 namespace {

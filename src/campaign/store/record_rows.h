@@ -12,7 +12,7 @@
 
 #include "campaign/output_keys.h"
 #include "model/fields.h"
-#include "wythe/campaign.h"
+#include "wythe/parts/campaign.h"
 
 namespace wythe::study {
 

@@ -19,7 +19,7 @@
 #include "core/messages.h"
 #include "core/number.h"
 #include "model/size.h"
-#include "wythe/error.h"
+#include "wythe/parts/error.h"
 
 namespace wythe::study {
 namespace {

@@ -18,8 +18,8 @@
 #include "campaign/store/database.h"
 #include "campaign/store/digest.h"
 #include "campaign/store/study_rows.h"
-#include "wythe/campaign.h"
-#include "wythe/error.h"
+#include "wythe/parts/campaign.h"
+#include "wythe/parts/error.h"
 
 namespace wythe::study {
 

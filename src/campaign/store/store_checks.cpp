@@ -13,8 +13,8 @@
 #include "campaign/store/store.h"
 #include "campaign/store/store_schema.h"
 #include "core/number.h"
-#include "wythe/error.h"
-#include "wythe/units.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/units.h"
 
 namespace wythe::study {
 namespace {

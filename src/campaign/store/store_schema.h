@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "wythe/study.h"
+#include "wythe/parts/study.h"
 
 namespace wythe::study {
 

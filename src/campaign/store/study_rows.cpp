@@ -15,7 +15,7 @@
 #include "core/hash.h"
 #include "core/number.h"
 #include "core/text.h"
-#include "wythe/error.h"
+#include "wythe/parts/error.h"
 
 namespace wythe::study {
 namespace {

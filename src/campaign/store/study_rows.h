@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "wythe/error.h"
-#include "wythe/study.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/study.h"
 
 namespace wythe::study {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "dynamics/executors/kernel_set.h"
-#include "wythe/error.h"
+#include "wythe/parts/error.h"
 
 namespace wythe::dynamics {
 namespace {

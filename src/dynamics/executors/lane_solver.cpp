@@ -9,9 +9,9 @@
 #include <cstdlib>
 #include <string>
 
-#include "wythe/error.h"
-#include "wythe/lanes.h"
-#include "wythe/solve.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/lanes.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe {
 namespace dynamics {

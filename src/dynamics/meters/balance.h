@@ -8,8 +8,8 @@
 
 #include <optional>
 
-#include "wythe/model.h"
-#include "wythe/result.h"
+#include "wythe/parts/model.h"
+#include "wythe/parts/result.h"
 
 namespace wythe::dynamics {
 

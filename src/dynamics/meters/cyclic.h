@@ -9,7 +9,7 @@
 // Rows are means over their windows, so force x step is the work of a window (docs/reference/results.md).
 #pragma once
 
-#include "wythe/result.h"
+#include "wythe/parts/result.h"
 
 namespace wythe::dynamics {
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "wythe/reading.h"
+#include "wythe/parts/reading.h"
 
 namespace wythe {
 

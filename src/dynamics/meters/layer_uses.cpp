@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "wythe/reading.h"
+#include "wythe/parts/reading.h"
 
 namespace wythe {
 

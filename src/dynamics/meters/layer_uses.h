@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "wythe/result.h"
+#include "wythe/parts/result.h"
 
 namespace wythe::dynamics {
 

@@ -2,7 +2,7 @@
 // kinetic energy, base shear, the block that runs away) are in passes/sums.h.
 #pragma once
 
-#include "wythe/result.h"
+#include "wythe/parts/result.h"
 
 namespace wythe::dynamics {
 

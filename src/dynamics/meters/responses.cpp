@@ -11,7 +11,7 @@
 #include "dynamics/meters/balance.h"
 #include "dynamics/meters/cyclic.h"
 #include "dynamics/stages/stage_run.h"
-#include "wythe/slow_push.h"
+#include "wythe/parts/slow_push.h"
 
 namespace wythe {
 namespace {

@@ -1,7 +1,7 @@
 // What the curve says once a run has ended.
 #pragma once
 
-#include "wythe/result.h"
+#include "wythe/parts/result.h"
 
 namespace wythe {
 

@@ -1,7 +1,7 @@
 // Asks in order whether the force is slow enough, every jump has a short way (4.12b), and the drag is small. Of the
 // displacement it asks last whether a force that is a little wrong would move it (4.12c). The first that fails gives
 // the reason. The way is judged only up to where the number is read.
-#include "wythe/slow_push.h"
+#include "wythe/parts/slow_push.h"
 
 #include <algorithm>
 #include <cmath>

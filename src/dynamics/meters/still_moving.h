@@ -1,7 +1,7 @@
 // The end of a history of an earthquake: did the wall stand, or was it only not watched long enough?
 #pragma once
 
-#include "wythe/result.h"
+#include "wythe/parts/result.h"
 
 namespace wythe::dynamics {
 

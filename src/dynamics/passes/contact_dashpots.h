@@ -9,7 +9,7 @@
 
 #include "core/rotation.h"
 #include "dynamics/passes/dashpots.h"
-#include "wythe/free_contacts.h"
+#include "wythe/parts/free_contacts.h"
 
 namespace wythe::dynamics {
 

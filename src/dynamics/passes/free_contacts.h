@@ -24,7 +24,7 @@
 #include "dynamics/passes/contact_dashpots.h"
 #include "dynamics/passes/near_pairs.h"
 #include "model/free_shapes.h"
-#include "wythe/model.h"
+#include "wythe/parts/model.h"
 
 namespace wythe::dynamics {
 

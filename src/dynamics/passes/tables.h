@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "contact/law.h"
-#include "wythe/zone_shape.h"
+#include "wythe/parts/zone_shape.h"
 
 namespace wythe {
 struct Model;  // kernels do not know it

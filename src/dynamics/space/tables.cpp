@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "contact/parameters.h"
-#include "wythe/model.h"
+#include "wythe/parts/model.h"
 
 namespace wythe::dynamics::space {
 namespace {

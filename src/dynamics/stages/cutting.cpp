@@ -13,7 +13,7 @@
 #include "dynamics/executors/processor.h"
 #include "dynamics/meters/residual.h"
 #include "reading/frames.h"
-#include "wythe/reading.h"
+#include "wythe/parts/reading.h"
 
 namespace wythe::dynamics {
 namespace {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "dynamics/executors/executor.h"
-#include "wythe/reading.h"
-#include "wythe/recording.h"
+#include "wythe/parts/reading.h"
+#include "wythe/parts/recording.h"
 
 namespace wythe::dynamics {
 

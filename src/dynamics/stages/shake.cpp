@@ -8,7 +8,7 @@
 
 #include "core/elementary.h"
 #include "model/shaking.h"
-#include "wythe/reading.h"
+#include "wythe/parts/reading.h"
 
 namespace wythe::dynamics {
 namespace {

@@ -1,5 +1,5 @@
 // solve() and WallRun: the stages in order, then what the curve says.
-#include "wythe/solve.h"
+#include "wythe/parts/solve.h"
 
 #include <algorithm>
 #include <chrono>

@@ -15,7 +15,7 @@
 #include "dynamics/stages/recorder.h"
 #include "dynamics/stages/shake.h"
 #include "model/shaking.h"
-#include "wythe/reading.h"
+#include "wythe/parts/reading.h"
 
 namespace wythe::dynamics {
 namespace {

@@ -19,8 +19,8 @@
 #include <string>
 
 #include "dynamics/executors/executor.h"
-#include "wythe/recording.h"
-#include "wythe/solve.h"
+#include "wythe/parts/recording.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::dynamics {
 

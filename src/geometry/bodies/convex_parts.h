@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "wythe/body.h"
-#include "wythe/error.h"
-#include "wythe/message.h"
+#include "wythe/parts/body.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/message.h"
 
 namespace wythe::geometry {
 

@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "geometry/bodies/polyhedron.h"
-#include "wythe/body.h"
-#include "wythe/error.h"
-#include "wythe/message.h"
+#include "wythe/parts/body.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/message.h"
 
 namespace wythe::geometry {
 

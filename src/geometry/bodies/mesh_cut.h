@@ -17,8 +17,8 @@
 #include <string>
 #include <vector>
 
-#include "wythe/body.h"
-#include "wythe/vector.h"
+#include "wythe/parts/body.h"
+#include "wythe/parts/vector.h"
 
 namespace wythe::geometry {
 

@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "wythe/vector.h"
+#include "wythe/parts/vector.h"
 
 namespace wythe::geometry {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "wythe/vector.h"
+#include "wythe/parts/vector.h"
 
 namespace wythe::geometry {
 

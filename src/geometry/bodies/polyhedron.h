@@ -10,8 +10,8 @@
 #include <span>
 #include <vector>
 
-#include "wythe/body.h"
-#include "wythe/vector.h"
+#include "wythe/parts/body.h"
+#include "wythe/parts/vector.h"
 
 namespace wythe::geometry {
 

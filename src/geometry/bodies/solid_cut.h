@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geometry/bodies/polyhedron.h"
-#include "wythe/body.h"
+#include "wythe/parts/body.h"
 
 namespace wythe::geometry {
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 
 #include "geometry/blocks_file.h"
@@ -104,4 +105,30 @@ int StraightWall::rows() const {
 
 bool StraightWall::goes_through(int e, int row) const { return (row + phase) % 2 == end[e].passes; }
 
+void lay_bodies(const BuilderSpec& built, ModelSpec& spec, FaultList& faults) {
+  std::vector<Message> notes;
+  const Site site{built, spec};
+  std::vector<BuiltBody> bodies = build_bodies(site, notes, faults);
+  faults.throw_if_any();
+  std::vector<ContactRule> rules = contacts_of_slabs(site, bodies, faults);
+  std::vector<FloorSpec> floors = floors_of_slabs(site, bodies);
+  faults.throw_if_any();
+  std::move(rules.begin(), rules.end(), std::back_inserter(spec.contact));
+  std::move(floors.begin(), floors.end(), std::back_inserter(spec.floor));
+  for (BuiltBody& body : bodies) spec.body.push_back(std::move(body.body));
+  spec.wall.blocks = "blocks.json";  // of the run's folder
+  if (spec.wall.up.empty()) spec.wall.up = "y";
+  for (const std::string& note : texts_of(notes))
+    spec.note += (spec.note.empty() ? "" : "; ") + note;
+}
+
 }  // namespace wythe::geometry
+
+namespace wythe {
+
+void lay_bodies(const BuilderSpec& built, ModelSpec& spec) {
+  FaultList faults;
+  geometry::lay_bodies(built, spec, faults);
+}
+
+}  // namespace wythe

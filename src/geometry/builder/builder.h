@@ -14,9 +14,9 @@
 #include "geometry/polygon.h"
 #include "geometry/shape.h"
 #include "geometry/wall/storeys.h"
-#include "wythe/builder.h"
-#include "wythe/error.h"
-#include "wythe/message.h"
+#include "wythe/parts/builder.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/message.h"
 
 namespace wythe::geometry {
 
@@ -41,6 +41,9 @@ struct BuiltBody {
 // Bodies of all three tables; faults stand at the keys of their table.
 [[nodiscard]] std::vector<BuiltBody> build_bodies(const Site& site, std::vector<Message>& notes,
                                                   FaultList& faults);
+
+// lay_bodies (wythe/parts/builder.h), after the faults that were found before it.
+void lay_bodies(const BuilderSpec& built, ModelSpec& spec, FaultList& faults);
 
 // --- pieces
 

@@ -13,9 +13,9 @@
 #include <string>
 #include <vector>
 
-#include "wythe/error.h"
-#include "wythe/message.h"
-#include "wythe/wall_spec.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/message.h"
+#include "wythe/parts/wall_spec.h"
 
 namespace wythe::geometry {
 

@@ -24,7 +24,7 @@
 #include "io/keys/describe.h"
 #include "io/text/json.h"
 #include "io/text/magnitude.h"
-#include "wythe/io.h"
+#include "wythe/parts/io.h"
 
 namespace wythe::io {
 namespace {

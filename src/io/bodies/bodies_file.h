@@ -11,8 +11,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "wythe/body.h"
-#include "wythe/error.h"
+#include "wythe/parts/body.h"
+#include "wythe/parts/error.h"
 
 namespace wythe::io {
 

@@ -4,8 +4,8 @@
 // compas_json.cpp.
 #include <nlohmann/json.hpp>
 
-#include "wythe/formats.h"
-#include "wythe/reading.h"
+#include "wythe/parts/formats.h"
+#include "wythe/parts/reading.h"
 
 namespace wythe {
 namespace {

@@ -10,8 +10,8 @@
 #include "core/text.h"
 #include "geometry/polygon.h"
 #include "io/bodies/dxf.h"
-#include "wythe/drawing.h"
-#include "wythe/wall_spec.h"
+#include "wythe/parts/drawing.h"
+#include "wythe/parts/wall_spec.h"
 
 namespace wythe {
 namespace io {

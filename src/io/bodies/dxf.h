@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "wythe/error.h"
+#include "wythe/parts/error.h"
 
 namespace wythe::io {
 

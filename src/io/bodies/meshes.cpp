@@ -8,7 +8,7 @@
 
 #include "core/bits.h"
 #include "io/bodies/mesh_parts.h"
-#include "wythe/text.h"
+#include "wythe/parts/text.h"
 
 namespace wythe::io {
 namespace {

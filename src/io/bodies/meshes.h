@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "wythe/body.h"
-#include "wythe/error.h"
+#include "wythe/parts/body.h"
+#include "wythe/parts/error.h"
 
 namespace wythe::io {
 

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "core/text.h"
-#include "wythe/error.h"
-#include "wythe/text.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/text.h"
 
 namespace wythe::io {
 namespace {

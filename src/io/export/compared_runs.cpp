@@ -14,8 +14,8 @@
 #include "core/messages.h"
 #include "io/text/csv.h"
 #include "io/text/json.h"
-#include "wythe/error.h"
-#include "wythe/io.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/io.h"
 
 namespace wythe {
 namespace {

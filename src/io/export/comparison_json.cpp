@@ -9,8 +9,8 @@
 
 #include "io/export/statistics_numbers.h"
 #include "io/results/message_json.h"
-#include "wythe/comparison.h"
-#include "wythe/io.h"
+#include "wythe/parts/comparison.h"
+#include "wythe/parts/io.h"
 
 namespace wythe {
 namespace {

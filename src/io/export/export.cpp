@@ -28,10 +28,10 @@
 #include "io/text/csv.h"
 #include "io/text/hdf5_tables.h"
 #include "io/text/json.h"
-#include "wythe/error.h"
-#include "wythe/formats.h"
-#include "wythe/io.h"
-#include "wythe/stored_states.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/formats.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/stored_states.h"
 
 namespace wythe {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "campaign/output_keys.h"
 #include "io/text/csv.h"
-#include "wythe/error.h"
+#include "wythe/parts/error.h"
 
 namespace wythe::io {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "wythe/campaign.h"
+#include "wythe/parts/campaign.h"
 
 namespace wythe::io {
 

@@ -14,7 +14,7 @@
 #include "io/export/export_samples.h"
 #include "io/results/shakes_csv.h"
 #include "io/text/csv.h"
-#include "wythe/io.h"
+#include "wythe/parts/io.h"
 
 namespace wythe {
 namespace {

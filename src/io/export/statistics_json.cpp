@@ -11,7 +11,7 @@
 #include "io/export/statistics_numbers.h"
 #include "io/results/assessment_json.h"
 #include "io/results/message_json.h"
-#include "wythe/io.h"
+#include "wythe/parts/io.h"
 
 namespace wythe {
 namespace {

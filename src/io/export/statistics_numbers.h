@@ -8,7 +8,7 @@
 #include <string>
 
 #include "core/number.h"
-#include "wythe/statistics.h"
+#include "wythe/parts/statistics.h"
 
 namespace wythe::io {
 

@@ -21,7 +21,7 @@
 #include "io/keys/describe_shaking.h"
 #include "io/keys/describe_space.h"
 #include "io/keys/key.h"
-#include "wythe/wall_spec.h"
+#include "wythe/parts/wall_spec.h"
 
 namespace wythe::io {
 

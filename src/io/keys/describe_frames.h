@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/keys/key.h"
-#include "wythe/wall_spec.h"
+#include "wythe/parts/wall_spec.h"
 
 namespace wythe::io {
 

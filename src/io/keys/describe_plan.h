@@ -4,7 +4,7 @@
 
 #include "io/keys/describe_building.h"
 #include "io/keys/key.h"
-#include "wythe/builder.h"
+#include "wythe/parts/builder.h"
 
 namespace wythe::io {
 

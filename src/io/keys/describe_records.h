@@ -7,7 +7,7 @@
 #pragma once
 
 #include "io/keys/key.h"
-#include "wythe/study.h"
+#include "wythe/parts/study.h"
 
 namespace wythe::io {
 

@@ -15,7 +15,7 @@
 
 #include "campaign/draws/distribution.h"
 #include "io/keys/key.h"
-#include "wythe/study.h"
+#include "wythe/parts/study.h"
 
 namespace wythe::io {
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <string>
 
-#include "wythe/wall_spec.h"
+#include "wythe/parts/wall_spec.h"
 
 namespace wythe::io {
 

@@ -6,8 +6,8 @@
 
 #include "io/keys/describe.h"
 #include "io/text/range_text.h"
-#include "wythe/io.h"
-#include "wythe/units.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/units.h"
 
 namespace wythe {
 namespace io {

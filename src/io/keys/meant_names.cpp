@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/text.h"
-#include "wythe/text.h"
+#include "wythe/parts/text.h"
 
 namespace wythe::io {
 namespace {

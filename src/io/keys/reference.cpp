@@ -8,10 +8,10 @@
 #include "core/text.h"
 #include "io/keys/describe.h"
 #include "io/text/range_text.h"
-#include "wythe/curve.h"
-#include "wythe/error.h"
-#include "wythe/io.h"
-#include "wythe/units.h"
+#include "wythe/parts/curve.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/units.h"
 
 namespace wythe {
 namespace io {

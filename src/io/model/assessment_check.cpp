@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "io/text/toml_reader.h"
-#include "wythe/assessment.h"
+#include "wythe/parts/assessment.h"
 
 namespace wythe::io {
 namespace {

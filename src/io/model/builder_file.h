@@ -6,7 +6,7 @@
 #include <string>
 
 #include "io/text/toml_reader.h"
-#include "wythe/builder.h"
+#include "wythe/parts/builder.h"
 
 namespace wythe::io {
 

@@ -11,8 +11,8 @@
 #include "io/keys/meant_names.h"
 #include "io/text/table.h"
 #include "io/text/toml_reader.h"
-#include "wythe/io.h"
-#include "wythe/units.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/units.h"
 
 namespace wythe {
 namespace io {

@@ -15,7 +15,7 @@
 #include "io/text/toml_reader.h"
 #include "materials/origin.h"
 #include "units/quantity_error.h"
-#include "wythe/units.h"
+#include "wythe/parts/units.h"
 
 namespace wythe::io {
 namespace {

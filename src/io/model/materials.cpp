@@ -23,7 +23,7 @@
 #include "materials/library.h"
 #include "materials/origin.h"
 #include "units/quantity_error.h"
-#include "wythe/units.h"
+#include "wythe/parts/units.h"
 
 namespace wythe::io {
 namespace {

@@ -8,9 +8,9 @@
 #include "io/keys/model_key.h"
 #include "materials/circolare.h"
 #include "materials/library.h"
-#include "wythe/error.h"
-#include "wythe/io.h"
-#include "wythe/units.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/units.h"
 
 namespace wythe {
 namespace io {

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/text.h"
-#include "wythe/io.h"
+#include "wythe/parts/io.h"
 
 namespace wythe {
 

@@ -15,8 +15,8 @@
 #include "io/model/record_file.h"
 #include "io/text/thousands.h"
 #include "io/text/toml_reader.h"
-#include "wythe/io.h"
-#include "wythe/study.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/study.h"
 
 namespace wythe {
 namespace io {
@@ -269,20 +269,7 @@ void refuse_idle_keys(const ModelSpec& spec, FaultList& faults) {
 void build(const BuilderSpec& built, ModelSpec& spec) {
   FaultList faults;
   refuse_idle_keys(spec, faults);
-  std::vector<Message> notes;
-  const geometry::Site site{built, spec};
-  std::vector<geometry::BuiltBody> bodies = geometry::build_bodies(site, notes, faults);
-  faults.throw_if_any();
-  std::vector<ContactRule> rules = geometry::contacts_of_slabs(site, bodies, faults);
-  std::vector<FloorSpec> floors = geometry::floors_of_slabs(site, bodies);
-  faults.throw_if_any();
-  std::move(rules.begin(), rules.end(), std::back_inserter(spec.contact));
-  std::move(floors.begin(), floors.end(), std::back_inserter(spec.floor));
-  for (geometry::BuiltBody& body : bodies) spec.body.push_back(std::move(body.body));
-  spec.wall.blocks = "blocks.json";  // of the run's folder
-  if (spec.wall.up.empty()) spec.wall.up = "y";
-  for (const std::string& note : texts_of(notes))
-    spec.note += (spec.note.empty() ? "" : "; ") + note;
+  geometry::lay_bodies(built, spec, faults);
 }
 
 }  // namespace

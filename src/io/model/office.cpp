@@ -9,7 +9,7 @@
 #include "core/text.h"
 #include "io/text/magnitude.h"
 #include "units/quantity_error.h"
-#include "wythe/units.h"
+#include "wythe/parts/units.h"
 
 namespace wythe::io {
 namespace {

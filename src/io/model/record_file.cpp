@@ -17,8 +17,8 @@
 #include "io/model/record_heads.h"
 #include "io/text/table.h"
 #include "model/shaking.h"
-#include "wythe/text.h"
-#include "wythe/units.h"
+#include "wythe/parts/text.h"
+#include "wythe/parts/units.h"
 
 namespace wythe::io {
 namespace {

@@ -18,9 +18,9 @@
 #include "core/text.h"
 #include "io/text/csv.h"
 #include "io/text/table.h"
-#include "wythe/error.h"
-#include "wythe/text.h"
-#include "wythe/units.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/text.h"
+#include "wythe/parts/units.h"
 
 namespace wythe::io {
 namespace {

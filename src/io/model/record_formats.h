@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "wythe/wall_spec.h"
+#include "wythe/parts/wall_spec.h"
 
 namespace wythe::io {
 

@@ -16,7 +16,7 @@
 #include "core/text.h"
 #include "io/model/record_formats.h"
 #include "io/text/csv.h"
-#include "wythe/text.h"
+#include "wythe/parts/text.h"
 
 namespace wythe::io {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "io/text/table.h"
-#include "wythe/contact_law.h"
+#include "wythe/parts/contact_law.h"
 
 namespace wythe::io {
 

@@ -11,7 +11,7 @@
 #include "core/text.h"
 #include "io/text/toml_reader.h"
 #include "model/protocol.h"
-#include "wythe/model.h"
+#include "wythe/parts/model.h"
 
 namespace wythe::io {
 namespace {

@@ -9,8 +9,8 @@
 #include <system_error>
 
 #include "core/files.h"
-#include "wythe/error.h"
-#include "wythe/starter.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/starter.h"
 
 namespace wythe {
 namespace {

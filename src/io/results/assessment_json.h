@@ -3,8 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "wythe/local_check.h"
-#include "wythe/statistics.h"
+#include "wythe/parts/local_check.h"
+#include "wythe/parts/statistics.h"
 
 namespace wythe::io {
 

@@ -11,7 +11,7 @@
 //
 // Numbers lie as in this machine's memory. The arrays of a state follow the table of fields
 // (model/fields.h): a new one is in the checkpoint by itself.
-#include "wythe/checkpoint.h"
+#include "wythe/parts/checkpoint.h"
 
 #include <fmt/format.h>
 
@@ -26,9 +26,9 @@
 #include "io/bodies/blocks_json.h"
 #include "io/text/archive.h"
 #include "model/fields.h"
-#include "wythe/error.h"
-#include "wythe/io.h"
-#include "wythe/provenance.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/provenance.h"
 
 namespace wythe {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "io/text/csv.h"
 #include "model/shaking.h"
-#include "wythe/reading.h"
+#include "wythe/parts/reading.h"
 
 namespace wythe::io {
 

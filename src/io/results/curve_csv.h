@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "wythe/result.h"
+#include "wythe/parts/result.h"
 
 namespace wythe::io {
 

@@ -3,7 +3,7 @@
 // never changes stand beside them there.
 #pragma once
 
-#include "wythe/reading.h"
+#include "wythe/parts/reading.h"
 
 namespace wythe::io {
 

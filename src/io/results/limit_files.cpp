@@ -6,9 +6,9 @@
 
 #include "io/results/assessment_json.h"
 #include "io/results/message_json.h"
-#include "wythe/assessment.h"
-#include "wythe/io.h"
-#include "wythe/provenance.h"
+#include "wythe/parts/assessment.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/provenance.h"
 
 namespace wythe {
 namespace {

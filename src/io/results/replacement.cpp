@@ -20,8 +20,8 @@
 
 #include "core/files.h"
 #include "core/limits.h"
-#include "wythe/error.h"
-#include "wythe/io.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/io.h"
 
 namespace wythe {
 namespace {

@@ -25,10 +25,10 @@
 #include "io/results/curve_csv.h"
 #include "io/results/vtu.h"
 #include "model/protocol.h"
-#include "wythe/checkpoint.h"
-#include "wythe/element_forces.h"
-#include "wythe/error.h"
-#include "wythe/io.h"
+#include "wythe/parts/checkpoint.h"
+#include "wythe/parts/element_forces.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/io.h"
 
 namespace wythe {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "core/text.h"
 #include "io/text/csv.h"
-#include "wythe/statistics.h"
+#include "wythe/parts/statistics.h"
 
 namespace wythe::io {
 namespace {

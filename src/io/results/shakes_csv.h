@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "wythe/campaign.h"
+#include "wythe/parts/campaign.h"
 
 namespace wythe::io {
 

@@ -12,12 +12,12 @@
 #include "io/results/assessment_json.h"
 #include "io/results/message_json.h"
 #include "judge/modes/wall_parts.h"
-#include "wythe/io.h"
-#include "wythe/mechanism.h"
-#include "wythe/provenance.h"
-#include "wythe/reading.h"
-#include "wythe/slow_push.h"
-#include "wythe/tested_range.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/mechanism.h"
+#include "wythe/parts/provenance.h"
+#include "wythe/parts/reading.h"
+#include "wythe/parts/slow_push.h"
+#include "wythe/parts/tested_range.h"
 
 namespace wythe {
 namespace {

@@ -7,8 +7,8 @@
 #include "io/results/assessment_json.h"
 #include "io/results/message_json.h"
 #include "io/text/csv.h"
-#include "wythe/io.h"
-#include "wythe/verdict.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/verdict.h"
 
 namespace wythe {
 namespace {

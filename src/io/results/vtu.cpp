@@ -13,8 +13,8 @@
 
 #include "core/text.h"
 #include "io/results/element_columns.h"
-#include "wythe/error.h"
-#include "wythe/reading.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/reading.h"
 
 namespace wythe::io {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "wythe/model.h"
+#include "wythe/parts/model.h"
 
 namespace wythe::io {
 

@@ -12,10 +12,10 @@
 #include "io/study/study_file.h"
 #include "io/text/toml_reader.h"
 #include "io/text/toml_writer.h"
-#include "wythe/assessment.h"
-#include "wythe/error.h"
-#include "wythe/io.h"
-#include "wythe/verdict.h"
+#include "wythe/parts/assessment.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/verdict.h"
 
 namespace wythe {
 namespace {

@@ -18,9 +18,9 @@
 #include "io/text/toml_reader.h"
 #include "io/text/toml_writer.h"
 #include "judge/assessment/assessment_parts.h"
-#include "wythe/comparison.h"
-#include "wythe/error.h"
-#include "wythe/io.h"
+#include "wythe/parts/comparison.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/io.h"
 
 namespace wythe {
 namespace {

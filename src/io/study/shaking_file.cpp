@@ -16,8 +16,8 @@
 #include "io/model/record_file.h"
 #include "io/text/toml_writer.h"
 #include "model/compiler.h"
-#include "wythe/io.h"
-#include "wythe/units.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/units.h"
 
 namespace wythe::io {
 namespace {

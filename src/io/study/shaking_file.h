@@ -5,7 +5,7 @@
 #include <string>
 
 #include "io/text/toml_reader.h"
-#include "wythe/study.h"
+#include "wythe/parts/study.h"
 
 namespace wythe::io {
 

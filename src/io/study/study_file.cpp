@@ -27,8 +27,8 @@
 #include "model/size.h"
 #include "units/dimension.h"
 #include "units/quantity_error.h"
-#include "wythe/io.h"
-#include "wythe/units.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/units.h"
 
 namespace wythe {
 namespace io {

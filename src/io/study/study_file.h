@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "wythe/assessment.h"
-#include "wythe/study.h"
-#include "wythe/verdict.h"
+#include "wythe/parts/assessment.h"
+#include "wythe/parts/study.h"
+#include "wythe/parts/verdict.h"
 
 namespace wythe::io {
 

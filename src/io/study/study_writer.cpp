@@ -8,8 +8,8 @@
 #include "io/keys/describe_study.h"
 #include "io/study/shaking_file.h"
 #include "io/text/toml_writer.h"
-#include "wythe/io.h"
-#include "wythe/units.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/units.h"
 
 namespace wythe {
 namespace io {

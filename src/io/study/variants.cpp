@@ -10,7 +10,7 @@
 #include "core/ascii.h"
 #include "core/text.h"
 #include "io/keys/describe_study.h"
-#include "wythe/text.h"
+#include "wythe/parts/text.h"
 
 namespace wythe::io {
 namespace {

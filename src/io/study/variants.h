@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "io/text/toml_reader.h"
-#include "wythe/study.h"
+#include "wythe/parts/study.h"
 
 namespace wythe::io {
 

@@ -12,7 +12,7 @@
 #include "core/limits.h"
 #include "core/number.h"
 #include "core/text.h"
-#include "wythe/error.h"
+#include "wythe/parts/error.h"
 
 namespace wythe::io {
 

@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "io/text/csv.h"
-#include "wythe/error.h"
+#include "wythe/parts/error.h"
 
 namespace wythe::io {
 namespace {

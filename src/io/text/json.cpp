@@ -10,7 +10,7 @@
 
 #include "core/decimal_point.h"
 #include "core/shape.h"
-#include "wythe/error.h"
+#include "wythe/parts/error.h"
 
 namespace wythe::io {
 namespace {

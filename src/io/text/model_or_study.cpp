@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "io/text/toml_reader.h"
-#include "wythe/error.h"
+#include "wythe/parts/error.h"
 
 namespace wythe::io {
 

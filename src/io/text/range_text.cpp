@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "wythe/units.h"
+#include "wythe/parts/units.h"
 
 namespace wythe::io {
 namespace {

@@ -16,8 +16,8 @@
 #include "core/text.h"
 #include "io/text/thousands.h"
 #include "units/quantity_error.h"
-#include "wythe/text.h"
-#include "wythe/units.h"
+#include "wythe/parts/text.h"
+#include "wythe/parts/units.h"
 
 namespace wythe::io {
 namespace {

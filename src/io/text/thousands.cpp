@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "core/text.h"
-#include "wythe/units.h"
+#include "wythe/parts/units.h"
 
 namespace wythe::io {
 namespace {

@@ -14,9 +14,9 @@
 #include "io/text/range_text.h"
 #include "io/text/toml_slips.h"
 #include "units/quantity_error.h"
-#include "wythe/io.h"
-#include "wythe/text.h"
-#include "wythe/units.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/text.h"
+#include "wythe/parts/units.h"
 
 namespace wythe::io {
 namespace {

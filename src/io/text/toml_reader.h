@@ -17,7 +17,7 @@
 
 #include "core/limits.h"
 #include "io/keys/describe.h"
-#include "wythe/error.h"
+#include "wythe/parts/error.h"
 
 namespace wythe::io {
 

@@ -11,8 +11,8 @@
 #include <cctype>
 #include <cmath>
 
-#include "wythe/io.h"
-#include "wythe/units.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/units.h"
 
 namespace wythe {
 namespace io {

@@ -18,8 +18,8 @@
 #include "io/text/table.h"
 #include "units/dimension.h"
 #include "units/quantity_error.h"
-#include "wythe/error.h"
-#include "wythe/units.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/units.h"
 
 namespace wythe::io {
 namespace {

@@ -12,8 +12,8 @@
 #include "judge/modes/tested_walls.h"
 #include "materials/origin.h"
 #include "model/coarse_units.h"
-#include "wythe/element_forces.h"
-#include "wythe/reading.h"
+#include "wythe/parts/element_forces.h"
+#include "wythe/parts/reading.h"
 
 namespace wythe {
 namespace {

@@ -1,9 +1,9 @@
-// What the files of the assessment share; the doors are in wythe/assessment.h.
+// What the files of the assessment share; the doors are in wythe/parts/assessment.h.
 #pragma once
 
 #include <vector>
 
-#include "wythe/assessment.h"
+#include "wythe/parts/assessment.h"
 
 namespace wythe::study {
 

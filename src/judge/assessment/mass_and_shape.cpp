@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "judge/assessment/assessment_parts.h"
-#include "wythe/reading.h"
+#include "wythe/parts/reading.h"
 
 namespace wythe {
 namespace study {

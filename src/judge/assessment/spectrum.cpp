@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "judge/assessment/assessment_parts.h"
-#include "wythe/assessment.h"
+#include "wythe/parts/assessment.h"
 
 namespace wythe {
 namespace {

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "judge/assessment/assessment_parts.h"
-#include "wythe/error.h"
-#include "wythe/reading.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/reading.h"
 
 namespace wythe {
 namespace {

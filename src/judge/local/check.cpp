@@ -8,8 +8,8 @@
 #include "judge/assessment/assessment_parts.h"
 #include "judge/local/local_parts.h"
 #include "limit/limit_loads.h"
-#include "wythe/assessment.h"
-#include "wythe/error.h"
+#include "wythe/parts/assessment.h"
+#include "wythe/parts/error.h"
 
 namespace wythe {
 namespace {

@@ -1,10 +1,10 @@
-// What these files share; the doors are in wythe/local_check.h.
+// What these files share; the doors are in wythe/parts/local_check.h.
 #pragma once
 
 #include <vector>
 
-#include "wythe/limit.h"
-#include "wythe/local_check.h"
+#include "wythe/parts/limit.h"
+#include "wythe/parts/local_check.h"
 
 namespace wythe::study {
 

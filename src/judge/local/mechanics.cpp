@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "wythe/local_check.h"
+#include "wythe/parts/local_check.h"
 
 namespace wythe {
 namespace {

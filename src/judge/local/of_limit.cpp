@@ -13,8 +13,8 @@
 #include "judge/assessment/assessment_parts.h"
 #include "judge/local/local_parts.h"
 #include "limit/limit_loads.h"
-#include "wythe/error.h"
-#include "wythe/reading.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/reading.h"
 
 namespace wythe::study {
 namespace {

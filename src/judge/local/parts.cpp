@@ -18,8 +18,8 @@
 #include "geometry/polygon.h"
 #include "judge/assessment/assessment_parts.h"
 #include "judge/local/local_parts.h"
-#include "wythe/error.h"
-#include "wythe/reading.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/reading.h"
 
 namespace wythe::study {
 namespace {

@@ -1,10 +1,10 @@
 // Cuts the wall at the ends of each pier and spandrel and sums the forces of the joints that the cut parts;
-// see wythe/element_forces.h.
+// see wythe/parts/element_forces.h.
 //
 // A cut follows the joints: between blocks whose centroids lie on either side of a straight line, so that
 // any bond is cut right through. A pier's cut reaches half way over the openings beside it, where the
 // haunches of an arch may carry; a spandrel's reaches down so, to where an arch springs.
-#include "wythe/element_forces.h"
+#include "wythe/parts/element_forces.h"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 
 #include "judge/modes/joint_motion.h"
 #include "judge/modes/wall_parts.h"
-#include "wythe/reading.h"
+#include "wythe/parts/reading.h"
 
 namespace wythe {
 namespace {

@@ -25,7 +25,7 @@
 
 #include "judge/modes/joint_motion.h"
 #include "judge/modes/wall_parts.h"
-#include "wythe/failure_mode.h"
+#include "wythe/parts/failure_mode.h"
 
 namespace wythe::study {
 

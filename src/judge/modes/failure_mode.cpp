@@ -1,7 +1,7 @@
 // Reads the stored states of a push: the name at one of them, when each sign first showed, and what
 // the name would be elsewhere. The parts are in wall_parts, the signs in element_states, the rules
 // in mode_names, the flags in mode_flags.
-#include "wythe/failure_mode.h"
+#include "wythe/parts/failure_mode.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 #include "judge/modes/in_space.h"
 #include "judge/modes/mode_flags.h"
 #include "judge/modes/mode_names.h"
-#include "wythe/mechanism.h"
-#include "wythe/slow_push.h"
+#include "wythe/parts/mechanism.h"
+#include "wythe/parts/slow_push.h"
 
 namespace wythe {
 namespace {

@@ -1,10 +1,10 @@
-// Sums of joint opening, slip and crushing over the parts of a wall; see wythe/failure_mode.h.
+// Sums of joint opening, slip and crushing over the parts of a wall; see wythe/parts/failure_mode.h.
 #include <algorithm>
 #include <cmath>
 
 #include "judge/modes/joint_motion.h"
 #include "judge/modes/wall_parts.h"
-#include "wythe/failure_mode.h"
+#include "wythe/parts/failure_mode.h"
 
 namespace wythe {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "core/text.h"
 #include "judge/modes/space_pieces.h"
-#include "wythe/reading.h"
+#include "wythe/parts/reading.h"
 
 namespace wythe::study {
 namespace {

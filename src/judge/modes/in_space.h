@@ -1,7 +1,7 @@
 // The failure of a wall in space in words, by what moved (docs/theory/failure_modes.md, "In space").
 #pragma once
 
-#include "wythe/failure_mode.h"
+#include "wythe/parts/failure_mode.h"
 
 namespace wythe::study {
 

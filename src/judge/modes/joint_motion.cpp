@@ -10,7 +10,7 @@
 #include <map>
 #include <numeric>
 
-#include "wythe/reading.h"
+#include "wythe/parts/reading.h"
 
 namespace wythe::study {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "judge/modes/wall_parts.h"
-#include "wythe/model.h"
-#include "wythe/vector.h"
+#include "wythe/parts/model.h"
+#include "wythe/parts/vector.h"
 
 namespace wythe::study {
 

@@ -14,7 +14,7 @@
 #pragma once
 
 #include "judge/modes/element_states.h"
-#include "wythe/mechanism.h"
+#include "wythe/parts/mechanism.h"
 
 namespace wythe::study {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "judge/modes/element_states.h"
-#include "wythe/failure_mode.h"
-#include "wythe/mechanism.h"
+#include "wythe/parts/failure_mode.h"
+#include "wythe/parts/mechanism.h"
 
 namespace wythe::study {
 

@@ -22,9 +22,9 @@
 #include "geometry/polygon.h"
 #include "judge/modes/wall_parts.h"
 #include "limit/limit_loads.h"
-#include "wythe/error.h"
-#include "wythe/limit.h"
-#include "wythe/reading.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/limit.h"
+#include "wythe/parts/reading.h"
 
 namespace wythe {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/rotation.h"
-#include "wythe/model.h"
+#include "wythe/parts/model.h"
 
 namespace wythe::study {
 

@@ -1,11 +1,11 @@
-// Compares a run with the tested walls of its kind of failure; see wythe/tested_range.h.
+// Compares a run with the tested walls of its kind of failure; see wythe/parts/tested_range.h.
 #include "judge/modes/tested_range.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "judge/modes/wall_parts.h"
-#include "wythe/reading.h"
+#include "wythe/parts/reading.h"
 
 namespace wythe {
 namespace {

@@ -1,10 +1,10 @@
-// compare_with_tests() with a table of one's own; see wythe/tested_range.h.
+// compare_with_tests() with a table of one's own; see wythe/parts/tested_range.h.
 #pragma once
 
 #include <span>
 
 #include "judge/modes/tested_walls.h"
-#include "wythe/tested_range.h"
+#include "wythe/parts/tested_range.h"
 
 namespace wythe::study {
 

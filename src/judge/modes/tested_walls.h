@@ -2,7 +2,7 @@
 // failure (docs/evidence/validation.md).
 #pragma once
 
-#include "wythe/result.h"
+#include "wythe/parts/result.h"
 
 namespace wythe::study {
 

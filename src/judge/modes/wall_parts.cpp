@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include "wythe/reading.h"
+#include "wythe/parts/reading.h"
 
 namespace wythe::study {
 namespace {

@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-#include "wythe/model.h"
+#include "wythe/parts/model.h"
 
 namespace wythe::study {
 

@@ -12,8 +12,8 @@
 #include <optional>
 
 #include "core/elementary.h"
-#include "wythe/error.h"
-#include "wythe/limit.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/limit.h"
 
 namespace wythe {
 namespace {

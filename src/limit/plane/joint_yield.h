@@ -14,8 +14,8 @@
 
 #include <vector>
 
-#include "wythe/limit.h"
-#include "wythe/model.h"
+#include "wythe/parts/limit.h"
+#include "wythe/parts/model.h"
 
 namespace wythe::limit {
 

@@ -15,7 +15,7 @@
 #include "limit/limit_loads.h"
 #include "limit/plane/joint_yield.h"
 #include "limit/solver/linear_program.h"
-#include "wythe/model.h"
+#include "wythe/parts/model.h"
 
 namespace wythe::limit {
 

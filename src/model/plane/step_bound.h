@@ -1,7 +1,7 @@
 // Bound on the highest frequency of a compiled wall, block by block.
 #pragma once
 
-#include "wythe/model.h"
+#include "wythe/parts/model.h"
 
 namespace wythe {
 

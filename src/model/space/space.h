@@ -2,8 +2,8 @@
 #pragma once
 
 #include "geometry/bodies/joint_faces.h"
-#include "wythe/error.h"
-#include "wythe/model.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/model.h"
 
 namespace wythe {
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "geometry/bodies/joint_faces.h"
-#include "wythe/error.h"
-#include "wythe/model.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/model.h"
 
 namespace wythe {
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "model/quadrature.h"
-#include "wythe/vector.h"
+#include "wythe/parts/vector.h"
 
 namespace wythe {
 

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "geometry/shape.h"
-#include "wythe/body.h"
-#include "wythe/model.h"
+#include "wythe/parts/body.h"
+#include "wythe/parts/model.h"
 
 namespace wythe {
 

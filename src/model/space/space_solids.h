@@ -4,8 +4,8 @@
 
 #include "geometry/bodies/joint_faces.h"
 #include "model/quadrature.h"
-#include "wythe/error.h"
-#include "wythe/model.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/model.h"
 
 namespace wythe {
 

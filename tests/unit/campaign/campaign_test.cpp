@@ -1,5 +1,5 @@
 // Campaigns: the answer depends on the inputs only, never on jobs, order, shard, stop or resume.
-#include "wythe/campaign.h"
+#include "wythe/parts/campaign.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -15,12 +15,12 @@
 #include "campaign/store/store.h"
 #include "scenes/changed_store.h"
 #include "scenes/small_study.h"
-#include "wythe/error.h"
-#include "wythe/folders.h"
-#include "wythe/io.h"
-#include "wythe/solve.h"
-#include "wythe/statistics.h"
-#include "wythe/stored_states.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/folders.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/solve.h"
+#include "wythe/parts/statistics.h"
+#include "wythe/parts/stored_states.h"
 
 namespace wythe::campaign_test {
 namespace {

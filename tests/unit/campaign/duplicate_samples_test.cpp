@@ -15,8 +15,8 @@
 #include "scenes/changed_store.h"
 #include "scenes/places.h"
 #include "scenes/small_study.h"
-#include "wythe/error.h"
-#include "wythe/io.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/io.h"
 
 namespace wythe::study::duplicate_samples_test {
 namespace {

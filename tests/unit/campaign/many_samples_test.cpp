@@ -12,9 +12,9 @@
 #include "statistics/bootstrap.h"
 #include "statistics/intervals.h"
 #include "statistics/survival.h"
-#include "wythe/io.h"
-#include "wythe/report.h"
-#include "wythe/statistics.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/report.h"
+#include "wythe/parts/statistics.h"
 
 namespace wythe::many_samples_test {
 namespace {

@@ -11,12 +11,12 @@
 #include "model/field_places.h"
 #include "scenes/scenes.h"
 #include "scenes/small_study.h"
-#include "wythe/contact_law.h"
-#include "wythe/error.h"
-#include "wythe/field_notes.h"
-#include "wythe/io.h"
-#include "wythe/study.h"
-#include "wythe/verdict.h"
+#include "wythe/parts/contact_law.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/field_notes.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/study.h"
+#include "wythe/parts/verdict.h"
 
 namespace wythe::scatter_test {
 namespace {

@@ -9,12 +9,12 @@
 #include "core/files.h"
 #include "scenes/shaken_study.h"
 #include "scenes/small_study.h"
-#include "wythe/campaign.h"
-#include "wythe/error.h"
-#include "wythe/io.h"
-#include "wythe/solve.h"
-#include "wythe/statistics.h"
-#include "wythe/text.h"
+#include "wythe/parts/campaign.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/solve.h"
+#include "wythe/parts/statistics.h"
+#include "wythe/parts/text.h"
 
 namespace wythe::shaken_campaign_test {
 namespace {

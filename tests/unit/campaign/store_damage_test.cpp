@@ -15,11 +15,11 @@
 #include "scenes/changed_store.h"
 #include "scenes/places.h"
 #include "scenes/small_study.h"
-#include "wythe/error.h"
-#include "wythe/io.h"
-#include "wythe/report.h"
-#include "wythe/solve.h"
-#include "wythe/statistics.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/report.h"
+#include "wythe/parts/solve.h"
+#include "wythe/parts/statistics.h"
 
 namespace wythe::study::store_damage_test {
 namespace {

@@ -18,9 +18,9 @@
 #include "core/hash.h"
 #include "core/messages.h"
 #include "scenes/small_study.h"
-#include "wythe/error.h"
-#include "wythe/io.h"
-#include "wythe/stored_states.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/stored_states.h"
 
 namespace wythe::study::store_test {
 namespace {

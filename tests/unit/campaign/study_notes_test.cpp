@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "unit/study_text.h"
-#include "wythe/study_notes.h"
+#include "wythe/parts/study_notes.h"
 
 namespace wythe::study_notes_test {
 namespace {

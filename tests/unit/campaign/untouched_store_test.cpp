@@ -16,8 +16,8 @@
 #include "campaign/store/store.h"
 #include "scenes/places.h"
 #include "scenes/small_study.h"
-#include "wythe/error.h"
-#include "wythe/stored_states.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/stored_states.h"
 
 namespace wythe::study::untouched_store_test {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "contact/parameters.h"
 #include "scenes/scenes.h"
-#include "wythe/contact_law.h"
+#include "wythe/parts/contact_law.h"
 
 namespace wythe::compression_cap_test {
 namespace {

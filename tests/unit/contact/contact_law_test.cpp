@@ -9,7 +9,7 @@
 
 #include "contact/parameters.h"
 #include "scenes/scenes.h"
-#include "wythe/contact_law.h"
+#include "wythe/parts/contact_law.h"
 
 namespace wythe::contact_law_test {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "contact/parameters.h"
 #include "scenes/scenes.h"
-#include "wythe/contact_law.h"
+#include "wythe/parts/contact_law.h"
 
 namespace wythe::rising_energy_test {
 namespace {

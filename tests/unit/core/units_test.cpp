@@ -11,7 +11,7 @@
 #include "core/text.h"
 #include "core/to_int.h"
 #include "geometry/wall/fit.h"
-#include "wythe/units.h"
+#include "wythe/parts/units.h"
 
 namespace wythe::units_test {
 namespace {

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "wythe/io.h"
+#include "wythe/parts/io.h"
 
 namespace wythe::cyclic_test {
 namespace {

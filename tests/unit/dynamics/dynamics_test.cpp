@@ -10,8 +10,8 @@
 #include "scenes/places.h"
 #include "scenes/rig.h"
 #include "scenes/scenes.h"
-#include "wythe/failure_mode.h"
-#include "wythe/solve.h"
+#include "wythe/parts/failure_mode.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::dynamics_test {
 namespace {

@@ -17,11 +17,11 @@
 #include "model/size.h"
 #include "scenes/scenes.h"
 #include "unit/io_helpers.h"
-#include "wythe/error.h"
-#include "wythe/io.h"
-#include "wythe/model.h"
-#include "wythe/solve.h"
-#include "wythe/text.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/model.h"
+#include "wythe/parts/solve.h"
+#include "wythe/parts/text.h"
 
 namespace wythe::guards_test {
 namespace {

@@ -14,9 +14,9 @@
 #include "dynamics/stages/stage_run.h"
 #include "scenes/sample_run.h"
 #include "scenes/scenes.h"
-#include "wythe/io.h"
-#include "wythe/result.h"
-#include "wythe/slow_push.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/result.h"
+#include "wythe/parts/slow_push.h"
 
 namespace wythe::responses_test {
 namespace {

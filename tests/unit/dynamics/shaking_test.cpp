@@ -15,7 +15,7 @@
 #include "scenes/places.h"
 #include "scenes/scenes.h"
 #include "unit/io_helpers.h"
-#include "wythe/solve.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::shaking_test {
 namespace {

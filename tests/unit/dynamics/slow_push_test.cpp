@@ -1,5 +1,5 @@
 // What a push says of a slow one beyond its force, on hand-made curves.
-#include "wythe/slow_push.h"
+#include "wythe/parts/slow_push.h"
 
 #include <gtest/gtest.h>
 

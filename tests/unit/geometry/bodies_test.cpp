@@ -9,7 +9,7 @@
 #include "geometry/bodies/body_checks.h"
 #include "geometry/bodies/joint_faces.h"
 #include "scenes/solids.h"
-#include "wythe/message.h"
+#include "wythe/parts/message.h"
 
 namespace wythe::geometry::bodies_test {
 namespace {

@@ -13,9 +13,9 @@
 #include "io/keys/model_key.h"
 #include "scenes/places.h"
 #include "scenes/scenes.h"
-#include "wythe/io.h"
-#include "wythe/model.h"
-#include "wythe/solve.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/model.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::geometry::building_test {
 namespace {

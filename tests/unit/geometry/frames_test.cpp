@@ -13,11 +13,11 @@
 #include "io/keys/same_spec.h"
 #include "io/results/curve_csv.h"
 #include "scenes/scenes.h"
-#include "wythe/error.h"
-#include "wythe/io.h"
-#include "wythe/model.h"
-#include "wythe/reading.h"
-#include "wythe/solve.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/model.h"
+#include "wythe/parts/reading.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::geometry::frames_test {
 namespace {

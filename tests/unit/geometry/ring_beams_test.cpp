@@ -9,10 +9,10 @@
 
 #include "geometry/assembly.h"
 #include "scenes/scenes.h"
-#include "wythe/io.h"
-#include "wythe/limit.h"
-#include "wythe/model.h"
-#include "wythe/solve.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/limit.h"
+#include "wythe/parts/model.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::geometry::ring_beams_test {
 namespace {

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "wythe/error.h"
-#include "wythe/io.h"
-#include "wythe/message.h"
-#include "wythe/model.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/message.h"
+#include "wythe/parts/model.h"
 
 namespace wythe::idle_keys_test {
 namespace {

@@ -8,7 +8,7 @@
 #include "io/export/export_samples.h"
 #include "io/results/shakes_csv.h"
 #include "unit/study_text.h"
-#include "wythe/campaign.h"
+#include "wythe/parts/campaign.h"
 
 namespace wythe::input_names_test {
 namespace {

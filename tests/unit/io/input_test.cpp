@@ -21,10 +21,10 @@
 #include "scenes/places.h"
 #include "scenes/small_study.h"
 #include "unit/io_helpers.h"
-#include "wythe/campaign.h"
-#include "wythe/error.h"
-#include "wythe/io.h"
-#include "wythe/model.h"
+#include "wythe/parts/campaign.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/model.h"
 
 namespace wythe::input_test {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "io/text/table.h"
 #include "unit/io_helpers.h"
-#include "wythe/error.h"
-#include "wythe/io.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/io.h"
 
 namespace wythe::io_files_test {
 namespace {

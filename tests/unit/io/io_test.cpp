@@ -9,8 +9,8 @@
 #include "core/text.h"
 #include "io/keys/same_spec.h"
 #include "unit/io_helpers.h"
-#include "wythe/error.h"
-#include "wythe/io.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/io.h"
 
 namespace wythe::io_test {
 namespace {

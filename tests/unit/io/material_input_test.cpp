@@ -6,10 +6,10 @@
 
 #include "io/keys/same_spec.h"
 #include "unit/io_helpers.h"
-#include "wythe/message.h"
-#include "wythe/model.h"
-#include "wythe/study.h"
-#include "wythe/study_notes.h"
+#include "wythe/parts/message.h"
+#include "wythe/parts/model.h"
+#include "wythe/parts/study.h"
+#include "wythe/parts/study_notes.h"
 
 namespace wythe::io_tests::material_input_test {
 namespace {

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "materials/rules.h"
-#include "wythe/contact_law.h"
+#include "wythe/parts/contact_law.h"
 
 namespace wythe::materials::materials_test {
 namespace {

@@ -21,7 +21,7 @@
 #include "scenes/places.h"
 #include "scenes/small_study.h"
 #include "scenes/solids.h"
-#include "wythe/io.h"
+#include "wythe/parts/io.h"
 
 namespace wythe::mesh_files_test {
 namespace {

@@ -10,8 +10,8 @@
 #include "io/bodies/meshes.h"
 #include "scenes/places.h"
 #include "scenes/small_study.h"
-#include "wythe/io.h"
-#include "wythe/model.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/model.h"
 
 namespace wythe::mesh_limits_test {
 namespace {

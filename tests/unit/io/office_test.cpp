@@ -7,8 +7,8 @@
 
 #include "io/keys/same_spec.h"
 #include "unit/io_helpers.h"
-#include "wythe/message.h"
-#include "wythe/model.h"
+#include "wythe/parts/message.h"
+#include "wythe/parts/model.h"
 
 namespace wythe::io_tests::office_test {
 namespace {

@@ -14,8 +14,8 @@
 #include "io/results/curve_csv.h"
 #include "io/results/vtu.h"
 #include "scenes/sample_run.h"
-#include "wythe/error.h"
-#include "wythe/io.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/io.h"
 
 namespace wythe::run_files_test {
 namespace {

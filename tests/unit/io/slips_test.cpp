@@ -9,10 +9,10 @@
 
 #include <fmt/format.h>
 
-#include "wythe/error.h"
-#include "wythe/io.h"
-#include "wythe/model.h"
-#include "wythe/study.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/model.h"
+#include "wythe/parts/study.h"
 
 namespace wythe::slips_test {
 namespace {

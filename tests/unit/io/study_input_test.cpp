@@ -11,9 +11,9 @@
 #include "io/keys/same_spec.h"
 #include "scenes/places.h"
 #include "unit/study_text.h"
-#include "wythe/comparison.h"
-#include "wythe/io.h"
-#include "wythe/study.h"
+#include "wythe/parts/comparison.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/study.h"
 
 namespace wythe::study_input_test {
 namespace {

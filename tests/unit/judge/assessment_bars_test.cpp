@@ -9,10 +9,10 @@
 #include "scenes/changed_store.h"
 #include "scenes/small_study.h"
 #include "unit/assessed_wall.h"
-#include "wythe/campaign.h"
-#include "wythe/error.h"
-#include "wythe/solve.h"
-#include "wythe/stored_states.h"
+#include "wythe/parts/campaign.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/solve.h"
+#include "wythe/parts/stored_states.h"
 
 namespace wythe::assessment_bars_test {
 namespace {

@@ -1,6 +1,6 @@
 // The assessment against numbers by hand: masses, limit states, fragilities; and what it must
 // refuse, call a bound, or not let be signed.
-#include "wythe/assessment.h"
+#include "wythe/parts/assessment.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "unit/assessed_wall.h"
-#include "wythe/io.h"
-#include "wythe/solve.h"
-#include "wythe/statistics.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/solve.h"
+#include "wythe/parts/statistics.h"
 
 namespace wythe::assessment_test {
 namespace {

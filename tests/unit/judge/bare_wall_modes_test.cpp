@@ -11,7 +11,7 @@
 #include "judge/modes/element_states.h"
 #include "scenes/mechanism.h"
 #include "scenes/scenes.h"
-#include "wythe/failure_mode.h"
+#include "wythe/parts/failure_mode.h"
 
 namespace wythe::bare_wall_modes_test {
 namespace {

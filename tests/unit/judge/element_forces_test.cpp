@@ -1,6 +1,6 @@
 // Forces of piers and spandrels against statics: what the joints of a storey's piers carry together is the
 // load above, exactly, whatever each of them does.
-#include "wythe/element_forces.h"
+#include "wythe/parts/element_forces.h"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@
 
 #include "scenes/rig.h"
 #include "scenes/scenes.h"
-#include "wythe/failure_mode.h"
-#include "wythe/solve.h"
+#include "wythe/parts/failure_mode.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::element_forces_test {
 namespace {

@@ -7,7 +7,7 @@
 //             |    | spandrel  |    |     spandrel follows their inner edges, which turns it the
 //             | /  +-----------+ /  |     other way
 //             |/   |           |/   |
-#include "wythe/failure_mode.h"
+#include "wythe/parts/failure_mode.h"
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@
 #include "scenes/mechanism.h"
 #include "scenes/places.h"
 #include "scenes/scenes.h"
-#include "wythe/mechanism.h"
+#include "wythe/parts/mechanism.h"
 
 namespace wythe::failure_mode_test {
 namespace {

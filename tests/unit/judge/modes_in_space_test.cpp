@@ -10,8 +10,8 @@
 #include "judge/modes/in_space.h"
 #include "scenes/scenes.h"
 #include "scenes/space_rig.h"
-#include "wythe/failure_mode.h"
-#include "wythe/mechanism.h"
+#include "wythe/parts/failure_mode.h"
+#include "wythe/parts/mechanism.h"
 
 namespace wythe::modes_in_space_test {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "wythe/assessment.h"
+#include "wythe/parts/assessment.h"
 
 namespace wythe::spectrum_test {
 namespace {

@@ -12,8 +12,8 @@
 #include "scenes/mechanism.h"
 #include "scenes/places.h"
 #include "scenes/scenes.h"
-#include "wythe/failure_mode.h"
-#include "wythe/mechanism.h"
+#include "wythe/parts/failure_mode.h"
+#include "wythe/parts/mechanism.h"
 
 namespace wythe::wall_parts_test {
 namespace {

@@ -14,7 +14,7 @@
 #include "core/files.h"
 #include "scenes/places.h"
 #include "scenes/scenes.h"
-#include "wythe/model.h"
+#include "wythe/parts/model.h"
 
 namespace wythe::coarse_units_test {
 namespace {

@@ -11,11 +11,11 @@
 #include "model/field_places.h"
 #include "model/space/space.h"
 #include "scenes/scenes.h"
-#include "wythe/error.h"
-#include "wythe/io.h"
-#include "wythe/limit.h"
-#include "wythe/solve.h"
-#include "wythe/study.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/limit.h"
+#include "wythe/parts/solve.h"
+#include "wythe/parts/study.h"
 
 namespace wythe::fields_in_space_test {
 namespace {

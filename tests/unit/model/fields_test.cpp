@@ -12,8 +12,8 @@
 #include "model/fields.h"
 #include "scenes/scenes.h"
 #include "scenes/zones.h"
-#include "wythe/solve.h"
-#include "wythe/study.h"
+#include "wythe/parts/solve.h"
+#include "wythe/parts/study.h"
 
 namespace wythe::fields_test {
 namespace {

@@ -18,9 +18,9 @@
 #include "model/space/space.h"
 #include "model/space/space_roles.h"
 #include "scenes/scenes.h"
-#include "wythe/io.h"
-#include "wythe/reading.h"
-#include "wythe/solve.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/reading.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::head_joints_test {
 namespace {

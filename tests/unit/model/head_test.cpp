@@ -8,10 +8,10 @@
 #include "io/results/curve_csv.h"
 #include "scenes/rig.h"
 #include "scenes/scenes.h"
-#include "wythe/error.h"
-#include "wythe/io.h"
-#include "wythe/limit.h"
-#include "wythe/solve.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/limit.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::head_test {
 namespace {

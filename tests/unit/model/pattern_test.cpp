@@ -8,10 +8,10 @@
 #include "scenes/rig.h"
 #include "scenes/scenes.h"
 #include "scenes/zones.h"
-#include "wythe/error.h"
-#include "wythe/io.h"
-#include "wythe/limit.h"
-#include "wythe/solve.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/limit.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::pattern_test {
 namespace {

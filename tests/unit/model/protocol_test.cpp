@@ -5,8 +5,8 @@
 
 #include "model/size.h"
 #include "scenes/scenes.h"
-#include "wythe/model.h"
-#include "wythe/solve.h"
+#include "wythe/parts/model.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::protocol_test {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "scenes/scenes.h"
-#include "wythe/reading.h"
+#include "wythe/parts/reading.h"
 
 namespace wythe::quadrature_test {
 namespace {

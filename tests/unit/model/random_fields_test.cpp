@@ -11,12 +11,12 @@
 #include "model/field_places.h"
 #include "scenes/scenes.h"
 #include "scenes/small_study.h"
-#include "wythe/error.h"
-#include "wythe/field_notes.h"
-#include "wythe/io.h"
-#include "wythe/limit.h"
-#include "wythe/solve.h"
-#include "wythe/study.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/field_notes.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/limit.h"
+#include "wythe/parts/solve.h"
+#include "wythe/parts/study.h"
 
 namespace wythe::random_fields_test {
 namespace {

@@ -7,11 +7,11 @@
 
 #include "scenes/scenes.h"
 #include "scenes/space_rig.h"
-#include "wythe/error.h"
-#include "wythe/io.h"
-#include "wythe/limit.h"
-#include "wythe/reading.h"
-#include "wythe/solve.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/limit.h"
+#include "wythe/parts/reading.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::space_loads_test {
 namespace {

@@ -16,11 +16,11 @@
 #include "report/bundle.h"
 #include "scenes/places.h"
 #include "scenes/sample_run.h"
-#include "wythe/curve.h"
-#include "wythe/io.h"
-#include "wythe/limit.h"
-#include "wythe/report.h"
-#include "wythe/statistics.h"
+#include "wythe/parts/curve.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/limit.h"
+#include "wythe/parts/report.h"
+#include "wythe/parts/statistics.h"
 
 namespace wythe::columns_test {
 namespace {

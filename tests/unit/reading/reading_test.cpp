@@ -1,5 +1,5 @@
-// What a state says of blocks, joints and points (wythe/reading.h), and the vectors it says it in.
-#include "wythe/reading.h"
+// What a state says of blocks, joints and points (wythe/parts/reading.h), and the vectors it says it in.
+#include "wythe/parts/reading.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include "scenes/rig.h"
 #include "scenes/scenes.h"
 #include "scenes/zones.h"
-#include "wythe/solve.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::reading_test {
 namespace {

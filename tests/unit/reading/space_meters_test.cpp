@@ -6,7 +6,7 @@
 #include "dynamics/executors/executor.h"
 #include "scenes/scenes.h"
 #include "scenes/space_rig.h"
-#include "wythe/solve.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::space_meters_test {
 namespace {

@@ -9,9 +9,9 @@
 #include "report/wall_arrays.h"
 #include "scenes/sample_campaign.h"
 #include "scenes/scenes.h"
-#include "wythe/io.h"
-#include "wythe/report.h"
-#include "wythe/study.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/report.h"
+#include "wythe/parts/study.h"
 
 namespace wythe::campaign_report_test {
 namespace {

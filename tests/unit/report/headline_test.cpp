@@ -11,8 +11,8 @@
 #include "report/headline.h"
 #include "report/texts.h"
 #include "scenes/sample_run.h"
-#include "wythe/limit.h"
-#include "wythe/report.h"
+#include "wythe/parts/limit.h"
+#include "wythe/parts/report.h"
 
 namespace wythe::headline_test {
 namespace {

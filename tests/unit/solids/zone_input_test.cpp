@@ -13,9 +13,9 @@
 #include "scenes/scenes.h"
 #include "scenes/zones.h"
 #include "unit/io_helpers.h"
-#include "wythe/error.h"
-#include "wythe/report.h"
-#include "wythe/solve.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/report.h"
+#include "wythe/parts/solve.h"
 
 namespace wythe::zone_input_test {
 namespace {

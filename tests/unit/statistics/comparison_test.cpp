@@ -1,5 +1,5 @@
 // Pairs against closed forms: known differences, bounds, lost pairs, other samples, nothing to compare.
-#include "wythe/comparison.h"
+#include "wythe/parts/comparison.h"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 #include "scenes/small_study.h"
 #include "statistics/intervals.h"
 #include "statistics/pairs.h"
-#include "wythe/error.h"
-#include "wythe/io.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/io.h"
 
 namespace wythe::comparison_test {
 namespace {

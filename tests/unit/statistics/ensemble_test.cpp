@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "wythe/statistics.h"
+#include "wythe/parts/statistics.h"
 
 namespace wythe::ensemble_test {
 namespace {

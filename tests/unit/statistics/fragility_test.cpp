@@ -10,8 +10,8 @@
 #include "statistics/bootstrap.h"
 #include "statistics/intervals.h"
 #include "statistics/statistics_parts.h"
-#include "wythe/error.h"
-#include "wythe/io.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/io.h"
 
 namespace wythe::fragility_test {
 namespace {

@@ -11,8 +11,8 @@
 #include "scenes/sample_campaign.h"
 #include "statistics/intervals.h"
 #include "statistics/pairs.h"
-#include "wythe/comparison.h"
-#include "wythe/io.h"
+#include "wythe/parts/comparison.h"
+#include "wythe/parts/io.h"
 
 namespace wythe::intervention_test {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "scenes/places.h"
 #include "scenes/scenes.h"
-#include "wythe/model.h"
+#include "wythe/parts/model.h"
 
 namespace wythe::one_push_test {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "statistics/bootstrap.h"
 #include "statistics/intervals.h"
-#include "wythe/io.h"
-#include "wythe/statistics.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/statistics.h"
 
 namespace wythe::shaking_statistics_test {
 namespace {

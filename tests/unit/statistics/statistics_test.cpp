@@ -1,5 +1,5 @@
 // Statistics of a campaign: hand values, groups, stop rule, what an odd campaign says.
-#include "wythe/statistics.h"
+#include "wythe/parts/statistics.h"
 
 #include <gtest/gtest.h>
 
@@ -13,9 +13,9 @@
 #include "statistics/bootstrap.h"
 #include "statistics/intervals.h"
 #include "statistics/survival.h"
-#include "wythe/error.h"
-#include "wythe/io.h"
-#include "wythe/report.h"
+#include "wythe/parts/error.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/report.h"
 
 namespace wythe::statistics_test {
 namespace {

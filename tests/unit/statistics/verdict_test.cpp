@@ -1,6 +1,6 @@
 // The verdict from many walls: which direction and pattern decide, what lost walls and bounds do to the share, and
 // when nothing may be signed. Walls are made up; only their capacities count.
-#include "wythe/verdict.h"
+#include "wythe/parts/verdict.h"
 
 #include <gtest/gtest.h>
 

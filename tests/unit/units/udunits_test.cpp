@@ -19,7 +19,7 @@
 #include "core/text.h"
 #include "units/dimension.h"
 #include "units/unit_parser.h"
-#include "wythe/units.h"
+#include "wythe/parts/units.h"
 
 extern "C" const char* ut_form_plural(
     const char* singular);  // in the library, and in no header of it

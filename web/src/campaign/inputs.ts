@@ -469,7 +469,7 @@ export function sensitivity(campaign: Campaign): HTMLElement | null {
   return figure.element;
 }
 
-const kEntangled = 0.1; // as in wythe/statistics.h
+const kEntangled = 0.1; // as in wythe/parts/statistics.h
 const kNamed = 4;
 
 // Inputs that were drawn together share their influence: a word of caution beside the bars.

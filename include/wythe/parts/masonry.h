@@ -1,0 +1,63 @@
+// What tests say about units, mortar and masonry: the inputs of the rules for materials.
+//
+// Read by src/materials, which derives joint laws from it (docs/theory/material_rules.md).
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "wythe/parts/words.h"
+
+namespace wythe {
+
+// Kinds of unit; tests give ratios for most of them.
+enum class UnitType {
+  kUnstated,
+  kClay,
+  kClayPerforated,
+  kClayLightPerforated,
+  kCalciumSilicate,
+  kCalciumSilicatePerforated,
+  kLightweightConcrete,
+  kAeratedConcrete,
+  kTuff,
+  kStone
+};
+inline constexpr Word<UnitType> kUnitTypeWords[] = {
+    {"clay", UnitType::kClay},
+    {"clay_perforated", UnitType::kClayPerforated},
+    {"clay_light_perforated", UnitType::kClayLightPerforated},
+    {"calcium_silicate", UnitType::kCalciumSilicate},
+    {"calcium_silicate_perforated", UnitType::kCalciumSilicatePerforated},
+    {"lightweight_concrete", UnitType::kLightweightConcrete},
+    {"aerated_concrete", UnitType::kAeratedConcrete},
+    {"tuff", UnitType::kTuff},
+    {"stone", UnitType::kStone}};
+
+// Mean values of tests [SI]; NaN where there are none.
+struct MasonrySpec {
+  static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  UnitType unit_type = UnitType::kUnstated;
+  double unit_strength = kNone;               // fb, normalised, gross section [Pa]
+  double mortar_strength = kNone;             // fmo [Pa]
+  double masonry_strength = kNone;            // fm, across the bed joints [Pa]
+  double vertical_stress = kNone;             // mean, in the wall under its loads [Pa]
+  double initial_shear_strength = kNone;      // fv0 of triplets [Pa]
+  double diagonal_shear_strength = kNone;     // tau0, of panels that crack along a diagonal [Pa]
+  double friction_tan = kNone;                // mu of triplets
+  double youngs_modulus = kNone;              // E of masonry, across the bed joints [Pa]
+  double shear_modulus = kNone;               // G of masonry [Pa]
+  double weight = kNone;                      // of a volume of masonry [N/m^3]
+  double density = kNone;                     // of the masonry [kg/m^3]
+  double unit_youngs_modulus = kNone;         // Eu [Pa]
+  double mortar_youngs_modulus = kNone;       // Em [Pa]
+  double interface_normal_stiffness = kNone;  // kn_i between elastic units, as published [Pa/m]
+  double interface_shear_stiffness = kNone;   // ks_i [Pa/m]
+  double joint_thickness = kNone;             // of a bed joint [m]
+  double course_height = kNone;               // unit and bed joint [m]
+  double unit_length = kNone;                 // unit and head joint [m]
+  std::vector<std::string> origin = {};       // where values come from that were not given
+};
+
+}  // namespace wythe
