@@ -40,6 +40,11 @@ struct NewArguments {
 };
 int new_starter(const NewArguments& arguments);
 
+struct StudioArguments {
+  std::string model, out = "studio.html";
+};
+int studio(const StudioArguments& arguments);
+
 struct DrawingArguments {
   std::string file, unit, outline = "outline", openings = "openings", lintels = "lintels";
 };

@@ -16,9 +16,8 @@
 #include "report_files.h"
 #include "streams.h"
 #include "wythe/error.h"
-#include "wythe/provenance.h"
+#include "wythe/io.h"
 #include "wythe/solve.h"
-#include "wythe/text.h"
 
 namespace {
 
@@ -42,7 +41,7 @@ void add_overrides(CLI::App* command, std::vector<std::string>& overrides) {
 }
 
 void add_language(CLI::App* command, std::string& language) {
-  command->add_option("--lang", language, "language of report.html: en or it");
+  command->add_option("--lang", language, "language of report.html: en, it, de, fr, es or pt");
 }
 
 void add_replace(CLI::App* command, bool& replaces) {
@@ -317,6 +316,15 @@ void add_picture(CLI::App& app, PictureArguments& a, int& code) {
   command->callback([&] { code = picture(a); });
 }
 
+void add_studio(CLI::App& app, StudioArguments& a, int& code) {
+  CLI::App* command = app.add_subcommand(
+      "studio", "draw a wall in the browser and push it: writes the page and opens it");
+  command->footer("example: wythe studio model.toml");
+  command->add_option("model", a.model, "model file to begin with");
+  command->add_option("--out", a.out, "page to write; default studio.html");
+  command->callback([&] { code = studio(a); });
+}
+
 // A script whose variable is empty hands over "", which must not mean 0 nor that the option is not there:
 // --slurm "" would run the whole campaign here.
 void refuse_empty(int argc, char** argv) {
@@ -429,6 +437,8 @@ int parse_and_run(int argc, char** argv) {
   add_new(app, new_arguments, code);
   PictureArguments picture_arguments;
   add_picture(app, picture_arguments, code);
+  StudioArguments studio_arguments;
+  add_studio(app, studio_arguments, code);
   refuse_unknown_command(app, "", argc, argv);
   for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
     command->parse_complete_callback([command] { check_paths(*command); });

@@ -1,0 +1,70 @@
+// wythe studio: the page to draw walls on, with a model in it where one is named; a copy that can be sent on.
+#include <fmt/format.h>
+#include <spawn.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "commands.h"
+#include "wythe/error.h"
+#include "wythe/io.h"
+
+namespace wythe::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kMark = "<!--wythe:model-->";
+
+// Installed beside the program, or built beside its build folder; "" where there is none.
+std::string studio_page() {
+  std::error_code error;
+  const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
+  for (const fs::path& place : {folder / "../share/wythe/studio.html", folder / "../studio.html"})
+    if (fs::exists(place, error)) return place.lexically_normal().string();
+  return "";
+}
+
+// Shows the page where somebody sits in front of this terminal; whether a browser was asked.
+bool open_in_browser(const std::string& page) {
+  if (::isatty(STDOUT_FILENO) == 0 ||
+      (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr))
+    return false;
+  std::string program = "xdg-open", path = page;
+  char* words[] = {program.data(), path.data(), nullptr};
+  pid_t child = 0;
+  return ::posix_spawnp(&child, program.c_str(), nullptr, nullptr, words, environ) == 0;
+}
+
+// Hexadecimal digits: of the model nothing can end the element that holds it.
+std::string in_digits(const std::string& text) {
+  std::string out;
+  for (const char c : text) out += fmt::format("{:02x}", static_cast<unsigned char>(c));
+  return out;
+}
+
+}  // namespace
+
+int studio(const StudioArguments& a) {
+  const std::string page = studio_page();
+  if (page.empty())
+    throw InputError({{.file = "wythe studio",
+                       .path = "",
+                       .value = "",
+                       .problem = "this installation has no studio",
+                       .cure = "build it in the sources with make studio, and make install"}});
+  check_answer_file(a.out, {a.model}, "<title>wythe studio</title>");
+  std::string text = read_data(page);
+  const std::string model = a.model.empty() ? "" : read_data(a.model);
+  const std::size_t at = text.find(kMark);
+  if (at == std::string::npos)
+    throw IoError(page + ": is no studio of this version; make studio builds it again");
+  text.replace(at, std::string_view(kMark).size(), in_digits(model));
+  write_text(a.out, text);
+  const std::string whole = fs::absolute(a.out).string();
+  fmt::print("{} {}\n", open_in_browser(whole) ? "opens" : "open in a browser:", readable(whole));
+  return 0;
+}
+
+}  // namespace wythe::app
