@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/ascii.h"
+
 namespace wythe::report {
 namespace {
 
@@ -68,10 +70,19 @@ std::string rounded(double value, int digits) {
   return text.front() == '-' ? "−" + text.substr(1) : text;
 }
 
+std::string capital(std::string_view text) {
+  std::string out(text);
+  if (!out.empty()) out[0] = ascii_capital(out[0]);
+  // letters from U+00E0 to U+00FE but the sign of division: their capitals lie 32 lower
+  const auto second = out.size() > 1 ? static_cast<unsigned char>(out[1]) : 0;
+  if (out.starts_with('\xc3') && second >= 0xa0 && second <= 0xbe && second != 0xb7)
+    out[1] = static_cast<char>(second - 0x20);
+  return out;
+}
+
 std::string sentence(std::string_view text) {
   if (text.empty()) return "";
-  std::string out(text);
-  if (out[0] >= 'a' && out[0] <= 'z') out[0] = static_cast<char>(out[0] - 'a' + 'A');
+  std::string out = capital(text);
   if (out.back() != '.' && out.back() != '!' && out.back() != '?') out += '.';
   return escaped(out);
 }

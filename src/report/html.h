@@ -19,6 +19,8 @@ namespace wythe::report {
 
 // Escaped, with a capital and a full stop.
 [[nodiscard]] std::string sentence(std::string_view text);
+// With a capital, also of an accented letter; as text.
+[[nodiscard]] std::string capital(std::string_view text);
 
 // A number large, its name and what it means below it.
 struct Card {

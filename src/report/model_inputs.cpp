@@ -13,8 +13,8 @@
 #include "materials/origin.h"
 #include "model/protocol.h"
 #include "report/translation.h"
-#include "wythe/assessment.h"
-#include "wythe/notes.h"
+#include "wythe/parts/assessment.h"
+#include "wythe/parts/notes.h"
 
 namespace wythe::report {
 namespace {
@@ -245,7 +245,7 @@ Json wall_rows(const ModelSpec& spec, const Model& model) {
     rows.push_back(row("beam_height", spec.wall.beam.height * 1e3, "mm"));
     rows.push_back(row("beam_density", spec.wall.beam.density, "kg/m³"));
   }
-  rows.push_back(row("weight", model.weight * 1e-3, "kN"));
+  rows.push_back(row("all_weight", model.weight * 1e-3, "kN"));
   return rows;
 }
 

@@ -1,5 +1,5 @@
 // Looks words up in assets/texts.json, which is parsed once. A text is escaped before values are put in.
-// Each place is filled once, and an unknown key throws. Phrases joined by " + " are looked up one by one.
+// An unknown key throws. Phrases joined by " + " are looked up one by one.
 #include "report/texts.h"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include "core/text.h"
 #include "report/assets.h"
 #include "report/html.h"
-#include "wythe/error.h"
+#include "wythe/parts/error.h"
 
 namespace wythe::report {
 namespace {
@@ -52,8 +52,9 @@ std::string Texts::say(const std::string& key, Places places) const {
   std::string text = escaped(table()["texts"].at(key).at(language_).get<std::string>());
   for (const auto& [name, value] : places) {
     const std::string place = "{" + std::string(name) + "}";
-    const std::size_t at = text.find(place);
-    if (at != std::string::npos) text.replace(at, place.size(), value);
+    for (std::size_t at = text.find(place); at != std::string::npos;
+         at = text.find(place, at + value.size()))
+      text.replace(at, place.size(), value);
   }
   return text;
 }

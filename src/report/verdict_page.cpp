@@ -16,8 +16,8 @@
 #include "report/svg.h"
 #include "report/verdict_words.h"
 #include "report/wall_picture.h"
-#include "wythe/report.h"
-#include "wythe/verdict.h"
+#include "wythe/parts/report.h"
+#include "wythe/parts/verdict.h"
 
 namespace wythe {
 namespace {
@@ -131,8 +131,7 @@ class VerdictPage {
     const char* key = "assess.undecided";
     if (v_.verdict == AssessmentVerdict::kHolds) key = "assess.holds";
     if (v_.verdict == AssessmentVerdict::kFails) key = "assess.fails";
-    std::string state = words_.state(v_.state());
-    state[0] = ascii_capital(state[0]);
+    const std::string state = capital(words_.state(v_.state()));
     std::string standing = v_.verdict == AssessmentVerdict::kNotKnown
                                ? say("assess.unknown")
                                : say(key, {{"state", state}});

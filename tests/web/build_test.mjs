@@ -47,6 +47,15 @@ test("the page is within 1.2 MB and asks for nothing", () => {
     assert.equal(page.split(mark).length, 2, mark);
 });
 
+test("no key stands twice in the table", () => {
+  const [words, phrases] = fs.readFileSync(path.join(assets, "texts.json"), "utf8").split('\n"phrases": {');
+  for (const part of [words, phrases]) {
+    const keys = [...part.matchAll(/^("(?:[^"\\]|\\.)+"): \[/gm)].map((m) => m[1]);
+    assert.ok(keys.length > 100);
+    assert.deepEqual(keys.filter((key, k) => keys.indexOf(key) !== k), []);
+  }
+});
+
 test("every text has all languages and the same places in each", () => {
   const places = (text) => (text.match(/\{\w*\}/g) ?? []).sort().join();
   for (const [key, row] of Object.entries(table.texts)) {

@@ -1,6 +1,6 @@
 // Messages: codes and arguments into words, in every language; into JSON and back; and the one table of
 // words held against the engine's sources, so that nothing is missing, unused or left without a value.
-#include "wythe/message.h"
+#include "wythe/parts/message.h"
 
 #include <gtest/gtest.h>
 
@@ -48,6 +48,18 @@ TEST(Message, says_of_no_number_that_it_is_0_where_it_is_not) {
   EXPECT_EQ(said(-0.0042, "it"), "-0,004 %");
   EXPECT_EQ(said(0, "en"), "+0.0 % p");
   EXPECT_EQ(said(1e-12, "en").substr(0, 7), "+0.0000");  // nothing of rounding
+}
+
+TEST(Message, keeps_the_decimal_point_of_a_value_that_goes_into_a_file) {
+  const Message cure{"promise.cure_adapted", {{"velocity", 0.5}, {"below", 2.5e-5}}};
+  for (const std::string& language : message_languages()) {
+    const std::string said = text_of(cure, language);
+    EXPECT_NE(said.find("fast_velocity = \"0.5 mm/s\""), std::string::npos) << said;
+    EXPECT_NE(said.find("fast_below = 2.5e-05"), std::string::npos) << said;
+  }
+  const Message place{"block.toppled",
+                      {{"block", "b"}, {"tilt_degrees", 90}, {"time_s", 1.25}, {"stage", "push"}}};
+  EXPECT_NE(text_of(place, "de").find("1,250"), std::string::npos);
 }
 
 TEST(Message, holds_others_and_lists_of_them) {
@@ -157,6 +169,18 @@ TEST(MessageTable, every_code_has_words_in_every_language_with_the_same_argument
   }
 }
 
+// What a reader may copy is the same in all of them.
+TEST(MessageTable, keys_with_their_values_and_options_are_not_translated) {
+  static const std::regex kCode(R"([a-z_.]+ = "[^"]*"|--[a-z-]+)");
+  int found = 0;
+  for (const auto& [code, texts] : words())
+    for (std::sregex_iterator at(texts.front().begin(), texts.front().end(), kCode), end; at != end;
+         ++at, ++found)
+      for (const std::string& text : texts)
+        EXPECT_NE(text.find(at->str()), std::string::npos) << code << ": " << text;
+  EXPECT_GT(found, 20);
+}
+
 TEST(MessageTable, every_code_is_used) {
   std::string all;
   for (const std::string& text : sources()) all += text;
@@ -204,13 +228,14 @@ TEST(MessageTable, every_code_that_is_used_is_there) {
 TEST(MessageTable, arguments_are_those_of_the_words) {
   static const std::regex kName(R"re(\{\s*"([A-Za-z_0-9]+)",)re");
   static const std::regex kAdded(R"re(emplace_back\("([A-Za-z_0-9]+)",)re");
+  const Table table = words();
   int checked = 0;
   for (const std::string& text : sources())
-    for (const auto& [code, texts] : words()) {
-      const std::set<std::string> wanted = names_in(texts.front());
+    for (const auto& [code, texts] : table) {
       if (code == "text") continue;  // as_text() alone makes it
       for (std::size_t at = 0; (at = text.find("{\"" + code + "\"", at)) != std::string::npos;
            ++at) {
+        const std::set<std::string> wanted = names_in(texts.front());
         // to the brace that closes the message
         std::size_t end = at;
         for (int depth = 0; end < text.size(); ++end) {
