@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import fs from "node:fs";
 import path from "node:path";
 import { after, before, test } from "node:test";
-import { folder } from "./helpers.mjs";
+import { folder, root } from "./helpers.mjs";
 import { launch, openStudio, stonesOf, studioPage, textOf } from "./studio.mjs";
 
 let browser, file, page;
@@ -129,4 +129,20 @@ test("files: saved with every byte, opened, dropped, and refused where they are 
   await page.locator('input[type="file"]').setInputFiles(copy);
   await page.waitForFunction(() => /is no text/.test(document.querySelector(".notice").textContent));
   assert.match(await textOf(page), /name = "opened"/);
+});
+
+test("a model that wythe studio put into the page opens once, and what became of it is kept", async () => {
+  const model = `${fs.readFileSync(path.join(root, "examples/brick_pier/model.toml"), "utf8")}# dà, größer, </script>\n`;
+  const own = path.join(folder("studio"), "with_model.html");
+  fs.writeFileSync(own, fs.readFileSync(file, "utf8").replace("<!--wythe:model-->", Buffer.from(model).toString("hex")));
+  const other = await openStudio(browser, own);
+  assert.equal(await textOf(other), model);
+  await other.locator('[data-pane="file"].tab').click();
+  await other.locator(".file-text").fill(`${model}# mine\n`);
+  await stonesOf(other);
+  await other.reload();
+  await stonesOf(other);
+  assert.equal(await textOf(other), `${model}# mine\n`);
+  assert.deepEqual(other.faults, []);
+  await other.end();
 });

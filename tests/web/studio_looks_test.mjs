@@ -1,5 +1,5 @@
 // The studio for everybody: no fault of axe and no page wider than its screen, light and dark, desktop, tablet and
-// phone, English and Italian; its worker's protocol; and a page without an engine.
+// phone, a language for each; its worker's protocol; and a page without an engine.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import fs from "node:fs";
@@ -29,10 +29,13 @@ const picture = async (page, name) => {
   await page.screenshot({ path: path.join(shots, `${name}.png`) });
 };
 
-for (const [width, height] of [[1440, 900], [820, 1180], [390, 844]])
+const kLocales = ["en-GB", "it-IT", "de-DE", "fr-CA", "es-AR", "pt-BR"];
+for (const [k, [width, height]] of [[1440, 900], [820, 1180], [390, 844]].entries())
   for (const scheme of ["light", "dark"])
     test(`${width} px, ${scheme}`, async () => {
-      const page = await openStudio(browser, file, { width, height, scheme, touch: width < 1000, locale: scheme === "dark" ? "it-IT" : "en-GB" });
+      const locale = kLocales[2 * k + (scheme === "dark" ? 1 : 0)];
+      const page = await openStudio(browser, file, { width, height, scheme, touch: width < 1000, locale });
+      assert.equal(await page.getAttribute("html", "lang"), locale.slice(0, 2));
       await page.locator('[data-opening="0"]').click();
       assert.deepEqual(await violations(page), []);
       assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth), "wider than the screen");
@@ -49,14 +52,17 @@ for (const [width, height] of [[1440, 900], [820, 1180], [390, 844]])
       await page.end();
     });
 
-test("Italian has no English word left of the page's own", async () => {
-  const page = await openStudio(browser, file, { locale: "it-IT" });
-  assert.equal(await page.getAttribute("html", "lang"), "it");
-  const words = await page.locator("body").innerText();
-  for (const word of ["Push", "Length", "Height", "Thickness", "Wall", "Load", "File saved", "blocks", "Select"])
-    assert.ok(!new RegExp(`\\b${word}\\b`).test(words), word);
-  assert.ok(words.includes("Spingi"));
-  await page.end();
+test("no other language has an English word left of the page's own, and an unknown one is English", async () => {
+  for (const [locale, button] of [["it-IT", "Spingi"], ["de-AT", "Schieben"], ["fr-FR", "Pousser"], ["es-ES", "Empujar"], ["pt-PT", "Empurrar"], ["fi-FI", "Push"]]) {
+    const page = await openStudio(browser, file, { locale });
+    const words = await page.locator("body").innerText();
+    assert.ok(words.includes(button), `${locale}: ${button}`);
+    if (button !== "Push")
+      for (const word of ["Push", "Length", "Height", "Thickness", "Wall", "Load", "File saved", "blocks", "Select"])
+        assert.ok(!new RegExp(`\\b${word}\\b`).test(words), `${locale}: ${word}`);
+    else assert.equal(await page.getAttribute("html", "lang"), "en");
+    await page.end();
+  }
 });
 
 test("a finger draws a door", async () => {

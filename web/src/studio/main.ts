@@ -19,7 +19,7 @@ import { lineOf, valueAt } from "./toml";
 import { whole } from "./words";
 
 const kPause = 60; // after an edit, before the engine is asked for its stones [ms]
-const kLanguages = [["en", "English"], ["it", "Italiano"]];
+const kLanguages = [["en", "English"], ["it", "Italiano"], ["de", "Deutsch"], ["fr", "Français"], ["es", "Español"], ["pt", "Português"]];
 
 const remembered = (key: string): string | null => {
   try {
@@ -36,7 +36,7 @@ const remember = (key: string, value: string): void => {
   }
 };
 
-let language = remembered("language") ?? (navigator.language.startsWith("it") ? "it" : "en");
+let language = [remembered("language"), navigator.language.slice(0, 2)].find((code) => kLanguages.some(([known]) => known === code)) ?? "en";
 speak(language);
 document.documentElement.lang = language;
 document.title = say("studio.title");
@@ -367,8 +367,12 @@ document.body.prepend(
 showPane("numbers");
 
 async function start(): Promise<void> {
-  let text = store.kept();
-  let told = text === null ? "" : say("studio.restored");
+  let text = store.given();
+  let told = "";
+  if (text === null) {
+    text = store.kept();
+    told = text === null ? "" : say("studio.restored");
+  }
   if (store.hasLink())
     try {
       text = await store.textOfLink();

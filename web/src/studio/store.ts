@@ -22,6 +22,22 @@ export function kept(): string | null {
   }
 }
 
+// The model that `wythe studio MODEL.toml` put into this page, in hexadecimal digits; null where there is none, or where it was
+// opened before: what became of it is kept.
+const kGiven = "wythe.studio.given";
+export function given(): string | null {
+  const digits = document.getElementById("wythe-model")?.textContent?.trim() ?? "";
+  if (!/^([0-9a-f]{2})+$/.test(digits)) return null;
+  const text = new TextDecoder().decode(Uint8Array.from(digits.match(/../g)!, (pair) => parseInt(pair, 16)));
+  try {
+    if (localStorage.getItem(kGiven) === text) return null;
+    localStorage.setItem(kGiven, text);
+  } catch {
+    // a browser that keeps nothing opens it each time
+  }
+  return text;
+}
+
 const kMark = "#w=";
 export const hasLink = (): boolean => location.hash.startsWith(kMark);
 export async function textOfLink(): Promise<string> {
