@@ -2,7 +2,8 @@
 // Geometry in metres, shown by `view`. Everything but the stones is made anew when it changes: it is little.
 import { svg, type Child } from "../dom";
 import { say } from "../texts";
-import { gaps, isDoor, type Box, type Drawing } from "./drawing";
+import { crownOf, intrados, riseOf } from "./arches";
+import { gaps, isDoor, type Box, type Drawing, type Selected } from "./drawing";
 import { metres } from "./words";
 import type { Picture } from "./picture";
 import type { Guide } from "./snap";
@@ -12,7 +13,7 @@ export interface View {
   left: number; // pixel of x = 0
   bottom: number; // pixel of y = 0
 }
-export type Handle = "move" | "n" | "s" | "e" | "w" | "ne" | "nw" | "se" | "sw" | "length" | "height";
+export type Handle = "move" | "n" | "s" | "e" | "w" | "ne" | "nw" | "se" | "sw" | "length" | "height" | "crown";
 
 // What is under way: a box that is drawn or dragged, in the place of opening `self` (-1: a new one, or the wall).
 export interface Preview {
@@ -28,7 +29,8 @@ export class Canvas {
   readonly root: SVGSVGElement;
   view: View = { metre: 100, left: 60, bottom: 400 };
   drawing: Drawing | null = null;
-  selected = -1;
+  selection: Selected | null = null;
+  draft: { drawing: Drawing; selection: Selected | null } | null = null; // what a gesture under way would make of it
   faulty = new Map<number, string>(); // openings that the engine refuses, and why
   preview: Preview | null = null;
   picture: Picture | null = null;
@@ -92,7 +94,7 @@ export class Canvas {
 
   draw(): void {
     this.place();
-    const d = this.drawing;
+    const d = this.draft?.drawing ?? this.drawing;
     const focused = (document.activeElement as SVGElement | null)?.dataset?.opening;
     if (!d) return this.over.replaceChildren();
     const wall = this.preview?.wall ? { length: this.preview.box.width, height: this.preview.box.height } : d;
@@ -114,6 +116,12 @@ export class Canvas {
     (this.over.querySelector(`[data-opening="${k}"]`) as SVGElement | null)?.focus({ preventScroll: true });
   }
 
+  // The opening that is selected, or -1.
+  private get selected(): number {
+    const s = this.draft ? this.draft.selection : this.selection;
+    return s?.kind === "opening" ? s.k : -1;
+  }
+
   private rect(box: Box): { x: number; y: number; width: number; height: number } {
     return { x: this.x(box.x), y: this.y(box.y + box.height), width: Math.max(0, box.width * this.view.metre), height: Math.max(0, box.height * this.view.metre) };
   }
@@ -125,17 +133,24 @@ export class Canvas {
     const o = d.openings[k];
     const moved = this.preview?.self === k;
     const box = moved ? this.preview!.box : o;
-    const css = ["opening", k === this.selected && "selected", moved && "moving", this.faulty.has(k) && "faulty"].filter(Boolean).join(" ");
+    const css = ["opening", k === this.selected && "selected", (moved || (this.draft && k === this.selected)) && "moving", this.faulty.has(k) && "faulty"].filter(Boolean).join(" ");
     const what = say(isDoor(o) ? "studio.a.door" : "studio.a.window");
     const name = say("studio.opening.name", { what, name: o.name, width: metres(o.width), height: metres(o.height), x: metres(o.x), y: metres(o.y) });
     const why = this.faulty.get(k);
-    const shown = svg("rect", { class: css, "data-opening": k, "data-handle": "move", tabindex: "0", role: "button", "aria-label": why ? `${name}. ${why}` : name, "aria-pressed": String(k === this.selected), ...this.rect(box) });
+    const shown = svg("path", { class: css, "data-opening": k, "data-handle": "move", tabindex: "0", role: "button", "aria-label": why ? `${name}. ${why}` : name, "aria-pressed": String(k === this.selected), d: this.hole(d, k, box) });
     if (why) shown.append(svg("title", {}, why));
     const place = this.rect(box);
     const group = svg("g", {}, shown);
     if (place.width > 60 && place.height > 34) group.append(svg("text", { class: "opening-name", x: place.x + place.width / 2, y: place.y + place.height / 2 + 4, "aria-hidden": "true" }, o.name));
     if (why) group.append(svg("text", { class: "fault-mark", x: place.x + place.width - 4, y: place.y + 18, "aria-hidden": "true" }, "⚠"));
     return group;
+  }
+  // What the engine leaves open, in pixels: a rectangle, or up to the intrados of an arch.
+  private hole(d: Drawing, k: number, box: Box): string {
+    const { arch } = d.openings[k];
+    const over: [number, number][] = arch ? intrados(arch, box, d.course) : [[box.x, box.y + box.height], [box.x + box.width, box.y + box.height]];
+    const points = [[box.x, box.y], ...over, [box.x + box.width, box.y]];
+    return `M${points.map(([x, y]) => `${this.x(x)} ${this.y(y)}`).join("L")}Z`;
   }
   private guide(g: Guide): SVGElement {
     const d = this.drawing!;
@@ -155,14 +170,17 @@ export class Canvas {
     if (!box) return out;
     const self = this.preview ? this.preview.self : this.selected;
     const g = gaps(d, box, self);
+    const rise = self >= 0 ? riseOf(d.openings[self].arch, box.width) : 0;
+    const crown = box.y + box.height + rise;
     const low = this.y(box.y + 0.25 * box.height),
       axis = this.x(box.x + 0.25 * box.width);
-    const high = this.y(box.y + box.height) - 14;
+    const high = this.y(crown) - (rise > 0 ? 26 : 14); // clear of the handle at the crown
     out.push(this.level(box.x, box.x + box.width, high, "dim strong"), this.upright(box.y, box.y + box.height, this.x(box.x + box.width) + 14, "dim strong"));
     if (g.left > 1e-6) out.push(this.level(box.x - g.left, box.x, low, "dim gap"));
     if (g.right > 1e-6) out.push(this.level(box.x + box.width, box.x + box.width + g.right, low, "dim gap"));
     if (g.below > 1e-6) out.push(this.upright(box.y - g.below, box.y, axis, "dim gap"));
-    if (g.above > 1e-6) out.push(this.upright(box.y + box.height, box.y + box.height + g.above, axis, "dim gap"));
+    if (g.above > rise + 1e-6) out.push(this.upright(crown, box.y + box.height + g.above, axis, "dim gap"));
+    if (rise > 1e-6) out.push(this.upright(crown - rise, crown, this.x(box.x + box.width) + 14, "dim strong"));
     return out;
   }
   private level(a: number, b: number, y: number, css: string): SVGElement {
@@ -197,11 +215,14 @@ export class Canvas {
     const b = this.preview?.box ?? d.openings[k];
     const xs = { w: b.x, e: b.x + b.width },
       ys = { s: b.y, n: b.y + b.height };
+    const o = d.openings[k];
+    const rise = riseOf(o.arch, b.width) * this.view.metre;
     for (const v of ["n", "s"] as const) {
-      out.push(dot(this.x(b.x + b.width / 2), this.y(ys[v]), v));
+      if (v === "s" || rise === 0 || rise > 24) out.push(dot(this.x(b.x + b.width / 2), this.y(ys[v]), v));
       for (const h of ["e", "w"] as const) out.push(dot(this.x(xs[h]), this.y(ys[v]), `${v}${h}`));
     }
     for (const h of ["e", "w"] as const) out.push(dot(this.x(xs[h]), this.y(b.y + b.height / 2), h));
+    if (o.arch && o.arch.kind !== "flat") out.push(dot(this.x(b.x + b.width / 2), this.y(crownOf(o, b)), "crown"));
     return out;
   }
 }

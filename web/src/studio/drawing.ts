@@ -1,5 +1,6 @@
 // The wall as the drawing knows it, read from the model file; and the edits of the file that a gesture means.
 // Lengths in metres, y upwards from the wall's base. What is not read here stays in the file as it is.
+import { readArch, type Arch } from "./arches";
 import { appendTable, countAt, find, quoted, removeAt, setValue, valueAt, type Doc, type Path } from "./toml";
 import { parse } from "./toml";
 import { lengthOf, readQuantity, writeQuantity } from "./units";
@@ -14,7 +15,7 @@ export interface Opening extends Box {
   name: string;
   foot: number; // of its storey, from where the file counts its y
   lintel: boolean;
-  arch: boolean;
+  arch: Arch | null;
 }
 export interface Storey {
   name: string;
@@ -29,6 +30,15 @@ export interface Drawing {
   course: number; // height of one, joint included
   half: number; // half a unit's length, joint included
 }
+// What may be selected, by its place in the file's list.
+export type Kind = "opening";
+export interface Selected {
+  kind: Kind;
+  k: number;
+}
+const kLists = { opening: "openings" } as const;
+export const countOf = (d: Drawing, kind: Kind): number => d[kLists[kind]].length;
+
 // Why the drawing cannot show a file: a text's key, and where in the file.
 export interface Refusal {
   why: string;
@@ -72,7 +82,7 @@ export function readDrawing(doc: Doc): Drawing | Refusal {
       foot,
       name: String(valueAt(doc, [...at, "name"]) ?? k),
       lintel: find(doc, [...at, "lintel"]) !== undefined,
-      arch: find(doc, [...at, "arch"]) !== undefined,
+      arch: readArch(doc, [...at, "arch"]),
     });
   }
   const mortar = (key: string): number => metres("wall", "unit", "mortar", key) ?? 0;

@@ -2,6 +2,7 @@
 import "./studio.css";
 import { h, svg } from "../dom";
 import { qty, say, speak } from "../texts";
+import { setHead } from "./arches";
 import { Canvas } from "./canvas";
 import { Commands, type Command } from "./commands";
 import { pushOf, removeOpening, setDirection } from "./drawing";
@@ -58,7 +59,7 @@ let fitNext = true;
 
 // --- parts ----------------------------------------------------------------------------------------------
 
-const tools = new Tools(canvas, project, () => refreshBar());
+const tools = new Tools(canvas, project, () => refreshBar(), tell);
 const file = new FilePane(project);
 const panel = new Panel(project, () => canvas.draw());
 const list = new FaultList(project, (fault) => {
@@ -163,7 +164,7 @@ project.listen((why) => {
   const size = project.drawing ? `${project.drawing.length} ${project.drawing.height}` : shownSize;
   fitNext ||= size !== shownSize;
   shownSize = size;
-  canvas.selected = project.selected;
+  canvas.selection = project.selection;
   if (why === "selection") {
     if (project.selected >= 0 && project.doc && !file.hasFocus) file.show(lineOf(project.doc, ["wall", "opening", project.selected]), false);
     canvas.draw();
@@ -254,6 +255,14 @@ function remove(): void {
   project.endStep();
   project.change(removeOpening(project.text, project.selected), -1);
 }
+// An arch over the selected opening, or a lintel again.
+function arch(): void {
+  const { drawing, selected } = project;
+  if (!drawing || !project.drawable || canvas.readOnly) return;
+  if (selected < 0) return tell(say("studio.choose.opening"));
+  project.endStep();
+  project.change(setHead(project.text, drawing, selected, drawing.openings[selected].arch ? "lintel" : "segmental"));
+}
 function turn(): void {
   const now = project.doc && pushOf(project.doc);
   if (now && project.drawing && project.drawable) {
@@ -281,6 +290,7 @@ const all: Command[] = [
   { name: "wall", keys: ["w"], does: () => tools.choose("wall") },
   { name: "door", keys: ["d"], does: () => tools.choose("door") },
   { name: "window", keys: ["o"], does: () => tools.choose("window") },
+  { name: "arch", keys: ["a"], does: arch },
   { name: "place", keys: ["Enter"], does: () => tools.place(), hidden: true },
   { name: "delete", keys: ["Delete", "Backspace"], does: remove },
   { name: "undo", keys: ["Ctrl+z"], does: () => project.undo() },

@@ -1,7 +1,8 @@
 // The numbers of the wall beside the drawing. Each field shows what the file says and edits it in place.
 import { h, type Child } from "../dom";
 import { num, say } from "../texts";
-import { addLintel, isDoor, loadOf, pushOf, removeLintel, removeOpening, setDirection, setLength, setOpening, setWallSize, type Box } from "./drawing";
+import { headOf, kHeads, riseOf, setHead, setRise, type Head } from "./arches";
+import { isDoor, loadOf, pushOf, removeOpening, setDirection, setLength, setOpening, setWallSize, type Box } from "./drawing";
 import { kMaterials } from "./materials";
 import type { Project } from "./project";
 import { countAt, find, quoted, setValue, valueAt, type Path } from "./toml";
@@ -31,7 +32,7 @@ export class Panel {
     const doc = project.doc;
     const load = doc && loadOf(doc);
     const push = doc && pushOf(doc);
-    const shape = [project.drawing?.openings.length ?? -1, project.selected, load?.key, load?.path[1], push?.stage, push?.until !== null, project.drawing?.storeys.length, find(doc ?? { text: "", root: { kind: "table", inline: false, from: 0, to: 0, keys: new Map() }, sections: [] }, ["masonry"]) !== undefined].join();
+    const shape = [project.drawing?.openings.length ?? -1, project.selected, project.drawing?.openings[project.selected]?.arch?.kind, load?.key, load?.path[1], push?.stage, push?.until !== null, project.drawing?.storeys.length, find(doc ?? { text: "", root: { kind: "table", inline: false, from: 0, to: 0, keys: new Map() }, sections: [] }, ["masonry"]) !== undefined].join();
     if (shape !== this.shape) {
       this.shape = shape;
       this.build();
@@ -62,16 +63,15 @@ export class Panel {
         const o = opening();
         return setOpening(project.text, k, { ...o, [key]: value + (key === "y" ? o.foot : 0) }, o.foot);
       }, key === "x" || key === "width" ? "half" : "course");
-    const lintel = h("input", { type: "checkbox", onchange: () => this.edit(opening().lintel ? removeLintel(project.text, k) : addLintel(project.text, project.drawing!, k)) });
-    this.fields.push({ root: lintel, refresh: () => {
-      lintel.checked = opening().lintel;
-      lintel.dataset.off = opening().arch ? "1" : "";
-    } });
+    const arch = opening().arch;
+    const depth: Path = ["wall", "opening", k, "arch", "depth"];
     return this.group(
       say(isDoor(opening()) ? "studio.door" : "studio.window"),
       this.text(say("studio.name"), () => opening().name, (name) => setValue(project.text, ["wall", "opening", k, "name"], quoted(name)), true),
       side("x", say("studio.left")), side("y", say("studio.sill")), side("width", say("studio.width")), side("height", say("studio.height")),
-      h("label", { class: "check" }, lintel, say("studio.lintel")),
+      this.choice(say("studio.head"), kHeads.map((head) => [head, say(`studio.head.${head}`)]), () => headOf(opening()), (head) => setHead(project.text, project.drawing!, k, head as Head), true),
+      arch && arch.kind !== "flat" && this.length(say("studio.rise"), () => riseOf(opening().arch, opening().width), (v) => setRise(project.text, project.drawing!, k, v), 0.01),
+      arch && this.length(say("studio.arch.depth"), () => opening().arch?.depth ?? NaN, (v) => setLength(project.text, depth, v), 0.01),
       h("button", { class: "button", type: "button", onclick: () => this.edit(removeOpening(project.text, k), -1) }, say("studio.delete")),
     );
   }

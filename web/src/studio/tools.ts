@@ -3,22 +3,25 @@
 import { h } from "../dom";
 import { say } from "../texts";
 import type { Canvas, Handle } from "./canvas";
-import { addOpening, gaps, isDoor, setOpening, setWallSize, storeyAt, type Box, type Drawing } from "./drawing";
+import { addOpening, gaps, isDoor, isRefusal, readDrawing, setOpening, setWallSize, storeyAt, type Box, type Drawing } from "./drawing";
+import { dragCrown, type Offer, type PartGesture } from "./part_gestures";
 import type { Project } from "./project";
 import { snapLine, snapMove, type Guide, type Snapping } from "./snap";
+import { parse } from "./toml";
 import { typedLength } from "./units";
 import { metres } from "./words";
 
 export type Tool = "select" | "wall" | "door" | "window";
 export const kTools: Tool[] = ["select", "wall", "door", "window"];
 
-interface Point {
+export interface Point {
   x: number;
   y: number;
 }
-type FieldName = "width" | "height" | "length" | "left" | "below";
+export type FieldName = "width" | "height" | "length" | "left" | "below" | "rise";
 interface Gesture {
-  kind: "draw" | "move" | "resize" | "size" | "wall" | "pan";
+  kind: "draw" | "move" | "resize" | "size" | "wall" | "pan" | "part";
+  part?: PartGesture;
   handle: Handle;
   start: Point; // in metres
   now: Point;
@@ -48,6 +51,7 @@ export class Tools {
     private readonly canvas: Canvas,
     private readonly project: Project,
     private readonly changed: () => void,
+    private readonly tell: (words: string) => void,
   ) {
     project.listen((why) => {
       if (why === "text" && this.gesture) this.forget(); // what it holds may be gone
@@ -79,6 +83,7 @@ export class Tools {
   private forget(): void {
     this.gesture = null;
     this.canvas.preview = null;
+    this.canvas.draft = null;
     this.typing.hidden = true;
   }
 
@@ -106,10 +111,12 @@ export class Tools {
     const base = { start: at, now: at, self: -1, typed: {}, field: 0, clicks: false, moved: false, free: e.altKey, client: { clientX: e.clientX, clientY: e.clientY } };
     const none: Box = { x: 0, y: 0, width: 0, height: 0 };
     const pan: Gesture = { ...base, kind: "pan", handle: "move", box: { ...none, x: canvas.view.left, y: canvas.view.bottom }, fields: [] };
+    const partly = (part: PartGesture): Gesture => ({ ...base, kind: "part", part, handle: "move", box: none, fields: part.fields });
     if (!d || e.button === 1) this.gesture = pan;
     else if (this.tool === "select") {
       if (opening >= 0) project.select(opening);
       if (!project.drawable || canvas.readOnly || !handle) this.gesture = pan;
+      else if (handle === "crown") this.gesture = partly(dragCrown(project.text, d, project.selected));
       else if (handle === "length" || handle === "height")
         this.gesture = { ...base, kind: "size", handle, box: { ...none, width: d.length, height: d.height }, fields: [handle] };
       else {
@@ -262,7 +269,16 @@ export class Tools {
     }
     return { box: { x, y, width, height }, guides };
   }
+  private offer(g: Gesture): Offer {
+    return g.part!.at({ start: g.start, now: g.now, typed: (name) => typedLength(g.typed[name] ?? ""), how: this.how(g.free), reach: this.reach });
+  }
   private show(g: Gesture): void {
+    if (g.kind === "part") {
+      const offer = this.offer(g);
+      const drawing = readDrawing(parse(offer.text));
+      if (!isRefusal(drawing)) this.canvas.draft = { drawing, selection: offer.selection };
+      return this.canvas.draw();
+    }
     const { box, guides } = this.outcome(g);
     this.canvas.preview = { box, guides, self: g.self, wall: g.kind === "wall" || g.kind === "size" };
     this.canvas.draw();
@@ -272,6 +288,7 @@ export class Tools {
     const g = this.gesture;
     const d = this.project.drawing;
     if (!g || !d) return;
+    if (g.kind === "part") return this.finishPart(this.offer(g));
     const { box } = this.outcome(g);
     this.cancel();
     const { project } = this;
@@ -287,6 +304,13 @@ export class Tools {
     } else if (g.kind === "move" || g.kind === "resize") {
       project.change(setOpening(project.text, g.self, box, d.openings[g.self].foot), g.self);
     }
+    this.changed();
+  }
+  private finishPart(offer: Offer): void {
+    this.cancel();
+    if (offer.hinder) return this.tell(offer.hinder);
+    this.project.endStep();
+    this.project.change(offer.text, offer.selection);
     this.changed();
   }
   private add(d: Drawing, box: Box): void {
@@ -353,14 +377,20 @@ export class Tools {
   private placeTyping(at?: { clientX: number; clientY: number }): void {
     const g = this.gesture;
     const preview = this.canvas.preview;
-    if (!g || !preview) return;
-    const gap = gaps(this.project.drawing!, preview.box, g.self);
-    const value: Record<FieldName, number> = { width: preview.box.width, length: preview.box.width, height: preview.box.height, left: gap.left, below: gap.below };
+    if (!g || (!preview && !g.part)) return;
+    const offer = g.part && this.offer(g);
+    let value: Partial<Record<FieldName, number>> = offer?.values ?? {};
+    if (preview) {
+      const gap = gaps(this.project.drawing!, preview.box, g.self);
+      value = { width: preview.box.width, length: preview.box.width, height: preview.box.height, left: gap.left, below: gap.below };
+    }
     this.typing.hidden = false;
+    this.typing.classList.toggle("hindered", offer?.hinder !== undefined);
     this.typing.replaceChildren(
       ...g.fields.map((name, k) =>
-        h("span", { class: k === g.field ? "field now" : "field" }, `${say(`studio.field.${name}`)} `, h("b", {}, g.typed[name] ? `${g.typed[name]}▏` : metres(value[name]))),
+        h("span", { class: k === g.field ? "field now" : "field" }, `${say(`studio.field.${name}`)} `, h("b", {}, g.typed[name] ? `${g.typed[name]}▏` : metres(value[name] ?? 0))),
       ),
+      ...(offer?.hinder ? [h("span", { class: "hinder" }, offer.hinder)] : []),
     );
     if (!at) return;
     const place = this.canvas.root.parentElement!.getBoundingClientRect();

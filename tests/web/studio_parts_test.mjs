@@ -1,0 +1,128 @@
+// Arches, storeys, floors, ties and frames drawn in the studio, and a photo under the drawing: by mouse, keys and numbers. Each
+// gesture is one edit of the file and one step back; the engine builds what is drawn.
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { launch, openStudio, pixelsOf, stonesOf, studioPage, textOf, write } from "./studio.mjs";
+
+let browser, file, page;
+before(async () => {
+  file = studioPage();
+  browser = await launch();
+  page = await openStudio(browser, file);
+});
+after(async () => {
+  assert.deepEqual(page.faults, []);
+  await browser?.close();
+});
+
+const begin = async (name) => {
+  await page.locator(".starters").selectOption(name);
+  await stonesOf(page);
+  await page.locator(".canvas").focus();
+};
+const move = async (...to) => page.mouse.move(...(await pixelsOf(page, ...to)), { steps: 4 });
+const click = async (...to) => page.mouse.click(...(await pixelsOf(page, ...to)));
+const drag = async (from, to, during) => {
+  await move(...from);
+  await page.mouse.down();
+  await move(...to);
+  try {
+    await during?.();
+  } finally {
+    await page.mouse.up();
+  }
+};
+const has = async (pattern) => assert.match(await textOf(page), pattern);
+const lacks = async (pattern) => assert.doesNotMatch(await textOf(page), pattern);
+const opening = (k) => page.locator(`[data-opening="${k}"]`);
+const field = (label) => page.getByLabel(label, { exact: true });
+const enter = async (label, value) => {
+  await field(label).fill(value);
+  await field(label).press("Enter");
+};
+// The engine takes the wall as it is drawn.
+const isBuilt = async () => {
+  await stonesOf(page);
+  assert.deepEqual(await page.locator(".fault").allInnerTexts(), []);
+  assert.match(await page.locator(".status").innerText(), /blocks/);
+};
+// What was done is undone by one step, and done again by one.
+const isOneStep = async (before) => {
+  const done = await textOf(page);
+  await page.locator(".canvas").focus();
+  await page.keyboard.press("Control+z");
+  assert.equal(await textOf(page), before);
+  await page.keyboard.press("Control+y");
+  assert.equal(await textOf(page), done);
+};
+// How far the corners of the drawn opening are from corners of the engine's stones, at most [px].
+const apart = () =>
+  page.evaluate(() => {
+    const corners = (path) => {
+      const m = path.getScreenCTM();
+      return path.getAttribute("d").match(/-?[\d.]+[ ,]-?[\d.]+/g).map((pair) => {
+        const [x, y] = pair.split(/[ ,]/).map(Number);
+        return [m.a * x + m.e, m.d * y + m.f];
+      });
+    };
+    const stones = [...document.querySelectorAll(".stones [class^=stone]")].flatMap(corners);
+    const drawn = corners(document.querySelector('[data-opening="0"]')).slice(1, -1); // the feet stand on the ground
+    if (drawn.length < 5) return Infinity;
+    return Math.max(...drawn.map(([x, y]) => Math.min(...stones.map(([u, v]) => Math.hypot(u - x, v - y)))));
+  });
+
+test("A puts an arch in the lintel's place, drawn as the engine cuts it; A again a lintel", async () => {
+  await begin("portal");
+  const before = await textOf(page);
+  await page.keyboard.press("a");
+  assert.match(await page.locator(".notice").innerText(), /Select a door or window/);
+  await opening(0).click();
+  await page.keyboard.press("a");
+  await has(/\narch = \{ kind = "segmental", rise = "0\.17 m", depth = "0\.25 m" \}/);
+  await lacks(/lintel\]/);
+  await isBuilt();
+  assert.equal(await page.locator(".stones .timber").count(), 0);
+  await isOneStep(before);
+  await page.keyboard.press("a");
+  await has(/lintel = \{ kind = "timber"/);
+  await lacks(/arch = /);
+});
+
+test("the crown is dragged: by the mouse, by a typed rise, up to a round arch", async () => {
+  await begin("arch");
+  await opening(0).click();
+  assert.ok((await apart()) < 0.5, `${await apart()} px`);
+  const before = await textOf(page);
+  await drag([2.25, 2.1], [2.25, 2.3], async () => assert.match(await page.locator(".typing").innerText(), /Rise\s+0\.6/));
+  await has(/rise = "0\.60 m"\ndepth = "0\.29 m" {2,}# of the voussoirs/);
+  await isOneStep(before);
+  await drag([2.25, 2.3], [2.25, 2.2], () => page.keyboard.type("0.35"));
+  await has(/rise = "0\.35 m"/);
+  await isBuilt();
+  await drag([2.25, 2.05], [2.25, 2.68]);
+  await has(/kind = "round"[^\n]*\ndepth/);
+  await isBuilt();
+  assert.ok((await apart()) < 0.5, `${await apart()} px`);
+  await drag([2.25, 2.7], [2.25, 2.4]);
+  await has(/kind = "segmental"[^\n]*\ndepth[^\n]*\nrise = "0\.70 m"/);
+  await drag([2.25, 2.4], [2.25, 2.2], () => page.keyboard.press("Escape"));
+  await has(/rise = "0\.70 m"/);
+});
+
+test("kind, rise and depth of an arch stand in the panel", async () => {
+  await begin("portal");
+  await opening(0).click();
+  await field("Above it").selectOption("flat");
+  await has(/arch = \{ kind = "flat", skewback = "15 deg", depth = "0\.25 m" \}/);
+  await isBuilt();
+  await field("Above it").selectOption("segmental");
+  await enter("Rise of the arch", "0.25");
+  await enter("Depth of the arch", "22 cm");
+  await has(/arch = \{ kind = "segmental", depth = "0\.22 m", rise = "0\.25 m" \}/);
+  await isBuilt();
+  await field("Above it").selectOption("round");
+  await has(/arch = \{ kind = "round", depth = "0\.22 m" \}/);
+  await field("Above it").selectOption("none");
+  await lacks(/arch = |lintel = |opening\.lintel/);
+  await isBuilt();
+});
