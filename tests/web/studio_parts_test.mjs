@@ -126,3 +126,90 @@ test("kind, rise and depth of an arch stand in the panel", async () => {
   await lacks(/arch = |lintel = |opening\.lintel/);
   await isBuilt();
 });
+
+const part = (name) => page.locator(`[data-part="${name}"]`);
+
+test("E and a click part the wall in storeys, and openings belong to theirs", async () => {
+  await begin("portal");
+  const before = await textOf(page);
+  await page.keyboard.press("e");
+  await move(1, 1.5);
+  assert.match(await page.locator(".typing").innerText(), /would cut door/);
+  await click(1, 1.5);
+  assert.match(await page.locator(".notice").innerText(), /would cut door/);
+  assert.equal(await textOf(page), before);
+  await click(1, 2.34);
+  await has(/\[\[storey\]\]\nname = "ground floor"\nheight = "2\.336 m"\n\n\[\[storey\]\]\nname = "first floor"\nheight = "0\.584 m"\n/);
+  await has(/storey = "ground floor"/);
+  await isBuilt();
+  await isOneStep(before);
+  assert.equal(await part("storey 1").getAttribute("aria-pressed"), "true");
+});
+
+test("above the wall the line makes a storey more, at a typed height; wall and push go along", async () => {
+  await begin("portal");
+  const before = await textOf(page);
+  await page.keyboard.press("e");
+  await move(1, 2.5);
+  await page.keyboard.type("5,84");
+  await page.keyboard.press("Enter");
+  await has(/length = "3\.50 m"\nheight = "5\.84 m"/);
+  await has(/name = "first floor"\nheight = "2\.92 m"/);
+  await has(/at = \{ x = "0 m", y = "5\.52 m"/);
+  await isBuilt();
+  await isOneStep(before);
+  await page.keyboard.press("e"); // by keys alone: another one
+  await page.keyboard.press("Enter");
+  await has(/name = "second floor"/);
+  await isBuilt();
+});
+
+test("a storey's line is dragged with its windows, floors and forces, and taken away", async () => {
+  await begin("facade");
+  const before = await textOf(page);
+  await drag([0.5, 3.4], [0.5, 3.57], async () => assert.match(await page.locator(".typing").innerText(), /Height above the base\s+3\.57/));
+  await has(/name = "ground floor"\nheight = "3\.57 m" {18}# 40 courses/);
+  await has(/height = "2\.805 m" {17}# 35 courses/);
+  await has(/levels = \["3\.53 m", "6\.34 m"\]/);
+  const lines = (await textOf(page)).split("\n");
+  assert.equal(lines.filter((line, k) => line !== before.split("\n")[k]).length, 3);
+  await isOneStep(before);
+  await page.keyboard.press("Control+z");
+  await drag([0.5, 3.4], [0.5, 1.7]);
+  assert.match(await page.locator(".notice").innerText(), /would cut window 1/);
+  await part("storey 1").focus();
+  await page.keyboard.press("ArrowUp");
+  await page.keyboard.press("ArrowUp");
+  await has(/name = "ground floor"\nheight = "3\.57 m"/);
+  await page.keyboard.press("Control+z");
+  await has(/name = "ground floor"\nheight = "3\.40 m"/);
+  await page.keyboard.press("Delete");
+  await has(/name = "ground floor"\nheight = "6\.375 m"/);
+  await lacks(/"first floor"/);
+  await has(/name = "window 3"\nstorey = "ground floor"\nx = "1\.10 m"\ny = "4\.20 m"/);
+  await has(/name = "timber floor"\nload = "12 kN\/m"\ny = "3\.40 m"/);
+  await isBuilt();
+  await isOneStep(before);
+});
+
+test("name, height and thickness of a storey stand in the panel; openings snap to its line", async () => {
+  await begin("facade");
+  await part("storey 1").locator("text").click();
+  await enter("Name", "piano nobile");
+  await has(/\[\[floor\]\]\nname = "roof"\nstorey = "piano nobile"/);
+  await lacks(/"first floor"/);
+  await part("storey 0").locator("text").click();
+  await field("Height").first().fill("3.57");
+  await field("Height").first().press("Enter");
+  await has(/name = "ground floor"\nheight = "3\.57 m"/);
+  await has(/levels = \["3\.53 m", "6\.51 m"\]/);
+  await field("Thickness").first().fill("0.45");
+  await field("Thickness").first().press("Enter");
+  await has(/thickness = "0\.45 m"/);
+  await isBuilt();
+  await field("Thickness").first().blur();
+  await page.locator(".canvas").focus();
+  await page.keyboard.press("o");
+  await drag([8.6, 3.0], [9.2, 3.55], async () => assert.equal(await page.locator(".guide").count(), 1));
+  await page.keyboard.press("Control+z");
+});

@@ -4,6 +4,7 @@ import { svg, type Child } from "../dom";
 import { say } from "../texts";
 import { crownOf, intrados, riseOf } from "./arches";
 import { gaps, isDoor, type Box, type Drawing, type Selected } from "./drawing";
+import { storeyMarks, type Shown } from "./marks";
 import { metres } from "./words";
 import type { Picture } from "./picture";
 import type { Guide } from "./snap";
@@ -13,7 +14,7 @@ export interface View {
   left: number; // pixel of x = 0
   bottom: number; // pixel of y = 0
 }
-export type Handle = "move" | "n" | "s" | "e" | "w" | "ne" | "nw" | "se" | "sw" | "length" | "height" | "crown";
+export type Handle = "move" | "n" | "s" | "e" | "w" | "ne" | "nw" | "se" | "sw" | "length" | "height" | "crown" | "part";
 
 // What is under way: a box that is drawn or dragged, in the place of opening `self` (-1: a new one, or the wall).
 export interface Preview {
@@ -30,8 +31,9 @@ export class Canvas {
   view: View = { metre: 100, left: 60, bottom: 400 };
   drawing: Drawing | null = null;
   selection: Selected | null = null;
-  draft: { drawing: Drawing; selection: Selected | null } | null = null; // what a gesture under way would make of it
+  draft: { drawing: Drawing; selection: Selected | null; guides: Guide[] } | null = null; // what a gesture under way would make of it
   faulty = new Map<number, string>(); // openings that the engine refuses, and why
+  faultyParts = new Map<string, string>(); // likewise, "storey 1"
   preview: Preview | null = null;
   picture: Picture | null = null;
   readOnly = false;
@@ -59,7 +61,7 @@ export class Canvas {
     const { clientWidth, clientHeight } = this.root;
     if (!this.drawing || clientWidth === 0) return;
     const { length, height } = this.drawing;
-    const pad = clientWidth < 560 ? { left: 56, right: 26, top: 40, bottom: 84 } : kPad;
+    const pad = clientWidth < 560 ? { left: 56, right: this.drawing.storeys.length > 1 ? 46 : 26, top: 40, bottom: 84 } : kPad;
     const wide = Math.max(40, clientWidth - pad.left - pad.right),
       high = Math.max(40, clientHeight - pad.top - pad.bottom);
     const metre = Math.min(wide / length, high / height);
@@ -95,25 +97,33 @@ export class Canvas {
   draw(): void {
     this.place();
     const d = this.draft?.drawing ?? this.drawing;
-    const focused = (document.activeElement as SVGElement | null)?.dataset?.opening;
+    const active = (document.activeElement as SVGElement | null)?.dataset;
     if (!d) return this.over.replaceChildren();
     const wall = this.preview?.wall ? { length: this.preview.box.width, height: this.preview.box.height } : d;
     this.over.replaceChildren(
       ...flat([
         this.ground(wall.length),
         svg("rect", { class: this.preview?.wall ? "outline moving" : "outline", ...this.rect({ x: 0, y: 0, width: wall.length, height: wall.height }) }),
-        d.storeys.slice(1).map((s) => svg("line", { class: "storey", x1: this.x(0) - 10, x2: this.x(d.length) + 10, y1: this.y(s.foot), y2: this.y(s.foot) })),
+        this.showOpenings && storeyMarks(this.shown(d)),
         this.showOpenings && d.openings.map((_, k) => this.opening(d, k)),
         this.preview && !this.preview.wall && this.preview.self < 0 && svg("rect", { class: "opening moving", ...this.rect(this.preview.box) }),
-        (this.preview?.guides ?? []).map((g) => this.guide(g)),
+        (this.preview?.guides ?? this.draft?.guides ?? []).map((g) => this.guide(g)),
         this.dimensions(d, wall),
         !this.readOnly && this.showOpenings && this.handles(d, wall),
       ]),
     );
-    if (focused !== undefined) this.focusOpening(Number(focused));
+    if (active?.opening !== undefined) this.focusOpening(Number(active.opening));
+    else if (active?.part !== undefined) this.focusPart(active.part);
   }
   focusOpening(k: number): void {
     (this.over.querySelector(`[data-opening="${k}"]`) as SVGElement | null)?.focus({ preventScroll: true });
+  }
+  focusPart(name: string): void {
+    (this.over.querySelector(`[data-part="${name}"]`) as SVGElement | null)?.focus({ preventScroll: true });
+  }
+  private shown(d: Drawing): Shown {
+    const scale = { x: this.x, y: this.y, metre: this.view.metre };
+    return { scale, d, selection: this.draft ? this.draft.selection : this.selection, moving: this.draft !== null, faulty: this.faultyParts };
   }
 
   // The opening that is selected, or -1.
@@ -166,6 +176,8 @@ export class Canvas {
       this.level(0, wall.length, this.y(0) + 32, "dim"),
       this.upright(0, wall.height, this.x(0) - 36, "dim"),
     ];
+    if (d.storeys.length > 1 && !this.preview?.wall)
+      for (const s of d.storeys) out.push(this.upright(s.foot, s.foot + s.height, this.x(wall.length) + 30, "dim"));
     const box = this.preview && !this.preview.wall ? this.preview.box : this.selected >= 0 && this.showOpenings ? d.openings[this.selected] : null;
     if (!box) return out;
     const self = this.preview ? this.preview.self : this.selected;

@@ -5,11 +5,12 @@ import { qty, say, speak } from "../texts";
 import { setHead } from "./arches";
 import { Canvas } from "./canvas";
 import { Commands, type Command } from "./commands";
-import { pushOf, removeOpening, setDirection } from "./drawing";
+import { pathOf, pushOf, setDirection } from "./drawing";
 import { hasEngine, Latest, WorkerEngine } from "./engine";
 import { FaultList, openingOf } from "./faults";
 import { FilePane } from "./file";
 import { Panel } from "./panel";
+import { removePart } from "./parts";
 import { readPicture, type Picture } from "./picture";
 import { Project, type Fault } from "./project";
 import { faultsOf, Push } from "./push";
@@ -79,6 +80,7 @@ const toolIcons: Record<Tool, string> = {
   wall: "M2 3H20V17H2ZM2 7.7H20M2 12.3H20M8 3V7.7M14 7.7V12.3M8 12.3V17",
   door: "M2 17H20M6 17V3H16V17M13 10.5V11",
   window: "M3 4H19V16H3ZM11 4V16M3 10H19",
+  storey: "M4 17V3M18 17V3M1 10H21M8 7L11 4L14 7",
 };
 for (const tool of kTools)
   toolButtons.set(tool, h("button", { class: "tool-button", type: "button", "aria-pressed": "false", title: say(`studio.do.${tool}`), onclick: () => tools.choose(tool) }, h("span", { "aria-hidden": "true", class: "icon" }, svg("svg", { viewBox: "0 0 22 20" }, svg("path", { d: toolIcons[tool] }))), h("span", { class: "tool-name" }, say(`studio.tool.${tool}`))));
@@ -151,6 +153,7 @@ function showFaults(found: Fault[]): void {
   list.show(found);
   file.mark(found);
   canvas.faulty = new Map(found.filter((f) => openingOf(f) >= 0).map((f) => [openingOf(f), f.problem]));
+  canvas.faultyParts = new Map(found.map((f) => [f.path.split(".").slice(0, 2).join(" "), f.problem]));
   canvas.root.classList.toggle("outdated", found.length > 0);
   canvas.draw();
   refreshBar();
@@ -166,7 +169,7 @@ project.listen((why) => {
   shownSize = size;
   canvas.selection = project.selection;
   if (why === "selection") {
-    if (project.selected >= 0 && project.doc && !file.hasFocus) file.show(lineOf(project.doc, ["wall", "opening", project.selected]), false);
+    if (project.selection && project.doc && !file.hasFocus) file.show(lineOf(project.doc, pathOf(project.selection)), false);
     canvas.draw();
     return refreshBar();
   }
@@ -251,9 +254,9 @@ async function share(): Promise<void> {
   }
 }
 function remove(): void {
-  if (!project.drawable || project.selected < 0) return;
+  if (!project.drawable || !project.drawing || !project.selection) return;
   project.endStep();
-  project.change(removeOpening(project.text, project.selected), -1);
+  project.change(removePart(project.text, project.drawing, project.selection), null);
 }
 // An arch over the selected opening, or a lintel again.
 function arch(): void {
@@ -291,6 +294,7 @@ const all: Command[] = [
   { name: "door", keys: ["d"], does: () => tools.choose("door") },
   { name: "window", keys: ["o"], does: () => tools.choose("window") },
   { name: "arch", keys: ["a"], does: arch },
+  { name: "storey", keys: ["e"], does: () => tools.choose("storey") },
   { name: "place", keys: ["Enter"], does: () => tools.place(), hidden: true },
   { name: "delete", keys: ["Delete", "Backspace"], does: remove },
   { name: "undo", keys: ["Ctrl+z"], does: () => project.undo() },

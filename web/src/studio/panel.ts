@@ -2,8 +2,9 @@
 import { h, type Child } from "../dom";
 import { num, say } from "../texts";
 import { headOf, kHeads, riseOf, setHead, setRise, type Head } from "./arches";
-import { isDoor, loadOf, pushOf, removeOpening, setDirection, setLength, setOpening, setWallSize, type Box } from "./drawing";
+import { isDoor, loadOf, pushOf, removeOpening, setDirection, setLength, setOpening, setWallSize, type Box, type Selected } from "./drawing";
 import { kMaterials } from "./materials";
+import { partGroup, partShape } from "./part_panel";
 import type { Project } from "./project";
 import { countAt, find, quoted, setValue, valueAt, type Path } from "./toml";
 import { lengthOf, readQuantity, typedLength, typedQuantity, writeQuantity } from "./units";
@@ -21,7 +22,7 @@ export class Panel {
   private shape = ""; // of what is shown: another one is built anew
 
   constructor(
-    private readonly project: Project,
+    readonly project: Project,
     private readonly changed: () => void,
   ) {
     project.listen(() => this.refresh());
@@ -32,7 +33,7 @@ export class Panel {
     const doc = project.doc;
     const load = doc && loadOf(doc);
     const push = doc && pushOf(doc);
-    const shape = [project.drawing?.openings.length ?? -1, project.selected, project.drawing?.openings[project.selected]?.arch?.kind, load?.key, load?.path[1], push?.stage, push?.until !== null, project.drawing?.storeys.length, find(doc ?? { text: "", root: { kind: "table", inline: false, from: 0, to: 0, keys: new Map() }, sections: [] }, ["masonry"]) !== undefined].join();
+    const shape = [project.drawing?.openings.length ?? -1, project.selection?.kind, project.selection?.k, partShape(project), project.drawing?.openings[project.selected]?.arch?.kind, load?.key, load?.path[1], push?.stage, push?.until !== null, project.drawing?.storeys.length, find(doc ?? { text: "", root: { kind: "table", inline: false, from: 0, to: 0, keys: new Map() }, sections: [] }, ["masonry"]) !== undefined].join();
     if (shape !== this.shape) {
       this.shape = shape;
       this.build();
@@ -47,9 +48,10 @@ export class Panel {
     this.fields = [];
     if (!project.drawing) return this.root.replaceChildren();
     const k = project.selected;
-    this.root.replaceChildren(...(k >= 0 ? [this.openingGroup(k)] : []), this.wallGroup(), this.masonryGroup(), this.loadGroup());
+    const part = project.selection && project.selection.kind !== "opening" ? [partGroup(this, project.selection)] : [];
+    this.root.replaceChildren(...(k >= 0 ? [this.openingGroup(k)] : part), this.wallGroup(), this.masonryGroup(), this.loadGroup());
   }
-  private group(title: string, ...fields: Child[]): HTMLElement {
+  group(title: string, ...fields: Child[]): HTMLElement {
     return h("section", { class: "group" }, h("h2", {}, title), h("div", { class: "fields" }, fields));
   }
 
@@ -122,9 +124,9 @@ export class Panel {
     return this.group(say("studio.load"), fields);
   }
 
-  // --- fields -------------------------------------------------------------------------------------------
+  // --- fields, for part_panel.ts too -------------------------------------------------------------------------------------------
 
-  private edit(text: string, selected = this.project.selected): void {
+  edit(text: string, selected: Selected | number | null = this.project.selection): void {
     this.project.endStep();
     this.project.change(text, selected);
     this.changed();
@@ -160,22 +162,22 @@ export class Panel {
     this.fields.push({ root, refresh });
     return root;
   }
-  private length(label: string, show: () => number, set: (value: number) => string, step: "half" | "course" | number, unit = "m"): HTMLElement {
+  length(label: string, show: () => number, set: (value: number) => string | null, step: "half" | "course" | number, unit = "m"): HTMLElement {
     const by = (): number => (typeof step === "number" ? step : this.project.drawing![step]);
     const safe = (v: number | null): string | null => (v === null || v < 0 || v > 1e4 ? null : set(v));
     const plain = (v: number): string => (Number.isFinite(v) ? writeQuantity(v, unit, unit === "m" ? "0.00" : "").split(" ")[0] : "");
     return this.entry(label, unit, () => plain(show()), (text) => safe(typedLength(/[a-z]/i.test(text) ? text : `${text} ${unit}`)), (n) => safe(show() + n * by()));
   }
-  private quantity(label: string, show: () => string, set: (value: string) => string): HTMLElement {
+  quantity(label: string, show: () => string, set: (value: string) => string): HTMLElement {
     return this.entry(label, "", show, (text) => {
       const value = typedQuantity(text, show());
       return value === null ? null : set(value);
     });
   }
-  private text(label: string, show: () => string, set: (value: string) => string, wide = false): HTMLElement {
+  text(label: string, show: () => string, set: (value: string) => string, wide = false): HTMLElement {
     return this.entry(label, "", show, (text) => (text.trim() === "" ? null : set(text.trim())), undefined, wide);
   }
-  private choice(label: string, options: [string, string][], show: () => string, set: (value: string) => string, wide = false): HTMLElement {
+  choice(label: string, options: [string, string][], show: () => string, set: (value: string) => string, wide = false): HTMLElement {
     const select = h("select", { "aria-label": label, onchange: () => this.edit(set(select.value)) });
     for (const [value, text] of options) select.append(h("option", { value }, text));
     const root = h("label", { class: wide ? "entry wide" : "entry" }, h("span", {}, label), select);

@@ -3,22 +3,24 @@
 import { h } from "../dom";
 import { say } from "../texts";
 import type { Canvas, Handle } from "./canvas";
-import { addOpening, gaps, isDoor, isRefusal, readDrawing, setOpening, setWallSize, storeyAt, type Box, type Drawing } from "./drawing";
-import { dragCrown, type Offer, type PartGesture } from "./part_gestures";
+import { addOpening, gaps, isDoor, isRefusal, readDrawing, setOpening, setWallSize, storeyAt, type Box, type Drawing, type Kind, type Selected } from "./drawing";
+import { dragCrown, dragPart, nudgePart, placePart, placeStorey, type Offer, type PartGesture } from "./part_gestures";
 import type { Project } from "./project";
 import { snapLine, snapMove, type Guide, type Snapping } from "./snap";
 import { parse } from "./toml";
 import { typedLength } from "./units";
 import { metres } from "./words";
 
-export type Tool = "select" | "wall" | "door" | "window";
-export const kTools: Tool[] = ["select", "wall", "door", "window"];
+export type Tool = "select" | "wall" | "door" | "window" | "storey";
+export const kTools: Tool[] = ["select", "wall", "door", "window", "storey"];
+// Tools that put a part where the pointer is: it goes along with the pointer before the click too.
+const kPlaces: Partial<Record<Tool, (text: string, d: Drawing) => PartGesture>> = { storey: placeStorey };
 
 export interface Point {
   x: number;
   y: number;
 }
-export type FieldName = "width" | "height" | "length" | "left" | "below" | "rise";
+export type FieldName = "width" | "height" | "length" | "left" | "below" | "rise" | "level";
 interface Gesture {
   kind: "draw" | "move" | "resize" | "size" | "wall" | "pan" | "part";
   part?: PartGesture;
@@ -61,10 +63,16 @@ export class Tools {
     root.addEventListener("pointermove", (e) => this.move(e));
     root.addEventListener("pointerup", (e) => this.up(e));
     root.addEventListener("pointercancel", (e) => (this.pointers.delete(e.pointerId), this.cancel()));
+    root.addEventListener("pointerleave", () => {
+      const g = this.gesture;
+      if (g?.part && g.clicks && Object.keys(g.typed).length === 0) this.cancel();
+    });
     root.addEventListener("wheel", (e) => this.wheel(e), { passive: false });
     root.addEventListener("focusin", (e) => {
-      const opening = (e.target as SVGElement).dataset.opening;
-      if (opening !== undefined && !this.gesture && (e.target as Element).matches(":focus-visible")) project.select(Number(opening));
+      const { opening, part } = (e.target as SVGElement).dataset;
+      if (this.gesture || !(e.target as Element).matches(":focus-visible")) return;
+      if (opening !== undefined) project.select(Number(opening));
+      if (part !== undefined) project.choose({ kind: part.split(" ")[0] as Kind, k: Number(part.split(" ")[1]) });
     });
   }
 
@@ -97,14 +105,18 @@ export class Tools {
       return;
     }
     if (e.button > 1) return;
-    if (this.gesture?.clicks) return; // this click ends what the one before began
+    if (this.gesture?.clicks) {
+      if (this.gesture.part) this.gesture.start = this.canvas.at(e);
+      return; // this click ends what the one before began
+    }
     const target = (e.target as Element).closest<SVGElement>("[data-handle]");
     const handle = target?.dataset.handle as Handle | undefined;
     const opening = target?.dataset.opening;
-    this.begin(e, handle, opening === undefined ? -1 : Number(opening));
+    const [kind, k] = target?.dataset.part?.split(" ") ?? [];
+    this.begin(e, handle, opening === undefined ? -1 : Number(opening), kind ? { kind: kind as Kind, k: Number(k) } : null);
     this.canvas.root.setPointerCapture(e.pointerId);
   }
-  private begin(e: PointerEvent, handle: Handle | undefined, opening: number): void {
+  private begin(e: PointerEvent, handle: Handle | undefined, opening: number, part: Selected | null): void {
     const { project, canvas } = this;
     const d = project.drawing;
     const at = canvas.at(e);
@@ -115,7 +127,11 @@ export class Tools {
     if (!d || e.button === 1) this.gesture = pan;
     else if (this.tool === "select") {
       if (opening >= 0) project.select(opening);
+      if (part && !canvas.readOnly) project.choose(part);
+      const dragged = part && project.drawable ? dragPart(project.text, d, part, at) : null;
+      if (part && !dragged && !canvas.readOnly) return; // selected, and not to be dragged
       if (!project.drawable || canvas.readOnly || !handle) this.gesture = pan;
+      else if (handle === "part") this.gesture = dragged ? partly(dragged) : pan;
       else if (handle === "crown") this.gesture = partly(dragCrown(project.text, d, project.selected));
       else if (handle === "length" || handle === "height")
         this.gesture = { ...base, kind: "size", handle, box: { ...none, width: d.length, height: d.height }, fields: [handle] };
@@ -124,10 +140,22 @@ export class Tools {
         const fields: FieldName[] = handle === "move" ? ["left", "below"] : /[ew]/.test(handle) ? ["width", "height"] : ["height"];
         this.gesture = { ...base, kind: handle === "move" ? "move" : "resize", handle, box: { ...d.openings[self] }, self, fields };
       }
+    } else if (kPlaces[this.tool]) {
+      if (project.drawable && !canvas.readOnly) this.follow(e, false);
+      else this.gesture = pan;
     } else if (project.drawable) {
       const start = this.tool === "wall" ? at : this.corner(d, at, e.altKey).at;
       this.gesture = { ...base, kind: this.tool === "wall" ? "wall" : "draw", handle: "move", start, box: { ...start, width: 0, height: 0 }, fields: this.tool === "wall" ? ["length", "height"] : ["width", "height"] };
     } else this.gesture = pan;
+  }
+  // What the tool places goes along with the pointer: from now on, or since before the button was pressed.
+  private follow(e: PointerEvent, hovers: boolean): void {
+    const part = kPlaces[this.tool]!(this.project.text, this.project.drawing!);
+    const at = this.canvas.at(e);
+    const box: Box = { x: 0, y: 0, width: 0, height: 0 };
+    this.gesture = { kind: "part", part, handle: "move", start: at, now: at, box, self: -1, fields: part.fields, typed: {}, field: 0, clicks: hovers, moved: true, free: e.altKey, client: { clientX: e.clientX, clientY: e.clientY } };
+    this.show(this.gesture);
+    this.placeTyping(e);
   }
   private move(e: PointerEvent): void {
     if (this.pointers.has(e.pointerId)) this.pointers.set(e.pointerId, e);
@@ -138,7 +166,11 @@ export class Tools {
       return;
     }
     const g = this.gesture;
-    if (!g) return;
+    if (!g) {
+      const { drawing, drawable } = this.project;
+      if (kPlaces[this.tool] && e.pointerType === "mouse" && e.buttons === 0 && drawing && drawable && !this.canvas.readOnly) this.follow(e, true);
+      return;
+    }
     if (Math.hypot(e.clientX - g.client.clientX, e.clientY - g.client.clientY) > kClick) g.moved = true;
     if (!g.moved) return;
     g.now = this.canvas.at(e);
@@ -276,7 +308,7 @@ export class Tools {
     if (g.kind === "part") {
       const offer = this.offer(g);
       const drawing = readDrawing(parse(offer.text));
-      if (!isRefusal(drawing)) this.canvas.draft = { drawing, selection: offer.selection };
+      if (!isRefusal(drawing)) this.canvas.draft = { drawing, selection: offer.selection, guides: offer.guides ?? [] };
       return this.canvas.draw();
     }
     const { box, guides } = this.outcome(g);
@@ -309,6 +341,7 @@ export class Tools {
   private finishPart(offer: Offer): void {
     this.cancel();
     if (offer.hinder) return this.tell(offer.hinder);
+    this.tool = "select";
     this.project.endStep();
     this.project.change(offer.text, offer.selection);
     this.changed();
@@ -323,6 +356,7 @@ export class Tools {
   // Without a pointer: in the middle of the widest free length at that height.
   place(): void {
     const d = this.project.drawing;
+    if (d && this.project.drawable && kPlaces[this.tool]) return this.finishPart(placePart(this.tool, this.project.text, d));
     if (!d || !this.project.drawable || (this.tool !== "door" && this.tool !== "window")) return;
     const grid = (v: number, step: number): number => Math.max(1, Math.round(v / step)) * step;
     const y = this.tool === "door" ? 0 : grid(0.9, d.course);
@@ -343,7 +377,14 @@ export class Tools {
   nudge(dx: number, dy: number, fine: boolean): void {
     const { project } = this;
     const d = project.drawing;
-    if (!d || !project.drawable || project.selected < 0) return;
+    if (!d || !project.drawable || project.selection === null) return;
+    if (project.selected < 0) {
+      const step = { x: dx * (fine ? 0.01 : d.half), y: dy * (fine ? 0.01 : d.course) };
+      const offer = nudgePart(project.text, d, project.selection, step);
+      if (offer?.hinder) this.tell(offer.hinder);
+      else if (offer) project.change(offer.text, offer.selection, `nudge ${project.selection.kind} ${project.selection.k}`);
+      return;
+    }
     const o = d.openings[project.selected];
     const x = Math.min(d.length - o.width, Math.max(0, o.x + dx * (fine ? 0.01 : d.half)));
     const y = Math.min(d.height - o.height, Math.max(o.foot, o.y + dy * (fine ? 0.01 : d.course)));
@@ -359,6 +400,7 @@ export class Tools {
     const name = g.fields[g.field];
     const text = g.typed[name] ?? "";
     if (e.key === "Escape") {
+      if (g.part && g.clicks) this.choose("select"); // else it would go on with the next move
       this.cancel();
       return true;
     }
