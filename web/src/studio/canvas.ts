@@ -4,7 +4,7 @@ import { svg, type Child } from "../dom";
 import { say } from "../texts";
 import { crownOf, intrados, riseOf } from "./arches";
 import { gaps, isDoor, type Box, type Drawing, type Selected } from "./drawing";
-import { storeyMarks, type Shown } from "./marks";
+import { floorMarks, storeyMarks, tieMarks, type Shown } from "./marks";
 import { metres } from "./words";
 import type { Picture } from "./picture";
 import type { Guide } from "./snap";
@@ -104,8 +104,10 @@ export class Canvas {
       ...flat([
         this.ground(wall.length),
         svg("rect", { class: this.preview?.wall ? "outline moving" : "outline", ...this.rect({ x: 0, y: 0, width: wall.length, height: wall.height }) }),
+        this.showOpenings && floorMarks(this.shown(d)),
         this.showOpenings && storeyMarks(this.shown(d)),
         this.showOpenings && d.openings.map((_, k) => this.opening(d, k)),
+        this.showOpenings && tieMarks(this.shown(d)),
         this.preview && !this.preview.wall && this.preview.self < 0 && svg("rect", { class: "opening moving", ...this.rect(this.preview.box) }),
         (this.preview?.guides ?? this.draft?.guides ?? []).map((g) => this.guide(g)),
         this.dimensions(d, wall),
@@ -221,7 +223,7 @@ export class Canvas {
         svg("circle", { class: "reach", cx: x, cy: y, r: 14 }),
         svg("circle", { class: "dot", cx: x, cy: y, r: 5 }),
       );
-    const out: Child[] = [dot(this.x(wall.length), this.y(wall.height / 2), "length"), dot(this.x(wall.length / 2), this.y(wall.height), "height")];
+    const out: Child[] = [dot(this.x(wall.length), this.y(0.3 * wall.height), "length"), dot(this.x(wall.length / 2), this.y(wall.height), "height")];
     const k = this.selected;
     if (k < 0 || (this.preview && this.preview.self !== k)) return out;
     const b = this.preview?.box ?? d.openings[k];

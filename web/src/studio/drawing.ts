@@ -1,6 +1,8 @@
 // The wall as the drawing knows it, read from the model file; and the edits of the file that a gesture means.
 // Lengths in metres, y upwards from the wall's base. What is not read here stays in the file as it is.
 import { readArch, type Arch } from "./arches";
+import { readDiaphragms, readFloors, type Diaphragm, type Floor } from "./floors";
+import { readTies, type Tie } from "./ties";
 import { appendTable, countAt, find, parse, quoted, removeAt, setValue, valueAt, withRemarks, type Doc, type Path } from "./toml";
 import { lengthOf, readQuantity, writeQuantity } from "./units";
 
@@ -32,17 +34,20 @@ export interface Drawing {
   height: number;
   openings: Opening[];
   storeys: Storey[];
+  floors: Floor[];
+  diaphragms: Diaphragm[];
+  ties: Tie[];
   courses: Courses[]; // of each storey, or of the whole wall
   course: number; // height of one, joint included
   half: number; // half a unit's length, joint included
 }
 // What may be selected, by its place in the file's list.
-export type Kind = "opening" | "storey";
+export type Kind = "opening" | "storey" | "floor" | "tie";
 export interface Selected {
   kind: Kind;
   k: number;
 }
-const kLists = { opening: "openings", storey: "storeys" } as const;
+const kLists = { opening: "openings", storey: "storeys", floor: "floors", tie: "ties" } as const;
 export const countOf = (d: Drawing, kind: Kind): number => d[kLists[kind]].length;
 
 // Where it stands in the file.
@@ -109,6 +114,9 @@ export function readDrawing(doc: Doc): Drawing | Refusal {
     height,
     openings,
     storeys,
+    floors: readFloors(doc, storeys, length),
+    diaphragms: readDiaphragms(doc, storeys),
+    ties: readTies(doc),
     courses: storeys.length > 0 ? storeys.map((s, k) => laid(s.foot, s.foot + s.height, ["storey", k])) : [laid(0, height, ["wall"])],
     course,
     half: Math.max(0.01, ((metres("wall", "unit", "length") ?? 0.2) + head) / 2),

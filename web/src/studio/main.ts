@@ -81,6 +81,8 @@ const toolIcons: Record<Tool, string> = {
   door: "M2 17H20M6 17V3H16V17M13 10.5V11",
   window: "M3 4H19V16H3ZM11 4V16M3 10H19",
   storey: "M4 17V3M18 17V3M1 10H21M8 7L11 4L14 7",
+  floor: "M1 14H21V17H1ZM5 3V11M2.5 8.5L5 11L7.5 8.5M11 3V11M8.5 8.5L11 11L13.5 8.5M17 3V11M14.5 8.5L17 11L19.5 8.5",
+  tie: "M3 4V16M19 4V16M3 10H19M1 10H3M19 10H21",
 };
 for (const tool of kTools)
   toolButtons.set(tool, h("button", { class: "tool-button", type: "button", "aria-pressed": "false", title: say(`studio.do.${tool}`), onclick: () => tools.choose(tool) }, h("span", { "aria-hidden": "true", class: "icon" }, svg("svg", { viewBox: "0 0 22 20" }, svg("path", { d: toolIcons[tool] }))), h("span", { class: "tool-name" }, say(`studio.tool.${tool}`))));
@@ -295,6 +297,8 @@ const all: Command[] = [
   { name: "window", keys: ["o"], does: () => tools.choose("window") },
   { name: "arch", keys: ["a"], does: arch },
   { name: "storey", keys: ["e"], does: () => tools.choose("storey") },
+  { name: "floor", keys: ["g"], does: () => tools.choose("floor") },
+  { name: "tie", keys: ["i"], does: () => tools.choose("tie") },
   { name: "place", keys: ["Enter"], does: () => tools.place(), hidden: true },
   { name: "delete", keys: ["Delete", "Backspace"], does: remove },
   { name: "undo", keys: ["Ctrl+z"], does: () => project.undo() },

@@ -168,11 +168,17 @@ export class Panel {
     const plain = (v: number): string => (Number.isFinite(v) ? writeQuantity(v, unit, unit === "m" ? "0.00" : "").split(" ")[0] : "");
     return this.entry(label, unit, () => plain(show()), (text) => safe(typedLength(/[a-z]/i.test(text) ? text : `${text} ${unit}`)), (n) => safe(show() + n * by()));
   }
-  quantity(label: string, show: () => string, set: (value: string) => string): HTMLElement {
+  quantity(label: string, show: () => string, set: (value: string) => string | null): HTMLElement {
     return this.entry(label, "", show, (text) => {
       const value = typedQuantity(text, show());
       return value === null ? null : set(value);
     });
+  }
+  // What follows from the numbers.
+  hint(show: () => string): HTMLElement {
+    const root = h("output", { class: "hint" });
+    this.fields.push({ root, refresh: () => (root.textContent = show()) });
+    return root;
   }
   text(label: string, show: () => string, set: (value: string) => string, wide = false): HTMLElement {
     return this.entry(label, "", show, (text) => (text.trim() === "" ? null : set(text.trim())), undefined, wide);

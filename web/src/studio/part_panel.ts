@@ -1,19 +1,26 @@
 // The numbers of a part that is selected and is no opening.
 import { h } from "../dom";
-import { say } from "../texts";
-import type { Selected } from "./drawing";
+import { qty, say } from "../texts";
+import { setLength, type Selected } from "./drawing";
+import { holdOf, kHolds, moveFloor, setFloorSpan, setHold, type Hold } from "./floors";
 import type { Panel } from "./panel";
 import { removePart } from "./parts";
 import type { Project } from "./project";
 import { moveStoreyLine, renameStorey, setStoreyHeight } from "./storeys";
-import { find, setValue, valueAt, quoted, removeAt, type Path } from "./toml";
-import { lengthOf, writeQuantity } from "./units";
+import { forceOf, setTieEnds, setTieForce } from "./ties";
+import { find, quoted, removeAt, setValue, valueAt, type Path } from "./toml";
+import { lengthOf, readQuantity, writeQuantity } from "./units";
 
 // What tells one set of fields from another.
-export const partShape = ({ selection, doc }: Project): string =>
-  selection?.kind === "storey" && doc ? String(find(doc, ["storey", selection.k, "thickness"]) !== undefined) : "";
+export function partShape({ selection, doc }: Project): string {
+  if (!selection || !doc) return "";
+  const keys: Partial<Record<string, string[]>> = { storey: ["thickness"], floor: ["load", "g1", "g2", "q", "psi2", "span", "bearing", "thrust", "mass", "joists"], tie: ["anchor_strength", "yield_strength"] };
+  return (keys[selection.kind] ?? []).map((key) => (find(doc, [selection.kind, selection.k, key]) ? 1 : 0)).join("");
+}
 
 export function partGroup(panel: Panel, part: Selected): HTMLElement {
+  if (part.kind === "floor") return floorGroup(panel, part.k);
+  if (part.kind === "tie") return tieGroup(panel, part.k);
   return storeyGroup(panel, part.k);
 }
 const removal = (panel: Panel, part: Selected, words: string): HTMLElement =>
@@ -28,10 +35,63 @@ function storeyGroup(panel: Panel, k: number): HTMLElement {
   return panel.group(
     say("studio.storey"),
     panel.text(say("studio.name"), () => storey().name, (name) => renameStorey(project.text, d(), k, name), true),
-    k > 0 && panel.length(say("studio.storey.foot"), () => storey().foot, (y) => (y > d().storeys[k - 1].foot && y < storey().foot + storey().height ? moveStoreyLine(project.text, d(), k, y) : null), "course"),
+    k > 0 && panel.length(say("studio.above.base"), () => storey().foot, (y) => (y > d().storeys[k - 1].foot && y < storey().foot + storey().height ? moveStoreyLine(project.text, d(), k, y) : null), "course"),
     panel.length(say("studio.height"), () => storey().height, (v) => (v > 0 ? setStoreyHeight(project.text, d(), k, v) : null), "course"),
     panel.length(say("studio.thickness"), thickness, (v) => setValue(project.text, own, quoted(writeQuantity(v, "m", "0.00"))), 0.01),
     find(project.doc!, own) && h("button", { class: "button", type: "button", onclick: () => panel.edit(removeAt(project.text, own)) }, say("studio.storey.aswall")),
     k > 0 && removal(panel, { kind: "storey", k }, say("studio.storey.remove")),
+  );
+}
+
+function floorGroup(panel: Panel, k: number): HTMLElement {
+  const { project } = panel;
+  const d = () => project.drawing!;
+  const floor = () => d().floors[Math.min(k, d().floors.length - 1)];
+  // only what the file says of it, in its own units
+  const own = (key: string): HTMLElement | null => {
+    const path: Path = ["floor", k, key];
+    if (find(project.doc!, path) === undefined) return null;
+    const show = (): string => String(valueAt(project.doc!, path) ?? "");
+    if (readQuantity(show())) return panel.quantity(say(`studio.floor.${key}`), show, (v) => setValue(project.text, path, quoted(v)));
+    return null;
+  };
+  const inside = (y: number): boolean => y > 0 && y <= d().height + 1e-6;
+  return panel.group(
+    say("studio.floor"),
+    panel.text(say("studio.name"), () => floor().name, (name) => setValue(project.text, ["floor", k, "name"], quoted(name)), true),
+    panel.length(say("studio.above.base"), () => floor().y, (y) => (inside(y) ? moveFloor(project.text, d(), k, y) : null), "course"),
+    ["load", "g1", "g2", "q", "span", "bearing", "thrust", "mass"].map(own),
+    panel.length(say("studio.left"), () => floor().x, (x) => (x < d().length ? setFloorSpan(project.text, d(), k, x, Math.min(floor().width, d().length - x)) : null), "half"),
+    panel.length(say("studio.width"), () => floor().width, (w) => (w > 0 && floor().x + w <= d().length + 1e-6 ? setFloorSpan(project.text, d(), k, floor().x, w) : null), "half"),
+    panel.choice(say("studio.floor.hold"), kHolds.map((hold) => [hold, say(`studio.floor.hold.${hold}`)]), () => holdOf(d(), k), (hold) => setHold(project.text, d(), k, hold as Hold), true),
+    panel.hint(() => (floor().load === null ? "" : say("studio.floor.sum", { load: qty(floor().load! / 1000, "kN/m"), whole: qty((floor().load! * floor().width) / 1000, "kN") }))),
+    removal(panel, { kind: "floor", k }, say("studio.delete")),
+  );
+}
+
+function tieGroup(panel: Panel, k: number): HTMLElement {
+  const { project } = panel;
+  const tie = () => project.drawing!.ties[Math.min(k, project.drawing!.ties.length - 1)];
+  const at = (key: string): Path => ["tie", k, key];
+  const quantity = (key: string): HTMLElement | null =>
+    readQuantity(valueAt(project.doc!, at(key))) ? panel.quantity(say(`studio.tie.${key}`), () => String(valueAt(project.doc!, at(key)) ?? ""), (v) => setValue(project.text, at(key), quoted(v))) : null;
+  const end = (which: "from" | "to"): HTMLElement | null =>
+    tie()[which] && panel.length(say(`studio.tie.${which}`), () => tie()[which]?.x ?? NaN, (x) => setLength(project.text, [...at(which), "x"], x), "half");
+  const level = (y: number): string => {
+    const { from, to } = tie();
+    return setTieEnds(project.text, k, { x: from!.x, y }, { x: to!.x, y: to!.y + y - from!.y });
+  };
+  return panel.group(
+    say("studio.tie"),
+    panel.text(say("studio.name"), () => tie().name, (name) => setValue(project.text, at("name"), quoted(name)), true),
+    end("from"),
+    end("to"),
+    tie().from && tie().to && panel.length(say("studio.above.base"), () => tie().from?.y ?? NaN, level, "course"),
+    quantity("area"),
+    panel.quantity(say("studio.tie.force"), () => writeQuantity(Math.round(forceOf(tie())), "kN"), (v) => setTieForce(project.text, tie(), k, readQuantity(v)?.value ?? -1)),
+    quantity("yield_strength"),
+    quantity("anchor_strength"),
+    panel.hint(() => say(tie().yields < Infinity ? "studio.tie.sum" : "studio.tie.bar", { bar: qty(Math.sqrt((4 * tie().area) / Math.PI) * 1000, "mm"), force: qty((tie().yields * tie().area) / 1000, "kN") })),
+    removal(panel, { kind: "tie", k }, say("studio.delete")),
   );
 }

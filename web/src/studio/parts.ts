@@ -1,8 +1,12 @@
 // What is said of any part that may be selected.
 import { removeOpening, type Drawing, type Selected } from "./drawing";
+import { removeFloor } from "./floors";
 import { removeStoreyLine } from "./storeys";
+import { removeTie } from "./ties";
 
-export function removePart(text: string, d: Drawing, part: Selected): string {
-  if (part.kind === "opening") return removeOpening(text, part.k);
-  return part.k > 0 ? removeStoreyLine(text, d, part.k) : text;
+export function removePart(text: string, d: Drawing, { kind, k }: Selected): string {
+  if (kind === "opening") return removeOpening(text, k);
+  if (kind === "floor") return removeFloor(text, d, k);
+  if (kind === "tie") return removeTie(text, k);
+  return k > 0 ? removeStoreyLine(text, d, k) : text;
 }

@@ -1,7 +1,7 @@
 // Storeys: a line that parts the wall, moved or taken away, and what stands or lies on it goes along.
 import { crownOf } from "./arches";
 import { pushAlong, setLength, setWallSize, type Drawing } from "./drawing";
-import { appendTable, countAt, find, insertTable, literalOf, parse, quoted, removeAt, setValue, valueAt, type Path } from "./toml";
+import { appendTable, countAt, find, insertTable, literalOf, parse, quoted, removeAt, renameKey, setValue, valueAt, type Path } from "./toml";
 import { lengthOf, writeQuantity } from "./units";
 
 const metres = (v: number): string => quoted(writeQuantity(v, "m", "0.00"));
@@ -76,7 +76,7 @@ export function removeStoreyLine(text: string, d: Drawing, k: number): string {
     for (let i = 0; i < countAt(doc, [list]); ++i) {
       const at: Path = [list, i];
       const name = valueAt(doc, [...at, "storey"]);
-      if (name === below.name && keeps) out = setValue(removeAt(out, [...at, "storey"]), [...at, "y"], metres(storey.foot));
+      if (name === below.name && keeps) out = renameKey(out, [...at, "storey"], "y", metres(storey.foot));
       if (name === storey.name) out = setValue(out, [...at, "storey"], quoted(below.name));
     }
   d.openings.forEach((o, i) => {

@@ -281,6 +281,12 @@ export function countAt(doc: Doc, path: Path): number {
   return node?.kind === "tables" || node?.kind === "list" ? node.items.length : 0;
 }
 
+// The values of a list in a line.
+export function listAt(doc: Doc, path: Path): (string | number | boolean | null)[] {
+  const node = find(doc, path);
+  return node?.kind === "list" ? node.items.map((item) => (item.kind === "value" ? item.data : null)) : [];
+}
+
 export const quoted = (text: string): string =>
   JSON.stringify(text).replace(/\u007f/g, "\\u007F");
 const keyName = (name: string): string => (/^[A-Za-z0-9_-]+$/.test(name) ? name : quoted(name));
@@ -327,6 +333,14 @@ export function setValue(text: string, path: Path, literal: string): string {
   }
   const title = parent.filter((p) => typeof p === "string").map((p) => keyName(p as string)).join(".");
   return inserted(text, ...sectionPlace(doc, parent, `[${title}]\n${pair}\n`));
+}
+
+// Another key with another value in the place of one.
+export function renameKey(text: string, path: Path, name: string, literal: string): string {
+  const doc = parse(text);
+  const parent = find(doc, path.slice(0, -1));
+  const entry = parent?.kind === "table" ? parent.keys.get(String(path[path.length - 1])) : undefined;
+  return entry ? replaced(text, entry.from, endOf(entry.node), `${keyName(name)} = ${literal}`) : text;
 }
 
 const endOf = (node: Node): number => (node.kind === "tables" ? 0 : node.to);

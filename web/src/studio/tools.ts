@@ -4,17 +4,16 @@ import { h } from "../dom";
 import { say } from "../texts";
 import type { Canvas, Handle } from "./canvas";
 import { addOpening, gaps, isDoor, isRefusal, readDrawing, setOpening, setWallSize, storeyAt, type Box, type Drawing, type Kind, type Selected } from "./drawing";
-import { dragCrown, dragPart, nudgePart, placePart, placeStorey, type Offer, type PartGesture } from "./part_gestures";
+import { dragCrown, dragPart, kPlaces, nudgePart, placePart, type Offer, type PartGesture } from "./part_gestures";
 import type { Project } from "./project";
 import { snapLine, snapMove, type Guide, type Snapping } from "./snap";
 import { parse } from "./toml";
 import { typedLength } from "./units";
 import { metres } from "./words";
 
-export type Tool = "select" | "wall" | "door" | "window" | "storey";
-export const kTools: Tool[] = ["select", "wall", "door", "window", "storey"];
-// Tools that put a part where the pointer is: it goes along with the pointer before the click too.
-const kPlaces: Partial<Record<Tool, (text: string, d: Drawing) => PartGesture>> = { storey: placeStorey };
+export type Tool = "select" | "wall" | "door" | "window" | "storey" | "floor" | "tie";
+export const kTools: Tool[] = ["select", "wall", "door", "window", "storey", "floor", "tie"];
+const places = (tool: Tool): boolean => tool in kPlaces; // what goes along with the pointer before the click too
 
 export interface Point {
   x: number;
@@ -24,6 +23,7 @@ export type FieldName = "width" | "height" | "length" | "left" | "below" | "rise
 interface Gesture {
   kind: "draw" | "move" | "resize" | "size" | "wall" | "pan" | "part";
   part?: PartGesture;
+  held?: boolean; // the button, since the start
   handle: Handle;
   start: Point; // in metres
   now: Point;
@@ -106,7 +106,7 @@ export class Tools {
     }
     if (e.button > 1) return;
     if (this.gesture?.clicks) {
-      if (this.gesture.part) this.gesture.start = this.canvas.at(e);
+      if (this.gesture.part) [this.gesture.start, this.gesture.held] = [this.canvas.at(e), true];
       return; // this click ends what the one before began
     }
     const target = (e.target as Element).closest<SVGElement>("[data-handle]");
@@ -128,7 +128,7 @@ export class Tools {
     else if (this.tool === "select") {
       if (opening >= 0) project.select(opening);
       if (part && !canvas.readOnly) project.choose(part);
-      const dragged = part && project.drawable ? dragPart(project.text, d, part, at) : null;
+      const dragged = part && project.drawable ? dragPart(project.text, d, part, at, this.reach) : null;
       if (part && !dragged && !canvas.readOnly) return; // selected, and not to be dragged
       if (!project.drawable || canvas.readOnly || !handle) this.gesture = pan;
       else if (handle === "part") this.gesture = dragged ? partly(dragged) : pan;
@@ -140,7 +140,7 @@ export class Tools {
         const fields: FieldName[] = handle === "move" ? ["left", "below"] : /[ew]/.test(handle) ? ["width", "height"] : ["height"];
         this.gesture = { ...base, kind: handle === "move" ? "move" : "resize", handle, box: { ...d.openings[self] }, self, fields };
       }
-    } else if (kPlaces[this.tool]) {
+    } else if (places(this.tool)) {
       if (project.drawable && !canvas.readOnly) this.follow(e, false);
       else this.gesture = pan;
     } else if (project.drawable) {
@@ -150,10 +150,10 @@ export class Tools {
   }
   // What the tool places goes along with the pointer: from now on, or since before the button was pressed.
   private follow(e: PointerEvent, hovers: boolean): void {
-    const part = kPlaces[this.tool]!(this.project.text, this.project.drawing!);
+    const part = kPlaces[this.tool](this.project.text, this.project.drawing!);
     const at = this.canvas.at(e);
     const box: Box = { x: 0, y: 0, width: 0, height: 0 };
-    this.gesture = { kind: "part", part, handle: "move", start: at, now: at, box, self: -1, fields: part.fields, typed: {}, field: 0, clicks: hovers, moved: true, free: e.altKey, client: { clientX: e.clientX, clientY: e.clientY } };
+    this.gesture = { kind: "part", part, handle: "move", start: at, now: at, box, self: -1, fields: part.fields, typed: {}, field: 0, clicks: hovers, held: !hovers, moved: true, free: e.altKey, client: { clientX: e.clientX, clientY: e.clientY } };
     this.show(this.gesture);
     this.placeTyping(e);
   }
@@ -168,7 +168,7 @@ export class Tools {
     const g = this.gesture;
     if (!g) {
       const { drawing, drawable } = this.project;
-      if (kPlaces[this.tool] && e.pointerType === "mouse" && e.buttons === 0 && drawing && drawable && !this.canvas.readOnly) this.follow(e, true);
+      if (places(this.tool) && e.pointerType === "mouse" && e.buttons === 0 && drawing && drawable && !this.canvas.readOnly) this.follow(e, true);
       return;
     }
     if (Math.hypot(e.clientX - g.client.clientX, e.clientY - g.client.clientY) > kClick) g.moved = true;
@@ -302,7 +302,7 @@ export class Tools {
     return { box: { x, y, width, height }, guides };
   }
   private offer(g: Gesture): Offer {
-    return g.part!.at({ start: g.start, now: g.now, typed: (name) => typedLength(g.typed[name] ?? ""), how: this.how(g.free), reach: this.reach });
+    return g.part!.at({ start: g.start, now: g.now, typed: (name) => typedLength(g.typed[name] ?? ""), how: this.how(g.free), reach: this.reach, drawn: g.held });
   }
   private show(g: Gesture): void {
     if (g.kind === "part") {
@@ -356,7 +356,7 @@ export class Tools {
   // Without a pointer: in the middle of the widest free length at that height.
   place(): void {
     const d = this.project.drawing;
-    if (d && this.project.drawable && kPlaces[this.tool]) return this.finishPart(placePart(this.tool, this.project.text, d));
+    if (d && this.project.drawable && places(this.tool)) return this.finishPart(placePart(this.tool, this.project.text, d));
     if (!d || !this.project.drawable || (this.tool !== "door" && this.tool !== "window")) return;
     const grid = (v: number, step: number): number => Math.max(1, Math.round(v / step)) * step;
     const y = this.tool === "door" ? 0 : grid(0.9, d.course);
