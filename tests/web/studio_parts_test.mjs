@@ -1,7 +1,10 @@
 // Arches, storeys, floors, ties and frames drawn in the studio, and a photo under the drawing: by mouse, keys and numbers. Each
 // gesture is one edit of the file and one step back; the engine builds what is drawn.
 import assert from "node:assert/strict";
+import fs from "node:fs";
+import path from "node:path";
 import { after, before, test } from "node:test";
+import { root, viewerModule } from "./helpers.mjs";
 import { launch, openStudio, pixelsOf, stonesOf, studioPage, textOf, write } from "./studio.mjs";
 
 let browser, file, page;
@@ -319,4 +322,44 @@ test("ties that hang on blocks, floors without a level and what the page does no
   assert.ok((await textOf(page)).includes(odd.slice(1, 80)));
   await page.keyboard.press("Control+z");
   await page.keyboard.press("Control+z");
+});
+
+test("K puts a steel frame in an opening, with its material; profiles, feet and number are choices", async () => {
+  await begin("portal");
+  const before = await textOf(page);
+  await opening(0).click();
+  await page.keyboard.press("k");
+  await has(/\[\[frame\]\]\nname = "frame 1"\nround = "door"\nfeet = "fixed"\nprofile = "HEB 120"\ngrade = "S275"\njoint = "steel_contact"\n/);
+  await has(/\[material\.steel_contact\][^]*\[\[stage\]\]/);
+  assert.equal(await page.locator(".steel").count(), 3);
+  await isBuilt();
+  await isOneStep(before);
+  await field("Columns").selectOption("HEA 140");
+  await field("Beam").selectOption("IPE 200");
+  await field("Feet").selectOption("base_beam");
+  await field("Side by side").fill("2");
+  await field("Side by side").press("Enter");
+  await has(/feet = "base_beam"\nprofile = "HEA 140"\ngrade = "S275"\njoint = "steel_contact"\nbeam_profile = "IPE 200"\ncount = 2/);
+  assert.equal(await page.locator(".steel").count(), 4);
+  await isBuilt();
+  await enter("Name", "shop");
+  await has(/round = "shop"/);
+  await field("Beam").selectOption("");
+  await lacks(/beam_profile/);
+  await page.locator(".canvas").focus();
+  await page.keyboard.press("Delete"); // with its frame
+  await lacks(/wall\.opening|\[\[frame/);
+  await isBuilt();
+  await begin("arch");
+  await opening(0).click();
+  await page.keyboard.press("k");
+  assert.match(await page.locator(".notice").innerText(), /level head/);
+});
+
+test("every profile of the library can be chosen, as high as it is", async () => {
+  const { kProfiles } = await viewerModule("studio/profiles");
+  const source = fs.readFileSync(path.join(root, "src/geometry/wall/profiles.cpp"), "utf8");
+  const listed = [...source.matchAll(/\{"((?:IPE|HEA|HEB|UPN|SHS) [\dx.]+)", ([\d.]+),/g)].map((m) => [m[1], Number(m[2])]);
+  assert.ok(listed.length > 60);
+  assert.deepEqual(kProfiles.map((p) => [...p]).sort(), listed.sort());
 });

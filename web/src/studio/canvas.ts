@@ -4,6 +4,7 @@ import { svg, type Child } from "../dom";
 import { say } from "../texts";
 import { crownOf, intrados, riseOf } from "./arches";
 import { gaps, isDoor, type Box, type Drawing, type Selected } from "./drawing";
+import { frameOf, membersOf } from "./frames";
 import { floorMarks, storeyMarks, tieMarks, type Shown } from "./marks";
 import { metres } from "./words";
 import type { Picture } from "./picture";
@@ -152,7 +153,9 @@ export class Canvas {
     const shown = svg("path", { class: css, "data-opening": k, "data-handle": "move", tabindex: "0", role: "button", "aria-label": why ? `${name}. ${why}` : name, "aria-pressed": String(k === this.selected), d: this.hole(d, k, box) });
     if (why) shown.append(svg("title", {}, why));
     const place = this.rect(box);
-    const group = svg("g", {}, shown);
+    const frame = d.frames[frameOf(d, k)];
+    const steel = frame ? membersOf(frame, box).map((member) => svg("rect", { class: "steel", ...this.rect(member) })) : [];
+    const group = svg("g", {}, shown, steel);
     if (place.width > 60 && place.height > 34) group.append(svg("text", { class: "opening-name", x: place.x + place.width / 2, y: place.y + place.height / 2 + 4, "aria-hidden": "true" }, o.name));
     if (why) group.append(svg("text", { class: "fault-mark", x: place.x + place.width - 4, y: place.y + 18, "aria-hidden": "true" }, "⚠"));
     return group;

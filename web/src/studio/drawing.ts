@@ -2,6 +2,7 @@
 // Lengths in metres, y upwards from the wall's base. What is not read here stays in the file as it is.
 import { readArch, type Arch } from "./arches";
 import { readDiaphragms, readFloors, type Diaphragm, type Floor } from "./floors";
+import { readFrames, type Frame } from "./frames";
 import { readTies, type Tie } from "./ties";
 import { appendTable, countAt, find, parse, quoted, removeAt, setValue, valueAt, withRemarks, type Doc, type Path } from "./toml";
 import { lengthOf, readQuantity, writeQuantity } from "./units";
@@ -37,6 +38,7 @@ export interface Drawing {
   floors: Floor[];
   diaphragms: Diaphragm[];
   ties: Tie[];
+  frames: Frame[];
   courses: Courses[]; // of each storey, or of the whole wall
   course: number; // height of one, joint included
   half: number; // half a unit's length, joint included
@@ -117,6 +119,7 @@ export function readDrawing(doc: Doc): Drawing | Refusal {
     floors: readFloors(doc, storeys, length),
     diaphragms: readDiaphragms(doc, storeys),
     ties: readTies(doc),
+    frames: readFrames(doc),
     courses: storeys.length > 0 ? storeys.map((s, k) => laid(s.foot, s.foot + s.height, ["storey", k])) : [laid(0, height, ["wall"])],
     course,
     half: Math.max(0.01, ((metres("wall", "unit", "length") ?? 0.2) + head) / 2),

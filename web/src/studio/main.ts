@@ -9,6 +9,7 @@ import { pathOf, pushOf, setDirection } from "./drawing";
 import { hasEngine, Latest, WorkerEngine } from "./engine";
 import { FaultList, openingOf } from "./faults";
 import { FilePane } from "./file";
+import { addFrame, frameOf, removeFrame } from "./frames";
 import { Panel } from "./panel";
 import { removePart } from "./parts";
 import { readPicture, type Picture } from "./picture";
@@ -268,6 +269,16 @@ function arch(): void {
   project.endStep();
   project.change(setHead(project.text, drawing, selected, drawing.openings[selected].arch ? "lintel" : "segmental"));
 }
+// A steel frame in the selected opening, or none again.
+function frame(): void {
+  const { drawing, selected } = project;
+  if (!drawing || !project.drawable || canvas.readOnly) return;
+  if (selected < 0) return tell(say("studio.choose.opening"));
+  const there = frameOf(drawing, selected);
+  if (there < 0 && drawing.openings[selected].arch) return tell(say("studio.frame.arch"));
+  project.endStep();
+  project.change(there < 0 ? addFrame(project.text, drawing, selected, say("studio.a.frame")) : removeFrame(project.text, there));
+}
 function turn(): void {
   const now = project.doc && pushOf(project.doc);
   if (now && project.drawing && project.drawable) {
@@ -299,6 +310,7 @@ const all: Command[] = [
   { name: "storey", keys: ["e"], does: () => tools.choose("storey") },
   { name: "floor", keys: ["g"], does: () => tools.choose("floor") },
   { name: "tie", keys: ["i"], does: () => tools.choose("tie") },
+  { name: "frame", keys: ["k"], does: frame },
   { name: "place", keys: ["Enter"], does: () => tools.place(), hidden: true },
   { name: "delete", keys: ["Delete", "Backspace"], does: remove },
   { name: "undo", keys: ["Ctrl+z"], does: () => project.undo() },

@@ -2,9 +2,11 @@
 import { h, type Child } from "../dom";
 import { num, say } from "../texts";
 import { headOf, kHeads, riseOf, setHead, setRise, type Head } from "./arches";
-import { isDoor, loadOf, pushOf, removeOpening, setDirection, setLength, setOpening, setWallSize, type Box, type Selected } from "./drawing";
+import { isDoor, loadOf, pushOf, setDirection, setLength, setOpening, setWallSize, type Box, type Selected } from "./drawing";
 import { kMaterials } from "./materials";
-import { partGroup, partShape } from "./part_panel";
+import { renameOpening } from "./frames";
+import { frameFields, partGroup, partShape } from "./part_panel";
+import { removePart } from "./parts";
 import type { Project } from "./project";
 import { countAt, find, quoted, setValue, valueAt, type Path } from "./toml";
 import { lengthOf, readQuantity, typedLength, typedQuantity, writeQuantity } from "./units";
@@ -69,12 +71,13 @@ export class Panel {
     const depth: Path = ["wall", "opening", k, "arch", "depth"];
     return this.group(
       say(isDoor(opening()) ? "studio.door" : "studio.window"),
-      this.text(say("studio.name"), () => opening().name, (name) => setValue(project.text, ["wall", "opening", k, "name"], quoted(name)), true),
+      this.text(say("studio.name"), () => opening().name, (name) => renameOpening(project.text, project.drawing!, k, name), true),
       side("x", say("studio.left")), side("y", say("studio.sill")), side("width", say("studio.width")), side("height", say("studio.height")),
       this.choice(say("studio.head"), kHeads.map((head) => [head, say(`studio.head.${head}`)]), () => headOf(opening()), (head) => setHead(project.text, project.drawing!, k, head as Head), true),
       arch && arch.kind !== "flat" && this.length(say("studio.rise"), () => riseOf(opening().arch, opening().width), (v) => setRise(project.text, project.drawing!, k, v), 0.01),
       arch && this.length(say("studio.arch.depth"), () => opening().arch?.depth ?? NaN, (v) => setLength(project.text, depth, v), 0.01),
-      h("button", { class: "button", type: "button", onclick: () => this.edit(removeOpening(project.text, k), -1) }, say("studio.delete")),
+      frameFields(this, k),
+      h("button", { class: "button", type: "button", onclick: () => this.edit(removePart(project.text, project.drawing!, { kind: "opening", k }), -1) }, say("studio.delete")),
     );
   }
   private wallGroup(): HTMLElement {
@@ -173,6 +176,10 @@ export class Panel {
       const value = typedQuantity(text, show());
       return value === null ? null : set(value);
     });
+  }
+  number(label: string, show: () => number, set: (value: number) => string): HTMLElement {
+    const safe = (n: number): string | null => (Number.isInteger(n) && n >= 1 && n < 100 ? set(n) : null);
+    return this.entry(label, "", () => String(show()), (text) => safe(Number(text)), (by) => safe(show() + by));
   }
   // What follows from the numbers.
   hint(show: () => string): HTMLElement {

@@ -1,10 +1,12 @@
 // The numbers of a part that is selected and is no opening.
-import { h } from "../dom";
+import { h, type Child } from "../dom";
 import { qty, say } from "../texts";
 import { setLength, type Selected } from "./drawing";
 import { holdOf, kHolds, moveFloor, setFloorSpan, setHold, type Hold } from "./floors";
+import { addFrame, frameOf, kFeet, removeFrame, setProfile } from "./frames";
 import type { Panel } from "./panel";
 import { removePart } from "./parts";
+import { kProfiles, profileNamed } from "./profiles";
 import type { Project } from "./project";
 import { moveStoreyLine, renameStorey, setStoreyHeight } from "./storeys";
 import { forceOf, setTieEnds, setTieForce } from "./ties";
@@ -12,8 +14,9 @@ import { find, quoted, removeAt, setValue, valueAt, type Path } from "./toml";
 import { lengthOf, readQuantity, writeQuantity } from "./units";
 
 // What tells one set of fields from another.
-export function partShape({ selection, doc }: Project): string {
-  if (!selection || !doc) return "";
+export function partShape({ selection, doc, drawing }: Project): string {
+  if (!selection || !doc || !drawing) return "";
+  if (selection.kind === "opening") return [frameOf(drawing, selection.k), find(doc, ["frame", frameOf(drawing, selection.k), "profile"]) ? 1 : 0].join();
   const keys: Partial<Record<string, string[]>> = { storey: ["thickness"], floor: ["load", "g1", "g2", "q", "psi2", "span", "bearing", "thrust", "mass", "joists"], tie: ["anchor_strength", "yield_strength"] };
   return (keys[selection.kind] ?? []).map((key) => (find(doc, [selection.kind, selection.k, key]) ? 1 : 0)).join("");
 }
@@ -94,4 +97,29 @@ function tieGroup(panel: Panel, k: number): HTMLElement {
     panel.hint(() => say(tie().yields < Infinity ? "studio.tie.sum" : "studio.tie.bar", { bar: qty(Math.sqrt((4 * tie().area) / Math.PI) * 1000, "mm"), force: qty((tie().yields * tie().area) / 1000, "kN") })),
     removal(panel, { kind: "tie", k }, say("studio.delete")),
   );
+}
+
+// The steel frame of an opening: a button that adds one, or its choices.
+export function frameFields(panel: Panel, k: number): Child[] {
+  const { project } = panel;
+  const frame = frameOf(project.drawing!, k);
+  if (frame < 0 && project.drawing!.openings[k].arch) return []; // a frame needs a level head
+  if (frame < 0) return [h("button", { class: "button", type: "button", onclick: () => panel.edit(addFrame(project.text, project.drawing!, k, say("studio.a.frame"))) }, say("studio.frame.add"))];
+  const at = (key: string): Path => ["frame", frame, key];
+  const word = (key: string): string => String(valueAt(project.doc!, at(key)) ?? "");
+  const names = kProfiles.map(([name]): [string, string] => [name, name]);
+  const count = (key: string): HTMLElement =>
+    panel.number(say(`studio.frame.${key}`), () => Number(valueAt(project.doc!, at(key)) ?? 1), (n) => setValue(project.text, at(key), String(n)));
+  return [
+    h("h3", {}, say("studio.frame")),
+    ...(find(project.doc!, at("profile"))
+      ? [
+          panel.choice(say("studio.frame.profile"), names, () => profileNamed(word("profile")), (name) => setProfile(project.text, frame, "profile", name)),
+          panel.choice(say("studio.frame.beam_profile"), [["", say("studio.frame.as")], ...names], () => profileNamed(word("beam_profile")), (name) => setProfile(project.text, frame, "beam_profile", name)),
+        ]
+      : [h("p", { class: "hint" }, say("studio.frame.section"))]),
+    panel.choice(say("studio.frame.feet"), kFeet.map((f) => [f, say(`studio.frame.feet.${f}`)]), () => word("feet"), (f) => setValue(project.text, at("feet"), quoted(f))),
+    count("count"),
+    h("button", { class: "button", type: "button", onclick: () => panel.edit(removeFrame(project.text, frame)) }, say("studio.frame.remove")),
+  ];
 }
