@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import fs from "node:fs";
 import path from "node:path";
 import { after, before, test } from "node:test";
-import { root, viewerModule } from "./helpers.mjs";
+import { axe, root, viewerModule } from "./helpers.mjs";
 import { launch, openStudio, pixelsOf, stonesOf, studioPage, textOf, write } from "./studio.mjs";
 
 let browser, file, page;
@@ -362,4 +362,149 @@ test("every profile of the library can be chosen, as high as it is", async () =>
   const listed = [...source.matchAll(/\{"((?:IPE|HEA|HEB|UPN|SHS) [\dx.]+)", ([\d.]+),/g)].map((m) => [m[1], Number(m[2])]);
   assert.ok(listed.length > 60);
   assert.deepEqual(kProfiles.map((p) => [...p]).sort(), listed.sort());
+});
+
+// A picture of 200 x 100 pixels, as a file.
+const pictureFile = async (name, type = "image/png") => {
+  const url = await page.evaluate((type) => {
+    const canvas = Object.assign(document.createElement("canvas"), { width: 200, height: 100 });
+    const c = canvas.getContext("2d");
+    c.fillStyle = "#2a6";
+    c.fillRect(0, 0, 200, 100);
+    return canvas.toDataURL(type);
+  }, type);
+  return { name, mimeType: type, buffer: Buffer.from(url.split(",")[1], "base64") };
+};
+const photo = () => page.locator("image.photo");
+// Where it lies [m], on a wall 3.5 m long.
+const placeOf = () =>
+  photo().evaluate((e) => {
+    const wall = document.querySelector(".outline").getBoundingClientRect(),
+      box = e.getBoundingClientRect();
+    const metres = (v) => Math.round((1000 * v * 3.5) / wall.width) / 1000;
+    return { x: metres(box.left - wall.left), y: metres(wall.bottom - box.bottom), width: metres(box.width), height: metres(box.height) };
+  });
+
+test("a photo lies under the lines: opened, moved, brought to scale by two points, undone, kept, in no file and no link", async () => {
+  await begin("portal");
+  const before = await textOf(page);
+  await page.keyboard.press("b");
+  assert.match(await page.locator(".photo-bar").innerText(), /stays in this browser/);
+  await page.locator('.photo-bar input[type="file"]').setInputFiles(await pictureFile("front.png"));
+  await photo().waitFor();
+  const near = (a, b) => Object.keys(b).forEach((key) => assert.ok(Math.abs(a[key] - b[key]) < 0.012, `${key}: ${a[key]} ${b[key]}`));
+  const first = { x: 0, y: 0, width: 3.5, height: 1.75 };
+  near(await placeOf(), first);
+  await drag([1, 1], [1.5, 1.25]);
+  const moved = { ...first, x: 0.5, y: 0.25 };
+  near(await placeOf(), moved);
+  await click(1, 1);
+  assert.match(await page.locator(".photo-bar").innerText(), /other end/);
+  await click(2, 1);
+  await field("From one point to the other:").fill("1,5");
+  await field("From one point to the other:").press("Enter");
+  const scaled = { x: 0.25, y: -0.125, width: 5.25, height: 2.625 };
+  near(await placeOf(), scaled);
+  await page.locator(".canvas").focus();
+  await page.keyboard.press("Control+z");
+  near(await placeOf(), moved);
+  await page.keyboard.press("Control+z");
+  near(await placeOf(), first);
+  await page.keyboard.press("Control+y");
+  await page.keyboard.press("Control+y");
+  near(await placeOf(), scaled);
+  assert.equal(await textOf(page), before);
+  await field("Strength").fill("0.3");
+  assert.equal(await photo().getAttribute("opacity"), "0.3");
+  await page.waitForTimeout(600); // until it is kept
+  await page.reload();
+  await page.waitForSelector("html[data-ready]");
+  await stonesOf(page);
+  near(await placeOf(), scaled);
+  assert.equal(await photo().getAttribute("opacity"), "0.3");
+  await page.locator(".canvas").focus();
+  await page.keyboard.press("h");
+  assert.equal(await photo().count(), 0);
+  await page.keyboard.press("h");
+  await page.keyboard.press("b");
+  await page.locator('.photo-bar input[type="file"]').setInputFiles({ name: "evil.png", mimeType: "image/png", buffer: Buffer.from("<svg onload=alert(1)>") });
+  assert.match(await page.locator(".notice").innerText(), /evil\.png is no PNG or JPEG/);
+  await page.locator(".photo-bar").getByText("Delete").click();
+  assert.equal(await photo().count(), 0);
+  await page.reload();
+  await page.waitForSelector("html[data-ready]");
+  await stonesOf(page);
+  assert.equal(await photo().count(), 0);
+});
+
+test("a dropped picture is traced, a dropped text is opened", async () => {
+  await begin("portal");
+  const { buffer } = await pictureFile("photo.jpg", "image/jpeg");
+  const drop = (name, type, bytes) =>
+    page.evaluate(
+      ([name, type, bytes]) => {
+        const dataTransfer = new DataTransfer();
+        dataTransfer.items.add(new File([Uint8Array.from(bytes)], name, { type }));
+        document.querySelector(".board").dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true }));
+      },
+      [name, type, [...bytes]],
+    );
+  await drop("photo.jpg", "image/jpeg", buffer);
+  await photo().waitFor();
+  assert.equal(await page.locator(".canvas").getAttribute("data-tool"), "photo");
+  await drop("w.toml", "", Buffer.from((await textOf(page)).replace("3.50 m", "4.50 m")));
+  await stonesOf(page);
+  await has(/length = "4\.50 m"/);
+  await page.locator(".photo-bar").getByText("Delete").click();
+  await page.keyboard.press("v");
+});
+
+for (const [width, height, scheme] of [[1440, 900, "dark"], [390, 844, "light"]])
+  test(`parts are for everybody: ${width} px, ${scheme}`, async () => {
+    const other = await openStudio(browser, file, { width, height, scheme, touch: width < 1000, locale: "it-IT" });
+    await other.locator(".starters").selectOption("facade");
+    await stonesOf(other);
+    await other.evaluate(axe);
+    const violations = () =>
+      other.evaluate(async () => {
+        const { violations } = await window.axe.run(document, { resultTypes: ["violations"] });
+        return violations.map((v) => `${v.id}: ${v.nodes.map((n) => `${n.target.join(" ")} ${n.failureSummary}`).join("; ")}`);
+      });
+    for (const key of ["i", "g", "e"]) {
+      await other.locator(".canvas").focus();
+      await other.keyboard.press(key);
+      await other.keyboard.press("Enter");
+      await stonesOf(other);
+      assert.deepEqual(await violations(), []);
+    }
+    await other.locator('[data-opening="1"]').focus();
+    await other.keyboard.press("k");
+    await other.keyboard.press("b");
+    await stonesOf(other);
+    assert.deepEqual(await violations(), []);
+    assert.ok(await other.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth), "wider than the screen");
+    const words = await other.locator("body").innerText();
+    for (const word of ["Storey", "Floor", "Tie", "Photo", "frame", "Above"]) assert.ok(!new RegExp(`\\b${word}\\b`).test(words), word);
+    assert.deepEqual(other.faults, []);
+    await other.end();
+  });
+
+test("a finger puts a tie and drags it", async () => {
+  const other = await openStudio(browser, file, { width: 820, height: 1180, touch: true });
+  await other.locator(".starters").selectOption("empty");
+  await stonesOf(other);
+  await other.locator('.tool-button:has-text("Tie")').tap();
+  const frame = await other.locator(".outline").boundingBox();
+  const at = (x, y) => ({ x: frame.x + (x / 4) * frame.width, y: frame.y + frame.height - (y / 2.92) * frame.height });
+  const session = await other.context().newCDPSession(other);
+  const touch = (type, point) => session.send("Input.dispatchTouchEvent", { type, touchPoints: point ? [point] : [] });
+  await touch("touchStart", at(1, 2.5));
+  await touch("touchEnd");
+  assert.match(await textOf(other), /name = "tie 1"\nfrom = \{ x = "0\.0625 m", y = "2\.5185 m" \}/);
+  await touch("touchStart", at(1, 2.5));
+  for (let k = 1; k <= 4; ++k) await touch("touchMove", at(1, 2.5 - 0.25 * k));
+  await touch("touchEnd");
+  assert.match(await textOf(other), /from = \{ x = "0\.0625 m", y = "1\.49\d* m" \}/);
+  assert.deepEqual(other.faults, []);
+  await other.end();
 });

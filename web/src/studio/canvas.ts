@@ -8,6 +8,7 @@ import { frameOf, membersOf } from "./frames";
 import { floorMarks, storeyMarks, tieMarks, type Shown } from "./marks";
 import { metres } from "./words";
 import type { Picture } from "./picture";
+import { photoMarks, type ShownPhoto } from "./photo";
 import type { Guide } from "./snap";
 
 export interface View {
@@ -40,11 +41,13 @@ export class Canvas {
   readOnly = false;
   showOpenings = true; // not over cracks
   private readonly stones = svg("g", { class: "stones" });
+  private readonly traced = svg("g", { class: "traced" });
   private readonly over = svg("g", { class: "over" });
+  private photo: ShownPhoto | null = null;
 
   constructor() {
     this.root = svg("svg", { class: "canvas", role: "application", "aria-label": say("studio.drawing"), tabindex: "0" });
-    this.root.append(this.stones, this.over);
+    this.root.append(this.stones, this.traced, this.over);
   }
 
   x = (m: number): number => this.view.left + m * this.view.metre;
@@ -95,8 +98,15 @@ export class Canvas {
     this.stones.setAttribute("transform", `translate(${this.view.left - p.left * k} ${this.view.bottom - p.bottom * k}) scale(${k})`);
   }
 
+  setPhoto(photo: ShownPhoto | null): void {
+    this.photo = photo;
+    this.draw();
+  }
+
   draw(): void {
     this.place();
+    const photo = this.photo && this.showOpenings ? photoMarks(this.photo, this.x, this.y, this.view.metre) : null;
+    this.traced.replaceChildren(...(photo ? [photo.image] : []));
     const d = this.draft?.drawing ?? this.drawing;
     const active = (document.activeElement as SVGElement | null)?.dataset;
     if (!d) return this.over.replaceChildren();
@@ -113,6 +123,7 @@ export class Canvas {
         (this.preview?.guides ?? this.draft?.guides ?? []).map((g) => this.guide(g)),
         this.dimensions(d, wall),
         !this.readOnly && this.showOpenings && this.handles(d, wall),
+        photo?.points,
       ]),
     );
     if (active?.opening !== undefined) this.focusOpening(Number(active.opening));

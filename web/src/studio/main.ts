@@ -12,6 +12,7 @@ import { FilePane } from "./file";
 import { addFrame, frameOf, removeFrame } from "./frames";
 import { Panel } from "./panel";
 import { removePart } from "./parts";
+import { Photo } from "./photo";
 import { readPicture, type Picture } from "./picture";
 import { Project, type Fault } from "./project";
 import { faultsOf, Push } from "./push";
@@ -61,7 +62,8 @@ let fitNext = true;
 
 // --- parts ----------------------------------------------------------------------------------------------
 
-const tools = new Tools(canvas, project, () => refreshBar(), tell);
+const photo = new Photo(canvas, project, tell);
+const tools = new Tools(canvas, project, () => refreshBar(), tell, photo);
 const file = new FilePane(project);
 const panel = new Panel(project, () => canvas.draw());
 const list = new FaultList(project, (fault) => {
@@ -83,6 +85,7 @@ const toolIcons: Record<Tool, string> = {
   window: "M3 4H19V16H3ZM11 4V16M3 10H19",
   storey: "M4 17V3M18 17V3M1 10H21M8 7L11 4L14 7",
   floor: "M1 14H21V17H1ZM5 3V11M2.5 8.5L5 11L7.5 8.5M11 3V11M8.5 8.5L11 11L13.5 8.5M17 3V11M14.5 8.5L17 11L19.5 8.5",
+  photo: "M2 5H7L9 3H13L15 5H20V17H2ZM11 8A3 3 0 1 0 11 14A3 3 0 1 0 11 8",
   tie: "M3 4V16M19 4V16M3 10H19M1 10H3M19 10H21",
 };
 for (const tool of kTools)
@@ -201,7 +204,7 @@ function refreshBar(): void {
   redo.disabled = !project.canRedo;
   for (const [tool, b] of toolButtons) {
     b.setAttribute("aria-pressed", String(tools.tool === tool));
-    b.disabled = !project.drawable && tool !== "select";
+    b.disabled = !project.drawable && tool !== "select" && tool !== "photo";
   }
   canvas.root.dataset.tool = tools.tool;
   go.textContent = say(push.running ? "studio.button.stop" : "studio.button.push");
@@ -293,6 +296,7 @@ function nextTheme(): void {
   themes.textContent = themeName();
 }
 function escape(): void {
+  if (tools.tool === "photo" && photo.escape()) return;
   if (tools.tool !== "select") tools.choose("select");
   else if (canvas.readOnly) push.leave();
   else project.select(-1);
@@ -311,6 +315,8 @@ const all: Command[] = [
   { name: "floor", keys: ["g"], does: () => tools.choose("floor") },
   { name: "tie", keys: ["i"], does: () => tools.choose("tie") },
   { name: "frame", keys: ["k"], does: frame },
+  { name: "photo", keys: ["b"], does: () => tools.choose("photo") },
+  { name: "photo.show", keys: ["h"], does: () => photo.toggle() },
   { name: "place", keys: ["Enter"], does: () => tools.place(), hidden: true },
   { name: "delete", keys: ["Delete", "Backspace"], does: remove },
   { name: "undo", keys: ["Ctrl+z"], does: () => project.undo() },
@@ -367,7 +373,10 @@ document.addEventListener("dragover", (e) => e.preventDefault());
 document.addEventListener("drop", (e) => {
   e.preventDefault();
   const dropped = e.dataTransfer?.files[0];
-  if (dropped) void openFile(dropped);
+  if (dropped?.type.startsWith("image/")) {
+    tools.choose("photo");
+    void photo.open(dropped);
+  } else if (dropped) void openFile(dropped);
 });
 new ResizeObserver(() => canvas.fit()).observe(canvas.root);
 
@@ -385,7 +394,7 @@ document.body.prepend(
     input),
   h("main", { class: "desk" },
     h("nav", { class: "tools", "aria-label": say("studio.tools") }, ...toolButtons.values()),
-    h("section", { class: "board", "aria-label": say("studio.drawing") }, canvas.root, tools.typing, reason, h("div", { class: "snaps", role: "group", "aria-label": say("studio.snap") }, ...snapButtons, h("button", { class: "chip-button", type: "button", onclick: () => canvas.fit() }, say("studio.button.fit")))),
+    h("section", { class: "board", "aria-label": say("studio.drawing") }, photo.bar, canvas.root, tools.typing, reason, h("div", { class: "snaps", role: "group", "aria-label": say("studio.snap") }, ...snapButtons, h("button", { class: "chip-button", type: "button", onclick: () => canvas.fit() }, say("studio.button.fit")))),
     h("aside", { class: "side", "aria-label": say("studio.side") },
       h("div", { class: "tabs", role: "tablist" }, ...tabs),
       h("div", { id: "pane-numbers", class: "pane", role: "tabpanel", "aria-label": say("studio.pane.numbers") }, panel.root),
@@ -398,6 +407,7 @@ showPane("numbers");
 
 async function start(): Promise<void> {
   let text = store.kept();
+  const linked = store.hasLink(); // another's wall: the photo stays hidden
   let told = text === null ? "" : say("studio.restored");
   if (store.hasLink())
     try {
@@ -407,6 +417,7 @@ async function start(): Promise<void> {
       told = say("studio.badlink");
     }
   begin(text ?? starter("portal"));
+  await photo.restore(!linked);
   if (told !== "") tell(told);
   document.documentElement.dataset.ready = "yes";
 }

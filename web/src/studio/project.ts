@@ -1,6 +1,7 @@
 // The wall under work: its text, what the drawing reads from it, what is selected, and every earlier text.
 // One gesture is one step back. All else listens.
 import { countOf, isRefusal, readDrawing, type Drawing, type Refusal, type Selected } from "./drawing";
+import type { PhotoPlace } from "./photo_store";
 import { parse, TomlFault, type Doc } from "./toml";
 
 export interface Fault {
@@ -14,6 +15,7 @@ export interface Fault {
 interface Step {
   text: string;
   selection: Selected | null;
+  photo: PhotoPlace | null;
 }
 const kSteps = 200;
 
@@ -24,6 +26,7 @@ export class Project {
   refusal: Refusal | null = null; // why the drawing cannot show the text as it is
   broken: TomlFault | null = null; // the text is no TOML
   selection: Selected | null = null;
+  photo: PhotoPlace | null = null; // where the photo under the drawing lies; beside the text, but undone with it
   private steps: Step[] = [];
   private undone: Step[] = [];
   private joined = ""; // what the last step was part of: typing in one field is one step
@@ -62,13 +65,28 @@ export class Project {
   change(text: string, selected: Selected | number | null = this.selection, join = ""): void {
     const selection = typeof selected === "number" ? anOpening(selected) : selected;
     if (text === this.text) return this.choose(selection);
-    if (join === "" || join !== this.joined) {
-      this.steps.push({ text: this.text, selection: this.selection });
-      if (this.steps.length > kSteps) this.steps.shift();
-    }
+    if (join === "" || join !== this.joined) this.step();
     this.undone = [];
     this.joined = join;
     this.read(text, selection);
+  }
+  private step(): void {
+    this.steps.push({ text: this.text, selection: this.selection, photo: this.photo });
+    if (this.steps.length > kSteps) this.steps.shift();
+  }
+  // The photo elsewhere, as one step; steps that are parts of one (`join`) become one.
+  placePhoto(place: PhotoPlace, join = ""): void {
+    if (join === "" || join !== this.joined) this.step();
+    this.undone = [];
+    this.joined = join;
+    this.photo = place;
+    this.tell("selection");
+  }
+  // Another photo: no step before knows where it lies.
+  newPhoto(place: PhotoPlace): void {
+    for (const step of [...this.steps, ...this.undone]) step.photo = null;
+    this.photo = place;
+    this.tell("selection");
   }
   select(index: number): void {
     this.choose(anOpening(index));
@@ -96,9 +114,12 @@ export class Project {
   private swap(from: Step[], to: Step[]): void {
     const step = from.pop();
     if (!step) return;
-    to.push({ text: this.text, selection: this.selection });
+    to.push({ text: this.text, selection: this.selection, photo: this.photo });
     this.joined = "";
-    this.read(step.text, step.selection);
+    this.photo = step.photo ?? this.photo;
+    if (step.text !== this.text) return this.read(step.text, step.selection);
+    this.selection = step.selection;
+    this.tell("selection");
   }
   endStep(): void {
     this.joined = "";

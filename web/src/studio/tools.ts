@@ -5,14 +5,15 @@ import { say } from "../texts";
 import type { Canvas, Handle } from "./canvas";
 import { addOpening, gaps, isDoor, isRefusal, readDrawing, setOpening, setWallSize, storeyAt, type Box, type Drawing, type Kind, type Selected } from "./drawing";
 import { dragCrown, dragPart, kPlaces, nudgePart, placePart, type Offer, type PartGesture } from "./part_gestures";
+import type { Photo } from "./photo";
 import type { Project } from "./project";
 import { snapLine, snapMove, type Guide, type Snapping } from "./snap";
 import { parse } from "./toml";
 import { typedLength } from "./units";
 import { metres } from "./words";
 
-export type Tool = "select" | "wall" | "door" | "window" | "storey" | "floor" | "tie";
-export const kTools: Tool[] = ["select", "wall", "door", "window", "storey", "floor", "tie"];
+export type Tool = "select" | "wall" | "door" | "window" | "storey" | "floor" | "tie" | "photo";
+export const kTools: Tool[] = ["select", "wall", "door", "window", "storey", "floor", "tie", "photo"];
 const places = (tool: Tool): boolean => tool in kPlaces; // what goes along with the pointer before the click too
 
 export interface Point {
@@ -54,6 +55,7 @@ export class Tools {
     private readonly project: Project,
     private readonly changed: () => void,
     private readonly tell: (words: string) => void,
+    readonly photo: Photo,
   ) {
     project.listen((why) => {
       if (why === "text" && this.gesture) this.forget(); // what it holds may be gone
@@ -82,10 +84,12 @@ export class Tools {
   choose(tool: Tool): void {
     this.cancel();
     this.tool = tool;
+    this.photo.activate(tool === "photo");
     this.changed();
   }
   cancel(): void {
     this.forget();
+    this.photo.cancel();
     this.canvas.draw();
   }
   private forget(): void {
@@ -105,6 +109,7 @@ export class Tools {
       return;
     }
     if (e.button > 1) return;
+    if (this.tool === "photo" && e.button === 0 && this.photo.down(this.canvas.at(e), { x: e.clientX, y: e.clientY })) return this.canvas.root.setPointerCapture(e.pointerId);
     if (this.gesture?.clicks) {
       if (this.gesture.part) [this.gesture.start, this.gesture.held] = [this.canvas.at(e), true];
       return; // this click ends what the one before began
@@ -140,7 +145,8 @@ export class Tools {
         const fields: FieldName[] = handle === "move" ? ["left", "below"] : /[ew]/.test(handle) ? ["width", "height"] : ["height"];
         this.gesture = { ...base, kind: handle === "move" ? "move" : "resize", handle, box: { ...d.openings[self] }, self, fields };
       }
-    } else if (places(this.tool)) {
+    } else if (this.tool === "photo") this.gesture = pan;
+    else if (places(this.tool)) {
       if (project.drawable && !canvas.readOnly) this.follow(e, false);
       else this.gesture = pan;
     } else if (project.drawable) {
@@ -165,6 +171,7 @@ export class Tools {
       this.pinch = spread;
       return;
     }
+    this.photo.move(this.canvas.at(e), { x: e.clientX, y: e.clientY });
     const g = this.gesture;
     if (!g) {
       const { drawing, drawable } = this.project;
@@ -186,6 +193,7 @@ export class Tools {
   }
   private up(e: PointerEvent): void {
     this.pointers.delete(e.pointerId);
+    this.photo.up(this.canvas.at(e));
     const g = this.gesture;
     if (!g) return;
     if (g.kind === "pan") {
@@ -375,6 +383,7 @@ export class Tools {
   }
   // The selected opening by one step: half a unit, a course, or a centimetre.
   nudge(dx: number, dy: number, fine: boolean): void {
+    if (this.tool === "photo") return this.photo.nudge(dx, dy, fine);
     const { project } = this;
     const d = project.drawing;
     if (!d || !project.drawable || project.selection === null) return;
