@@ -1,7 +1,10 @@
 // The wall as the drawing knows it, read from the model file; and the edits of the file that a gesture means.
 // Lengths in metres, y upwards from the wall's base. What is not read here stays in the file as it is.
-import { appendTable, countAt, find, quoted, removeAt, setValue, valueAt, type Doc, type Path } from "./toml";
-import { parse } from "./toml";
+import { readArch, type Arch } from "./arches";
+import { readDiaphragms, readFloors, type Diaphragm, type Floor } from "./floors";
+import { readFrames, type Frame } from "./frames";
+import { readTies, type Tie } from "./ties";
+import { appendTable, countAt, find, parse, quoted, removeAt, setValue, valueAt, withRemarks, type Doc, type Path } from "./toml";
 import { lengthOf, readQuantity, writeQuantity } from "./units";
 
 export interface Box {
@@ -14,21 +17,44 @@ export interface Opening extends Box {
   name: string;
   foot: number; // of its storey, from where the file counts its y
   lintel: boolean;
-  arch: boolean;
+  arch: Arch | null;
 }
 export interface Storey {
   name: string;
   foot: number;
   height: number;
 }
+// Courses of equal height, from a storey's foot to its top.
+export interface Courses {
+  foot: number;
+  top: number;
+  course: number;
+}
 export interface Drawing {
   length: number;
   height: number;
   openings: Opening[];
   storeys: Storey[];
+  floors: Floor[];
+  diaphragms: Diaphragm[];
+  ties: Tie[];
+  frames: Frame[];
+  courses: Courses[]; // of each storey, or of the whole wall
   course: number; // height of one, joint included
   half: number; // half a unit's length, joint included
 }
+// What may be selected, by its place in the file's list.
+export type Kind = "opening" | "storey" | "floor" | "tie";
+export interface Selected {
+  kind: Kind;
+  k: number;
+}
+const kLists = { opening: "openings", storey: "storeys", floor: "floors", tie: "ties" } as const;
+export const countOf = (d: Drawing, kind: Kind): number => d[kLists[kind]].length;
+
+// Where it stands in the file.
+export const pathOf = (part: Selected): Path => (part.kind === "opening" ? ["wall", "opening", part.k] : [part.kind, part.k]);
+
 // Why the drawing cannot show a file: a text's key, and where in the file.
 export interface Refusal {
   why: string;
@@ -72,18 +98,30 @@ export function readDrawing(doc: Doc): Drawing | Refusal {
       foot,
       name: String(valueAt(doc, [...at, "name"]) ?? k),
       lintel: find(doc, [...at, "lintel"]) !== undefined,
-      arch: find(doc, [...at, "arch"]) !== undefined,
+      arch: readArch(doc, [...at, "arch"]),
     });
   }
   const mortar = (key: string): number => metres("wall", "unit", "mortar", key) ?? 0;
   const bed = mortar("bed") || mortar("head"),
     head = mortar("head") || mortar("bed");
+  const course = Math.max(0.01, (metres("wall", "unit", "height") ?? 0.1) + bed);
+  const laid = (foot: number, top: number, own: Path): Courses => {
+    const height = metres(...own, "unit", "height");
+    const nominal = height === null ? course : Math.max(0.01, height + (metres(...own, "unit", "mortar", "bed") ?? bed));
+    const cut = (valueAt(doc, [...own, "fit"]) ?? valueAt(doc, ["wall", "fit"])) === "cut";
+    return { foot, top, course: cut ? nominal : (top - foot) / Math.max(1, Math.round((top - foot) / nominal)) };
+  };
   return {
     length,
     height,
     openings,
     storeys,
-    course: Math.max(0.01, (metres("wall", "unit", "height") ?? 0.1) + bed),
+    floors: readFloors(doc, storeys, length),
+    diaphragms: readDiaphragms(doc, storeys),
+    ties: readTies(doc),
+    frames: readFrames(doc),
+    courses: storeys.length > 0 ? storeys.map((s, k) => laid(s.foot, s.foot + s.height, ["storey", k])) : [laid(0, height, ["wall"])],
+    course,
     half: Math.max(0.01, ((metres("wall", "unit", "length") ?? 0.2) + head) / 2),
   };
 }
@@ -110,6 +148,8 @@ export function setOpening(text: string, k: number, box: Box, foot: number): str
 
 // The storey that holds a height: the last whose foot is not above it.
 export const storeyAt = (d: Drawing, y: number): Storey | undefined => d.storeys.filter((s) => s.foot <= y + 1e-6).pop();
+
+export const coursesAt = (d: Drawing, y: number): Courses => d.courses.filter((c) => c.foot <= y + 1e-6).pop() ?? d.courses[0];
 
 export function addOpening(text: string, d: Drawing, box: Box, word: string, withLintel = true): string {
   const storey = storeyAt(d, box.y);
@@ -160,16 +200,10 @@ export function addLintel(text: string, d: Drawing, k: number, box: Box = d.open
 export const removeLintel = (text: string, k: number): string => removeAt(text, ["wall", "opening", k, "lintel"]);
 
 // Materials stand before what is done to the wall, with the remarks that belong to the stages below them.
-function beforeStages(text: string, lines: string): string {
-  const doc = parse(text);
-  const first = doc.sections.find((s) => s.path[0] === "stage");
+export function beforeStages(text: string, lines: string): string {
+  const first = parse(text).sections.find((s) => s.path[0] === "stage");
   if (!first) return `${text.trimEnd()}\n\n${lines}`;
-  let at = text.lastIndexOf("\n", first.start - 1) + 1;
-  for (;;) {
-    const before = text.lastIndexOf("\n", at - 2) + 1;
-    if (at === 0 || !/^[ \t]*#/.test(text.slice(before, at))) break;
-    at = before;
-  }
+  const at = withRemarks(text, first.start);
   return `${text.slice(0, at)}${lines}\n${text.slice(at)}`;
 }
 
@@ -182,6 +216,10 @@ export function setWallSize(text: string, d: Drawing, length: number, height: nu
     if (rest > 0) out = setLength(out, ["storey", last, "height"], rest);
     if (valueAt(parse(out), ["wall", "height"]) !== undefined) out = setLength(out, ["wall", "height"], height);
   } else out = setLength(out, ["wall", "height"], height);
+  return pushAlong(out, d, length, height);
+}
+export function pushAlong(text: string, d: Drawing, length: number, height: number): string {
+  let out = text;
   const push = pushOf(parse(out));
   if (!push) return out;
   const at: Path = ["stage", push.stage, "at"];

@@ -33,7 +33,7 @@ export class FilePane {
   // What is typed becomes the project's text.
   take(): void {
     window.clearTimeout(this.timer);
-    if (this.area.value !== this.project.text) this.project.change(this.area.value, this.project.selected, "typing");
+    if (this.area.value !== this.project.text) this.project.change(this.area.value, this.project.selection, "typing");
     delete document.documentElement.dataset.typing;
   }
   private refresh(): void {

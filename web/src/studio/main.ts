@@ -2,13 +2,17 @@
 import "./studio.css";
 import { h, svg } from "../dom";
 import { qty, say, speak } from "../texts";
+import { setHead } from "./arches";
 import { Canvas } from "./canvas";
 import { Commands, type Command } from "./commands";
-import { pushOf, removeOpening, setDirection } from "./drawing";
+import { pathOf, pushOf, setDirection } from "./drawing";
 import { hasEngine, Latest, WorkerEngine } from "./engine";
 import { FaultList, openingOf } from "./faults";
 import { FilePane } from "./file";
+import { addFrame, frameOf, removeFrame } from "./frames";
 import { Panel } from "./panel";
+import { removePart } from "./parts";
+import { Photo } from "./photo";
 import { readPicture, type Picture } from "./picture";
 import { Project, type Fault } from "./project";
 import { faultsOf, Push } from "./push";
@@ -58,7 +62,8 @@ let fitNext = true;
 
 // --- parts ----------------------------------------------------------------------------------------------
 
-const tools = new Tools(canvas, project, () => refreshBar());
+const photo = new Photo(canvas, project, tell);
+const tools = new Tools(canvas, project, () => refreshBar(), tell, photo);
 const file = new FilePane(project);
 const panel = new Panel(project, () => canvas.draw());
 const list = new FaultList(project, (fault) => {
@@ -78,6 +83,10 @@ const toolIcons: Record<Tool, string> = {
   wall: "M2 3H20V17H2ZM2 7.7H20M2 12.3H20M8 3V7.7M14 7.7V12.3M8 12.3V17",
   door: "M2 17H20M6 17V3H16V17M13 10.5V11",
   window: "M3 4H19V16H3ZM11 4V16M3 10H19",
+  storey: "M4 17V3M18 17V3M1 10H21M8 7L11 4L14 7",
+  floor: "M1 14H21V17H1ZM5 3V11M2.5 8.5L5 11L7.5 8.5M11 3V11M8.5 8.5L11 11L13.5 8.5M17 3V11M14.5 8.5L17 11L19.5 8.5",
+  photo: "M2 5H7L9 3H13L15 5H20V17H2ZM11 8A3 3 0 1 0 11 14A3 3 0 1 0 11 8",
+  tie: "M3 4V16M19 4V16M3 10H19M1 10H3M19 10H21",
 };
 for (const tool of kTools)
   toolButtons.set(tool, h("button", { class: "tool-button", type: "button", "aria-pressed": "false", title: say(`studio.do.${tool}`), onclick: () => tools.choose(tool) }, h("span", { "aria-hidden": "true", class: "icon" }, svg("svg", { viewBox: "0 0 22 20" }, svg("path", { d: toolIcons[tool] }))), h("span", { class: "tool-name" }, say(`studio.tool.${tool}`))));
@@ -150,6 +159,7 @@ function showFaults(found: Fault[]): void {
   list.show(found);
   file.mark(found);
   canvas.faulty = new Map(found.filter((f) => openingOf(f) >= 0).map((f) => [openingOf(f), f.problem]));
+  canvas.faultyParts = new Map(found.map((f) => [f.path.split(".").slice(0, 2).join(" "), f.problem]));
   canvas.root.classList.toggle("outdated", found.length > 0);
   canvas.draw();
   refreshBar();
@@ -163,9 +173,9 @@ project.listen((why) => {
   const size = project.drawing ? `${project.drawing.length} ${project.drawing.height}` : shownSize;
   fitNext ||= size !== shownSize;
   shownSize = size;
-  canvas.selected = project.selected;
+  canvas.selection = project.selection;
   if (why === "selection") {
-    if (project.selected >= 0 && project.doc && !file.hasFocus) file.show(lineOf(project.doc, ["wall", "opening", project.selected]), false);
+    if (project.selection && project.doc && !file.hasFocus) file.show(lineOf(project.doc, pathOf(project.selection)), false);
     canvas.draw();
     return refreshBar();
   }
@@ -194,7 +204,7 @@ function refreshBar(): void {
   redo.disabled = !project.canRedo;
   for (const [tool, b] of toolButtons) {
     b.setAttribute("aria-pressed", String(tools.tool === tool));
-    b.disabled = !project.drawable && tool !== "select";
+    b.disabled = !project.drawable && tool !== "select" && tool !== "photo";
   }
   canvas.root.dataset.tool = tools.tool;
   go.textContent = say(push.running ? "studio.button.stop" : "studio.button.push");
@@ -250,9 +260,27 @@ async function share(): Promise<void> {
   }
 }
 function remove(): void {
-  if (!project.drawable || project.selected < 0) return;
+  if (!project.drawable || !project.drawing || !project.selection) return;
   project.endStep();
-  project.change(removeOpening(project.text, project.selected), -1);
+  project.change(removePart(project.text, project.drawing, project.selection), null);
+}
+// An arch over the selected opening, or a lintel again.
+function arch(): void {
+  const { drawing, selected } = project;
+  if (!drawing || !project.drawable || canvas.readOnly) return;
+  if (selected < 0) return tell(say("studio.choose.opening"));
+  project.endStep();
+  project.change(setHead(project.text, drawing, selected, drawing.openings[selected].arch ? "lintel" : "segmental"));
+}
+// A steel frame in the selected opening, or none again.
+function frame(): void {
+  const { drawing, selected } = project;
+  if (!drawing || !project.drawable || canvas.readOnly) return;
+  if (selected < 0) return tell(say("studio.choose.opening"));
+  const there = frameOf(drawing, selected);
+  if (there < 0 && drawing.openings[selected].arch) return tell(say("studio.frame.arch"));
+  project.endStep();
+  project.change(there < 0 ? addFrame(project.text, drawing, selected, say("studio.a.frame")) : removeFrame(project.text, there));
 }
 function turn(): void {
   const now = project.doc && pushOf(project.doc);
@@ -268,6 +296,7 @@ function nextTheme(): void {
   themes.textContent = themeName();
 }
 function escape(): void {
+  if (tools.tool === "photo" && photo.escape()) return;
   if (tools.tool !== "select") tools.choose("select");
   else if (canvas.readOnly) push.leave();
   else project.select(-1);
@@ -281,6 +310,13 @@ const all: Command[] = [
   { name: "wall", keys: ["w"], does: () => tools.choose("wall") },
   { name: "door", keys: ["d"], does: () => tools.choose("door") },
   { name: "window", keys: ["o"], does: () => tools.choose("window") },
+  { name: "arch", keys: ["a"], does: arch },
+  { name: "storey", keys: ["e"], does: () => tools.choose("storey") },
+  { name: "floor", keys: ["g"], does: () => tools.choose("floor") },
+  { name: "tie", keys: ["i"], does: () => tools.choose("tie") },
+  { name: "frame", keys: ["k"], does: frame },
+  { name: "photo", keys: ["b"], does: () => tools.choose("photo") },
+  { name: "photo.show", keys: ["h"], does: () => photo.toggle() },
   { name: "place", keys: ["Enter"], does: () => tools.place(), hidden: true },
   { name: "delete", keys: ["Delete", "Backspace"], does: remove },
   { name: "undo", keys: ["Ctrl+z"], does: () => project.undo() },
@@ -337,7 +373,10 @@ document.addEventListener("dragover", (e) => e.preventDefault());
 document.addEventListener("drop", (e) => {
   e.preventDefault();
   const dropped = e.dataTransfer?.files[0];
-  if (dropped) void openFile(dropped);
+  if (dropped?.type.startsWith("image/")) {
+    tools.choose("photo");
+    void photo.open(dropped);
+  } else if (dropped) void openFile(dropped);
 });
 new ResizeObserver(() => canvas.fit()).observe(canvas.root);
 
@@ -355,7 +394,7 @@ document.body.prepend(
     input),
   h("main", { class: "desk" },
     h("nav", { class: "tools", "aria-label": say("studio.tools") }, ...toolButtons.values()),
-    h("section", { class: "board", "aria-label": say("studio.drawing") }, canvas.root, tools.typing, reason, h("div", { class: "snaps", role: "group", "aria-label": say("studio.snap") }, ...snapButtons, h("button", { class: "chip-button", type: "button", onclick: () => canvas.fit() }, say("studio.button.fit")))),
+    h("section", { class: "board", "aria-label": say("studio.drawing") }, photo.bar, canvas.root, tools.typing, reason, h("div", { class: "snaps", role: "group", "aria-label": say("studio.snap") }, ...snapButtons, h("button", { class: "chip-button", type: "button", onclick: () => canvas.fit() }, say("studio.button.fit")))),
     h("aside", { class: "side", "aria-label": say("studio.side") },
       h("div", { class: "tabs", role: "tablist" }, ...tabs),
       h("div", { id: "pane-numbers", class: "pane", role: "tabpanel", "aria-label": say("studio.pane.numbers") }, panel.root),
@@ -373,6 +412,7 @@ async function start(): Promise<void> {
     text = store.kept();
     told = text === null ? "" : say("studio.restored");
   }
+  const linked = store.hasLink(); // another's wall: the photo stays hidden
   if (store.hasLink())
     try {
       text = await store.textOfLink();
@@ -381,6 +421,7 @@ async function start(): Promise<void> {
       told = say("studio.badlink");
     }
   begin(text ?? starter("portal"));
+  await photo.restore(!linked);
   if (told !== "") tell(told);
   document.documentElement.dataset.ready = "yes";
 }

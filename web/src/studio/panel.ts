@@ -1,8 +1,12 @@
 // The numbers of the wall beside the drawing. Each field shows what the file says and edits it in place.
 import { h, type Child } from "../dom";
 import { num, say } from "../texts";
-import { addLintel, isDoor, loadOf, pushOf, removeLintel, removeOpening, setDirection, setLength, setOpening, setWallSize, type Box } from "./drawing";
+import { headOf, kHeads, riseOf, setHead, setRise, type Head } from "./arches";
+import { isDoor, loadOf, pushOf, setDirection, setLength, setOpening, setWallSize, type Box, type Selected } from "./drawing";
 import { kMaterials } from "./materials";
+import { renameOpening } from "./frames";
+import { frameFields, partGroup, partShape } from "./part_panel";
+import { removePart } from "./parts";
 import type { Project } from "./project";
 import { countAt, find, quoted, setValue, valueAt, type Path } from "./toml";
 import { lengthOf, readQuantity, typedLength, typedQuantity, writeQuantity } from "./units";
@@ -20,7 +24,7 @@ export class Panel {
   private shape = ""; // of what is shown: another one is built anew
 
   constructor(
-    private readonly project: Project,
+    readonly project: Project,
     private readonly changed: () => void,
   ) {
     project.listen(() => this.refresh());
@@ -31,7 +35,7 @@ export class Panel {
     const doc = project.doc;
     const load = doc && loadOf(doc);
     const push = doc && pushOf(doc);
-    const shape = [project.drawing?.openings.length ?? -1, project.selected, load?.key, load?.path[1], push?.stage, push?.until !== null, project.drawing?.storeys.length, find(doc ?? { text: "", root: { kind: "table", inline: false, from: 0, to: 0, keys: new Map() }, sections: [] }, ["masonry"]) !== undefined].join();
+    const shape = [project.drawing?.openings.length ?? -1, project.selection?.kind, project.selection?.k, partShape(project), project.drawing?.openings[project.selected]?.arch?.kind, load?.key, load?.path[1], push?.stage, push?.until !== null, project.drawing?.storeys.length, find(doc ?? { text: "", root: { kind: "table", inline: false, from: 0, to: 0, keys: new Map() }, sections: [] }, ["masonry"]) !== undefined].join();
     if (shape !== this.shape) {
       this.shape = shape;
       this.build();
@@ -46,9 +50,10 @@ export class Panel {
     this.fields = [];
     if (!project.drawing) return this.root.replaceChildren();
     const k = project.selected;
-    this.root.replaceChildren(...(k >= 0 ? [this.openingGroup(k)] : []), this.wallGroup(), this.masonryGroup(), this.loadGroup());
+    const part = project.selection && project.selection.kind !== "opening" ? [partGroup(this, project.selection)] : [];
+    this.root.replaceChildren(...(k >= 0 ? [this.openingGroup(k)] : part), this.wallGroup(), this.masonryGroup(), this.loadGroup());
   }
-  private group(title: string, ...fields: Child[]): HTMLElement {
+  group(title: string, ...fields: Child[]): HTMLElement {
     return h("section", { class: "group" }, h("h2", {}, title), h("div", { class: "fields" }, fields));
   }
 
@@ -62,17 +67,17 @@ export class Panel {
         const o = opening();
         return setOpening(project.text, k, { ...o, [key]: value + (key === "y" ? o.foot : 0) }, o.foot);
       }, key === "x" || key === "width" ? "half" : "course");
-    const lintel = h("input", { type: "checkbox", onchange: () => this.edit(opening().lintel ? removeLintel(project.text, k) : addLintel(project.text, project.drawing!, k)) });
-    this.fields.push({ root: lintel, refresh: () => {
-      lintel.checked = opening().lintel;
-      lintel.dataset.off = opening().arch ? "1" : "";
-    } });
+    const arch = opening().arch;
+    const depth: Path = ["wall", "opening", k, "arch", "depth"];
     return this.group(
       say(isDoor(opening()) ? "studio.door" : "studio.window"),
-      this.text(say("studio.name"), () => opening().name, (name) => setValue(project.text, ["wall", "opening", k, "name"], quoted(name)), true),
+      this.text(say("studio.name"), () => opening().name, (name) => renameOpening(project.text, project.drawing!, k, name), true),
       side("x", say("studio.left")), side("y", say("studio.sill")), side("width", say("studio.width")), side("height", say("studio.height")),
-      h("label", { class: "check" }, lintel, say("studio.lintel")),
-      h("button", { class: "button", type: "button", onclick: () => this.edit(removeOpening(project.text, k), -1) }, say("studio.delete")),
+      this.choice(say("studio.head"), kHeads.map((head) => [head, say(`studio.head.${head}`)]), () => headOf(opening()), (head) => setHead(project.text, project.drawing!, k, head as Head), true),
+      arch && arch.kind !== "flat" && this.length(say("studio.rise"), () => riseOf(opening().arch, opening().width), (v) => setRise(project.text, project.drawing!, k, v), 0.01),
+      arch && this.length(say("studio.arch.depth"), () => opening().arch?.depth ?? NaN, (v) => setLength(project.text, depth, v), 0.01),
+      frameFields(this, k),
+      h("button", { class: "button", type: "button", onclick: () => this.edit(removePart(project.text, project.drawing!, { kind: "opening", k }), -1) }, say("studio.delete")),
     );
   }
   private wallGroup(): HTMLElement {
@@ -122,9 +127,9 @@ export class Panel {
     return this.group(say("studio.load"), fields);
   }
 
-  // --- fields -------------------------------------------------------------------------------------------
+  // --- fields, for part_panel.ts too -------------------------------------------------------------------------------------------
 
-  private edit(text: string, selected = this.project.selected): void {
+  edit(text: string, selected: Selected | number | null = this.project.selection): void {
     this.project.endStep();
     this.project.change(text, selected);
     this.changed();
@@ -160,22 +165,32 @@ export class Panel {
     this.fields.push({ root, refresh });
     return root;
   }
-  private length(label: string, show: () => number, set: (value: number) => string, step: "half" | "course" | number, unit = "m"): HTMLElement {
+  length(label: string, show: () => number, set: (value: number) => string | null, step: "half" | "course" | number, unit = "m"): HTMLElement {
     const by = (): number => (typeof step === "number" ? step : this.project.drawing![step]);
     const safe = (v: number | null): string | null => (v === null || v < 0 || v > 1e4 ? null : set(v));
     const plain = (v: number): string => (Number.isFinite(v) ? writeQuantity(v, unit, unit === "m" ? "0.00" : "").split(" ")[0] : "");
     return this.entry(label, unit, () => plain(show()), (text) => safe(typedLength(/[a-z]/i.test(text) ? text : `${text} ${unit}`)), (n) => safe(show() + n * by()));
   }
-  private quantity(label: string, show: () => string, set: (value: string) => string): HTMLElement {
+  quantity(label: string, show: () => string, set: (value: string) => string | null): HTMLElement {
     return this.entry(label, "", show, (text) => {
       const value = typedQuantity(text, show());
       return value === null ? null : set(value);
     });
   }
-  private text(label: string, show: () => string, set: (value: string) => string, wide = false): HTMLElement {
+  number(label: string, show: () => number, set: (value: number) => string): HTMLElement {
+    const safe = (n: number): string | null => (Number.isInteger(n) && n >= 1 && n < 100 ? set(n) : null);
+    return this.entry(label, "", () => String(show()), (text) => safe(Number(text)), (by) => safe(show() + by));
+  }
+  // What follows from the numbers.
+  hint(show: () => string): HTMLElement {
+    const root = h("output", { class: "hint" });
+    this.fields.push({ root, refresh: () => (root.textContent = show()) });
+    return root;
+  }
+  text(label: string, show: () => string, set: (value: string) => string, wide = false): HTMLElement {
     return this.entry(label, "", show, (text) => (text.trim() === "" ? null : set(text.trim())), undefined, wide);
   }
-  private choice(label: string, options: [string, string][], show: () => string, set: (value: string) => string, wide = false): HTMLElement {
+  choice(label: string, options: [string, string][], show: () => string, set: (value: string) => string, wide = false): HTMLElement {
     const select = h("select", { "aria-label": label, onchange: () => this.edit(set(select.value)) });
     for (const [value, text] of options) select.append(h("option", { value }, text));
     const root = h("label", { class: wide ? "entry wide" : "entry" }, h("span", {}, label), select);

@@ -1,6 +1,7 @@
 // The wall under work: its text, what the drawing reads from it, what is selected, and every earlier text.
 // One gesture is one step back. All else listens.
-import { isRefusal, readDrawing, type Drawing, type Refusal } from "./drawing";
+import { countOf, isRefusal, readDrawing, type Drawing, type Refusal, type Selected } from "./drawing";
+import type { PhotoPlace } from "./photo_store";
 import { parse, TomlFault, type Doc } from "./toml";
 
 export interface Fault {
@@ -13,7 +14,8 @@ export interface Fault {
 
 interface Step {
   text: string;
-  selected: number;
+  selection: Selected | null;
+  photo: PhotoPlace | null;
 }
 const kSteps = 200;
 
@@ -23,7 +25,8 @@ export class Project {
   drawing: Drawing | null = null; // of that text too; it stays when a later text cannot be read
   refusal: Refusal | null = null; // why the drawing cannot show the text as it is
   broken: TomlFault | null = null; // the text is no TOML
-  selected = -1; // an opening
+  selection: Selected | null = null;
+  photo: PhotoPlace | null = null; // where the photo under the drawing lies; beside the text, but undone with it
   private steps: Step[] = [];
   private undone: Step[] = [];
   private joined = ""; // what the last step was part of: typing in one field is one step
@@ -36,6 +39,10 @@ export class Project {
     for (const hear of this.listeners) hear(why);
   }
 
+  // The opening that is selected, or -1.
+  get selected(): number {
+    return this.selection?.kind === "opening" ? this.selection.k : -1;
+  }
   // Whether gestures may change the text.
   get drawable(): boolean {
     return this.drawing !== null && this.refusal === null && this.broken === null;
@@ -46,29 +53,51 @@ export class Project {
     this.undone = [];
     this.joined = "";
     this.drawing = null;
-    this.read(text, -1);
+    this.read(text, null);
   }
   // Another wall altogether, as one step: nothing of the drawing before stays.
   replace(text: string): void {
     this.joined = "";
     if (text !== this.text) this.drawing = null;
-    this.change(text, -1);
+    this.change(text, null);
   }
   // A new text as one step; steps that are parts of one (`join`) become one.
-  change(text: string, selected = this.selected, join = ""): void {
-    if (text === this.text) return this.select(selected);
-    if (join === "" || join !== this.joined) {
-      this.steps.push({ text: this.text, selected: this.selected });
-      if (this.steps.length > kSteps) this.steps.shift();
-    }
+  change(text: string, selected: Selected | number | null = this.selection, join = ""): void {
+    const selection = typeof selected === "number" ? anOpening(selected) : selected;
+    if (text === this.text) return this.choose(selection);
+    if (join === "" || join !== this.joined) this.step();
     this.undone = [];
     this.joined = join;
-    this.read(text, selected);
+    this.read(text, selection);
+  }
+  private step(): void {
+    this.steps.push({ text: this.text, selection: this.selection, photo: this.photo });
+    if (this.steps.length > kSteps) this.steps.shift();
+  }
+  // The photo elsewhere, as one step; steps that are parts of one (`join`) become one.
+  placePhoto(place: PhotoPlace, join = ""): void {
+    if (join === "" || join !== this.joined) this.step();
+    this.undone = [];
+    this.joined = join;
+    this.photo = place;
+    this.tell("selection");
+  }
+  // Another photo: no step before knows where it lies.
+  newPhoto(place: PhotoPlace): void {
+    for (const step of [...this.steps, ...this.undone]) step.photo = null;
+    this.photo = place;
+    this.tell("selection");
   }
   select(index: number): void {
-    if (index === this.selected || index >= (this.drawing?.openings.length ?? 0)) return;
-    this.selected = index;
+    this.choose(anOpening(index));
+  }
+  choose(selection: Selected | null): void {
+    if (same(selection, this.selection) || !this.holds(selection)) return;
+    this.selection = selection;
     this.tell("selection");
+  }
+  private holds(selection: Selected | null): boolean {
+    return selection === null || (this.drawing !== null && selection.k < countOf(this.drawing, selection.kind));
   }
   get canUndo(): boolean {
     return this.steps.length > 0;
@@ -85,15 +114,18 @@ export class Project {
   private swap(from: Step[], to: Step[]): void {
     const step = from.pop();
     if (!step) return;
-    to.push({ text: this.text, selected: this.selected });
+    to.push({ text: this.text, selection: this.selection, photo: this.photo });
     this.joined = "";
-    this.read(step.text, step.selected);
+    this.photo = step.photo ?? this.photo;
+    if (step.text !== this.text) return this.read(step.text, step.selection);
+    this.selection = step.selection;
+    this.tell("selection");
   }
   endStep(): void {
     this.joined = "";
   }
 
-  private read(text: string, selected: number): void {
+  private read(text: string, selection: Selected | null): void {
     this.text = text;
     this.broken = this.refusal = null;
     try {
@@ -105,7 +137,10 @@ export class Project {
       if (!(error instanceof TomlFault)) throw error;
       this.broken = error;
     }
-    this.selected = selected < (this.drawing?.openings.length ?? 0) ? selected : -1;
+    this.selection = this.holds(selection) ? selection : null;
     this.tell("text");
   }
 }
+
+const anOpening = (k: number): Selected | null => (k < 0 ? null : { kind: "opening", k });
+const same = (a: Selected | null, b: Selected | null): boolean => a?.kind === b?.kind && a?.k === b?.k;

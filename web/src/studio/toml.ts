@@ -281,6 +281,12 @@ export function countAt(doc: Doc, path: Path): number {
   return node?.kind === "tables" || node?.kind === "list" ? node.items.length : 0;
 }
 
+// The values of a list in a line.
+export function listAt(doc: Doc, path: Path): (string | number | boolean | null)[] {
+  const node = find(doc, path);
+  return node?.kind === "list" ? node.items.map((item) => (item.kind === "value" ? item.data : null)) : [];
+}
+
 export const quoted = (text: string): string =>
   JSON.stringify(text).replace(/\u007f/g, "\\u007F");
 const keyName = (name: string): string => (/^[A-Za-z0-9_-]+$/.test(name) ? name : quoted(name));
@@ -329,6 +335,14 @@ export function setValue(text: string, path: Path, literal: string): string {
   return inserted(text, ...sectionPlace(doc, parent, `[${title}]\n${pair}\n`));
 }
 
+// Another key with another value in the place of one.
+export function renameKey(text: string, path: Path, name: string, literal: string): string {
+  const doc = parse(text);
+  const parent = find(doc, path.slice(0, -1));
+  const entry = parent?.kind === "table" ? parent.keys.get(String(path[path.length - 1])) : undefined;
+  return entry ? replaced(text, entry.from, endOf(entry.node), `${keyName(name)} = ${literal}`) : text;
+}
+
 const endOf = (node: Node): number => (node.kind === "tables" ? 0 : node.to);
 function lineEndAt(text: string, at: number): number {
   const end = text.indexOf("\n", at);
@@ -350,7 +364,9 @@ function sectionPlace(doc: Doc, path: Path, lines: string): [number, string] {
   return [text.length, gap + lines];
 }
 
-export function appendTable(text: string, path: Path, pairs: [string, string][]): string {
+// A new member at the end of a list of tables. The first of its kind stands after the last section of those that
+// `after` names.
+export function appendTable(text: string, path: Path, pairs: [string, string][], after: string[] = []): string {
   const doc = parse(text);
   const node = find(doc, path);
   if (node?.kind === "list") {
@@ -360,7 +376,38 @@ export function appendTable(text: string, path: Path, pairs: [string, string][])
   }
   const title = path.filter((p) => typeof p === "string").map((p) => keyName(p as string)).join(".");
   const lines = [`[[${title}]]`, ...pairs.map(([k, v]) => `${keyName(k)} = ${v}`)].join("\n") + "\n";
-  return inserted(text, ...sectionPlace(doc, path, lines));
+  const last = node ? undefined : doc.sections.filter((s) => after.includes(String(s.path[0]))).pop();
+  return inserted(text, ...sectionPlace(doc, last?.path ?? path, lines));
+}
+// A new member before member k of a list of tables, with the remarks above that left to it.
+export function insertTable(text: string, path: Path, k: number, pairs: [string, string][]): string {
+  const doc = parse(text);
+  const node = find(doc, path);
+  if (!node || (node.kind !== "tables" && node.kind !== "list") || k >= node.items.length) return appendTable(text, path, pairs);
+  const lines = pairs.map(([key, v]) => `${keyName(key)} = ${v}`);
+  if (node.kind === "list") return inserted(text, (node.items[k] as Table).from, `{ ${lines.join(", ")} }, `);
+  const section = doc.sections.find((s) => same(s.path, [...path, k]))!;
+  const title = path.filter((p) => typeof p === "string").map((p) => keyName(p as string)).join(".");
+  return inserted(text, withRemarks(text, section.start), [`[[${title}]]`, ...lines].join("\n") + "\n\n");
+}
+// Where a section begins, with the lines of remarks right above it.
+export function withRemarks(text: string, start: number): number {
+  let at = text.lastIndexOf("\n", start - 1) + 1;
+  for (;;) {
+    const before = text.lastIndexOf("\n", at - 2) + 1;
+    if (at === 0 || !/^[ \t]*#/.test(text.slice(before, at))) return at;
+    at = before;
+  }
+}
+// What stands in a place, as it would be written after a key.
+export function literalOf(doc: Doc, path: Path): string {
+  const write = (node: Node): string => {
+    if (node.kind === "value" || node.kind === "list" || (node.kind === "table" && node.inline && node.to > node.from)) return doc.text.slice(node.from, node.to);
+    if (node.kind === "tables") return `[${node.items.map(write).join(", ")}]`;
+    return `{ ${[...node.keys].map(([key, entry]) => `${keyName(key)} = ${write(entry.node)}`).join(", ")} }`;
+  };
+  const node = find(doc, path);
+  return node ? write(node) : "";
 }
 
 export function removeAt(text: string, path: Path): string {

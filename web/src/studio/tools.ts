@@ -3,22 +3,28 @@
 import { h } from "../dom";
 import { say } from "../texts";
 import type { Canvas, Handle } from "./canvas";
-import { addOpening, gaps, isDoor, setOpening, setWallSize, storeyAt, type Box, type Drawing } from "./drawing";
+import { addOpening, gaps, isDoor, isRefusal, readDrawing, setOpening, setWallSize, storeyAt, type Box, type Drawing, type Kind, type Selected } from "./drawing";
+import { dragCrown, dragPart, kPlaces, nudgePart, placePart, type Offer, type PartGesture } from "./part_gestures";
+import type { Photo } from "./photo";
 import type { Project } from "./project";
 import { snapLine, snapMove, type Guide, type Snapping } from "./snap";
+import { parse } from "./toml";
 import { typedLength } from "./units";
 import { metres } from "./words";
 
-export type Tool = "select" | "wall" | "door" | "window";
-export const kTools: Tool[] = ["select", "wall", "door", "window"];
+export type Tool = "select" | "wall" | "door" | "window" | "storey" | "floor" | "tie" | "photo";
+export const kTools: Tool[] = ["select", "wall", "door", "window", "storey", "floor", "tie", "photo"];
+const places = (tool: Tool): boolean => tool in kPlaces; // what goes along with the pointer before the click too
 
-interface Point {
+export interface Point {
   x: number;
   y: number;
 }
-type FieldName = "width" | "height" | "length" | "left" | "below";
+export type FieldName = "width" | "height" | "length" | "left" | "below" | "rise" | "level";
 interface Gesture {
-  kind: "draw" | "move" | "resize" | "size" | "wall" | "pan";
+  kind: "draw" | "move" | "resize" | "size" | "wall" | "pan" | "part";
+  part?: PartGesture;
+  held?: boolean; // the button, since the start
   handle: Handle;
   start: Point; // in metres
   now: Point;
@@ -48,6 +54,8 @@ export class Tools {
     private readonly canvas: Canvas,
     private readonly project: Project,
     private readonly changed: () => void,
+    private readonly tell: (words: string) => void,
+    readonly photo: Photo,
   ) {
     project.listen((why) => {
       if (why === "text" && this.gesture) this.forget(); // what it holds may be gone
@@ -57,10 +65,16 @@ export class Tools {
     root.addEventListener("pointermove", (e) => this.move(e));
     root.addEventListener("pointerup", (e) => this.up(e));
     root.addEventListener("pointercancel", (e) => (this.pointers.delete(e.pointerId), this.cancel()));
+    root.addEventListener("pointerleave", () => {
+      const g = this.gesture;
+      if (g?.part && g.clicks && Object.keys(g.typed).length === 0) this.cancel();
+    });
     root.addEventListener("wheel", (e) => this.wheel(e), { passive: false });
     root.addEventListener("focusin", (e) => {
-      const opening = (e.target as SVGElement).dataset.opening;
-      if (opening !== undefined && !this.gesture && (e.target as Element).matches(":focus-visible")) project.select(Number(opening));
+      const { opening, part } = (e.target as SVGElement).dataset;
+      if (this.gesture || !(e.target as Element).matches(":focus-visible")) return;
+      if (opening !== undefined) project.select(Number(opening));
+      if (part !== undefined) project.choose({ kind: part.split(" ")[0] as Kind, k: Number(part.split(" ")[1]) });
     });
   }
 
@@ -70,15 +84,18 @@ export class Tools {
   choose(tool: Tool): void {
     this.cancel();
     this.tool = tool;
+    this.photo.activate(tool === "photo");
     this.changed();
   }
   cancel(): void {
     this.forget();
+    this.photo.cancel();
     this.canvas.draw();
   }
   private forget(): void {
     this.gesture = null;
     this.canvas.preview = null;
+    this.canvas.draft = null;
     this.typing.hidden = true;
   }
 
@@ -92,24 +109,35 @@ export class Tools {
       return;
     }
     if (e.button > 1) return;
-    if (this.gesture?.clicks) return; // this click ends what the one before began
+    if (this.tool === "photo" && e.button === 0 && this.photo.down(this.canvas.at(e), { x: e.clientX, y: e.clientY })) return this.canvas.root.setPointerCapture(e.pointerId);
+    if (this.gesture?.clicks) {
+      if (this.gesture.part) [this.gesture.start, this.gesture.held] = [this.canvas.at(e), true];
+      return; // this click ends what the one before began
+    }
     const target = (e.target as Element).closest<SVGElement>("[data-handle]");
     const handle = target?.dataset.handle as Handle | undefined;
     const opening = target?.dataset.opening;
-    this.begin(e, handle, opening === undefined ? -1 : Number(opening));
+    const [kind, k] = target?.dataset.part?.split(" ") ?? [];
+    this.begin(e, handle, opening === undefined ? -1 : Number(opening), kind ? { kind: kind as Kind, k: Number(k) } : null);
     this.canvas.root.setPointerCapture(e.pointerId);
   }
-  private begin(e: PointerEvent, handle: Handle | undefined, opening: number): void {
+  private begin(e: PointerEvent, handle: Handle | undefined, opening: number, part: Selected | null): void {
     const { project, canvas } = this;
     const d = project.drawing;
     const at = canvas.at(e);
     const base = { start: at, now: at, self: -1, typed: {}, field: 0, clicks: false, moved: false, free: e.altKey, client: { clientX: e.clientX, clientY: e.clientY } };
     const none: Box = { x: 0, y: 0, width: 0, height: 0 };
     const pan: Gesture = { ...base, kind: "pan", handle: "move", box: { ...none, x: canvas.view.left, y: canvas.view.bottom }, fields: [] };
+    const partly = (part: PartGesture): Gesture => ({ ...base, kind: "part", part, handle: "move", box: none, fields: part.fields });
     if (!d || e.button === 1) this.gesture = pan;
     else if (this.tool === "select") {
       if (opening >= 0) project.select(opening);
+      if (part && !canvas.readOnly) project.choose(part);
+      const dragged = part && project.drawable ? dragPart(project.text, d, part, at, this.reach) : null;
+      if (part && !dragged && !canvas.readOnly) return; // selected, and not to be dragged
       if (!project.drawable || canvas.readOnly || !handle) this.gesture = pan;
+      else if (handle === "part") this.gesture = dragged ? partly(dragged) : pan;
+      else if (handle === "crown") this.gesture = partly(dragCrown(project.text, d, project.selected));
       else if (handle === "length" || handle === "height")
         this.gesture = { ...base, kind: "size", handle, box: { ...none, width: d.length, height: d.height }, fields: [handle] };
       else {
@@ -117,10 +145,23 @@ export class Tools {
         const fields: FieldName[] = handle === "move" ? ["left", "below"] : /[ew]/.test(handle) ? ["width", "height"] : ["height"];
         this.gesture = { ...base, kind: handle === "move" ? "move" : "resize", handle, box: { ...d.openings[self] }, self, fields };
       }
+    } else if (this.tool === "photo") this.gesture = pan;
+    else if (places(this.tool)) {
+      if (project.drawable && !canvas.readOnly) this.follow(e, false);
+      else this.gesture = pan;
     } else if (project.drawable) {
       const start = this.tool === "wall" ? at : this.corner(d, at, e.altKey).at;
       this.gesture = { ...base, kind: this.tool === "wall" ? "wall" : "draw", handle: "move", start, box: { ...start, width: 0, height: 0 }, fields: this.tool === "wall" ? ["length", "height"] : ["width", "height"] };
     } else this.gesture = pan;
+  }
+  // What the tool places goes along with the pointer: from now on, or since before the button was pressed.
+  private follow(e: PointerEvent, hovers: boolean): void {
+    const part = kPlaces[this.tool](this.project.text, this.project.drawing!);
+    const at = this.canvas.at(e);
+    const box: Box = { x: 0, y: 0, width: 0, height: 0 };
+    this.gesture = { kind: "part", part, handle: "move", start: at, now: at, box, self: -1, fields: part.fields, typed: {}, field: 0, clicks: hovers, held: !hovers, moved: true, free: e.altKey, client: { clientX: e.clientX, clientY: e.clientY } };
+    this.show(this.gesture);
+    this.placeTyping(e);
   }
   private move(e: PointerEvent): void {
     if (this.pointers.has(e.pointerId)) this.pointers.set(e.pointerId, e);
@@ -130,8 +171,13 @@ export class Tools {
       this.pinch = spread;
       return;
     }
+    this.photo.move(this.canvas.at(e), { x: e.clientX, y: e.clientY });
     const g = this.gesture;
-    if (!g) return;
+    if (!g) {
+      const { drawing, drawable } = this.project;
+      if (places(this.tool) && e.pointerType === "mouse" && e.buttons === 0 && drawing && drawable && !this.canvas.readOnly) this.follow(e, true);
+      return;
+    }
     if (Math.hypot(e.clientX - g.client.clientX, e.clientY - g.client.clientY) > kClick) g.moved = true;
     if (!g.moved) return;
     g.now = this.canvas.at(e);
@@ -147,6 +193,7 @@ export class Tools {
   }
   private up(e: PointerEvent): void {
     this.pointers.delete(e.pointerId);
+    this.photo.up(this.canvas.at(e));
     const g = this.gesture;
     if (!g) return;
     if (g.kind === "pan") {
@@ -262,7 +309,16 @@ export class Tools {
     }
     return { box: { x, y, width, height }, guides };
   }
+  private offer(g: Gesture): Offer {
+    return g.part!.at({ start: g.start, now: g.now, typed: (name) => typedLength(g.typed[name] ?? ""), how: this.how(g.free), reach: this.reach, drawn: g.held });
+  }
   private show(g: Gesture): void {
+    if (g.kind === "part") {
+      const offer = this.offer(g);
+      const drawing = readDrawing(parse(offer.text));
+      if (!isRefusal(drawing)) this.canvas.draft = { drawing, selection: offer.selection, guides: offer.guides ?? [] };
+      return this.canvas.draw();
+    }
     const { box, guides } = this.outcome(g);
     this.canvas.preview = { box, guides, self: g.self, wall: g.kind === "wall" || g.kind === "size" };
     this.canvas.draw();
@@ -272,6 +328,7 @@ export class Tools {
     const g = this.gesture;
     const d = this.project.drawing;
     if (!g || !d) return;
+    if (g.kind === "part") return this.finishPart(this.offer(g));
     const { box } = this.outcome(g);
     this.cancel();
     const { project } = this;
@@ -289,6 +346,14 @@ export class Tools {
     }
     this.changed();
   }
+  private finishPart(offer: Offer): void {
+    this.cancel();
+    if (offer.hinder) return this.tell(offer.hinder);
+    this.tool = "select";
+    this.project.endStep();
+    this.project.change(offer.text, offer.selection);
+    this.changed();
+  }
   private add(d: Drawing, box: Box): void {
     const word = say(this.tool === "door" ? "studio.a.door" : "studio.a.window");
     this.project.change(addOpening(this.project.text, d, box, word), d.openings.length);
@@ -299,6 +364,7 @@ export class Tools {
   // Without a pointer: in the middle of the widest free length at that height.
   place(): void {
     const d = this.project.drawing;
+    if (d && this.project.drawable && places(this.tool)) return this.finishPart(placePart(this.tool, this.project.text, d));
     if (!d || !this.project.drawable || (this.tool !== "door" && this.tool !== "window")) return;
     const grid = (v: number, step: number): number => Math.max(1, Math.round(v / step)) * step;
     const y = this.tool === "door" ? 0 : grid(0.9, d.course);
@@ -317,9 +383,17 @@ export class Tools {
   }
   // The selected opening by one step: half a unit, a course, or a centimetre.
   nudge(dx: number, dy: number, fine: boolean): void {
+    if (this.tool === "photo") return this.photo.nudge(dx, dy, fine);
     const { project } = this;
     const d = project.drawing;
-    if (!d || !project.drawable || project.selected < 0) return;
+    if (!d || !project.drawable || project.selection === null) return;
+    if (project.selected < 0) {
+      const step = { x: dx * (fine ? 0.01 : d.half), y: dy * (fine ? 0.01 : d.course) };
+      const offer = nudgePart(project.text, d, project.selection, step);
+      if (offer?.hinder) this.tell(offer.hinder);
+      else if (offer) project.change(offer.text, offer.selection, `nudge ${project.selection.kind} ${project.selection.k}`);
+      return;
+    }
     const o = d.openings[project.selected];
     const x = Math.min(d.length - o.width, Math.max(0, o.x + dx * (fine ? 0.01 : d.half)));
     const y = Math.min(d.height - o.height, Math.max(o.foot, o.y + dy * (fine ? 0.01 : d.course)));
@@ -335,6 +409,7 @@ export class Tools {
     const name = g.fields[g.field];
     const text = g.typed[name] ?? "";
     if (e.key === "Escape") {
+      if (g.part && g.clicks) this.choose("select"); // else it would go on with the next move
       this.cancel();
       return true;
     }
@@ -353,14 +428,20 @@ export class Tools {
   private placeTyping(at?: { clientX: number; clientY: number }): void {
     const g = this.gesture;
     const preview = this.canvas.preview;
-    if (!g || !preview) return;
-    const gap = gaps(this.project.drawing!, preview.box, g.self);
-    const value: Record<FieldName, number> = { width: preview.box.width, length: preview.box.width, height: preview.box.height, left: gap.left, below: gap.below };
+    if (!g || (!preview && !g.part)) return;
+    const offer = g.part && this.offer(g);
+    let value: Partial<Record<FieldName, number>> = offer?.values ?? {};
+    if (preview) {
+      const gap = gaps(this.project.drawing!, preview.box, g.self);
+      value = { width: preview.box.width, length: preview.box.width, height: preview.box.height, left: gap.left, below: gap.below };
+    }
     this.typing.hidden = false;
+    this.typing.classList.toggle("hindered", offer?.hinder !== undefined);
     this.typing.replaceChildren(
       ...g.fields.map((name, k) =>
-        h("span", { class: k === g.field ? "field now" : "field" }, `${say(`studio.field.${name}`)} `, h("b", {}, g.typed[name] ? `${g.typed[name]}▏` : metres(value[name]))),
+        h("span", { class: k === g.field ? "field now" : "field" }, `${say(`studio.field.${name}`)} `, h("b", {}, g.typed[name] ? `${g.typed[name]}▏` : metres(value[name] ?? 0))),
       ),
+      ...(offer?.hinder ? [h("span", { class: "hinder" }, offer.hinder)] : []),
     );
     if (!at) return;
     const place = this.canvas.root.parentElement!.getBoundingClientRect();

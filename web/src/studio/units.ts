@@ -1,12 +1,13 @@
 // Quantities as a model file writes them ("5.10 m"), and lengths as people type them ("1,25", "80 cm").
 
-// How much of the base unit one of these is. Bases: m, N, Pa, N/m.
+// How much of the base unit one of these is. Bases: m, m^2, N, Pa, N/m.
 const kFactors: Record<string, [base: string, factor: number]> = {
   m: ["m", 1], dm: ["m", 0.1], cm: ["m", 0.01], mm: ["m", 0.001], ft: ["m", 0.3048], in: ["m", 0.0254],
   N: ["N", 1], kN: ["N", 1e3], MN: ["N", 1e6],
   Pa: ["Pa", 1], kPa: ["Pa", 1e3], MPa: ["Pa", 1e6], GPa: ["Pa", 1e9],
   "N/mm^2": ["Pa", 1e6], "N/mm2": ["Pa", 1e6], "N/m^2": ["Pa", 1], "kN/m^2": ["Pa", 1e3],
   "N/m": ["N/m", 1], "kN/m": ["N/m", 1e3],
+  "mm^2": ["m^2", 1e-6], mm2: ["m^2", 1e-6], "cm^2": ["m^2", 1e-4], cm2: ["m^2", 1e-4],
   "kg/m^3": ["kg/m^3", 1], "kg/m3": ["kg/m^3", 1],
 };
 

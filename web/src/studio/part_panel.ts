@@ -1,0 +1,125 @@
+// The numbers of a part that is selected and is no opening.
+import { h, type Child } from "../dom";
+import { qty, say } from "../texts";
+import { setLength, type Selected } from "./drawing";
+import { holdOf, kHolds, moveFloor, setFloorSpan, setHold, type Hold } from "./floors";
+import { addFrame, frameOf, kFeet, removeFrame, setProfile } from "./frames";
+import type { Panel } from "./panel";
+import { removePart } from "./parts";
+import { kProfiles, profileNamed } from "./profiles";
+import type { Project } from "./project";
+import { moveStoreyLine, renameStorey, setStoreyHeight } from "./storeys";
+import { forceOf, setTieEnds, setTieForce } from "./ties";
+import { find, quoted, removeAt, setValue, valueAt, type Path } from "./toml";
+import { lengthOf, readQuantity, writeQuantity } from "./units";
+
+// What tells one set of fields from another.
+export function partShape({ selection, doc, drawing }: Project): string {
+  if (!selection || !doc || !drawing) return "";
+  if (selection.kind === "opening") return [frameOf(drawing, selection.k), find(doc, ["frame", frameOf(drawing, selection.k), "profile"]) ? 1 : 0].join();
+  const keys: Partial<Record<string, string[]>> = { storey: ["thickness"], floor: ["load", "g1", "g2", "q", "psi2", "span", "bearing", "thrust", "mass", "joists"], tie: ["anchor_strength", "yield_strength"] };
+  return (keys[selection.kind] ?? []).map((key) => (find(doc, [selection.kind, selection.k, key]) ? 1 : 0)).join("");
+}
+
+export function partGroup(panel: Panel, part: Selected): HTMLElement {
+  if (part.kind === "floor") return floorGroup(panel, part.k);
+  if (part.kind === "tie") return tieGroup(panel, part.k);
+  return storeyGroup(panel, part.k);
+}
+const removal = (panel: Panel, part: Selected, words: string): HTMLElement =>
+  h("button", { class: "button", type: "button", onclick: () => panel.edit(removePart(panel.project.text, panel.project.drawing!, part), null) }, words);
+
+function storeyGroup(panel: Panel, k: number): HTMLElement {
+  const { project } = panel;
+  const d = () => project.drawing!;
+  const storey = () => d().storeys[Math.min(k, d().storeys.length - 1)];
+  const own: Path = ["storey", k, "thickness"];
+  const thickness = (): number => lengthOf(valueAt(project.doc!, own)) ?? lengthOf(valueAt(project.doc!, ["wall", "thickness"])) ?? NaN;
+  return panel.group(
+    say("studio.storey"),
+    panel.text(say("studio.name"), () => storey().name, (name) => renameStorey(project.text, d(), k, name), true),
+    k > 0 && panel.length(say("studio.above.base"), () => storey().foot, (y) => (y > d().storeys[k - 1].foot && y < storey().foot + storey().height ? moveStoreyLine(project.text, d(), k, y) : null), "course"),
+    panel.length(say("studio.height"), () => storey().height, (v) => (v > 0 ? setStoreyHeight(project.text, d(), k, v) : null), "course"),
+    panel.length(say("studio.thickness"), thickness, (v) => setValue(project.text, own, quoted(writeQuantity(v, "m", "0.00"))), 0.01),
+    find(project.doc!, own) && h("button", { class: "button", type: "button", onclick: () => panel.edit(removeAt(project.text, own)) }, say("studio.storey.aswall")),
+    k > 0 && removal(panel, { kind: "storey", k }, say("studio.storey.remove")),
+  );
+}
+
+function floorGroup(panel: Panel, k: number): HTMLElement {
+  const { project } = panel;
+  const d = () => project.drawing!;
+  const floor = () => d().floors[Math.min(k, d().floors.length - 1)];
+  // only what the file says of it, in its own units
+  const own = (key: string): HTMLElement | null => {
+    const path: Path = ["floor", k, key];
+    if (find(project.doc!, path) === undefined) return null;
+    const show = (): string => String(valueAt(project.doc!, path) ?? "");
+    if (readQuantity(show())) return panel.quantity(say(`studio.floor.${key}`), show, (v) => setValue(project.text, path, quoted(v)));
+    return null;
+  };
+  const inside = (y: number): boolean => y > 0 && y <= d().height + 1e-6;
+  return panel.group(
+    say("studio.floor"),
+    panel.text(say("studio.name"), () => floor().name, (name) => setValue(project.text, ["floor", k, "name"], quoted(name)), true),
+    panel.length(say("studio.above.base"), () => floor().y, (y) => (inside(y) ? moveFloor(project.text, d(), k, y) : null), "course"),
+    ["load", "g1", "g2", "q", "span", "bearing", "thrust", "mass"].map(own),
+    panel.length(say("studio.left"), () => floor().x, (x) => (x < d().length ? setFloorSpan(project.text, d(), k, x, Math.min(floor().width, d().length - x)) : null), "half"),
+    panel.length(say("studio.width"), () => floor().width, (w) => (w > 0 && floor().x + w <= d().length + 1e-6 ? setFloorSpan(project.text, d(), k, floor().x, w) : null), "half"),
+    panel.choice(say("studio.floor.hold"), kHolds.map((hold) => [hold, say(`studio.floor.hold.${hold}`)]), () => holdOf(d(), k), (hold) => setHold(project.text, d(), k, hold as Hold), true),
+    panel.hint(() => (floor().load === null ? "" : say("studio.floor.sum", { load: qty(floor().load! / 1000, "kN/m"), whole: qty((floor().load! * floor().width) / 1000, "kN") }))),
+    removal(panel, { kind: "floor", k }, say("studio.delete")),
+  );
+}
+
+function tieGroup(panel: Panel, k: number): HTMLElement {
+  const { project } = panel;
+  const tie = () => project.drawing!.ties[Math.min(k, project.drawing!.ties.length - 1)];
+  const at = (key: string): Path => ["tie", k, key];
+  const quantity = (key: string): HTMLElement | null =>
+    readQuantity(valueAt(project.doc!, at(key))) ? panel.quantity(say(`studio.tie.${key}`), () => String(valueAt(project.doc!, at(key)) ?? ""), (v) => setValue(project.text, at(key), quoted(v))) : null;
+  const end = (which: "from" | "to"): HTMLElement | null =>
+    tie()[which] && panel.length(say(`studio.tie.${which}`), () => tie()[which]?.x ?? NaN, (x) => setLength(project.text, [...at(which), "x"], x), "half");
+  const level = (y: number): string => {
+    const { from, to } = tie();
+    return setTieEnds(project.text, k, { x: from!.x, y }, { x: to!.x, y: to!.y + y - from!.y });
+  };
+  return panel.group(
+    say("studio.tie"),
+    panel.text(say("studio.name"), () => tie().name, (name) => setValue(project.text, at("name"), quoted(name)), true),
+    end("from"),
+    end("to"),
+    tie().from && tie().to && panel.length(say("studio.above.base"), () => tie().from?.y ?? NaN, level, "course"),
+    quantity("area"),
+    panel.quantity(say("studio.tie.force"), () => writeQuantity(Math.round(forceOf(tie())), "kN"), (v) => setTieForce(project.text, tie(), k, readQuantity(v)?.value ?? -1)),
+    quantity("yield_strength"),
+    quantity("anchor_strength"),
+    panel.hint(() => say(tie().yields < Infinity ? "studio.tie.sum" : "studio.tie.bar", { bar: qty(Math.sqrt((4 * tie().area) / Math.PI) * 1000, "mm"), force: qty((tie().yields * tie().area) / 1000, "kN") })),
+    removal(panel, { kind: "tie", k }, say("studio.delete")),
+  );
+}
+
+// The steel frame of an opening: a button that adds one, or its choices.
+export function frameFields(panel: Panel, k: number): Child[] {
+  const { project } = panel;
+  const frame = frameOf(project.drawing!, k);
+  if (frame < 0 && project.drawing!.openings[k].arch) return []; // a frame needs a level head
+  if (frame < 0) return [h("button", { class: "button", type: "button", onclick: () => panel.edit(addFrame(project.text, project.drawing!, k, say("studio.a.frame"))) }, say("studio.frame.add"))];
+  const at = (key: string): Path => ["frame", frame, key];
+  const word = (key: string): string => String(valueAt(project.doc!, at(key)) ?? "");
+  const names = kProfiles.map(([name]): [string, string] => [name, name]);
+  const count = (key: string): HTMLElement =>
+    panel.number(say(`studio.frame.${key}`), () => Number(valueAt(project.doc!, at(key)) ?? 1), (n) => setValue(project.text, at(key), String(n)));
+  return [
+    h("h3", {}, say("studio.frame")),
+    ...(find(project.doc!, at("profile"))
+      ? [
+          panel.choice(say("studio.frame.profile"), names, () => profileNamed(word("profile")), (name) => setProfile(project.text, frame, "profile", name)),
+          panel.choice(say("studio.frame.beam_profile"), [["", say("studio.frame.as")], ...names], () => profileNamed(word("beam_profile")), (name) => setProfile(project.text, frame, "beam_profile", name)),
+        ]
+      : [h("p", { class: "hint" }, say("studio.frame.section"))]),
+    panel.choice(say("studio.frame.feet"), kFeet.map((f) => [f, say(`studio.frame.feet.${f}`)]), () => word("feet"), (f) => setValue(project.text, at("feet"), quoted(f))),
+    count("count"),
+    h("button", { class: "button", type: "button", onclick: () => panel.edit(removeFrame(project.text, frame)) }, say("studio.frame.remove")),
+  ];
+}
