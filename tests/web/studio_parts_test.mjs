@@ -320,8 +320,25 @@ test("ties that hang on blocks, floors without a level and what the page does no
   await page.keyboard.press("i");
   await click(2, 3.1875);
   assert.ok((await textOf(page)).includes(odd.slice(1, 80)));
-  await page.keyboard.press("Control+z");
-  await page.keyboard.press("Control+z");
+  await has(/name = "tie 2"/); // the one without a name is called tie 1
+  const strange = (await textOf(page)).replace(/\[\[tie\]\][^]*$/, '[tie]\nname = "no list"\n');
+  await write(page, strange);
+  await page.locator(".canvas").focus();
+  await page.keyboard.press("i");
+  await click(2, 3.1875);
+  assert.match(await page.locator(".notice").innerText(), /does not know/);
+  assert.equal(await textOf(page), strange);
+  await page.keyboard.press("Escape");
+});
+
+test("a longer wall keeps its anchors at its end", async () => {
+  await begin("facade");
+  await page.keyboard.press("i");
+  await click(2, 3.1875);
+  await page.keyboard.press("Escape");
+  await enter("Length", "10.2");
+  await has(/to = \{ x = "10\.125 m"/);
+  await isBuilt();
 });
 
 test("K puts a steel frame in an opening, with its material; profiles, feet and number are choices", async () => {

@@ -216,7 +216,19 @@ export function setWallSize(text: string, d: Drawing, length: number, height: nu
     if (rest > 0) out = setLength(out, ["storey", last, "height"], rest);
     if (valueAt(parse(out), ["wall", "height"]) !== undefined) out = setLength(out, ["wall", "height"], height);
   } else out = setLength(out, ["wall", "height"], height);
-  return pushAlong(out, d, length, height);
+  return pushAlong(tiesAlong(out, d, length), d, length, height);
+}
+// Anchors at the right end stay there.
+const kEnd = 0.5; // [m]
+function tiesAlong(text: string, d: Drawing, length: number): string {
+  let out = text;
+  d.ties.forEach((t, k) => {
+    for (const end of ["from", "to"] as const) {
+      const p = t[end];
+      if (p && p.x > d.length - kEnd && p.x > d.length / 2) out = setLength(out, ["tie", k, end, "x"], Math.max(0, p.x + length - d.length));
+    }
+  });
+  return out;
 }
 export function pushAlong(text: string, d: Drawing, length: number, height: number): string {
   let out = text;

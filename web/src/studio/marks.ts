@@ -74,7 +74,7 @@ export function floorMarks(shown: Shown): Child {
       (f.load ?? 1) > 0 && svg("path", { class: "arrows", d: `M${x0} ${top}H${x1}${arrows.join("")}` }),
       svg("rect", { class: "bar", x: x0, y: y - 4, width: Math.max(0, x1 - x0), height: 5 }),
       held.map((x) => svg("circle", { class: "held", cx: scale.x(x), cy: y - 1.5, r: 4.5 })),
-      label(x1 - 4, top - 6, "end", x1 - x0 > 190 ? `${f.name} · ${load}` : load),
+      label(x1 - 4, top - 6, "end", x1 - x0 > 330 ? `${f.name} · ${load}` : load),
     );
   });
 }

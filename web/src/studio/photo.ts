@@ -134,7 +134,7 @@ export class Photo {
   // Whether a gesture of the pointer is the photo's.
   down(at: Point, client: Point): boolean {
     const place = this.project.photo;
-    if (!this.active || !this.loaded || !place) return false;
+    if (!this.active || !this.loaded || !place || this.canvas.readOnly) return false;
     this.dragged = { from: at, client, place, moved: false };
     return true;
   }

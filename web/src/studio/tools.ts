@@ -42,6 +42,16 @@ const kReach = 8; // of snapping [px]
 const kClick = 4; // a pointer that moved less was not dragged [px]
 const kSmallest = 0.05; // side of what is drawn [m]
 
+// What a text says, if the drawing can show it.
+function drawingOf(text: string): Drawing | null {
+  try {
+    const drawing = readDrawing(parse(text));
+    return isRefusal(drawing) ? null : drawing;
+  } catch {
+    return null;
+  }
+}
+
 export class Tools {
   tool: Tool = "select";
   snapping: Snapping = { masonry: true, objects: true };
@@ -315,8 +325,8 @@ export class Tools {
   private show(g: Gesture): void {
     if (g.kind === "part") {
       const offer = this.offer(g);
-      const drawing = readDrawing(parse(offer.text));
-      if (!isRefusal(drawing)) this.canvas.draft = { drawing, selection: offer.selection, guides: offer.guides ?? [] };
+      const drawing = drawingOf(offer.text);
+      if (drawing) this.canvas.draft = { drawing, selection: offer.selection, guides: offer.guides ?? [] };
       return this.canvas.draw();
     }
     const { box, guides } = this.outcome(g);
@@ -348,7 +358,7 @@ export class Tools {
   }
   private finishPart(offer: Offer): void {
     this.cancel();
-    if (offer.hinder) return this.tell(offer.hinder);
+    if (offer.hinder || !drawingOf(offer.text)) return this.tell(offer.hinder ?? say("studio.hinder.file"));
     this.tool = "select";
     this.project.endStep();
     this.project.change(offer.text, offer.selection);
