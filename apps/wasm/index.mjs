@@ -3,9 +3,9 @@
 // const { texts } = wythe.do("run", { texts: { model: toml } }, { texts: ["summary"] });
 import { readFile } from "node:fs/promises";
 import { createRequire } from "node:module";
-import { doTask } from "./job.mjs";
+import { doTask, openJob } from "./job.mjs";
 
-/** The engine in this process: `do(task, inputs, want, progress)` as doTask of job.mjs, and its version. */
+/** The engine in this process: `do(task, inputs, want, progress)` and `open(task, inputs)` as doTask and openJob of job.mjs, and its version. */
 export async function load() {
   const engine = await createRequire(import.meta.url)("./wythe.cjs")({
     wasmBinary: await readFile(new URL("wythe.wasm", import.meta.url)),
@@ -15,5 +15,6 @@ export async function load() {
     engine,
     version: engine.UTF8ToString(engine._wythe_version()),
     do: (task, inputs, want, progress) => doTask(engine, task, inputs, want, progress),
+    open: (task, inputs) => openJob(engine, task, inputs),
   };
 }

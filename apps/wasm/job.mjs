@@ -1,16 +1,16 @@
 // One task of the engine (include/wythe/c.h) from JavaScript: the same calls in a worker of a page and in Node.
 
 /** @typedef {{texts?: Record<string, string | string[]>, numbers?: Record<string, number>, columns?: Record<string, ArrayLike<number>>}} Inputs */
+/** @typedef {(what: string, share: number, displacement_mm: number, reaction_kN: number) => boolean | void} Progress true stops the job */
 
 /**
- * Does a task and gives its code, and the answers that are asked for: texts by name, tables by name and column. "*" stands for all.
+ * A job: do() gives the code, and does the rest of a run with `goes_on` that was stopped; answers() gives texts by name, tables by name
+ * and column ("*": all); free() ends it.
  * @param {any} engine the module that wytheEngine() gives
  * @param {string} task "run", "check", "limit", "contact" or "keys"
  * @param {Inputs} inputs texts (lists of texts for "set" and "only"), numbers and columns of the task
- * @param {{texts?: string[], tables?: string[]}} want names of answers
- * @param {(what: string, share: number, displacement_mm: number, reaction_kN: number) => boolean | void} progress true stops the job
  */
-export function doTask(engine, task, inputs, want = {}, progress = () => false) {
+export function openJob(engine, task, inputs) {
   const zone = [];
   const text = (value) => {
     const size = engine.lengthBytesUTF8(value);
@@ -20,40 +20,64 @@ export function doTask(engine, task, inputs, want = {}, progress = () => false) 
     return [at, size];
   };
   const job = engine._wythe_new(text(task)[0]);
+  for (const [name, value] of Object.entries(inputs.texts ?? {}))
+    for (const one of Array.isArray(value) ? value : [value]) engine._wythe_set_text(job, text(name)[0], ...text(one));
+  for (const [name, value] of Object.entries(inputs.numbers ?? {})) engine._wythe_set_number(job, text(name)[0], value);
+  for (const [name, values] of Object.entries(inputs.columns ?? {})) {
+    const at = engine._malloc(8 * values.length + 8);
+    zone.push(at);
+    engine.HEAPF64.set(values, at / 8);
+    engine._wythe_set_column(job, text(name)[0], at, values.length);
+  }
+  const answer = (name) => {
+    const at = engine._wythe_text(job, text(name)[0], 0);
+    return at === 0 ? undefined : engine.UTF8ToString(at);
+  };
+  const list = (name) => JSON.parse(answer(name) ?? "[]");
+  return {
+    /** @param {Progress} progress */
+    do(progress = () => false) {
+      engine.progress = progress;
+      return engine._wythe_do_here(job);
+    },
+    /** @param {{texts?: string[], tables?: string[]}} want names of answers */
+    answers(want = {}) {
+      const texts = {};
+      for (const name of ["error", "faults"]) texts[name] = answer(name) ?? "";
+      for (const name of want.texts?.includes("*") ? list("texts") : (want.texts ?? [])) {
+        const found = answer(name);
+        if (found !== undefined) texts[name] = found;
+      }
+      const tables = {};
+      for (const name of want.tables?.includes("*") ? Object.keys(JSON.parse(answer("tables") ?? "{}")) : (want.tables ?? [])) {
+        const columns = JSON.parse(answer(`columns of ${name}`) ?? "[]");
+        if (columns.length === 0) continue;
+        tables[name] = {};
+        for (const column of columns) tables[name][column] = columnOf(engine, job, text(name)[0], text(column)[0]);
+      }
+      return { texts, tables };
+    },
+    free() {
+      engine._wythe_free(job);
+      for (const at of zone) engine._free(at);
+    },
+  };
+}
+
+/**
+ * Does a task and gives its code and the answers that are asked for.
+ * @param {any} engine
+ * @param {string} task
+ * @param {Inputs} inputs
+ * @param {{texts?: string[], tables?: string[]}} want
+ * @param {Progress} progress
+ */
+export function doTask(engine, task, inputs, want = {}, progress = () => false) {
+  const job = openJob(engine, task, inputs);
   try {
-    for (const [name, value] of Object.entries(inputs.texts ?? {}))
-      for (const one of Array.isArray(value) ? value : [value]) engine._wythe_set_text(job, text(name)[0], ...text(one));
-    for (const [name, value] of Object.entries(inputs.numbers ?? {})) engine._wythe_set_number(job, text(name)[0], value);
-    for (const [name, values] of Object.entries(inputs.columns ?? {})) {
-      const at = engine._malloc(8 * values.length + 8);
-      zone.push(at);
-      engine.HEAPF64.set(values, at / 8);
-      engine._wythe_set_column(job, text(name)[0], at, values.length);
-    }
-    engine.progress = progress;
-    const code = engine._wythe_do_here(job);
-    const answer = (name) => {
-      const at = engine._wythe_text(job, text(name)[0], 0);
-      return at === 0 ? undefined : engine.UTF8ToString(at);
-    };
-    const list = (name) => JSON.parse(answer(name) ?? "[]");
-    const texts = {};
-    for (const name of ["error", "faults"]) texts[name] = answer(name) ?? "";
-    for (const name of want.texts?.includes("*") ? list("texts") : (want.texts ?? [])) {
-      const found = answer(name);
-      if (found !== undefined) texts[name] = found;
-    }
-    const tables = {};
-    for (const name of want.tables?.includes("*") ? Object.keys(JSON.parse(answer("tables") ?? "{}")) : (want.tables ?? [])) {
-      const columns = JSON.parse(answer(`columns of ${name}`) ?? "[]");
-      if (columns.length === 0) continue;
-      tables[name] = {};
-      for (const column of columns) tables[name][column] = columnOf(engine, job, text(name)[0], text(column)[0]);
-    }
-    return { code, texts, tables };
+    return { code: job.do(progress), ...job.answers(want) };
   } finally {
-    engine._wythe_free(job);
-    for (const at of zone) engine._free(at);
+    job.free();
   }
 }
 

@@ -1,23 +1,72 @@
 // A worker of a page: the engine's script and job.mjs stand before it (page.mjs). One question at a time.
 //
-//   to it:   {wasm}, answered by {ready, version}; then {id, task, texts, numbers, want, tables}
+//   to it:   {wasm}, answered by {ready, version}; then {id, task, texts, numbers, want, tables, pieces, first}, and {pause} while it is at it
 //   from it: {id, progress} a few times a second; {id, code, texts, tables}
+//
+// `pieces`: a run is stopped a few times a second and goes on, with the same bits. In between it shows the wall as it stands
+// (progress.svg), and pauses where it is told to. `first`: of several analyses the first is enough.
+const kPiece = 350; // of a run in pieces, at least [ms]
+const kShare = 8; // a piece takes so many times what the stop after it costs
 let engine;
+let paused = false;
+let goOn = () => undefined;
 
 onmessage = async ({ data }) => {
   if (data.wasm) {
-    engine = await wytheEngine({ wasmBinary: data.wasm, printErr: () => {} });
+    const compiled = data.wasm instanceof WebAssembly.Module; // by the page, for all its workers
+    const instantiateWasm = (imports, done) => {
+      void WebAssembly.instantiate(data.wasm, imports).then((instance) => done(instance, data.wasm));
+      return {};
+    };
+    engine = await wytheEngine({ ...(compiled ? { instantiateWasm } : { wasmBinary: data.wasm }), printErr: () => {} });
     postMessage({ ready: true, version: engine.UTF8ToString(engine._wythe_version()) });
     return;
   }
-  const { id, task, texts, numbers, want, tables } = data;
-  const tell = (what, share, displacement_mm, reaction_kN) => {
-    postMessage({ id, progress: { what, share, displacement_mm, reaction_kN } });
-    return false;
-  };
+  if ("pause" in data) {
+    paused = data.pause;
+    return goOn();
+  }
+  paused = false;
   try {
-    postMessage({ id, ...doTask(engine, task, { texts, numbers }, { texts: want, tables }, tell) });
+    await answer(data);
   } catch (error) {
-    postMessage({ id, code: 6, texts: { error: `the engine ended: ${error}` }, tables: {} });
+    postMessage({ id: data.id, code: 6, texts: { error: `the engine ended: ${error}` }, tables: {} });
   }
 };
+
+async function answer({ id, task, texts, numbers, want, tables, pieces, first }) {
+  const job = openJob(engine, task, { texts, numbers: pieces ? { ...numbers, goes_on: 1 } : numbers });
+  let last = null; // progress
+  let until = Infinity; // end of the piece [ms]
+  let stopped = 0; // when the piece before was [ms]
+  let length = kPiece;
+  const tell = (what, share, displacement_mm, reaction_kN) => {
+    const now = performance.now();
+    if (stopped > 0) {
+      length = Math.max(kPiece, kShare * (now - stopped));
+      until = now + length;
+      stopped = 0;
+    }
+    if (first && last && last.what !== what) return true;
+    last = { what, share, displacement_mm, reaction_kN };
+    postMessage({ id, progress: last });
+    if (now < until) return false;
+    stopped = now;
+    return true;
+  };
+  try {
+    if (pieces) until = performance.now() + length;
+    let code = job.do(tell);
+    while (pieces && code === 3) {
+      postMessage({ id, progress: { ...last, svg: job.answers({ texts: ["svg"] }).texts.svg ?? "" } });
+      const cost = performance.now() - stopped;
+      await new Promise((done) => setTimeout(done)); // what the page says meanwhile is heard
+      while (paused) await new Promise((done) => (goOn = done));
+      stopped = performance.now() - cost;
+      code = job.do(tell);
+    }
+    postMessage({ id, code: first && code === 3 ? 0 : code, ...job.answers({ texts: want, tables }) });
+  } finally {
+    job.free();
+  }
+}

@@ -5,6 +5,7 @@
 #include <mutex>
 #include <new>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "api/job.h"
 #include "wythe/c.h"
@@ -129,6 +130,7 @@ void wythe_free(wythe_job* job) { delete job; }
 int wythe_set_text(wythe_job* job, const char* name, const char* text, size_t size) {
   if (job == nullptr || name == nullptr || (text == nullptr && size > 0)) return WYTHE_BAD_INPUT;
   return guarded(*job, [&] {
+    job->job.rest = nullptr;
     std::vector<std::string>& texts = job->job.in.text[name];
     const std::string_view list = name;
     if (list != "set" && list != "path" && list != "unit" && list != "only") texts.clear();
@@ -140,6 +142,7 @@ int wythe_set_text(wythe_job* job, const char* name, const char* text, size_t si
 int wythe_set_number(wythe_job* job, const char* name, double value) {
   if (job == nullptr || name == nullptr) return WYTHE_BAD_INPUT;
   return guarded(*job, [&] {
+    job->job.rest = nullptr;
     job->job.in.number[name] = value;
     return WYTHE_DONE;
   });
@@ -148,6 +151,7 @@ int wythe_set_number(wythe_job* job, const char* name, double value) {
 int wythe_set_column(wythe_job* job, const char* name, const double* values, size_t rows) {
   if (job == nullptr || name == nullptr || (values == nullptr && rows > 0)) return WYTHE_BAD_INPUT;
   return guarded(*job, [&] {
+    job->job.rest = nullptr;
     job->job.in.column[name].assign(values, values + rows);
     return WYTHE_DONE;
   });
@@ -158,7 +162,9 @@ int wythe_do(wythe_job* job, wythe_progress progress, void* context) {
   return guarded(*job, [&] {
     job->job.out.clear();
     job->job.progress = wythe::api::listener(*job, progress, context);
-    const bool stopped = wythe::api::do_task(job->job);
+    const auto rest = std::exchange(job->job.rest, nullptr);
+    if (rest) job->job.stop = false;
+    const bool stopped = rest ? rest(job->job) : wythe::api::do_task(job->job);
     return stopped ? WYTHE_STOPPED : WYTHE_DONE;
   });
 }

@@ -89,6 +89,8 @@ struct Job {
   std::atomic<bool> stop{false};
   // What is under way and the share done [0, 1]; displacement [mm] and force [kN] of a run.
   std::function<void(const std::string& what, double share, double mm, double kn)> progress;
+  // Of a task that was stopped and goes on when it is done again; none otherwise.
+  std::function<bool(Job& job)> rest;
 };
 
 // Each fills job.out; true: it was stopped before its end. Throws InputError, IoError.

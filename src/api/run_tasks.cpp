@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -66,24 +67,59 @@ Json notes_of_model(const Model& model) {
   return notes;
 }
 
+// A run from its beginning to its end, in one go or in pieces.
+struct RunUnderWay {
+  std::shared_ptr<Done> done = std::make_shared<Done>();
+  State state;
+  RunRecord record;
+  SolveOptions options;
+  std::string language;
+  std::unique_ptr<Replacement> results;
+  bool goes_on = false;
+};
+
+// To the end, or to where it is stopped. From there a run in pieces goes on by the next wythe_do, with the same bits.
+bool solve_on(Job& job, const std::shared_ptr<RunUnderWay>& run) {
+  Done& done = *run->done;
+  State state_then;
+  RunRecord record_then;
+  if (run->goes_on)
+    run->options.checkpoint = [&](const State& state, const RunRecord& record, bool ends) {
+      if (!ends) return;
+      state_then = state;
+      record_then = record;
+    };
+  done.result = solve(done.model, run->state, run->options, std::move(run->record));
+  const bool stopped = done.result.status == SolveStatus::kInterrupted;
+  if (stopped && run->goes_on) {
+    run->state = std::move(state_then);
+    run->record = std::move(record_then);
+    job.rest = [run](Job& same) { return solve_on(same, run); };
+    if (!done.model.in_space())
+      job.out.text_later("svg", [run] { return wall_svg(run->done->model, run->state, 1); });
+    return true;
+  }
+  read_result(done.spec, done.model, done.result);
+  if (run->results) write_done(run->language, *run->results, done);
+  answer_run(job, run->done, run->language);
+  return stopped;
+}
+
 bool do_run(Job& job) {
-  job.in.check("run", {"model", "file", "set", "out", "language"}, {"threads", "frames", "replace"},
-               false);
-  const std::string language = job.in.one("language", "en"), out = job.in.out_folder();
-  check_language(language, "language");
-  const SolveOptions options = options_of(job);
+  job.in.check("run", {"model", "file", "set", "out", "language"},
+               {"threads", "frames", "replace", "goes_on"}, false);
+  auto run = std::make_shared<RunUnderWay>();
+  const std::string out = job.in.out_folder();
+  run->language = job.in.one("language", "en");
+  check_language(run->language, "language");
+  run->options = options_of(job);
+  run->goes_on = job.in.real("goes_on", 0) != 0;
   GivenModel given = read_given(job.in);
-  const std::unique_ptr<Replacement> results =
-      out.empty() ? nullptr : replace_run(out, origin_of(job, given));
-  auto done = std::make_shared<Done>();
-  done->spec = std::move(given.spec);
-  done->model = std::move(given.model);
-  State state = initial_state(done->model);
-  done->result = solve(done->model, state, options);
-  read_result(done->spec, done->model, done->result);
-  if (results) write_done(language, *results, *done);
-  answer_run(job, done, language);
-  return done->result.status == SolveStatus::kInterrupted;
+  if (!out.empty()) run->results = replace_run(out, origin_of(job, given));
+  run->done->spec = std::move(given.spec);
+  run->done->model = std::move(given.model);
+  run->state = initial_state(run->done->model);
+  return solve_on(job, run);
 }
 
 bool do_check(Job& job) {
@@ -106,6 +142,23 @@ bool do_check(Job& job) {
   job.out.put("model", write_model(given.spec));
   if (!m.in_space()) job.out.put("svg", wall_svg(m, initial_state(m), 1));
   return false;
+}
+
+// The wall as the mechanism of a limit load moves it, far enough to be seen.
+State moved_by(const Model& model, const LimitResult& limit) {
+  constexpr double kFarthest = 0.06;  // of the wall's height
+  State state = initial_state(model);
+  double fastest = 0;
+  for (std::size_t b = 0; b < limit.vx.size(); ++b)
+    fastest = std::max(fastest, std::hypot(limit.vx[b], limit.vy[b]));
+  if (!(fastest > 0) || limit.vx.size() > state.ux.size()) return state;
+  const double size = kFarthest * model.anatomy.height / fastest;
+  for (std::size_t b = 0; b < limit.vx.size(); ++b) {
+    state.ux[b] += size * limit.vx[b];
+    state.uy[b] += size * limit.vy[b];
+    state.theta[b] += size * limit.omega[b];
+  }
+  return state;
 }
 
 bool do_limit(Job& job) {
@@ -141,6 +194,11 @@ bool do_limit(Job& job) {
     job.out.text_later(m.file_name() + " svg",
                        [model = given.model, m] { return mechanism_svg(model, m); });
   }
+  for (const NamedLimit& limit : opinion.limits)
+    if (!given.model.in_space())
+      job.out.text_later(limit.name + " svg", [model = given.model, answer = limit.answer] {
+        return wall_svg(model, moved_by(model, answer), 1);
+      });
   return job.stop;
 }
 

@@ -71,6 +71,33 @@ static void stop(const char* model) {
   wythe_free(job);
 }
 
+/* a run that goes on after stops has the bits of one in one go; a new input begins anew */
+static void go_on(const char* model) {
+  wythe_job* whole = wythe_new("run");
+  wythe_job* pieces = wythe_new("run");
+  wythe_job* both[] = {whole, pieces};
+  for (int k = 0; k < 2; ++k) {
+    set(both[k], "file", model);
+    set(both[k], "set", "stage.push.targets=[\"0.2 mm\"]");
+  }
+  wythe_set_number(pieces, "goes_on", 1);
+  CHECK(wythe_do(whole, NULL, NULL) == WYTHE_DONE);
+  for (int k = 0; k < 3; ++k) {
+    CHECK(wythe_do(pieces, stop_at_once, NULL) == WYTHE_STOPPED);
+    CHECK(has(wythe_text(pieces, "svg", NULL), "<svg"));
+    CHECK(wythe_text(pieces, "summary", NULL) == NULL);
+  }
+  CHECK(wythe_do(pieces, NULL, NULL) == WYTHE_DONE);
+  char hash[40] = "";
+  strncpy(hash, strstr(wythe_text(whole, "summary", NULL), "\"state_hash\""), 32);
+  CHECK(has(wythe_text(pieces, "summary", NULL), hash));
+  CHECK(wythe_do(pieces, stop_at_once, NULL) == WYTHE_STOPPED);
+  set(pieces, "model", "[wall]\nlength = \"-1 m\"\n");
+  CHECK(wythe_do(pieces, NULL, NULL) == WYTHE_BAD_INPUT);
+  wythe_free(whole);
+  wythe_free(pieces);
+}
+
 static void faults(void) {
   wythe_job* job = wythe_new("run");
   set(job, "model", "[wall]\nlength = \"-1 m\"\n");
@@ -109,6 +136,7 @@ int main(int count_of_arguments, char** arguments) {
   CHECK(has(wythe_version(), "wythe "));
   run(arguments[1]);
   stop(arguments[1]);
+  go_on(arguments[1]);
   faults();
   misuse();
   return failed;

@@ -5,7 +5,10 @@
 """
 import ctypes
 import json
+import queue
 import sys
+import threading
+import time
 
 library = ctypes.CDLL(sys.argv[1])
 for name, answer, words in [("new", ctypes.c_void_p, [ctypes.c_char_p]),
@@ -30,20 +33,54 @@ def text(job, name):
     return None if found is None else found.decode()
 
 
+PIECE = 0.35  # of a run in pieces, as in apps/wasm/worker.js [s]
+STOPPED = 3
+asked = queue.Queue()  # lines that nobody has read yet
+
+
+def listen():
+    for line in sys.stdin:
+        asked.put(json.loads(line))
+    asked.put(None)
+
+
+def pause():
+    """Between two pieces: waits where the page has said so."""
+    while not asked.empty():
+        said = asked.get()
+        while said is not None and said.get("pause"):
+            said = asked.get()
+        if said is None:
+            sys.exit()
+
+
 def answer(question):
     job = library.wythe_new(question["task"].encode())
     for name, given in question.get("texts", {}).items():
         for one in given if isinstance(given, list) else [given]:
             library.wythe_set_text(job, name.encode(), one.encode(), len(one.encode()))
-    for name, number in question.get("numbers", {}).items():
+    pieces = question.get("pieces", False)
+    for name, number in {**question.get("numbers", {}), **({"goes_on": 1} if pieces else {})}.items():
         library.wythe_set_number(job, name.encode(), number)
+    last, begun = {}, time.monotonic()
 
     def progress(_, what, share, displacement, reaction):
-        say({"id": question["id"], "progress": {"what": what.decode(), "share": share, "displacement_mm": displacement, "reaction_kN": reaction}})
-        return 0
+        if question.get("first") and last and last["what"] != what.decode():
+            return 1
+        last.update(what=what.decode(), share=share, displacement_mm=displacement, reaction_kN=reaction)
+        say({"id": question["id"], "progress": last})
+        return 1 if pieces and time.monotonic() > begun + PIECE else 0
 
-    heard = PROGRESS(progress)
-    code = library.wythe_do(job, ctypes.cast(heard, ctypes.c_void_p), None)
+    call = PROGRESS(progress)
+    heard = ctypes.cast(call, ctypes.c_void_p)
+    code = library.wythe_do(job, heard, None)
+    while pieces and code == STOPPED:
+        say({"id": question["id"], "progress": {**last, "svg": text(job, "svg") or ""}})
+        pause()
+        begun = time.monotonic()
+        code = library.wythe_do(job, heard, None)
+    if question.get("first") and code == STOPPED:
+        code = 0
     # faults first: to ask for a text that there is not is a fault of its own
     texts = {name: text(job, name) for name in ["faults", "error", *(question.get("want", []) if code == 0 else [])]}
     tables, rows = {}, ctypes.c_size_t()
@@ -56,5 +93,10 @@ def answer(question):
     library.wythe_free(job)
 
 
-for line in sys.stdin:
-    answer(json.loads(line))
+threading.Thread(target=listen, daemon=True).start()
+while True:
+    line = asked.get()
+    if line is None:
+        break
+    if "task" in line:
+        answer(line)

@@ -43,6 +43,23 @@ for (const [name, ...settings] of WALLS)
     );
   });
 
+test("a run in pieces is the run in one go, and shows the wall on its way", { skip }, async () => {
+  const { load } = await import(path.join(made, "index.mjs"));
+  const wythe = await load();
+  const texts = { model: fs.readFileSync(path.join(root, "examples/brick_pier/model.toml"), "utf8"), set: ["stage.push.until=0.1 mm", "output.states=['0.02 mm', '0.05 mm']"] };
+  const whole = wythe.do("run", { texts, numbers: { frames: 10 } }, { texts: ["*"], tables: ["curve"] });
+  const job = wythe.open("run", { texts, numbers: { frames: 10, goes_on: 1 } });
+  const pictures = new Set();
+  let heard = 0;
+  while (job.do(() => ++heard % 3 === 0) === 3) pictures.add(job.answers({ texts: ["svg"] }).texts.svg);
+  const pieces = job.answers({ texts: ["*"], tables: ["curve"] });
+  job.free();
+  assert.ok(pictures.size > 1, `${pictures.size} pictures`);
+  assert.deepEqual(pieces.tables, whole.tables);
+  const told = ({ summary, page, ...rest }) => ({ ...rest, summary: { ...JSON.parse(summary), wall_seconds: 0 } });
+  assert.deepEqual(told(pieces.texts), told(whole.texts));
+});
+
 test("faults are those of the native program, with the path of the machine", { skip }, () => {
   const out = inFolder("engine_faults");
   const model = path.join(out, "model.toml");

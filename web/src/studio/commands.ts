@@ -17,7 +17,7 @@ export function keyOf(e: KeyboardEvent): string {
   return `${e.ctrlKey || e.metaKey ? "Ctrl+" : ""}${e.altKey ? "Alt+" : ""}${e.shiftKey && (e.key.length > 1 || e.ctrlKey || e.metaKey) ? "Shift+" : ""}${key}`;
 }
 const shown = (key: string): string =>
-  key.replace("Ctrl+", "Ctrl ").replace("Shift+", "⇧ ").replace(/Arrow(\w+)/, (_, d: string) => ({ Left: "←", Right: "→", Up: "↑", Down: "↓" })[d] ?? d).replace(/(^| )([a-z])$/, (_, a: string, b: string) => a + b.toUpperCase());
+  key.replace(/^ $/, say("studio.space")).replace("Ctrl+", "Ctrl ").replace("Shift+", "⇧ ").replace(/Arrow(\w+)/, (_, d: string) => ({ Left: "←", Right: "→", Up: "↑", Down: "↓" })[d] ?? d).replace(/(^| )([a-z])$/, (_, a: string, b: string) => a + b.toUpperCase());
 const kbd = (keys: string[]): HTMLElement => h("span", { class: "keys" }, ...keys.slice(0, 1).map((k) => h("kbd", {}, shown(k))));
 
 export class Commands {

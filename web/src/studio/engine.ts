@@ -8,12 +8,15 @@ export interface Question {
   numbers?: Record<string, number>;
   want?: string[]; // names of the texts that are wanted
   tables?: string[]; // and of the tables
+  pieces?: boolean; // a run that shows the wall on its way, and that can pause
+  first?: boolean; // of several analyses the first is enough
 }
 export interface Progress {
   what: string;
   share: number;
   displacement_mm: number;
   reaction_kN: number;
+  svg?: string; // of a run in pieces now and then: the wall as it stands
 }
 export interface Answer {
   code: number; // 0 done, 2 an input is not admissible, 3 stopped, others: texts.error
@@ -23,6 +26,8 @@ export interface Answer {
 export interface Engine {
   ask(question: Question, progress?: (p: Progress) => void): Promise<Answer>;
   stop(): void; // the question under way is answered with code 3
+  pause(on: boolean): void; // of a run in pieces
+  rest(): void; // nothing is asked for a while
 }
 export const kStopped = 3;
 
@@ -51,6 +56,15 @@ export class WorkerEngine implements Engine {
   }
   stop(): void {
     if (this.waiting) this.end(kStopped, "");
+  }
+  pause(on: boolean): void {
+    if (this.waiting) void this.worker?.then((w) => w.postMessage({ pause: on }), () => undefined);
+  }
+  // Ends an idle worker: its memory grew with the largest wall that it has had. The next one is there at once.
+  rest(): void {
+    if (this.waiting) return;
+    this.worker?.then((w) => w.terminate(), () => undefined);
+    this.worker = null;
   }
   // Ends the question under way with the worker that was at it.
   private end(code: number, error: string): void {
@@ -91,13 +105,14 @@ export class Latest {
 
 // --- the worker of the page --------------------------------------------------------------------------
 
-// Two elements of the page hold the engine: its script, and its code packed (packed.ts).
-let module: Promise<[string, ArrayBuffer]> | null = null;
-function engineOfPage(): Promise<[string, ArrayBuffer]> {
+// Two elements of the page hold the engine: its script, and its code packed (packed.ts), which is compiled once for all workers.
+let module: Promise<[string, WebAssembly.Module | ArrayBuffer]> | null = null;
+function engineOfPage(): Promise<[string, WebAssembly.Module | ArrayBuffer]> {
   return (module ??= (async () => {
     const script = document.getElementById("wythe-worker")?.textContent ?? "";
     if (script.trim() === "" || script.includes("<!--")) throw new Error("this file holds no engine");
-    return [script, await unpacked(document.getElementById("wythe-wasm")?.textContent ?? "")];
+    const code = await unpacked(document.getElementById("wythe-wasm")?.textContent ?? "");
+    return [script, await WebAssembly.compile(code).catch(() => code)];
   })());
 }
 export const hasEngine = (): boolean => {

@@ -10,6 +10,7 @@ import { hasEngine, Latest, WorkerEngine } from "./engine";
 import { FaultList, openingOf } from "./faults";
 import { FilePane } from "./file";
 import { addFrame, frameOf, removeFrame } from "./frames";
+import { LiveLimit } from "./limit";
 import { Panel } from "./panel";
 import { removePart } from "./parts";
 import { Photo } from "./photo";
@@ -71,7 +72,8 @@ const list = new FaultList(project, (fault) => {
   file.show(fault.line, true);
   if (openingOf(fault) >= 0) project.select(openingOf(fault));
 });
-const push = new Push(project, new WorkerEngine(), () => language, (picture) => showCracks(picture), (found) => showFaults(found), () => refreshBar());
+const limit = new LiveLimit(new WorkerEngine());
+const push = new Push(project, new WorkerEngine(), new WorkerEngine(), () => language, (picture) => showCracks(picture), (found) => showFaults(found), () => refreshBar());
 const status = h("p", { class: "status", role: "status", "aria-live": "polite" });
 const notes = h("details", { class: "notes", hidden: true });
 const notice = h("div", { class: "notice", role: "status", hidden: true });
@@ -131,6 +133,7 @@ function check(): void {
     return localFaults();
   }
   const text = project.text;
+  limit.ask(text);
   checker.ask({ task: "check", texts: { model: text }, want: ["check", "svg"] }, (answer) => {
     if (text !== project.text) return;
     delete document.documentElement.dataset.checking;
@@ -138,6 +141,7 @@ function check(): void {
       const c = JSON.parse(answer.texts.check);
       status.textContent = say("studio.counts", { blocks: whole(c.blocks), weight: qty(c.weight_kN, "kN"), seconds: qty(c.expected_seconds, "s", 2) });
       showNotes(c.notes ?? []);
+      limit.weighs(c.weight_kN);
       stones = readPicture(answer.texts.svg ?? "", c.length_m);
       if (!canvas.readOnly) canvas.setPicture(stones);
       showFaults([]);
@@ -182,6 +186,7 @@ project.listen((why) => {
   reason.hidden = project.drawable || project.broken !== null;
   reason.textContent = project.refusal ? say(`studio.why.${project.refusal.why}`, { path: project.refusal.path.join(".") }) : "";
   push.edited();
+  limit.forget();
   if (fitNext && project.drawing) {
     fitNext = false;
     canvas.fit();
@@ -325,6 +330,7 @@ const all: Command[] = [
   { name: "larger", keys: ["+", "="], does: () => canvas.zoom(1.25) },
   { name: "smaller", keys: ["-"], does: () => canvas.zoom(0.8) },
   { name: "push", keys: ["p", "Ctrl+Enter"], does: togglePush, typing: true },
+  { name: "pause", keys: [" "], does: () => push.pause() },
   { name: "turn", keys: ["r"], does: turn },
   { name: "snap", keys: ["s"], does: () => {
     const on = !(tools.snapping.masonry && tools.snapping.objects);
@@ -400,7 +406,7 @@ document.body.prepend(
       h("div", { id: "pane-numbers", class: "pane", role: "tabpanel", "aria-label": say("studio.pane.numbers") }, panel.root),
       h("div", { id: "pane-file", class: "pane", role: "tabpanel", "aria-label": say("studio.pane.file") }, file.root),
       list.root),
-    h("div", { class: "below" }, h("div", { class: "status-line" }, status, notes), push.root)),
+    h("div", { class: "below" }, h("div", { class: "status-line" }, status, notes), h("div", { class: "answers" }, limit.root, push.root))),
   notice, commands.palette, commands.sheet,
 );
 showPane("numbers");

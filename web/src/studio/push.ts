@@ -1,13 +1,18 @@
-// The push: its curve while it runs, and what came out: a sentence, key numbers, the cracks at each state.
+// The push: its curve and its cracks while it runs, and what came out: a sentence, key numbers, the cracks at each state.
+// Other pushes stand beside it (beside.ts), and one that was kept (compare.ts).
 import { h } from "../dom";
+import type { Point } from "../plot";
 import { num, phrase, qty, say } from "../texts";
+import { Beside } from "./beside";
+import { Compare, type Pushed } from "./compare";
 import { Curve } from "./curve";
-import { pushOf } from "./drawing";
-import type { Answer, Engine } from "./engine";
+import { pushOf, setLength } from "./drawing";
+import type { Answer, Engine, Progress } from "./engine";
 import { kStopped } from "./engine";
 import { readPicture, type Picture } from "./picture";
 import type { Fault, Project } from "./project";
 import { lengthOf, readQuantity } from "./units";
+import { valueAt } from "./toml";
 
 interface StoredState {
   label: string;
@@ -22,11 +27,16 @@ export class Push {
   readonly root: HTMLElement;
   readonly curve = new Curve();
   running = false;
+  paused = false;
+  private watching = false; // the drawing shows the wall as it is pushed
   private states: StoredState[] = [];
-  private pictures: (Picture | null)[] = [];
+  private pictures: string[] = []; // of the engine, as text
+  private pushed: Pushed | null = null; // what is shown
   private page = "";
   private length = 1; // of that wall [m]
   private ofText = ""; // the text that was pushed
+  private readonly beside: Beside;
+  private readonly compare = new Compare();
   private readonly words = h("div", { class: "result-words", role: "status", "aria-live": "polite" });
   private readonly slider = h("input", { type: "range", min: 0, max: 0, step: 1, value: 0, "aria-label": say("studio.state") });
   private readonly at = h("output", { class: "soft" });
@@ -34,37 +44,86 @@ export class Push {
   private readonly bar = h("progress", { max: 1, value: 0, "aria-label": say("studio.progress"), hidden: true });
   private readonly back = h("button", { class: "button small", type: "button", onclick: () => this.leave() }, say("studio.back"));
   private readonly report = h("button", { class: "button small", type: "button", hidden: true, onclick: () => this.openReport() }, say("studio.report"));
+  private readonly actions = h("div", { class: "actions", role: "group", "aria-label": say("studio.actions") });
+  private readonly pauseButton = this.action("pause", () => this.pause());
+  private readonly watchButton = this.action("watch", () => this.watch(!this.watching));
+  private readonly otherButton = this.action("other", () => (this.beside.running === "other" ? this.beside.stop() : void this.beside.pushOtherWay()));
+  private readonly fartherButton = this.action("farther", () => this.pushFarther());
+  private readonly wallsButton = this.action("walls", () => (this.beside.running === "walls" ? this.beside.stop() : void this.beside.pushWalls()));
+  private readonly keepButton = this.action("keep", () => this.keep());
 
   constructor(
     private readonly project: Project,
     private readonly engine: Engine,
+    besides: Engine, // of the pushes beside it
     private readonly language: () => string,
     private readonly show: (picture: Picture | null) => void, // cracks, or the wall as it is drawn
     private readonly refused: (faults: Fault[]) => void,
     private readonly changed: () => void,
   ) {
-    this.states_row = h("div", { class: "states", hidden: true }, h("span", {}, say("studio.cracks")), this.slider, this.at, this.back, this.report);
+    this.beside = new Beside(project, besides, () => this.refresh());
+    this.states_row = h("div", { class: "states", hidden: true }, h("span", {}, say("studio.cracks")), this.slider, this.at);
+    this.actions.prepend(this.back, this.report);
     this.slider.addEventListener("input", () => this.showState(Number(this.slider.value)));
     this.curve.pick = (mm) => this.pick(mm);
     this.root = h("section", { class: "push", "aria-label": say("studio.push") },
       this.bar,
-      h("div", { class: "curve-box" }, this.curve.root),
-      h("div", { class: "result", tabindex: "0", role: "group", "aria-label": say("studio.result") }, this.states_row, this.words));
+      h("div", { class: "curve-box" }, this.curve.root, this.curve.legend),
+      h("div", { class: "result", tabindex: "0", role: "group", "aria-label": say("studio.result") }, this.states_row, this.actions, this.words));
     this.say(h("p", { class: "soft" }, say("studio.push.before")));
+    this.refresh();
   }
 
+  private action(name: string, does: () => void): HTMLButtonElement {
+    const button = h("button", { class: "button small", type: "button", "data-action": name, title: say(`studio.do.${name}`), onclick: does }, say(`studio.button.${name}`));
+    this.actions.append(button);
+    return button;
+  }
   private say(...what: Node[]): void {
     this.words.replaceChildren(...what);
   }
   // The wall was edited: what is shown belongs to the one before.
   edited(): void {
     if (this.ofText === "") return;
-    const stale = this.ofText !== this.project.text;
+    const stale = this.isStale;
     this.root.classList.toggle("stale", stale);
-    if (stale) this.leave();
+    if (stale) {
+      this.beside.stop();
+      this.watching = false;
+      this.leave();
+    }
+    this.refresh();
+  }
+  private get isStale(): boolean {
+    return this.ofText !== this.project.text;
   }
   get hasResult(): boolean {
     return this.states.length > 0;
+  }
+  // Buttons and lines as they belong to what there is.
+  private refresh(): void {
+    const { beside, curve } = this;
+    const shown = this.pushed !== null && !this.running;
+    const fresh = shown && !this.isStale;
+    this.back.hidden = !shown;
+    this.pauseButton.hidden = this.watchButton.hidden = !this.running;
+    this.pauseButton.textContent = say(this.paused ? "studio.button.goon" : "studio.button.pause");
+    this.watchButton.setAttribute("aria-pressed", String(this.watching));
+    this.watchButton.disabled = this.isStale;
+    this.otherButton.hidden = this.wallsButton.hidden = this.fartherButton.hidden = !shown;
+    this.otherButton.textContent = say(beside.running === "other" ? "studio.button.stop" : "studio.button.other");
+    this.otherButton.disabled = beside.running === "walls" || !fresh || !beside.canTurn;
+    this.wallsButton.textContent = say(beside.running === "walls" ? "studio.button.stop" : "studio.button.walls");
+    this.wallsButton.disabled = beside.running === "other" || !fresh;
+    this.fartherButton.disabled = !fresh || !(this.until() > 0) || !this.project.drawable;
+    this.keepButton.hidden = !shown && this.compare.kept === null;
+    this.keepButton.textContent = say(this.compare.kept ? "studio.button.unkeep" : "studio.button.keep");
+    this.keepButton.setAttribute("aria-pressed", String(this.compare.kept !== null));
+    curve.name = say("studio.now");
+    curve.lines = [...(this.compare.kept === this.pushed ? [] : this.compare.line()), ...(beside.other ? [beside.other] : [])];
+    curve.walls = beside.walls;
+    curve.draw();
+    this.compare.show(this.running ? null : this.pushed);
   }
 
   async start(): Promise<void> {
@@ -72,43 +131,83 @@ export class Push {
     const { project, curve } = this;
     const text = (this.ofText = project.text);
     this.length = project.drawing?.length ?? 1;
-    this.running = true;
+    this.running = this.watching = true;
+    this.paused = false;
     this.states = [];
     this.pictures = [];
+    this.pushed = null;
     this.page = "";
+    this.beside.forget();
     this.report.hidden = this.states_row.hidden = true;
     this.root.classList.remove("stale");
     curve.points = [];
     curve.peak = curve.cursor = null;
     curve.until = this.until() || 20;
-    curve.draw();
     this.bar.value = 0;
     this.bar.hidden = false;
     this.say(h("p", {}, say("studio.pushing")));
+    this.refresh();
     this.changed();
+    const name = String((project.doc && valueAt(project.doc, ["name"])) ?? "");
     const answer = await this.engine.ask(
-      { task: "run", texts: { model: text, set: this.settings(), language: this.language() }, numbers: { frames: kFrames }, want: ["summary", "states", "page", ...Array.from({ length: kMostStates }, (_, k) => `state ${k} svg`)], tables: ["curve"] },
-      (p) => {
-        this.bar.value = p.share;
-        // the curve belongs to the push, not to the loads before it
-        if (p.displacement_mm !== 0) curve.points.push([p.displacement_mm, p.reaction_kN]);
-        curve.draw();
-        this.say(h("p", { class: "live" }, h("b", {}, qty(p.reaction_kN, "kN")), ` ${say("studio.at", { at: qty(p.displacement_mm, "mm") })} `, h("span", { class: "soft" }, `${Math.round(100 * p.share)} %`)));
-      },
+      { task: "run", texts: { model: text, set: this.settings(), language: this.language() }, numbers: { frames: kFrames }, want: ["summary", "states", "page", ...Array.from({ length: kMostStates }, (_, k) => `state ${k} svg`)], tables: ["curve"], pieces: true },
+      (p) => this.hear(p),
     );
-    this.running = false;
+    this.engine.rest();
+    const watched = this.watching;
+    this.running = this.watching = this.paused = false;
     this.bar.hidden = true;
-    if (answer.code === 0) this.done(answer);
-    else if (answer.code === kStopped) this.say(h("p", {}, say("studio.stopped")));
-    else if (answer.code === 2) {
-      this.say(h("p", {}, say("studio.refused")));
-      this.refused(faultsOf(answer));
-    } else this.say(h("p", { class: "bad" }, say("studio.failed", { why: answer.texts.error ?? "" })));
+    if (answer.code === 0) this.done(answer, name);
+    else {
+      if (watched) this.leave();
+      if (answer.code === kStopped) this.say(h("p", {}, say("studio.stopped")));
+      else if (answer.code === 2) {
+        this.say(h("p", {}, say("studio.refused")));
+        this.refused(faultsOf(answer));
+      } else this.say(h("p", { class: "bad" }, say("studio.failed", { why: answer.texts.error ?? "" })));
+    }
+    this.refresh();
     this.changed();
     this.edited();
   }
+  private hear(p: Progress): void {
+    if (p.svg !== undefined) {
+      if (this.watching && !this.isStale && !document.hidden) this.show(readPicture(p.svg, this.length));
+      return;
+    }
+    this.bar.value = p.share;
+    // the curve belongs to the push, not to the loads before it
+    if (p.displacement_mm !== 0) this.curve.points.push([p.displacement_mm, p.reaction_kN]);
+    this.curve.draw();
+    this.say(h("p", { class: "live" }, h("b", {}, qty(p.reaction_kN, "kN")), ` ${say("studio.at", { at: qty(p.displacement_mm, "mm") })} `, h("span", { class: "soft" }, `${Math.round(100 * p.share)} %`)));
+  }
   stop(): void {
     this.engine.stop();
+  }
+  pause(): void {
+    if (!this.running) return;
+    this.paused = !this.paused;
+    this.engine.pause(this.paused);
+    this.refresh();
+  }
+  // The wall as it is pushed, or the drawing meanwhile.
+  private watch(on: boolean): void {
+    this.watching = on;
+    if (!on) this.show(null);
+    this.refresh();
+  }
+  // To twice the displacement: an edit of the file as any other, and a push.
+  private pushFarther(): void {
+    const push = this.project.doc && pushOf(this.project.doc);
+    const until = lengthOf(push?.until);
+    if (!push || !until || this.running) return;
+    this.project.endStep();
+    this.project.change(setLength(this.project.text, ["stage", push.stage, "until"], 2 * until));
+    void this.start();
+  }
+  private keep(): void {
+    this.compare.kept = this.compare.kept ? null : this.pushed;
+    this.refresh();
   }
 
   private until(): number {
@@ -133,16 +232,13 @@ export class Push {
     return [`output.states=[${all.join(", ")}]`];
   }
 
-  private done(answer: Answer): void {
+  private done(answer: Answer, name: string): void {
     const summary = JSON.parse(answer.texts.summary ?? "{}");
-    const table = answer.tables.curve;
     const { curve } = this;
-    if (table) {
-      curve.points = [];
-      table.displacement_mm.forEach((x, k) => curve.points.push([x, table.reaction_kN[k]]));
-    }
+    if (answer.tables.curve) curve.points = pointsOf(answer);
+    this.pushed = { name, summary, points: curve.points };
     this.states = JSON.parse(answer.texts.states ?? "[]");
-    this.pictures = this.states.map((_, k) => readPicture(answer.texts[`state ${k} svg`] ?? "", this.length));
+    this.pictures = this.states.map((_, k) => answer.texts[`state ${k} svg`] ?? "");
     this.page = answer.texts.page ?? "";
     const number = (key: string): number | null => (typeof summary[key] === "number" ? summary[key] : null);
     const peak = number("peak_reaction_kN"),
@@ -155,14 +251,14 @@ export class Push {
         ...card(say("studio.ultimate"), `${summary.censored_80 ? "> " : ""}${qty(number("drift_percent_at_80"), "%", 2)}`),
         ...card(say("studio.mode"), phrase(String(summary.failure_mode?.name ?? "–"))),
       ),
+      this.beside.root, this.compare.root,
       h("p", { class: "answer" }, headlineOf(this.page) || say("run.resists", { force: qty(peak, "kN"), at: qty(at, "mm"), drift: "" })),
     );
     this.report.hidden = this.page === "";
     this.slider.max = String(this.states.length - 1);
     this.states_row.hidden = this.states.length === 0;
     const end = this.states.length - 1;
-    if (end >= 0 && this.ofText === this.project.text) this.showState(end);
-    curve.draw();
+    if (end >= 0 && !this.isStale) this.showState(end);
   }
 
   showState(k: number): void {
@@ -174,7 +270,7 @@ export class Push {
     this.curve.cursor = state.displacement_mm;
     this.curve.draw();
     this.root.classList.remove("stale");
-    this.show(this.pictures[k]);
+    this.show(readPicture(this.pictures[k], this.length));
   }
   // The state nearest to a displacement on the curve.
   private pick(mm: number): void {
@@ -190,9 +286,11 @@ export class Push {
   }
   // Back to the drawing.
   leave(): void {
+    this.watching = false;
     this.curve.cursor = null;
     this.curve.draw();
     this.show(null);
+    this.watchButton.setAttribute("aria-pressed", "false");
   }
   openReport(): void {
     if (this.page === "") return;
@@ -204,6 +302,10 @@ export class Push {
 
 const card = (name: string, value: string): HTMLElement[] => [h("div", {}, h("dt", {}, name), h("dd", {}, value))];
 
+export function pointsOf(answer: Answer): Point[] {
+  const table = answer.tables.curve;
+  return table ? Array.from(table.displacement_mm, (x, k): Point => [x, table.reaction_kN[k]]) : [];
+}
 export function faultsOf(answer: Answer): Fault[] {
   const list = JSON.parse(answer.texts.faults || "[]") as Partial<Fault>[];
   return list.map((f) => ({ line: Number(f.line) || 1, path: String(f.path ?? ""), value: String(f.value ?? ""), problem: String(f.problem ?? ""), cure: String(f.cure ?? "") }));

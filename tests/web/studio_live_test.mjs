@@ -1,0 +1,173 @@
+// What the studio shows while one draws and pushes, with its own engine: the limit load of the text as it is, cracks on the way,
+// pause, the other way, farther, eight walls, before and after. Bits and numbers are those of the program.
+import assert from "node:assert/strict";
+import fs from "node:fs";
+import path from "node:path";
+import { after, before, test } from "node:test";
+import { folder, root, run } from "./helpers.mjs";
+import { kPatience, kWall, launch, openStudio, stonesOf, studioPage, textOf, write } from "./studio.mjs";
+
+const made = path.join(root, "build/wasm");
+const skip = fs.existsSync(path.join(made, "wythe.wasm")) ? false : "build/wasm is not built: make wasm";
+let browser, page;
+before(async () => {
+  if (skip) return;
+  const file = studioPage(made);
+  browser = await launch();
+  page = await openStudio(browser, file, { own: true });
+  await write(page, kWall);
+});
+after(async () => {
+  if (page) assert.deepEqual(page.faults, []);
+  await browser?.close();
+});
+const words = () => page.locator(".result-words").innerText();
+const action = (name) => page.locator(`[data-action="${name}"]`);
+const push = async () => {
+  await page.locator(".canvas").focus();
+  await page.keyboard.press("p");
+  await page.waitForSelector(".primary.running");
+};
+const ended = () => page.waitForFunction(() => !document.querySelector(".primary.running"), null, { timeout: kPatience });
+const setField = async (label, value) => {
+  await page.getByLabel(label, { exact: true }).fill(value);
+  await page.getByLabel(label, { exact: true }).press("Enter");
+};
+const three = (value) => String(Number(value.toPrecision(3)));
+// The program's own answer to a text, in a folder of its own.
+let runs = 0;
+function program(command, text, ...options) {
+  fs.mkdirSync(folder("studio"), { recursive: true });
+  const model = path.join(folder("studio"), `live_${process.pid}_${++runs}.toml`);
+  fs.writeFileSync(model, text);
+  run(command, model, "--out", `${model}.out`, ...options);
+  return (name) => JSON.parse(fs.readFileSync(path.join(`${model}.out`, name), "utf8"));
+}
+
+test("the limit load stands beside the drawing, with its mechanism", { skip }, async () => {
+  await page.waitForFunction(() => /kN/.test(document.querySelector(".limit-words").textContent), null, { timeout: kPatience });
+  const { limit_loads } = program("limit", kWall, "--only", "lp")("mechanisms.json");
+  const said = await page.locator(".limit-words").innerText();
+  assert.ok(said.includes(`${three(limit_loads[0].static_kN)}\u202fkN`), said);
+  const weight = Number(/([\d.]+)\u202fkN/.exec(await page.locator(".status").innerText())[1]);
+  const share = Number(/([\d.]+)\u202f%/.exec(said)[1]);
+  assert.ok(Math.abs(share - (100 * limit_loads[0].static_kN) / weight) < 0.01 * share + 1, `${said}, ${weight} kN`);
+  assert.ok((await page.locator(".limit-picture .stone0").count()) > 0);
+  assert.ok((await page.locator(".limit-picture .crack.open").count()) > 0);
+});
+
+test("nothing of an older text is shown: an edit empties it at once, overtaken questions are dropped", { skip }, async () => {
+  const seen = await page.evaluate(async () => {
+    const area = document.querySelector(".file-text"),
+      shown = document.querySelector(".limit-words");
+    const was = area.value;
+    const texts = ["0.5", "0.6", "0.7"].map((t) => was.replace('thickness = "0.4 m"', `thickness = "${t} m"`));
+    const seen = [];
+    for (const text of texts) {
+      area.value = text;
+      area.dispatchEvent(new Event("blur"));
+      seen.push(shown.textContent);
+      await new Promise((done) => setTimeout(done, 90)); // each is asked before the next one comes
+    }
+    return seen;
+  });
+  assert.deepEqual(seen, ["…", "…", "…"]);
+  await page.waitForFunction(() => /kN/.test(document.querySelector(".limit-words").textContent), null, { timeout: kPatience });
+  const { limit_loads } = program("limit", await textOf(page), "--only", "lp")("mechanisms.json");
+  assert.ok((await page.locator(".limit-words").innerText()).includes(`${three(limit_loads[0].static_kN)}\u202fkN`));
+  await write(page, kWall);
+});
+
+test("a limit load that takes too long is ended, and the page says so", { skip }, async () => {
+  await write(page, kWall.replace('"2.4 m"', '"9.6 m"').replace('"1.6 m"', '"4.8 m"').replace('"1.5 m"', '"4.7 m"').replace('"400 mm"\nheight = "200 mm"', '"200 mm"\nheight = "50 mm"'));
+  assert.match(await page.locator(".status").innerText(), /^4\d\d\d blocks/);
+  await page.waitForFunction(() => /not within 3 s/.test(document.querySelector(".limit-words").textContent), null, { timeout: kPatience });
+  assert.equal(await page.locator(".limit-picture path").count(), 0);
+  await write(page, kWall);
+});
+
+test("cracks are shown on the way; a pause holds, and the state at the end has the program's bits", { skip }, async () => {
+  const far = kWall.replace('"4 mm"', '"10 mm"');
+  await write(page, far);
+  await push();
+  await page.waitForSelector(".canvas.cracked");
+  await page.waitForFunction(() => document.querySelector(".stones .crack"), null, { timeout: kPatience });
+  assert.equal(await page.locator(".primary.running").count(), 1, "cracks came only with the end");
+  await page.keyboard.press(" ");
+  assert.equal(await action("pause").innerText(), "Go on");
+  const at = () => page.locator(".live").innerText();
+  await page.waitForTimeout(1200); // a piece may still be under way
+  const then = await at();
+  await page.waitForTimeout(1500);
+  assert.equal(await at(), then);
+  await action("pause").click();
+  await ended();
+  const summary = program("run", far)("summary.json");
+  const [report] = await Promise.all([page.context().waitForEvent("page"), page.getByRole("button", { name: "Open the report" }).click()]);
+  await report.waitForSelector("html[data-ready]");
+  assert.ok((await report.content()).includes(summary.state_hash), "the report has another state than the program");
+  await report.close();
+  await write(page, kWall);
+  await push();
+  await ended();
+});
+
+test("the other way and eight walls stand beside the curve, in words too", { skip }, async () => {
+  await action("other").click();
+  await page.waitForSelector(".line.other", { timeout: kPatience });
+  const other = program("run", kWall.replace('velocity = "1 mm/s"', 'velocity = "1 mm/s"\ndirection = "-x"').replace('at = { x = "0 m"', 'at = { x = "2.4 m"'))("summary.json");
+  assert.ok((await words()).includes(`to the left ←: at most ${three(other.peak_reaction_kN)}\u202fkN`), await words());
+  await action("walls").click();
+  await page.waitForFunction(() => document.querySelectorAll(".one-wall").length === 8, null, { timeout: kPatience });
+  assert.equal(await page.locator("path.band").count(), 2); // the band and its sample in the legend
+  const first = program("run", kWall, "--set", 'scatter.use="clay_brick"', "--set", "scatter.seed=1")("summary.json").peak_reaction_kN;
+  const [, low, high] = /8 walls, .* the weakest ([\d.]+)\u202fkN, the strongest ([\d.]+)\u202fkN/.exec(await words());
+  assert.ok(first > Number(low) - 0.1 && first < Number(high) + 0.1, `${low} ${first} ${high}`);
+  assert.deepEqual(await page.locator(".curve-legend li").allInnerTexts(), ["this push", "to the left ←", "8 walls"]);
+});
+
+test("a wall that is kept is compared with the next one", { skip }, async () => {
+  await action("keep").click();
+  await setField("Thickness", "0.5");
+  await stonesOf(page);
+  assert.equal(await action("walls").isDisabled(), true, "eight walls of an older text");
+  await push();
+  await ended();
+  const rows = await page.locator(".compare tbody tr").allInnerTexts();
+  assert.match(rows[0], /stiffness\s+243\skN\/mm\s+304\skN\/mm\s+\+25\s%/);
+  assert.match(rows[1], /strength\s+98\.8\skN\s+123\skN\s+\+25\s%/);
+  assert.match(rows[2], /> 4\smm\s+> 4\smm\s+–/); // both are lower bounds: nothing can be said
+  assert.equal(await page.locator(".line.kept").count(), 2);
+  await action("keep").click();
+  assert.equal(await page.locator(".compare").isVisible(), false);
+  await page.locator(".canvas").focus();
+  await page.keyboard.press("Control+z");
+  await stonesOf(page);
+});
+
+test("twice as far is an edit of the file and a push", { skip }, async () => {
+  await push();
+  await ended();
+  await action("farther").click();
+  await page.waitForSelector(".primary.running");
+  assert.match(await textOf(page), /until = "8 mm"/);
+  await ended();
+  await page.locator(".canvas").focus();
+  await page.keyboard.press("Control+z");
+  assert.equal(await textOf(page), kWall);
+  assert.equal(await page.locator(".push.stale").count(), 1);
+});
+
+test("eight walls stop at once, and with an edit", { skip }, async () => {
+  await page.keyboard.press("Control+y");
+  await stonesOf(page);
+  await action("walls").click();
+  await page.waitForSelector(".one-wall", { timeout: kPatience });
+  await action("walls").click();
+  assert.equal(await action("walls").innerText(), "Eight walls");
+  const some = await page.locator(".one-wall").count();
+  assert.ok(some > 0 && some < 8, String(some));
+  await action("other").click();
+  await setField("Thickness", "0.6");
+  await page.waitForFunction(() => document.querySelector('[data-action="other"]').textContent !== "Stop");
+});

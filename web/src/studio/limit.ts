@@ -1,0 +1,86 @@
+// The answer that stays on while one draws: the limit load of the text as it is, and its mechanism. A question that an edit
+// overtakes is dropped, one that takes too long is ended; nothing that is shown belongs to an older text.
+import { h, svg } from "../dom";
+import { qty, say } from "../texts";
+import type { Answer, Engine } from "./engine";
+import { readPicture } from "./picture";
+import { faultsOf } from "./push";
+
+export const kPatience = 3000; // for a limit load [ms]
+
+interface LimitLoad {
+  static_kN?: number;
+  static?: number; // of a body force: a load factor
+}
+
+export class LiveLimit {
+  readonly root: HTMLElement;
+  private readonly words = h("div", { class: "limit-words", role: "status", "aria-live": "polite" });
+  private readonly picture = svg("svg", { class: "limit-picture", role: "img", "aria-label": say("studio.limit.picture") });
+  private load: LimitLoad | null = null; // of the text as it is
+  private weight: number | null = null; // [kN]
+  private asked = 0; // the newest question
+  private timer = 0;
+
+  constructor(private readonly engine: Engine) {
+    this.root = h("section", { class: "limit", "aria-label": say("studio.limit") }, h("h2", {}, say("studio.limit")), this.words, this.picture);
+    this.forget();
+  }
+
+  // The text has changed: what was asked and what is shown is of the one before.
+  forget(): void {
+    ++this.asked;
+    window.clearTimeout(this.timer);
+    this.engine.stop();
+    this.load = this.weight = null;
+    this.show(h("p", { class: "soft" }, "…"));
+    delete document.documentElement.dataset.limiting;
+  }
+  ask(text: string): void {
+    this.forget();
+    const asked = this.asked;
+    document.documentElement.dataset.limiting = "yes"; // until there is an answer, or none
+    this.timer = window.setTimeout(() => {
+      this.forget();
+      this.show(h("p", { class: "soft" }, say("studio.limit.late", { seconds: kPatience / 1000 })));
+    }, kPatience);
+    void this.engine.ask({ task: "limit", texts: { model: text, only: ["lp"] }, want: ["mechanisms", "dry svg"], first: true }).then((answer) => {
+      if (asked !== this.asked) return;
+      window.clearTimeout(this.timer);
+      delete document.documentElement.dataset.limiting;
+      this.answered(answer);
+    });
+  }
+  // What `check` says of the same text.
+  weighs(weight: number): void {
+    this.weight = weight;
+    if (this.load) this.tell(this.load);
+  }
+
+  private answered(answer: Answer): void {
+    const load = (JSON.parse(answer.texts.mechanisms || "{}") as { limit_loads?: LimitLoad[] }).limit_loads?.[0];
+    if (answer.code !== 0 || !load) {
+      const why = faultsOf(answer)[0]?.problem ?? answer.texts.error ?? "";
+      return this.show(h("p", { class: "soft", title: why }, say("studio.limit.none")));
+    }
+    this.load = load;
+    this.tell(load);
+    const picture = readPicture(answer.texts["dry svg"] ?? "", 1);
+    if (!picture) return;
+    this.picture.setAttribute("viewBox", `0 0 ${picture.width} ${picture.height}`);
+    this.picture.replaceChildren(picture.shapes);
+  }
+  private tell(load: LimitLoad): void {
+    const force = load.static_kN;
+    this.words.replaceChildren(
+      force === undefined
+        ? h("p", {}, h("b", {}, `λ = ${qty(load.static, "")}`))
+        : h("p", {}, h("b", {}, qty(force, "kN")), this.weight ? ` = ${say("studio.limit.share", { share: qty((100 * force) / this.weight, "%", 2) })}` : ""),
+      h("p", { class: "soft" }, say("studio.limit.dry")),
+    );
+  }
+  private show(...words: Node[]): void {
+    this.words.replaceChildren(...words);
+    this.picture.replaceChildren();
+  }
+}
