@@ -7,7 +7,7 @@ import dataclasses
 import os
 import re
 from collections.abc import Iterable, Iterator
-from typing import Any, Optional, Union
+from typing import Optional, Union
 
 from ._types import Floats, Path
 
@@ -107,10 +107,13 @@ class DefectError(WytheError, RuntimeError):
 
 
 class Interrupted(KeyboardInterrupt):
-    """Ctrl-C during a computation. ``result`` holds what was done until then (what the call would have given), or None."""
+    """Ctrl-C during a computation. ``result`` is what the call would have given, as far as it came, or None.
 
-    def __init__(self, result: Any = None):
-        self.result: Any = result  # of as many kinds as there are calls
+    A checker of types wants to know which: ``if isinstance(stop.result, wythe.Result)``.
+    """
+
+    def __init__(self, result: object = None):
+        self.result = result
         super().__init__("stopped" if result is None else "stopped; .result has what was done until then")
 
     def __reduce__(self) -> tuple[type, tuple[None]]:  # a result stays in its process

@@ -22,7 +22,7 @@ from typing import Any, Optional, TypeAlias, TypeGuard, Union
 from ._errors import AccessError, Fault, InputError, MadeText, NoMember, path_of, refused, write_text
 from ._jobs import perform
 from ._results import Check
-from ._types import Measured, Path, Value
+from ._types import Measured, Path, Plain, Value
 from .answers import Key
 
 _NUMBER = re.compile(r"\s*([-+]?(?:\d[\d_]*\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(.*?)\s*")
@@ -289,7 +289,7 @@ class Section:
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *_children(self._pattern)]
 
-    def to_dict(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Plain]:
         """A copy of this table as a plain dictionary."""
         return copy.deepcopy(self._data)
 
@@ -390,7 +390,7 @@ class SectionList:
         """What a key of a member means, its unit and what is allowed; without a name, a line for each key."""
         return _help(self._path, self._pattern, name)
 
-    def to_dict(self) -> list[dict[str, Any]]:
+    def to_dict(self) -> list[dict[str, Plain]]:
         """A copy of the members as plain dictionaries."""
         return copy.deepcopy(self._data)
 

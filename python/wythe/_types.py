@@ -41,6 +41,8 @@ class Tables(Protocol):
     def to_dict(self) -> object: ...
 
 
+#: What a model file holds.
+Plain: TypeAlias = "Union[str, float, list[Plain], dict[str, Plain]]"
 #: What a key of a model may be given.
 Value: TypeAlias = "Union[str, float, tuple[float, str], Measured, Listed, Tables, Sequence[Value], Mapping[str, Value]]"
 #: What to change for one call: {"wall.length": "5 m"}, or texts "path=value".

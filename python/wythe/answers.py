@@ -7,9 +7,532 @@ tools/answer_types writes this page from answers of the engine (make docs). A ke
 The unit is part of a key's name; the pages named below say what it means.
 """
 
-from __future__ import annotations
+from typing import NotRequired, Optional, TypedDict
 
-from typing import NotRequired, Optional, TypedDict, Union
+
+class Message(TypedDict):
+    """A sentence as data: docs/reference/results.md."""
+    code: str
+    arguments: dict[str, object]
+
+
+class Collapse(TypedDict):
+    """`collapse` of Summary."""
+    displacement_mm: float
+    censored: bool
+    criterion: str
+    criterion_message: NotRequired[Message]
+    drift_percent: float
+
+
+class Bilinear(TypedDict):
+    """`bilinear` of Summary."""
+    stiffness_kN_per_mm: Optional[float]
+    force_kN: Optional[float]
+    yield_displacement_mm: Optional[float]
+    ultimate_displacement_mm: Optional[float]
+    ductility: Optional[float]
+    censored: bool
+
+
+class Fall(TypedDict):
+    """`falls[]` of Summary."""
+    fraction: float
+    displacement_mm: Optional[float]
+    drift_percent: Optional[float]
+    censored: bool
+    first_mm: Optional[float]
+    last_mm: Optional[float]
+
+
+class Dip(TypedDict):
+    """`drift_capacity.dips[]` of Summary."""
+    left: float
+    from_mm: float
+    back_mm: float
+    lowest_left: float
+    before_peak: bool
+
+
+class DriftCapacity(TypedDict):
+    """`drift_capacity` of Summary."""
+    left: list[float]
+    first_mm: list[Optional[float]]
+    lasting_mm: list[Optional[float]]
+    last_mm: list[Optional[float]]
+    lasting_drift_percent: list[Optional[float]]
+    censored_first: list[bool]
+    censored_last: list[bool]
+    censored: list[bool]
+    lasts_percent: float
+    threshold_decides: Optional[bool]
+    dips: list[Dip]
+
+
+class FlatPeak(TypedDict):
+    """`flat_peak` of Summary."""
+    share: float
+    from_mm: Optional[float]
+    to_mm: Optional[float]
+    is_bound: bool
+    says_little: bool
+
+
+class Mechanism(TypedDict):
+    """`failure_mode.mechanism` of Summary."""
+    name: str
+    sentence: str
+    sentence_message: NotRequired[Message]
+    storeys: list[int]
+    candidates: list[str]
+    scores: dict[str, float]
+
+
+class Evidence(TypedDict):
+    """`failure_mode.evidence[]` of Summary."""
+    element: str
+    measure: str
+    value: float
+    threshold: float
+    unit: str
+    margin: float
+
+
+class Sign(TypedDict):
+    """`failure_mode.elements[].signs[]` of Summary."""
+    state: str
+    holds: bool
+    measure: str
+    value: float
+    threshold: float
+    unit: str
+    displacement_first_mm: Optional[float]
+
+
+class Element(TypedDict):
+    """`failure_mode.elements[]` of Summary."""
+    element: str
+    kind: str
+    mark: str
+    storey: int
+    state: str
+    displacement_first_mm: Optional[float]
+    signs: list[Sign]
+
+
+class Flag(TypedDict):
+    """`failure_mode.flags[]` of Summary."""
+    element: str
+    measure: str
+    value: float
+    threshold: float
+    unit: str
+    margin: float
+    raised: bool
+
+
+class Sensitivity(TypedDict):
+    """`failure_mode.sensitivity[]` of Summary."""
+    what: str
+    what_message: Message
+    name: str
+
+
+class FailureMode(TypedDict):
+    """`failure_mode` of Summary."""
+    name: str
+    sentence: str
+    sentence_message: Message
+    read_at_mm: float
+    reading: str
+    reading_message: NotRequired[Message]
+    mechanism: Mechanism
+    scores: dict[str, float]
+    evidence: list[Evidence]
+    elements: list[Element]
+    flags: list[Flag]
+    sensitivity: list[Sensitivity]
+
+
+class Drift(TypedDict):
+    """`tested_range.drift` of Summary."""
+    masonry: str
+    walls: int
+    median_percent: Optional[float]
+    nine_of_ten_percent: list[Optional[float]]
+    own_walls: int
+    own_ratio: Optional[float]
+    own_factor: Optional[float]
+    note: str
+    note_message: NotRequired[Message]
+
+
+class TestedRange(TypedDict):
+    """`tested_range` of Summary."""
+    kind: str
+    walls: int
+    bias: Optional[float]
+    bias_interval: list[Optional[float]]
+    scatter: Optional[float]
+    note: str
+    note_message: NotRequired[Message]
+    drift: Drift
+
+
+class Feature(TypedDict):
+    """`features[]` of Summary."""
+    name: str
+    displacement_mm: float
+    value_mm: float
+
+
+class EnergyJ(TypedDict):
+    """`energy_J` of Summary."""
+    loads: float
+    drive: float
+    kinetic: float
+    elastic: float
+    friction: float
+    fracture: float
+    crushing: float
+    damping: float
+    gap: float
+    gap_ratio: float
+    hand_over: NotRequired[float]
+
+
+class SlowPush(TypedDict):
+    """`quasi_static.displacement` of Summary."""
+    verdict: str
+    reason: str
+    reason_message: NotRequired[Message]
+
+
+class QuasiStatic(TypedDict):
+    """`quasi_static` of Summary."""
+    verdict: str
+    verdict_message: Message
+    judgement: str
+    lift_percent: Optional[float]
+    force_beyond_percent: Optional[float]
+    unbalance_ratio_mean: Optional[float]
+    unbalance_ratio_max: Optional[float]
+    kinetic_ratio_mean: Optional[float]
+    kinetic_ratio_max: Optional[float]
+    shear_gap: Optional[float]
+    damping_share: Optional[float]
+    displacement: SlowPush
+    mode: SlowPush
+
+
+class Validity(TypedDict):
+    """`validity` of Summary."""
+    overlap_lost_at_mm: Optional[float]
+    joints: int
+    where: str
+    where_message: NotRequired[Message]
+
+
+class Event(TypedDict):
+    """`events[]` of Summary."""
+    name: str
+    name_message: Message
+    displacement_mm: float
+    reaction_kN: float
+    where: str
+    where_message: NotRequired[Message]
+
+
+class Stage(TypedDict):
+    """`stages[]` of Summary."""
+    name: str
+    time_s: float
+    steps: int
+    unbalance_ratio: float
+    settled: bool
+
+
+class Provenance(TypedDict):
+    """`provenance` of Summary."""
+    version: str
+    commit: str
+    compiler: str
+    flags: str
+    build_type: str
+    spec_hash: str
+
+
+class Project(TypedDict):
+    """`project` of Summary."""
+    title: str
+    client: str
+    author: str
+    date: str
+    place: str
+
+
+class Spectrum(TypedDict):
+    """`assessment.spectrum` of Summary."""
+    kind: str
+    ground_acceleration_g: float
+    pga_g: float
+    soil_factor: float
+    topography: float
+    eta: float
+    amplification: float
+    TB_s: float
+    TC_s: float
+    TD_s: float
+    period_s: list[float]
+    acceleration_g: list[float]
+    displacement_mm: list[float]
+
+
+class Mass(TypedDict):
+    """`assessment.mass` of Summary."""
+    blocks_kg: float
+    loads_kg: float
+    added_kg: float
+    total_kg: float
+    participating_kg: float
+    participation_factor: float
+    shape: str
+    shape_read_at_mm: float
+
+
+class Equivalent(TypedDict):
+    """`assessment.equivalent` of Summary."""
+    mass_kg: float
+    participation_factor: float
+    force_kN: float
+    yield_displacement_mm: float
+    ultimate_displacement_mm: float
+    acceleration_g: float
+    period_s: float
+
+
+class Demand(TypedDict):
+    """`assessment.demand` of Summary."""
+    q: float
+    elastic_displacement_mm: float
+    equivalent_displacement_mm: float
+    displacement_mm: float
+
+
+class Criteria(TypedDict):
+    """`assessment.limit_states[].criteria[]` of Summary."""
+    name: str
+    words: str
+    words_message: Message
+    clause: str
+    verified: bool
+    value: float
+    unit: str
+    displacement_mm: float
+    reached: bool
+    governs: bool
+
+
+class LimitState(TypedDict):
+    """`assessment.limit_states[]` of Summary."""
+    state: str
+    is_checked: bool
+    verdict: str
+    displacement_mm: float
+    drift_percent: float
+    at_least: bool
+    governing: str
+    capacity_over_demand: float
+    spectrum_factor: float
+    pga_g: float
+    ground_acceleration_g: float
+    demand_pga_g: float
+    demand_displacement_mm: float
+    q: float
+    criteria: list[Criteria]
+
+
+class Assessment(TypedDict):
+    """`assessment` of Summary."""
+    verdict: str
+    may_be_signed: bool
+    sentence: str
+    sentence_message: Message
+    cautions: list[str]
+    cautions_message: list[Message]
+    reason: str
+    reason_message: NotRequired[Message]
+    code: str
+    limit_state: str
+    confidence_factor: float
+    masonry_share: float
+    spectrum: Spectrum
+    notes: list[str]
+    notes_message: list[Message]
+    decides: NotRequired[str]
+    mass: NotRequired[Mass]
+    bilinear: NotRequired[Bilinear]
+    equivalent: NotRequired[Equivalent]
+    demand: NotRequired[Demand]
+    limit_states: NotRequired[list[LimitState]]
+
+
+class Link(TypedDict):
+    """`links[]` of Summary."""
+    name: str
+    kind: str
+    stiffness_kN_per_mm: float
+    largest_force_kN: float
+    displacement_mm: float
+    yields: bool
+    plastic_mm: float
+
+
+class Frame(TypedDict):
+    """`frames[]` of Summary."""
+    name: str
+    use: float
+    displacement_mm: float
+    where: str
+    where_message: Message
+    yields: bool
+
+
+class Layer(TypedDict):
+    """`layers[]` of Summary."""
+    name: str
+    use: float
+    displacement_mm: float
+    where: str
+    where_message: Message
+    detached_percent: float
+    broken_percent: float
+    breaks: bool
+    breaks_at_mm: float
+
+
+class Debris(TypedDict):
+    """`debris` of Summary."""
+    blocks: int
+    volume_m3: float
+    mass_kg: float
+    reach_m: float
+    load_off_kN: float
+
+
+class Envelope(TypedDict):
+    """`cyclic.positive.envelope` of Summary."""
+    displacement_mm: list[float]
+    reaction_kN: list[float]
+
+
+class Direction(TypedDict):
+    """`cyclic.positive` of Summary."""
+    peak_reaction_kN: float
+    displacement_at_peak_mm: float
+    displacement_at_80_percent_mm: float
+    censored_80: bool
+    first_fall_80_percent_mm: float
+    censored_first_80: bool
+    last_fall_80_percent_mm: float
+    censored_last_80: bool
+    displacement_max_mm: float
+    censored_max: bool
+    initial_stiffness_kN_per_mm: Optional[float]
+    drift_capacity: DriftCapacity
+    bilinear: Bilinear
+    envelope: Envelope
+
+
+class Cycle(TypedDict):
+    """`cyclic.cycles[]` of Summary."""
+    kind: str
+    displacement_max_mm: Optional[float]
+    displacement_min_mm: Optional[float]
+    reaction_max_kN: Optional[float]
+    reaction_min_kN: Optional[float]
+    in_balance: bool
+    residual_max_mm: Optional[float]
+    residual_min_mm: Optional[float]
+    stiffness_kN_per_mm: float
+    dissipated_J: Optional[float]
+    drag_J: Optional[float]
+    damping_ratio: Optional[float]
+    repeat: int
+    strength_kept: float
+
+
+class Cyclic(TypedDict):
+    """`cyclic` of Summary."""
+    read_in: str
+    positive: Direction
+    negative: Direction
+    cycles: list[Cycle]
+    work_J: float
+
+
+class Point(TypedDict):
+    """`shaking.points[]` of Summary."""
+    name: str
+    height_m: float
+    peak_displacement_mm: float
+    peak_at_s: float
+    residual_displacement_mm: float
+
+
+class Storey(TypedDict):
+    """`shaking.storeys[]` of Summary."""
+    name: str
+    height_m: float
+    peak_drift_percent: float
+    peak_at_s: float
+    residual_drift_percent: float
+
+
+class Record(TypedDict):
+    """`shaking.records[]` of Summary."""
+    record: str
+    hash: str
+    along: list[float]
+    of: str
+    factor: float
+    pga_g: float
+    pgv_mm_per_s: float
+    arias_m_per_s: float
+    duration_s: float
+    final_velocity_mm_per_s: float
+    final_displacement_mm: float
+
+
+class Viscous(TypedDict):
+    """`shaking.damping[].mass` of Summary."""
+    fraction: float
+    frequency_Hz: float
+
+
+class Damping(TypedDict):
+    """`shaking.damping[]` of Summary."""
+    stage: str
+    local: float
+    restitution: NotRequired[float]
+    mass: NotRequired[Viscous]
+
+
+class Shaking(TypedDict):
+    """`shaking` of Summary."""
+    collapsed: bool
+    collapse_time_s: Optional[float]
+    peak_drift_percent: float
+    residual_drift_percent: float
+    peak_base_shear_kN: float
+    largest_opening_mm: float
+    largest_slip_mm: float
+    points: list[Point]
+    storeys: list[Storey]
+    records: list[Record]
+    damping: list[Damping]
+    sentence: str
+    sentence_message: Message
 
 
 class Summary(TypedDict):
@@ -83,562 +606,11 @@ class Summary(TypedDict):
     shaking: NotRequired[Shaking]
 
 
-class Message(TypedDict):
-    """A sentence as data: docs/reference/results.md."""
-    code: str
-    arguments: dict[str, object]
-
-
-class Collapse(TypedDict):
-    """`collapse` of Summary."""
-    displacement_mm: float
-    censored: bool
-    criterion: str
-    criterion_message: NotRequired[Message]
-    drift_percent: float
-
-
-class Bilinear(TypedDict):
-    """`bilinear` of Summary."""
-    stiffness_kN_per_mm: Optional[float]
-    force_kN: Optional[float]
-    yield_displacement_mm: Optional[float]
-    ultimate_displacement_mm: Optional[float]
-    ductility: Optional[float]
-    censored: bool
-
-
-class Fall(TypedDict):
-    """`falls[]` of Summary."""
-    fraction: float
-    displacement_mm: Optional[float]
-    drift_percent: Optional[float]
-    censored: bool
-    first_mm: Optional[float]
-    last_mm: Optional[float]
-
-
-class DriftCapacity(TypedDict):
-    """`drift_capacity` of Summary."""
-    left: list[float]
-    first_mm: list[Optional[float]]
-    lasting_mm: list[Optional[float]]
-    last_mm: list[Optional[float]]
-    lasting_drift_percent: list[Optional[float]]
-    censored_first: list[bool]
-    censored_last: list[bool]
-    censored: list[bool]
-    lasts_percent: float
-    threshold_decides: Optional[bool]
-    dips: list[Dip]
-
-
-class Dip(TypedDict):
-    """`drift_capacity.dips[]` of Summary."""
-    left: float
-    from_mm: float
-    back_mm: float
-    lowest_left: float
-    before_peak: bool
-
-
-class FlatPeak(TypedDict):
-    """`flat_peak` of Summary."""
-    share: float
-    from_mm: Optional[float]
-    to_mm: Optional[float]
-    is_bound: bool
-    says_little: bool
-
-
-class FailureMode(TypedDict):
-    """`failure_mode` of Summary."""
-    name: str
-    sentence: str
-    sentence_message: Message
-    read_at_mm: float
-    reading: str
-    reading_message: NotRequired[Message]
-    mechanism: Mechanism
-    scores: dict[str, float]
-    evidence: list[Evidence]
-    elements: list[Element]
-    flags: list[Flag]
-    sensitivity: list[Sensitivity]
-
-
-class Mechanism(TypedDict):
-    """`failure_mode.mechanism` of Summary."""
-    name: str
-    sentence: str
-    sentence_message: NotRequired[Message]
-    storeys: list[int]
-    candidates: list[str]
-    scores: dict[str, float]
-
-
-class Evidence(TypedDict):
-    """`failure_mode.evidence[]` of Summary."""
-    element: str
-    measure: str
-    value: float
-    threshold: float
-    unit: str
-    margin: float
-
-
-class Element(TypedDict):
-    """`failure_mode.elements[]` of Summary."""
-    element: str
-    kind: str
-    mark: str
-    storey: int
-    state: str
-    displacement_first_mm: Optional[float]
-    signs: list[Sign]
-
-
-class Sign(TypedDict):
-    """`failure_mode.elements[].signs[]` of Summary."""
-    state: str
-    holds: bool
-    measure: str
-    value: float
-    threshold: float
-    unit: str
-    displacement_first_mm: Optional[float]
-
-
-class Flag(TypedDict):
-    """`failure_mode.flags[]` of Summary."""
-    element: str
-    measure: str
-    value: float
-    threshold: float
-    unit: str
-    margin: float
-    raised: bool
-
-
-class Sensitivity(TypedDict):
-    """`failure_mode.sensitivity[]` of Summary."""
-    what: str
-    what_message: Message
-    name: str
-
-
-class TestedRange(TypedDict):
-    """`tested_range` of Summary."""
-    kind: str
-    walls: int
-    bias: Optional[float]
-    bias_interval: list[Optional[float]]
-    scatter: Optional[float]
-    note: str
-    note_message: NotRequired[Message]
-    drift: Drift
-
-
-class Drift(TypedDict):
-    """`tested_range.drift` of Summary."""
-    masonry: str
-    walls: int
-    median_percent: Optional[float]
-    nine_of_ten_percent: list[Optional[float]]
-    own_walls: int
-    own_ratio: Optional[float]
-    own_factor: Optional[float]
-    note: str
-    note_message: NotRequired[Message]
-
-
-class Feature(TypedDict):
-    """`features[]` of Summary."""
-    name: str
-    displacement_mm: float
-    value_mm: float
-
-
-class EnergyJ(TypedDict):
-    """`energy_J` of Summary."""
-    loads: float
-    drive: float
-    kinetic: float
-    elastic: float
-    friction: float
-    fracture: float
-    crushing: float
-    damping: float
-    gap: float
-    gap_ratio: float
-    hand_over: NotRequired[float]
-
-
-class QuasiStatic(TypedDict):
-    """`quasi_static` of Summary."""
-    verdict: str
-    verdict_message: Message
-    judgement: str
-    lift_percent: Optional[float]
-    force_beyond_percent: Optional[float]
-    unbalance_ratio_mean: Optional[float]
-    unbalance_ratio_max: Optional[float]
-    kinetic_ratio_mean: Optional[float]
-    kinetic_ratio_max: Optional[float]
-    shear_gap: Optional[float]
-    damping_share: Optional[float]
-    displacement: SlowPush
-    mode: SlowPush
-
-
-class SlowPush(TypedDict):
-    """`quasi_static.displacement` of Summary."""
-    verdict: str
+class Unanswered(TypedDict):
+    """`samples.unanswered[]` of Statistics."""
+    sample: int
+    status: str
     reason: str
-    reason_message: NotRequired[Message]
-
-
-class Validity(TypedDict):
-    """`validity` of Summary."""
-    overlap_lost_at_mm: Optional[float]
-    joints: int
-    where: str
-    where_message: NotRequired[Message]
-
-
-class Event(TypedDict):
-    """`events[]` of Summary."""
-    name: str
-    name_message: Message
-    displacement_mm: float
-    reaction_kN: float
-    where: str
-    where_message: NotRequired[Message]
-
-
-class Stage(TypedDict):
-    """`stages[]` of Summary."""
-    name: str
-    time_s: float
-    steps: int
-    unbalance_ratio: float
-    settled: bool
-
-
-class Provenance(TypedDict):
-    """`provenance` of Summary."""
-    version: str
-    commit: str
-    compiler: str
-    flags: str
-    build_type: str
-    spec_hash: str
-
-
-class Project(TypedDict):
-    """`project` of Summary."""
-    title: str
-    client: str
-    author: str
-    date: str
-    place: str
-
-
-class Assessment(TypedDict):
-    """`assessment` of Summary."""
-    verdict: str
-    may_be_signed: bool
-    sentence: str
-    sentence_message: Message
-    cautions: list[str]
-    cautions_message: list[Message]
-    reason: str
-    reason_message: NotRequired[Message]
-    code: str
-    limit_state: str
-    confidence_factor: float
-    masonry_share: float
-    spectrum: Spectrum
-    notes: list[str]
-    notes_message: list[Message]
-    decides: NotRequired[str]
-    mass: NotRequired[Mass]
-    bilinear: NotRequired[Bilinear]
-    equivalent: NotRequired[Equivalent]
-    demand: NotRequired[Demand]
-    limit_states: NotRequired[list[LimitState]]
-
-
-class Spectrum(TypedDict):
-    """`assessment.spectrum` of Summary."""
-    kind: str
-    ground_acceleration_g: float
-    pga_g: float
-    soil_factor: float
-    topography: float
-    eta: float
-    amplification: float
-    TB_s: float
-    TC_s: float
-    TD_s: float
-    period_s: list[float]
-    acceleration_g: list[float]
-    displacement_mm: list[float]
-
-
-class Mass(TypedDict):
-    """`assessment.mass` of Summary."""
-    blocks_kg: float
-    loads_kg: float
-    added_kg: float
-    total_kg: float
-    participating_kg: float
-    participation_factor: float
-    shape: str
-    shape_read_at_mm: float
-
-
-class Equivalent(TypedDict):
-    """`assessment.equivalent` of Summary."""
-    mass_kg: float
-    participation_factor: float
-    force_kN: float
-    yield_displacement_mm: float
-    ultimate_displacement_mm: float
-    acceleration_g: float
-    period_s: float
-
-
-class Demand(TypedDict):
-    """`assessment.demand` of Summary."""
-    q: float
-    elastic_displacement_mm: float
-    equivalent_displacement_mm: float
-    displacement_mm: float
-
-
-class LimitState(TypedDict):
-    """`assessment.limit_states[]` of Summary."""
-    state: str
-    is_checked: bool
-    verdict: str
-    displacement_mm: float
-    drift_percent: float
-    at_least: bool
-    governing: str
-    capacity_over_demand: float
-    spectrum_factor: float
-    pga_g: float
-    ground_acceleration_g: float
-    demand_pga_g: float
-    demand_displacement_mm: float
-    q: float
-    criteria: list[Criteria]
-
-
-class Criteria(TypedDict):
-    """`assessment.limit_states[].criteria[]` of Summary."""
-    name: str
-    words: str
-    words_message: Message
-    clause: str
-    verified: bool
-    value: float
-    unit: str
-    displacement_mm: float
-    reached: bool
-    governs: bool
-
-
-class Link(TypedDict):
-    """`links[]` of Summary."""
-    name: str
-    kind: str
-    stiffness_kN_per_mm: float
-    largest_force_kN: float
-    displacement_mm: float
-    yields: bool
-    plastic_mm: float
-
-
-class Frame(TypedDict):
-    """`frames[]` of Summary."""
-    name: str
-    use: float
-    displacement_mm: float
-    where: str
-    where_message: Message
-    yields: bool
-
-
-class Layer(TypedDict):
-    """`layers[]` of Summary."""
-    name: str
-    use: float
-    displacement_mm: float
-    where: str
-    where_message: Message
-    detached_percent: float
-    broken_percent: float
-    breaks: bool
-    breaks_at_mm: float
-
-
-class Debris(TypedDict):
-    """`debris` of Summary."""
-    blocks: int
-    volume_m3: float
-    mass_kg: float
-    reach_m: float
-    load_off_kN: float
-
-
-class Cyclic(TypedDict):
-    """`cyclic` of Summary."""
-    read_in: str
-    positive: Direction
-    negative: Direction
-    cycles: list[Cycle]
-    work_J: float
-
-
-class Direction(TypedDict):
-    """`cyclic.positive` of Summary."""
-    peak_reaction_kN: float
-    displacement_at_peak_mm: float
-    displacement_at_80_percent_mm: float
-    censored_80: bool
-    first_fall_80_percent_mm: float
-    censored_first_80: bool
-    last_fall_80_percent_mm: float
-    censored_last_80: bool
-    displacement_max_mm: float
-    censored_max: bool
-    initial_stiffness_kN_per_mm: Optional[float]
-    drift_capacity: DriftCapacity
-    bilinear: Bilinear
-    envelope: Envelope
-
-
-class Envelope(TypedDict):
-    """`cyclic.positive.envelope` of Summary."""
-    displacement_mm: list[float]
-    reaction_kN: list[float]
-
-
-class Cycle(TypedDict):
-    """`cyclic.cycles[]` of Summary."""
-    kind: str
-    displacement_max_mm: Optional[float]
-    displacement_min_mm: Optional[float]
-    reaction_max_kN: Optional[float]
-    reaction_min_kN: Optional[float]
-    in_balance: bool
-    residual_max_mm: Optional[float]
-    residual_min_mm: Optional[float]
-    stiffness_kN_per_mm: float
-    dissipated_J: Optional[float]
-    drag_J: Optional[float]
-    damping_ratio: Optional[float]
-    repeat: int
-    strength_kept: float
-
-
-class Shaking(TypedDict):
-    """`shaking` of Summary."""
-    collapsed: bool
-    collapse_time_s: Optional[float]
-    peak_drift_percent: float
-    residual_drift_percent: float
-    peak_base_shear_kN: float
-    largest_opening_mm: float
-    largest_slip_mm: float
-    points: list[Point]
-    storeys: list[Storey]
-    records: list[Record]
-    damping: list[Damping]
-    sentence: str
-    sentence_message: Message
-
-
-class Point(TypedDict):
-    """`shaking.points[]` of Summary."""
-    name: str
-    height_m: float
-    peak_displacement_mm: float
-    peak_at_s: float
-    residual_displacement_mm: float
-
-
-class Storey(TypedDict):
-    """`shaking.storeys[]` of Summary."""
-    name: str
-    height_m: float
-    peak_drift_percent: float
-    peak_at_s: float
-    residual_drift_percent: float
-
-
-class Record(TypedDict):
-    """`shaking.records[]` of Summary."""
-    record: str
-    hash: str
-    along: list[float]
-    of: str
-    factor: float
-    pga_g: float
-    pgv_mm_per_s: float
-    arias_m_per_s: float
-    duration_s: float
-    final_velocity_mm_per_s: float
-    final_displacement_mm: float
-
-
-class Damping(TypedDict):
-    """`shaking.damping[]` of Summary."""
-    stage: str
-    local: float
-    restitution: NotRequired[float]
-    mass: NotRequired[Viscous]
-
-
-class Viscous(TypedDict):
-    """`shaking.damping[].mass` of Summary."""
-    fraction: float
-    frequency_Hz: float
-
-
-class Statistics(TypedDict):
-    """`Campaign.statistics`: statistics.json, docs/reference/statistics.md."""
-    study: str
-    design: str
-    seed: int
-    samples: Samples
-    load_height_m: Optional[float]
-    read_modes_at_mm: Optional[float]
-    interval: Interval
-    inputs: list[Input]
-    input_correlation: list[InputCorrelation]
-    modes: list[str]
-    table: dict[str, Group]
-    shares: dict[str, Share]
-    walls: OfWalls
-    name_sensitivity: list[NameSensitivity]
-    flags: list[StatisticsFlag]
-    precision: list[Precision]
-    drift_limits: list[DriftLimit]
-    correlation: list[Correlation]
-    first_order: list[FirstOrder]
-    mode_against_input: list[ModeAgainstInput]
-    fragility: list[Fragility]
-    project: NotRequired[Project]
-    measuring: list[Measuring]
-    surrogate_indices: list[SurrogateIndex]
-    running: dict[str, Running]
-    mean_curves: dict[str, MeanCurve]
-    exceedance: dict[str, Exceedance]
-    assessment: NotRequired[StatisticsAssessment]
-    shaking: NotRequired[StatisticsShaking]
 
 
 class Samples(TypedDict):
@@ -652,13 +624,6 @@ class Samples(TypedDict):
     collapsed_before_push: int
     status: dict[str, int]
     unanswered: list[Unanswered]
-
-
-class Unanswered(TypedDict):
-    """`samples.unanswered[]` of Statistics."""
-    sample: int
-    status: str
-    reason: str
 
 
 class Interval(TypedDict):
@@ -685,21 +650,8 @@ class InputCorrelation(TypedDict):
     spearman: Optional[float]
 
 
-class Group(TypedDict):
-    """`table.*` of Statistics."""
-    modes: list[str]
-    peak_reaction_kN: Response
-    displacement_at_peak_mm: Response
-    displacement_at_80_percent_mm: BoundedResponse
-    displacement_max_mm: BoundedResponse
-    initial_stiffness_kN_per_mm: Response
-    displacement_at_50_percent_mm: BoundedResponse
-    collapse_displacement_mm: BoundedResponse
-    first_fall_80_percent_mm: BoundedResponse
-
-
 class Response(TypedDict):
-    """`table.*.peak_reaction_kN` of Statistics."""
+    """`table[name].peak_reaction_kN` of Statistics."""
     n: int
     without_value: int
     mean: Optional[float]
@@ -716,7 +668,7 @@ class Response(TypedDict):
 
 
 class BoundedResponse(TypedDict):
-    """`table.*.displacement_at_80_percent_mm` of Statistics."""
+    """`table[name].displacement_at_80_percent_mm` of Statistics."""
     n: int
     without_value: int
     censored: int
@@ -737,21 +689,25 @@ class BoundedResponse(TypedDict):
     survival_median_interval: list[Optional[float]]
 
 
+class Group(TypedDict):
+    """`table[name]` of Statistics."""
+    modes: list[str]
+    peak_reaction_kN: Response
+    displacement_at_peak_mm: Response
+    displacement_at_80_percent_mm: BoundedResponse
+    displacement_max_mm: BoundedResponse
+    initial_stiffness_kN_per_mm: Response
+    displacement_at_50_percent_mm: BoundedResponse
+    collapse_displacement_mm: BoundedResponse
+    first_fall_80_percent_mm: BoundedResponse
+
+
 class Share(TypedDict):
-    """`shares.*` of Statistics."""
+    """`shares[name]` of Statistics."""
     modes: list[str]
     count: int
     share: Optional[float]
     share_interval: list[Optional[float]]
-
-
-class OfWalls(TypedDict):
-    """`walls` of Statistics."""
-    peak_reaction_kN: OfWall
-    displacement_at_peak_mm: OfWall
-    displacement_at_80_percent_mm: OfWall
-    drift_capacity: WallsDriftCapacity
-    failure_modes: dict[str, WallsFailureMode]
 
 
 class OfWall(TypedDict):
@@ -778,10 +734,19 @@ class WallsDriftCapacity(TypedDict):
 
 
 class WallsFailureMode(TypedDict):
-    """`walls.failure_modes.*` of Statistics."""
+    """`walls.failure_modes[name]` of Statistics."""
     count: int
     share: Optional[float]
     share_interval: list[Optional[float]]
+
+
+class OfWalls(TypedDict):
+    """`walls` of Statistics."""
+    peak_reaction_kN: OfWall
+    displacement_at_peak_mm: OfWall
+    displacement_at_80_percent_mm: OfWall
+    drift_capacity: WallsDriftCapacity
+    failure_modes: dict[str, WallsFailureMode]
 
 
 class NameSensitivity(TypedDict):
@@ -859,11 +824,10 @@ class FirstOrder(TypedDict):
     entangled_with: list[str]
 
 
-class ModeAgainstInput(TypedDict):
-    """`mode_against_input[]` of Statistics."""
-    input: str
-    unit: str
-    bins: list[Bin]
+class BinShare(TypedDict):
+    """`mode_against_input[].bins[].share[name]` of Statistics."""
+    share: Optional[float]
+    share_interval: list[Optional[float]]
 
 
 class Bin(TypedDict):
@@ -875,61 +839,11 @@ class Bin(TypedDict):
     share: dict[str, BinShare]
 
 
-class BinShare(TypedDict):
-    """`mode_against_input[].bins[].share.*` of Statistics."""
-    share: Optional[float]
-    share_interval: list[Optional[float]]
-
-
-class Fragility(TypedDict):
-    """`fragility[]` of Statistics."""
-    response: NotRequired[str]
-    greater_than: NotRequired[Optional[float]]
-    unit: NotRequired[str]
-    n: int
-    seen: NotRequired[int]
-    unknown: NotRequired[int]
-    repeated: NotRequired[int]
-    not_slow_enough: NotRequired[int]
-    lost: int
-    share: NotRequired[Optional[float]]
-    share_interval: NotRequired[list[Optional[float]]]
-    sample: NotRequired[list[int]]
-    outcome: NotRequired[list[Optional[float]]]
-    inputs: NotRequired[list[FragilityInput]]
-    pairs: NotRequired[list[Pair]]
-    mode: NotRequired[str]
-    limit_state: NotRequired[str]
-    limits: NotRequired[Limits]
-    measure: NotRequired[str]
-    verdict: NotRequired[str]
-    reached: NotRequired[int]
-    came_back: NotRequired[int]
-    median_m_per_s2: NotRequired[Optional[float]]
-    median_m_per_s2_interval: NotRequired[list[Optional[float]]]
-    beta: NotRequired[Optional[float]]
-    beta_interval: NotRequired[list[Optional[float]]]
-    interval_by: NotRequired[str]
-    log_likelihood: NotRequired[Optional[float]]
-    by_counts: NotRequired[ByCounts]
-    curve: NotRequired[FragilityCurve]
-    counts: NotRequired[list[Count]]
-    brackets: NotRequired[list[Bracket]]
-    scatter: NotRequired[Scatter]
-    median_m_per_s: NotRequired[Optional[float]]
-    median_m_per_s_interval: NotRequired[list[Optional[float]]]
-    median_if_lost_m_per_s: NotRequired[MedianIfLost]
-
-
-class FragilityInput(TypedDict):
-    """`fragility[].inputs[]` of Statistics."""
+class ModeAgainstInput(TypedDict):
+    """`mode_against_input[]` of Statistics."""
     input: str
     unit: str
-    verdict: str
-    entangled_with: list[str]
-    fits: list[Fit]
-    curve: NotRequired[Curve]
-    parted_between: NotRequired[list[Optional[float]]]
+    bins: list[Bin]
 
 
 class Fit(TypedDict):
@@ -953,6 +867,17 @@ class Curve(TypedDict):
     probability: list[Optional[float]]
     low: list[Optional[float]]
     high: list[Optional[float]]
+
+
+class FragilityInput(TypedDict):
+    """`fragility[].inputs[]` of Statistics."""
+    input: str
+    unit: str
+    verdict: str
+    entangled_with: list[str]
+    fits: list[Fit]
+    curve: NotRequired[Curve]
+    parted_between: NotRequired[list[Optional[float]]]
 
 
 class Pair(TypedDict):
@@ -1034,6 +959,46 @@ class MedianIfLost(TypedDict):
     not_reached: Optional[float]
 
 
+class Fragility(TypedDict):
+    """`fragility[]` of Statistics."""
+    response: NotRequired[str]
+    greater_than: NotRequired[Optional[float]]
+    unit: NotRequired[str]
+    n: int
+    seen: NotRequired[int]
+    unknown: NotRequired[int]
+    repeated: NotRequired[int]
+    not_slow_enough: NotRequired[int]
+    lost: int
+    share: NotRequired[Optional[float]]
+    share_interval: NotRequired[list[Optional[float]]]
+    sample: NotRequired[list[int]]
+    outcome: NotRequired[list[Optional[float]]]
+    inputs: NotRequired[list[FragilityInput]]
+    pairs: NotRequired[list[Pair]]
+    mode: NotRequired[str]
+    limit_state: NotRequired[str]
+    limits: NotRequired[Limits]
+    measure: NotRequired[str]
+    verdict: NotRequired[str]
+    reached: NotRequired[int]
+    came_back: NotRequired[int]
+    median_m_per_s2: NotRequired[Optional[float]]
+    median_m_per_s2_interval: NotRequired[list[Optional[float]]]
+    beta: NotRequired[Optional[float]]
+    beta_interval: NotRequired[list[Optional[float]]]
+    interval_by: NotRequired[str]
+    log_likelihood: NotRequired[Optional[float]]
+    by_counts: NotRequired[ByCounts]
+    curve: NotRequired[FragilityCurve]
+    counts: NotRequired[list[Count]]
+    brackets: NotRequired[list[Bracket]]
+    scatter: NotRequired[Scatter]
+    median_m_per_s: NotRequired[Optional[float]]
+    median_m_per_s_interval: NotRequired[list[Optional[float]]]
+    median_if_lost_m_per_s: NotRequired[MedianIfLost]
+
+
 class Measuring(TypedDict):
     """`measuring[]` of Statistics."""
     response: str
@@ -1047,6 +1012,15 @@ class Measuring(TypedDict):
     is_best: Optional[float]
 
 
+class SurrogateIndexInput(TypedDict):
+    """`surrogate_indices[].inputs[]` of Statistics."""
+    input: str
+    first_order: Optional[float]
+    first_order_interval: list[Optional[float]]
+    total: Optional[float]
+    total_interval: list[Optional[float]]
+
+
 class SurrogateIndex(TypedDict):
     """`surrogate_indices[]` of Statistics."""
     response: str
@@ -1058,17 +1032,8 @@ class SurrogateIndex(TypedDict):
     inputs: list[SurrogateIndexInput]
 
 
-class SurrogateIndexInput(TypedDict):
-    """`surrogate_indices[].inputs[]` of Statistics."""
-    input: str
-    first_order: Optional[float]
-    first_order_interval: list[Optional[float]]
-    total: Optional[float]
-    total_interval: list[Optional[float]]
-
-
 class Running(TypedDict):
-    """`running.*` of Statistics."""
+    """`running[name]` of Statistics."""
     n: list[int]
     mean: list[Optional[float]]
     low: list[Optional[float]]
@@ -1076,7 +1041,7 @@ class Running(TypedDict):
 
 
 class MeanCurve(TypedDict):
-    """`mean_curves.*` of Statistics."""
+    """`mean_curves[name]` of Statistics."""
     curves: int
     displacement_mm: list[Optional[float]]
     drift_percent: list[Optional[float]]
@@ -1087,8 +1052,19 @@ class MeanCurve(TypedDict):
     reaction_95_percent_kN: list[Optional[float]]
 
 
+class Lognormal(TypedDict):
+    """`exceedance[name].lognormal` of Statistics."""
+    median_kN: NotRequired[Optional[float]]
+    median_kN_interval: NotRequired[list[Optional[float]]]
+    beta: Optional[float]
+    beta_interval: list[Optional[float]]
+    misfit: Optional[float]
+    median_mm: NotRequired[Optional[float]]
+    median_mm_interval: NotRequired[list[Optional[float]]]
+
+
 class Exceedance(TypedDict):
-    """`exceedance.*` of Statistics."""
+    """`exceedance[name]` of Statistics."""
     n: int
     censored: int
     value_kN: NotRequired[list[Optional[float]]]
@@ -1099,34 +1075,18 @@ class Exceedance(TypedDict):
     value_mm: NotRequired[list[Optional[float]]]
 
 
-class Lognormal(TypedDict):
-    """`exceedance.*.lognormal` of Statistics."""
-    median_kN: NotRequired[Optional[float]]
-    median_kN_interval: NotRequired[list[Optional[float]]]
-    beta: Optional[float]
-    beta_interval: list[Optional[float]]
-    misfit: Optional[float]
-    median_mm: NotRequired[Optional[float]]
-    median_mm_interval: NotRequired[list[Optional[float]]]
+class LimitStateCurve(TypedDict):
+    """`assessment.limit_states[].curve` of Statistics."""
+    pga_g: list[Optional[float]]
+    probability: list[Optional[float]]
+    low: list[Optional[float]]
+    high: list[Optional[float]]
 
 
-class StatisticsAssessment(TypedDict):
-    """`assessment` of Statistics."""
-    code: str
-    limit_state: str
-    record_scatter: Optional[float]
-    answered: int
-    without_answer: int
-    not_to_be_signed: int
-    mass: Mass
-    sentence: str
-    sentence_message: Message
-    cautions: list[str]
-    cautions_message: list[Message]
-    reason: str
-    notes: list[str]
-    notes_message: list[Message]
-    limit_states: list[AssessmentLimitState]
+class LimitStateSamples(TypedDict):
+    """`assessment.limit_states[].samples` of Statistics."""
+    pga_g: list[Optional[float]]
+    share_reached: list[Optional[float]]
 
 
 class AssessmentLimitState(TypedDict):
@@ -1147,33 +1107,23 @@ class AssessmentLimitState(TypedDict):
     samples: LimitStateSamples
 
 
-class LimitStateCurve(TypedDict):
-    """`assessment.limit_states[].curve` of Statistics."""
-    pga_g: list[Optional[float]]
-    probability: list[Optional[float]]
-    low: list[Optional[float]]
-    high: list[Optional[float]]
-
-
-class LimitStateSamples(TypedDict):
-    """`assessment.limit_states[].samples` of Statistics."""
-    pga_g: list[Optional[float]]
-    share_reached: list[Optional[float]]
-
-
-class StatisticsShaking(TypedDict):
-    """`shaking` of Statistics."""
-    records: int
-    walls: int
-    samples: int
-    shakes: int
-    stood: int
-    collapsed: int
-    lost: list[Lost]
-    damping_of_shakes: list[str]
-    damping_of_shakes_message: list[Message]
-    measure: str
-    intensities: list[Intensity]
+class StatisticsAssessment(TypedDict):
+    """`assessment` of Statistics."""
+    code: str
+    limit_state: str
+    record_scatter: Optional[float]
+    answered: int
+    without_answer: int
+    not_to_be_signed: int
+    mass: Mass
+    sentence: str
+    sentence_message: Message
+    cautions: list[str]
+    cautions_message: list[Message]
+    reason: str
+    notes: list[str]
+    notes_message: list[Message]
+    limit_states: list[AssessmentLimitState]
 
 
 class Lost(TypedDict):
@@ -1197,52 +1147,58 @@ class Intensity(TypedDict):
     intensity_m_per_s: NotRequired[Optional[float]]
 
 
-class Mechanisms(TypedDict):
-    """`SecondOpinion.mechanisms`: mechanisms.json, docs/reference/limit.md."""
-    wythe: str
-    blocks: int
-    joints: int
-    mechanisms: list[MechanismsMechanism]
-    local: list[Local]
-    limit_loads: list[LimitLoad]
-    refused: list[Refused]
-    notes: list[str]
-    notes_message: list[Message]
-    block_id: list[str]
-    comparison: None
+class StatisticsShaking(TypedDict):
+    """`shaking` of Statistics."""
+    records: int
+    walls: int
+    samples: int
+    shakes: int
+    stood: int
+    collapsed: int
+    lost: list[Lost]
+    damping_of_shakes: list[str]
+    damping_of_shakes_message: list[Message]
+    measure: str
+    intensities: list[Intensity]
 
 
-class MechanismsMechanism(TypedDict):
-    """`mechanisms[]` of Mechanisms."""
-    name: str
-    mode: str
-    hypothesis: str
-    force_at_rest_kN: float
-    displacement_without_force_mm: float
-    rotation_ratios: list[float]
-    inputs: dict[str, MechanismInput]
-    hinge_names: list[str]
-    hinges_m: list[list[float]]
-    hinge_forces_at_rest_kN: list[list[float]]
-    bodies: list[Body]
-    load_point_m: list[float]
-    loaded_body: int
-    direction: float
-    curve: MechanismCurve
-    assessment: NotRequired[MechanismAssessment]
+class Statistics(TypedDict):
+    """`Campaign.statistics`: statistics.json, docs/reference/statistics.md."""
+    study: str
+    design: str
+    seed: int
+    samples: Samples
+    load_height_m: Optional[float]
+    read_modes_at_mm: Optional[float]
+    interval: Interval
+    inputs: list[Input]
+    input_correlation: list[InputCorrelation]
+    modes: list[str]
+    table: dict[str, Group]
+    shares: dict[str, Share]
+    walls: OfWalls
+    name_sensitivity: list[NameSensitivity]
+    flags: list[StatisticsFlag]
+    precision: list[Precision]
+    drift_limits: list[DriftLimit]
+    correlation: list[Correlation]
+    first_order: list[FirstOrder]
+    mode_against_input: list[ModeAgainstInput]
+    fragility: list[Fragility]
+    project: NotRequired[Project]
+    measuring: list[Measuring]
+    surrogate_indices: list[SurrogateIndex]
+    running: dict[str, Running]
+    mean_curves: dict[str, MeanCurve]
+    exceedance: dict[str, Exceedance]
+    assessment: NotRequired[StatisticsAssessment]
+    shaking: NotRequired[StatisticsShaking]
 
 
 class MechanismInput(TypedDict):
-    """`mechanisms[].inputs.*` of Mechanisms."""
+    """`mechanisms[].inputs[name]` of Mechanisms."""
     value: float
     unit: str
-
-
-class Body(TypedDict):
-    """`mechanisms[].bodies[]` of Mechanisms."""
-    name: str
-    outline_m: list[list[float]]
-    loads: list[Load]
 
 
 class Load(TypedDict):
@@ -1251,6 +1207,13 @@ class Load(TypedDict):
     at_m: list[float]
     fx_kN: float
     fy_kN: float
+
+
+class Body(TypedDict):
+    """`mechanisms[].bodies[]` of Mechanisms."""
+    name: str
+    outline_m: list[list[float]]
+    loads: list[Load]
 
 
 class MechanismCurve(TypedDict):
@@ -1281,6 +1244,51 @@ class MechanismAssessment(TypedDict):
     near_collapse_displacement_mm: float
     life_safety_spectral_displacement_mm: float
     near_collapse_spectral_displacement_mm: float
+
+
+class MechanismsMechanism(TypedDict):
+    """`mechanisms[]` of Mechanisms."""
+    name: str
+    mode: str
+    hypothesis: str
+    force_at_rest_kN: float
+    displacement_without_force_mm: float
+    rotation_ratios: list[float]
+    inputs: dict[str, MechanismInput]
+    hinge_names: list[str]
+    hinges_m: list[list[float]]
+    hinge_forces_at_rest_kN: list[list[float]]
+    bodies: list[Body]
+    load_point_m: list[float]
+    loaded_body: int
+    direction: float
+    curve: MechanismCurve
+    assessment: NotRequired[MechanismAssessment]
+
+
+class Building(TypedDict):
+    """`local[].building` of Mechanisms."""
+    height_m: float
+    period_s: float
+    storeys: int
+    part_at_m: float
+    share_of_first_mode: float
+
+
+class LocalLimitState(TypedDict):
+    """`local[].limit_states[]` of Mechanisms."""
+    limit_state: str
+    verdict: str
+    pga_demand_g: float
+    pga_capacity_g: float
+    acceleration_demand_m_per_s2: float
+    q: float
+    capacity_over_demand_by_q: float
+    displacement_mm: float
+    secant_period_s: float
+    displacement_demand_mm: float
+    capacity_over_demand_by_displacement: float
+    by_onset: bool
 
 
 class Local(TypedDict):
@@ -1320,31 +1328,6 @@ class Local(TypedDict):
     limit_states: list[LocalLimitState]
 
 
-class Building(TypedDict):
-    """`local[].building` of Mechanisms."""
-    height_m: float
-    period_s: float
-    storeys: int
-    part_at_m: float
-    share_of_first_mode: float
-
-
-class LocalLimitState(TypedDict):
-    """`local[].limit_states[]` of Mechanisms."""
-    limit_state: str
-    verdict: str
-    pga_demand_g: float
-    pga_capacity_g: float
-    acceleration_demand_m_per_s2: float
-    q: float
-    capacity_over_demand_by_q: float
-    displacement_mm: float
-    secant_period_s: float
-    displacement_demand_mm: float
-    capacity_over_demand_by_displacement: float
-    by_onset: bool
-
-
 class LimitLoad(TypedDict):
     """`limit_loads[]` of Mechanisms."""
     name: str
@@ -1378,6 +1361,21 @@ class Refused(TypedDict):
     what: str
     what_message: Message
     why: str
+
+
+class Mechanisms(TypedDict):
+    """`SecondOpinion.mechanisms`: mechanisms.json, docs/reference/limit.md."""
+    wythe: str
+    blocks: int
+    joints: int
+    mechanisms: list[MechanismsMechanism]
+    local: list[Local]
+    limit_loads: list[LimitLoad]
+    refused: list[Refused]
+    notes: list[str]
+    notes_message: list[Message]
+    block_id: list[str]
+    comparison: None
 
 
 class CheckFacts(TypedDict):

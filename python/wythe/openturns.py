@@ -68,13 +68,14 @@ def field_function(
     set: Settings = None,
     follow: Optional[Follow] = None,
     missing: Missing = "raise",
+    bounds: Choice = "raise",
     rate: Choice = "raise",
     jobs: int = 0,
 ) -> openturns.PointToFieldFunction:
     """An `openturns.PointToFieldFunction`: numbers to the force [kN] at each displacement [mm] of a mesh.
 
     ``displacement_mm`` rises and lies on the curve of every wall: a wall whose curve ends before has no answer
-    there. The options are those of `wythe.Function`; ``bounds`` is none, for a curve has no lower bounds.
+    there. The options are those of `wythe.Function`; ``bounds`` changes nothing, for forces at stated places are none.
     """
     with needed_for("wythe.openturns"):
         import openturns
@@ -82,7 +83,7 @@ def field_function(
     if len(at) < 2 or any(not b > a for a, b in zip(at, at[1:])):
         raise InputError([Fault(path="displacement_mm", value=str(at), problem="does not rise from place to place",
                                 cure="give two or more displacements, e.g. range(21)")])
-    of = Function(model, inputs, set=set, follow=follow, missing=missing, rate=rate, jobs=jobs)
+    of = Function(model, inputs, set=set, follow=follow, missing=missing, bounds=bounds, rate=rate, jobs=jobs)
     mesh = openturns.Mesh([[place] for place in at], [[i, i + 1] for i in range(len(at) - 1)])
     mesh.setDescription(["displacement [mm]"])
 
