@@ -17,13 +17,15 @@ import re
 import tomllib
 from collections.abc import Iterable, Iterator
 from html import escape
-from typing import Any, Optional, TypeAlias, TypeGuard, Union
+from typing import TYPE_CHECKING, Any, Optional, TypeAlias, TypeGuard, Union
 
 from ._errors import AccessError, Fault, InputError, MadeText, NoMember, path_of, refused, write_text
 from ._jobs import perform
 from ._results import Check
 from ._types import Measured, Path, Plain, Value
-from .answers import Key
+
+if TYPE_CHECKING:  # it takes a tenth of the time of import wythe
+    from .answers import Key
 
 _NUMBER = re.compile(r"\s*([-+]?(?:\d[\d_]*\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(.*?)\s*")
 _QUANTITIES = ("quantity", "quantities", "points")

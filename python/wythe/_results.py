@@ -9,13 +9,14 @@ from . import plot
 from ._errors import Fault, InputError, folder_of, needed_for, path_of, refused, write_text
 from ._jobs import Job, Table, perform
 from ._types import Floats, Language, Path, Progress
-from .answers import CheckFacts, Mechanisms, Outcome, Replay, Statistics, Summary
 from .plot import number
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from numpy.typing import ArrayLike
     from pandas import DataFrame
+
+    from .answers import CheckFacts, Mechanisms, Outcome, Replay, Statistics, Summary
 
 
 def _whole(name: str, value: float) -> int:

@@ -1,9 +1,11 @@
 """What answers hold, as types for checkers and editors: plain dictionaries, lists, texts and numbers.
 
-    def strength(summary: wythe.answers.Summary) -> Optional[float]:
+    from wythe.answers import Summary
+
+    def strength(summary: Summary) -> Optional[float]:
         return summary["peak_reaction_kN"]
 
-tools/answer_types writes this page from answers of the engine (make docs). A key of NotRequired is there for some models alone.
+tools/answer_types writes this file from answers of the engine (make docs). A key of NotRequired is there for some models alone.
 The unit is part of a key's name; the pages named below say what it means.
 """
 
