@@ -54,10 +54,11 @@ bench: configure ## kernels, campaigns and scaling: benchmarks/results/<machine>
 	@cmake --build --preset $(PRESET) --target wythe_bench fall_bench wythe_cli
 	tools/bench run --build $(BUILD)
 
-docs: configure  ## write docs/reference from the specs' descriptions and the program's help
-	@cmake --build --preset $(PRESET) --target wythe_reference wythe_cli
+docs: configure  ## write docs/reference from the specs' descriptions and the program's help, and python/wythe/answers.py
+	@cmake --build --preset $(PRESET) --target wythe_reference wythe_cli wythe_python
 	$(BUILD)/wythe_reference docs/reference
 	tools/command_line $(BUILD)/wythe docs/reference/command_line.md
+	PYTHONPATH=$(BUILD)/python tools/answer_types python/wythe/answers.py
 
 site:            ## build/site: these pages as a site, offline, and the studio where it is built; packages: deps/site.txt
 	@tools/setup deps/site.txt

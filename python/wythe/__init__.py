@@ -5,7 +5,7 @@
     print(result.summary["peak_reaction_kN"], result.summary["failure_mode"]["name"])
 
 Calls: run, check, limit, contact, run_many, campaign, open_campaign, replay. Models: Model. As a function
-of numbers: Function, and wythe.openturns, wythe.umbridge, wythe.dakota.
+of numbers: Function, and wythe.openturns, wythe.umbridge, wythe.dakota. Types: wythe.answers. Pictures: wythe.plot.
 Exceptions: InputError, AccessError, Interrupted, DefectError, MissingPackage.
 """
 

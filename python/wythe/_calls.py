@@ -4,21 +4,24 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
-from typing import Any, Optional, Union
+from typing import TYPE_CHECKING, Optional, Union
 
-from ._errors import Fault, InputError, names_of, needed, path_of, refused
-from ._jobs import Progress, Table, perform
-from ._model import Model, as_setting
-from ._results import Batch, Campaign, Check, Result, SecondOpinion
+from ._errors import Fault, InputError, folder_of, names_of, needed_for, path_of, refused
+from ._jobs import Table, perform
+from ._model import Model, ModelLike, as_setting, is_measured, unit_of
+from ._results import Batch, Campaign, Check, Result, SecondOpinion, replay
+from ._types import Floats, Inputs, Language, Path, Progress, Settings
 
-Path = Union[str, "os.PathLike[str]"]
-#: A path of a model file, or a Model.
-ModelLike = Union[Path, Model]
-#: What to change for one call: {"wall.length": "5 m"}, or texts "path=value".
-Settings = Union[None, Mapping[str, Any], Sequence[str]]
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+__all__ = ["run", "check", "limit", "contact", "run_many", "campaign", "open_campaign", "replay"]
 
 
-def _model(model: ModelLike) -> dict[str, Optional[str]]:
+Texts = dict[str, Union[None, str, list[str]]]
+
+
+def _model(model: ModelLike) -> Texts:
     if isinstance(model, Model):
         return {"model": model._told(), "file": model.file}
     if not isinstance(model, (str, bytes, os.PathLike)):
@@ -39,10 +42,6 @@ def _settings(changes: Settings) -> list[str]:
     return list(changes)
 
 
-def _folder(path: Optional[Path]) -> Optional[str]:
-    return None if path is None else path_of("out", path)
-
-
 def run(
     model: ModelLike,
     *,
@@ -51,7 +50,7 @@ def run(
     threads: int = 1,
     progress: Progress = None,
     replace: bool = False,
-    language: str = "en",
+    language: Language = "en",
 ) -> Result:
     """Runs a wall through its stages.
 
@@ -62,16 +61,14 @@ def run(
     Raises InputError with every fault of the model, AccessError, and Interrupted at Ctrl-C, whose ``.result``
     is the Result up to there. A run that fails in the mathematics raises nothing: see ``.status``.
     """
-    texts = {**_model(model), "set": _settings(set), "out": _folder(out), "language": language}
+    texts = {**_model(model), "set": _settings(set), "out": folder_of(out), "language": language}
     numbers = {"threads": threads, "replace": replace}
-    result: Result = perform("run", texts, numbers, progress=progress, answer=Result)
-    return result
+    return perform("run", Result, texts, numbers, progress=progress)
 
 
 def check(model: ModelLike, *, set: Settings = None) -> Check:
     """Builds the wall without running it: blocks, joints, weight, expected time, notes, a picture."""
-    checked: Check = perform("check", {**_model(model), "set": _settings(set)}, answer=Check)
-    return checked
+    return perform("check", Check, {**_model(model), "set": _settings(set)})
 
 
 def limit(
@@ -83,7 +80,7 @@ def limit(
     out: Optional[Path] = None,
     progress: Progress = None,
     replace: bool = False,
-    language: str = "en",
+    language: Language = "en",
 ) -> SecondOpinion:
     """Limit analysis of the wall: limit loads by linear programmes, and chains of macro-blocks.
 
@@ -91,37 +88,35 @@ def limit(
     "parts", those that fall on their face; all unless said.
     """
     texts = {
-        **_model(model), "set": _settings(set), "only": names_of("only", only), "out": _folder(out), "language": language
+        **_model(model), "set": _settings(set), "only": names_of("only", only), "out": folder_of(out), "language": language
     }
-    opinion: SecondOpinion = perform(
-        "limit", texts, {"assessment": assessment, "replace": replace}, progress=progress, answer=SecondOpinion
-    )
-    return opinion
+    numbers = {"assessment": assessment, "replace": replace}
+    return perform("limit", SecondOpinion, texts, numbers, progress=progress)
 
 
-def contact(law: ModelLike, opening_mm: Any, slip_mm: Any) -> Table:
+def contact(law: ModelLike, opening_mm: ArrayLike, slip_mm: ArrayLike) -> Table:
     """Drives one joint along a path and gives its stresses and damage, a row for each point of the path.
 
-    ``law`` is a file or a Model with one joint law, or with one called joint. Openings and slips are in
+    ``law`` is a file or a Model with one joint law, or with one called joint. Openings and slips (points,) are in
     millimetres; pressing is negative. Stresses are in MPa, tension positive.
     """
-    texts: dict[str, Optional[str]] = (
-        {"law": law._told(), "file": law.file} if isinstance(law, Model) else _model(law)
-    )
+    told = _model(law)
+    texts = {"law": told.get("model"), "file": told["file"]}
     columns = {"opening_mm": _column("opening_mm", opening_mm), "slip_mm": _column("slip_mm", slip_mm)}
-    table: Table = perform("contact", texts, columns=columns, answer=lambda job: job.table("answer"))
-    return table
+    return perform("contact", lambda job: job.table("answer"), texts, columns=columns)
 
 
-def _column(name: str, values: Any) -> Any:
-    numpy = needed("numpy", name)
-    if numpy.ma.is_masked(values):
+def _column(name: str, values: object) -> Floats:
+    """The values as one column of float64."""
+    with needed_for(name):
+        import numpy
+    if isinstance(values, numpy.ma.MaskedArray) and values.mask.any():
         raise refused(name, "a masked array", "hides some of its numbers", "leave those rows out")
     try:
         given = numpy.asarray(values)
         if given.dtype.kind not in "fiubO":
             raise TypeError(given.dtype)
-        column = numpy.ascontiguousarray(given, dtype=numpy.float64)
+        column: Floats = numpy.ascontiguousarray(given, dtype=numpy.float64)
     except (TypeError, ValueError, OverflowError) as error:
         raise InputError([Fault(path=name, value=type(values).__name__, problem="is no list of numbers",
                                 cure="give numbers in one unit")]) from error
@@ -131,7 +126,7 @@ def _column(name: str, values: Any) -> Any:
     return column
 
 
-def _one_unit(path: str, said: Mapping[str, Any]) -> str:
+def _one_unit(path: str, said: Mapping[str, str]) -> str:
     """The unit of a column, which may stand at several places as long as it is the same."""
     found = {place: unit for place, unit in said.items() if unit != ""}
     for place, unit in found.items():
@@ -143,13 +138,12 @@ def _one_unit(path: str, said: Mapping[str, Any]) -> str:
     return next(iter(found.values()), "")
 
 
-def _inputs(inputs: Any, columns: Optional[Sequence[str]], units: Optional[Mapping[str, str]]) -> tuple[
-    dict[str, Any], dict[str, str]
-]:
-    """Columns by path, and their units, from the shapes in which people have them."""
+def _pairs(inputs: Inputs, columns: Union[None, str, Sequence[str]]) -> list[tuple[str, object]]:
+    """Titles and values of the columns, from the shapes in which people have them."""
     if columns is not None:
-        numpy = needed("numpy", "a matrix of inputs")
         columns = names_of("columns", columns)
+        with needed_for("a matrix of inputs"):
+            import numpy
         try:
             matrix = numpy.asarray(inputs, dtype=float)
         except (TypeError, ValueError, OverflowError):
@@ -159,40 +153,46 @@ def _inputs(inputs: Any, columns: Optional[Sequence[str]], units: Optional[Mappi
             raise InputError([Fault(path="inputs", value=f"shape {matrix.shape}",
                                     problem=f"does not fit the {len(columns)} columns",
                                     cure="give a matrix of (rows, columns)")])
-        pairs: list[tuple[str, Any]] = [(path, matrix[:, i]) for i, path in enumerate(columns)]
-    elif hasattr(inputs, "items"):  # a mapping, or a data frame
-        pairs = [(str(path), values) for path, values in inputs.items()]
-    else:
-        raise InputError([Fault(path="inputs", value=type(inputs).__name__, problem="has no names for its columns",
-                                cure="give a mapping of path to values, a data frame, or a matrix with columns=")])
+        return [(path, matrix[:, i]) for i, path in enumerate(columns)]
+    if hasattr(inputs, "items"):  # a mapping, or a data frame
+        return [(str(path), values) for path, values in inputs.items()]
+    raise InputError([Fault(path="inputs", value=type(inputs).__name__, problem="has no names for its columns",
+                            cure="give a mapping of path to values, a data frame, or a matrix with columns=")])
+
+
+def _inputs(
+    inputs: Inputs, columns: Union[None, str, Sequence[str]], units: Optional[Mapping[str, str]]
+) -> tuple[dict[str, Floats], dict[str, str]]:
+    """Columns by path, and their units."""
+    pairs = _pairs(inputs, columns)
     if units is not None and not isinstance(units, Mapping):
         raise refused("units", type(units).__name__, "names no columns", 'write {"wall.length": "m"}')
-    found: dict[str, Any] = {}
-    unit_of: dict[str, str] = {}
+    found: dict[str, Floats] = {}
+    units_of: dict[str, str] = {}
     for title, values in pairs:
         path, said = title, {"units": (units or {}).get(title, "")}
         if title.endswith("]") and " [" in title:  # "material.joint.cohesion [MPa]"
             path, said["its title"] = title[:-1].split(" [", 1)
         if isinstance(values, tuple) and len(values) == 2 and isinstance(values[1], str):
             values, said["its values"] = values
-        if hasattr(values, "magnitude") and hasattr(values, "units"):
-            values, said["its quantity"] = values.magnitude, f"{values.units:~}".replace(" ** ", "^")
+        if is_measured(values):
+            said["its quantity"], values = unit_of(values), values.magnitude
         if path in found:
             raise refused(path, title, "stands there twice", "leave one of the columns out")
         found[path] = _column(path, values)
-        unit_of[path] = _one_unit(path, said)
+        units_of[path] = _one_unit(path, said)
     for name in units or {}:
         if name not in dict(pairs):
             raise InputError([Fault(path=f"units[{name!r}]", problem="names no column of the inputs",
                                     cure="the columns are " + ", ".join(dict(pairs)))])
-    return found, unit_of
+    return found, units_of
 
 
 def run_many(
     model: ModelLike,
-    inputs: Any,
+    inputs: Inputs,
     *,
-    columns: Optional[Sequence[str]] = None,
+    columns: Union[None, str, Sequence[str]] = None,
     units: Optional[Mapping[str, str]] = None,
     set: Settings = None,
     jobs: int = 0,
@@ -209,16 +209,13 @@ def run_many(
 
     ``curves`` keeps the curves. ``jobs`` is the number of cores for walls side by side, 0 all.
     """
-    found, unit_of = _inputs(inputs, columns, units)
+    found, units_of = _inputs(inputs, columns, units)
     if not found:
         raise InputError([Fault(path="inputs", problem="has no columns", cure="name the keys that differ")])
-    texts: dict[str, Any] = {
-        **_model(model), "set": _settings(set), "path": list(found), "unit": [unit_of[path] for path in found]
-    }
+    texts: Texts = {**_model(model), "set": _settings(set), "path": list(found), "unit": list(units_of.values())}
     numbers = {"jobs": jobs, "curves": curves, "read_modes_at_mm": read_modes_at_mm}
     data = {f"input {i}": column for i, column in enumerate(found.values())}
-    batch: Batch = perform("batch", texts, numbers, data, progress, lambda job: Batch(job, found, unit_of))
-    return batch
+    return perform("batch", lambda job: Batch(job, found, units_of), texts, numbers, data, progress)
 
 
 def campaign(
@@ -233,7 +230,7 @@ def campaign(
     resume: bool = False,
     shard: Optional[tuple[int, int]] = None,
     progress: Progress = None,
-    language: str = "en",
+    language: Language = "en",
 ) -> Campaign:
     """Runs the samples of a study into the folder ``out``, as `wythe campaign` does.
 
@@ -250,32 +247,10 @@ def campaign(
     numbers = {
         "samples": samples, "seed": seed, "jobs": jobs, "resume": resume, "shard": number, "shards": shards
     }
-    done: Campaign = perform(
-        "campaign", texts, numbers, progress=progress, answer=lambda job: Campaign(job, folder)
-    )
-    return done
+    return perform("campaign", lambda job: Campaign(job, folder), texts, numbers, progress=progress)
 
 
 def open_campaign(folder: Path) -> Campaign:
     """The campaign in a folder, however far it is."""
     name = path_of("folder", folder)
-    stored: Campaign = perform("results", {"folder": name}, answer=lambda job: Campaign(job, name))
-    return stored
-
-
-def replay(
-    folder: Path,
-    sample: int,
-    *,
-    out: Optional[Path] = None,
-    threads: int = 1,
-    progress: Progress = None,
-    replace: bool = False,
-    language: str = "en",
-) -> Result:
-    """Runs one sample of a campaign again, with all its states. ``threads`` as of ``run``."""
-    texts = {"folder": path_of("folder", folder), "out": _folder(out), "language": language}
-    numbers = {"sample": sample, "threads": threads, "replace": replace}
-    result: Result = perform("replay", texts, numbers, progress=progress, answer=Result)
-    return result
-
+    return perform("results", lambda job: Campaign(job, name), {"folder": name})

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import contextlib
 import dataclasses
+import os
 import re
-from collections.abc import Iterable
-from typing import Any
+from collections.abc import Iterable, Iterator
+from typing import Optional, Union
+
+from ._types import Floats, Path
 
 # Options of the command line that are arguments here; those without a value are flags.
 _ARGUMENTS = {"set": "set", "samples": "samples", "seed": "seed", "jobs": "jobs", "threads": "threads", "until": "until",
@@ -84,17 +88,14 @@ class InputError(WytheError, ValueError):
         self.faults: list[Fault] = list(faults)
         super().__init__("\n".join(str(fault) for fault in self.faults))
 
-    def __reduce__(self) -> Any:  # between processes
-        return InputError, (self.faults,)
+    def __reduce__(self) -> tuple[type, tuple[list[Fault]]]:  # between processes
+        return type(self), (self.faults,)
 
 
 class NoMember(InputError, KeyError):
     """A name that is none of the members."""
 
     __str__ = Exception.__str__  # a KeyError would show quotes
-
-    def __reduce__(self) -> Any:
-        return NoMember, (self.faults,)
 
 
 class AccessError(WytheError, OSError):
@@ -106,13 +107,16 @@ class DefectError(WytheError, RuntimeError):
 
 
 class Interrupted(KeyboardInterrupt):
-    """Ctrl-C during a computation. ``result`` holds what was done until then, or None."""
+    """Ctrl-C during a computation. ``result`` is what the call would have given, as far as it came, or None.
 
-    def __init__(self, result: Any = None):
+    A checker of types wants to know which: ``if isinstance(stop.result, wythe.Result)``.
+    """
+
+    def __init__(self, result: object = None):
         self.result = result
         super().__init__("stopped" if result is None else "stopped; .result has what was done until then")
 
-    def __reduce__(self) -> Any:  # a result stays in its process
+    def __reduce__(self) -> tuple[type, tuple[None]]:  # a result stays in its process
         return Interrupted, (None,)
 
 
@@ -122,13 +126,13 @@ class NoAnswer(WytheError, ArithmeticError):
     ``answers`` has all rows, NaN where there is none: what was computed is not lost.
     """
 
-    def __init__(self, rows: dict[int, str], answers: Any = None):
+    def __init__(self, rows: dict[int, str], answers: Optional[Floats] = None):
         self.rows, self.answers = rows, answers
         shown = [f"row {row}: {why}" for row, why in list(rows.items())[:5]]
         more = [f"and {len(rows) - 5} rows more"] if len(rows) > 5 else []
         super().__init__("\n".join([*shown, *more, 'missing=NUMBER takes a number in the place of an exception']))
 
-    def __reduce__(self) -> Any:  # between processes
+    def __reduce__(self) -> tuple[type, tuple[dict[int, str], Optional[Floats]]]:  # between processes
         return NoAnswer, (self.rows, self.answers)
 
 
@@ -136,12 +140,12 @@ class MissingPackage(WytheError, ImportError):
     """A Python package that this call needs is not installed."""
 
 
-def refused(path: str, value: Any, problem: str, cure: str) -> InputError:
+def refused(path: str, value: object, problem: str, cure: str) -> InputError:
     """An InputError with one fault."""
     return InputError([Fault(path=path, value=str(value), problem=problem, cure=cure)])
 
 
-def names_of(name: str, value: Any) -> list[Any]:
+def names_of(name: str, value: Union[None, str, Iterable[str]]) -> list[str]:
     """A list of names; one name may stand alone."""
     if isinstance(value, str):
         return [value]
@@ -151,10 +155,8 @@ def names_of(name: str, value: Any) -> list[Any]:
         raise refused(name, type(value).__name__, "is no list of names", "write them as a list of texts") from None
 
 
-def path_of(name: str, value: Any) -> str:
+def path_of(name: str, value: Path) -> str:
     """A path as text; ``name`` is the argument it stands in."""
-    import os
-
     try:
         path = os.fsdecode(value)
     except TypeError:
@@ -166,7 +168,12 @@ def path_of(name: str, value: Any) -> str:
     return path
 
 
-def write_text(path: Any, text: str) -> None:
+def folder_of(out: Optional[Path]) -> Optional[str]:
+    """The folder that ``out`` names, or None."""
+    return None if out is None else path_of("out", out)
+
+
+def write_text(path: Path, text: str) -> None:
     """Writes a text file."""
     name = path_of("path", path)
     try:
@@ -176,14 +183,13 @@ def write_text(path: Any, text: str) -> None:
         raise AccessError(f"{name}: {error.strerror}") from error
 
 
-def needed(name: str, purpose: str) -> Any:
-    """Imports a package when it is first needed; where it is missing, says so with the cure."""
-    import importlib
-
+@contextlib.contextmanager
+def needed_for(purpose: str) -> Iterator[None]:
+    """Around the import of a package, when it is first needed: where it is missing, says so with the cure."""
     try:
-        return importlib.import_module(name)
+        yield
     except ImportError as error:
-        package = name.split(".")[0]
+        package = (error.name or "").split(".")[0]
         raise MissingPackage(
             f"{purpose} needs the Python package {package}, which this interpreter does not have; "
             f"on Debian install python3-{package}"

@@ -3,11 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any, Optional, Union
+from typing import TYPE_CHECKING, Literal, Optional, Protocol, TypeAlias, Union
 
-from ._calls import ModelLike, Settings, run_many
-from ._errors import Fault, InputError, NoAnswer, names_of, needed
+from ._calls import run_many
+from ._errors import NoAnswer, names_of, needed_for, refused
+from ._model import Model, ModelLike
 from ._results import Batch
+from ._types import Floats, Settings
+
+if TYPE_CHECKING:
+    from argparse import ArgumentParser
+
+    from numpy.typing import ArrayLike
 
 #: answers that may be lower bounds, and the flag that says so in a row
 _FLAG = {
@@ -27,8 +34,23 @@ _ENDED = ("completed", "collapsed")
 _DOUBTFUL = ("too fast", "unknown")
 
 
-def _refuse(path: str, value: Any, problem: str, cure: str) -> InputError:
-    return InputError([Fault(path=path, value=str(value), problem=problem, cure=cure)])
+Missing: TypeAlias = Union[float, Literal["raise"]]
+Choice: TypeAlias = Literal["raise", "take"]
+#: {path: (factor, input)}
+Follow: TypeAlias = Mapping[str, tuple[float, str]]
+
+
+class Rows(Protocol):
+    """What a Function reads of a Batch."""
+
+    @property
+    def status(self) -> Sequence[str]: ...
+    @property
+    def reason(self) -> Sequence[Optional[str]]: ...
+    @property
+    def rate_judgement(self) -> Sequence[Optional[str]]: ...
+    @property
+    def answers(self) -> Mapping[str, Floats]: ...
 
 
 class Function:
@@ -53,25 +75,23 @@ class Function:
         self,
         model: ModelLike,
         inputs: Mapping[str, str],
-        outputs: Sequence[str] = ("peak_reaction_kN",),
+        outputs: Union[str, Sequence[str]] = ("peak_reaction_kN",),
         *,
         set: Settings = None,
-        follow: Optional[Mapping[str, tuple[float, str]]] = None,
-        missing: Union[str, float] = "raise",
-        bounds: str = "raise",
-        rate: str = "raise",
+        follow: Optional[Follow] = None,
+        missing: Missing = "raise",
+        bounds: Choice = "raise",
+        rate: Choice = "raise",
         jobs: int = 0,
     ):
-        from ._model import Model
-
         self.inputs: dict[str, str] = _units(inputs)
         self.outputs: tuple[str, ...] = tuple(names_of("outputs", outputs))
         self.follow: dict[str, tuple[float, str]] = _followers(follow or {}, self.inputs)
         self.missing: Optional[float] = _number_or_raise(missing)
         if bounds not in ("raise", "take"):
-            raise _refuse("bounds", bounds, "is no such choice", 'write "raise" or "take"')
+            raise refused("bounds", bounds, "is no such choice", 'write "raise" or "take"')
         if rate not in ("raise", "take"):
-            raise _refuse("rate", rate, "is no such choice", 'write "raise" or "take"')
+            raise refused("rate", rate, "is no such choice", 'write "raise" or "take"')
         self.take_bounds = bounds == "take"
         self.take_fast = rate == "take"
         self._model = model.copy() if isinstance(model, Model) else Model.read(model)
@@ -79,38 +99,39 @@ class Function:
         known = self._run([]).answers.columns  # no wall is run; paths, units and the model are checked
         for name in self.outputs:
             if name not in known:
-                raise _refuse("outputs", name, "is no answer of a row", "the answers are " + ", ".join(known))
+                raise refused("outputs", name, "is no answer of a row", "the answers are " + ", ".join(known))
         if not self.outputs:
-            raise _refuse("outputs", "", "names nothing", "the answers are " + ", ".join(known))
+            raise refused("outputs", "", "names nothing", "the answers are " + ", ".join(known))
 
-    def _run(self, rows: Any, curves: bool = False) -> Batch:
-        numpy = needed("numpy", "a function of a wall")
+    def _run(self, rows: ArrayLike, curves: bool = False) -> Batch:
+        with needed_for("a function of a wall"):
+            import numpy
         matrix = numpy.asarray(rows, dtype=float).reshape(-1, len(self.inputs))
-        columns: dict[str, Any] = {path: (matrix[:, i], unit) for i, (path, unit) in enumerate(self.inputs.items())}
+        columns = {path: (matrix[:, i], unit) for i, (path, unit) in enumerate(self.inputs.items())}
         for path, (factor, leader) in self.follow.items():
             values, unit = columns[leader]
             columns[path] = (factor * values, unit)
-        return run_many(
-            self._model, columns, set=self._set, jobs=self._jobs, curves=curves, progress=False
-        )
+        return run_many(self._model, columns, set=self._set, jobs=self._jobs, curves=curves, progress=False)
 
-    def rows_of(self, points: Any) -> Any:
-        """The points as a matrix (rows, inputs) of finite numbers."""
-        numpy = needed("numpy", "a function of a wall")
+    def rows_of(self, points: ArrayLike) -> Floats:
+        """The points as a matrix (rows, inputs); InputError where they are none."""
+        with needed_for("a function of a wall"):
+            import numpy
         try:
-            matrix = numpy.asarray(points, dtype=float)
+            matrix: Floats = numpy.asarray(points, dtype=float)
         except (TypeError, ValueError):
-            raise _refuse("inputs", type(points).__name__, "are no numbers", "give rows of numbers") from None
+            raise refused("inputs", type(points).__name__, "are no numbers", "give rows of numbers") from None
         if matrix.ndim != 2 or matrix.shape[1] != len(self.inputs):
-            raise _refuse("inputs", f"shape {matrix.shape}", f"do not fit the {len(self.inputs)} inputs",
+            raise refused("inputs", f"shape {matrix.shape}", f"do not fit the {len(self.inputs)} inputs",
                           "the columns are " + ", ".join(self.inputs))
         return matrix
 
-    def evaluate(self, points: Any) -> tuple[Any, Batch]:
+    def evaluate(self, points: ArrayLike) -> tuple[Floats, Batch]:
         """Answers (rows, outputs), NaN where a row has none whatever ``missing`` says; and the batch behind them."""
-        numpy = needed("numpy", "a function of a wall")
+        with needed_for("a function of a wall"):
+            import numpy
         batch = self._run(self.rows_of(points))
-        answers = numpy.column_stack([numpy.array(batch.answers[name]) for name in self.outputs])
+        answers: Floats = numpy.column_stack([numpy.array(batch.answers[name]) for name in self.outputs])
         answers[[status not in _ENDED for status in batch.status]] = numpy.nan
         answers[self._doubtful(batch)] = numpy.nan
         for column, name in enumerate(self.outputs):
@@ -118,10 +139,10 @@ class Function:
                 answers[batch.answers[_FLAG[name]] == 1, column] = numpy.nan
         return answers, batch
 
-    def _doubtful(self, batch: Any) -> list[bool]:
+    def _doubtful(self, batch: Rows) -> list[bool]:
         return [not self.take_fast and judgement in _DOUBTFUL for judgement in batch.rate_judgement]
 
-    def why(self, batch: Any, row: int) -> str:
+    def why(self, batch: Rows, row: int) -> str:
         """Why a row has no answer."""
         if batch.status[row] not in _ENDED:
             return f"{batch.status[row] or 'not run'}: {batch.reason[row] or 'no reason was given'}"
@@ -134,9 +155,10 @@ class Function:
         absent = [name for name in self.outputs if batch.answers[name][row] != batch.answers[name][row]]
         return f"{', '.join(absent)}: the run has no such value"
 
-    def fill(self, answers: Any, batch: Any) -> Any:
-        """The answers with ``missing`` where a row has none; raises NoAnswer where that is "raise"."""
-        numpy = needed("numpy", "a function of a wall")
+    def fill(self, answers: Floats, batch: Rows) -> Floats:
+        """The answers (rows, outputs) with ``missing`` where a row has none; raises NoAnswer where that is "raise"."""
+        with needed_for("a function of a wall"):
+            import numpy
         empty = numpy.isnan(answers)
         if empty.any() and self.missing is None:
             rows = [int(row) for row in numpy.flatnonzero(empty.any(axis=1))]
@@ -144,19 +166,22 @@ class Function:
         answers[empty] = numpy.nan if self.missing is None else self.missing
         return answers
 
-    def __call__(self, points: Any) -> Any:
+    def __call__(self, points: ArrayLike) -> Floats:
         """Answers (rows, outputs) to points (rows, inputs); one point gives one row without the first axis."""
-        numpy = needed("numpy", "a function of a wall")
+        with needed_for("a function of a wall"):
+            import numpy
         if numpy.ndim(points) == 1:
-            return self([points])[0]
+            row: Floats = self(numpy.asarray(points)[numpy.newaxis])[0]
+            return row
         return self.fill(*self.evaluate(points))
 
-    def curves_at(self, points: Any, displacement_mm: Any) -> Any:
+    def curves_at(self, points: ArrayLike, displacement_mm: ArrayLike) -> Floats:
         """Reactions [kN] (rows, displacements) at the same displacements [mm] for every row.
 
         A curve that ends before a displacement has no answer there: it raises NoAnswer, or gives ``missing``.
         """
-        numpy = needed("numpy", "a function of a wall")
+        with needed_for("a function of a wall"):
+            import numpy
         batch = self._run(self.rows_of(points), curves=True)
         at = numpy.asarray(displacement_mm, dtype=float)
         table = batch.curves_at(at)
@@ -180,25 +205,25 @@ class Function:
 
 def _units(inputs: Mapping[str, str]) -> dict[str, str]:
     if not isinstance(inputs, Mapping) or not inputs:
-        raise _refuse("inputs", type(inputs).__name__, "name no inputs", 'write {"material.joint.cohesion": "MPa"}')
+        raise refused("inputs", type(inputs).__name__, "name no inputs", 'write {"material.joint.cohesion": "MPa"}')
     for path, unit in inputs.items():
         if not isinstance(path, str) or not isinstance(unit, str):
-            raise _refuse(f"inputs[{path!r}]", unit, "is no unit", 'write its unit as text, "" where it has none')
+            raise refused(f"inputs[{path!r}]", unit, "is no unit", 'write its unit as text, "" where it has none')
     return dict(inputs)
 
 
-def _followers(follow: Mapping[str, tuple[float, str]], inputs: Mapping[str, str]) -> dict[str, tuple[float, str]]:
+def _followers(follow: Follow, inputs: Mapping[str, str]) -> dict[str, tuple[float, str]]:
     for path, pair in follow.items():
         if not isinstance(pair, tuple) or len(pair) != 2 or not isinstance(pair[0], (int, float)):
-            raise _refuse(f"follow[{path!r}]", pair, "is no factor with an input", 'write (0.4, "path of an input")')
+            raise refused(f"follow[{path!r}]", pair, "is no factor with an input", 'write (0.4, "path of an input")')
         if pair[1] not in inputs:
-            raise _refuse(f"follow[{path!r}]", pair[1], "is no input", "the inputs are " + ", ".join(inputs))
+            raise refused(f"follow[{path!r}]", pair[1], "is no input", "the inputs are " + ", ".join(inputs))
         if path in inputs:
-            raise _refuse(f"follow[{path!r}]", path, "is an input itself", "leave it out of one of them")
+            raise refused(f"follow[{path!r}]", path, "is an input itself", "leave it out of one of them")
     return {path: (float(factor), leader) for path, (factor, leader) in follow.items()}
 
 
-def _number_or_raise(missing: Union[str, float]) -> Optional[float]:
+def _number_or_raise(missing: Missing) -> Optional[float]:
     if missing == "raise":
         return None
     try:
@@ -206,13 +231,13 @@ def _number_or_raise(missing: Union[str, float]) -> Optional[float]:
             return float(missing)
     except (TypeError, ValueError, OverflowError):
         pass
-    raise _refuse("missing", missing, "is no such choice", 'write "raise", or the number to take instead')
+    raise refused("missing", missing, "is no such choice", 'write "raise", or the number to take instead')
 
 
 # --- the same from a command line ------------------------------------------------------------------------
 
 
-def add_options(parser: Any) -> None:
+def add_options(parser: ArgumentParser) -> None:
     """The options by which a command names inputs and answers."""
     parser.add_argument("--set", action="append", default=[], metavar="PATH=VALUE", help="change the model, as `wythe run --set`")
     parser.add_argument("--follow", action="append", default=[], metavar="PATH=FACTOR*INPUT",
@@ -233,7 +258,7 @@ def parse_follow(texts: Sequence[str]) -> dict[str, tuple[float, str]]:
         try:
             found[path] = (float(factor), leader)
         except ValueError:
-            raise _refuse("--follow", text, "is not understood",
+            raise refused("--follow", text, "is not understood",
                           "write PATH=FACTOR*INPUT, e.g. material.joint.shear_stiffness=0.4*material.joint.normal_stiffness"
                           ) from None
     return found

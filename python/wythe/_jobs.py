@@ -8,18 +8,20 @@ import os
 import threading
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import Any, Optional, Union
+from typing import TYPE_CHECKING, Any, NoReturn, Optional, TypeVar, Union, cast
 
 from . import _wythe
 from ._errors import (
-    AccessError, DefectError, Fault, InputError, Interrupted, MadeText, WytheError, fault_in_python, in_python, needed,
+    AccessError, DefectError, Fault, InputError, Interrupted, MadeText, WytheError, fault_in_python, in_python, needed_for,
     refused,
 )
 from ._progress import listener
+from ._types import Floats, Hear, Progress
 
-#: What a call may take as ``progress``: True or False, None (where somebody can see it), or a function of
-#: (what, share, displacement_mm, force_kN).
-Progress = Union[bool, None, Callable[[str, float, float, float], Any]]
+if TYPE_CHECKING:
+    from pandas import DataFrame
+
+Answer = TypeVar("Answer")
 
 _PATHS = ("file", "folder", "out")
 
@@ -32,28 +34,35 @@ class Job:
     def __init__(self, raw: _wythe.Job):
         self._raw = raw
 
-    def __reduce__(self) -> Any:
+    def __reduce__(self) -> NoReturn:
         raise TypeError("a result lives in its process and cannot be pickled or copied deeply; hand on its "
                         ".summary, .curve.frame() or .frame()")
 
     def text(self, name: str) -> Optional[str]:
-        text: Optional[str] = self._raw.text(name)
-        return text
+        return self._raw.text(name)
 
     def json(self, name: str) -> Any:
+        """What a text holds; whoever asks says what that is."""
         text = self.text(name)
         return None if text is None else json.loads(text)
 
-    def table(self, name: str) -> Optional[Table]:
+    def table_or_none(self, name: str) -> Optional[Table]:
         columns = self.json(f"columns of {name}")
         return None if columns is None else Table(self._raw, name, columns)
 
+    def table(self, name: str) -> Table:
+        """One that there always is."""
+        table = self.table_or_none(name)
+        assert table is not None
+        return table
 
-class Table(Mapping[str, Any]):
-    """Columns of numbers by name, as NumPy arrays that look at the engine's own memory.
+
+class Table(Mapping[str, Floats]):
+    """Columns of numbers by name, as NumPy arrays (rows,) of float64 that look at the engine's own memory.
 
     ``table["reaction_kN"]`` and ``table.reaction_kN`` are the same array, read-only and without a copy.
-    ``table.frame()`` is a pandas DataFrame (a copy).
+    ``table.frame()`` is a pandas DataFrame (a copy). A column that is not there raises KeyError or AttributeError
+    with the names of those that are; without NumPy a column raises MissingPackage.
     """
 
     def __init__(self, raw: _wythe.Job, name: str, columns: Sequence[str]):
@@ -66,12 +75,19 @@ class Table(Mapping[str, Any]):
         """The names of the columns; each ends with its unit."""
         return self._columns
 
-    def __getitem__(self, column: str) -> Any:
-        if column not in self._columns:
+    def _memory(self, column: str) -> memoryview:
+        found = self._raw.column(self._name, column) if column in self._columns else None
+        if found is None:
             raise KeyError(f"{column!r}; the columns are {', '.join(self._columns)}")
-        return needed("numpy", "a column").asarray(self._raw.column(self._name, column))
+        return memoryview(cast(bytes, found))  # it lets its memory be looked at, which no stub can say
 
-    def __getattr__(self, column: str) -> Any:
+    def __getitem__(self, column: str) -> Floats:
+        memory = self._memory(column)
+        with needed_for("a column"):
+            import numpy
+        return numpy.asarray(memory)
+
+    def __getattr__(self, column: str) -> Floats:
         if column.startswith("_"):
             raise AttributeError(column)
         if column not in self._columns:
@@ -96,38 +112,40 @@ class Table(Mapping[str, Any]):
     @property
     def rows(self) -> int:
         """How many rows there are."""
-        column = self._raw.column(self._name, self._columns[0]) if self._columns else None
-        return 0 if column is None else len(column)
+        return len(self._memory(self._columns[0])) if self._columns else 0
 
     def numbers(self, column: str) -> list[float]:
         """A column as a list of Python's numbers, which needs no package."""
-        found: Any = self._raw.column(self._name, column) if column in self._columns else None
-        if found is None:
-            raise KeyError(f"{column!r}; the columns are {', '.join(self._columns)}")
-        return list(memoryview(found))
+        return [float(value) for value in self._memory(column)]
 
-    def frame(self) -> Any:
+    def frame(self) -> DataFrame:
         """All columns as a pandas DataFrame."""
-        return needed("pandas", "frame()").DataFrame({name: self[name].copy() for name in self})
+        with needed_for("frame()"):
+            from pandas import DataFrame
+        return DataFrame({name: self[name].copy() for name in self})
 
     def __repr__(self) -> str:
         return f"<table {self._name!r}: {self.rows} rows of {', '.join(self._columns)}>"
 
 
-def _refused(raw: _wythe.Job, texts: Mapping[str, Any], numbers: Mapping[str, Any]) -> WytheError:
+Texts = Mapping[str, Union[None, str, Sequence[str]]]
+Numbers = Mapping[str, Optional[float]]
+
+
+def _refused(raw: _wythe.Job, texts: Texts, numbers: Numbers) -> WytheError:
     """What a call is refused for: a file or folder that it names and that is not there, or faults."""
     text = next((texts[name] for name in ("model", "law", "study") if texts.get(name) is not None), None)
-    named = [path for path in (texts.get("file") if text is None else None, texts.get("folder")) if path]
+    named = [path for path in (texts.get("file") if text is None else None, texts.get("folder")) if isinstance(path, str)]
     if any(not os.path.lexists(path) for path in named):
         return AccessError(in_python(raw.text("error") or ""))
-    given = [name for name, value in {**texts, **numbers}.items() if value is not None]
+    given = [name for options in (texts, numbers) for name, value in options.items() if value is not None]
     faults = [fault_in_python(Fault(**row), given) for row in json.loads(raw.text("faults") or "[]")]
     if isinstance(text, MadeText):
         faults = [replace(fault, line=0) if fault.file == texts["file"] else fault for fault in faults]
     return InputError(faults or [Fault(problem=in_python(raw.text("error") or "it is not admissible"))])
 
 
-def _encoded(name: str, text: Any) -> Any:
+def _encoded(name: str, text: str) -> Union[str, bytes]:
     """The text; a path as the bytes by which the system knows it."""
     if not isinstance(text, str):
         raise refused(name, type(text).__name__, "is no text", "write a text")
@@ -144,7 +162,7 @@ def _encoded(name: str, text: Any) -> Any:
 _FLAGS = ("replace", "resume", "assessment", "curves")
 
 
-def _number(name: str, value: Any) -> float:
+def _number(name: str, value: float) -> float:
     is_bool = type(value).__name__ in ("bool", "bool_")  # of Python and NumPy
     if name in _FLAGS:
         if not is_bool and not (isinstance(value, int) and value in (0, 1)):
@@ -177,14 +195,14 @@ atexit.register(_end)
 os.register_at_fork(after_in_child=_at_work.clear)  # a child has none of its parent's other threads
 
 
-def _beside(raw: _wythe.Job, hear: Any) -> Any:
+def _beside(raw: _wythe.Job, hear: Optional[Hear]) -> tuple[int, Optional[BaseException]]:
     """Performs a job in another thread than the main one."""
 
-    def hear_or_end(*news: Any) -> None:
+    def hear_or_end(what: str, share: float, displacement_mm: float, force_kN: float) -> None:
         if _ending:
             raise SystemExit
         if hear is not None:
-            hear(*news)
+            hear(what, share, displacement_mm, force_kN)
 
     done = threading.Event()
     _at_work.add(done)
@@ -199,12 +217,12 @@ def _beside(raw: _wythe.Job, hear: Any) -> Any:
 
 def perform(
     task: str,
-    texts: Mapping[str, Union[None, str, Sequence[str]]],
-    numbers: Mapping[str, Union[None, float, int, bool]] = {},
-    columns: Mapping[str, Any] = {},
+    answer: Callable[[Job], Answer],
+    texts: Texts,
+    numbers: Numbers = {},
+    columns: Mapping[str, Floats] = {},
     progress: Progress = False,
-    answer: Callable[[Job], Any] = lambda job: job,
-) -> Any:
+) -> Answer:
     """Does a task and gives ``answer(job)``. Raises InputError, AccessError, Interrupted or DefectError."""
     raw = _wythe.Job(task)
     for name, value in texts.items():

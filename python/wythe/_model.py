@@ -16,9 +16,16 @@ import os
 import re
 import tomllib
 from collections.abc import Iterable, Iterator
-from typing import Any, Optional, Union
+from html import escape
+from typing import TYPE_CHECKING, Any, Optional, TypeAlias, TypeGuard, Union
 
-from ._errors import AccessError, Fault, InputError, MadeText, NoMember, path_of, write_text
+from ._errors import AccessError, Fault, InputError, MadeText, NoMember, path_of, refused, write_text
+from ._jobs import perform
+from ._results import Check
+from ._types import Measured, Path, Plain, Value
+
+if TYPE_CHECKING:  # it takes a tenth of the time of import wythe
+    from .answers import Key
 
 _NUMBER = re.compile(r"\s*([-+]?(?:\d[\d_]*\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(.*?)\s*")
 _QUANTITIES = ("quantity", "quantities", "points")
@@ -48,34 +55,28 @@ class Quantity(str):
 
 
 @functools.cache
-def keys() -> dict[str, dict[str, Any]]:
+def keys() -> dict[str, Key]:
     """Every key that a model file may have, by its path: kind, unit, allowed values, default, meaning.
 
     In a path ``[]`` stands for the members of a list and ``<name>`` for a name: ``stage[].velocity``,
     ``material.<name>.cohesion``.
     """
-    from ._jobs import perform
-
-    return {key["path"]: key for key in perform("keys", {}).json("keys")}
+    return perform("keys", lambda job: {key["path"]: key for key in job.json("keys")}, {})
 
 
 @functools.cache
-def _children(path: str) -> dict[str, dict[str, Any]]:
+def _children(path: str) -> dict[str, Key]:
     """The keys of one table, by name."""
     head = path + "." if path else ""
     found = {p[len(head) :]: key for p, key in keys().items() if p.startswith(head)}
     return {name: key for name, key in found.items() if "." not in name and "[" not in name}
 
 
-def _fault(path: str, value: Any, problem: str, cure: str) -> InputError:
-    return InputError([Fault(path=path, value=str(value), problem=problem, cure=cure)])
-
-
 def _no_member(path: str, members: Iterable[str]) -> NoMember:
     return NoMember([Fault(path=path, problem="no such member", cure=f"there are: {', '.join(members) or 'none'}")])
 
 
-def as_text(value: Any) -> Optional[str]:
+def as_text(value: object) -> Optional[str]:
     """A quantity as text: "5 m", (5, "m"), or an object with magnitude and units (pint). None: it is none."""
     if isinstance(value, str):
         return value
@@ -83,13 +84,23 @@ def as_text(value: Any) -> Optional[str]:
         try:
             return f"{float(value[0])!r} {value[1]}"
         except (TypeError, ValueError, OverflowError):
-            raise _fault("quantity", value, "is no number with a unit", 'write e.g. (5, "m")') from None
-    if hasattr(value, "magnitude") and hasattr(value, "units"):
-        return f"{float(value.magnitude)!r} {value.units:~}".replace(" ** ", "^").replace("**", "^")
+            raise refused("quantity", value, "is no number with a unit", 'write e.g. (5, "m")') from None
+    if is_measured(value):
+        return f"{float(value.magnitude)!r} {unit_of(value)}"
     return None
 
 
-def as_setting(path: str, value: Any) -> str:
+def is_measured(value: object) -> TypeGuard[Measured]:
+    """Whether it is a quantity of pint or the like."""
+    return hasattr(value, "magnitude") and hasattr(value, "units")
+
+
+def unit_of(value: Measured) -> str:
+    """Its unit as wythe reads it."""
+    return f"{value.units:~}".replace(" ** ", "^").replace("**", "^")
+
+
+def as_setting(path: str, value: Value) -> str:
     """"path=value" as `wythe run --set` takes it."""
     text = as_text(value)
     if text is not None:
@@ -97,7 +108,7 @@ def as_setting(path: str, value: Any) -> str:
     return f"{path}={_toml(_plain(value))}"
 
 
-def _plain(value: Any) -> Any:
+def _plain(value: object) -> object:
     """NumPy numbers and lists of them as Python's own, sections as dictionaries."""
     if isinstance(value, (Section, SectionList)):
         return value.to_dict()
@@ -110,49 +121,49 @@ def _plain(value: Any) -> Any:
     return value
 
 
-def _checked(path: str, key: dict[str, Any], value: Any) -> Any:
+def _checked(path: str, key: Key, value: object) -> object:
     """The value as the file holds it. The engine checks ranges and units; this, what it could not tell."""
     kind = key["kind"]
     example = key.get("example", "")
     if kind == "quantity":
         text = as_text(value)
         if text is None:
-            raise _fault(path, value, "is a number without a unit" if _is_number(value) else "is no quantity",
+            raise refused(path, value, "is a number without a unit" if _is_number(value) else "is no quantity",
                          f'write it with its unit, e.g. "{example}"' if example else 'write e.g. "5 m"')
         return Quantity(text)
     if kind in ("quantities", "points"):
         if isinstance(value, (str, tuple)) and kind == "quantities" and as_text(value) is not None:
-            raise _fault(path, value, "is one quantity", "give a list of them")
+            raise refused(path, value, "is one quantity", "give a list of them")
         value = value.tolist() if hasattr(value, "tolist") else value
         if not isinstance(value, (list, tuple)):
-            raise _fault(path, value, "is no list", f"write e.g. {example or '5 mm in brackets'}")
+            raise refused(path, value, "is no list", f"write e.g. {example or '5 mm in brackets'}")
         return [_quantity_row(path, row, example) for row in value]
     if kind == "flag" and not isinstance(value, bool):
-        raise _fault(path, value, "is neither true nor false", "write True or False")
+        raise refused(path, value, "is neither true nor false", "write True or False")
     if kind == "word" and value not in key["words"]:
-        raise _fault(path, value, "is no word that is known here", "write one of: " + ", ".join(key["words"]))
+        raise refused(path, value, "is no word that is known here", "write one of: " + ", ".join(key["words"]))
     if kind in ("number", "integer") and not isinstance(value, str):
         value = _plain(value)
         if not _is_number(value):
-            raise _fault(path, value, "is no number", f"write e.g. {example}" if example else "write a number")
+            raise refused(path, value, "is no number", f"write e.g. {example}" if example else "write a number")
         if kind == "integer" and value != int(value):
-            raise _fault(path, value, "is no whole number", "write a whole number")
+            raise refused(path, value, "is no whole number", "write a whole number")
         return int(value) if kind == "integer" else value
     if kind == "text" and not isinstance(value, str):
-        raise _fault(path, value, "is no text", f'write e.g. "{example}"' if example else "write a text")
+        raise refused(path, value, "is no text", f'write e.g. "{example}"' if example else "write a text")
     return _plain(value)
 
 
-def _quantity_row(path: str, value: Any, example: str) -> Any:
+def _quantity_row(path: str, value: object, example: str) -> object:
     text = as_text(value)
     if text is not None:
         return Quantity(text)
     if isinstance(value, (list, tuple)):
         return [_quantity_row(path, inner, example) for inner in value]
-    raise _fault(path, value, "is a number without a unit", f"write it with its unit, e.g. {example or '5 m'}")
+    raise refused(path, value, "is a number without a unit", f"write it with its unit, e.g. {example or '5 m'}")
 
 
-def _is_number(value: Any) -> bool:
+def _is_number(value: object) -> TypeGuard[float]:
     return isinstance(value, (int, float)) and not isinstance(value, bool)
 
 
@@ -162,22 +173,22 @@ def _members(path: str, kind: str, value: Any) -> Any:
     if kind == "list":
         if isinstance(value, (list, tuple)) and all(isinstance(member, (dict, Section)) for member in value):
             return [member.to_dict() if isinstance(member, Section) else member for member in value]
-        raise _fault(path, type(value).__name__, "is no list of tables", 'write [{"name": ...}, ...]')
+        raise refused(path, type(value).__name__, "is no list of tables", 'write [{"name": ...}, ...]')
     if isinstance(value, dict):
         return value
-    raise _fault(path, type(value).__name__, "is no table", 'write {"key": value}')
+    raise refused(path, type(value).__name__, "is no table", 'write {"key": value}')
 
 
-def _key(path: str, pattern: str, name: str) -> dict[str, Any]:
+def _key(path: str, pattern: str, name: str) -> Key:
     """What a table's key is."""
     children = _children(pattern)
     if not isinstance(name, str):
-        raise _fault(_under(path, repr(name)), "", "is no name of a key", "write it as text")
+        raise refused(_under(path, repr(name)), "", "is no name of a key", "write it as text")
     if name in children:
         return children[name]
     near = difflib.get_close_matches(name, children, n=1)
     cure = f"did you mean {near[0]}?" if near else "known here are " + ", ".join(sorted(children))
-    raise _fault(_under(path, name), "", "no such key", cure)
+    raise refused(_under(path, name), "", "no such key", cure)
 
 
 def _help(path: str, pattern: str, name: str) -> str:
@@ -205,7 +216,7 @@ class Section:
         object.__setattr__(self, "_path", path)
         object.__setattr__(self, "_pattern", pattern)
 
-    def _key(self, name: str) -> dict[str, Any]:
+    def _key(self, name: str) -> Key:
         return _key(self._path, self._pattern, name)
 
     def _child(self, name: str) -> Any:
@@ -230,7 +241,7 @@ class Section:
         except InputError as error:
             raise AttributeError(str(error)) from None
 
-    def __setattr__(self, name: str, value: Any) -> None:
+    def __setattr__(self, name: str, value: Value) -> None:
         self[name] = value
 
     def __delattr__(self, name: str) -> None:
@@ -239,7 +250,7 @@ class Section:
     def __getitem__(self, name: str) -> Any:
         return self._child(name)
 
-    def __setitem__(self, name: str, value: Any) -> None:
+    def __setitem__(self, name: str, value: Value) -> None:
         key = self._key(name)
         path = _under(self._path, name)
         try:
@@ -248,7 +259,7 @@ class Section:
                 return
             self._data[name] = _checked(path, key, value)
         except RecursionError:
-            raise _fault(path, type(value).__name__, "holds itself, or too many levels", "give a plain value") from None
+            raise refused(path, type(value).__name__, "holds itself, or too many levels", "give a plain value") from None
         self._model._touch()
 
     def _replace(self, name: str, kind: str, value: Any) -> None:
@@ -280,7 +291,7 @@ class Section:
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *_children(self._pattern)]
 
-    def to_dict(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Plain]:
         """A copy of this table as a plain dictionary."""
         return copy.deepcopy(self._data)
 
@@ -295,10 +306,10 @@ class Section:
 class SectionMap(Section):
     """Tables by name, e.g. the materials: ``model.material["joint"]``."""
 
-    def _key(self, name: str) -> dict[str, Any]:
+    def _key(self, name: str) -> Key:
         if not isinstance(name, str):
-            raise _fault(_under(self._path, repr(name)), "", "is no name", "write it as text")
-        return {"kind": "table", "meaning": "a member by its name"}
+            raise refused(_under(self._path, repr(name)), "", "is no name", "write it as text")
+        return {"path": _under(self._pattern, name), "kind": "table", "meaning": "a member by its name"}
 
     def _child(self, name: str) -> Any:
         return Section(
@@ -364,12 +375,12 @@ class SectionList:
     def __iter__(self) -> Iterator[Section]:
         return (self[number] for number in range(len(self._data)))
 
-    def append(self, member: Any = None, /, **keys: Any) -> Section:
+    def append(self, member: Optional[Value] = None, /, **keys: Value) -> Section:
         """Adds a member: ``model.stage.append(name="push", velocity="5 mm/s", targets=["20 mm"])``."""
         self._data.append({})
         section = self[len(self._data) - 1]
         try:
-            for name, value in {**(_plain(member) if member is not None else {}), **keys}.items():
+            for name, value in {**_members(self._path, "table", {} if member is None else member), **keys}.items():
                 section[name] = value
         except Exception:
             self._data.pop()
@@ -381,7 +392,7 @@ class SectionList:
         """What a key of a member means, its unit and what is allowed; without a name, a line for each key."""
         return _help(self._path, self._pattern, name)
 
-    def to_dict(self) -> list[dict[str, Any]]:
+    def to_dict(self) -> list[dict[str, Plain]]:
         """A copy of the members as plain dictionaries."""
         return copy.deepcopy(self._data)
 
@@ -396,12 +407,12 @@ class Model(Section):
     needs it. A call takes the model as it is at that moment: later changes do not reach it.
     """
 
-    def __init__(self, text: str = "", file: Union[str, os.PathLike[str]] = "model.toml"):
+    def __init__(self, text: str = "", file: Path = "model.toml"):
         if not isinstance(text, str):
-            raise _fault("model", type(text).__name__, "is no text", "read a file by wythe.Model.read(path)")
+            raise refused("model", type(text).__name__, "is no text", "read a file by wythe.Model.read(path)")
         name = path_of("file", file)
         if text.strip().endswith(".toml") and "\n" not in text.strip():
-            raise _fault("model", f"{text!r:.60}", "is the name of a file, and a model is its text",
+            raise refused("model", f"{text!r:.60}", "is the name of a file, and a model is its text",
                          f"read it by wythe.Model.read({text.strip()!r:.60})")
         try:
             data = tomllib.loads(text)
@@ -417,7 +428,7 @@ class Model(Section):
         super().__init__(self, data, "", "")
 
     @classmethod
-    def read(cls, path: Union[str, os.PathLike[str]]) -> Model:
+    def read(cls, path: Path) -> Model:
         """Reads a model file."""
         name = path_of("path", path)
         try:
@@ -431,7 +442,7 @@ class Model(Section):
         return cls(text, name)
 
     @classmethod
-    def parse(cls, text: str, file: Union[str, os.PathLike[str]] = "model.toml") -> Model:
+    def parse(cls, text: str, file: Path = "model.toml") -> Model:
         """The model of a TOML text; ``file`` names it in messages, and files it names lie beside that."""
         return cls(text, file)
 
@@ -454,7 +465,7 @@ class Model(Section):
             object.__setattr__(self, "_text", _toml_table(self._data))
         return str(self._text)
 
-    def write(self, path: Union[str, os.PathLike[str]]) -> None:
+    def write(self, path: Path) -> None:
         """Writes a model file."""
         write_text(path, self.text)
 
@@ -476,7 +487,7 @@ class Model(Section):
             elif isinstance(here, Section):
                 here = here._child(part)
             if not isinstance(here, (Section, SectionList)):
-                raise _fault(path, "", f"{part} has no keys of its own", "shorten the path")
+                raise refused(path, "", f"{part} has no keys of its own", "shorten the path")
         return here, parts[-1]
 
     def __getitem__(self, path: str) -> Any:
@@ -485,24 +496,24 @@ class Model(Section):
         here, last = self._walk(path, False)
         return here[int(last) if isinstance(here, SectionList) and last.isdigit() else last]
 
-    def __setitem__(self, path: str, value: Any) -> None:
+    def __setitem__(self, path: str, value: Value) -> None:
         if not isinstance(path, str) or "." not in path:
             super().__setitem__(path, value)
             return
         here, last = self._walk(path, True)
         if isinstance(here, SectionList):
-            raise _fault(path, value, "is a member of a list", f"change its keys, or use {path}.<key>")
+            raise refused(path, value, "is a member of a list", f"change its keys, or use {path}.<key>")
         here[last] = value
 
     def _repr_html_(self) -> str:
-        from ._calls import check
-
         try:
-            return check(self)._repr_html_()
+            return perform("check", Check, {"model": self._told(), "file": self.file})._repr_html_()
         except InputError as error:
-            from html import escape
-
             return f"<pre>{escape(str(error))}</pre>"
+
+
+#: A path of a model file, or a Model.
+ModelLike: TypeAlias = Union[Path, Model]
 
 
 def _under(path: str, name: str) -> str:
@@ -518,7 +529,7 @@ def _toml_key(name: str) -> str:
     return name if _BARE.fullmatch(name) else _toml(str(name))
 
 
-def _toml(value: Any) -> str:
+def _toml(value: object) -> str:
     """One value as TOML."""
     if isinstance(value, bool):
         return "true" if value else "false"
@@ -536,7 +547,7 @@ def _toml(value: Any) -> str:
     return _toml(str(value))
 
 
-def _is_table_list(value: Any) -> bool:
+def _is_table_list(value: object) -> bool:
     return isinstance(value, list) and bool(value) and all(isinstance(item, dict) for item in value)
 
 

@@ -5,12 +5,13 @@ from __future__ import annotations
 import sys
 import time
 from collections.abc import Callable
-from typing import Any, Optional
+from html import escape
+from typing import Optional, Union
+
+from ._types import Hear, Progress
 
 _SHOWN_AFTER = 0.5  # seconds: shorter calls show nothing
 _WIDTH = 30
-
-Hear = Callable[[str, float, float, float], Any]
 
 
 def _nothing() -> None:
@@ -53,17 +54,15 @@ class _Terminal:
 
 class _Notebook:
     def __init__(self) -> None:
-        from html import escape
-
         from IPython.display import HTML, display
 
-        self._html, self._escape = HTML, escape
+        self._html = HTML
         self._handle = display(HTML(""), display_id=True)
         self._since = time.monotonic()
 
     def hear(self, what: str, share: float, displacement_mm: float, force_kN: float) -> None:
         if time.monotonic() - self._since >= _SHOWN_AFTER:
-            label = self._escape(f"{what}{_left(share, self._since)}")
+            label = escape(f"{what}{_left(share, self._since)}")
             self._handle.update(
                 self._html(f'<progress value="{share:.3f}" max="1"></progress> {100 * share:.0f} % {label}')
             )
@@ -72,7 +71,7 @@ class _Notebook:
         self._handle.update(self._html(""))
 
 
-def listener(progress: Any) -> tuple[Optional[Hear], Callable[[], None]]:
+def listener(progress: Progress) -> tuple[Optional[Hear], Callable[[], None]]:
     """The function that hears of progress, or None; and one that clears what it drew."""
     if callable(progress):
         return progress, _nothing
@@ -80,5 +79,5 @@ def listener(progress: Any) -> tuple[Optional[Hear], Callable[[], None]]:
         progress = _in_notebook() or sys.stderr.isatty()
     if not progress:
         return None, _nothing
-    shown: Any = _Notebook() if _in_notebook() else _Terminal()
+    shown: Union[_Notebook, _Terminal] = _Notebook() if _in_notebook() else _Terminal()
     return shown.hear, shown.close

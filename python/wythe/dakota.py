@@ -26,8 +26,8 @@ import tempfile
 from collections.abc import Iterator, Sequence
 from typing import Any, Optional, Union
 
-from ._errors import AccessError, Fault, InputError, WytheError
-from ._function import Function, add_options, parse_follow
+from ._errors import AccessError, InputError, WytheError, refused
+from ._function import Choice, Follow, Function, add_options, parse_follow
 
 _APREPRO = re.compile(r"\{\s*(\S+)\s*=\s*(.*?)\s*\}")
 
@@ -42,10 +42,6 @@ class Evaluation:
     name: str
 
 
-def _refuse(path: str, value: Any, problem: str, cure: str) -> InputError:
-    return InputError([Fault(path=path, value=str(value), problem=problem, cure=cure)])
-
-
 # --- params.in -------------------------------------------------------------------------------------------
 
 
@@ -58,11 +54,11 @@ def read_parameters(text: str) -> list[Evaluation]:
             return [_of_json(one) for one in (given if isinstance(given, list) else [given])]
         return list(_evaluations(_aprepro(text) if first == "{" else _standard(text)))
     except (StopIteration, RuntimeError):
-        raise _refuse("params", "", "ends in the middle", "let Dakota write it anew") from None
+        raise refused("params", "", "ends in the middle", "let Dakota write it anew") from None
     except (ValueError, KeyError, TypeError, AttributeError) as error:
         if isinstance(error, InputError):
             raise
-        raise _refuse("params", "", f"is no parameters file of Dakota: {error}", "let Dakota write it anew") from None
+        raise refused("params", "", f"is no parameters file of Dakota: {error}", "let Dakota write it anew") from None
 
 
 def _standard(text: str) -> Iterator[tuple[str, str]]:
@@ -146,7 +142,7 @@ class Labels:
         if label in self.inputs:
             return self.inputs[label]
         if "." not in label:
-            raise _refuse("variable", label, "stands for no key of the model",
+            raise refused("variable", label, "stands for no key of the model",
                           f"write --input {label}=PATH=UNIT, e.g. --input {label}=material.joint.cohesion=MPa")
         path, _, unit = label.partition("[")
         return path, unit.rstrip("]")
@@ -160,7 +156,7 @@ def _labels(inputs: Sequence[str], outputs: Sequence[str]) -> Labels:
     for text in inputs:
         parts = text.split("=")
         if len(parts) not in (2, 3):
-            raise _refuse("--input", text, "is not understood", "write LABEL=PATH=UNIT, e.g. c=material.joint.cohesion=MPa")
+            raise refused("--input", text, "is not understood", "write LABEL=PATH=UNIT, e.g. c=material.joint.cohesion=MPa")
         label, path, unit = parts if len(parts) == 3 else (parts[0], parts[0], parts[1])
         found.inputs[label] = (path, unit)
     for text in outputs:
@@ -173,13 +169,21 @@ def _labels(inputs: Sequence[str], outputs: Sequence[str]) -> Labels:
 
 
 def evaluate(
-    model: str, asked: Sequence[Evaluation], labels: Labels, changed: Sequence[str] = (), **options: Any
+    model: str,
+    asked: Sequence[Evaluation],
+    labels: Labels,
+    *,
+    set: Sequence[str] = (),
+    follow: Optional[Follow] = None,
+    bounds: Choice = "raise",
+    rate: Choice = "raise",
+    jobs: int = 0,
 ) -> list[str]:
-    """The results of each evaluation, as Dakota reads them. ``changed`` holds settings, "path=value"."""
+    """The results of each evaluation, as Dakota reads them. The options are those of `wythe.Function`."""
     for one in asked:
         for label, code in one.responses.items():
             if code & 6:
-                raise _refuse(f"response {label}", code, "asks for a gradient or a Hessian, which wythe does not have",
+                raise refused(f"response {label}", code, "asks for a gradient or a Hessian, which wythe does not have",
                               "write no_gradients or numerical_gradients, and no_hessians")
     results: list[str] = [""] * len(asked)
     alike: dict[tuple[Any, ...], list[int]] = {}  # rows that differ in numbers alone run as one batch
@@ -191,9 +195,10 @@ def evaluate(
         wanted = tuple(dict.fromkeys([*answers, *(labels.output(name) for name in metadata)]))
         if not wanted:
             continue
-        changes = [*changed, *(f"{labels.input(label)[0]}={value}" for label, value in texts)]
+        changes = [*set, *(f"{labels.input(label)[0]}={value}" for label, value in texts)]
         numeric = [label for label in names if isinstance(asked[rows[0]].variables[label], float)]
-        function = Function(model, dict(labels.input(label) for label in numeric), wanted, set=changes, **options)
+        function = Function(model, dict(labels.input(label) for label in numeric), wanted,
+                            set=changes, follow=follow, bounds=bounds, rate=rate, jobs=jobs)
         values, batch = function.evaluate([[asked[row].variables[label] for label in numeric] for row in rows])
         for place, row in enumerate(rows):
             if (values[place] != values[place]).any():
@@ -235,7 +240,7 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
         except OSError as error:
             raise AccessError(f"{given.parameters}: {error.strerror}") from error
         asked = read_parameters(text)
-        results = evaluate(given.model, asked, _labels(given.input, given.output), given.set,
+        results = evaluate(given.model, asked, _labels(given.input, given.output), set=given.set,
                            follow=parse_follow(given.follow), bounds=given.bounds, rate=given.rate, jobs=given.jobs)
         _write(given.results, "#\n".join(results))
     except (WytheError, UnicodeDecodeError) as error:

@@ -11,11 +11,15 @@ A sample is one batch: all cores work, and the answers do not depend on how many
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Optional, Union
 
-from ._errors import Fault, InputError, needed
-from ._calls import ModelLike
-from ._function import Function
+from ._errors import Fault, InputError, needed_for
+from ._function import Choice, Follow, Function, Missing
+from ._model import ModelLike
+from ._types import Settings
+
+if TYPE_CHECKING:
+    import openturns
 
 
 def _titles(of: Function) -> list[str]:
@@ -23,22 +27,32 @@ def _titles(of: Function) -> list[str]:
 
 
 def function(
-    model: ModelLike, inputs: Mapping[str, str], outputs: Sequence[str] = ("peak_reaction_kN",), **options: Any
-) -> Any:
+    model: ModelLike,
+    inputs: Mapping[str, str],
+    outputs: Union[str, Sequence[str]] = ("peak_reaction_kN",),
+    *,
+    set: Settings = None,
+    follow: Optional[Follow] = None,
+    missing: Missing = "raise",
+    bounds: Choice = "raise",
+    rate: Choice = "raise",
+    jobs: int = 0,
+) -> openturns.Function:
     """An `openturns.Function`: numbers in the units of ``inputs`` to the answers ``outputs``.
 
-    The options are those of `wythe.Function`: ``set``, ``follow``, ``missing``, ``bounds``, ``rate``, ``jobs``.
-    With ``missing="raise"`` OpenTURNS hands the exception on as a RuntimeError with the same text.
+    The options are those of `wythe.Function`. With ``missing="raise"`` OpenTURNS hands the exception on as a
+    RuntimeError with the same text. Raises MissingPackage without OpenTURNS.
     """
-    openturns = needed("openturns", "wythe.openturns")
-    of = Function(model, inputs, outputs, **options)
+    with needed_for("wythe.openturns"):
+        import openturns
+    of = Function(model, inputs, outputs, set=set, follow=follow, missing=missing, bounds=bounds, rate=rate, jobs=jobs)
 
-    def point(x: Any) -> Any:
-        return of([list(x)])[0].tolist()
+    def point(x: Sequence[float]) -> list[float]:
+        return [float(answer) for answer in of([list(x)])[0]]
 
-    def sample(x: Any) -> Any:
+    def sample(x: Sequence[Sequence[float]]) -> Union[list[list[float]], openturns.Sample]:
         rows = [list(row) for row in x]
-        return of(rows).tolist() if rows else openturns.Sample(0, len(of.outputs))
+        return [row.tolist() for row in of(rows)] if rows else openturns.Sample(0, len(of.outputs))
 
     made = openturns.PythonFunction(len(of.inputs), len(of.outputs), func=point, func_sample=sample)
     made.setInputDescription(_titles(of))
@@ -47,32 +61,42 @@ def function(
 
 
 def field_function(
-    model: ModelLike, inputs: Mapping[str, str], displacement_mm: Sequence[float], **options: Any
-) -> Any:
+    model: ModelLike,
+    inputs: Mapping[str, str],
+    displacement_mm: Sequence[float],
+    *,
+    set: Settings = None,
+    follow: Optional[Follow] = None,
+    missing: Missing = "raise",
+    bounds: Choice = "raise",
+    rate: Choice = "raise",
+    jobs: int = 0,
+) -> openturns.PointToFieldFunction:
     """An `openturns.PointToFieldFunction`: numbers to the force [kN] at each displacement [mm] of a mesh.
 
     ``displacement_mm`` rises and lies on the curve of every wall: a wall whose curve ends before has no answer
-    there. The options are those of `wythe.Function` without ``bounds``.
+    there. The options are those of `wythe.Function`; ``bounds`` changes nothing, for forces at stated places are none.
     """
-    openturns = needed("openturns", "wythe.openturns")
+    with needed_for("wythe.openturns"):
+        import openturns
     at = [float(place) for place in displacement_mm]
     if len(at) < 2 or any(not b > a for a, b in zip(at, at[1:])):
         raise InputError([Fault(path="displacement_mm", value=str(at), problem="does not rise from place to place",
                                 cure="give two or more displacements, e.g. range(21)")])
-    of = Function(model, inputs, **options)
+    of = Function(model, inputs, set=set, follow=follow, missing=missing, bounds=bounds, rate=rate, jobs=jobs)
     mesh = openturns.Mesh([[place] for place in at], [[i, i + 1] for i in range(len(at) - 1)])
     mesh.setDescription(["displacement [mm]"])
 
-    class Curve(openturns.OpenTURNSPythonPointToFieldFunction):  # type: ignore[name-defined, misc]
+    class Curve(openturns.OpenTURNSPythonPointToFieldFunction):  # type: ignore[misc]
         def __init__(self) -> None:
             super().__init__(len(of.inputs), mesh, 1)
             self.setInputDescription(_titles(of))
             self.setOutputDescription(["reaction [kN]"])
 
-        def _exec(self, x: Any) -> Any:
-            return [[force] for force in of.curves_at([list(x)], at)[0].tolist()]
+        def _exec(self, x: Sequence[float]) -> list[list[float]]:
+            return self._exec_sample([x])[0]
 
-        def _exec_sample(self, x: Any) -> Any:
+        def _exec_sample(self, x: Sequence[Sequence[float]]) -> list[list[list[float]]]:
             rows = of.curves_at([list(row) for row in x], at)
             return [[[force] for force in row.tolist()] for row in rows]
 

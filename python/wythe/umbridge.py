@@ -18,13 +18,14 @@ import math
 import queue
 import sys
 import threading
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
-from typing import Any, Optional
+from typing import Optional, Union
 
-from ._calls import ModelLike
 from ._errors import Fault, InputError, WytheError
-from ._function import Function, add_options, parse_follow
+from ._function import Choice, Follow, Function, Missing, Rows, add_options, parse_follow
+from ._model import ModelLike
+from ._types import Settings
 
 NAME = "wythe"
 _LARGEST_REQUEST = 1 << 20  # bytes
@@ -52,8 +53,9 @@ class _Waiting:
 class _Row:
     """One row of a batch, as if it were the whole batch."""
 
-    def __init__(self, batch: Any, row: int):
+    def __init__(self, batch: Rows, row: int):
         self.status, self.reason = [batch.status[row]], [batch.reason[row]]
+        self.rate_judgement = [batch.rate_judgement[row]]
         self.answers = {name: batch.answers[name][row : row + 1] for name in batch.answers}
 
 
@@ -90,13 +92,20 @@ class Server(ThreadingHTTPServer):
         self,
         model: ModelLike,
         inputs: Mapping[str, str],
-        outputs: Sequence[str] = ("peak_reaction_kN",),
+        outputs: Union[str, Sequence[str]] = ("peak_reaction_kN",),
         *,
         host: str = "127.0.0.1",
         port: int = 4242,
-        **options: Any,
+        set: Settings = None,
+        follow: Optional[Follow] = None,
+        missing: Missing = "raise",
+        bounds: Choice = "raise",
+        rate: Choice = "raise",
+        jobs: int = 0,
     ):
-        self.function = Function(model, inputs, outputs, **options)
+        self.function = Function(
+            model, inputs, outputs, set=set, follow=follow, missing=missing, bounds=bounds, rate=rate, jobs=jobs
+        )
         if self.function.missing is not None and not math.isfinite(self.function.missing):
             raise InputError([Fault(path="missing", value=str(self.function.missing),
                                     problem="is no number that JSON has", cure='write "raise" or a finite number')])
@@ -141,7 +150,7 @@ class _Handler(BaseHTTPRequestHandler):
     protocol_version = "HTTP/1.1"
     server_version = "wythe"
 
-    def log_message(self, format: str, *arguments: Any) -> None:
+    def log_message(self, format: str, *arguments: object) -> None:
         pass  # thousands of requests are usual
 
     def do_GET(self) -> None:
@@ -153,12 +162,12 @@ class _Handler(BaseHTTPRequestHandler):
     def do_POST(self) -> None:
         self._reply(self._posted)
 
-    def _info(self) -> dict[str, Any]:
+    def _info(self) -> dict[str, object]:
         if self.path != "/Info":
             raise _Refused(404, "InvalidInput", f"there is no {self.path}")
         return {"protocolVersion": 1.0, "models": [NAME]}
 
-    def _posted(self) -> dict[str, Any]:
+    def _posted(self) -> dict[str, object]:
         request = self._body()
         if request.get("name") != NAME:
             raise _Refused(400, "ModelNotFound", f"Model {request.get('name')!r} is not here, {NAME!r} is.")
@@ -175,7 +184,7 @@ class _Handler(BaseHTTPRequestHandler):
             raise _Refused(400, "UnsupportedFeature", f"{self.path.strip('/')} is not supported by this model.")
         raise _Refused(404, "InvalidInput", f"there is no {self.path}")
 
-    def _body(self) -> dict[str, Any]:
+    def _body(self) -> dict[str, object]:
         try:
             size = int(self.headers["Content-Length"])
         except (TypeError, ValueError):
@@ -192,7 +201,7 @@ class _Handler(BaseHTTPRequestHandler):
             raise _Refused(400, "InvalidInput", "the request is no JSON object")
         return request
 
-    def _row(self, request: dict[str, Any]) -> list[float]:
+    def _row(self, request: dict[str, object]) -> list[float]:
         inputs = self.server.function.inputs
         if request.get("config"):
             raise _Refused(400, "InvalidInput", "this model takes no config")
@@ -207,7 +216,7 @@ class _Handler(BaseHTTPRequestHandler):
                 raise _Refused(400, "InvalidInput", f"{value!r:.60} is no finite number")
         return [float(value) for value in vectors[0]]
 
-    def _reply(self, of: Any) -> None:
+    def _reply(self, of: Callable[[], dict[str, object]]) -> None:
         status: int = 200
         try:
             answer = of()

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """The Python package as its users meet it. Debian's interpreter; the module of the build folder, or the one
 that pip installed where WYTHE_PYTHONPATH is empty."""
+import ast
 import json
 import os
 import pathlib
@@ -396,6 +397,21 @@ class Others(unittest.TestCase):
             done = subprocess.run(command, cwd=SOURCE / "python", capture_output=True, text=True, check=False,
                                   env={**os.environ, "PYTHONPATH": str(BUILD / "python")})
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+    def test_imports_go_one_way(self):
+        below = {}
+        for path in (SOURCE / "python/wythe").glob("*.py"):
+            tree = ast.parse(path.read_text(encoding="utf-8"))
+            own = [node for node in ast.walk(tree) if isinstance(node, ast.ImportFrom) and node.level]
+            typed = [node for test in tree.body if isinstance(test, ast.If) and ast.unparse(test.test) == "TYPE_CHECKING"
+                     for node in test.body]
+            self.assertEqual([node.lineno for node in own if node not in [*tree.body, *typed]], [], path.name)
+            below[path.stem] = {name for node in own for name in ([node.module] if node.module else [a.name for a in node.names])}
+        while below:  # takes away what imports nothing that is left
+            lowest = [name for name, imported in below.items() if not imported & below.keys()]
+            self.assertTrue(lowest, f"a circle in {sorted(below)}")
+            for name in lowest:
+                del below[name]
 
     def test_import_takes_neither_numpy_nor_pandas(self):
         status, out, err = python("import sys, wythe; print([m for m in ('numpy', 'pandas', 'matplotlib') "

@@ -265,6 +265,12 @@ class UmBridge(unittest.TestCase):
         self.assertIn("must be more than 0", reply[1]["error"]["message"])
         self.assertEqual(self.post("/Evaluate", input=[GOOD])[0], 200)
 
+    def test_a_push_that_was_too_fast_says_so(self):
+        hasty = {**WHOLE, "rate": "raise", "set": {"stage.push.until": "4 mm", "stage.push.velocity": "300 mm/s"}}
+        with wythe.umbridge.Server(DRY, INPUTS, ["peak_raw_kN"], port=0, **hasty) as server:
+            with self.assertRaisesRegex(Exception, "(too fast|unknown).*rate='take'"):
+                server.evaluate(GOOD)
+
     def test_the_command_prints_its_address_and_ends_at_ctrl_c(self):
         command = ["/usr/bin/python3", "-m", "wythe.umbridge", DRY, "--input", f"{KN}=GPa/m", "--output", PEAK, "--port", "0",
                    "--set", "stage.push.until=4 mm", "--follow", f"{KS}=0.4*{KN}", "--bounds", "take", "--missing", "-1"]
