@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -380,6 +381,25 @@ std::vector<ContactAnswer> drive_contact(const JointMaterial& material,
   });
 }
 
+namespace {
+
+// The tangent of an angle. Those of the last angles are kept: each row of a curve asks for the constants of every joint again, and
+// joints of a field have materials of their own, but hardly ever angles of their own.
+double tangent(double angle) {
+  struct Met {
+    double angle = kUnset, tangent = kUnset;
+  };
+  thread_local std::array<Met, 8> met;
+  thread_local std::size_t oldest = 0;
+  for (const Met& one : met)
+    if (one.angle == angle) return one.tangent;
+  Met& one = met[oldest++ % met.size()];
+  one = {angle, elementary::tan(angle)};
+  return one.tangent;
+}
+
+}  // namespace
+
 namespace contact {
 
 std::vector<MaterialFault> missing_as_one(std::vector<MaterialFault> faults) {
@@ -427,8 +447,8 @@ LawConstants<double> constants_of(const JointMaterial& s) {
   m.twice_b = choice_of(s).rising ? 2.0 * s.mode_2_energy_per_pressure : 0.0;
   m.c_res = std::min(s.residual_cohesion, kHuge);
   m.c_drop = std::min(s.cohesion, kHuge) - m.c_res;
-  m.tan_res = elementary::tan(s.residual_friction_angle);
-  m.tan_drop = elementary::tan(s.friction_angle) - m.tan_res;
+  m.tan_res = tangent(s.residual_friction_angle);
+  m.tan_drop = tangent(s.friction_angle) - m.tan_res;
   const bool limited = std::isfinite(s.compressive_strength);
   m.fc = limited ? s.compressive_strength : kHuge;
   m.p_full = limited ? 2.0 * s.compressive_energy / m.fc : kHuge;
@@ -444,7 +464,7 @@ LawConstants<double> constants_of(const JointMaterial& s) {
     m.inv_p_full = 1.0 / m.p_full;
   }
   m.crush_rate = limited ? 1.0 / (m.p_full - m.harden) : 0.0;
-  m.tan_lift = s.dilatancy_angle > 0 ? elementary::tan(s.dilatancy_angle) : 0.0;
+  m.tan_lift = s.dilatancy_angle > 0 ? tangent(s.dilatancy_angle) : 0.0;
   m.inv_lift_slip = s.dilatancy_slip > 0 ? 1.0 / s.dilatancy_slip : 0.0;
   m.inv_lift_stress = s.dilatancy_pressure > 0 ? 1.0 / s.dilatancy_pressure : 0.0;
   m.choice = choice_of(s);
