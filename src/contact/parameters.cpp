@@ -34,6 +34,21 @@ double greatest_compression(const JointMaterial& m) {
 }  // namespace
 
 namespace contact {
+
+double Tangents::of(double angle) {
+  for (const Known& one : known_)
+    if (one.angle == angle) return one.tangent;
+  Known& one = known_[oldest_++ % known_.size()];
+  one = {angle, elementary::tan(angle)};
+  return one.tangent;
+}
+
+const LawConstants<double>& Laws::of(std::int32_t material) {
+  if (material != last_)
+    law_ = constants_of(materials_[static_cast<std::size_t>(material)], tangents_);
+  last_ = material;
+  return law_;
+}
 double greatest_drop(const JointMaterial& m) {
   return std::max(drop_of(m, 0.0), drop_of(m, greatest_compression(m)));
 }
@@ -406,6 +421,11 @@ std::vector<MaterialFault> missing_as_one(std::vector<MaterialFault> faults) {
 }
 
 LawConstants<double> constants_of(const JointMaterial& s) {
+  Tangents tangents;
+  return constants_of(s, tangents);
+}
+
+LawConstants<double> constants_of(const JointMaterial& s, Tangents& tangents) {
   LawConstants<double> m{};
   m.kn = s.normal_stiffness;
   m.ks = s.shear_stiffness;
@@ -427,8 +447,8 @@ LawConstants<double> constants_of(const JointMaterial& s) {
   m.twice_b = choice_of(s).rising ? 2.0 * s.mode_2_energy_per_pressure : 0.0;
   m.c_res = std::min(s.residual_cohesion, kHuge);
   m.c_drop = std::min(s.cohesion, kHuge) - m.c_res;
-  m.tan_res = elementary::tan(s.residual_friction_angle);
-  m.tan_drop = elementary::tan(s.friction_angle) - m.tan_res;
+  m.tan_res = tangents.of(s.residual_friction_angle);
+  m.tan_drop = tangents.of(s.friction_angle) - m.tan_res;
   const bool limited = std::isfinite(s.compressive_strength);
   m.fc = limited ? s.compressive_strength : kHuge;
   m.p_full = limited ? 2.0 * s.compressive_energy / m.fc : kHuge;
@@ -444,7 +464,7 @@ LawConstants<double> constants_of(const JointMaterial& s) {
     m.inv_p_full = 1.0 / m.p_full;
   }
   m.crush_rate = limited ? 1.0 / (m.p_full - m.harden) : 0.0;
-  m.tan_lift = s.dilatancy_angle > 0 ? elementary::tan(s.dilatancy_angle) : 0.0;
+  m.tan_lift = s.dilatancy_angle > 0 ? tangents.of(s.dilatancy_angle) : 0.0;
   m.inv_lift_slip = s.dilatancy_slip > 0 ? 1.0 / s.dilatancy_slip : 0.0;
   m.inv_lift_stress = s.dilatancy_pressure > 0 ? 1.0 / s.dilatancy_pressure : 0.0;
   m.choice = choice_of(s);

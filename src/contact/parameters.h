@@ -1,6 +1,8 @@
 // From what the user states about a joint to the constants of the law, and the choice of variant.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -8,8 +10,37 @@
 
 namespace wythe::contact {
 
+// Tangents of the last angles that were asked for. Each takes 0.5 us, and joints of a field have materials of their own, but
+// hardly ever angles of their own.
+class Tangents {
+ public:
+  [[nodiscard]] double of(double angle);
+
+ private:
+  struct Known {
+    double angle = kUnset, tangent = kUnset;
+  };
+  std::array<Known, 8> known_{};
+  std::size_t oldest_ = 0;
+};
+
 // Precomputes every quotient of the law; `material` must have passed check_joint_material().
 [[nodiscard]] LawConstants<double> constants_of(const JointMaterial& material);
+[[nodiscard]] LawConstants<double> constants_of(const JointMaterial& material, Tangents& tangents);
+
+// The constants of joint after joint. Those of the last material are kept, since joints come in runs of one material; a list of
+// all would be long where each joint of a field has its own.
+class Laws {
+ public:
+  explicit Laws(const std::vector<JointMaterial>& materials) : materials_(materials) {}
+  [[nodiscard]] const LawConstants<double>& of(std::int32_t material);
+
+ private:
+  const std::vector<JointMaterial>& materials_;
+  std::int32_t last_ = -1;
+  LawConstants<double> law_{};
+  Tangents tangents_;
+};
 
 // The largest fall from peak to residual shear stress at any pressure up to crushing [Pa].
 [[nodiscard]] double greatest_drop(const JointMaterial& material);

@@ -142,28 +142,11 @@ std::vector<SinCos<double>> rotations_of(const State& state) {
   return rotations;
 }
 
-// The constants of a joint's material. Those of the last joint are cached, since joints come in runs of one material. A list of all
-// would be long where each joint of a field has its own material.
-class LawOf {
- public:
-  explicit LawOf(const Model& model) : m_(model) {}
-  const LawConstants<double>& operator()(std::int32_t material) {
-    if (material != last_) law_ = contact::constants_of(m_.materials[material]);
-    last_ = material;
-    return law_;
-  }
-
- private:
-  const Model& m_;
-  std::int32_t last_ = -1;
-  LawConstants<double> law_{};
-};
-
 }  // namespace
 
 std::vector<PointReading> read_points(const Model& m, const State& s) {
   if (m.in_space()) return reading::points_in_space(m, s);
-  LawOf law(m);
+  contact::Laws law(m.materials);
   const Histories history(s);
   const std::vector<SinCos<double>> block = rotations_of(s);
   std::vector<PointReading> points(static_cast<std::size_t>(m.n_history()));
@@ -177,7 +160,7 @@ std::vector<PointReading> read_points(const Model& m, const State& s) {
       const int k = p - range.begin;
       const PointMotion at = face.at(m.point_xi[k]);
       if (stands)
-        points[p] = evaluate_point(history.at(p), law(m.joint_material[j]), at);
+        points[p] = evaluate_point(history.at(p), law.of(m.joint_material[j]), at);
       else
         points[p].where = {at.x, at.y};
       if (!s.handed_over.empty() && s.handed_over[j] != 0)  // a free contact has its place
@@ -190,7 +173,7 @@ std::vector<PointReading> read_points(const Model& m, const State& s) {
     const PointRange range = points_of(m, m.n_joint + c);
     for (PointId p = range.begin; p < range.end; ++p) {
       const int k = p - range.begin;
-      points[p] = evaluate_point(history.at(p), law(m.solids.contact_material[c]),
+      points[p] = evaluate_point(history.at(p), law.of(m.solids.contact_material[c]),
                                  contact_motion(m, s, c, k));
       points[p].share = 0.5;
       points[p].place = 2 * k - 1;

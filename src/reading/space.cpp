@@ -84,9 +84,10 @@ PointReading evaluate_point(const State& s, std::size_t p, const contact::LawCon
 // The points of the contacts of zones: the frame turns with the rigid side (docs/theory/zones.md).
 void evaluate_contacts(const Model& m, const State& s, std::vector<PointReading>& points) {
   const SpaceSolids& z = m.space.solids;
+  contact::Laws laws(m.materials);
   for (int contact = 0; contact < z.n_contact; ++contact) {
     const std::size_t c = static_cast<std::size_t>(contact);
-    const auto law = contact::constants_of(m.materials[z.contact_material[c]]);
+    const contact::LawConstants<double>& law = laws.of(z.contact_material[c]);
     const RigidSide rigid = rigid_side(m, s, contact);
     const Vec t1 = vec(z.contact_tangent[c]), n = vec(z.contact_normal[c]), t2 = cross(n, t1);
     const contact::Frame<double> frame{turned(rigid.q, t1), turned(rigid.q, t2),
@@ -111,12 +112,9 @@ void evaluate_contacts(const Model& m, const State& s, std::vector<PointReading>
 
 std::vector<PointReading> points_in_space(const Model& m, const State& s) {
   std::vector<PointReading> points(static_cast<std::size_t>(m.n_history()));
-  std::int32_t last = -1;
-  contact::LawConstants<double> law{};
+  contact::Laws laws(m.materials);
   for (JointId j = 0; j < m.n_joint; ++j) {
-    const std::int32_t material = m.joint_material[j];
-    if (material != last) law = contact::constants_of(m.materials[material]);
-    last = material;
+    const contact::LawConstants<double>& law = laws.of(m.joint_material[j]);
     const Gap face = gap_of(m, s, j);
     const JointShape shape = joint_shape(m, j);
     const double reach = length(shape.half);

@@ -718,8 +718,9 @@ int walls_to_decide(const WallCounts& counts) {
     // rounded towards half
     const int least = static_cast<int>(std::floor(of(counts.not_met, n)));
     const int most = static_cast<int>(std::ceil(of(counts.walls - counts.met, n)));
-    if (study::exact_share(least, n).interval.low > kHalf ||
-        study::exact_share(most, n).interval.high < kHalf)
+    // an interval holds its share: one beyond half needs a share beyond it, and to find it takes long
+    if ((least > kHalf * n && study::exact_share(least, n).interval.low > kHalf) ||
+        (most < kHalf * n && study::exact_share(most, n).interval.high < kHalf))
       return n;
   }
   return 0;
