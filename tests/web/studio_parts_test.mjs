@@ -406,7 +406,7 @@ test("a photo lies under the lines: opened, moved, brought to scale by two point
   await begin("portal");
   const before = await textOf(page);
   await page.keyboard.press("b");
-  assert.match(await page.locator(".photo-bar").innerText(), /stays in this browser/);
+  assert.match(await page.locator(".photo-bar").innerText(), /stay in this browser/);
   await page.locator('.photo-bar input[type="file"]').setInputFiles(await pictureFile("front.png"));
   await photo().waitFor();
   const near = (a, b) => Object.keys(b).forEach((key) => assert.ok(Math.abs(a[key] - b[key]) < 0.012, `${key}: ${a[key]} ${b[key]}`));
@@ -445,7 +445,7 @@ test("a photo lies under the lines: opened, moved, brought to scale by two point
   await page.keyboard.press("h");
   await page.keyboard.press("b");
   await page.locator('.photo-bar input[type="file"]').setInputFiles({ name: "evil.png", mimeType: "image/png", buffer: Buffer.from("<svg onload=alert(1)>") });
-  assert.match(await page.locator(".notice").innerText(), /evil\.png is no PNG or JPEG/);
+  assert.match(await page.locator(".notice").innerText(), /evil\.png is no PNG, JPEG or DXF/);
   await page.locator(".photo-bar").getByText("Delete").click();
   assert.equal(await photo().count(), 0);
   await page.reload();
@@ -472,6 +472,34 @@ test("a dropped picture is traced, a dropped text is opened", async () => {
   await drop("w.toml", "", Buffer.from((await textOf(page)).replace("3.50 m", "4.50 m")));
   await stonesOf(page);
   await has(/length = "4\.50 m"/);
+  await page.locator(".photo-bar").getByText("Delete").click();
+  await page.keyboard.press("v");
+});
+
+// A wall of 3.5 x 2.92 m in millimetres, with an arched door, a circle and a text.
+const dxf = (unit = 4) =>
+  `0 SECTION 2 HEADER 9 $INSUNITS 70 ${unit} 0 ENDSEC 0 SECTION 2 ENTITIES 0 LWPOLYLINE 90 4 70 1 10 0 20 0 10 3500 20 0 10 3500 20 2920 10 0 20 2920 0 LWPOLYLINE 70 0 10 2250 20 0 10 2250 20 1700 42 1 10 1250 20 1700 10 1250 20 0 0 LINE 10 0 20 1000 11 500 21 1000 0 CIRCLE 10 3000 20 2000 40 100 0 TEXT 1 hello 0 ENDSEC 0 EOF`
+    .split(" ")
+    .join("\n");
+
+test("lines of a DXF lie under the drawing at their size", async () => {
+  const { readDxf } = await viewerModule("studio/dxf");
+  const lines = readDxf(dxf());
+  assert.equal(lines.metre, 1e-3);
+  assert.equal(lines.skipped, 1);
+  assert.equal(lines.paths.length, 4);
+  const crown = Math.max(...lines.paths[1].map((p) => p[1]));
+  assert.ok(Math.abs(crown - 2200) < 5, `${crown}`); // half a circle of 1 m
+  assert.deepEqual(readDxf("0\nSECTION\n2\nENTITIES\n0\nLINE\n10\nx\n"), { paths: [], metre: 0, skipped: 0 });
+  await begin("portal");
+  await page.keyboard.press("b");
+  await page.locator('.photo-bar input[type="file"]').setInputFiles({ name: "wall.dxf", mimeType: "", buffer: Buffer.from(dxf()) });
+  await photo().waitFor();
+  assert.match(await page.locator(".notice").innerText(), /Not shown of the DXF: 1/);
+  const { width, height } = await placeOf();
+  assert.ok(Math.abs(width - 3.5) < 0.01 && Math.abs(height - 2.92) < 0.01, `${width} ${height}`);
+  await page.locator('.photo-bar input[type="file"]').setInputFiles({ name: "empty.dxf", mimeType: "", buffer: Buffer.from("0\nEOF\n") });
+  assert.match(await page.locator(".notice").innerText(), /empty\.dxf is no PNG/);
   await page.locator(".photo-bar").getByText("Delete").click();
   await page.keyboard.press("v");
 });

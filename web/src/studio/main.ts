@@ -379,7 +379,7 @@ document.addEventListener("dragover", (e) => e.preventDefault());
 document.addEventListener("drop", (e) => {
   e.preventDefault();
   const dropped = e.dataTransfer?.files[0];
-  if (dropped?.type.startsWith("image/")) {
+  if (dropped && (dropped.type.startsWith("image/") || /\.dxf$/i.test(dropped.name))) {
     tools.choose("photo");
     void photo.open(dropped);
   } else if (dropped) void openFile(dropped);

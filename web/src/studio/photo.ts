@@ -1,8 +1,9 @@
-// A photo or scan under the lines of the drawing, to trace: opened or dropped, drawn over the stones as faintly as one
+// A photo, a scan or the lines of a DXF drawing under the lines of the drawing, to trace: opened or dropped, drawn over the stones as faintly as one
 // likes, brought to scale by two points and the length between them. Where it lies can be undone; the wall knows nothing of it.
 import { h, svg, type Child } from "../dom";
 import { say } from "../texts";
 import type { Canvas } from "./canvas";
+import { isDxf, paintDxf, readDxf } from "./dxf";
 import { forgetPhoto, keepPhoto, keptPhoto, type PhotoPlace } from "./photo_store";
 import type { Project } from "./project";
 import type { Point } from "./tools";
@@ -54,7 +55,7 @@ export class Photo {
   private points: Point[] = []; // that are measured, on the photo where it lies
   private dragged: { from: Point; client: Point; place: PhotoPlace; moved: boolean } | null = null;
   private timer = 0;
-  private readonly input = h("input", { type: "file", accept: "image/png,image/jpeg", hidden: true, "aria-label": say("studio.photo.open"), tabindex: "-1" });
+  private readonly input = h("input", { type: "file", accept: "image/png,image/jpeg,.dxf", hidden: true, "aria-label": say("studio.photo.open"), tabindex: "-1" });
 
   constructor(
     private readonly canvas: Canvas,
@@ -72,12 +73,20 @@ export class Photo {
     this.input.click();
   }
   async open(file: File): Promise<void> {
-    const loaded = file.size > kLargest ? null : await load(file.name, await file.arrayBuffer());
-    if (!loaded) return this.tell(say(file.size > kLargest ? "studio.photo.large" : "studio.photo.unread", { name: file.name }));
+    if (file.size > kLargest) return this.tell(say("studio.photo.large", { name: file.name }));
+    const bytes = await file.arrayBuffer();
+    const head = new TextDecoder().decode(bytes.slice(0, 200));
+    const lines = isDxf(file.name, head) ? readDxf(new TextDecoder().decode(bytes)) : null;
+    const painted = lines && (await paintDxf(lines));
+    const loaded = await load(file.name, painted?.bytes ?? bytes);
+    if (!loaded) return this.tell(say("studio.photo.unread", { name: file.name }));
     this.take(loaded, true);
     const length = this.project.drawing?.length ?? 4;
-    this.project.newPhoto({ x: 0, y: 0, metre: length / loaded.width });
+    const metre = painted && lines && lines.metre > 0 ? lines.metre * painted.pixel : length / loaded.width;
+    this.project.newPhoto({ x: 0, y: 0, metre });
+    if (painted) this.opacity = 1;
     if (!(await this.keep())) this.tell(say("studio.photo.notkept"));
+    else if (lines?.skipped) this.tell(say("studio.photo.skipped", { count: lines.skipped }));
     this.show();
   }
   // What was kept when the page was open before.
