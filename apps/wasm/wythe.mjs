@@ -1,16 +1,16 @@
 #!/usr/bin/env node
 // wythe for Node on any system: run, check and limit with the engine as WebAssembly. Files and bits are those of the program.
 //
-//   wythe run MODEL.toml --out DIR [--set KEY=VALUE ...] [--lang en|it] [--replace] [--quiet]
+//   wythe run MODEL.toml --out DIR [--set KEY=VALUE ...] [--lang LANGUAGE] [--replace] [--quiet]
 //   wythe check MODEL.toml [--set KEY=VALUE ...]
-//   wythe limit MODEL.toml --out DIR [--set KEY=VALUE ...] [--only NAME ...] [--assessment] [--lang en|it]
+//   wythe limit MODEL.toml --out DIR [--set KEY=VALUE ...] [--only NAME ...] [--assessment] [--lang LANGUAGE]
 import path from "node:path";
 import { load } from "./index.mjs";
 
 const HOST = "/host"; // where the engine sees the machine's files
-const USAGE = `usage: wythe run MODEL.toml --out DIR [--set KEY=VALUE ...] [--lang en|it] [--replace] [--quiet]
+const USAGE = `usage: wythe run MODEL.toml --out DIR [--set KEY=VALUE ...] [--lang LANGUAGE] [--replace] [--quiet]
        wythe check MODEL.toml [--set KEY=VALUE ...]
-       wythe limit MODEL.toml --out DIR [--set KEY=VALUE ...] [--only NAME ...] [--assessment] [--lang en|it]
+       wythe limit MODEL.toml --out DIR [--set KEY=VALUE ...] [--only NAME ...] [--assessment] [--lang LANGUAGE]
        wythe --version
 
 Campaigns, comparisons and checkpoints need the program itself: see the site's page "Install".`;

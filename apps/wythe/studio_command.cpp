@@ -16,6 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kMark = "<!--wythe:model-->";
+constexpr std::size_t kLongest = 1
+                                 << 20;  // as the page opens files, web/src/studio/store.ts [bytes]
 
 // Installed beside the program, or built beside its build folder; "" where there is none.
 std::string studio_page() {
@@ -44,6 +46,18 @@ std::string in_digits(const std::string& text) {
   return out;
 }
 
+// Of a file that may have faults yet: the studio shows them at their places.
+std::string model_text(const std::string& path) {
+  std::string text = read_data(path);
+  const auto refuse = [&](const char* problem, const char* cure) {
+    throw InputError({{.file = path, .path = "", .value = "", .problem = problem, .cure = cure}});
+  };
+  if (text.size() > kLongest) refuse("is longer than 1 MB", "name a model file");
+  if (readable_lines(text) != text) refuse("is no text in UTF-8", "name a model file");
+  if (is_study(path)) refuse("is a study", "name its base model");
+  return text;
+}
+
 }  // namespace
 
 int studio(const StudioArguments& a) {
@@ -53,10 +67,11 @@ int studio(const StudioArguments& a) {
                        .path = "",
                        .value = "",
                        .problem = "this installation has no studio",
-                       .cure = "build it in the sources with make studio, and make install"}});
-  check_answer_file(a.out, {a.model}, "<title>wythe studio</title>");
+                       .cure = "Debian packages have none: build it in the sources with make "
+                               "studio, then make install"}});
+  check_answer_file(a.out, {a.model, page}, "<title>wythe studio</title>");
   std::string text = read_data(page);
-  const std::string model = a.model.empty() ? "" : read_data(a.model);
+  const std::string model = a.model.empty() ? "" : model_text(a.model);
   const std::size_t at = text.find(kMark);
   if (at == std::string::npos)
     throw IoError(page + ": is no studio of this version; make studio builds it again");

@@ -1,7 +1,7 @@
 // The content of a model file as plain data in SI units: wall, materials, stages, settings; blocks in space and what the
 // builder lays there. Physical values are NaN until they are given.
 //
-//   ModelSpec spec;  ──► compile(spec) (model.h)          spec.body = lay_bodies(BuilderSpec, spec) for walls in space
+//   ModelSpec spec;  ──► compile(spec) (model.h)          lay_bodies(BuilderSpec, spec) for walls in space
 #pragma once
 
 #include "wythe/parts/body.h"

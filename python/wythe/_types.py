@@ -13,7 +13,7 @@ if TYPE_CHECKING:  # NumPy is imported by the calls that need it
 #: A column of numbers.
 Floats: TypeAlias = "NDArray[float64]"
 Path: TypeAlias = "Union[str, bytes, os.PathLike[str], os.PathLike[bytes]]"
-Language: TypeAlias = Literal["en", "it"]
+Language: TypeAlias = Literal["en", "it", "de", "fr", "es", "pt"]
 #: (what, share, displacement_mm, force_kN)
 Hear: TypeAlias = Callable[[str, float, float, float], object]
 #: True or False, None (a bar where somebody can see it), or a function that hears.

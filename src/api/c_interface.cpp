@@ -103,6 +103,15 @@ std::function<void(const std::string&, double, double, double)> listener(wythe_j
   };
 }
 
+// Where a task has ended, a stop was obeyed or came too late. A run in pieces forgets it where it is stopped, and obeys one
+// that comes between two pieces.
+struct Obeyed {
+  Job& job;
+  ~Obeyed() {
+    if (!job.rest) job.stop = false;
+  }
+};
+
 }  // namespace
 }  // namespace wythe::api
 
@@ -163,7 +172,7 @@ int wythe_do(wythe_job* job, wythe_progress progress, void* context) {
     job->job.out.clear();
     job->job.progress = wythe::api::listener(*job, progress, context);
     const auto rest = std::exchange(job->job.rest, nullptr);
-    if (rest) job->job.stop = false;
+    const wythe::api::Obeyed obeyed{job->job};
     const bool stopped = rest ? rest(job->job) : wythe::api::do_task(job->job);
     return stopped ? WYTHE_STOPPED : WYTHE_DONE;
   });

@@ -92,6 +92,7 @@ bool solve_on(Job& job, const std::shared_ptr<RunUnderWay>& run) {
   done.result = solve(done.model, run->state, run->options, std::move(run->record));
   const bool stopped = done.result.status == SolveStatus::kInterrupted;
   if (stopped && run->goes_on) {
+    job.stop = false;
     run->state = std::move(state_then);
     run->record = std::move(record_then);
     job.rest = [run](Job& same) { return solve_on(same, run); };

@@ -52,10 +52,10 @@ std::string in_digits(double number, std::string format) try {
   return fmt::format("{}", number);
 }
 
-// Whether what follows is the value of a key, as in `until = "{until_mm} mm"`: a file has decimal points in any language.
-// A single letter before the sign is a coordinate.
+// Whether what follows is the value of a key, as in `until = "{until_mm} mm"`, or a quantity in quotes: a file has decimal
+// points in any language. A single letter before the sign is a coordinate.
 bool is_value_of_key(std::string_view before) {
-  if (before.ends_with('"')) before.remove_suffix(1);
+  if (before.ends_with('"')) return true;
   if (!before.ends_with("= ")) return false;
   before.remove_suffix(2);
   if (before.ends_with(' ')) before.remove_suffix(1);

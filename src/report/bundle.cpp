@@ -21,7 +21,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "arrays are stored as they lie");
 
-constexpr char kMark[8] = {'W', 'Y', 'T', 'H', 'E', 0, 0, 1};  // the last byte is the version
+constexpr char kMark[8] = {'W', 'Y', 'T', 'H', 'E', 0, 0, 2};  // the last byte is the version
 constexpr std::size_t kHead = sizeof kMark + sizeof(std::uint32_t);
 constexpr std::size_t kAlign = 8;
 

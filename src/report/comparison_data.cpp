@@ -70,7 +70,7 @@ std::vector<Card> cards_of(const Json& intervention, const Texts& texts) {
     const bool known = way.at("answer") != "not known";
     cards.push_back(
         {known ? bound + change_of(way.at("ratio"), texts) : texts.say("card.not_known"),
-         plain(change.at("what"), texts) + ", " + escaped(change.at("decides").get<std::string>()) +
+         plain(change.at("what"), texts) + ", " + plain(change.at("decides_in_words"), texts) +
              ": <b>" + plain(change.at("answer_in_words"), texts) + "</b>",
          !known || !bound.empty() ? ""
          : has_interval ? texts.say("card.interval", {{"low", change_of(interval[0], texts)},

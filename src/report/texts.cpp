@@ -49,14 +49,19 @@ Texts::Texts(const std::string& language) {
 }
 
 std::string Texts::say(const std::string& key, Places places) const {
-  std::string text = escaped(table()["texts"].at(key).at(language_).get<std::string>());
-  for (const auto& [name, value] : places) {
-    const std::string place = "{" + std::string(name) + "}";
-    for (std::size_t at = text.find(place); at != std::string::npos;
-         at = text.find(place, at + value.size()))
-      text.replace(at, place.size(), value);
+  const std::string pattern = escaped(table()["texts"].at(key).at(language_).get<std::string>());
+  std::string text;
+  std::size_t from = 0;
+  for (std::size_t open; (open = pattern.find('{', from)) != std::string::npos;) {
+    const std::size_t close = std::min(pattern.find('}', open), pattern.size() - 1);
+    const std::string place = pattern.substr(open + 1, close - open - 1);
+    const auto* found = std::find_if(places.begin(), places.end(),
+                                     [&](const auto& one) { return one.first == place; });
+    text += pattern.substr(from, open - from);
+    text += found == places.end() ? pattern.substr(open, close + 1 - open) : found->second;
+    from = close + 1;
   }
-  return text;
+  return text + pattern.substr(std::min(from, pattern.size()));
 }
 
 std::string Texts::phrase(const std::string& english) const {

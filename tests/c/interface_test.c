@@ -91,6 +91,17 @@ static void go_on(const char* model) {
   char hash[40] = "";
   strncpy(hash, strstr(wythe_text(whole, "summary", NULL), "\"state_hash\""), 32);
   CHECK(has(wythe_text(pieces, "summary", NULL), hash));
+  /* a stop between two pieces is obeyed, one at the end is forgotten */
+  CHECK(wythe_do(pieces, stop_at_once, NULL) == WYTHE_STOPPED);
+  wythe_stop(pieces);
+  CHECK(wythe_do(pieces, NULL, NULL) == WYTHE_STOPPED);
+  wythe_set_number(pieces, "frames", 3);
+  CHECK(wythe_do(pieces, NULL, NULL) == WYTHE_DONE);
+  CHECK(has(wythe_text(pieces, "summary", NULL), hash));
+  wythe_stop(whole);
+  CHECK(wythe_do(whole, NULL, NULL) == WYTHE_STOPPED);
+  CHECK(wythe_do(whole, NULL, NULL) == WYTHE_DONE);
+  CHECK(has(wythe_text(whole, "summary", NULL), hash));
   CHECK(wythe_do(pieces, stop_at_once, NULL) == WYTHE_STOPPED);
   set(pieces, "model", "[wall]\nlength = \"-1 m\"\n");
   CHECK(wythe_do(pieces, NULL, NULL) == WYTHE_BAD_INPUT);

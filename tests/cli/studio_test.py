@@ -7,7 +7,8 @@ import tempfile
 import unittest
 
 WYTHE = os.environ["WYTHE"]
-PAGE = "<!doctype html>\n<title>wythe studio</title>\n<script id=\"wythe-model\"><!--wythe:model--></script>\n"
+SOURCE = pathlib.Path(os.environ["SOURCE"])
+PAGE = (SOURCE / "web/studio.html").read_text().split("<body>")[0] + "<script id=\"wythe-model\"><!--wythe:model--></script>\n"
 MODEL = '[wall]\nname = "dà </script> \U0001f9f1"\n'
 
 
@@ -49,6 +50,16 @@ class Studio(unittest.TestCase):
         (self.folder / "letter.html").write_text("<p>mine</p>")
         self.assertEqual(self.studio("model.toml", "--out", "letter.html").returncode, 2)
         self.assertEqual((self.folder / "letter.html").read_text(), "<p>mine</p>")
+        (self.folder / "photo.png").write_bytes(b"\x89PNG\r\n\x1a\n\0\0\xff\xfe")
+        (self.folder / "study.toml").write_text('[study]\nbase = "model.toml"\n')
+        for name, said in (("photo.png", "no text in UTF-8"), ("study.toml", "is a study")):
+            run = self.studio(name, "--out", "new.html")
+            self.assertEqual(run.returncode, 2, run.stderr)
+            self.assertIn(said, run.stderr)
+            self.assertFalse((self.folder / "new.html").exists())
+        # the page that all others are made from stays
+        self.assertEqual(self.studio("model.toml", "--out", str(self.page)).returncode, 2)
+        self.assertEqual(self.page.read_text(), PAGE)
         self.page.write_text("<title>wythe studio</title>")
         run = self.studio("model.toml")
         self.assertEqual(run.returncode, 4, run.stderr)

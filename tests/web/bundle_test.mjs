@@ -14,7 +14,7 @@ const { toCsv } = await viewerModule("export");
 const wallModule = await viewerModule("wall");
 
 // A bundle as src/report/bundle.cpp lays it out.
-function packed(header, arrays = [], version = 1) {
+function packed(header, arrays = [], version = 2) {
   const text = Buffer.from(JSON.stringify(header));
   const length = text.length + ((8 - ((12 + text.length) % 8)) % 8);
   const head = Buffer.alloc(12 + length, " ");

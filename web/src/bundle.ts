@@ -61,7 +61,7 @@ async function inflate(bytes: Uint8Array<ArrayBuffer>): Promise<ArrayBuffer> {
 }
 
 const kMark = "WYTHE\0\0";
-const kVersion = 1;
+const kVersion = 2;
 const kHead = 12;
 
 // Throws an Error whose message says what is wrong with the bytes.

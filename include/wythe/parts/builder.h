@@ -102,7 +102,8 @@ struct BuilderSpec {
 };
 
 // Adds what is built to a spec: blocks, the rules for their contacts, floors of slabs, notes. Walls of the builder inherit
-// what they leave unset from spec.wall. Throws InputError with every fault.
+// what they leave unset from spec.wall, but not the split of units, which always has a value. Throws InputError with every
+// fault.
 void lay_bodies(const BuilderSpec& built, ModelSpec& spec);
 
 }  // namespace wythe

@@ -105,7 +105,33 @@ int StraightWall::rows() const {
 
 bool StraightWall::goes_through(int e, int row) const { return (row + phase) % 2 == end[e].passes; }
 
-void lay_bodies(const BuilderSpec& built, ModelSpec& spec, FaultList& faults) {
+namespace {
+
+// Keys of [wall] that say something of a wall in its plane, or of a file.
+void refuse_idle_keys(const ModelSpec& spec, FaultList& faults) {
+  const WallSpec& wall = spec.wall;
+  const auto refuse = [&](const char* path, bool stated, const char* problem, const char* cure) {
+    if (stated) faults.add({"", path, "", problem, cure, 0});
+  };
+  refuse("wall.length", !std::isnan(wall.length),
+         "has no meaning here: lines in plan have their own length", "leave it out");
+  refuse("wall.blocks", !wall.blocks.empty() && spec.body.empty(),
+         "stands beside tables of the builder",
+         "keep one of them: a run of the builder's model writes blocks.json, to which blocks can "
+         "be added");
+  refuse("wall.up", !wall.up.empty() && wall.up != "y" && wall.up != "z", "must be \"y\" or \"z\"",
+         "write up = \"z\"");
+}
+
+}  // namespace
+}  // namespace wythe::geometry
+
+namespace wythe {
+
+void lay_bodies(const BuilderSpec& built, ModelSpec& spec) {
+  using namespace geometry;
+  FaultList faults;
+  refuse_idle_keys(spec, faults);
   std::vector<Message> notes;
   const Site site{built, spec};
   std::vector<BuiltBody> bodies = build_bodies(site, notes, faults);
@@ -120,15 +146,6 @@ void lay_bodies(const BuilderSpec& built, ModelSpec& spec, FaultList& faults) {
   if (spec.wall.up.empty()) spec.wall.up = "y";
   for (const std::string& note : texts_of(notes))
     spec.note += (spec.note.empty() ? "" : "; ") + note;
-}
-
-}  // namespace wythe::geometry
-
-namespace wythe {
-
-void lay_bodies(const BuilderSpec& built, ModelSpec& spec) {
-  FaultList faults;
-  geometry::lay_bodies(built, spec, faults);
 }
 
 }  // namespace wythe

@@ -42,9 +42,6 @@ struct BuiltBody {
 [[nodiscard]] std::vector<BuiltBody> build_bodies(const Site& site, std::vector<Message>& notes,
                                                   FaultList& faults);
 
-// lay_bodies (wythe/parts/builder.h), after the faults that were found before it.
-void lay_bodies(const BuilderSpec& built, ModelSpec& spec, FaultList& faults);
-
 // --- pieces
 
 // Places in plan (p, q) and heights become the wall's axes: q is z, or the file's y where z points up.

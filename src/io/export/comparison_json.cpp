@@ -179,6 +179,7 @@ Json change_json(const CheckedChange& change) {
                {"answer", word_of(kChangeAnswerWords, change.answer)},
                {"decides", change.way[change.worst].push.text()}};
   put(json, "what", change.what);
+  put(json, "decides_in_words", change.way[change.worst].push.words());
   put(json, "answer_in_words", change.said);
   json["way"] = ways;
   return json;

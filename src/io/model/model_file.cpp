@@ -250,28 +250,6 @@ void refuse_keys_of_nothing(const ModelSpec& spec, bool has_unit, FaultList& fau
   refuse("wall.supports", !wall.supports.empty(), no_file, "leave it out, or name blocks");
 }
 
-// Keys of [wall] that say something of a wall in its plane, or of a file.
-void refuse_idle_keys(const ModelSpec& spec, FaultList& faults) {
-  const WallSpec& wall = spec.wall;
-  const auto refuse = [&](const char* path, bool stated, const char* problem, const char* cure) {
-    if (stated) faults.add({"", path, "", problem, cure, 0});
-  };
-  refuse("wall.length", !std::isnan(wall.length),
-         "has no meaning here: lines in plan have their own length", "leave it out");
-  refuse("wall.blocks", !wall.blocks.empty(), "stands beside tables of the builder",
-         "keep one of them: a run of the builder's model writes blocks.json, to which blocks can "
-         "be added");
-  refuse("wall.up", !wall.up.empty() && wall.up != "y" && wall.up != "z", "must be \"y\" or \"z\"",
-         "write up = \"z\"");
-}
-
-// Bodies in the place of a blocks file; what was fitted is noted with the model's remarks.
-void build(const BuilderSpec& built, ModelSpec& spec) {
-  FaultList faults;
-  refuse_idle_keys(spec, faults);
-  geometry::lay_bodies(built, spec, faults);
-}
-
 }  // namespace
 }  // namespace io
 
@@ -302,7 +280,7 @@ ModelSpec parse_model(const std::string& toml_text, const std::string& file_name
                 "has no effect: this wall lies in its plane, where y points up",
                 "leave it out, or lay the wall with [[plan_wall]]", 0});
     idle.throw_if_any();
-    if (!built.empty()) io::build(built, spec);
+    if (!built.empty()) lay_bodies(built, spec);
     io::refuse_idle(spec, context);
     draw_fields(spec);
   } catch (const InputError& error) {

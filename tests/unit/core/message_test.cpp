@@ -57,6 +57,13 @@ TEST(Message, keeps_the_decimal_point_of_a_value_that_goes_into_a_file) {
     EXPECT_NE(said.find("fast_velocity = \"0.5 mm/s\""), std::string::npos) << said;
     EXPECT_NE(said.find("fast_below = 2.5e-05"), std::string::npos) << said;
   }
+  EXPECT_NE(text_of({"scale.push", {{"stage", "push"}, {"push_m", 2.5}}}, "it").find("\"2.5 mm\""),
+            std::string::npos);
+  EXPECT_NE(text_of({"scatter.odd",
+                     {{"key", "x.cov"}, {"cov", 2.5}, {"cov_percent", 250}, {"share", 0.025}}},
+                    "fr")
+                .find("x.cov = 0.025"),
+            std::string::npos);
   const Message place{"block.toppled",
                       {{"block", "b"}, {"tilt_degrees", 90}, {"time_s", 1.25}, {"stage", "push"}}};
   EXPECT_NE(text_of(place, "de").find("1,250"), std::string::npos);

@@ -449,6 +449,13 @@ TEST(Html, a_sentence_begins_with_a_capital_in_every_language) {
   EXPECT_EQ(sentence(""), "");
 }
 
+TEST(Texts, a_value_that_looks_like_a_place_stays) {
+  EXPECT_EQ(Texts("en").say("run.resists", {{"force", "{at}"}, {"at", "1 mm"}, {"drift", ""}}),
+            "The wall resists {at} at 1 mm.");
+  EXPECT_EQ(Texts("en").say("run.resists", {{"force", "1 kN"}}),
+            "The wall resists 1 kN at {at}{drift}.");
+}
+
 TEST(Texts, a_page_has_those_of_its_language_beside_the_english_ones) {
   for (const std::string& language : languages()) {
     const std::string text = texts_for_page(language);
