@@ -255,7 +255,7 @@ export function meanCurves(campaign: Campaign): HTMLElement | null {
   // a mean stands on at least half of its curves
   const kept = (c: MeanCurve): number[] =>
     c.n.map((_, i) => i).filter((i) => 2 * c.n[i] >= c.curves);
-  const x = (c: MeanCurve): number[] => kept(c).map((i) => (byDrift ? c.drift_percent[i] : c.displacement_mm[i]));
+  const x = (c: MeanCurve): number[] => kept(c).map((i) => (byDrift ? c.drift_percent[i]! : c.displacement_mm[i]));
   const pick = (c: MeanCurve, key: Reaction): number[] => kept(c).map((i) => c[key][i]);
   const all = byDrift ? campaign.statistics.drift_limits : [];
   const xs = groups.flatMap((g) => x(curves[g])),

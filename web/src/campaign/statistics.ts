@@ -447,9 +447,9 @@ export function running(campaign: Campaign): HTMLElement | null {
         yLabel: say("axis.mean_of", { what: quantityLabel(q) }),
         title: say("running.title"),
       });
-      plot.band(r.n, r.low, r.high, "spread curve");
+      plot.band(r.n, r.low as number[], r.high as number[], "spread curve");
       plot.line(
-        r.n.map((n, i): Point => [n, r.mean[i]]),
+        r.n.map((n, i): Point => [n, r.mean[i]!]),
         "step",
         { "data-points": r.n.length },
       );

@@ -62,15 +62,15 @@ export interface Walls {
 // By the number of samples; in the unit of the quantity's key.
 export interface Running {
   n: number[];
-  mean: number[];
-  low: number[];
-  high: number[];
+  mean: Maybe[];
+  low: Maybe[]; // null of the first few
+  high: Maybe[];
 }
 export interface MeanCurve {
   curves: number;
   n: number[];
   displacement_mm: number[];
-  drift_percent: number[]; // null where the load's height is not known
+  drift_percent: Maybe[]; // null where the load's height is not known
   reaction_mean_kN: number[];
   reaction_standard_deviation_kN: Maybe[];
   reaction_5_percent_kN: number[];
