@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import fs from "node:fs";
+import { createRequire } from "node:module";
 import path from "node:path";
 import { test } from "node:test";
 import { folder, root } from "./helpers.mjs";
@@ -15,6 +16,21 @@ const sources = (dir) =>
 
 test("the viewer's types are sound", () => {
   execFileSync("npx", ["tsc"], { cwd: path.join(root, "web"), stdio: "pipe" });
+});
+
+test("no type is left open", () => {
+  const ts = createRequire(path.join(root, "web/package.json"))("typescript");
+  const open = [];
+  for (const name of sources(path.join(root, "web/src")).filter((f) => f.endsWith(".ts"))) {
+    const file = ts.createSourceFile(name, fs.readFileSync(name, "utf8"), ts.ScriptTarget.Latest);
+    const visit = (node) => {
+      if (node.kind === ts.SyntaxKind.AnyKeyword)
+        open.push(`${path.relative(root, name)}:${file.getLineAndCharacterOfPosition(node.pos).line + 1}`);
+      ts.forEachChild(node, visit);
+    };
+    visit(file);
+  }
+  assert.deepEqual(open, [], "any");
 });
 
 test("the committed page equals a fresh build", () => {

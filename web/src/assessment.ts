@@ -2,28 +2,30 @@
 // clauses, the system of one degree of freedom, what is not modelled.
 import { h, svg, type Child } from "./dom";
 import { Figure, legend, swatch } from "./figure";
+import type { Judged } from "./headers/assessment";
+import type { Summary } from "./headers/run";
 import { Plot, rangeOf, type Point } from "./plot";
 import { zip, type Curve } from "./run_trust";
 import { table } from "./tables";
 import { num, phrase, qty, say, sentence } from "./texts";
 
 const kGravity = 9.81; // what codes mean by g
-const bound = (check: any): string => (check.at_least ? "≥ " : "");
-const stateOf = (check: any): string => say(`assessment.${check.state}`);
+const bound = (check: { at_least: boolean }): string => (check.at_least ? "≥ " : "");
+const stateOf = (check: { state: string }): string => say(`assessment.${check.state}`);
 
-export function assessmentSection(summary: any, curve: Curve): Child {
+export function assessmentSection(summary: Summary, curve: Curve): Child {
   const a = summary.assessment;
   if (!a) return null;
   const fine = a.may_be_signed && a.verdict !== "fails";
   return [
     h("p", { class: fine ? "lead" : "warning", id: "assessment-verdict" }, sentence(a.sentence)),
     a.limit_states ? [figure(a, curve).element, limitStates(a), criteria(a), system(a)] : null,
-    h("ul", { class: "soft small" }, a.notes.map((note: any) => h("li", {}, phrase(note)))),
+    h("ul", { class: "soft small" }, a.notes.map((note) => h("li", {}, phrase(note)))),
   ];
 }
 
 // Force over mass against displacement, of one degree of freedom, with the spectrum in the same axes.
-function figure(a: any, curve: Curve): Figure {
+function figure(a: Judged, curve: Curve): Figure {
   const e = a.equivalent,
     gamma = e.participation_factor,
     perMass = 1000 / (gamma * e.mass_kg * kGravity);
@@ -63,7 +65,7 @@ function figure(a: any, curve: Curve): Figure {
       plot.line(bilinear, "fit");
       plot.line(capacity, "force");
       for (const check of a.limit_states) {
-        const x = plot.X(check.displacement_mm / gamma);
+        const x = plot.X(check.displacement_mm! / gamma);
         plot.add(svg("line", { class: "limit", x1: x, x2: x, y1: plot.top, y2: plot.bottom, "data-state": check.state }));
       }
       if (a.demand) {
@@ -81,7 +83,7 @@ function figure(a: any, curve: Curve): Figure {
   });
 }
 
-function limitStates(a: any): Child {
+function limitStates(a: Judged): Child {
   const withDemand = Boolean(a.spectrum);
   return table(
     [
@@ -91,22 +93,22 @@ function limitStates(a: any): Child {
       ...(withDemand ? [{ head: say("assessment.ratio") }, { head: say("assessment.pga") }] : []),
       { head: say("assessment.governs"), left: true },
     ],
-    a.limit_states.map((check: any) => [
+    a.limit_states.map((check) => [
       check.is_checked ? h("b", {}, stateOf(check)) : stateOf(check),
       bound(check) + qty(check.displacement_mm, "mm"),
       bound(check) + qty(check.drift_percent, "%"),
       ...(withDemand
         ? [bound(check) + num(check.capacity_over_demand), bound(check) + qty(check.pga_g, "g")]
         : []),
-      phrase(check.criteria.find((c: any) => c.governs)?.words ?? ""),
+      phrase(check.criteria.find((c) => c.governs)?.words ?? ""),
     ]),
     say("assessment.states"),
   );
 }
 
-function criteria(a: any): Child {
-  const rows: Child[][] = a.limit_states.flatMap((check: any) =>
-    check.criteria.map((c: any, k: number) => [
+function criteria(a: Judged): Child {
+  const rows: Child[][] = a.limit_states.flatMap((check) =>
+    check.criteria.map((c, k) => [
       k === 0 ? stateOf(check) : "",
       phrase(c.words),
       c.clause,
@@ -131,7 +133,7 @@ function criteria(a: any): Child {
   );
 }
 
-function system(a: any): Child {
+function system(a: Judged): Child {
   const e = a.equivalent,
     m = a.mass,
     d = a.demand;

@@ -1,17 +1,12 @@
 // The bytes of a page, unpacked: JSON header and typed arrays (src/report/bundle.h has the layout).
+import type { PageHeader, Place } from "./headers/page";
 
 export type Numbers = Float32Array | Int32Array | Uint8Array | Float64Array;
-export interface Place {
-  type: "float32" | "int32" | "int16" | "uint8";
-  at: number;
-  count: number;
-  step?: number; // of rounded values
-  steps?: number[]; // or of each of as many equal parts
-}
 
-export class Bundle {
+// The header is of the page's kind: main.ts asks for it, and hands the bundle to the pages of that kind.
+export class Bundle<Header extends PageHeader = PageHeader> {
   constructor(
-    readonly header: any,
+    readonly header: Header,
     private readonly bytes: ArrayBuffer,
     private readonly begin: number,
   ) {}
@@ -80,6 +75,6 @@ export async function unpack(packed: Uint8Array<ArrayBuffer>): Promise<Bundle> {
   const length = new DataView(bytes).getUint32(8, true);
   const begin = kHead + length;
   if (bytes.byteLength < begin) throw new Error("the data are damaged: they end early");
-  const header = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, kHead, length)));
+  const header: PageHeader = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, kHead, length)));
   return new Bundle(header, bytes, begin);
 }

@@ -3,34 +3,13 @@
 import type { Bundle } from "./bundle";
 import { h, svg, type Child } from "./dom";
 import { Figure, hideTip, legend, showTip, swatch } from "./figure";
+import type { Interval, Maybe } from "./headers/common";
+import type { ComparedQuantity as Quantity, ComparisonHeader, Gain, Option, PairedResponse } from "./headers/comparison";
 import { provenanceTable } from "./inputs";
 import { Plot, rangeOf, ticks, type Range } from "./plot";
 import type { Section } from "./page";
 import { table } from "./tables";
 import { fixed, num, pageUnit, phrase, qty, say, sentence, type Said } from "./texts";
-
-type Maybe = number | null;
-type Pair = [Maybe, Maybe];
-interface Side {
-  value: number[];
-  lower_bounds: number[];
-}
-interface Option {
-  name: string;
-  folder: string;
-  changes: string[];
-  notes: Said[];
-  pairs: number;
-  lost: number;
-  lost_pairs: any[];
-  response: Record<string, any>;
-  modes: any;
-}
-interface Quantity {
-  name: string;
-  key: string;
-  unit: string;
-}
 
 const kMostListed = 60;
 const kDigits = 3;
@@ -38,7 +17,7 @@ const kDigits = 3;
 const percent = (ratio: Maybe): Maybe => (ratio === null ? null : 100 * (ratio - 1));
 const signed = (value: Maybe, unit = "", digits = kDigits): string =>
   value === null ? "–" : `${value > 0 ? "+" : ""}${qty(value, unit, digits)}`;
-const between = ([low, high]: Pair, unit = "", sign = true): string => {
+const between = ([low, high]: Interval, unit = "", sign = true): string => {
   const one = (v: Maybe): string => (v === null ? "…" : sign ? signed(v) : num(v));
   return low === null && high === null ? "–" : `${one(low)} … ${one(high)}${unit ? `\u202f${unit}` : ""}`;
 };
@@ -46,18 +25,18 @@ const colour = (k: number): string => `m${[3, 1, 5, 6, 2, 7, 4, 8][k % 8]}`;
 const quantityWords = (q: Quantity): string => say(`quantity.${q.name}`);
 
 class Comparison {
-  readonly header: any;
+  readonly header: ComparisonHeader;
   readonly options: Option[];
   readonly quantities: Quantity[];
   readonly inputs: { name: string; unit: string; value: number[] }[];
-  constructor(bundle: Bundle) {
+  constructor(bundle: Bundle<ComparisonHeader>) {
     this.header = bundle.header;
     const c = this.header.comparison;
     this.options = c.option;
     this.quantities = this.header.quantities;
-    this.inputs = c.input.map((i: any) => {
+    this.inputs = c.input.map((i) => {
       const [unit, factor] = pageUnit(i.unit);
-      return { name: i.name, unit, value: i.value.map((v: number) => v * factor) };
+      return { name: i.name, unit, value: i.value.map((v) => v * factor) };
     });
   }
   get base(): string {
@@ -80,7 +59,7 @@ interface Row {
   words: string;
   css: string;
   value: number;
-  interval: Pair;
+  interval: Interval;
 }
 
 // Ratios of all responses as points with their intervals, an option beside the other.
@@ -160,14 +139,14 @@ function forest(c: Comparison): HTMLElement | null {
   return figure.element;
 }
 
-function share(r: any): string {
-  const [low, high] = r.share_larger_interval as Pair;
+function share(r: PairedResponse): string {
+  const [low, high] = r.share_larger_interval;
   if (r.share_larger === null) return "–";
   return `${r.larger} / ${r.pairs} (${num(100 * (low ?? 0), 2)} … ${num(100 * (high ?? 1), 2)}\u202f%)`;
 }
 
 // What means beside bounds are of.
-function boundsWords(r: any, q: Quantity): string {
+function boundsWords(r: PairedResponse, q: Quantity): string {
   if (r.in_means === 0) return say("compare.no_mean", { n: r.with_bounds });
   return r.up_to === null
     ? say("compare.in_means", { of: r.in_means, n: r.with_bounds })
@@ -196,7 +175,7 @@ function differences(c: Comparison, option: Option): Child {
             ? h("span", { class: "pm" }, say("compare.slow_only", { n: r.slow_enough, d: signed(r.difference_slow_enough, q.unit) }))
             : null,
         ],
-        [signed(percent(r.ratio), "%"), h("span", { class: "pm" }, between(r.ratio_interval.map(percent) as Pair, "%"))],
+        [signed(percent(r.ratio), "%"), h("span", { class: "pm" }, between(r.ratio_interval.map(percent), "%"))],
         [share(r), r.undecided > 0 ? h("span", { class: "pm" }, say("compare.undecided", { n: r.undecided })) : null],
         [fixed(r.cov_ratio), h("span", { class: "pm" }, between(r.cov_ratio_interval, "", false))],
         r.worth === null ? "–" : `${num(r.worth, 2)}×`,
@@ -268,11 +247,11 @@ class Pairs {
         const p = this.option.response[this.quantity.key].pair;
         return {
           head: ["sample", this.c.base, this.option.name, `${this.c.base}_censored`, `${this.option.name}_censored`],
-          rows: p.sample.map((s: number, i: number) => [
+          rows: p.sample.map((s, i) => [
             s,
             p.base.value[i],
             p.option.value[i],
-            ...[p.base, p.option].map((side: Side) => (side.lower_bounds.includes(s) ? 1 : 0)),
+            ...[p.base, p.option].map((side) => (side.lower_bounds.includes(s) ? 1 : 0)),
           ]),
         };
       },
@@ -280,7 +259,7 @@ class Pairs {
   }
 
   private draw(width: number, onPaper: boolean): SVGSVGElement {
-    const p = this.option.response[this.quantity.key].pair as { sample: number[]; base: Side; option: Side };
+    const p = this.option.response[this.quantity.key].pair;
     const both: Range = rangeOf([...p.base.value, ...p.option.value], 0.06);
     const label = (name: string): string => `${name}: ${quantityWords(this.quantity)} [${this.quantity.unit}]`;
     const plot = new Plot({
@@ -293,7 +272,7 @@ class Pairs {
       title: say("compare.scatter"),
     });
     plot.line([[both[0], both[0]], [both[1], both[1]]], "fit");
-    const changed = new Map((this.option.modes.changed as any[]).map((m) => [m.sample, m]));
+    const changed = new Map(this.option.modes.changed.map((m) => [m.sample, m]));
     const bounds = new Set([...p.base.lower_bounds, ...p.option.lower_bounds]);
     p.sample.forEach((sample, i) => {
       const mode = changed.get(sample);
@@ -360,24 +339,24 @@ function modes(option: Option): Child {
       h(
         "p",
         {},
-        `${option.name}: ${say("compare.modes_caption", { n: 0, of: named })} (${m.modes.map((mode: string) => phrase(mode)).join(", ")}).`,
+        `${option.name}: ${say("compare.modes_caption", { n: 0, of: named })} (${m.modes.map((mode) => phrase(mode)).join(", ")}).`,
       ),
       unclear,
     ];
   const name = (mode: string): string => phrase(mode);
-  const shift = m.shift as any[];
+  const shift = m.shift;
   return h(
     "div",
     { class: "mode-changes" },
     table(
       [
         { head: say("compare.from_to"), left: true },
-        ...m.modes.map((mode: string) => ({ head: name(mode) })),
+        ...m.modes.map((mode) => ({ head: name(mode) })),
         { head: say("all") },
       ],
-      m.modes.map((mode: string, i: number) => [
+      m.modes.map((mode, i) => [
         name(mode),
-        ...m.count[i].map((n: number, j: number) => (i === j ? h("b", {}, String(n)) : n === 0 ? "·" : String(n))),
+        ...m.count[i].map((n, j) => (i === j ? h("b", {}, String(n)) : n === 0 ? "·" : String(n))),
         String(shift[i].base),
       ]),
       `${option.name}: ${say("compare.modes_caption", { n: m.changed.length, of: named })}`,
@@ -394,7 +373,7 @@ function modes(option: Option): Child {
         name(s.mode),
         [
           signed(s.share_difference === null ? null : 100 * s.share_difference, "%", 2),
-          h("span", { class: "pm" }, between(s.share_difference_interval.map((v: Maybe) => (v === null ? null : 100 * v)) as Pair, "%")),
+          h("span", { class: "pm" }, between(s.share_difference_interval.map((v) => (v === null ? null : 100 * v)), "%")),
         ],
         String(s.came),
         String(s.went),
@@ -409,7 +388,7 @@ function modes(option: Option): Child {
           { class: "soft small" },
           say("compare.changed_samples"),
           " ",
-          (m.changed as any[])
+          m.changed
             .slice(0, kMostListed)
             .map((s) => `${s.sample} (${name(s.base)} → ${name(s.option)})`)
             .join(", "),
@@ -459,11 +438,11 @@ class Gains {
     this.element = h("div", { class: "pair" }, this.figure.element, this.list);
   }
 
-  private get found(): any[] {
+  private get found(): Gain[] {
     return this.option.response[this.quantity.key].gain;
   }
   private strongest(): string {
-    const rank = (g: any): number => Math.abs(g.spearman ?? 0);
+    const rank = (g: Gain): number => Math.abs(g.spearman ?? 0);
     const best = [...this.found].sort((a, b) => rank(b) - rank(a))[0];
     return best?.input ?? this.c.inputs[0]?.name ?? "";
   }
@@ -473,12 +452,12 @@ class Gains {
     const cut = (v: number): number => (r.up_to === null ? v : Math.min(v, r.up_to));
     const bounds = new Set(r.up_to === null ? [...r.pair.base.lower_bounds, ...r.pair.option.lower_bounds] : []);
     return r.pair.sample
-      .map((s: number, i: number): [number, number, number] => [
+      .map((s, i): [number, number, number] => [
         s,
         values[s - 1],
         cut(r.pair.option.value[i]) - cut(r.pair.base.value[i]),
       ])
-      .filter(([s]: [number, number, number]) => r.in_means > 0 && !bounds.has(s));
+      .filter(([s]) => r.in_means > 0 && !bounds.has(s));
   }
   private fill(): void {
     const unit = this.quantity.unit;
@@ -497,7 +476,7 @@ class Gains {
         ],
         this.found.map((g) => [
           g.p_adjusted !== null && g.p_adjusted < 0.05 ? h("b", {}, g.input) : g.input,
-          [fixed(g.spearman), h("span", { class: "pm" }, between(g.spearman_interval.map((v: Maybe) => (v === null ? null : Number(v.toFixed(2)))) as Pair))],
+          [fixed(g.spearman), h("span", { class: "pm" }, between(g.spearman_interval.map((v) => (v === null ? null : Number(v.toFixed(2))))))],
           fixed(g.p_adjusted, 3),
           signed(g.low_third, unit),
           signed(g.high_third, unit),
@@ -574,7 +553,7 @@ function compared(c: Comparison): Child {
   ];
 }
 
-export function comparisonSections(bundle: Bundle): Section[] {
+export function comparisonSections(bundle: Bundle<ComparisonHeader>): Section[] {
   const c = new Comparison(bundle);
   const some = c.options.filter((o) => o.pairs > 0);
   const gain = some.some((o) => c.quantities.some((q) => o.response[q.key].gain.length > 0));

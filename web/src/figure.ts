@@ -13,12 +13,15 @@ export interface FigureSpec {
   wide?: boolean; // as wide as the page
 }
 
+// The place of a drawing knows its figure.
+type Stage = Element & { figure?: Figure };
+
 const all = new Set<Figure>();
 const watcher =
   typeof ResizeObserver === "undefined"
     ? null
     : new ResizeObserver((entries) => {
-        for (const entry of entries) (entry.target as any).figure?.fit(entry.contentRect.width);
+        for (const entry of entries) (entry.target as Stage).figure?.fit(entry.contentRect.width);
       });
 
 export class Figure {
@@ -37,7 +40,7 @@ export class Figure {
       this.stage,
       spec.caption ? h("figcaption", {}, spec.caption) : null,
     );
-    (this.stage as any).figure = this;
+    (this.stage as Stage).figure = this;
     all.add(this);
     later(() => {
       this.fit(this.stage.clientWidth || 640);

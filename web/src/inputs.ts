@@ -1,18 +1,21 @@
 // What went in: wall, openings, materials, stages and settings, and what every run takes for granted.
 import { h, type Child } from "./dom";
+import type { Carried, InputRow, ModelInputs, NoteGroup, Opening, OriginRow, Shown, Storey } from "./headers/inputs";
+import type { Opinion } from "./headers/limit";
+import type { WallHead } from "./headers/page";
 import { table } from "./tables";
 import { num, phrase, qty, say, type Said } from "./texts";
 
-const shown = (value: unknown, unit: string): string =>
+const shown = (value: Shown, unit: string): string =>
   value === "unlimited"
     ? say("unlimited")
     : typeof value === "number"
       ? qty(value, unit, 4)
       : value === null
         ? "–"
-        : phrase(value as Said);
+        : phrase(value);
 
-const rowsOf = (rows: [string, unknown, string][]): Child[][] =>
+const rowsOf = (rows: InputRow[]): Child[][] =>
   rows.map(([key, value, unit]) => [say(`input.${key}`), shown(value, unit)]);
 
 const plain = [
@@ -21,11 +24,11 @@ const plain = [
 ];
 
 // One row an opening: a facade has many.
-function openings(list: any[]): Child {
+function openings(list: Opening[]): Child {
   if (list.length === 0) return null;
-  const sill = (o: any): string =>
+  const sill = (o: Opening): string =>
     o.sill ? `; ${say("input.sill_words", { kind: phrase(o.sill), depth: qty(o.sill_depth_mm, "mm", 4) })}` : "";
-  const lintel = (o: any): string =>
+  const lintel = (o: Opening): string =>
     o.arch
       ? say("input.arch_words", { kind: phrase(o.arch), depth: qty(o.arch_depth_mm, "mm", 4) })
       : o.lintel === ""
@@ -44,7 +47,7 @@ function openings(list: any[]): Child {
       { head: `${say("input.height")} [m]` },
       { head: say("input.lintel"), left: true },
     ],
-    list.map((o: any, i: number) => [
+    list.map((o, i) => [
       o.name || say("input.opening", { n: i + 1 }),
       num(o.x, 4),
       num(o.y, 4),
@@ -57,7 +60,7 @@ function openings(list: any[]): Child {
 }
 
 // Storeys from the ground up.
-function storeys(list: any[]): Child {
+function storeys(list: Storey[]): Child {
   if (list.length === 0) return null;
   return table(
     [
@@ -66,13 +69,13 @@ function storeys(list: any[]): Child {
       { head: `${say("input.height")} [m]` },
       { head: `${say("input.thickness")} [m]` },
     ],
-    list.map((s: any) => [s.name, num(s.foot, 4), num(s.height, 4), num(s.thickness, 3)]),
+    list.map((s) => [s.name, num(s.foot, 4), num(s.height, 4), num(s.thickness, 3)]),
     say("input.storeys"),
   );
 }
 
 // What lies on the wall, ties it or holds it: one row each.
-function carried(list: any[]): Child {
+function carried(list: Carried[]): Child {
   if (list.length === 0) return null;
   return table(
     [
@@ -80,17 +83,16 @@ function carried(list: any[]): Child {
       { head: say("input.where"), left: true },
       { head: "", left: true },
     ],
-    list.map((c: any) => [
+    list.map((c) => [
       [say(`input.${c.kind}`), c.name ? h("span", { class: "soft" }, ` ${c.name}`) : null],
       c.where,
-      c.rows.map(([key, value, unit]: any) => `${say(`input.${key}`)} ${shown(value, unit)}`).join("; "),
+      c.rows.map(([key, value, unit]) => `${say(`input.${key}`)} ${shown(value, unit)}`).join("; "),
     ]),
     say("input.carried"),
   );
 }
 
 // Where values come from that the file does not give: a mark at each, and below the tables what it means.
-type OriginRow = [string, string, string, string, string, string, string, string];
 
 const markOf = (rows: OriginRow[], table: string, key: string): Child => {
   const found = rows.find((r) => r[0] === table && r[1] === key && r[3] !== "given");
@@ -132,12 +134,12 @@ function originNotes(rows: OriginRow[], anyRule: boolean): Child {
 }
 
 // In two halves side by side: many rows of few words.
-function masonryTables(rows: any[], origins: OriginRow[]): Child {
+function masonryTables(rows: InputRow[], origins: OriginRow[]): Child {
   const half = Math.ceil(rows.length / 2);
-  const part = (some: any[], caption: string): HTMLElement =>
+  const part = (some: InputRow[], caption: string): HTMLElement =>
     table(
       plain,
-      some.map(([key, value, unit]: any) => [say(`input.${key}`), [shown(value, unit), markOf(origins, "masonry", key)]]),
+      some.map(([key, value, unit]) => [say(`input.${key}`), [shown(value, unit), markOf(origins, "masonry", key)]]),
       caption,
       "facts",
     );
@@ -149,14 +151,14 @@ function masonryTables(rows: any[], origins: OriginRow[]): Child {
   );
 }
 
-export function inputTables(inputs: any, note: string): Child {
+export function inputTables(inputs: ModelInputs, note: string): Child {
   if (!inputs) return null;
   const wall = rowsOf(inputs.wall);
-  const stages = inputs.stages.map((s: any) => [
+  const stages = inputs.stages.map((s) => [
     s.name,
     [
       say(`stage.${s.kind}`),
-      ...s.rows.map(([key, value, unit]: any) => `${say(`input.${key}`)} ${shown(value, unit)}`),
+      ...s.rows.map(([key, value, unit]) => `${say(`input.${key}`)} ${shown(value, unit)}`),
     ].join("; "),
   ]);
   const materials = inputs.materials;
@@ -180,10 +182,10 @@ export function inputTables(inputs: any, note: string): Child {
     carried(inputs.carried ?? []),
     materials.names.length > 0
       ? table(
-          [{ head: "", left: true }, ...materials.names.map((n: string) => ({ head: phrase(n) }))],
-          materials.rows.map(([key, unit, cells]: any) => [
+          [{ head: "", left: true }, ...materials.names.map((n) => ({ head: phrase(n) }))],
+          materials.rows.map(([key, unit, cells]) => [
             [say(`input.${key}`), unit ? h("span", { class: "soft" }, ` [${unit}]`) : null],
-            ...cells.map((c: unknown, i: number) => [
+            ...cells.map((c, i) => [
               shown(c, ""),
               c === null ? null : markOf(origins, materials.names[i], key),
             ]),
@@ -199,14 +201,14 @@ export function inputTables(inputs: any, note: string): Child {
           h(
             "ul",
             { class: "notes" },
-            inputs.notes.map((n: any) =>
-              n.members
+            inputs.notes.map((n) =>
+              (n as NoteGroup).members
                 ? h(
                     "li",
                     {},
-                    h("details", {}, h("summary", {}, phrase(n.line)), h("ul", {}, n.members.map((m: Said) => h("li", {}, phrase(m))))),
+                    h("details", {}, h("summary", {}, phrase((n as NoteGroup).line)), h("ul", {}, (n as NoteGroup).members.map((m) => h("li", {}, phrase(m))))),
                   )
-                : h("li", {}, phrase(n)),
+                : h("li", {}, phrase(n as Said)),
             ),
           ),
         ]
@@ -216,7 +218,7 @@ export function inputTables(inputs: any, note: string): Child {
 
 // What the method takes for granted, whatever the model; in space nothing keeps a wall in its plane.
 export function assumptions(
-  header: any,
+  header: { wall?: WallHead; opinion?: Opinion },
   keys = [...(header.wall?.space || header.opinion?.local?.length ? [] : ["plane"]), "rigid", "contacts", "law", "quasi_static", "deterministic"],
 ): HTMLElement {
   return h(

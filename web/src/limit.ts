@@ -3,22 +3,23 @@
 import type { Bundle } from "./bundle";
 import { h, type Child } from "./dom";
 import { Figure } from "./figure";
+import type { Bound, Bracket, LimitHeader, LimitLoad, LocalPart, Opinion } from "./headers/limit";
 import { assumptions, inputTables, provenanceTable } from "./inputs";
 import { hypothesisLabel, mechanisms, type Mechanism } from "./mechanism";
 import type { Section } from "./page";
 import { sortable, table } from "./tables";
-import { capital, knows, num, pageUnit, phrase, qty, say, sentence, type Said } from "./texts";
+import { capital, knows, num, pageUnit, phrase, qty, say, sentence } from "./texts";
 import { collapseInSpace } from "./limit_space";
 import { canvasFor, drawWall } from "./wall2d";
 import { readWall, type Frames, type Wall } from "./wall";
 
 // --- limit loads of the blocks -------------------------------------------------------------------------
 
-const loadOf = (l: any, theorem: string): string =>
+const loadOf = (l: LimitLoad, theorem: "static" | "kinematic"): string =>
   `${theorem}_kN` in l ? qty(l[`${theorem}_kN`], "kN", 4) : `λ = ${num(l[theorem], 4)}`;
 
 // The collapse mechanism of the blocks as a frame: velocities times a small time.
-function collapse(wall: Wall, limits: any[]): HTMLElement | null {
+function collapse(wall: Wall, limits: LimitLoad[]): HTMLElement | null {
   const usable = limits.filter((l) => l.velocity_x?.length === wall.blocks);
   if (usable.length === 0) return null;
   let shown = usable[0],
@@ -50,12 +51,12 @@ function collapse(wall: Wall, limits: any[]): HTMLElement | null {
       const none = new Uint8Array(wall.joints),
         zero = new Float32Array(wall.joints);
       const largest =
-        Math.max(...shown.velocity_x.map((v: number, b: number) => Math.hypot(v, shown.velocity_y[b]))) || 1;
+        Math.max(...shown.velocity_x.map((v, b) => Math.hypot(v, shown.velocity_y[b]))) || 1;
       const s = (size * wall.height) / largest;
       const frame = {
-        ux: Float32Array.from(shown.velocity_x, (v: number) => v * s),
-        uy: Float32Array.from(shown.velocity_y, (v: number) => v * s),
-        theta: Float32Array.from(shown.spin_per_m, (v: number) => v * s),
+        ux: Float32Array.from(shown.velocity_x, (v) => v * s),
+        uy: Float32Array.from(shown.velocity_y, (v) => v * s),
+        theta: Float32Array.from(shown.spin_per_m, (v) => v * s),
         nodeUx: null,
         nodeUy: null,
         opening: zero,
@@ -77,7 +78,7 @@ function collapse(wall: Wall, limits: any[]): HTMLElement | null {
     },
     sheet: () => ({
       head: ["block", "velocity_x", "velocity_y", "spin_per_m"],
-      rows: shown.velocity_x.map((v: number, b: number) => [b, v, shown.velocity_y[b], shown.spin_per_m[b]]),
+      rows: shown.velocity_x.map((v, b) => [b, v, shown.velocity_y[b], shown.spin_per_m[b]]),
     }),
   });
   pick.addEventListener("change", () => {
@@ -91,8 +92,8 @@ function collapse(wall: Wall, limits: any[]): HTMLElement | null {
   return figure.element;
 }
 
-function limitLoads(opinion: any, wall: Wall | null, bundle: Bundle): Child {
-  const limits = opinion.limit_loads as any[];
+function limitLoads(opinion: Opinion, wall: Wall | null, bundle: Bundle<LimitHeader>): Child {
+  const limits = opinion.limit_loads;
   if (limits.length === 0) return null;
   const list = table(
     [
@@ -121,14 +122,14 @@ function limitLoads(opinion: any, wall: Wall | null, bundle: Bundle): Child {
 
 // --- verdict ---------------------------------------------------------------------------------------------
 
-function verdict(opinion: any): Child {
+function verdict(opinion: Opinion): Child {
   const c = opinion.comparison;
   if (!c) return h("p", { class: "note" }, say("verdict.none"));
   const label = (name: string): string => {
-    const m = (opinion.mechanisms as Mechanism[]).find((x) => x.name === name);
+    const m = opinion.mechanisms.find((x) => x.name === name);
     return m ? `${m.mode}, ${hypothesisLabel(m)}` : name;
   };
-  const value = (b: any, key: string): string =>
+  const value = (b: Bound, key: "peak" | "bound"): string =>
     `${key}_kN` in b ? qty(b[`${key}_kN`], "kN", 4) : num(b[key], 4);
   const groups =
     c.groups.length > 0
@@ -141,13 +142,13 @@ function verdict(opinion: any): Child {
             { head: say("verdict.gap") },
             { head: say("verdict.gap_share") },
           ],
-          c.groups.map((g: any) => [
+          c.groups.map((g) => [
             `${g.mode} (${g.runs})`,
             label(g.mechanism),
             qty(g.mean_peak_kN, "kN"),
             num(g.mean_peak_ratio),
             qty(g.mean_post_peak_gap_kN, "kN"),
-            qty(100 * g.mean_post_peak_gap_share_of_peak, "%", 2),
+            qty(100 * g.mean_post_peak_gap_share_of_peak!, "%", 2),
           ]),
           say("verdict.groups"),
         )
@@ -164,12 +165,12 @@ function verdict(opinion: any): Child {
         { head: say("verdict.gap") },
         { head: say("verdict.gap_share") },
       ],
-      c.curves.map((v: any) => [
+      c.curves.map((v) => [
         v.run,
         label(v.mechanism),
         { show: num(v.peak_ratio), sort: v.peak_ratio },
         { show: qty(v.post_peak_gap_kN, "kN"), sort: v.post_peak_gap_kN },
-        { show: qty(100 * v.post_peak_gap_share_of_peak, "%", 2), sort: v.post_peak_gap_share_of_peak },
+        { show: qty(100 * v.post_peak_gap_share_of_peak!, "%", 2), sort: v.post_peak_gap_share_of_peak },
       ]),
       say("verdict.curves"),
     ),
@@ -178,7 +179,7 @@ function verdict(opinion: any): Child {
     c.bounds.length > 0
       ? h(
           "details",
-          { open: c.bounds.length < 12 || c.bounds.some((b: any) => !b.holds) },
+          { open: c.bounds.length < 12 || c.bounds.some((b) => !b.holds) },
           h("summary", {}, say("verdict.bounds")),
           sortable(
             [
@@ -189,8 +190,8 @@ function verdict(opinion: any): Child {
               { head: say("verdict.holds") },
             ],
             [...c.bounds]
-              .sort((a: any, b: any) => Number(a.holds) - Number(b.holds))
-              .map((b: any) => [
+              .sort((a, b) => Number(a.holds) - Number(b.holds))
+              .map((b) => [
                 b.run,
                 value(b, "peak"),
                 value(b, "bound"),
@@ -214,9 +215,9 @@ function verdict(opinion: any): Child {
 // Of a path its last part: pages are sent about, folders of a machine say nothing elsewhere.
 const lastName = (path: string): string => path.replace(/[\\/]+$/, "").replace(/^([A-Za-z]:)?[\\/].*[\\/]/, "");
 
-function bracket(b: any): Child {
+function bracket(b: Bracket | null | undefined): Child {
   if (!b) return null;
-  const value = (key: string): string =>
+  const value = (key: "low" | "high" | "least_peak" | "most_peak"): string =>
     `${key}_kN` in b ? qty(b[`${key}_kN`], "kN") : `λ = ${num(b[key])}`;
   return h(
     "p",
@@ -246,13 +247,13 @@ function withoutBound(list: { run: string; why: string }[]): Child {
 }
 
 // What could not be answered, and what the program itself warns of.
-function doubts(opinion: any): Child {
+function doubts(opinion: Opinion): Child {
   const words: Child[] = [
-    ...(opinion.refused ?? []).map((r: any) => [
+    ...(opinion.refused ?? []).map((r) => [
       h("b", {}, say("doubts.refused", { what: phrase(r.what) })),
       `: ${r.why}`,
     ]),
-    ...(opinion.notes ?? []).map((n: Said) => capital(phrase(n))),
+    ...(opinion.notes ?? []).map((n) => capital(phrase(n))),
   ];
   if (words.length === 0) return null;
   return h(
@@ -262,17 +263,17 @@ function doubts(opinion: any): Child {
   );
 }
 
-function numbers(opinion: any): Child {
-  const all = opinion.mechanisms as Mechanism[];
+function numbers(opinion: Opinion): Child {
+  const all = opinion.mechanisms;
   if (all.length === 0) return null;
   const names = [...new Set(all.flatMap((m) => Object.keys(m.inputs)))];
   const unit = (name: string): string => pageUnit(all.find((m) => name in m.inputs)!.inputs[name].unit)[0];
-  const show = (v: any): string =>
+  const show = (v: Mechanism["inputs"][string] | undefined): string =>
     v === undefined
       ? "–"
       : v.value === "unlimited"
         ? say("unlimited")
-        : num(v.value === null ? null : v.value * pageUnit(v.unit)[1], 4);
+        : num(v.value === null ? null : (v.value as number) * pageUnit(v.unit)[1], 4);
   const assessed = all.filter((m) => m.assessment);
   return [
     table(
@@ -294,7 +295,7 @@ function numbers(opinion: any): Child {
             { head: say("assessment.quantity"), left: true },
             ...assessed.map((m) => ({ head: [m.mode, h("span", { class: "pm" }, hypothesisLabel(m))] })),
           ],
-          [
+          ([
             "alpha0",
             "alpha0_by_weights",
             "participating_mass_kg",
@@ -306,8 +307,8 @@ function numbers(opinion: any): Child {
             "spectral_displacement0_mm",
             "life_safety_spectral_displacement_mm",
             "near_collapse_spectral_displacement_mm",
-          ].map((key) => [say(`assessment.${key}`), ...assessed.map((m) => num(m.assessment[key], 4))]),
-          say("assessment.title", { clause: phrase(assessed[0].assessment.clause) }),
+          ] as const).map((key) => [say(`assessment.${key}`), ...assessed.map((m) => num(m.assessment![key], 4))]),
+          say("assessment.title", { clause: phrase(assessed[0].assessment!.clause) }),
         )
       : null,
     assessed.length > 0 ? h("p", { class: "soft small" }, say("assessment.lead")) : null,
@@ -315,18 +316,18 @@ function numbers(opinion: any): Child {
 }
 
 // Parts that fall on their face: the sentence of each, then what it rests on, a column a part.
-function local(opinion: any): Child {
-  const parts = (opinion.local ?? []) as any[];
+function local(opinion: Opinion): Child {
+  const parts = opinion.local ?? [];
   if (parts.length === 0) return null;
   const heads = [
     { head: say("assessment.quantity"), left: true },
     ...parts.map((p) => ({ head: [p.name, p.by === "part" || p.by === "found" ? null : h("span", { class: "pm" }, phrase(p.by))] })),
   ];
-  const rows = (keys: string[], of: (p: any, key: string) => any): Child[][] =>
+  const rows = <Key extends string>(keys: Key[], of: (p: LocalPart, key: Key) => number | null | undefined): Child[][] =>
     keys
       .filter((key) => parts.some((p) => of(p, key) !== null && of(p, key) !== undefined))
       .map((key) => [say(`local.${key}`), ...parts.map((p) => num(of(p, key) ?? null, 4))]);
-  const states = [...new Set(parts.flatMap((p) => p.limit_states.map((s: any) => s.limit_state as string)))];
+  const states = [...new Set(parts.flatMap((p) => p.limit_states.map((s) => s.limit_state)))];
   return [
     parts.map((p) => h("p", {}, p.may_be_signed ? sentence(p.sentence) : h("b", {}, sentence(p.sentence)))),
     table(
@@ -349,17 +350,17 @@ function local(opinion: any): Child {
             "pga_demand_g", "acceleration_demand_m_per_s2", "q", "capacity_over_demand_by_q", "displacement_mm", "secant_period_s",
             "displacement_demand_mm", "capacity_over_demand_by_displacement", "pga_capacity_g",
           ],
-          (p, key) => p.limit_states.find((s: any) => s.limit_state === state)?.[key],
+          (p, key) => p.limit_states.find((s) => s.limit_state === state)?.[key],
         ),
         capital(say(`assessment.${state}`)),
       ),
     ),
-    parts.map((p) => h("details", {}, h("summary", {}, say("local.notes", { part: p.name })), h("ul", {}, p.notes.map((n: Said) => h("li", {}, capital(phrase(n))))))),
+    parts.map((p) => h("details", {}, h("summary", {}, say("local.notes", { part: p.name })), h("ul", {}, p.notes.map((n) => h("li", {}, capital(phrase(n))))))),
     h("p", { class: "soft small" }, say("local.lead")),
   ];
 }
 
-export function limitSections(bundle: Bundle): Section[] {
+export function limitSections(bundle: Bundle<LimitHeader>): Section[] {
   const header = bundle.header,
     opinion = header.opinion,
     wall = readWall(bundle),

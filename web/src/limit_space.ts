@@ -2,6 +2,7 @@
 // times, as states that can be played.
 import type { Bundle, Numbers } from "./bundle";
 import { h } from "./dom";
+import type { LimitHeader, LimitLoad } from "./headers/limit";
 import { SolidStates, dot, readSolids, sizeOf, type Solids, type Vec } from "./space";
 import { SpaceView } from "./spaceview";
 import { phrase, say } from "./texts";
@@ -15,12 +16,12 @@ interface Motion {
 }
 
 // Blocks as the page knows them: those of the model, then its supports, which stand still.
-function motionOf(limit: any, s: Solids): Motion {
+function motionOf(limit: LimitLoad, s: Solids): Motion {
   const moved = new Float32Array(3 * s.count),
     turned = new Float32Array(3 * s.count);
-  limit.velocity_x.forEach((v: number, b: number) => {
-    moved.set([v, limit.velocity_y[b], limit.velocity_z[b]], 3 * b);
-    turned.set([limit.spin_x_per_m[b], limit.spin_y_per_m[b], limit.spin_per_m[b]], 3 * b);
+  limit.velocity_x.forEach((v, b) => {
+    moved.set([v, limit.velocity_y[b], limit.velocity_z![b]], 3 * b);
+    turned.set([limit.spin_x_per_m![b], limit.spin_y_per_m![b], limit.spin_per_m[b]], 3 * b);
   });
   return { moved, turned };
 }
@@ -54,7 +55,7 @@ function jumps(s: Solids, m: Motion): { opening: Float32Array; slip: Float32Arra
 }
 
 // States of all limit loads, one after the other, in the arrays that states of a run have.
-function statesOf(bundle: Bundle, s: Solids, limits: any[]): Bundle {
+function statesOf(bundle: Bundle, s: Solids, limits: LimitLoad[]): Bundle {
   const frames = limits.length * kStates,
     arrays: Record<string, Numbers> = {};
   for (const name of ["moved", "turned"]) arrays[name] = new Float32Array(3 * s.count * frames);
@@ -85,7 +86,7 @@ function statesOf(bundle: Bundle, s: Solids, limits: any[]): Bundle {
   } as unknown as Bundle;
 }
 
-export function collapseInSpace(bundle: Bundle, all: any[]): HTMLElement | null {
+export function collapseInSpace(bundle: Bundle<LimitHeader>, all: LimitLoad[]): HTMLElement | null {
   const solids = readSolids(bundle);
   // deformable blocks count as rigid ones there, which this page does not draw
   const limits = solids ? all.filter((l) => l.velocity_z?.length === solids.free) : [];

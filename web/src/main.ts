@@ -1,8 +1,12 @@
 // The page: unpacks its data and builds what their kind asks for. What cannot be read is said; the
 // headline, which is in the page already, stays.
 import "./style.css";
-import { fromBase64, unpack } from "./bundle";
+import { fromBase64, unpack, type Bundle } from "./bundle";
 import { later } from "./dom";
+import type { CampaignHeader } from "./headers/campaign";
+import type { ComparisonHeader } from "./headers/comparison";
+import type { LimitHeader } from "./headers/limit";
+import type { RunHeader } from "./headers/run";
 import { build, fail, type Section } from "./page";
 import { learn, say, speak } from "./texts";
 import { runSections } from "./run";
@@ -22,16 +26,16 @@ async function start(): Promise<void> {
     learn(bundle.header.names);
     switch (bundle.header.kind) {
       case "run":
-        sections = runSections(bundle);
+        sections = runSections(bundle as Bundle<RunHeader>);
         break;
       case "campaign":
-        sections = campaignSections(bundle);
+        sections = campaignSections(bundle as Bundle<CampaignHeader>);
         break;
       case "comparison":
-        sections = comparisonSections(bundle);
+        sections = comparisonSections(bundle as Bundle<ComparisonHeader>);
         break;
       case "limit":
-        sections = limitSections(bundle);
+        sections = limitSections(bundle as Bundle<LimitHeader>);
         break;
       default:
         throw new Error(`unknown kind of page: ${bundle.header.kind}`);

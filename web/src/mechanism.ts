@@ -1,6 +1,7 @@
 // Macro-block mechanisms: bodies that turn about their hinges, and their curves over the runs' (Fig. 19).
 import { h, svg, type Child } from "./dom";
 import { Figure, hideTip, legend, pointIn, showTip, swatch } from "./figure";
+import type { Envelope, MechanismAssessment, Opinion, OpinionOnRuns } from "./headers/limit";
 import { Plot, rangeOf, ticks, type Point } from "./plot";
 import { num, qty, say } from "./texts";
 
@@ -22,7 +23,7 @@ export interface Mechanism {
   load_point_m: Point;
   loaded_body: number;
   direction: number;
-  assessment?: any;
+  assessment?: MechanismAssessment;
   curve: {
     ends_where: string;
     displacement_mm: number[];
@@ -217,7 +218,7 @@ class MechanismView {
 // --- curves over the runs (Fig. 19) --------------------------------------------------------------------
 
 const kBeyond = 1.6; // of the displacement of the runs, to which the chart goes
-const kEnvelope = ["low", "percentile_5", "mean", "percentile_95", "high"];
+const kEnvelope = ["low", "percentile_5", "mean", "percentile_95", "high"] as const;
 
 class OverlayFigure {
   readonly figure: Figure;
@@ -228,7 +229,7 @@ class OverlayFigure {
   constructor(
     private readonly mode: string,
     private readonly mechanisms: Mechanism[],
-    private readonly comparison: any,
+    private readonly comparison: OpinionOnRuns | null,
   ) {
     const items: [SVGSVGElement, Child][] = mechanisms.map((m) => [
       swatch(`mean ${css(m.hypothesis)}`),
@@ -262,10 +263,10 @@ class OverlayFigure {
           ),
           ...(envelope
             ? kEnvelope.filter((k) => `${k}_kN` in envelope).flatMap((k) =>
-                envelope.displacement_mm.map((d: number, i: number) => [
+                envelope.displacement_mm.map((d, i): (string | number)[] => [
                   `runs_${k}`,
                   d,
-                  envelope[`${k}_kN`][i],
+                  envelope[`${k}_kN`]![i],
                 ]),
               )
             : []),
@@ -274,8 +275,8 @@ class OverlayFigure {
     });
   }
   // Of several runs; a single one is drawn itself.
-  private get envelope(): any {
-    return this.comparison?.runs > 1 ? this.comparison.envelopes?.[this.mode] : undefined;
+  private get envelope(): Envelope | undefined {
+    return this.comparison?.runs! > 1 ? this.comparison!.envelopes?.[this.mode] : undefined;
   }
   // The few runs that fell early would rule a band from the least to the greatest.
   private get hasBand(): boolean {
@@ -316,7 +317,7 @@ class OverlayFigure {
     const last = Math.max(this.far, 1.04 * (this.at?.[1] ?? 0));
     const forces = [
       ...this.mechanisms.map((m) => m.force_at_rest_kN),
-      ...((this.hasBand ? envelope.percentile_95_kN : envelope?.high_kN) ?? []),
+      ...((this.hasBand ? envelope!.percentile_95_kN : envelope?.high_kN) ?? []),
       ...(run?.force_kN ?? []),
     ];
     const plot = new Plot({
@@ -329,10 +330,10 @@ class OverlayFigure {
       title: say("overlay.title", { mode: this.mode }),
     });
     if (envelope) {
-      const d = envelope.displacement_mm as number[];
+      const d = envelope.displacement_mm;
       if (this.hasBand) {
-        plot.band(d, envelope.percentile_5_kN, envelope.percentile_95_kN, "spread runs");
-        for (const key of ["low_kN", "high_kN"])
+        plot.band(d, envelope.percentile_5_kN!, envelope.percentile_95_kN!, "spread runs");
+        for (const key of ["low_kN", "high_kN"] as const)
           plot.line(
             d.map((v, i): Point => [v, envelope[key][i]]),
             "extreme runs",
@@ -340,14 +341,14 @@ class OverlayFigure {
           );
       } else plot.band(d, envelope.low_kN, envelope.high_kN, "spread runs");
       plot.line(
-        envelope.displacement_mm.map((d: number, i: number): Point => [d, envelope.mean_kN[i]]),
+        envelope.displacement_mm.map((d, i): Point => [d, envelope.mean_kN[i]]),
         "mean runs",
         { "data-envelope": this.mode },
       );
     }
     if (run)
       plot.line(
-        run.displacement_mm.map((d: number, i: number): Point => [d, run.force_kN[i]]),
+        run.displacement_mm.map((d, i): Point => [d, run.force_kN[i]]),
         "mean runs",
         { "data-run": "run" },
       );
@@ -375,8 +376,8 @@ class OverlayFigure {
   }
 }
 
-export function mechanisms(opinion: any): Child {
-  const all = opinion.mechanisms as Mechanism[];
+export function mechanisms(opinion: Opinion): Child {
+  const all = opinion.mechanisms;
   return [...new Set(all.map((m) => m.mode))].map((mode) => {
     const of = all.filter((m) => m.mode === mode);
     const overlay = new OverlayFigure(mode, of, opinion.comparison);

@@ -4,6 +4,7 @@ import type { Bundle } from "./bundle";
 import { append, h, onScreen, svg, type Child } from "./dom";
 import { Figure, hideTip, legend, pointIn, showTip, swatch } from "./figure";
 import type { Sheet } from "./export";
+import type { FailureMode, Measured, RunFrame, RunHeader, Summary } from "./headers/run";
 import { aroundPrint, type Section } from "./page";
 import { Plot, rangeOf, type Point } from "./plot";
 import { assumptions, inputTables, provenanceTable } from "./inputs";
@@ -19,7 +20,7 @@ import { asSentence, capital, num, phrase, qty, say, type Said } from "./texts";
 import { viewOf } from "./spaceview";
 import { WallView, type FrameInfo, type View } from "./wallview";
 
-function readCurve(bundle: Bundle): Curve {
+function readCurve(bundle: Bundle<RunHeader>): Curve {
   const get = (name: string): number[] => Array.from(bundle.array(`curve.${name}`));
   return {
     displacement: get("displacement_mm"),
@@ -40,9 +41,9 @@ const kManyParts = 12, // of a wall, from which on only those are listed that sh
 const labelOf = (labels: Said[]): string => labels.map((l) => phrase(l)).join(", ");
 
 // Every sign of every part, and its measure.
-const evidenceOf = (mode: any): any[] =>
-  mode.elements.flatMap((e: any) =>
-    e.signs.map((s: any) => ({
+const evidenceOf = (mode: FailureMode): Measured[] =>
+  mode.elements.flatMap((e) =>
+    e.signs.map((s) => ({
       ...s,
       element: e.element,
       measure: `${phrase(s.state)}: ${phrase(s.measure)}`,
@@ -60,15 +61,15 @@ function nearest(distances: number[]): number {
 }
 
 class RunPage {
-  readonly header: any;
+  readonly header: RunHeader;
   readonly curve: Curve;
   readonly view: View | null;
-  private readonly s: any;
+  private readonly s: Summary;
   private readonly byFactor: boolean;
   private plot: Plot | null = null;
   private cursor: SVGGElement | null = null;
 
-  constructor(private readonly bundle: Bundle) {
+  constructor(private readonly bundle: Bundle<RunHeader>) {
     this.header = bundle.header;
     this.s = this.header.summary;
     this.curve = readCurve(bundle);
@@ -78,7 +79,7 @@ class RunPage {
 
   private makeView(): View | null {
     if ((this.header.frames ?? []).length === 0) return null;
-    const info: FrameInfo[] = this.header.frames.map((f: any) => ({
+    const info: FrameInfo[] = this.header.frames.map((f) => ({
       label: labelOf(f.labels) || (typeof f.time_s === "number" ? qty(f.time_s, "s") : ""),
       displacement: f.displacement_mm,
       reaction: f.reaction_kN,
@@ -145,7 +146,7 @@ class RunPage {
     const items: [SVGSVGElement, Child][] = [[swatch(cyclic ? "force thin" : "force"), say(`curve.${kind}`)]];
     if (cyclic) items.push([swatch("work"), say("curve.envelope")]);
     if (!this.byFactor) items.push([swatch("base"), say("curve.base")]);
-    if (this.s.bilinear?.force_kN > 0) items.push([swatch("fit"), say("curve.bilinear")]);
+    if (this.s.bilinear?.force_kN! > 0) items.push([swatch("fit"), say("curve.bilinear")]);
     const figure = new Figure({
       id: "curve",
       title: say(cyclic ? "curve.cyclic.title" : `curve.${kind}.title`),
@@ -212,23 +213,23 @@ class RunPage {
 
   private bilinearWords(): string {
     const b = this.s.bilinear;
-    if (this.byFactor || !(b?.force_kN > 0)) return "";
+    if (this.byFactor || !(b?.force_kN! > 0)) return "";
     return say(this.s.censored_80 ? "curve.bilinear.censored" : "curve.bilinear.80", {
       at: qty(b.ultimate_displacement_mm, "mm"),
     });
   }
   private drawBilinear(plot: Plot): void {
     const b = this.s.bilinear;
-    if (this.byFactor || !(b?.force_kN > 0)) return;
+    if (this.byFactor || !(b?.force_kN! > 0)) return;
     const ways = this.isCyclic() ? waysOf(this.s) : [{ sign: 1, readings: this.s }];
     for (const { sign, readings } of ways) {
       const w = readings.bilinear;
-      if (w.force_kN > 0)
+      if (w.force_kN! > 0)
         plot.line(
           [
             [0, 0],
-            [sign * w.yield_displacement_mm, sign * w.force_kN],
-            [sign * w.ultimate_displacement_mm, sign * w.force_kN],
+            [sign * w.yield_displacement_mm!, sign * w.force_kN!],
+            [sign * w.ultimate_displacement_mm!, sign * w.force_kN!],
           ],
           "fit",
         );
@@ -261,20 +262,20 @@ class RunPage {
   }
 
   private drawMarks(plot: Plot): void {
-    if (!this.byFactor && this.s.peak_reaction_kN > 0) {
+    if (!this.byFactor && this.s.peak_reaction_kN! > 0) {
       const sign = signOf(this.s);
-      plot.dot(sign * this.s.displacement_at_peak_mm, sign * this.s.peak_reaction_kN, 4.5, "peak");
+      plot.dot(sign * this.s.displacement_at_peak_mm!, sign * this.s.peak_reaction_kN!, 4.5, "peak");
       if (!this.s.censored_80)
         plot.dot(
-          sign * this.s.displacement_at_80_percent_mm,
-          sign * 0.8 * this.s.peak_reaction_kN,
+          sign * this.s.displacement_at_80_percent_mm!,
+          sign * 0.8 * this.s.peak_reaction_kN!,
           4.5,
           "peak",
         );
     }
     let before: Point = [-100, -100];
-    (this.s.events as any[]).forEach((e, i) => {
-      let at: Point = [plot.X(e.displacement_mm), plot.Y(this.byFactor ? 0 : e.reaction_kN)];
+    this.s.events.forEach((e, i) => {
+      let at: Point = [plot.X(e.displacement_mm!), plot.Y(this.byFactor ? 0 : e.reaction_kN!)];
       if (!Number.isFinite(at[0] + at[1])) return;
       // marks at one place stack downwards, to the right of the curve
       if (Math.hypot(at[0] - before[0], at[1] - before[1]) < 18) at = [before[0] + 11, before[1] + 14];
@@ -352,7 +353,7 @@ class RunPage {
     return h(
       "ol",
       { class: "events", "aria-label": say("events") },
-      this.s.events.map((e: any) =>
+      this.s.events.map((e) =>
         h(
           "li",
           {},
@@ -371,12 +372,12 @@ class RunPage {
     aroundPrint(
       () => {
         const labelled = this.header.frames
-          .map((f: any, i: number) => [f, i])
-          .filter(([f]: any) => f.labels.length > 0 && f.labels[0] !== "start");
-        const peak = labelled.filter(([f]: any) => f.labels.includes("peak")),
+          .map((f, i): [RunFrame, number] => [f, i])
+          .filter(([f]) => f.labels.length > 0 && f.labels[0] !== "start");
+        const peak = labelled.filter(([f]) => f.labels.includes("peak")),
           end = labelled.slice(-1);
         place.replaceChildren(
-          ...[...new Map([...peak, ...end].map((p: any) => [p[1], p])).values()].map(([, i]: any) =>
+          ...[...new Map([...peak, ...end].map((p): [number, [RunFrame, number]] => [p[1], p])).values()].map(([, i]) =>
             view.picture(i, 400, 250),
           ),
         );
@@ -420,7 +421,7 @@ class RunPage {
   }
 
   // What a part showed, and what was measured there against its threshold.
-  private measures(rows: any[], word = say("failure.reached"), caption = ""): HTMLElement {
+  private measures(rows: Measured[], word = say("failure.reached"), caption = ""): HTMLElement {
     const unit = (u: string): string => (u === "share" || u === "-" ? "" : u);
     return table(
       [
@@ -440,8 +441,8 @@ class RunPage {
       caption,
     );
   }
-  private flags(mode: any): Child {
-    const all = mode.flags as any[];
+  private flags(mode: FailureMode): Child {
+    const all = mode.flags;
     if (all.length === 0) return null;
     const shown = all.length > kManyParts ? all.filter((f) => f.margin >= 0) : all;
     return h(
@@ -476,8 +477,8 @@ class RunPage {
     ];
   }
 
-  private scores(mode: any): Child {
-    const entries = Object.entries(mode.scores as Record<string, number>);
+  private scores(mode: FailureMode): Child {
+    const entries = Object.entries(mode.scores);
     if (entries.length === 0) return null;
     return h(
       "dl",
@@ -502,8 +503,8 @@ class RunPage {
     );
   }
 
-  private sensitivity(mode: any): Child {
-    const others = mode.sensitivity.filter((r: any) => r.name !== mode.name);
+  private sensitivity(mode: FailureMode): Child {
+    const others = mode.sensitivity.filter((r) => r.name !== mode.name);
     if (mode.sensitivity.length === 0) return null;
     const n = mode.sensitivity.length;
     return h(
@@ -513,7 +514,7 @@ class RunPage {
         ? say("failure.stable", { n })
         : say("failure.unstable", {
             n,
-            others: others.map((r: any) => `${phrase(r.what)}: ${phrase(r.name)}`).join("; "),
+            others: others.map((r) => `${phrase(r.what)}: ${phrase(r.name)}`).join("; "),
           }),
     );
   }
@@ -554,6 +555,6 @@ class RunPage {
   }
 }
 
-export function runSections(bundle: Bundle): Section[] {
+export function runSections(bundle: Bundle<RunHeader>): Section[] {
   return new RunPage(bundle).sections();
 }

@@ -1,5 +1,6 @@
 // A push that turns back: the envelopes on the curve, and what each cycle says.
 import { h, type Child } from "./dom";
+import type { Cycle, Direction, DriftCapacity, Summary } from "./headers/run";
 import type { Section } from "./page";
 import type { Plot, Point } from "./plot";
 import { zip } from "./run_trust";
@@ -10,10 +11,10 @@ const kMuchDrag = 0.1; // of a loop's energy
 
 export interface Way {
   sign: number;
-  readings: any;
+  readings: Direction;
 }
 // The two directions of a cyclic push; none of another.
-export function waysOf(summary: any): Way[] {
+export function waysOf(summary: Summary): Way[] {
   const c = summary.cyclic;
   return c
     ? [
@@ -23,9 +24,9 @@ export function waysOf(summary: any): Way[] {
     : [];
 }
 // Of the fixed readings: 1 along the push, -1 against it.
-export const signOf = (summary: any): number => (summary.cyclic?.read_in === "negative" ? -1 : 1);
+export const signOf = (summary: Summary): number => (summary.cyclic?.read_in === "negative" ? -1 : 1);
 
-export function drawEnvelopes(plot: Plot, summary: any): void {
+export function drawEnvelopes(plot: Plot, summary: Summary): void {
   for (const { sign, readings } of waysOf(summary))
     plot.line(
       zip(readings.envelope.displacement_mm, readings.envelope.reaction_kN).map(
@@ -40,10 +41,10 @@ function bothSides(high: number | null, low: number | null): string {
   return high === null || low === null ? num(high ?? low) : `${num(high)} / ${num(low)}`;
 }
 
-function cycleRow(c: any, k: number): Child[] {
+function cycleRow(c: Cycle, k: number): Child[] {
   const drags =
     !c.in_balance ||
-    (c.dissipated_J !== null && Math.abs(c.drag_J) > kMuchDrag * Math.abs(c.dissipated_J));
+    (c.dissipated_J !== null && Math.abs(c.drag_J!) > kMuchDrag * Math.abs(c.dissipated_J));
   return [
     `${k + 1}, ${say(`cycle.${c.kind}`)}`,
     bothSides(c.displacement_max_mm, c.displacement_min_mm),
@@ -69,9 +70,12 @@ function directionRow({ sign, readings: r }: Way): Child[] {
   ];
 }
 
+type Reading = "first_mm" | "lasting_mm" | "last_mm";
+type Known = "censored_first" | "censored" | "censored_last";
+
 // d(r) of both directions: the first fall, the one that lasts, the last.
 function capacityRow(ways: Way[], k: number): Child[] {
-  const one = (d: any, mm: string, censored: string): string =>
+  const one = (d: DriftCapacity, mm: Reading, censored: Known): string =>
     (d[censored][k] && d[mm][k] !== null ? "≥ " : "") + num(d[mm][k]);
   return [
     qty(100 * ways[0].readings.drift_capacity.left[k], "%"),
@@ -84,7 +88,7 @@ function capacityRow(ways: Way[], k: number): Child[] {
 }
 
 function dipsOf({ sign, readings }: Way): Child[] {
-  return (readings.drift_capacity.dips as any[]).map((dip) =>
+  return readings.drift_capacity.dips.map((dip) =>
     h(
       "li",
       {},
@@ -105,17 +109,17 @@ function capacityTable(ways: Way[]): Child {
   });
   return table(
     [{ head: say("cycles.left"), title: say("cycles.left.means") }, ...heads],
-    (ways[0].readings.drift_capacity.left as number[]).map((_, k) => capacityRow(ways, k)),
+    ways[0].readings.drift_capacity.left.map((_, k) => capacityRow(ways, k)),
     say("cycles.capacity"),
   );
 }
 
 // The section of a cyclic push; empty for another.
-export function cyclesSection(summary: any): Section {
+export function cyclesSection(summary: Summary): Section {
   const section = { id: "cycles", title: say("section.cycles"), content: null as Child };
   const cyclic = summary.cyclic;
   if (!cyclic) return section;
-  const rows = (cyclic.cycles as any[]).map(cycleRow);
+  const rows = cyclic.cycles.map(cycleRow);
   const ways = waysOf(summary);
   const knows = ways.every(({ readings }) => readings.drift_capacity); // not so in results of earlier programs
   const dips = knows ? ways.flatMap(dipsOf) : [];

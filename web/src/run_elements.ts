@@ -2,6 +2,7 @@
 import type { Bundle } from "./bundle";
 import { h, type Child } from "./dom";
 import { Figure } from "./figure";
+import type { Element as Part, FailureMode, RunHeader } from "./headers/run";
 import { Plot, rangeOf, type Point } from "./plot";
 import { table } from "./tables";
 import { capital, phrase, qty, say } from "./texts";
@@ -12,10 +13,10 @@ import type { WallView } from "./wallview";
 const kManyParts = 12; // of a wall, from which on only those are listed that show something
 
 // What a part shows: its signs that hold, gravest first.
-const stateOf = (element: any): string =>
+const stateOf = (element: Part): string =>
   element.signs
-    .filter((s: any) => s.holds)
-    .map((s: any) => phrase(s.state))
+    .filter((s) => s.holds)
+    .map((s) => phrase(s.state))
     .join(", ") || phrase(element.state);
 
 const kQuantities = ["shear", "axial", "moment", "drift"] as const;
@@ -34,8 +35,8 @@ export class ElementsView {
   private readonly which = h("select", { "aria-label": say("element.which") });
 
   constructor(
-    private readonly bundle: Bundle,
-    private readonly mode: any,
+    private readonly bundle: Bundle<RunHeader>,
+    private readonly mode: FailureMode,
     private readonly view: WallView | null,
   ) {
     const forces = bundle.header.forces;
@@ -49,7 +50,7 @@ export class ElementsView {
 
   // Of a wall of many parts those that show something; the others are counted.
   list(): Child {
-    const all = this.mode.elements as any[];
+    const all = this.mode.elements;
     if (all.length === 0) return null;
     const shown = all.length > kManyParts ? all.filter((e) => e.state !== "intact") : all;
     const place = h(
@@ -62,7 +63,7 @@ export class ElementsView {
               { head: say("failure.state"), left: true },
               { head: say("failure.first") },
             ],
-            shown.map((e: any) => [
+            shown.map((e) => [
               h("span", {}, this.markOf(e), phrase(e.element)),
               stateOf(e),
               qty(e.displacement_first_mm, "mm"),
@@ -89,7 +90,7 @@ export class ElementsView {
   }
 
   // Its number: a button that keeps the part lit.
-  private markOf(element: any): Child {
+  private markOf(element: Part): Child {
     if (!element.mark) return null;
     const button = h(
       "button",
@@ -155,7 +156,7 @@ export class ElementsView {
   }
 
   private figure(): Figure {
-    const marks = new Map<string, string>(this.mode.elements.map((e: any) => [e.element, e.mark]));
+    const marks = new Map<string, string>(this.mode.elements.map((e) => [e.element, e.mark]));
     this.names.forEach((name, i) =>
       this.which.appendChild(h("option", { value: i }, `${marks.get(name) ?? ""} ${capital(phrase(name))}`.trim())),
     );
@@ -204,7 +205,7 @@ export class ElementsView {
         ["drift", say("element.chord")],
         ["distortion", say("element.distortion")],
       ];
-    const element = this.mode.elements.find((e: any) => e.element === this.names[this.chosen]);
+    const element = this.mode.elements.find((e) => e.element === this.names[this.chosen]);
     const ends = element?.kind === "spandrel" ? ["left", "right"] : ["foot", "head"];
     return ends.map((end, i) => [`${this.quantity}_${i + 1}`, say(`element.${end}`)]);
   }

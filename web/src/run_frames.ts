@@ -3,6 +3,7 @@
 import type { Bundle } from "./bundle";
 import { append, fresh, h, svg, type Child } from "./dom";
 import { Figure, legend, swatch } from "./figure";
+import type { RunHeader } from "./headers/run";
 import { alongMembers, drawMembers, kUnitOf, kUseSteps, largestCarried, outlineOf, isFrameBlock } from "./members";
 import { aroundPrint } from "./page";
 import { Player } from "./player";
@@ -37,14 +38,14 @@ export class FramesView {
   private frame: number;
 
   // null: no frame, or no state of one.
-  static of(bundle: Bundle, view: WallView | null): Child {
+  static of(bundle: Bundle<RunHeader>, view: WallView | null): Child {
     if (!view || view.spec.wall.members.length === 0 || view.spec.frames.count === 0) return null;
     if (!bundle.has("frame.section_use")) return null;
     return new FramesView(bundle, view).content();
   }
 
   private constructor(
-    private readonly bundle: Bundle,
+    private readonly bundle: Bundle<RunHeader>,
     view: WallView,
   ) {
     this.wall = view.spec.wall;
@@ -84,7 +85,7 @@ export class FramesView {
   }
 
   private content(): Child {
-    const said = (this.bundle.header.frames_said ?? []) as any[];
+    const said = this.bundle.header.frames_said ?? [];
     return [
       said.map((s) => h("p", {}, sentence(s.words))),
       h("div", { class: "pair" }, this.figure.element, this.numbers),

@@ -1,10 +1,11 @@
 // What the layers of a run bore: a sentence for each.
 import { h, type Child } from "./dom";
+import type { RunHeader } from "./headers/run";
 import { say, sentence } from "./texts";
 
 // null: no layer.
-export function layersSaid(header: any): Child {
-  const said = (header.layers_said ?? []) as any[];
+export function layersSaid(header: RunHeader): Child {
+  const said = header.layers_said ?? [];
   if (said.length === 0) return null;
   return [said.map((words) => h("p", {}, sentence(words))), h("p", { class: "note" }, say("layers.what"))];
 }

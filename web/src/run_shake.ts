@@ -2,6 +2,7 @@
 import type { Bundle } from "./bundle";
 import { h, svg, type Child } from "./dom";
 import { Figure } from "./figure";
+import type { RunHeader, Shaking } from "./headers/run";
 import type { Section } from "./page";
 import { Plot, rangeOf, type Point } from "./plot";
 import { zip } from "./run_trust";
@@ -14,11 +15,11 @@ export const isShaken = (bundle: Bundle): boolean => "shake.time_s" in (bundle.h
 
 class ShakeView {
   private readonly time: number[];
-  private readonly s: any;
+  private readonly s: Shaking;
   private readonly words: Record<string, string>;
 
-  constructor(private readonly bundle: Bundle) {
-    this.s = bundle.header.summary.shaking;
+  constructor(private readonly bundle: Bundle<RunHeader>) {
+    this.s = bundle.header.summary.shaking!;
     this.time = this.column("time_s");
     this.words = { point: this.s.points[0]?.name ?? "", record: this.s.records[0]?.record ?? "" };
   }
@@ -120,7 +121,7 @@ class ShakeView {
 
   // A strip for each storey, the uppermost above, on one scale.
   storeys(): Figure | null {
-    const names = ((this.s.storeys ?? []) as any[]).map((storey) => String(storey.name));
+    const names = (this.s.storeys ?? []).map((storey) => String(storey.name));
     if (names.length === 0 || !(`shake.storey_0_percent` in this.bundle.header.arrays)) return null;
     const columns = names.map((_, k) => this.column(`storey_${k}_percent`));
     return new Figure({
@@ -169,7 +170,7 @@ class ShakeView {
     ) as SVGSVGElement;
   }
   private storeyTable(): Child {
-    const storeys = (this.s.storeys ?? []) as any[];
+    const storeys = this.s.storeys ?? [];
     if (storeys.length === 0) return null;
     return table(
       [
@@ -214,7 +215,7 @@ class ShakeView {
           { head: say("shake.peak_at") },
           { head: say("shake.residual") },
         ],
-        (s.points as any[]).map((p) => [
+        s.points.map((p) => [
           p.name,
           qty(p.height_m, "m"),
           qty(p.peak_displacement_mm, "mm"),
@@ -233,7 +234,7 @@ class ShakeView {
           { head: say("shake.duration") },
           { head: say("shake.factor") },
         ],
-        (s.records as any[]).map((r) => [
+        s.records.map((r) => [
           r.record,
           qty(r.pga_g, "g"),
           qty(r.pgv_mm_per_s, "mm/s"),
@@ -248,12 +249,12 @@ class ShakeView {
 }
 
 // The chart that stands beside the wall where nothing pushed it.
-export function shakeHistory(bundle: Bundle): HTMLElement {
+export function shakeHistory(bundle: Bundle<RunHeader>): HTMLElement {
   return new ShakeView(bundle).history().element;
 }
 
 // The section of a shaken wall; empty for another.
-export function shakeSection(bundle: Bundle): Section {
+export function shakeSection(bundle: Bundle<RunHeader>): Section {
   const section = { id: "shake", title: say("section.shake.numbers"), content: null as Child };
   if (!isShaken(bundle)) return section;
   const view = new ShakeView(bundle);

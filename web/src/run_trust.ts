@@ -1,6 +1,7 @@
 // Why the answer of a run may be trusted: where its energy went, how nearly static it was.
 import { h, type Child } from "./dom";
 import { Figure, legend, swatch } from "./figure";
+import type { QuasiStatic, RunHeader, Summary } from "./headers/run";
 import { Plot, rangeOf, type Point, type Range } from "./plot";
 import { table } from "./tables";
 import { num, qty, say, sentence } from "./texts";
@@ -21,11 +22,11 @@ const kGap = 0.01; // of the ledger, beyond which its run is not believed (as in
 
 // --- energy --------------------------------------------------------------------------------------
 
-export function energySection(header: any): Child {
+export function energySection(header: RunHeader): Child {
   const e = header.summary.energy_J;
   const kParts = ["friction", "fracture", "crushing", "damping", "elastic", "kinetic"] as const;
-  const frames = (header.frames ?? []) as any[],
-    ledger = (header.energy ?? []) as any[];
+  const frames = header.frames ?? [],
+    ledger = header.energy ?? [];
   const put = Math.max(e.loads, 0) + Math.max(e.drive, 0);
   const share = (j: number): string => (put > 0 ? qty((100 * j) / put, "%") : "–");
   const rows: Child[][] = [[say("energy.drive"), num(e.drive), share(e.drive)]];
@@ -99,14 +100,14 @@ export function energySection(header: any): Child {
 // --- trust ---------------------------------------------------------------------------------------
 
 // Where the force was slow enough: what else a slow push would show, or may not.
-function promise(of: string, q: any): Child {
+function promise(of: "displacement" | "mode", q: QuasiStatic): Child {
   const said = q[of];
   if (q.judgement !== "slow enough" || !said || said.verdict === "no push") return null;
   if (said.verdict === "slow enough") return h("p", { class: "soft" }, say(`trust.${of}`));
   return h("p", { class: "warning" }, `${say(`trust.${of}.not_known`)} ${sentence(said.reason)}`);
 }
 
-export function trustSection(summary: any, curve: Curve): Child {
+export function trustSection(summary: Summary, curve: Curve): Child {
   const q = summary.quasi_static;
   // what a measure says stands beneath its name
   const named = (words: string, means: string): Child => [words, h("span", { class: "pm" }, means)];
@@ -130,7 +131,7 @@ export function trustSection(summary: any, curve: Curve): Child {
   const fine = ["slow enough", "no push", undefined].includes(q.judgement);
   const verdict = [
     h("p", { class: fine ? "lead" : "warning" }, sentence(q.verdict)),
-    ...["displacement", "mode"].map((of) => promise(of, q)),
+    ...(["displacement", "mode"] as const).map((of) => promise(of, q)),
   ];
   const stages =
     summary.stages.length === 0
@@ -143,7 +144,7 @@ export function trustSection(summary: any, curve: Curve): Child {
             { head: say("stage.unbalance") },
             { head: say("stage.settled") },
           ],
-          summary.stages.map((g: any) => [
+          summary.stages.map((g) => [
             g.name,
             qty(g.time_s, "s"),
             String(g.steps),
@@ -159,7 +160,7 @@ export function trustSection(summary: any, curve: Curve): Child {
   ];
 }
 
-function ratioFigure(summary: any, c: Curve): Figure {
+function ratioFigure(summary: Summary, c: Curve): Figure {
   // the start, where the work done is next to nothing, says nothing about the ratios
   const counts = c.displacement.map((d) => Math.abs(d) >= 0.1 * (summary.displacement_at_peak_mm ?? 0));
   const positive = [

@@ -3,6 +3,10 @@
 // user's own that are longer than a line may be cut, in the head.
 import { h, later, svg, type Child } from "./dom";
 import { legend, swatch } from "./figure";
+import type { Assessment } from "./headers/assessment";
+import type { Bilinear, Noted, Project } from "./headers/common";
+import type { ModelInputs, Shown, StageInputs } from "./headers/inputs";
+import type { RunHeader, Summary } from "./headers/run";
 import { aroundPrint, type Section } from "./page";
 import { Plot, rangeOf } from "./plot";
 import { drawEnvelopes, signOf, waysOf } from "./run_cyclic";
@@ -20,7 +24,7 @@ const kListed = 5, // key numbers
   kGapShown = 1e-4; // of the energy ledger; less is said to be this
 
 export interface SheetSource {
-  header: any;
+  header: RunHeader;
   curve: Curve;
   view: View | null;
 }
@@ -33,14 +37,14 @@ export interface Doubts {
   grave: boolean; // what the headline warns of
   mild: boolean;
 }
-export function standingOf(s: any, { grave, mild }: Doubts): { standing: Standing; first: string } {
+export function standingOf(s: Summary, { grave, mild }: Doubts): { standing: Standing; first: string } {
   const fell = s.status === "collapsed",
     a = s.assessment;
   const said = (standing: Standing, key: string): { standing: Standing; first: string } => ({
     standing,
     first: say(`sheet.${key}`),
   });
-  if (!(s.peak_reaction_kN > 0) && !(s.load_factor > 0)) return said("none", "none");
+  if (!(s.peak_reaction_kN! > 0) && !(s.load_factor > 0)) return said("none", "none");
   if (grave || (s.status && s.status !== "completed" && !fell)) return said("no", "no");
   if (a && !a.limit_states) return said("no", "no_assessment");
   if (a && !a.may_be_signed) return said("no", "no");
@@ -51,9 +55,9 @@ export function standingOf(s: any, { grave, mild }: Doubts): { standing: Standin
   }
   return { standing: mild ? "reserve" : "yes", first: judged(a) };
 }
-function judged(a: any): string {
-  const key = { holds: "holds", fails: "fails", "not shown": "not_shown" }[a?.verdict as string],
-    state = a?.limit_states?.find((check: any) => check.is_checked)?.state;
+function judged(a: Assessment | undefined): string {
+  const key = { holds: "holds", fails: "fails", "not shown": "not_shown" }[a?.verdict as "holds" | "fails" | "not shown"],
+    state = a?.limit_states?.find((check) => check.is_checked)?.state;
   return key && state ? say(`sheet.${key}`, { state: capital(say(`assessment.${state}`)) }) : "";
 }
 
@@ -65,13 +69,23 @@ export const doubts = (): Doubts => {
 };
 
 // What a page says of its run or of its campaign.
-const saidOf = (header: any): any => header.summary ?? header.statistics ?? {};
+interface Handed {
+  project?: Project;
+  assessment?: unknown;
+}
+interface Titled {
+  kind: string;
+  title: string;
+  summary?: Handed;
+  statistics?: Handed;
+}
+const saidOf = (header: Titled): Handed => header.summary ?? header.statistics ?? {};
 
 export function sheetSection(source: SheetSource): Section {
   return sheetOf(source.header, (onPaper) => sheet(source, onPaper));
 }
 // On a screen only where somebody is named or a code is asked.
-export function sheetOf(header: any, draw: (onPaper: boolean) => HTMLElement): Section {
+export function sheetOf(header: Titled, draw: (onPaper: boolean) => HTMLElement): Section {
   const place = h("div", {}),
     asked = Boolean(saidOf(header).project || saidOf(header).assessment);
   const show = (): void => place.replaceChildren(...(asked ? [draw(false)] : []));
@@ -90,7 +104,7 @@ function sheet(source: SheetSource, onPaper: boolean): HTMLElement {
     "div",
     { class: "a4", "data-standing": standing },
     head(source.header),
-    verdict(standing === "yes" && !["fails", "not shown"].includes(s.assessment?.verdict), first),
+    verdict(standing === "yes" && !["fails", "not shown"].includes(s.assessment?.verdict!), first),
     keyNumbers(),
     pictures(source, wide),
     limitStates(s.assessment),
@@ -99,11 +113,11 @@ function sheet(source: SheetSource, onPaper: boolean): HTMLElement {
   );
 }
 
-const titleOf = (header: any): string =>
+const titleOf = (header: Titled): string =>
   saidOf(header).project?.title || header.title || say(`untitled.${header.kind}`);
 
 // What the head of the sheet may have cut.
-export function projectSection(header: any): Section {
+export function projectSection(header: Titled): Section {
   const rows: [string, string][] = [[say("sheet.title"), titleOf(header)]];
   for (const [key, text] of factsOf(header)) rows.push([say(`sheet.${key}`), text]);
   const long = rows.some(([, text]) => text.length > kShort);
@@ -121,7 +135,7 @@ export function projectSection(header: any): Section {
 
 // --- head ----------------------------------------------------------------------------------------
 
-function factsOf(header: any): [string, string][] {
+function factsOf(header: Titled): [string, string][] {
   const p = saidOf(header).project ?? {};
   const rows: [string, string | undefined][] = [
     ["wall", p.title ? header.title : undefined],
@@ -133,7 +147,7 @@ function factsOf(header: any): [string, string][] {
   return rows.filter((row): row is [string, string] => Boolean(row[1]));
 }
 
-export function head(header: any): Child {
+export function head(header: Titled): Child {
   const own = titleOf(header),
     given = factsOf(header);
   return [
@@ -213,8 +227,8 @@ function pictures({ header, curve, view }: SheetSource, wide: boolean): Child {
 }
 
 // The state at which the failure was read, else the last.
-function frameShown(header: any): number {
-  const frames = header.frames as any[],
+function frameShown(header: RunHeader): number {
+  const frames = header.frames,
     at = header.summary.failure_mode?.read_at_mm;
   if (typeof at !== "number") return frames.length - 1;
   const off = frames.map((f) => Math.abs(Math.abs(f.displacement_mm) - Math.abs(at)));
@@ -229,7 +243,7 @@ export const crackKey = (): HTMLElement =>
     [swatch("crushed", "dot"), say("crack.crushed")],
   ]);
 
-function curveKey(s: any): HTMLElement {
+function curveKey(s: Summary): HTMLElement {
   const items: [SVGSVGElement, Child][] = [[swatch("force"), say(s.load_factor > 0 ? "curve.factor" : "curve.force")]];
   if (bilinearOf(s)) items.push([swatch("fit"), say("curve.bilinear")]);
   if (s.assessment?.limit_states) items.push([swatch("limit"), say("assessment.states")]);
@@ -237,18 +251,18 @@ function curveKey(s: any): HTMLElement {
   return legend(items);
 }
 
-const bilinearOf = (s: any): any => {
+const bilinearOf = (s: Summary): Bilinear | null => {
   const b = s.assessment?.bilinear ?? s.bilinear;
-  return !(s.load_factor > 0) && b?.force_kN > 0 ? b : null;
+  return !(s.load_factor > 0) && b?.force_kN! > 0 ? b : null;
 };
 
-function demandWords(a: any): string {
+function demandWords(a: Assessment | undefined): string {
   if (!a) return say("sheet.no_demand");
   if (!a.spectrum) return say("sheet.no_spectrum");
   return a.demand ? say("sheet.demand", { at: qty(a.demand.displacement_mm, "mm"), pga: qty(a.spectrum.pga_g, "g") }) : "";
 }
 
-function drawCurve(s: any, c: Curve, wide: boolean): SVGSVGElement {
+function drawCurve(s: Summary, c: Curve, wide: boolean): SVGSVGElement {
   const byFactor = s.load_factor > 0,
     force = byFactor ? c.factor : c.reaction,
     a = s.assessment,
@@ -273,15 +287,15 @@ function drawCurve(s: any, c: Curve, wide: boolean): SVGSVGElement {
     plot.line(
       [
         [0, 0],
-        [sign * b.yield_displacement_mm, sign * b.force_kN],
-        [sign * b.ultimate_displacement_mm, sign * b.force_kN],
+        [sign * b.yield_displacement_mm!, sign * b.force_kN!],
+        [sign * b.ultimate_displacement_mm!, sign * b.force_kN!],
       ],
       "fit",
     );
   plot.line(zip(c.displacement, force), waysOf(s).length > 0 ? "force thin" : "force");
   drawEnvelopes(plot, s);
-  if (!byFactor && s.peak_reaction_kN > 0)
-    plot.dot(sign * s.displacement_at_peak_mm, sign * s.peak_reaction_kN, 4.5, "peak");
+  if (!byFactor && s.peak_reaction_kN! > 0)
+    plot.dot(sign * s.displacement_at_peak_mm!, sign * s.peak_reaction_kN!, 4.5, "peak");
   // words of limit states at the foot, of the demand at the top: the two may lie at one place
   const upright = (at: number, css: string, words: string, high = false): void => {
     const px = plot.X(at);
@@ -290,19 +304,19 @@ function drawCurve(s: any, c: Curve, wide: boolean): SVGSVGElement {
     plot.text(0, 0, words, "small halo", { transform: place, "text-anchor": high ? "end" : "start" });
   };
   for (const check of a?.limit_states ?? [])
-    if (Number.isFinite(check.displacement_mm)) upright(check.displacement_mm, "limit", say(`assessment.${check.state}`));
-  if (Number.isFinite(asked)) upright(asked, "asked", say("assessment.demand"), true);
+    if (Number.isFinite(check.displacement_mm)) upright(check.displacement_mm!, "limit", say(`assessment.${check.state}`));
+  if (Number.isFinite(asked)) upright(asked!, "asked", say("assessment.demand"), true);
   return plot.svg;
 }
 
 // --- what a code says ----------------------------------------------------------------------------
 
-function limitStates(a: any): Child {
+function limitStates(a: Assessment | undefined): Child {
   if (!a?.limit_states) return null;
   const withDemand = Boolean(a.spectrum);
   let anyUnverified = false;
-  const rows = a.limit_states.map((check: any) => {
-    const rule = check.criteria.find((c: any) => c.governs),
+  const rows = a.limit_states.map((check) => {
+    const rule = check.criteria.find((c) => c.governs),
       bound = check.at_least ? "≥ " : "";
     anyUnverified ||= Boolean(rule && !rule.verified);
     return h(
@@ -357,17 +371,17 @@ const kStrengths: [string, string][] = [
   ["density", "ρ"],
 ];
 
-export function materialLines({ materials, origins }: any): Child[] {
-  return (materials?.names ?? []).map((name: string, i: number) => {
+export function materialLines({ materials, origins }: Partial<ModelInputs>): Child[] {
+  return (materials?.names ?? []).map((name, i) => {
     const values = kStrengths.flatMap(([key, sign]) => {
-      const row = materials.rows.find((r: any) => r[0] === key),
+      const row = materials!.rows.find((r) => r[0] === key),
         value = row?.[2][i];
-      return typeof value === "number" ? [`${sign} ${qty(value, row[1])}`] : [];
+      return typeof value === "number" ? [`${sign} ${qty(value, row![1])}`] : [];
     });
     const from = new Set<string>(
       (origins ?? [])
-        .filter((r: any) => r[0] === name)
-        .map((r: any) => say(`origin.${r[3]}`)),
+        .filter((r) => r[0] === name)
+        .map((r) => say(`origin.${r[3]}`)),
     );
     return [
       h("b", {}, phrase(name)),
@@ -381,18 +395,18 @@ const kOfTheSolver = [
   ...["velocity", "fast_velocity", "damping", "duration", "ramp", "driven_blocks", "stop_below", "level", "share"],
   "load_height",
 ];
-const shown = (value: unknown, unit: string): string =>
-  typeof value === "number" ? qty(value, unit, 4) : phrase((value as Said) ?? "–");
+const shown = (value: Shown, unit: string): string =>
+  typeof value === "number" ? qty(value, unit, 4) : phrase(value ?? "–");
 
-export function stageLines(stages: any[]): Child[] {
+export function stageLines(stages: StageInputs[]): Child[] {
   return stages.map((stage) => {
-    const rows = stage.rows.filter(([key]: any) => !kOfTheSolver.includes(key));
-    const words = rows.map(([key, value, unit]: any) => `${say(`input.${key}`)} ${shown(value, unit)}`);
+    const rows = stage.rows.filter(([key]) => !kOfTheSolver.includes(key));
+    const words = rows.map(([key, value, unit]) => `${say(`input.${key}`)} ${shown(value, unit)}`);
     return [h("b", {}, stage.name), `: ${[say(`stage.${stage.kind}`), ...words].join("; ")}`];
   });
 }
 
-function assumed({ inputs, summary: s }: any): Child {
+function assumed({ inputs, summary: s }: RunHeader): Child {
   const gap = s.energy_J?.gap_ratio;
   const trust = [
     s.quasi_static?.verdict ? sentence(s.quasi_static.verdict) : "",
@@ -406,10 +420,10 @@ function assumed({ inputs, summary: s }: any): Child {
   );
 }
 
-function notModelled({ summary: s, wall }: any): Child {
+function notModelled({ summary: s, wall }: RunHeader): Child {
   return h("div", {}, h("h3", {}, say("sheet.not_modelled")), notModelledList(s.assessment, Boolean(wall?.space)));
 }
-export function notModelledList(a: any, inSpace = false, most = kRoomOfNotes): HTMLElement {
+export function notModelledList(a: Noted | undefined, inSpace = false, most = kRoomOfNotes): HTMLElement {
   const notes: Said[] = a?.notes ?? [];
   const own = notes.length > 0 ? notes.map((note) => phrase(note)) : [...(inSpace ? [] : [say("sheet.out_of_plane")]), say("sheet.one_push")];
   const always = ["rigid", "contacts", "deterministic"].map((key) => say(`assumption.${key}`));
@@ -419,7 +433,7 @@ export function notModelledList(a: any, inSpace = false, most = kRoomOfNotes): H
 }
 
 // A name is put only under what may be signed.
-export function foot(made: string, s: any, standing: Standing): Child {
+export function foot(made: string, s: Handed, standing: Standing): Child {
   const author = s.project?.author;
   return h(
     "div",

@@ -78,7 +78,7 @@ export function readSolids(bundle: Bundle): Solids | null {
     vertex: get("vertex"),
     jointA: get("joint_a"),
     jointB: get("joint_b"),
-    kind: Array.from(get("kind"), (number) => wall.kinds[number]),
+    kind: Array.from(get("kind"), (number) => wall.kinds![number]),
     outlineBegin: get("outline_begin"),
     outline: get("outline"),
     area: new Float32Array(wall.joints),

@@ -112,13 +112,13 @@ export interface Wall {
 }
 
 function readMesh(bundle: Bundle): Mesh | null {
-  const head = bundle.header.wall;
+  const head = bundle.header.wall!;
   if (!head.bodies) return null;
   const get = (name: string): Numbers => bundle.array(`wall.${name}`);
-  const edges = head.contacts > 0 ? get : (): Numbers => new Float32Array();
+  const edges = head.contacts! > 0 ? get : (): Numbers => new Float32Array();
   return {
     rigid: head.blocks - head.bodies,
-    joints: head.joints - head.contacts,
+    joints: head.joints - head.contacts!,
     rim: get("rim"),
     nodeX: get("node_x"),
     nodeY: get("node_y"),
@@ -133,7 +133,7 @@ function readMesh(bundle: Bundle): Mesh | null {
 // Six steps of equal width from the least value to the greatest.
 // In a campaign those of all samples, one sample after the other.
 function readFields(bundle: Bundle): Field[] {
-  return (bundle.header.wall.fields ?? []).map((field: Field, i: number): Field => {
+  return (bundle.header.wall!.fields ?? []).map((field, i): Field => {
     const values = bundle.array(`wall.field_${i}`);
     const known = Array.from(values).filter((v) => !Number.isNaN(v));
     const low = Math.min(...known),
@@ -148,7 +148,7 @@ const kRolesBefore = ["masonry", "lintel", "plate", "beam"],
   kKindsBefore = ["bed", "head", "split", "foundation", "lintel_chain", "lintel_bond", "plate", "beam", "other"];
 
 // With the blocks that lie in each; none in data of before.
-function readParts(list: Part[] | undefined, x: Numbers, y: Numbers): Part[] {
+function readParts(list: Omit<Part, "blocks">[] | undefined, x: Numbers, y: Numbers): Part[] {
   return (list ?? []).map((part) => {
     const [x0, x1, y0, y1] = part.box;
     const blocks: number[] = [];

@@ -2,6 +2,7 @@
 // own steps, and the numbers.
 import { h, type Child } from "../dom";
 import { Figure, legend, swatch } from "../figure";
+import type { CampaignAssessment, PgaFragility } from "../headers/statistics";
 import { Plot, type Point } from "../plot";
 import { zip } from "../run_trust";
 import { table } from "../tables";
@@ -15,7 +16,7 @@ export function pgaFragility(campaign: Campaign): Child {
   const a = campaign.statistics.assessment;
   if (!a) return null;
   if (a.reason) return h("p", { class: "warning" }, say("pga.refused", { why: phrase(a.reason) }));
-  const known = (a.limit_states as any[]).filter((f) => f.median_pga_g !== null);
+  const known = a.limit_states.filter((f) => f.median_pga_g !== null);
   return [
     a.not_to_be_signed > 0
       ? h("p", { class: "warning" }, say("pga.unsigned", { n: a.not_to_be_signed, of: a.answered }))
@@ -23,22 +24,22 @@ export function pgaFragility(campaign: Campaign): Child {
     h("p", { class: "soft" }, say("pga.lead", { n: a.answered, without: a.without_answer })),
     known.length > 0 ? h("div", { class: "pair" }, known.map((f) => figure(f).element)) : h("p", {}, say("pga.none")),
     a.limit_states.length > 0 ? numbers(a) : null,
-    h("ul", { class: "soft small" }, a.notes.map((note: any) => h("li", {}, phrase(note)))),
+    h("ul", { class: "soft small" }, a.notes.map((note) => h("li", {}, phrase(note)))),
   ];
 }
 
 // The share reached is a step at each sample's acceleration.
-function steps(samples: any): Point[] {
+function steps(samples: PgaFragility["samples"]): Point[] {
   const out: Point[] = [[0, 0]];
-  (samples.pga_g as number[]).forEach((x, i) => {
+  samples.pga_g.forEach((x, i) => {
     out.push([x, out[out.length - 1][1]]);
     out.push([x, samples.share_reached[i]]);
   });
   return out;
 }
 
-export function drawFragility(f: any, width: number, height: number, yLabel = say("pga.probability")): SVGSVGElement {
-  const x = f.curve.pga_g as number[];
+export function drawFragility(f: PgaFragility, width: number, height: number, yLabel = say("pga.probability")): SVGSVGElement {
+  const x = f.curve.pga_g;
   const plot = new Plot({
     width,
     height,
@@ -48,8 +49,8 @@ export function drawFragility(f: any, width: number, height: number, yLabel = sa
     yLabel,
     title: say("pga.title", { state: say(`assessment.${f.limit_state}`) }),
   });
-  const hasBand = (f.curve.low as (number | null)[]).every((v) => v !== null);
-  if (hasBand) plot.band(x, f.curve.low, f.curve.high, "spread curve");
+  const hasBand = f.curve.low.every((v) => v !== null);
+  if (hasBand) plot.band(x, f.curve.low as number[], f.curve.high as number[], "spread curve");
   plot.line(steps(f.samples), "base");
   plot.line(zip(x, f.curve.probability), "force");
   if (f.demand_pga_g !== null && f.probability_at_demand !== null)
@@ -57,9 +58,9 @@ export function drawFragility(f: any, width: number, height: number, yLabel = sa
   return plot.svg;
 }
 
-function figure(f: any): Figure {
+function figure(f: PgaFragility): Figure {
   const state = say(`assessment.${f.limit_state}`);
-  const x = f.curve.pga_g as number[];
+  const x = f.curve.pga_g;
   return new Figure({
     id: `pga-${f.limit_state}`,
     title: say("pga.title", { state }),
@@ -76,7 +77,7 @@ function figure(f: any): Figure {
   });
 }
 
-function numbers(a: any): Child {
+function numbers(a: CampaignAssessment): Child {
   return table(
     [
       { head: say("assessment.state"), left: true },
@@ -87,7 +88,7 @@ function numbers(a: any): Child {
       { head: "β" },
       { head: say("pga.at_demand") },
     ],
-    a.limit_states.map((f: any) => [
+    a.limit_states.map((f) => [
       say(`assessment.${f.limit_state}`),
       String(f.n),
       String(f.censored),

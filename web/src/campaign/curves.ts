@@ -1,6 +1,7 @@
 // All force-displacement curves by failure mode (Fig. 20), and their means against drift (Fig. 21).
 import { append, h, onScreen, svg, type Child } from "../dom";
 import { Figure, hideTip, legend, pointIn, showTip, swatch } from "../figure";
+import type { DriftLimit, MeanCurve } from "../headers/statistics";
 import { Plot, rangeOf, type Point } from "../plot";
 import { phrase, qty, say } from "../texts";
 import { atLeast, modeLabel, reactionAt, rowsToEighty, type Campaign, type Sample } from "./data";
@@ -234,7 +235,7 @@ export class Curves {
 }
 
 // Which of the code's limits the lines are, or that they all lie beyond the chart.
-function limitWords(all: any[], inRange: any[], short: boolean): string {
+function limitWords(all: DriftLimit[], inRange: DriftLimit[], short: boolean): string {
   if (all.length === 0) return "";
   const clause = phrase(all[0].clause);
   const least = Math.min(...all.map((l) => l.limit_drift_percent));
@@ -243,18 +244,20 @@ function limitWords(all: any[], inRange: any[], short: boolean): string {
   return say("means.limits", { clause }) + which;
 }
 
+type Reaction = "reaction_mean_kN" | "reaction_5_percent_kN" | "reaction_95_percent_kN";
+
 // Means of the statistics at equal displacement against drift, with the code's limits (Fig. 21).
 export function meanCurves(campaign: Campaign): HTMLElement | null {
-  const curves = campaign.statistics.mean_curves as Record<string, any>;
+  const curves = campaign.statistics.mean_curves;
   const byDrift = campaign.loadHeight > 0;
   const groups = Object.keys(curves).filter((g) => g !== "all" || campaign.modes.length < 2);
   if (campaign.answered.length < 2) return null;
   // a mean stands on at least half of its curves
-  const kept = (c: any): number[] =>
-    c.n.map((_: number, i: number) => i).filter((i: number) => 2 * c.n[i] >= c.curves);
-  const x = (c: any): number[] => kept(c).map((i) => (byDrift ? c.drift_percent[i] : c.displacement_mm[i]));
-  const pick = (c: any, key: string): number[] => kept(c).map((i) => c[key][i]);
-  const all = byDrift ? (campaign.statistics.drift_limits as any[]) : [];
+  const kept = (c: MeanCurve): number[] =>
+    c.n.map((_, i) => i).filter((i) => 2 * c.n[i] >= c.curves);
+  const x = (c: MeanCurve): number[] => kept(c).map((i) => (byDrift ? c.drift_percent[i]! : c.displacement_mm[i]));
+  const pick = (c: MeanCurve, key: Reaction): number[] => kept(c).map((i) => c[key][i]);
+  const all = byDrift ? campaign.statistics.drift_limits : [];
   const xs = groups.flatMap((g) => x(curves[g])),
     ys = groups.flatMap((g) => pick(curves[g], "reaction_95_percent_kN"));
   const span = rangeOf([0, ...xs]);
@@ -341,7 +344,7 @@ export function meanCurves(campaign: Campaign): HTMLElement | null {
         "reaction_95_percent_kN",
       ],
       rows: Object.entries(curves).flatMap(([g, c]) =>
-        c.n.map((n: number, i: number) => [
+        c.n.map((n, i) => [
           g,
           c.displacement_mm[i],
           c.drift_percent[i],

@@ -1,5 +1,8 @@
 // A campaign as its page uses it: samples with curves, inputs, modes; and what the reader has chosen.
 import type { Bundle, Numbers } from "../bundle";
+import type { CampaignHeader } from "../headers/campaign";
+import type { Maybe } from "../headers/common";
+import type { InputSummary, QuantityKey, Statistics } from "../headers/statistics";
 import { pageUnit, phrase, say, type Said } from "../texts";
 
 export interface Sample {
@@ -32,7 +35,7 @@ export interface Quantity {
   name: string;
   unit: string;
   canBeCensored: boolean;
-  key: string;
+  key: QuantityKey;
 }
 
 // Share of censored values up to which a mean hardly moves.
@@ -77,8 +80,8 @@ export class Bounds {
 export const atLeast = (bound: boolean): string => (bound ? "≥ " : "");
 
 export class Campaign {
-  readonly header: any;
-  readonly statistics: any;
+  readonly header: CampaignHeader;
+  readonly statistics: Statistics;
   readonly samples: Sample[];
   readonly answered: Sample[];
   readonly inputs: Input[];
@@ -93,11 +96,11 @@ export class Campaign {
   private readonly modeListeners: (() => void)[] = [];
   private readonly sampleListeners: (() => void)[] = [];
 
-  constructor(readonly bundle: Bundle) {
+  constructor(readonly bundle: Bundle<CampaignHeader>) {
     this.header = bundle.header;
     this.statistics = this.header.statistics;
     this.loadHeight = this.statistics.load_height_m ?? 0;
-    this.quantities = this.header.quantities.map((q: any) => ({
+    this.quantities = this.header.quantities.map((q) => ({
       name: q.name,
       unit: q.unit,
       canBeCensored: q.can_be_censored,
@@ -106,7 +109,7 @@ export class Campaign {
     this.samples = this.readSamples();
     this.answered = this.samples.filter((s) => s.answered);
     const named = new Set(this.answered.map((s) => s.mode));
-    this.modes = (this.statistics.modes as string[]).filter((m) => named.has(m));
+    this.modes = this.statistics.modes.filter((m) => named.has(m));
     this.inputs = this.readInputs();
   }
 
@@ -114,7 +117,7 @@ export class Campaign {
     const displacement = this.bundle.array("curve.displacement_mm"),
       reaction = this.bundle.array("curve.reaction_kN");
     let at = 0;
-    return (this.header.samples as any[]).map((s) => {
+    return this.header.samples.map((s) => {
       const from = at;
       at += s.rows;
       return {
@@ -128,7 +131,7 @@ export class Campaign {
         readEarly: s.read_early ?? false,
         response: s.response ?? [],
         censored: (s.censored ?? []).map(
-          (c: boolean, i: number) =>
+          (c, i) =>
             c || (s.still_rising === true && kOfPeak.includes(this.quantities[i].name)),
         ),
         stateHash: s.state_hash ?? "",
@@ -138,11 +141,11 @@ export class Campaign {
     });
   }
   private readInputs(): Input[] {
-    const drawn = this.header.drawn as number;
+    const drawn = this.header.drawn;
     const all = this.bundle.array("input");
-    const scaled = (values: (number | null)[], by: number): (number | null)[] =>
-      values.map((v) => (v === null ? null : v * by));
-    return (this.header.inputs as any[]).map((input, k) => {
+    const scaled = (values: number[], by: number): number[] =>
+      values.map((v) => (v === null ? null : v * by) as number);
+    return this.header.inputs.map((input, k) => {
       const [unit, factor] = pageUnit(input.unit);
       const values = Float32Array.from(all.subarray(k * drawn, (k + 1) * drawn), (v: number) => v * factor);
       const density = input.density && {
@@ -157,8 +160,8 @@ export class Campaign {
     return this.header.thinned ? say("thinned", this.header.thinned) : "";
   }
   // What the statistics say of an input, in the page's units.
-  statisticsOf(name: string): any {
-    const of = (this.statistics.inputs as any[]).find((i) => i.name === name) ?? {};
+  statisticsOf(name: string): { cov: Maybe; mean: Maybe; min: Maybe; max: Maybe } {
+    const of: Partial<InputSummary> = this.statistics.inputs.find((i) => i.name === name) ?? {};
     const factor = pageUnit(of.unit ?? "")[1];
     const scaled = (v: number | null | undefined): number | null => (v == null ? null : v * factor);
     return { cov: of.cov ?? null, mean: scaled(of.mean), min: scaled(of.min), max: scaled(of.max) };

@@ -2,6 +2,7 @@
 // input to measure next; indices by a surrogate.
 import { h, type Child } from "../dom";
 import { Figure, legend, swatch } from "../figure";
+import type { Fragility as Event, FragilityInput, FragilityPair } from "../headers/statistics";
 import { Plot, rangeOf, type Point } from "../plot";
 import { sortable } from "../tables";
 import { capital, num, pageUnit, qty, say } from "../texts";
@@ -12,27 +13,27 @@ const kLevels = [0.1, 0.5, 0.9];
 const kBest = 3; // inputs listed for a response
 const kDoubt = 0.05; // p below which a law is said not to fit, above which an influence is not seen
 
-export function eventLabel(campaign: Campaign, event: any): string {
-  if (event.response === "failure_mode") return modeLabel(event.mode);
+export function eventLabel(campaign: Campaign, event: Event): string {
+  if (event.response === "failure_mode") return modeLabel(event.mode!);
   const q = campaign.quantities.find((c) => c.name === event.response);
   const what = q ? say(`quantity.${q.name}`) : say("fragility.drift");
-  return `${what} > ${qty(event.greater_than, event.unit)}`;
+  return `${what} > ${qty(event.greater_than, event.unit!)}`;
 }
 
 // A sample's height in the figure: those with the event above, those without below, none on another.
 const scatter = (sample: number): number => ((sample * 0.618034) % 1) * 0.08 + 0.02;
 const heightOf = (outcome: number, sample: number): number =>
   outcome === 1 ? 1 + scatter(sample) : outcome === 0 ? -scatter(sample) : 0.5;
-const lookOf = (campaign: Campaign, event: any, outcome: number): string => {
+const lookOf = (campaign: Campaign, event: Event, outcome: number): string => {
   const colour = event.mode ? campaign.css(event.mode) : "m4";
   return `dot ${outcome === 1 ? colour : outcome === 0 ? `censored ${colour}` : "m0"}`;
 };
 
 class Fragility {
-  private readonly events: any[];
-  private event: any;
-  private input: any;
-  private pair: any = null;
+  private readonly events: Event[];
+  private event: Event;
+  private input!: FragilityInput; // as offer() finds it
+  private pair: FragilityPair | null = null;
   private readonly words = h("span");
   private readonly pairWords = h("span");
   private readonly single: Figure;
@@ -41,9 +42,9 @@ class Fragility {
   private readonly pairs = h("select", { class: "pick-fragility-pair" });
 
   constructor(private readonly campaign: Campaign) {
-    this.events = campaign.statistics.fragility;
+    this.events = campaign.statistics.fragility as Event[];
     // the first that an input decides, or else tells something of
-    const has = (is: (i: any) => boolean): any => this.events.find((e) => e.inputs.some(is));
+    const has = (is: (i: FragilityInput) => unknown): Event | undefined => this.events.find((e) => e.inputs.some(is));
     this.event =
       has((i) => i.verdict === "separated" || (i.fits[0]?.influence_p ?? 1) < kDoubt) ??
       has((i) => i.curve) ??
@@ -62,7 +63,7 @@ class Fragility {
       this.double.redraw();
     });
     this.inputs.addEventListener("change", () => {
-      this.input = this.event.inputs.find((i: any) => i.input === this.inputs.value);
+      this.input = this.event.inputs.find((i) => i.input === this.inputs.value)!;
       this.single.redraw();
     });
     this.pairs.addEventListener("change", () => {
@@ -89,7 +90,7 @@ class Fragility {
       draw: (width, onPaper) => this.drawSingle(width, onPaper),
       sheet: () => ({
         head: ["sample", this.input.input, "outcome"],
-        rows: this.event.sample.map((s: number, i: number) => [s, this.at(this.input.input, s), this.event.outcome[i]]),
+        rows: this.event.sample.map((s, i) => [s, this.at(this.input.input, s), this.event.outcome[i]]),
       }),
     });
     this.double = new Figure({
@@ -100,7 +101,7 @@ class Fragility {
       draw: (width, onPaper) => this.drawDouble(width, onPaper),
       sheet: () => ({
         head: ["sample", ...this.names(), "outcome"],
-        rows: this.event.sample.map((s: number, i: number) => [
+        rows: this.event.sample.map((s, i) => [
           s,
           ...this.names().map((n) => this.at(n, s)),
           this.event.outcome[i],
@@ -116,17 +117,17 @@ class Fragility {
   private offer(): void {
     const { inputs, pairs } = this.event;
     // an input that parts the samples tells the most
-    const doubt = (i: any): number => (i.verdict === "separated" ? -1 : (i.fits[0]?.influence_p ?? 2));
-    this.input = [...inputs].sort((a: any, b: any) => doubt(a) - doubt(b))[0];
-    const gain = (p: any): number => p.added_p ?? 2;
-    this.pair = [...pairs].sort((a: any, b: any) => gain(a) - gain(b))[0] ?? null;
+    const doubt = (i: FragilityInput): number => (i.verdict === "separated" ? -1 : (i.fits[0]?.influence_p ?? 2));
+    this.input = [...inputs].sort((a, b) => doubt(a) - doubt(b))[0];
+    const gain = (p: FragilityPair): number => p.added_p ?? 2;
+    this.pair = [...pairs].sort((a, b) => gain(a) - gain(b))[0] ?? null;
     this.inputs.replaceChildren(
-      ...inputs.map((i: any) =>
+      ...inputs.map((i) =>
         h("option", { value: i.input, selected: i === this.input }, inputLabel(this.inputOf(i.input))),
       ),
     );
     this.pairs.replaceChildren(
-      ...pairs.map((p: any, k: number) =>
+      ...pairs.map((p, k) =>
         h("option", { value: String(k), selected: p === this.pair }, p.inputs.join(", ")),
       ),
     );
@@ -139,7 +140,7 @@ class Fragility {
   }
   // Two inputs to show, also where no pair is told.
   private names(): string[] {
-    const all = this.event.inputs.map((i: any) => i.input);
+    const all = this.event.inputs.map((i) => i.input);
     return this.pair?.inputs ?? [all[0], all[1] ?? all[0]];
   }
 
@@ -147,7 +148,7 @@ class Fragility {
     const { event, input } = this,
       shown = this.inputOf(input.input),
       factor = pageUnit(input.unit === "1" ? "" : input.unit)[1];
-    const x = event.sample.map((s: number) => this.at(input.input, s));
+    const x = event.sample.map((s) => this.at(input.input, s));
     const plot = new Plot({
       width,
       height: onPaper ? 0.5 * width : Math.max(280, Math.min(380, 0.62 * width)),
@@ -159,15 +160,15 @@ class Fragility {
       title: `${eventLabel(this.campaign, event)} – ${inputLabel(shown)}`,
     });
     if (input.curve) {
-      const at = input.curve.input.map((v: number) => v * factor);
+      const at = input.curve.input.map((v) => v * factor);
       plot.band(at, input.curve.low, input.curve.high, "spread curve");
       plot.line(
-        at.map((v: number, i: number): Point => [v, input.curve.probability[i]]),
+        at.map((v, i): Point => [v, input.curve!.probability[i]]),
         (input.fits[0].fit_p ?? 1) < kDoubt ? "fit" : "step",
         { "data-law": input.curve.law },
       );
     }
-    event.outcome.forEach((y: number, i: number) =>
+    event.outcome.forEach((y, i) =>
       plot.dot(x[i], heightOf(y, event.sample[i]), 3, lookOf(this.campaign, event, y), {
         "data-outcome": y,
       }),
@@ -180,7 +181,7 @@ class Fragility {
       words = [say("fragility.lead", { n: event.seen, of: event.n })];
     if (input.verdict !== "told") {
       // the two ends may be close: more digits than elsewhere
-      const gap = (input.parted_between ?? []).map((v: number | null) => num(v === null ? v : v * factor, 5));
+      const gap = (input.parted_between ?? []).map((v) => num(v === null ? v : v * factor, 5));
       words.push(
         say(`fragility_verdict.${input.verdict.replace(" ", "_")}`, {
           low: gap[0] ?? "–",
@@ -197,7 +198,7 @@ class Fragility {
           ? say("fragility.influence_unknown", { n: event.unknown })
           : fit.influence_p > kDoubt
             ? say("fragility.no_influence", { p: num(fit.influence_p, 2) })
-            : say(fit.slope > 0 ? "fragility.rises" : "fragility.falls"),
+            : say(fit.slope! > 0 ? "fragility.rises" : "fragility.falls"),
       );
       if (fit.influence_p !== null && fit.influence_p <= kDoubt)
         words.push(
@@ -232,8 +233,8 @@ class Fragility {
   private drawDouble(width: number, onPaper: boolean): SVGSVGElement {
     const { event, pair } = this,
       [a, b] = this.names().map((n) => this.inputOf(n));
-    const x = event.sample.map((s: number) => this.at(a.name, s)),
-      y = event.sample.map((s: number) => this.at(b.name, s));
+    const x = event.sample.map((s) => this.at(a.name, s)),
+      y = event.sample.map((s) => this.at(b.name, s));
     const plot = new Plot({
       width,
       height: onPaper ? 0.5 * width : Math.max(280, Math.min(380, 0.62 * width)),
@@ -243,7 +244,7 @@ class Fragility {
       yLabel: inputLabel(b),
       title: `${eventLabel(this.campaign, event)} – ${inputLabel(a)}, ${inputLabel(b)}`,
     });
-    event.outcome.forEach((o: number, i: number) =>
+    event.outcome.forEach((o, i) =>
       plot.dot(x[i], y[i], 3.4, lookOf(this.campaign, event, o), { "data-outcome": o }),
     );
     if (pair?.verdict === "told") this.levels(plot, a, b, rangeOf(x), rangeOf(y));
@@ -253,25 +254,25 @@ class Fragility {
         ? say(`fragility_verdict.${pair.verdict.replace(" ", "_")}`, { low: "–", high: "–" })
         : [
             say("fragility.pair.lead"),
-            pair.added_p === null
+            pair.added_p! === null
               ? say("fragility.pair.unknown", { n: event.unknown })
-              : say(pair.added_p < kDoubt ? "fragility.pair.adds" : "fragility.pair.adds_not", {
+              : say(pair.added_p! < kDoubt ? "fragility.pair.adds" : "fragility.pair.adds_not", {
                   p: num(pair.added_p, 2),
                 }),
-            pair.fit_p !== null && pair.fit_p < kDoubt ? say("fragility.fit.bad", { p: num(pair.fit_p, 2) }) : "",
+            pair.fit_p! !== null && pair.fit_p! < kDoubt ? say("fragility.fit.bad", { p: num(pair.fit_p, 2) }) : "",
           ].join(" ");
     return plot.svg;
   }
   // Straight lines of equal probability, within the box of the samples: log-odds = c + s1 a + s2 b.
   private levels(plot: Plot, a: Input, b: Input, [left, right]: Point, [low, high]: Point): void {
     const unitOf = (name: string): string => {
-      const unit = this.event.inputs.find((i: any) => i.input === name).unit;
+      const unit = this.event.inputs.find((i) => i.input === name)!.unit;
       return unit === "1" ? "" : unit;
     };
-    const s1 = this.pair.slope_1 / pageUnit(unitOf(a.name))[1],
-      s2 = this.pair.slope_2 / pageUnit(unitOf(b.name))[1];
+    const s1 = this.pair!.slope_1! / pageUnit(unitOf(a.name))[1],
+      s2 = this.pair!.slope_2! / pageUnit(unitOf(b.name))[1];
     for (const level of kLevels) {
-      const odds = Math.log(level / (1 - level)) - this.pair.intercept;
+      const odds = Math.log(level / (1 - level)) - this.pair!.intercept!;
       const edge: Point[] = [
         ...[left, right].map((v): Point => [v, (odds - s1 * v) / s2]),
         ...[low, high].map((v): Point => [(odds - s2 * v) / s1, v]),
@@ -292,7 +293,7 @@ class Fragility {
 }
 
 export function fragility(campaign: Campaign): Child {
-  const events = campaign.statistics.fragility as any[] | undefined;
+  const events = campaign.statistics.fragility as Event[] | undefined;
   if (!events || events.length === 0 || events[0].inputs.length === 0) return null;
   return new Fragility(campaign).element;
 }
@@ -314,7 +315,7 @@ const responseOf = (campaign: Campaign, key: string): string => {
 
 // Which input to measure next: what the samples say would be gained.
 export function measuring(campaign: Campaign): Child {
-  const all = (campaign.statistics.measuring ?? []) as any[];
+  const all = campaign.statistics.measuring ?? [];
   // of each response the best few
   const rows = all.filter(
     (m, i) =>
@@ -322,8 +323,8 @@ export function measuring(campaign: Campaign): Child {
       all.slice(0, i).filter((o) => o.response === m.response).length < kBest,
   );
   if (all.length === 0) return null;
-  const censored = rows.filter((m) => m.censored > 0).map((m) => m.response as string);
-  const untold = all.filter((m) => m.variance_share === null).map((m) => m.response as string);
+  const censored = rows.filter((m) => m.censored > 0).map((m) => m.response);
+  const untold = all.filter((m) => m.variance_share === null).map((m) => m.response);
   const named = (keys: string[]): string => [...new Set(keys)].map((k) => responseOf(campaign, k)).join(", ");
   const soft = (key: string, of: string[]): Child =>
     of.length > 0 ? h("p", { class: "soft small" }, say(key, { responses: named(of) })) : null;
@@ -346,7 +347,7 @@ export function measuring(campaign: Campaign): Child {
               m.input,
               percent(m.variance_share, m.variance_share_interval),
               percent(m.width_share, m.width_share_interval),
-              { show: num(100 * m.is_best, 2), sort: m.is_best },
+              { show: num(100 * m.is_best!, 2), sort: m.is_best },
             ]),
             say("measuring.lead"),
           ),
@@ -359,7 +360,7 @@ export function measuring(campaign: Campaign): Child {
 
 // First-order and total indices by a surrogate, or why there are none.
 export function surrogateIndices(campaign: Campaign): Child {
-  const all = (campaign.statistics.surrogate_indices ?? []) as any[];
+  const all = campaign.statistics.surrogate_indices ?? [];
   if (all.length === 0) return null;
   const told = all.filter((r) => r.verdict === "told");
   return h(
@@ -375,7 +376,7 @@ export function surrogateIndices(campaign: Campaign): Child {
             { head: say("indices.total") },
           ],
           told.flatMap((r) =>
-            r.inputs.map((i: any) => [
+            r.inputs.map((i) => [
               responseOf(campaign, r.response),
               i.input,
               { show: withInterval(i.first_order, i.first_order_interval, 2), sort: i.first_order },

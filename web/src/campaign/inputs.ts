@@ -1,6 +1,7 @@
 // Inputs: their histograms (Fig. 7), against every answer (Fig. 15, 16), what they decide.
 import { h, later, onScreen, type Child } from "../dom";
 import { Figure, hideTip, legend, pointIn, showTip, swatch } from "../figure";
+import type { Correlation, FirstOrder, Rank } from "../headers/statistics";
 import { Plot, rangeOf, type Point } from "../plot";
 import { sortable } from "../tables";
 import { fixed, num, pageUnit, phrase, qty, say } from "../texts";
@@ -150,8 +151,8 @@ export function inputTable(campaign: Campaign): HTMLElement {
 
 // --- scatter ---------------------------------------------------------------------------------------
 
-const correlationOf = (campaign: Campaign, group: string, response: string, input: string): any =>
-  (campaign.statistics.correlation as any[]).find(
+const correlationOf = (campaign: Campaign, group: string, response: string, input: string): Correlation | undefined =>
+  campaign.statistics.correlation.find(
     (c) => c.group === group && c.response === response && c.input === input,
   );
 
@@ -261,9 +262,9 @@ class Scatter {
   private caption(): void {
     const groups = ["all", ...this.campaign.modes.filter((m) => this.campaign.shown(m))];
     const parts = groups
-      .map((g) => [g, correlationOf(this.campaign, g, this.quantity.key, this.input.name)])
-      .filter(([, c]) => c && c.spearman !== null) as [string, any][];
-    const words = (c: any): string =>
+      .map((g): [string, Correlation | undefined] => [g, correlationOf(this.campaign, g, this.quantity.key, this.input.name)])
+      .filter(([, c]) => c && c.spearman !== null) as [string, Correlation][];
+    const words = (c: Correlation): string =>
       `${fixed(c.spearman)} (${c.spearman_interval?.[0] != null ? `${fixed(c.spearman_interval[0])} … ${fixed(c.spearman_interval[1])}` : "–"})`;
     this.words.replaceChildren(
       ...(parts.length === 0
@@ -346,13 +347,13 @@ export function scatters(campaign: Campaign): Child {
 const kMeasures = ["spearman", "pearson", "partial_rank", "first_order"] as const;
 
 export function sensitivity(campaign: Campaign): HTMLElement | null {
-  const table = campaign.statistics.correlation as any[],
-    indices = campaign.statistics.first_order as any[];
+  const table = campaign.statistics.correlation,
+    indices = campaign.statistics.first_order;
   if (table.length === 0) return null;
   let q = campaign.quantities[0],
     measure: (typeof kMeasures)[number] = "spearman",
     group = "all";
-  const groups = allFirst([...new Set(table.map((c) => c.group as string))]);
+  const groups = allFirst([...new Set(table.map((c) => c.group))]);
   const caption = h("span");
   const bars = (): { input: string; value: number | null; interval: (number | null)[] }[] =>
     measure === "first_order"
@@ -363,8 +364,8 @@ export function sensitivity(campaign: Campaign): HTMLElement | null {
           .filter((c) => c.group === group && c.response === q.key)
           .map((c) => ({
             input: c.input,
-            value: c[measure],
-            interval: c[`${measure}_interval`] ?? [null, null],
+            value: c[measure as Rank],
+            interval: c[`${measure as Rank}_interval`] ?? [null, null],
           }));
   const pick = (
     name: string,
@@ -474,7 +475,7 @@ const kNamed = 4;
 
 // Inputs that were drawn together share their influence: a word of caution beside the bars.
 export function entangled(campaign: Campaign): Child {
-  const pairs = (campaign.statistics.input_correlation as any[]).filter(
+  const pairs = campaign.statistics.input_correlation.filter(
     (c) => c.spearman !== null && Math.abs(c.spearman) > kEntangled,
   );
   if (pairs.length === 0) return null;
@@ -488,10 +489,10 @@ export function entangled(campaign: Campaign): Child {
 }
 
 export function sensitivityTable(campaign: Campaign): Child {
-  const rows = (campaign.statistics.correlation as any[]).filter((c) => c.group === "all");
+  const rows = campaign.statistics.correlation.filter((c) => c.group === "all");
   if (rows.length === 0) return null;
-  const indices = campaign.statistics.first_order as any[];
-  const of = (c: any, key: string): { show: Child; sort: number | null } => ({
+  const indices = campaign.statistics.first_order;
+  const of = (c: Correlation, key: Rank): { show: Child; sort: number | null } => ({
     show: withInterval(c[key], c[`${key}_interval`], 2),
     sort: c[key] ?? null,
   });
@@ -506,7 +507,7 @@ export function sensitivityTable(campaign: Campaign): Child {
         ...kMeasures.map((m) => ({ head: say(`sensitivity.${m}`) })),
       ],
       rows.map((c) => {
-        const index = indices.find((f) => f.input === c.input && f.response === c.response) ?? {};
+        const index: Partial<FirstOrder> = indices.find((f) => f.input === c.input && f.response === c.response) ?? {};
         const response = campaign.quantities.find((q) => q.key === c.response)!;
         const known = campaign.bounds(response);
         return [
@@ -532,7 +533,7 @@ export function sensitivityTable(campaign: Campaign): Child {
 // --- modes against inputs ----------------------------------------------------------------------------
 
 export function modeBins(campaign: Campaign): Child {
-  const all = campaign.statistics.mode_against_input as any[];
+  const all = campaign.statistics.mode_against_input;
   if (campaign.modes.length < 2 || all.length === 0) return null;
   return [
     h("h3", {}, say("bins.title")),
@@ -544,7 +545,7 @@ export function modeBins(campaign: Campaign): Child {
         (a) => {
           const [unit, factor] = pageUnit(a.unit),
             label = inputLabel({ name: a.input, unit });
-          const bins = (a.bins as any[]).map((b) => ({ ...b, low: b.low * factor, high: b.high * factor }));
+          const bins = a.bins.map((b) => ({ ...b, low: b.low * factor, high: b.high * factor }));
           return new Figure({
             id: `modes-${a.input.replace(/[^\w-]/g, "_")}`,
             title: label,
@@ -565,7 +566,7 @@ export function modeBins(campaign: Campaign): Child {
               });
               bins.forEach((bin, i) => {
                 let below = 0;
-                for (const [mode, s] of Object.entries(bin.share as Record<string, any>)) {
+                for (const [mode, s] of Object.entries(bin.share)) {
                   if (!(s.share > 0)) continue;
                   plot.bar(
                     low(i),
@@ -583,7 +584,7 @@ export function modeBins(campaign: Campaign): Child {
             sheet: () => ({
               head: ["low", "high", "n", "mode", "share", "share_low", "share_high"],
               rows: bins.flatMap((b) =>
-                Object.entries(b.share as Record<string, any>).map(([m, s]) => [
+                Object.entries(b.share).map(([m, s]) => [
                   b.low,
                   b.high,
                   b.n,

@@ -1,6 +1,7 @@
 // The code's drift limits as upright lines, their labels in as many rows above the chart as keep them
 // apart: in words where there is room, else by value alone (the caption tells which is which).
 import { svg } from "../dom";
+import type { DriftLimit } from "../headers/statistics";
 import { kLeft, type Plot, type Range } from "../plot";
 import { num, phrase } from "../texts";
 
@@ -27,8 +28,8 @@ const kPixel = 6.3, // of a letter
 const percent = (value: number): string => `${num(value, 4)}\u202f%`;
 
 // What shares a value shares a line.
-function merged(limits: any[]): Limit[] {
-  const values = [...new Set(limits.map((l) => l.limit_drift_percent as number))].sort((a, b) => a - b);
+function merged(limits: DriftLimit[]): Limit[] {
+  const values = [...new Set(limits.map((l) => l.limit_drift_percent))].sort((a, b) => a - b);
   return values.map((value) => {
     const of = limits.filter((l) => l.limit_drift_percent === value);
     return {
@@ -40,7 +41,7 @@ function merged(limits: any[]): Limit[] {
 }
 
 // "0.5 % pier, shear; 1 % pier, rocking"
-export const limitList = (limits: any[]): string =>
+export const limitList = (limits: DriftLimit[]): string =>
   merged(limits)
     .map((l) => `${percent(l.value)} ${l.words}`)
     .join("; ");
@@ -72,7 +73,7 @@ function placed(limits: Limit[], x: (v: number) => number, right: number, short:
 
 // For a chart `width` wide whose axis shows `span`, with `right` pixels beside it.
 export function limitRows(
-  limits: any[],
+  limits: DriftLimit[],
   span: Range,
   width: number,
   right: number,

@@ -7,7 +7,7 @@ import { withInterval } from "./statistics";
 
 // Readings that change no name are counted, not listed.
 export function nameSensitivity(campaign: Campaign): Child {
-  const all = campaign.statistics.name_sensitivity as any[];
+  const all = campaign.statistics.name_sensitivity;
   if (all.length === 0) return null;
   const changing = all.filter((r) => r.differs > 0);
   if (changing.length === 0)
@@ -40,7 +40,7 @@ export function nameSensitivity(campaign: Campaign): Child {
 }
 
 export function flags(campaign: Campaign): Child {
-  const all = campaign.statistics.flags as any[];
+  const all = campaign.statistics.flags;
   if (all.length === 0) return null;
   const unit = (u: string): string => (u === "share" || u === "-" ? "" : u);
   return h(

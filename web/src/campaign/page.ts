@@ -2,6 +2,7 @@
 // it, how sure, one sample, from what.
 import type { Bundle } from "../bundle";
 import { h, later, type Child } from "../dom";
+import type { CampaignHeader } from "../headers/campaign";
 import { assumptions, inputTables, provenanceTable } from "../inputs";
 import type { Section } from "../page";
 import { projectSection } from "../sheet";
@@ -21,7 +22,7 @@ import { driftLimits, exceedance, medians, precision, running, shares, tableThre
 const kListed = 200;
 
 function unanswered(campaign: Campaign): Child {
-  const list = campaign.statistics.samples.unanswered as any[];
+  const list = campaign.statistics.samples.unanswered;
   if (list.length === 0) return null;
   return [
     table(
@@ -107,7 +108,7 @@ function shakenSections(campaign: Campaign): Section[] {
 const some = (campaign: Campaign): Child =>
   campaign.thinned ? h("p", { class: "note thinned" }, campaign.thinned) : null;
 
-export function campaignSections(bundle: Bundle): Section[] {
+export function campaignSections(bundle: Bundle<CampaignHeader>): Section[] {
   const campaign = new Campaign(bundle);
   if (isShaken(campaign)) return shakenSections(campaign);
   const any = campaign.answered.length > 0,

@@ -1,6 +1,7 @@
 // One sample of a campaign: its curve, its inputs, its wall at every stored state, how to run it alone.
 import { h, svg, type Child } from "../dom";
 import { Figure } from "../figure";
+import type { SampleFrame } from "../headers/campaign";
 import { aroundPrint } from "../page";
 import { Plot, rangeOf, type Point } from "../plot";
 import { table } from "../tables";
@@ -167,12 +168,12 @@ export class SamplePanel {
     );
   }
   // The stored states of a sample that are in the page, with their places among all frames.
-  private framesOf(s: Sample): any[] {
-    const all = (this.campaign.header.frames ?? []) as any[];
+  private framesOf(s: Sample): (SampleFrame & { at: number })[] {
+    const all = this.campaign.header.frames ?? [];
     return all.map((f, at) => ({ ...f, at })).filter((f) => f.sample === s.sample);
   }
   private wallOf(s: Sample): HTMLElement {
-    const all = (this.campaign.header.frames ?? []) as any[],
+    const all = this.campaign.header.frames ?? [],
       frames = this.framesOf(s);
     if (this.wall) takeFields(this.wall, s.sample);
     if (frames.length > 0) this.view ??= this.viewOfAll(all);
@@ -191,13 +192,13 @@ export class SamplePanel {
   // Its wall with its damage, at the state that is nearest to where its mode was read; null: no state is here.
   pictureOf(s: Sample, width: number, tallest: number): HTMLElement | null {
     const frames = this.framesOf(s);
-    if (frames.length > 0) this.view ??= this.viewOfAll((this.campaign.header.frames ?? []) as any[]);
+    if (frames.length > 0) this.view ??= this.viewOfAll(this.campaign.header.frames ?? []);
     if (!this.view || frames.length === 0) return null;
     const off = frames.map((f) => Math.abs(f.displacement_mm - (s.readAt ?? Infinity)));
     const at = s.readAt === null ? frames[frames.length - 1].at : frames[off.indexOf(Math.min(...off))].at;
     return this.view.picture(at, width, tallest);
   }
-  private viewOfAll(all: any[]): View | null {
+  private viewOfAll(all: SampleFrame[]): View | null {
     const info = all.map((f) => ({
       // "20 mm" says no more than the displacement
       label: [say("sample.n", { n: f.sample }), f.asked_mm != null ? "" : phrase(f.label ?? "")]

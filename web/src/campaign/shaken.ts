@@ -2,6 +2,8 @@
 // comes from, and which shakes do not count.
 import { h, type Child } from "../dom";
 import { Figure, legend, swatch } from "../figure";
+import type { Shake } from "../headers/campaign";
+import type { IntensityUnit, Scatter, ScatterPart, ShakenFragility } from "../headers/statistics";
 import { Plot, type Point } from "../plot";
 import { zip } from "../run_trust";
 import { table } from "../tables";
@@ -12,11 +14,11 @@ const kDigits = 3;
 const kListed = 200;
 
 // The key of an intensity and its unit, as statistics.json has them.
-const keyOf = (campaign: Campaign): string =>
-  campaign.statistics.shaking.measure === "pgv" ? "_m_per_s" : "_m_per_s2";
-const unitOf = (campaign: Campaign): string => (campaign.statistics.shaking.measure === "pgv" ? "m/s" : "m/s²");
+const keyOf = (campaign: Campaign): IntensityUnit =>
+  campaign.statistics.shaking!.measure === "pgv" ? "_m_per_s" : "_m_per_s2";
+const unitOf = (campaign: Campaign): string => (campaign.statistics.shaking!.measure === "pgv" ? "m/s" : "m/s²");
 const axisOf = (campaign: Campaign): string => {
-  const { measure, period_s } = campaign.statistics.shaking;
+  const { measure, period_s } = campaign.statistics.shaking!;
   return `${say(`shaken.measure.${measure}`, { period: num(period_s ?? null) })} [${unitOf(campaign)}]`;
 };
 const end = (value: number | null): string => (value === null ? "?" : num(value, kDigits));
@@ -29,7 +31,7 @@ export const isShaken = (campaign: Campaign): boolean => Boolean(campaign.statis
 
 // --- limit states ----------------------------------------------------------------------------------
 
-function words(campaign: Campaign, f: any): string {
+function words(campaign: Campaign, f: ShakenFragility): string {
   const key = keyOf(campaign),
     unit = unitOf(campaign),
     out: string[] = [];
@@ -40,12 +42,12 @@ function words(campaign: Campaign, f: any): string {
         reached: f.reached,
         n: f.n,
         at: qty(f[`median${key}`], unit),
-        low: end(f[`median${key}_interval`][0]),
-        high: end(f[`median${key}_interval`][1]),
+        low: end(f[`median${key}_interval`]![0]),
+        high: end(f[`median${key}_interval`]![1]),
         beta: num(f.beta, 2),
-        beta_low: end(f.beta_interval[0]),
-        beta_high: end(f.beta_interval[1]),
-        by: say(`shaken.by.${f.interval_by.replaceAll(" ", "_")}`),
+        beta_low: end(f.beta_interval![0]),
+        beta_high: end(f.beta_interval![1]),
+        by: say(`shaken.by.${f.interval_by!.replaceAll(" ", "_")}`),
       }),
     );
   const lost = f[`median_if_lost${key}`];
@@ -57,11 +59,11 @@ function words(campaign: Campaign, f: any): string {
   return out.join(" ");
 }
 
-function draw(campaign: Campaign, f: any, width: number, height: number): SVGSVGElement {
+function draw(campaign: Campaign, f: ShakenFragility, width: number, height: number): SVGSVGElement {
   const key = keyOf(campaign),
-    at = (f.counts as any[]).map((c) => c[`intensity${key}`] as number);
+    at = f.counts.map((c) => c[`intensity${key}`]);
   // where every sample has reached it, one intensity more is enough
-  const last = (f.counts as any[]).map((c) => c.n > 0 && c.share < 1).lastIndexOf(true);
+  const last = f.counts.map((c) => c.n > 0 && c.share! < 1).lastIndexOf(true);
   const most = at[Math.min(last + 2, at.length - 1)];
   const plot = new Plot({
     width,
@@ -74,22 +76,22 @@ function draw(campaign: Campaign, f: any, width: number, height: number): SVGSVG
     title: say("shaken.title", { state: f.limit_state }),
   });
   if (f.curve) {
-    const x = f.curve[`intensity${key}`] as number[];
-    if ((f.curve.low as (number | null)[]).every((v) => v !== null)) plot.band(x, f.curve.low, f.curve.high, "spread curve");
+    const x = f.curve[`intensity${key}`];
+    if (f.curve.low.every((v) => v !== null)) plot.band(x, f.curve.low as number[], f.curve.high as number[], "spread curve");
     plot.line(zip(x, f.curve.probability), "force");
   }
-  for (const [i, count] of (f.counts as any[]).entries()) {
+  for (const [i, count] of f.counts.entries()) {
     if (count.n === 0 || at[i] > most) continue;
     plot.line(
-      count.share_interval.map((v: number): Point => [at[i], v]),
+      count.share_interval.map((v): Point => [at[i], v!]),
       "whisker",
     );
-    plot.dot(at[i], count.share, 3.6, "dot m4", { "data-reached": count.reached, "data-n": count.n });
+    plot.dot(at[i], count.share!, 3.6, "dot m4", { "data-reached": count.reached, "data-n": count.n });
   }
   return plot.svg;
 }
 
-function figure(campaign: Campaign, f: any, place: number): Figure {
+function figure(campaign: Campaign, f: ShakenFragility, place: number): Figure {
   const key = keyOf(campaign);
   return new Figure({
     id: `limit-state-${place}`,
@@ -102,16 +104,16 @@ function figure(campaign: Campaign, f: any, place: number): Figure {
     draw: (width, onPaper) => draw(campaign, f, width, heightFor(width, onPaper)),
     sheet: () => ({
       head: [`intensity${key}`, "n", "reached", "share", "low", "high"],
-      rows: (f.counts as any[]).map((c) => [c[`intensity${key}`], c.n, c.reached, c.share, ...c.share_interval]),
+      rows: f.counts.map((c) => [c[`intensity${key}`], c.n, c.reached, c.share, ...c.share_interval]),
     }),
   });
 }
 
 export function limitStates(campaign: Campaign): Child {
-  const states = campaign.statistics.fragility as any[];
+  const states = campaign.statistics.fragility as ShakenFragility[];
   if (states.length === 0) return null;
   const key = keyOf(campaign),
-    told = (f: any, show: () => Child): Child => (f.verdict === "told" ? show() : "–");
+    told = (f: ShakenFragility, show: () => Child): Child => (f.verdict === "told" ? show() : "–");
   return [
     h("div", { class: "pair" }, states.map((f, i) => figure(campaign, f, i + 1).element)),
     table(
@@ -126,8 +128,8 @@ export function limitStates(campaign: Campaign): Child {
         f.limit_state,
         String(f.n),
         String(f.reached),
-        told(f, () => [num(f[`median${key}`], kDigits), h("span", { class: "pm" }, range(f[`median${key}_interval`]))]),
-        told(f, () => [num(f.beta, 2), h("span", { class: "pm" }, range(f.beta_interval))]),
+        told(f, () => [num(f[`median${key}`], kDigits), h("span", { class: "pm" }, range(f[`median${key}_interval`]!))]),
+        told(f, () => [num(f.beta, 2), h("span", { class: "pm" }, range(f.beta_interval!))]),
       ]),
       say("shaken.table"),
     ),
@@ -135,9 +137,9 @@ export function limitStates(campaign: Campaign): Child {
   ];
 }
 
-function scatter(states: any[]): Child {
-  const cell = (s: any, key: string): Child =>
-    s.verdict === "told" ? [num(s[key], 2), h("span", { class: "pm" }, range(s[`${key}_interval`]))] : "–";
+function scatter(states: ShakenFragility[]): Child {
+  const cell = (s: Scatter, key: ScatterPart): Child =>
+    s.verdict === "told" ? [num(s[key], 2), h("span", { class: "pm" }, range(s[`${key}_interval`]!))] : "–";
   const untold = states.filter((f) => f.scatter.verdict !== "told");
   return [
     h("h3", {}, say("shaken.scatter")),
@@ -166,15 +168,15 @@ function scatter(states: any[]): Child {
 // --- response ---------------------------------------------------------------------------------------
 
 export function response(campaign: Campaign): Child {
-  const shakes = (campaign.header.shakes ?? []) as any[];
+  const shakes = campaign.header.shakes ?? [];
   if (shakes.length === 0) return null;
-  const bySample = new Map<number, any[]>();
+  const bySample = new Map<number, Shake[]>();
   for (const shake of shakes) bySample.set(shake.sample, [...(bySample.get(shake.sample) ?? []), shake]);
   const key = keyOf(campaign),
-    grid = campaign.statistics.shaking.intensities as any[];
-  const drifts = shakes.filter((s) => !s.collapsed).map((s) => s.drift_percent as number);
+    grid = campaign.statistics.shaking!.intensities;
+  const drifts = shakes.filter((s) => !s.collapsed).map((s) => s.drift_percent);
   const most = drifts.length > 0 ? Math.max(...drifts) : 1;
-  const strengths = shakes.map((s) => s.intensity as number);
+  const strengths = shakes.map((s) => s.intensity);
   const figure = new Figure({
     id: "shaken-response",
     title: say("shaken.ida.title"),
@@ -209,7 +211,7 @@ export function response(campaign: Campaign): Child {
           [0, 0],
           ...grid
             .filter((g) => g.drift_percent_50 !== null)
-            .map((g): Point => [g.drift_percent_50, g[`intensity${key}`]]),
+            .map((g): Point => [g.drift_percent_50!, g[`intensity${key}`]]),
         ],
         "force",
       );
@@ -220,7 +222,7 @@ export function response(campaign: Campaign): Child {
       rows: shakes.map((s) => [
         s.sample,
         s.wall,
-        campaign.header.records[s.record - 1],
+        campaign.header.records![s.record - 1],
         s.intensity,
         s.drift_percent,
         s.residual_percent,
@@ -232,7 +234,7 @@ export function response(campaign: Campaign): Child {
 }
 
 export function lostShakes(campaign: Campaign): Child {
-  const lost = campaign.statistics.shaking.lost as any[];
+  const lost = campaign.statistics.shaking!.lost;
   if (lost.length === 0) return null;
   return [
     table(

@@ -2,6 +2,8 @@
 // fail, at which ground acceleration they reach their limits, from which assumptions. One A4 page.
 import { append, h, svg, type Child } from "../dom";
 import { legend, swatch } from "../figure";
+import type { ModelInputs } from "../headers/inputs";
+import type { CampaignAssessment, PgaFragility } from "../headers/statistics";
 import type { Section } from "../page";
 import { Plot, rangeOf, type Point } from "../plot";
 import { crackKey, doubts, foot, head, keyNumbers, listed, materialLines, notModelledList } from "../sheet";
@@ -33,7 +35,7 @@ export function standingOf(campaign: Campaign): { standing: Standing; first: str
     peaks = campaign.answered.filter((s) => s.response[0] !== null);
   if (peaks.length === 0) return said("none", "none");
   if (a?.reason) return said("no", "no_assessment");
-  if (grave || a?.cautions?.length > 0 || a?.not_to_be_signed > 0) return said("no", "no");
+  if (grave || a?.cautions?.length! > 0 || a?.not_to_be_signed! > 0) return said("no", "no");
   const bounds = (quantity: number): number => campaign.answered.filter((s) => s.censored[quantity]).length;
   if (!a) {
     if (bounds(0) > kHalf * peaks.length) return said("bound", "bound.forces");
@@ -98,7 +100,7 @@ function pictures(campaign: Campaign, panel: SamplePanel | null, onPaper: boolea
 // The chart of the limit state that was asked, beside the modes; on paper there is no room for a table across.
 function fragilityRow(campaign: Campaign, onPaper: boolean): HTMLElement {
   const a = campaign.statistics.assessment,
-    asked = a?.limit_states?.find((f: any) => f.is_checked && f.median_pga_g !== null);
+    asked = a?.limit_states?.find((f) => f.is_checked && f.median_pga_g !== null);
   return h(
     "div",
     { class: "a4-pair" },
@@ -106,7 +108,7 @@ function fragilityRow(campaign: Campaign, onPaper: boolean): HTMLElement {
     h("div", {}, onPaper ? limitStates(a) : null, modes(campaign)),
   );
 }
-const figure = (f: any, tall: number): HTMLElement =>
+const figure = (f: PgaFragility, tall: number): HTMLElement =>
   h(
     "figure",
     { class: "a4-chart" },
@@ -117,7 +119,7 @@ const figure = (f: any, tall: number): HTMLElement =>
     ]),
     h("figcaption", {}, [say("pga.title", { state: say(`assessment.${f.limit_state}`) }), demandWords(f)].filter((w) => w).join(". ")),
   );
-const demandWords = (f: any): string =>
+const demandWords = (f: PgaFragility): string =>
   f.demand_pga_g === null ? "" : say("pga.caption.demand", { pga: qty(f.demand_pga_g, "g") });
 
 // Every curve, and over them the median with the 16 and 84 % of those that go so far.
@@ -197,7 +199,7 @@ function plain(heads: string[], rows: { cells: Child[]; chosen?: boolean }[]): H
   );
 }
 
-function limitStates(a: any): Child {
+function limitStates(a: CampaignAssessment | undefined): Child {
   if (!a?.limit_states?.length) return null;
   const between = (pair: (number | null)[]): string =>
     typeof pair?.[0] === "number" ? ` (${num(pair[0])} – ${num(pair[1])})` : "";
@@ -206,7 +208,7 @@ function limitStates(a: any): Child {
     { class: "a4-states", tabindex: 0, role: "region", "aria-label": say("assessment.states") },
     plain(
       [say("assessment.state"), say("pga.median"), "β", say("pga.bounds"), say("pga.at_demand")],
-      a.limit_states.map((f: any) => ({
+      a.limit_states.map((f) => ({
         chosen: f.is_checked,
         cells: [
           say(`assessment.${f.limit_state}`),
@@ -222,7 +224,7 @@ function limitStates(a: any): Child {
 }
 
 function modes(campaign: Campaign): Child {
-  const shares = Object.entries(campaign.statistics.shares as Record<string, any>)
+  const shares = Object.entries(campaign.statistics.shares)
     .filter(([, s]) => s.modes.length === 1 && s.count > 0)
     .sort((a, b) => b[1].count - a[1].count);
   if (shares.length === 0) return null;
@@ -258,7 +260,7 @@ function drawn(campaign: Campaign): Child[] {
 }
 
 function assumed(campaign: Campaign): Child {
-  const { inputs, model } = { inputs: drawn(campaign), model: campaign.header.model ?? {} };
+  const { inputs, model }: { inputs: Child[]; model: Partial<ModelInputs> } = { inputs: drawn(campaign), model: campaign.header.model ?? {} };
   return h(
     "div",
     {},

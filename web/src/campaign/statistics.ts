@@ -1,6 +1,7 @@
 // Shares of the modes (Fig. 10), Table 3, exceedance and drift limits, running means (Fig. 8).
 import { h, onScreen, svg, type Child } from "../dom";
 import { Figure, legend, swatch } from "../figure";
+import type { DriftLimit, OfWalls, Precision } from "../headers/statistics";
 import { Plot, rangeOf, type Point, type Range } from "../plot";
 import { pin, sortable, table, type Cell, type Column } from "../tables";
 import { capital, num, phrase, qty, say } from "../texts";
@@ -29,13 +30,13 @@ export function withInterval(
 
 // At which displacement the modes of these samples were read.
 export function readWords(campaign: Campaign): string {
-  const asked = campaign.statistics.read_modes_at_mm as number | null;
+  const asked = campaign.statistics.read_modes_at_mm;
   if (!asked) return "";
   const early = campaign.answered
     .filter((s) => s.readEarly)
     .map((s) => s.readAt!);
-  const n = campaign.statistics.samples.named_earlier as number,
-    of = campaign.statistics.samples.answered as number;
+  const n = campaign.statistics.samples.named_earlier,
+    of = campaign.statistics.samples.answered;
   if (n === 0) return say("shares.read_at", { at: qty(asked, "mm") });
   const least = num(Math.min(...early)),
     most = num(Math.max(...early));
@@ -48,7 +49,7 @@ export function readWords(campaign: Campaign): string {
 }
 
 export function shares(campaign: Campaign): HTMLElement | null {
-  const all = Object.entries(campaign.statistics.shares as Record<string, any>);
+  const all = Object.entries(campaign.statistics.shares);
   if (all.length === 0 || campaign.answered.length === 0) return null;
   const figure = new Figure({
     id: "shares",
@@ -109,17 +110,17 @@ export function whisker(plot: Plot, low: number, high: number, y: number): void 
 // --- Table 3 ---------------------------------------------------------------------------------------
 
 function rowsOfTable(campaign: Campaign, q: Quantity): (Cell | Child)[][] {
-  const table = campaign.statistics.table as Record<string, any>;
+  const table = campaign.statistics.table;
   return allFirst(Object.keys(table)).flatMap((group) => {
     const all = table[group],
       c = all[q.key];
     if (!c || c.n === 0) return [];
     const known = campaign.bounds(q, all.modes);
     // a value, "≥" where censored ones make it a lower bound; intervals only of what is known
-    const cell = (key: string, bound: boolean): Cell => ({
+    const cell = (key: "mean" | "median" | "survival_mean", bound: boolean): Cell => ({
       show: [
         atLeast(bound),
-        bound && known.many ? num(c[key]) : withInterval(c[key], c[`${key}_interval`]),
+        bound && known.many ? num(c[key]) : withInterval(c[key]!, c[`${key}_interval`]),
       ],
       sort: c[key] ?? null,
     });
@@ -236,13 +237,13 @@ function erfc(x: number): number {
 
 export function exceedance(campaign: Campaign, name: string): HTMLElement | null {
   const q = campaign.quantities.find((c) => c.name === name)!;
-  const e = (campaign.statistics.exceedance as Record<string, any>)[q.key];
+  const e = campaign.statistics.exceedance[q.key];
   if (!e || e.probability.length < 2 || e.censored === e.n) return null;
-  const values = e[`value_${q.unit}`] as number[];
+  const values = e[`value_${q.unit}`];
   const byDrift = q.unit === "mm" && campaign.loadHeight > 0;
   const factor = byDrift ? campaign.driftPerMillimetre : 1;
   const median = e.lognormal[`median_${q.unit}`] as number | null,
-    beta = e.lognormal.beta as number | null;
+    beta = e.lognormal.beta;
   // of a drift the axis, its caption and the code's limits are in per cent
   const height = qty(campaign.loadHeight, "m");
   const medianWords =
@@ -310,14 +311,14 @@ export function exceedance(campaign: Campaign, name: string): HTMLElement | null
 }
 
 // Where every push ended before the limit its share is only known from below, or not at all.
-function shareBelow(d: any): Child {
+function shareBelow(d: DriftLimit): Child {
   if (d.share_below === null) return say("limit.share.unknown");
   if (!d.share_below_is_lower_bound) return withInterval(d.share_below, d.share_below_interval, 3, 100);
   return say("limit.at_least", { share: num(100 * d.share_below) });
 }
 
 export function driftLimits(campaign: Campaign): Child {
-  const limits = campaign.statistics.drift_limits as any[];
+  const limits = campaign.statistics.drift_limits;
   if (!limits || limits.length === 0 || !(campaign.loadHeight > 0)) return null;
   return h(
     "div",
@@ -349,13 +350,22 @@ export function driftLimits(campaign: Campaign): Child {
   );
 }
 
+interface Median {
+  n: number;
+  bounds: number;
+  median: number | null;
+  at_least: number | null;
+  low: number | null;
+  high: number | null;
+}
+
 // Medians over the walls of this model, with the interval by order statistics: what one wall cannot tell.
 export function medians(campaign: Campaign): Child {
-  const walls = campaign.statistics.walls as any;
+  const walls = campaign.statistics.walls;
   if (!walls || campaign.answered.length < 2) return null;
-  const show = (v: number | null, of: any): string =>
+  const show = (v: number | null, of: Median): string =>
     v === null ? (of.bounds > 0 ? say("beyond") : "–") : num(v, 3);
-  const row = (what: string, unit: string, of: any): Cell[] => [
+  const row = (what: string, unit: string, of: Median): Cell[] => [
     { show: what },
     { show: of.median === null && of.bounds > 0 ? `> ${num(of.at_least, 3)}` : show(of.median, of) },
     { show: of.n < 6 ? "–" : `${show(of.low, of)} … ${show(of.high, of)}` },
@@ -363,7 +373,7 @@ export function medians(campaign: Campaign): Child {
     { show: String(of.n) },
     { show: String(of.bounds) },
   ];
-  const read = (json: any): any => ({
+  const read = (json: OfWalls): Median => ({
     ...json,
     low: json.median_interval?.[0] ?? null,
     high: json.median_interval?.[1] ?? null,
@@ -372,7 +382,7 @@ export function medians(campaign: Campaign): Child {
   const rows = [
     row(say("quantity.peak_reaction"), "kN", read(walls.peak_reaction_kN)),
     row(say("quantity.displacement_at_peak"), "mm", read(walls.displacement_at_peak_mm)),
-    ...(d.left as number[]).map((left, k) =>
+    ...d.left.map((left, k) =>
       row(say("medians.left", { share: qty(100 * left, "%") }), "mm", {
         n: d.n[k],
         median: d.median_mm[k],
@@ -405,7 +415,7 @@ export function medians(campaign: Campaign): Child {
 // --- running means -----------------------------------------------------------------------------------
 
 export function running(campaign: Campaign): HTMLElement | null {
-  const all = campaign.statistics.running as Record<string, any>;
+  const all = campaign.statistics.running;
   if (campaign.answered.length < 3) return null;
   let q = campaign.quantities[0];
   const pick = h(
@@ -437,9 +447,9 @@ export function running(campaign: Campaign): HTMLElement | null {
         yLabel: say("axis.mean_of", { what: quantityLabel(q) }),
         title: say("running.title"),
       });
-      plot.band(r.n, r.low, r.high, "spread curve");
+      plot.band(r.n, r.low as number[], r.high as number[], "spread curve");
       plot.line(
-        r.n.map((n: number, i: number): Point => [n, r.mean[i]]),
+        r.n.map((n, i): Point => [n, r.mean[i]!]),
         "step",
         { "data-points": r.n.length },
       );
@@ -447,7 +457,7 @@ export function running(campaign: Campaign): HTMLElement | null {
     },
     sheet: () => ({
       head: ["n", "mean", "low", "high"],
-      rows: all[q.key].n.map((n: number, i: number) => [
+      rows: all[q.key].n.map((n, i) => [
         n,
         all[q.key].mean[i],
         all[q.key].low[i],
@@ -463,8 +473,8 @@ export function running(campaign: Campaign): HTMLElement | null {
 }
 
 export function precision(campaign: Campaign): Child {
-  const all = campaign.statistics.precision as any[];
-  const met = (p: any): Child =>
+  const all = campaign.statistics.precision;
+  const met = (p: Precision | undefined): Child =>
     p === undefined
       ? ""
       : p.held_from
@@ -480,7 +490,7 @@ export function precision(campaign: Campaign): Child {
     unknown: (n: string) => boolean = () => false,
   ): Child => {
     const asked = [
-      ...new Set(all.filter((p) => names.includes(p.what)).map((p) => p.half_width_asked as number)),
+      ...new Set(all.filter((p) => names.includes(p.what)).map((p) => p.half_width_asked)),
     ];
     return table(
       [

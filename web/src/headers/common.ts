@@ -1,0 +1,46 @@
+// What several headers have: numbers that may be unknown, heads of a project, systems of one degree of freedom.
+import type { Said } from "../texts";
+
+export type Maybe = number | null; // null: not known, or without a limit
+export type Interval = Maybe[]; // low and high; an end that is open is null
+
+// Only what the model file names.
+export interface Project {
+  title?: string;
+  client?: string;
+  author?: string;
+  date?: string;
+  place?: string;
+}
+
+export interface Made {
+  version: string;
+  commit: string;
+  compiler: string;
+  flags: string;
+}
+
+export interface Bilinear {
+  stiffness_kN_per_mm: Maybe;
+  force_kN: Maybe;
+  yield_displacement_mm: Maybe;
+  ultimate_displacement_mm: Maybe;
+  ductility: Maybe;
+  censored: boolean;
+}
+
+export interface Mass {
+  blocks_kg: number;
+  loads_kg: number;
+  added_kg: number;
+  total_kg: number;
+  participating_kg: number;
+  participation_factor: number;
+  shape: "linear" | "displacements";
+  shape_read_at_mm: Maybe;
+}
+
+// What a code does not cover, and what its numbers rest on.
+export interface Noted {
+  notes: Said[];
+}
