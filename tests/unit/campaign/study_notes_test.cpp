@@ -55,8 +55,9 @@ TEST(StudyNotes, a_variable_sets_an_odd_value_of_the_base_model_right) {
 }
 
 TEST(StudyNotes, percent_for_a_share) {
-  expect_noted({"variable.ft_j.cov=20"},
-               "variable.ft_j.cov is 20, a scatter of 2000 %: for 20 % write variable.ft_j.cov = 0.2");
+  expect_noted(
+      {"variable.ft_j.cov=20"},
+      "variable.ft_j.cov is 20, a scatter of 2000 %: for 20 % write variable.ft_j.cov = 0.2");
   expect_noted({"variable.R.cov=5"}, "for 5 % write variable.R.cov = 0.05");
 }
 
