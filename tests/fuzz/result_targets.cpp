@@ -28,7 +28,7 @@ void read_report(const std::string& bytes) {
     return;
   }
   const auto length = static_cast<std::uint32_t>(bytes.size());
-  std::string whole("WYTHE\0\0\1", 8);
+  std::string whole("WYTHE\0\0\2", 8);
   whole.append(reinterpret_cast<const char*>(&length), sizeof length);
   whole += bytes;
   uLongf size = compressBound(whole.size());
