@@ -11,6 +11,7 @@ export interface Lines {
 const kUnits: Record<string, number> = { 1: 0.0254, 2: 0.3048, 4: 1e-3, 5: 0.01, 6: 1, 14: 0.1 }; // $INSUNITS
 const kMost = 200000; // points
 const kWide = 3000; // of the picture, its longer side [px]
+const kLine = 13; // of which some two are left on a screen [px]
 const kArc = 32; // parts of a circle
 
 export const isDxf = (name: string, head: string): boolean => /\.dxf$/i.test(name) || /^\s*0\s*\r?\nSECTION/.test(head);
@@ -106,8 +107,8 @@ export async function paintDxf({ paths }: Lines): Promise<{ bytes: ArrayBuffer; 
   image.height = Math.max(1, Math.ceil((ys[1] - ys[0]) / pixel));
   const to = image.getContext("2d");
   if (!to) return null;
-  to.strokeStyle = "#c2410c"; // to be seen on stones, light and dark
-  to.lineWidth = 5;
+  to.strokeStyle = "#e0218a"; // no stone's colour, light or dark
+  to.lineWidth = kLine;
   for (const path of paths) {
     to.beginPath();
     path.forEach(([x, y], k) => to[k === 0 ? "moveTo" : "lineTo"]((x - xs[0]) / pixel, (ys[1] - y) / pixel));
