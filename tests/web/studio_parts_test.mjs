@@ -167,6 +167,32 @@ test("above the wall the line makes a storey more, at a typed height; wall and p
   await isBuilt();
 });
 
+test("the right button places nothing, and the middle one pans, with a part at the pointer or between two clicks", async () => {
+  await begin("portal");
+  const before = await textOf(page);
+  const left = () => page.locator(".outline").evaluate((e) => e.getBoundingClientRect().x);
+  for (const key of ["e", "g", "i", "o"]) {
+    await page.keyboard.press(key);
+    const [x, y] = await pixelsOf(page, 0.5, 2.34);
+    if (key === "o") await page.mouse.click(x - 20, y + 40); // one corner of a window
+    await page.mouse.move(x, y, { steps: 3 });
+    await page.mouse.click(x, y, { button: "right" });
+    assert.equal(await textOf(page), before, key);
+    const from = await left();
+    await page.mouse.down({ button: "middle" });
+    await page.mouse.move(x + 40, y, { steps: 3 });
+    await page.mouse.up({ button: "middle" });
+    assert.equal(await textOf(page), before, key);
+    assert.ok(Math.abs((await left()) - from - 40) < 1.5, key);
+    await page.keyboard.press("f");
+  }
+  await page.keyboard.press("e");
+  await move(0.5, 2.3);
+  await click(0.5, 2.34);
+  await has(/\[\[storey\]\]/);
+  await page.keyboard.press("Control+z");
+});
+
 test("a storey's line is dragged with its windows, floors and forces, and taken away", async () => {
   await begin("facade");
   const before = await textOf(page);
