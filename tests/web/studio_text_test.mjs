@@ -5,7 +5,7 @@ import path from "node:path";
 import { before, test } from "node:test";
 import { root, viewerModule } from "./helpers.mjs";
 
-let toml, drawing, units, faults, packed, arches, storeys, floors, ties, parts;
+let toml, drawing, units, faults, packed, arches, storeys, floors, ties, parts, dxf;
 const example = (name, file = "model.toml") => fs.readFileSync(path.join(root, "examples", name, file), "utf8");
 const lines = (text) => text.split("\n");
 // Lines that differ, as [before, after].
@@ -17,7 +17,7 @@ before(async () => {
   units = await viewerModule("studio/units");
   faults = await viewerModule("studio/faults");
   packed = await viewerModule("studio/packed");
-  [arches, storeys, floors, ties, parts] = await Promise.all(["arches", "storeys", "floors", "ties", "parts"].map((name) => viewerModule(`studio/${name}`)));
+  [arches, storeys, floors, ties, parts, dxf] = await Promise.all(["arches", "storeys", "floors", "ties", "parts", "dxf"].map((name) => viewerModule(`studio/${name}`)));
 });
 
 test("every example is read, and reading changes nothing", () => {
@@ -220,6 +220,56 @@ test("a storey that is parted keeps its own masonry in both halves", () => {
   assert.match(more, /height = "1\.56 m"[^\n]*\nthickness = "0\.30 m"[^\n]*\n\n\[\[storey\]\]\nname = "attic"\nheight = "1\.30 m"\nthickness = "0\.30 m"\n/);
   const middle = storeys.addStorey(text, d, 1.3, () => "mezzanine");
   assert.match(middle, /height = "1\.30 m"[^\n]*\n\n\[\[storey\]\]\nname = "mezzanine"\nheight = "2\.08 m"\n\n\[\[storey\]\]\nname = "first floor"/);
+});
+
+// A wall of two storeys of 3 m and 2 m, with a beam on the first one's top.
+const kHouse = `[wall]
+length = "5 m"
+height = "5 m"
+[[storey]]
+name = "low"
+height = "3 m"
+[[storey]]
+name = "high"
+height = "2 m"
+[[ring_beam]]
+storey = "low" # a beam
+height = "250 mm"
+[[ring_beam]]
+storey = "high"
+height = "250 mm"
+`;
+const read = (text) => drawing.readDrawing(toml.parse(text));
+
+test("a storey's line that goes leaves ring beams, boxes and polygons of regions at their height", () => {
+  const text = `${kHouse}[[region]]\nstorey = "high"\nx = "1 m"\ny = "0.5 m"\nwidth = "1 m"\nheight = "1 m"\n[[region]]\nstorey = "high"\npolygon = [["0 m", "0 m"], ["1 m", "0 m"], ["0 m", "1.5 m"]]\n[[region]]\nstorey = "low"\nx = "1 m"\ny = "0.5 m"\nwidth = "1 m"\nheight = "1 m"\n`;
+  const out = storeys.removeStoreyLine(text, read(text), 1);
+  assert.match(out, /\[\[ring_beam\]\]\ny = "2\.75 m" # a beam\nheight = "250 mm"\n\[\[ring_beam\]\]\nstorey = "low"\nheight = "250 mm"/);
+  assert.match(out, /storey = "low"\nx = "1 m"\ny = "3\.5 m"\nwidth/);
+  assert.match(out, /storey = "low"\npolygon = \[\["0 m", "3 m"\], \["1 m", "3 m"\], \["0 m", "4\.5 m"\]\]/);
+  assert.match(out, /storey = "low"\nx = "1 m"\ny = "0\.5 m"/);
+  assert.doesNotMatch(out, /high/);
+  const odd = kHouse.replace('height = "250 mm"', 'height = "a foot"');
+  assert.equal(storeys.removeStoreyLine(odd, read(odd), 1), null);
+});
+
+test("a line is refused where a region is as high as the storey", () => {
+  const region = (lines) => `${kHouse}[[region]]\njoint = "old"\n${lines}\n`;
+  const add = (text, y) => storeys.addStorey(text, read(text), y, (n) => `storey ${n}`);
+  for (const whole of ["", "pier = 1\n"]) {
+    for (const name of ["low", "high"]) {
+      const text = region(`${whole}storey = "${name}"`);
+      assert.equal(storeys.removeStoreyLine(text, read(text), 1), null, text);
+      assert.equal(parts.removePart(text, read(text), { kind: "storey", k: 1 }), null);
+      assert.equal(add(text, name === "low" ? 1.5 : 4), null, text);
+      assert.notEqual(add(text, name === "low" ? 4 : 1.5), null, text);
+      assert.notEqual(add(text, 7), null, text);
+    }
+  }
+  const bare = '[wall]\nlength = "5 m"\nheight = "5 m"\n[[region]]\npier = 1\njoint = "old"\n';
+  assert.equal(add(bare, 2.5), null);
+  const box = bare.replace("pier = 1", 'x = "1 m"\ny = "1 m"\nwidth = "1 m"\nheight = "1 m"');
+  assert.match(add(box, 2.5), /name = "storey 1"/);
 });
 
 test("lengths as people type them", () => {

@@ -5,7 +5,6 @@ import { setLength, type Selected } from "./drawing";
 import { holdOf, kHolds, moveFloor, setFloorSpan, setHold, type Hold } from "./floors";
 import { addFrame, frameOf, kFeet, removeFrame, setProfile } from "./frames";
 import type { Panel } from "./panel";
-import { removePart } from "./parts";
 import { kProfiles, profileNamed } from "./profiles";
 import type { Project } from "./project";
 import { moveStoreyLine, renameStorey, setStoreyHeight } from "./storeys";
@@ -27,7 +26,7 @@ export function partGroup(panel: Panel, part: Selected): HTMLElement {
   return storeyGroup(panel, part.k);
 }
 const removal = (panel: Panel, part: Selected, words: string): HTMLElement =>
-  h("button", { class: "button", type: "button", onclick: () => panel.edit(removePart(panel.project.text, panel.project.drawing!, part), null) }, words);
+  h("button", { class: "button", type: "button", onclick: () => panel.remove(part) }, words);
 
 function storeyGroup(panel: Panel, k: number): HTMLElement {
   const { project } = panel;
