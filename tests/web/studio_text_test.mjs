@@ -272,6 +272,22 @@ test("a line is refused where a region is as high as the storey", () => {
   assert.match(add(box, 2.5), /name = "storey 1"/);
 });
 
+test("keys with dots go together, in lines and in braces", () => {
+  const text = '[[wall.opening]]\narch.kind = "round" # above\nx = "1 m"\narch.depth = "0.25 m"\narch.a.b = 1\nwidth = "1 m"\n';
+  assert.equal(toml.removeAt(text, ["wall", "opening", 0, "arch"]), '[[wall.opening]]\nx = "1 m"\nwidth = "1 m"\n');
+  assert.equal(toml.removeAt(text, ["wall", "opening", 0, "arch", "a"]), text.replace("arch.a.b = 1\n", ""));
+  const row = "a = { b.c = 1, d = 2, b.e = 3 }\n";
+  assert.equal(toml.removeAt(row, ["a", "b"]), "a = { d = 2 }\n");
+  assert.equal(toml.removeAt(row, ["a", "b", "c"]), "a = { d = 2, b.e = 3 }\n");
+  assert.equal(toml.removeAt("a = { b.c = 1, b.e = 3 }\n", ["a", "b"]), "a = {  }\n");
+  assert.equal(toml.removeAt("a.b = 1\nc = 2\na.d = 3", ["a"]), "c = 2\n");
+  const wall = `[wall]\nlength = "5 m"\nheight = "3 m"\n[[wall.opening]]\nname = "o"\nx = "2 m"\ny = "0 m"\nwidth = "1 m"\nheight = "1.5 m"\narch.kind = "round"\narch.depth = "0.25 m"\n`;
+  const d = drawing.readDrawing(toml.parse(wall));
+  assert.doesNotMatch(arches.setHead(wall, d, 0, "none"), /arch/);
+  const lintel = wall.replace("arch.kind", "lintel.kind").replace("arch.depth", "lintel.depth");
+  assert.doesNotMatch(drawing.removeLintel(lintel, 0), /lintel/);
+});
+
 test("lengths as people type them", () => {
   const close = (a, b) => assert.ok(Math.abs(a - b) < 1e-12, `${a} ${b}`);
   close(units.typedLength("1,25"), 1.25);
