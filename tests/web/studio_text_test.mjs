@@ -288,6 +288,26 @@ test("keys with dots go together, in lines and in braces", () => {
   assert.doesNotMatch(drawing.removeLintel(lintel, 0), /lintel/);
 });
 
+test("a quantity that cannot be read counts as unknown, not as nothing", () => {
+  const floor = (lines) => floors.readFloors(toml.parse(`[[floor]]\n${lines.join("\n")}\n`), [], 5)[0].load;
+  const close = (a, b) => assert.ok(Math.abs(a - b) < 1e-6, `${a} ${b}`);
+  const span = 'span = "4 m"';
+  close(floor(['g1 = "3 kN/m^2"', 'g2 = "300 daN/m^2"', span]), 12000);
+  close(floor(['load = "1200 kgf/m"']), 1200 * 9.80665);
+  close(floor(['g1 = "3 kN/m2"', 'q = "2 kN/m^2"', "psi2 = 0.5", span]), 8000);
+  assert.equal(floor([]), 0);
+  assert.equal(floor(['mass = "1200 kg/m"']), 0);
+  for (const bad of [['load = "12 stone/m"'], ['load = "1200 kg/m"'], ['g1 = "300 kg/m^2"', span], ['g1 = "3 kN/m^2"', 'g2 = "some"', span], ['g1 = "3 kN/m^2"', 'span = "wide"'], ['g1 = "3 kN/m^2"', 'psi2 = "half"', span], ["load = 12"]])
+    assert.equal(floor(bad), null, bad.join());
+  const tie = (lines) => ties.readTies(toml.parse(`[[tie]]\n${lines.join("\n")}\n`))[0];
+  close(tie(['area = "3.14e-4 m^2"']).area, 3.14e-4);
+  const odd = tie(['area = "a bar"', 'prestress = "40 MPa"', 'yield_strength = "high"']);
+  assert.deepEqual([odd.area, odd.yields, ties.forceOf(odd), ties.setTieForce("", odd, 0, 1000)], [null, null, null, null]);
+  assert.deepEqual([tie([]).area, tie([]).prestress, tie([]).yields], [0, 0, Infinity]);
+  assert.equal(units.readQuantity("1200 kg/m").base, "kg/m");
+  assert.equal(units.readQuantity("2 m2").value, 2);
+});
+
 test("lengths as people type them", () => {
   const close = (a, b) => assert.ok(Math.abs(a - b) < 1e-12, `${a} ${b}`);
   close(units.typedLength("1,25"), 1.25);
