@@ -516,7 +516,7 @@ test("lines of a DXF lie under the drawing at their size", async () => {
   assert.equal(lines.paths.length, 4);
   const crown = Math.max(...lines.paths[1].map((p) => p[1]));
   assert.ok(Math.abs(crown - 2200) < 5, `${crown}`); // half a circle of 1 m
-  assert.deepEqual(readDxf("0\nSECTION\n2\nENTITIES\n0\nLINE\n10\nx\n"), { paths: [], metre: 0, skipped: 0 });
+  assert.deepEqual(readDxf("0\nSECTION\n2\nENTITIES\n0\nLINE\n10\nx\n"), { paths: [], metre: 0, skipped: 1 });
   await begin("portal");
   await page.keyboard.press("b");
   await page.locator('.photo-bar input[type="file"]').setInputFiles({ name: "wall.dxf", mimeType: "", buffer: Buffer.from(dxf()) });
@@ -527,6 +527,28 @@ test("lines of a DXF lie under the drawing at their size", async () => {
   await page.locator('.photo-bar input[type="file"]').setInputFiles({ name: "empty.dxf", mimeType: "", buffer: Buffer.from("0\nEOF\n") });
   assert.match(await page.locator(".notice").innerText(), /empty\.dxf is no PNG/);
   await page.locator(".photo-bar").getByText("Delete").click();
+  await page.keyboard.press("v");
+});
+
+test("a file that cannot be opened and a DXF of too many points are told", async () => {
+  await begin("portal");
+  await page.keyboard.press("b");
+  const take = (name, text) => page.locator('.photo-bar input[type="file"]').setInputFiles({ name, mimeType: "", buffer: Buffer.from(text) });
+  const told = async (pattern) => {
+    await page.locator(".notice").getByText(pattern).waitFor({ timeout: 20000 });
+    assert.equal(await photo().count(), 0);
+  };
+  await take("city.dxf", `0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n${"10\n1\n20\n2\n".repeat(200001)}0\nENDSEC\n`);
+  await told(/city\.dxf has more than 200.?000 points/);
+  await page.evaluate(() => {
+    const { arrayBuffer } = Blob.prototype;
+    Blob.prototype.arrayBuffer = function () {
+      Blob.prototype.arrayBuffer = arrayBuffer;
+      return Promise.reject(new DOMException("gone", "NotFoundError"));
+    };
+  });
+  await take("gone.png", "x");
+  await told(/gone\.png is no PNG/);
   await page.keyboard.press("v");
 });
 

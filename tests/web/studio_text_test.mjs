@@ -308,6 +308,22 @@ test("a quantity that cannot be read counts as unknown, not as nothing", () => {
   assert.equal(units.readQuantity("2 m2").value, 2);
 });
 
+test("a DXF with bulges next to nothing, angles of many turns, numbers that are none or too many points", () => {
+  const file = (text) => ["0", "SECTION", "2", "ENTITIES", ...text.split(" "), "0", "ENDSEC", ""].join("\n");
+  const { paths } = dxf.readDxf(file("0 LWPOLYLINE 10 0 20 0 42 1e-300 10 2 20 0 42 -1e-12 10 2 20 1"));
+  assert.deepEqual(paths, [[[0, 0], [2, 0], [2, 1]]]);
+  const turn = (from, to) => dxf.readDxf(file(`0 ARC 10 0 20 0 40 1 50 ${from} 51 ${to}`)).paths[0].length - 1;
+  assert.equal(turn(0, 90), 8);
+  assert.equal(turn(0, 3690), 8);
+  assert.equal(turn(350, 80), 8);
+  assert.equal(turn(0, 360), 32);
+  assert.ok(turn(0, 1e12) <= 33);
+  const odd = dxf.readDxf(file("0 LINE 10 x 20 0 11 1 21 1 0 CIRCLE 10 0 20 0 40 1e999 0 LINE 10 0 20 0 11 1 21 1"));
+  assert.deepEqual([odd.paths.length, odd.skipped], [1, 2]);
+  assert.equal(dxf.readDxf(file(Array(7000).fill("0 CIRCLE 10 0 20 0 40 1").join(" "))), null);
+  assert.equal(dxf.readDxf(file(`0 LWPOLYLINE ${Array(7000).fill("10 0 20 0 42 1 10 1 20 0 42 1").join(" ")}`)), null);
+});
+
 test("lengths as people type them", () => {
   const close = (a, b) => assert.ok(Math.abs(a - b) < 1e-12, `${a} ${b}`);
   close(units.typedLength("1,25"), 1.25);

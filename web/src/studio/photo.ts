@@ -3,11 +3,12 @@
 import { h, svg, type Child } from "../dom";
 import { say } from "../texts";
 import type { Canvas } from "./canvas";
-import { isDxf, paintDxf, readDxf } from "./dxf";
+import { isDxf, kMost, paintDxf, readDxf } from "./dxf";
 import { forgetPhoto, keepPhoto, keptPhoto, type PhotoPlace } from "./photo_store";
 import type { Project } from "./project";
 import type { Point } from "./tools";
 import { typedLength, writeQuantity } from "./units";
+import { whole } from "./words";
 
 const kLargest = 60 << 20; // of a file that is opened [bytes]
 const kKept = 24 << 20; // of one that the browser keeps [bytes]
@@ -73,10 +74,18 @@ export class Photo {
     this.input.click();
   }
   async open(file: File): Promise<void> {
+    try {
+      await this.read(file);
+    } catch {
+      this.tell(say("studio.photo.unread", { name: file.name })); // gone since it was chosen, or more than there is room for
+    }
+  }
+  private async read(file: File): Promise<void> {
     if (file.size > kLargest) return this.tell(say("studio.photo.large", { name: file.name }));
     const bytes = await file.arrayBuffer();
     const head = new TextDecoder().decode(bytes.slice(0, 200));
-    const lines = isDxf(file.name, head) ? readDxf(new TextDecoder().decode(bytes)) : null;
+    const lines = isDxf(file.name, head) ? readDxf(new TextDecoder().decode(bytes)) : undefined;
+    if (lines === null) return this.tell(say("studio.photo.many", { name: file.name, count: whole(kMost) }));
     const painted = lines && (await paintDxf(lines));
     const loaded = await load(file.name, painted?.bytes ?? bytes);
     if (!loaded) return this.tell(say("studio.photo.unread", { name: file.name }));
