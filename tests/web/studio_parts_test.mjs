@@ -552,6 +552,34 @@ test("a file that cannot be opened and a DXF of too many points are told", async
   await page.keyboard.press("v");
 });
 
+test("a field of the photo keeps the focus, and Backspace deletes no opening while the photo is moved", async () => {
+  await begin("portal");
+  await opening(0).click();
+  const before = await textOf(page);
+  await page.keyboard.press("b");
+  await page.locator('.photo-bar input[type="file"]').setInputFiles(await pictureFile("front.png"));
+  await photo().waitFor();
+  await enter("Photo’s width", "4");
+  assert.ok(Math.abs((await placeOf()).width - 4) < 0.01);
+  assert.equal(await page.evaluate(() => document.activeElement.getAttribute("aria-label")), "Photo’s width");
+  await page.keyboard.press("Backspace");
+  await page.keyboard.type("wide");
+  await page.keyboard.press("Enter");
+  assert.equal(await field("Photo’s width").getAttribute("aria-invalid"), "true");
+  await enter("Photo’s width", "5");
+  assert.equal(await field("Photo’s width").getAttribute("aria-invalid"), null);
+  await page.locator(".canvas").focus();
+  await page.keyboard.press("Control+z");
+  assert.equal(await field("Photo’s width").inputValue(), "4.00");
+  await page.keyboard.press("Backspace");
+  await page.keyboard.press("Delete");
+  assert.equal(await textOf(page), before);
+  await page.locator(".photo-bar").getByText("Delete").click();
+  await page.keyboard.press("Backspace");
+  assert.equal(await textOf(page), before);
+  await page.keyboard.press("v");
+});
+
 for (const [width, height, scheme] of [[1440, 900, "dark"], [390, 844, "light"]])
   test(`parts are for everybody: ${width} px, ${scheme}`, async () => {
     const other = await openStudio(browser, file, { width, height, scheme, touch: width < 1000, locale: "it-IT" });

@@ -265,7 +265,7 @@ async function share(): Promise<void> {
   }
 }
 function remove(): void {
-  if (!project.drawable || !project.drawing || !project.selection) return;
+  if (!project.drawable || !project.drawing || !project.selection || tools.tool === "photo") return;
   const text = removePart(project.text, project.drawing, project.selection);
   if (text === null) return tell(say("studio.hinder.file"));
   project.endStep();

@@ -56,6 +56,8 @@ export class Photo {
   private points: Point[] = []; // that are measured, on the photo where it lies
   private dragged: { from: Point; client: Point; place: PhotoPlace; moved: boolean } | null = null;
   private timer = 0;
+  private shape = ""; // of the bar's controls: others are built anew
+  private fresh: (() => void)[] = []; // what brings them up to date
   private readonly input = h("input", { type: "file", accept: "image/png,image/jpeg,.dxf", hidden: true, "aria-label": say("studio.photo.open"), tabindex: "-1" });
 
   constructor(
@@ -216,7 +218,19 @@ export class Photo {
   private show(): void {
     this.draw();
     this.bar.hidden = !this.active;
-    if (this.active) this.bar.replaceChildren(...this.controls());
+    if (!this.active) return;
+    const shape = `${this.loaded?.url} ${this.points.length}`;
+    if (shape !== this.shape) this.rebuild(shape);
+    else for (const refresh of this.fresh) refresh();
+  }
+  // Other controls: the focus goes to the one of the same name, or to the drawing.
+  private rebuild(shape: string): void {
+    const had = this.bar.contains(document.activeElement) ? document.activeElement! : null;
+    this.shape = shape;
+    this.fresh = [];
+    this.bar.replaceChildren(...this.controls());
+    const name = had?.getAttribute("aria-label");
+    if (had) (name ? this.bar.querySelector<HTMLElement>(`input[aria-label="${CSS.escape(name)}"]:not([hidden])`) ?? this.canvas.root : this.canvas.root).focus();
   }
   private draw(place = this.project.photo, by: Point = { x: 0, y: 0 }): void {
     const { loaded } = this;
@@ -234,6 +248,10 @@ export class Photo {
       this.draw();
     });
     const seen = h("input", { type: "checkbox", checked: this.shown, onchange: () => this.toggle() });
+    this.fresh.push(() => {
+      seen.checked = this.shown;
+      faint.value = String(this.opacity);
+    });
     return [
       h("div", { class: "row" }, this.points.length === 2 ? this.measure() : h("span", { class: "words" }, say(`studio.photo.step.${this.points.length}`))),
       h("div", { class: "row" },
@@ -245,26 +263,35 @@ export class Photo {
         this.input),
     ];
   }
-  private field(label: string, value: number, take: (v: number) => boolean, data: Record<string, string> = {}): HTMLInputElement {
-    const field = h("input", { type: "text", class: "length", autocomplete: "off", inputmode: "decimal", "aria-label": label, value: writeQuantity(value, "m", "0.00").split(" ")[0], ...data });
+  private field(label: string, value: () => number, take: (v: number) => boolean, data: Record<string, string> = {}): HTMLInputElement {
+    const written = (): string => writeQuantity(value(), "m", "0.00").split(" ")[0];
+    const field = h("input", { type: "text", class: "length", autocomplete: "off", inputmode: "decimal", "aria-label": label, value: written(), ...data });
+    const refresh = (): void => {
+      field.value = written();
+      field.removeAttribute("aria-invalid");
+    };
+    this.fresh.push(() => document.activeElement !== field && refresh()); // not while somebody types
     field.addEventListener("change", () => {
       const length = typedLength(field.value);
       const good = length !== null && length > 0 && take(length);
-      if (!good) field.setAttribute("aria-invalid", "true");
+      if (good) refresh();
+      else field.setAttribute("aria-invalid", "true");
     });
     return field;
   }
   private measure(): Child[] {
-    const [a, b] = this.points;
-    const measured = Math.round(1000 * Math.hypot(b.x - a.x, b.y - a.y)) / 1000;
+    const measured = (): number => {
+      const [a, b] = this.points;
+      return a && b ? Math.round(1000 * Math.hypot(b.x - a.x, b.y - a.y)) / 1000 : 0;
+    };
     const field = this.field(say("studio.photo.length"), measured, (v) => this.scale(v), { "data-measure": "" });
     field.addEventListener("focus", () => field.select());
     return [h("label", { class: "check" }, say("studio.photo.length"), field, "m"), h("button", { class: "button small", type: "button", onclick: () => field.dispatchEvent(new Event("change")) }, say("studio.photo.set"))];
   }
   // For those who cannot point: the whole photo's width.
   private width(loaded: Loaded): HTMLElement {
-    const place = this.project.photo;
-    const field = this.field(say("studio.photo.width"), (place?.metre ?? 0) * loaded.width, (v) => {
+    const field = this.field(say("studio.photo.width"), () => (this.project.photo?.metre ?? 0) * loaded.width, (v) => {
+      const place = this.project.photo;
       if (!place || !this.fits(v / loaded.width)) return false;
       this.put({ ...place, metre: v / loaded.width });
       return true;
