@@ -580,6 +580,40 @@ test("a field of the photo keeps the focus, and Backspace deletes no opening whi
   await page.keyboard.press("v");
 });
 
+test("an undone move of the photo is kept, and no step back does nothing", async () => {
+  await begin("portal");
+  await page.keyboard.press("b");
+  const open = async (name) => {
+    await page.locator('.photo-bar input[type="file"]').setInputFiles(await pictureFile(name));
+    await photo().waitFor();
+  };
+  await open("front.png");
+  await drag([1, 1], [1.5, 1.25]);
+  await page.waitForTimeout(600); // until it is kept
+  await page.locator(".canvas").focus();
+  await page.keyboard.press("Control+z");
+  await page.waitForTimeout(600);
+  await page.reload();
+  await page.waitForSelector("html[data-ready]");
+  await stonesOf(page);
+  assert.ok(Math.abs((await placeOf()).x) < 0.012, `${(await placeOf()).x}`);
+  const undo = page.getByLabel("Undo", { exact: true }).first();
+  assert.ok(await undo.isDisabled());
+  await page.locator(".canvas").focus();
+  await page.keyboard.press("b");
+  await page.keyboard.press("ArrowRight");
+  assert.ok(await undo.isEnabled());
+  await open("other.png");
+  await page.waitForTimeout(600);
+  assert.ok(await undo.isDisabled(), "another photo");
+  await drag([1, 1], [1.5, 1.25]);
+  await page.locator(".photo-bar").getByText("Delete").click();
+  await page.locator(".canvas").focus();
+  await page.keyboard.press("ArrowRight");
+  assert.ok(await undo.isDisabled(), "no photo");
+  await page.keyboard.press("v");
+});
+
 for (const [width, height, scheme] of [[1440, 900, "dark"], [390, 844, "light"]])
   test(`parts are for everybody: ${width} px, ${scheme}`, async () => {
     const other = await openStudio(browser, file, { width, height, scheme, touch: width < 1000, locale: "it-IT" });

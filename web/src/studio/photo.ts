@@ -53,6 +53,7 @@ export class Photo {
   private shown = true;
   private opacity = 0.6;
   private active = false; // its tool is chosen
+  private place: PhotoPlace | null = null; // that is kept, or soon
   private points: Point[] = []; // that are measured, on the photo where it lies
   private dragged: { from: Point; client: Point; place: PhotoPlace; moved: boolean } | null = null;
   private timer = 0;
@@ -69,7 +70,11 @@ export class Photo {
       if (this.input.files?.[0]) void this.open(this.input.files[0]);
       this.input.value = "";
     });
-    project.listen(() => this.show()); // it may have been put back where it was
+    project.listen(() => {
+      if (this.place !== project.photo && this.loaded) this.keepSoon(); // an undo put it back where it was, or it was moved
+      this.place = project.photo;
+      this.show();
+    });
   }
 
   choose(): void {
@@ -107,6 +112,7 @@ export class Photo {
     if (!kept || !loaded) return;
     this.take(loaded, shown && kept.shown);
     this.opacity = kept.opacity;
+    this.place = kept.place; // it is kept so, and shown again where it is hidden now
     this.project.newPhoto(kept.place);
   }
   private take(loaded: Loaded, shown: boolean): void {
@@ -132,7 +138,7 @@ export class Photo {
     this.loaded = null;
     this.points = [];
     void forgetPhoto();
-    this.show();
+    this.project.newPhoto(null);
   }
   toggle(): void {
     if (!this.loaded) return this.choose();
@@ -191,7 +197,7 @@ export class Photo {
   nudge(dx: number, dy: number, fine: boolean): void {
     const place = this.project.photo;
     const step = fine ? 0.01 : 0.1;
-    if (place) this.put({ ...place, x: place.x + dx * step, y: place.y + dy * step }, "nudge photo");
+    if (place && this.loaded) this.put({ ...place, x: place.x + dx * step, y: place.y + dy * step }, "nudge photo");
   }
   // So long is the line between the two points: the photo grows about the first.
   private scale(length: number): boolean {
@@ -210,7 +216,6 @@ export class Photo {
   }
   private put(place: PhotoPlace, join = ""): void {
     this.project.placePhoto(place, join);
-    this.keepSoon();
   }
 
   // --- what is shown -----------------------------------------------------------------------------------------
