@@ -167,6 +167,32 @@ test("above the wall the line makes a storey more, at a typed height; wall and p
   await isBuilt();
 });
 
+test("the right button places nothing, and the middle one pans, with a part at the pointer or between two clicks", async () => {
+  await begin("portal");
+  const before = await textOf(page);
+  const left = () => page.locator(".outline").evaluate((e) => e.getBoundingClientRect().x);
+  for (const key of ["e", "g", "i", "o"]) {
+    await page.keyboard.press(key);
+    const [x, y] = await pixelsOf(page, 0.5, 2.34);
+    if (key === "o") await page.mouse.click(x - 20, y + 40); // one corner of a window
+    await page.mouse.move(x, y, { steps: 3 });
+    await page.mouse.click(x, y, { button: "right" });
+    assert.equal(await textOf(page), before, key);
+    const from = await left();
+    await page.mouse.down({ button: "middle" });
+    await page.mouse.move(x + 40, y, { steps: 3 });
+    await page.mouse.up({ button: "middle" });
+    assert.equal(await textOf(page), before, key);
+    assert.ok(Math.abs((await left()) - from - 40) < 1.5, key);
+    await page.keyboard.press("f");
+  }
+  await page.keyboard.press("e");
+  await move(0.5, 2.3);
+  await click(0.5, 2.34);
+  await has(/\[\[storey\]\]/);
+  await page.keyboard.press("Control+z");
+});
+
 test("a storey's line is dragged with its windows, floors and forces, and taken away", async () => {
   await begin("facade");
   const before = await textOf(page);
@@ -490,7 +516,7 @@ test("lines of a DXF lie under the drawing at their size", async () => {
   assert.equal(lines.paths.length, 4);
   const crown = Math.max(...lines.paths[1].map((p) => p[1]));
   assert.ok(Math.abs(crown - 2200) < 5, `${crown}`); // half a circle of 1 m
-  assert.deepEqual(readDxf("0\nSECTION\n2\nENTITIES\n0\nLINE\n10\nx\n"), { paths: [], metre: 0, skipped: 0 });
+  assert.deepEqual(readDxf("0\nSECTION\n2\nENTITIES\n0\nLINE\n10\nx\n"), { paths: [], metre: 0, skipped: 1 });
   await begin("portal");
   await page.keyboard.press("b");
   await page.locator('.photo-bar input[type="file"]').setInputFiles({ name: "wall.dxf", mimeType: "", buffer: Buffer.from(dxf()) });
@@ -501,6 +527,90 @@ test("lines of a DXF lie under the drawing at their size", async () => {
   await page.locator('.photo-bar input[type="file"]').setInputFiles({ name: "empty.dxf", mimeType: "", buffer: Buffer.from("0\nEOF\n") });
   assert.match(await page.locator(".notice").innerText(), /empty\.dxf is no PNG/);
   await page.locator(".photo-bar").getByText("Delete").click();
+  await page.keyboard.press("v");
+});
+
+test("a file that cannot be opened and a DXF of too many points are told", async () => {
+  await begin("portal");
+  await page.keyboard.press("b");
+  const take = (name, text) => page.locator('.photo-bar input[type="file"]').setInputFiles({ name, mimeType: "", buffer: Buffer.from(text) });
+  const told = async (pattern) => {
+    await page.locator(".notice").getByText(pattern).waitFor({ timeout: 20000 });
+    assert.equal(await photo().count(), 0);
+  };
+  await take("city.dxf", `0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n${"10\n1\n20\n2\n".repeat(200001)}0\nENDSEC\n`);
+  await told(/city\.dxf has more than 200.?000 points/);
+  await page.evaluate(() => {
+    const { arrayBuffer } = Blob.prototype;
+    Blob.prototype.arrayBuffer = function () {
+      Blob.prototype.arrayBuffer = arrayBuffer;
+      return Promise.reject(new DOMException("gone", "NotFoundError"));
+    };
+  });
+  await take("gone.png", "x");
+  await told(/gone\.png is no PNG/);
+  await page.keyboard.press("v");
+});
+
+test("a field of the photo keeps the focus, and Backspace deletes no opening while the photo is moved", async () => {
+  await begin("portal");
+  await opening(0).click();
+  const before = await textOf(page);
+  await page.keyboard.press("b");
+  await page.locator('.photo-bar input[type="file"]').setInputFiles(await pictureFile("front.png"));
+  await photo().waitFor();
+  await enter("Photo’s width", "4");
+  assert.ok(Math.abs((await placeOf()).width - 4) < 0.01);
+  assert.equal(await page.evaluate(() => document.activeElement.getAttribute("aria-label")), "Photo’s width");
+  await page.keyboard.press("Backspace");
+  await page.keyboard.type("wide");
+  await page.keyboard.press("Enter");
+  assert.equal(await field("Photo’s width").getAttribute("aria-invalid"), "true");
+  await enter("Photo’s width", "5");
+  assert.equal(await field("Photo’s width").getAttribute("aria-invalid"), null);
+  await page.locator(".canvas").focus();
+  await page.keyboard.press("Control+z");
+  assert.equal(await field("Photo’s width").inputValue(), "4.00");
+  await page.keyboard.press("Backspace");
+  await page.keyboard.press("Delete");
+  assert.equal(await textOf(page), before);
+  await page.locator(".photo-bar").getByText("Delete").click();
+  await page.keyboard.press("Backspace");
+  assert.equal(await textOf(page), before);
+  await page.keyboard.press("v");
+});
+
+test("an undone move of the photo is kept, and no step back does nothing", async () => {
+  await begin("portal");
+  await page.keyboard.press("b");
+  const open = async (name) => {
+    await page.locator('.photo-bar input[type="file"]').setInputFiles(await pictureFile(name));
+    await photo().waitFor();
+  };
+  await open("front.png");
+  await drag([1, 1], [1.5, 1.25]);
+  await page.waitForTimeout(600); // until it is kept
+  await page.locator(".canvas").focus();
+  await page.keyboard.press("Control+z");
+  await page.waitForTimeout(600);
+  await page.reload();
+  await page.waitForSelector("html[data-ready]");
+  await stonesOf(page);
+  assert.ok(Math.abs((await placeOf()).x) < 0.012, `${(await placeOf()).x}`);
+  const undo = page.getByLabel("Undo", { exact: true }).first();
+  assert.ok(await undo.isDisabled());
+  await page.locator(".canvas").focus();
+  await page.keyboard.press("b");
+  await page.keyboard.press("ArrowRight");
+  assert.ok(await undo.isEnabled());
+  await open("other.png");
+  await page.waitForTimeout(600);
+  assert.ok(await undo.isDisabled(), "another photo");
+  await drag([1, 1], [1.5, 1.25]);
+  await page.locator(".photo-bar").getByText("Delete").click();
+  await page.locator(".canvas").focus();
+  await page.keyboard.press("ArrowRight");
+  assert.ok(await undo.isDisabled(), "no photo");
   await page.keyboard.press("v");
 });
 

@@ -5,7 +5,7 @@ import path from "node:path";
 import { before, test } from "node:test";
 import { root, viewerModule } from "./helpers.mjs";
 
-let toml, drawing, units, faults, packed, arches, storeys, floors, ties, parts;
+let toml, drawing, units, faults, packed, arches, storeys, floors, ties, parts, dxf;
 const example = (name, file = "model.toml") => fs.readFileSync(path.join(root, "examples", name, file), "utf8");
 const lines = (text) => text.split("\n");
 // Lines that differ, as [before, after].
@@ -17,7 +17,7 @@ before(async () => {
   units = await viewerModule("studio/units");
   faults = await viewerModule("studio/faults");
   packed = await viewerModule("studio/packed");
-  [arches, storeys, floors, ties, parts] = await Promise.all(["arches", "storeys", "floors", "ties", "parts"].map((name) => viewerModule(`studio/${name}`)));
+  [arches, storeys, floors, ties, parts, dxf] = await Promise.all(["arches", "storeys", "floors", "ties", "parts", "dxf"].map((name) => viewerModule(`studio/${name}`)));
 });
 
 test("every example is read, and reading changes nothing", () => {
@@ -220,6 +220,108 @@ test("a storey that is parted keeps its own masonry in both halves", () => {
   assert.match(more, /height = "1\.56 m"[^\n]*\nthickness = "0\.30 m"[^\n]*\n\n\[\[storey\]\]\nname = "attic"\nheight = "1\.30 m"\nthickness = "0\.30 m"\n/);
   const middle = storeys.addStorey(text, d, 1.3, () => "mezzanine");
   assert.match(middle, /height = "1\.30 m"[^\n]*\n\n\[\[storey\]\]\nname = "mezzanine"\nheight = "2\.08 m"\n\n\[\[storey\]\]\nname = "first floor"/);
+});
+
+// A wall of two storeys of 3 m and 2 m, with a beam on the first one's top.
+const kHouse = `[wall]
+length = "5 m"
+height = "5 m"
+[[storey]]
+name = "low"
+height = "3 m"
+[[storey]]
+name = "high"
+height = "2 m"
+[[ring_beam]]
+storey = "low" # a beam
+height = "250 mm"
+[[ring_beam]]
+storey = "high"
+height = "250 mm"
+`;
+const read = (text) => drawing.readDrawing(toml.parse(text));
+
+test("a storey's line that goes leaves ring beams, boxes and polygons of regions at their height", () => {
+  const text = `${kHouse}[[region]]\nstorey = "high"\nx = "1 m"\ny = "0.5 m"\nwidth = "1 m"\nheight = "1 m"\n[[region]]\nstorey = "high"\npolygon = [["0 m", "0 m"], ["1 m", "0 m"], ["0 m", "1.5 m"]]\n[[region]]\nstorey = "low"\nx = "1 m"\ny = "0.5 m"\nwidth = "1 m"\nheight = "1 m"\n`;
+  const out = storeys.removeStoreyLine(text, read(text), 1);
+  assert.match(out, /\[\[ring_beam\]\]\ny = "2\.75 m" # a beam\nheight = "250 mm"\n\[\[ring_beam\]\]\nstorey = "low"\nheight = "250 mm"/);
+  assert.match(out, /storey = "low"\nx = "1 m"\ny = "3\.5 m"\nwidth/);
+  assert.match(out, /storey = "low"\npolygon = \[\["0 m", "3 m"\], \["1 m", "3 m"\], \["0 m", "4\.5 m"\]\]/);
+  assert.match(out, /storey = "low"\nx = "1 m"\ny = "0\.5 m"/);
+  assert.doesNotMatch(out, /high/);
+  const odd = kHouse.replace('height = "250 mm"', 'height = "a foot"');
+  assert.equal(storeys.removeStoreyLine(odd, read(odd), 1), null);
+});
+
+test("a line is refused where a region is as high as the storey", () => {
+  const region = (lines) => `${kHouse}[[region]]\njoint = "old"\n${lines}\n`;
+  const add = (text, y) => storeys.addStorey(text, read(text), y, (n) => `storey ${n}`);
+  for (const whole of ["", "pier = 1\n"]) {
+    for (const name of ["low", "high"]) {
+      const text = region(`${whole}storey = "${name}"`);
+      assert.equal(storeys.removeStoreyLine(text, read(text), 1), null, text);
+      assert.equal(parts.removePart(text, read(text), { kind: "storey", k: 1 }), null);
+      assert.equal(add(text, name === "low" ? 1.5 : 4), null, text);
+      assert.notEqual(add(text, name === "low" ? 4 : 1.5), null, text);
+      assert.notEqual(add(text, 7), null, text);
+    }
+  }
+  const bare = '[wall]\nlength = "5 m"\nheight = "5 m"\n[[region]]\npier = 1\njoint = "old"\n';
+  assert.equal(add(bare, 2.5), null);
+  const box = bare.replace("pier = 1", 'x = "1 m"\ny = "1 m"\nwidth = "1 m"\nheight = "1 m"');
+  assert.match(add(box, 2.5), /name = "storey 1"/);
+});
+
+test("keys with dots go together, in lines and in braces", () => {
+  const text = '[[wall.opening]]\narch.kind = "round" # above\nx = "1 m"\narch.depth = "0.25 m"\narch.a.b = 1\nwidth = "1 m"\n';
+  assert.equal(toml.removeAt(text, ["wall", "opening", 0, "arch"]), '[[wall.opening]]\nx = "1 m"\nwidth = "1 m"\n');
+  assert.equal(toml.removeAt(text, ["wall", "opening", 0, "arch", "a"]), text.replace("arch.a.b = 1\n", ""));
+  const row = "a = { b.c = 1, d = 2, b.e = 3 }\n";
+  assert.equal(toml.removeAt(row, ["a", "b"]), "a = { d = 2 }\n");
+  assert.equal(toml.removeAt(row, ["a", "b", "c"]), "a = { d = 2, b.e = 3 }\n");
+  assert.equal(toml.removeAt("a = { b.c = 1, b.e = 3 }\n", ["a", "b"]), "a = {  }\n");
+  assert.equal(toml.removeAt("a.b = 1\nc = 2\na.d = 3", ["a"]), "c = 2\n");
+  const wall = `[wall]\nlength = "5 m"\nheight = "3 m"\n[[wall.opening]]\nname = "o"\nx = "2 m"\ny = "0 m"\nwidth = "1 m"\nheight = "1.5 m"\narch.kind = "round"\narch.depth = "0.25 m"\n`;
+  const d = drawing.readDrawing(toml.parse(wall));
+  assert.doesNotMatch(arches.setHead(wall, d, 0, "none"), /arch/);
+  const lintel = wall.replace("arch.kind", "lintel.kind").replace("arch.depth", "lintel.depth");
+  assert.doesNotMatch(drawing.removeLintel(lintel, 0), /lintel/);
+});
+
+test("a quantity that cannot be read counts as unknown, not as nothing", () => {
+  const floor = (lines) => floors.readFloors(toml.parse(`[[floor]]\n${lines.join("\n")}\n`), [], 5)[0].load;
+  const close = (a, b) => assert.ok(Math.abs(a - b) < 1e-6, `${a} ${b}`);
+  const span = 'span = "4 m"';
+  close(floor(['g1 = "3 kN/m^2"', 'g2 = "300 daN/m^2"', span]), 12000);
+  close(floor(['load = "1200 kgf/m"']), 1200 * 9.80665);
+  close(floor(['g1 = "3 kN/m2"', 'q = "2 kN/m^2"', "psi2 = 0.5", span]), 8000);
+  assert.equal(floor([]), 0);
+  assert.equal(floor(['mass = "1200 kg/m"']), 0);
+  for (const bad of [['load = "12 stone/m"'], ['load = "1200 kg/m"'], ['g1 = "300 kg/m^2"', span], ['g1 = "3 kN/m^2"', 'g2 = "some"', span], ['g1 = "3 kN/m^2"', 'span = "wide"'], ['g1 = "3 kN/m^2"', 'psi2 = "half"', span], ["load = 12"]])
+    assert.equal(floor(bad), null, bad.join());
+  const tie = (lines) => ties.readTies(toml.parse(`[[tie]]\n${lines.join("\n")}\n`))[0];
+  close(tie(['area = "3.14e-4 m^2"']).area, 3.14e-4);
+  const odd = tie(['area = "a bar"', 'prestress = "40 MPa"', 'yield_strength = "high"']);
+  assert.deepEqual([odd.area, odd.yields, ties.forceOf(odd), ties.setTieForce("", odd, 0, 1000)], [null, null, null, null]);
+  assert.deepEqual([tie([]).area, tie([]).prestress, tie([]).yields], [0, 0, Infinity]);
+  assert.equal(units.readQuantity("1200 kg/m").base, "kg/m");
+  assert.equal(units.readQuantity("2 m2").value, 2);
+});
+
+test("a DXF with bulges next to nothing, angles of many turns, numbers that are none or too many points", () => {
+  const file = (text) => ["0", "SECTION", "2", "ENTITIES", ...text.split(" "), "0", "ENDSEC", ""].join("\n");
+  const { paths } = dxf.readDxf(file("0 LWPOLYLINE 10 0 20 0 42 1e-300 10 2 20 0 42 -1e-12 10 2 20 1"));
+  assert.deepEqual(paths, [[[0, 0], [2, 0], [2, 1]]]);
+  const turn = (from, to) => dxf.readDxf(file(`0 ARC 10 0 20 0 40 1 50 ${from} 51 ${to}`)).paths[0].length - 1;
+  assert.equal(turn(0, 90), 8);
+  assert.equal(turn(0, 3690), 8);
+  assert.equal(turn(350, 80), 8);
+  assert.equal(turn(0, 360), 32);
+  assert.ok(turn(0, 1e12) <= 33);
+  const odd = dxf.readDxf(file("0 LINE 10 x 20 0 11 1 21 1 0 CIRCLE 10 0 20 0 40 1e999 0 LINE 10 0 20 0 11 1 21 1"));
+  assert.deepEqual([odd.paths.length, odd.skipped], [1, 2]);
+  assert.equal(dxf.readDxf(file(Array(7000).fill("0 CIRCLE 10 0 20 0 40 1").join(" "))), null);
+  assert.equal(dxf.readDxf(file(`0 LWPOLYLINE ${Array(7000).fill("10 0 20 0 42 1 10 1 20 0 42 1").join(" ")}`)), null);
 });
 
 test("lengths as people type them", () => {

@@ -3,7 +3,7 @@
 import { crownOf } from "./arches";
 import { coursesAt, setLength, type Drawing, type Storey } from "./drawing";
 import { appendTable, countAt, find, listAt, parse, quoted, removeAt, renameKey, setValue, valueAt, type Doc, type Path } from "./toml";
-import { lengthOf, readQuantity, writeQuantity } from "./units";
+import { amountOf, lengthOf, writeQuantity } from "./units";
 
 export interface Floor {
   name: string;
@@ -11,7 +11,7 @@ export interface Floor {
   onStorey: boolean; // on the top of one, not at a height of its own
   x: number;
   width: number;
-  load: number | null; // [N/m]
+  load: number | null; // [N/m]; null: the file says one that is not read here
   diaphragm: number; // at its level, or -1
 }
 export interface Diaphragm {
@@ -57,12 +57,13 @@ export function readFloors(doc: Doc, storeys: Storey[], length: number): Floor[]
 }
 // load, or (g1 + g2 + psi2 q) span / 2.
 function loadOf(doc: Doc, at: Path): number | null {
-  const value = (key: string): number => readQuantity(valueAt(doc, [...at, key]))?.value ?? 0;
-  const load = readQuantity(valueAt(doc, [...at, "load"]));
-  if (load) return load.base === "N/m" ? load.value : null;
-  const psi2 = valueAt(doc, [...at, "psi2"]);
-  const whole = value("g1") + value("g2") + (typeof psi2 === "number" ? psi2 : 0) * value("q");
-  return find(doc, [...at, "g1"]) || find(doc, [...at, "g2"]) || find(doc, [...at, "q"]) ? (whole * value("span")) / 2 : 0;
+  const has = (key: string): boolean => find(doc, [...at, key]) !== undefined;
+  const value = (key: string, base: string): number | null => (has(key) ? amountOf(valueAt(doc, [...at, key]), base) : 0);
+  if (has("load")) return value("load", "N/m");
+  const [g1, g2, q, span] = [value("g1", "Pa"), value("g2", "Pa"), value("q", "Pa"), value("span", "m")];
+  const psi2 = has("psi2") ? valueAt(doc, [...at, "psi2"]) : 0;
+  if (g1 === null || g2 === null || q === null || span === null || typeof psi2 !== "number") return null;
+  return ((g1 + g2 + psi2 * q) * span) / 2;
 }
 
 // --- edits ------------------------------------------------------------------------------------------

@@ -66,7 +66,7 @@ let fitNext = true;
 const photo = new Photo(canvas, project, tell);
 const tools = new Tools(canvas, project, () => refreshBar(), tell, photo);
 const file = new FilePane(project);
-const panel = new Panel(project, () => canvas.draw());
+const panel = new Panel(project, () => canvas.draw(), tell);
 const list = new FaultList(project, (fault) => {
   showPane("file");
   file.show(fault.line, true);
@@ -265,9 +265,11 @@ async function share(): Promise<void> {
   }
 }
 function remove(): void {
-  if (!project.drawable || !project.drawing || !project.selection) return;
+  if (!project.drawable || !project.drawing || !project.selection || tools.tool === "photo") return;
+  const text = removePart(project.text, project.drawing, project.selection);
+  if (text === null) return tell(say("studio.hinder.file"));
   project.endStep();
-  project.change(removePart(project.text, project.drawing, project.selection), null);
+  project.change(text, null);
 }
 // An arch over the selected opening, or a lintel again.
 function arch(): void {

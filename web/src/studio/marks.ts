@@ -1,9 +1,9 @@
 // What the drawing shows of a wall beside its outline and openings: lines of storeys, floors, ties. Each is an element that can be
 // selected, focused and dragged (data-part, data-handle).
 import { svg, type Attributes, type Child } from "../dom";
-import { qty, say } from "../texts";
+import { say } from "../texts";
 import type { Drawing, Kind, Selected } from "./drawing";
-import { metres } from "./words";
+import { amount, metres } from "./words";
 
 const kArrow = 18; // length of a load's arrows [px]
 
@@ -60,7 +60,7 @@ export function floorMarks(shown: Shown): Child {
       x1 = scale.x(f.x + f.width),
       y = scale.y(f.y),
       top = y - 4 - kArrow;
-    const load = f.load === null ? "" : qty(f.load / 1000, "kN/m");
+    const load = amount(f.load, 1e-3, "kN/m");
     const name = say("studio.floor.called", { name: f.name, load, y: metres(f.y) });
     const count = Math.max(2, Math.round((x1 - x0) / 46));
     const arrows = Array.from({ length: count }, (_, i) => {
@@ -85,9 +85,9 @@ export function tieMarks(shown: Shown): Child {
   return d.ties.map((t, k) => {
     if (!t.from || !t.to) return null;
     const [x1, y1, x2, y2] = [scale.x(t.from.x), scale.y(t.from.y), scale.x(t.to.x), scale.y(t.to.y)];
-    const name = say("studio.tie.called", { name: t.name, area: qty(t.area * 1e6, "mm²"), y: metres(t.from.y) });
+    const name = say("studio.tie.called", { name: t.name, area: amount(t.area, 1e6, "mm²"), y: metres(t.from.y) });
     const plate = (x: number, y: number): SVGElement => svg("g", {}, svg("circle", { class: "reach", cx: x, cy: y, r: 14 }), svg("rect", { class: "plate-end", x: x - 2.5, y: y - 9, width: 5, height: 18, rx: 1.5 }));
     const selected = shown.selection?.kind === "tie" && shown.selection.k === k;
-    return part(shown, "tie", k, "tie", name, line(x1, y1, x2, y2), plate(x1, y1), plate(x2, y2), selected && label((x1 + x2) / 2, (y1 + y2) / 2 - 8, "middle", `${t.name} · ${qty(t.area * 1e6, "mm²")}`));
+    return part(shown, "tie", k, "tie", name, line(x1, y1, x2, y2), plate(x1, y1), plate(x2, y2), selected && label((x1 + x2) / 2, (y1 + y2) / 2 - 8, "middle", `${t.name} · ${amount(t.area, 1e6, "mm²")}`));
   });
 }

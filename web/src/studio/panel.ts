@@ -26,6 +26,7 @@ export class Panel {
   constructor(
     readonly project: Project,
     private readonly changed: () => void,
+    private readonly tell: (words: string) => void,
   ) {
     project.listen(() => this.refresh());
   }
@@ -77,7 +78,7 @@ export class Panel {
       arch && arch.kind !== "flat" && this.length(say("studio.rise"), () => riseOf(opening().arch, opening().width), (v) => setRise(project.text, project.drawing!, k, v), 0.01),
       arch && this.length(say("studio.arch.depth"), () => opening().arch?.depth ?? NaN, (v) => setLength(project.text, depth, v), 0.01),
       frameFields(this, k),
-      h("button", { class: "button", type: "button", onclick: () => this.edit(removePart(project.text, project.drawing!, { kind: "opening", k }), -1) }, say("studio.delete")),
+      h("button", { class: "button", type: "button", onclick: () => this.remove({ kind: "opening", k }) }, say("studio.delete")),
     );
   }
   private wallGroup(): HTMLElement {
@@ -133,6 +134,11 @@ export class Panel {
     this.project.endStep();
     this.project.change(text, selected);
     this.changed();
+  }
+  remove(part: Selected): void {
+    const text = removePart(this.project.text, this.project.drawing!, part);
+    if (text === null) this.tell(say("studio.hinder.file"));
+    else this.edit(text, null);
   }
   // A text field whose words `take` turns into an edit; null: it cannot be read.
   private entry(label: string, unit: string, show: () => string, take: (text: string) => string | null, step?: (by: number) => string | null, wide = false): HTMLElement {

@@ -68,7 +68,9 @@ export const placeStorey = (text: string, d: Drawing): PartGesture => ({
     const selection: Selected = { kind: "storey", k: d.storeys.length === 0 ? 1 : Math.min(k, d.storeys.length) };
     const guides: Guide[] = typed("level") === null ? line.guides : [];
     if (hinder) return { text, selection: null, values: { level: y }, guides: [{ axis: "y", at: y, from: 0, to: d.length }], hinder };
-    return { text: addStorey(text, d, y, storeyName), selection, values: { level: y }, guides };
+    const out = addStorey(text, d, y, storeyName);
+    if (out === null) return { text, selection: null, values: { level: y }, guides, hinder: say("studio.hinder.file") };
+    return { text: out, selection, values: { level: y }, guides };
   },
 });
 export const dragStorey = (text: string, d: Drawing, k: number): PartGesture => ({

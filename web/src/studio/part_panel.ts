@@ -1,17 +1,17 @@
 // The numbers of a part that is selected and is no opening.
 import { h, type Child } from "../dom";
-import { qty, say } from "../texts";
+import { say } from "../texts";
 import { setLength, type Selected } from "./drawing";
 import { holdOf, kHolds, moveFloor, setFloorSpan, setHold, type Hold } from "./floors";
 import { addFrame, frameOf, kFeet, removeFrame, setProfile } from "./frames";
 import type { Panel } from "./panel";
-import { removePart } from "./parts";
 import { kProfiles, profileNamed } from "./profiles";
 import type { Project } from "./project";
 import { moveStoreyLine, renameStorey, setStoreyHeight } from "./storeys";
 import { forceOf, setTieEnds, setTieForce } from "./ties";
 import { find, quoted, removeAt, setValue, valueAt, type Path } from "./toml";
 import { lengthOf, readQuantity, writeQuantity } from "./units";
+import { amount, kUnread } from "./words";
 
 // What tells one set of fields from another.
 export function partShape({ selection, doc, drawing }: Project): string {
@@ -27,7 +27,7 @@ export function partGroup(panel: Panel, part: Selected): HTMLElement {
   return storeyGroup(panel, part.k);
 }
 const removal = (panel: Panel, part: Selected, words: string): HTMLElement =>
-  h("button", { class: "button", type: "button", onclick: () => panel.edit(removePart(panel.project.text, panel.project.drawing!, part), null) }, words);
+  h("button", { class: "button", type: "button", onclick: () => panel.remove(part) }, words);
 
 function storeyGroup(panel: Panel, k: number): HTMLElement {
   const { project } = panel;
@@ -67,7 +67,7 @@ function floorGroup(panel: Panel, k: number): HTMLElement {
     panel.length(say("studio.left"), () => floor().x, (x) => (x < d().length ? setFloorSpan(project.text, d(), k, x, Math.min(floor().width, d().length - x)) : null), "half"),
     panel.length(say("studio.width"), () => floor().width, (w) => (w > 0 && floor().x + w <= d().length + 1e-6 ? setFloorSpan(project.text, d(), k, floor().x, w) : null), "half"),
     panel.choice(say("studio.floor.hold"), kHolds.map((hold) => [hold, say(`studio.floor.hold.${hold}`)]), () => holdOf(d(), k), (hold) => setHold(project.text, d(), k, hold as Hold), true),
-    panel.hint(() => (floor().load === null ? "" : say("studio.floor.sum", { load: qty(floor().load! / 1000, "kN/m"), whole: qty((floor().load! * floor().width) / 1000, "kN") }))),
+    panel.hint(() => (say("studio.floor.sum", { load: amount(floor().load, 1e-3, "kN/m"), whole: amount(floor().load, floor().width / 1000, "kN") }))),
     removal(panel, { kind: "floor", k }, say("studio.delete")),
   );
 }
@@ -80,6 +80,15 @@ function tieGroup(panel: Panel, k: number): HTMLElement {
     readQuantity(valueAt(project.doc!, at(key))) ? panel.quantity(say(`studio.tie.${key}`), () => String(valueAt(project.doc!, at(key)) ?? ""), (v) => setValue(project.text, at(key), quoted(v))) : null;
   const end = (which: "from" | "to"): HTMLElement | null =>
     tie()[which] && panel.length(say(`studio.tie.${which}`), () => tie()[which]?.x ?? NaN, (x) => setLength(project.text, [...at(which), "x"], x), "half");
+  const force = (): string => {
+    const value = forceOf(tie());
+    return value === null ? kUnread : writeQuantity(Math.round(value), "kN");
+  };
+  const sum = (): string => {
+    const { area, yields } = tie();
+    const bar = amount(area === null ? null : Math.sqrt((4 * area) / Math.PI), 1000, "mm");
+    return say(yields === Infinity ? "studio.tie.bar" : "studio.tie.sum", { bar, force: amount(area === null ? null : yields, (area ?? 0) / 1000, "kN") });
+  };
   const level = (y: number): string => {
     const { from, to } = tie();
     return setTieEnds(project.text, k, { x: from!.x, y }, { x: to!.x, y: to!.y + y - from!.y });
@@ -91,10 +100,10 @@ function tieGroup(panel: Panel, k: number): HTMLElement {
     end("to"),
     tie().from && tie().to && panel.length(say("studio.above.base"), () => tie().from?.y ?? NaN, level, "course"),
     quantity("area"),
-    panel.quantity(say("studio.tie.force"), () => writeQuantity(Math.round(forceOf(tie())), "kN"), (v) => setTieForce(project.text, tie(), k, readQuantity(v)?.value ?? -1)),
+    panel.quantity(say("studio.tie.force"), force, (v) => setTieForce(project.text, tie(), k, readQuantity(v)?.value ?? -1)),
     quantity("yield_strength"),
     quantity("anchor_strength"),
-    panel.hint(() => say(tie().yields < Infinity ? "studio.tie.sum" : "studio.tie.bar", { bar: qty(Math.sqrt((4 * tie().area) / Math.PI) * 1000, "mm"), force: qty((tie().yields * tie().area) / 1000, "kN") })),
+    panel.hint(sum),
     removal(panel, { kind: "tie", k }, say("studio.delete")),
   );
 }

@@ -5,7 +5,8 @@ import { frameOf, removeFrame } from "./frames";
 import { removeStoreyLine } from "./storeys";
 import { removeTie } from "./ties";
 
-export function removePart(text: string, d: Drawing, { kind, k }: Selected): string {
+// null: the file has something there that would be lost or moved.
+export function removePart(text: string, d: Drawing, { kind, k }: Selected): string | null {
   if (kind === "opening") {
     const frame = frameOf(d, k);
     return removeOpening(frame < 0 ? text : removeFrame(text, frame), k);

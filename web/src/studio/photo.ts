@@ -3,11 +3,12 @@
 import { h, svg, type Child } from "../dom";
 import { say } from "../texts";
 import type { Canvas } from "./canvas";
-import { isDxf, paintDxf, readDxf } from "./dxf";
+import { isDxf, kMost, paintDxf, readDxf } from "./dxf";
 import { forgetPhoto, keepPhoto, keptPhoto, type PhotoPlace } from "./photo_store";
 import type { Project } from "./project";
 import type { Point } from "./tools";
 import { typedLength, writeQuantity } from "./units";
+import { whole } from "./words";
 
 const kLargest = 60 << 20; // of a file that is opened [bytes]
 const kKept = 24 << 20; // of one that the browser keeps [bytes]
@@ -52,9 +53,12 @@ export class Photo {
   private shown = true;
   private opacity = 0.6;
   private active = false; // its tool is chosen
+  private place: PhotoPlace | null = null; // that is kept, or soon
   private points: Point[] = []; // that are measured, on the photo where it lies
   private dragged: { from: Point; client: Point; place: PhotoPlace; moved: boolean } | null = null;
   private timer = 0;
+  private shape = ""; // of the bar's controls: others are built anew
+  private fresh: (() => void)[] = []; // what brings them up to date
   private readonly input = h("input", { type: "file", accept: "image/png,image/jpeg,.dxf", hidden: true, "aria-label": say("studio.photo.open"), tabindex: "-1" });
 
   constructor(
@@ -66,17 +70,29 @@ export class Photo {
       if (this.input.files?.[0]) void this.open(this.input.files[0]);
       this.input.value = "";
     });
-    project.listen(() => this.show()); // it may have been put back where it was
+    project.listen(() => {
+      if (this.place !== project.photo && this.loaded) this.keepSoon(); // an undo put it back where it was, or it was moved
+      this.place = project.photo;
+      this.show();
+    });
   }
 
   choose(): void {
     this.input.click();
   }
   async open(file: File): Promise<void> {
+    try {
+      await this.read(file);
+    } catch {
+      this.tell(say("studio.photo.unread", { name: file.name })); // gone since it was chosen, or more than there is room for
+    }
+  }
+  private async read(file: File): Promise<void> {
     if (file.size > kLargest) return this.tell(say("studio.photo.large", { name: file.name }));
     const bytes = await file.arrayBuffer();
     const head = new TextDecoder().decode(bytes.slice(0, 200));
-    const lines = isDxf(file.name, head) ? readDxf(new TextDecoder().decode(bytes)) : null;
+    const lines = isDxf(file.name, head) ? readDxf(new TextDecoder().decode(bytes)) : undefined;
+    if (lines === null) return this.tell(say("studio.photo.many", { name: file.name, count: whole(kMost) }));
     const painted = lines && (await paintDxf(lines));
     const loaded = await load(file.name, painted?.bytes ?? bytes);
     if (!loaded) return this.tell(say("studio.photo.unread", { name: file.name }));
@@ -96,6 +112,7 @@ export class Photo {
     if (!kept || !loaded) return;
     this.take(loaded, shown && kept.shown);
     this.opacity = kept.opacity;
+    this.place = kept.place; // it is kept so, and shown again where it is hidden now
     this.project.newPhoto(kept.place);
   }
   private take(loaded: Loaded, shown: boolean): void {
@@ -121,7 +138,7 @@ export class Photo {
     this.loaded = null;
     this.points = [];
     void forgetPhoto();
-    this.show();
+    this.project.newPhoto(null);
   }
   toggle(): void {
     if (!this.loaded) return this.choose();
@@ -180,7 +197,7 @@ export class Photo {
   nudge(dx: number, dy: number, fine: boolean): void {
     const place = this.project.photo;
     const step = fine ? 0.01 : 0.1;
-    if (place) this.put({ ...place, x: place.x + dx * step, y: place.y + dy * step }, "nudge photo");
+    if (place && this.loaded) this.put({ ...place, x: place.x + dx * step, y: place.y + dy * step }, "nudge photo");
   }
   // So long is the line between the two points: the photo grows about the first.
   private scale(length: number): boolean {
@@ -199,7 +216,6 @@ export class Photo {
   }
   private put(place: PhotoPlace, join = ""): void {
     this.project.placePhoto(place, join);
-    this.keepSoon();
   }
 
   // --- what is shown -----------------------------------------------------------------------------------------
@@ -207,7 +223,19 @@ export class Photo {
   private show(): void {
     this.draw();
     this.bar.hidden = !this.active;
-    if (this.active) this.bar.replaceChildren(...this.controls());
+    if (!this.active) return;
+    const shape = `${this.loaded?.url} ${this.points.length}`;
+    if (shape !== this.shape) this.rebuild(shape);
+    else for (const refresh of this.fresh) refresh();
+  }
+  // Other controls: the focus goes to the one of the same name, or to the drawing.
+  private rebuild(shape: string): void {
+    const had = this.bar.contains(document.activeElement) ? document.activeElement! : null;
+    this.shape = shape;
+    this.fresh = [];
+    this.bar.replaceChildren(...this.controls());
+    const name = had?.getAttribute("aria-label");
+    if (had) (name ? this.bar.querySelector<HTMLElement>(`input[aria-label="${CSS.escape(name)}"]:not([hidden])`) ?? this.canvas.root : this.canvas.root).focus();
   }
   private draw(place = this.project.photo, by: Point = { x: 0, y: 0 }): void {
     const { loaded } = this;
@@ -225,6 +253,10 @@ export class Photo {
       this.draw();
     });
     const seen = h("input", { type: "checkbox", checked: this.shown, onchange: () => this.toggle() });
+    this.fresh.push(() => {
+      seen.checked = this.shown;
+      faint.value = String(this.opacity);
+    });
     return [
       h("div", { class: "row" }, this.points.length === 2 ? this.measure() : h("span", { class: "words" }, say(`studio.photo.step.${this.points.length}`))),
       h("div", { class: "row" },
@@ -236,26 +268,35 @@ export class Photo {
         this.input),
     ];
   }
-  private field(label: string, value: number, take: (v: number) => boolean, data: Record<string, string> = {}): HTMLInputElement {
-    const field = h("input", { type: "text", class: "length", autocomplete: "off", inputmode: "decimal", "aria-label": label, value: writeQuantity(value, "m", "0.00").split(" ")[0], ...data });
+  private field(label: string, value: () => number, take: (v: number) => boolean, data: Record<string, string> = {}): HTMLInputElement {
+    const written = (): string => writeQuantity(value(), "m", "0.00").split(" ")[0];
+    const field = h("input", { type: "text", class: "length", autocomplete: "off", inputmode: "decimal", "aria-label": label, value: written(), ...data });
+    const refresh = (): void => {
+      field.value = written();
+      field.removeAttribute("aria-invalid");
+    };
+    this.fresh.push(() => document.activeElement !== field && refresh()); // not while somebody types
     field.addEventListener("change", () => {
       const length = typedLength(field.value);
       const good = length !== null && length > 0 && take(length);
-      if (!good) field.setAttribute("aria-invalid", "true");
+      if (good) refresh();
+      else field.setAttribute("aria-invalid", "true");
     });
     return field;
   }
   private measure(): Child[] {
-    const [a, b] = this.points;
-    const measured = Math.round(1000 * Math.hypot(b.x - a.x, b.y - a.y)) / 1000;
+    const measured = (): number => {
+      const [a, b] = this.points;
+      return a && b ? Math.round(1000 * Math.hypot(b.x - a.x, b.y - a.y)) / 1000 : 0;
+    };
     const field = this.field(say("studio.photo.length"), measured, (v) => this.scale(v), { "data-measure": "" });
     field.addEventListener("focus", () => field.select());
     return [h("label", { class: "check" }, say("studio.photo.length"), field, "m"), h("button", { class: "button small", type: "button", onclick: () => field.dispatchEvent(new Event("change")) }, say("studio.photo.set"))];
   }
   // For those who cannot point: the whole photo's width.
   private width(loaded: Loaded): HTMLElement {
-    const place = this.project.photo;
-    const field = this.field(say("studio.photo.width"), (place?.metre ?? 0) * loaded.width, (v) => {
+    const field = this.field(say("studio.photo.width"), () => (this.project.photo?.metre ?? 0) * loaded.width, (v) => {
+      const place = this.project.photo;
       if (!place || !this.fits(v / loaded.width)) return false;
       this.put({ ...place, metre: v / loaded.width });
       return true;

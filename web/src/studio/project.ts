@@ -82,9 +82,12 @@ export class Project {
     this.photo = place;
     this.tell("selection");
   }
-  // Another photo: no step before knows where it lies.
-  newPhoto(place: PhotoPlace): void {
+  // Another photo, or none: no step before knows where it lies, and those that only moved the other are gone.
+  newPhoto(place: PhotoPlace | null): void {
+    const edits = (steps: Step[]): Step[] => steps.filter((s, k) => s.text !== (steps[k + 1] ?? this).text);
+    [this.steps, this.undone] = [edits(this.steps), edits(this.undone)];
     for (const step of [...this.steps, ...this.undone]) step.photo = null;
+    this.joined = "";
     this.photo = place;
     this.tell("selection");
   }

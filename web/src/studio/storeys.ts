@@ -1,7 +1,7 @@
 // Storeys: a line that parts the wall, moved or taken away, and what stands or lies on it goes along.
 import { crownOf } from "./arches";
 import { pushAlong, setLength, setWallSize, type Drawing } from "./drawing";
-import { appendTable, countAt, find, insertTable, literalOf, parse, quoted, removeAt, renameKey, setValue, valueAt, type Path } from "./toml";
+import { appendTable, countAt, find, insertTable, literalOf, parse, quoted, removeAt, renameKey, setValue, valueAt, type Doc, type Path } from "./toml";
 import { lengthOf, writeQuantity } from "./units";
 
 const metres = (v: number): string => quoted(writeQuantity(v, "m", "0.00"));
@@ -14,7 +14,8 @@ const topOf = (d: Drawing, k: number): number => d.storeys[k].foot + d.storeys[k
 export const cutBy = (d: Drawing, y: number): string | null => d.openings.find((o) => o.y < y - 1e-6 && crownOf(o) > y + 1e-6)?.name ?? null;
 
 // A line at height y: it parts the wall or a storey in two. Above the wall's top it makes a storey more.
-export function addStorey(text: string, d: Drawing, y: number, nameOf: (n: number) => string): string {
+// null: what the file says of regions there cannot be kept.
+export function addStorey(text: string, d: Drawing, y: number, nameOf: (n: number) => string): string | null {
   const taken = new Set(d.storeys.map((s) => s.name));
   const fresh = (): string => {
     let n = 0;
@@ -24,6 +25,7 @@ export function addStorey(text: string, d: Drawing, y: number, nameOf: (n: numbe
   };
   const higher = y > d.height + 1e-6;
   if (d.storeys.length === 0) {
+    if (boundTo(parse(text), null)) return null;
     const lower = fresh(),
       upper = fresh();
     const line = higher ? d.height : y;
@@ -37,6 +39,7 @@ export function addStorey(text: string, d: Drawing, y: number, nameOf: (n: numbe
   const k = d.storeys.findIndex((_, i) => topOf(d, i) > y);
   const storey = d.storeys[k];
   const doc = parse(text);
+  if (boundTo(doc, storey.name)) return null;
   const node = find(doc, ["storey", k]);
   const own = node?.kind === "table" ? [...node.keys.keys()].filter((key) => key !== "name" && key !== "height") : [];
   const pairs: [string, string][] = [["name", quoted(name)], ["height", metres(topOf(d, k) - y)], ...own.map((key): [string, string] => [key, literalOf(doc, ["storey", k, key])])];
@@ -65,23 +68,34 @@ export function setStoreyHeight(text: string, d: Drawing, k: number, height: num
   return wallAsHigh(pushAlong(follow(out, [...lines, [d.height, whole]]), d, d.length, whole), whole);
 }
 
-// Without the line below storey k: the storey below takes it in, with its own masonry.
-export function removeStoreyLine(text: string, d: Drawing, k: number): string {
+// Without the line below storey k: the storey below takes it in, with its own masonry. null: as for addStorey.
+export function removeStoreyLine(text: string, d: Drawing, k: number): string | null {
   const below = d.storeys[k - 1],
     storey = d.storeys[k];
   let out = setLength(text, ["storey", k - 1, "height"], below.height + storey.height);
   const doc = parse(text);
-  // floors on the line stay at its height
-  for (const [list, keeps] of [["floor", true], ["diaphragm", true], ["ring_beam", false]] as const)
+  if (boundTo(doc, below.name) || boundTo(doc, storey.name)) return null;
+  // what lies on the line stays at its height; a beam's is that of its foot
+  for (const list of ["floor", "diaphragm", "ring_beam"])
     for (let i = 0; i < countAt(doc, [list]); ++i) {
       const at: Path = [list, i];
       const name = valueAt(doc, [...at, "storey"]);
-      if (name === below.name && keeps) out = renameKey(out, [...at, "storey"], "y", metres(storey.foot));
+      if (name === below.name) {
+        const depth = list === "ring_beam" ? lengthOf(valueAt(doc, [...at, "height"])) : 0;
+        if (depth === null) return null;
+        out = renameKey(out, [...at, "storey"], "y", metres(storey.foot - depth));
+      }
       if (name === storey.name) out = setValue(out, [...at, "storey"], quoted(below.name));
     }
   d.openings.forEach((o, i) => {
     if (valueAt(doc, ["wall", "opening", i, "storey"]) === storey.name) out = intoStorey(out, i, below.name, o.y - below.foot);
   });
+  for (let i = 0; i < countAt(doc, ["region"]); ++i) {
+    const at: Path = ["region", i];
+    if (valueAt(doc, [...at, "storey"]) !== storey.name) continue;
+    out = setValue(out, [...at, "storey"], quoted(below.name));
+    for (const path of heightsOf(doc, at)) out = setLength(out, path, lengthOf(valueAt(doc, path))! + below.height);
+  }
   return removeAt(out, ["storey", k]);
 }
 
@@ -95,6 +109,20 @@ export function renameStorey(text: string, d: Drawing, k: number, name: string):
     for (let i = 0; i < countAt(doc, list); ++i)
       if (valueAt(doc, [...list, i, "storey"]) === old) out = setValue(out, [...list, i, "storey"], quoted(name));
   return out;
+}
+
+// --- regions ----------------------------------------------------------------------------------------
+
+// Where a box or a polygon says its heights, from the foot of its storey; none where they cannot be read.
+function heightsOf(doc: Doc, at: Path): Path[] {
+  const corners = countAt(doc, [...at, "polygon"]);
+  const paths = corners > 0 ? Array.from({ length: corners }, (_, n): Path => [...at, "polygon", n, 1]) : [[...at, "y"]];
+  return paths.every((path) => lengthOf(valueAt(doc, path)) !== null) ? paths : [];
+}
+// Whether a region is as high as a storey, or as the wall without storeys: all of it or a pier.
+function boundTo(doc: Doc, storey: string | null): boolean {
+  const regions = Array.from({ length: countAt(doc, ["region"]) }, (_, i): Path => ["region", i]);
+  return regions.some((at) => (valueAt(doc, [...at, "storey"]) ?? null) === storey && heightsOf(doc, at).length === 0);
 }
 
 // --- what goes along --------------------------------------------------------------------------------

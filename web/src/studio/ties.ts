@@ -2,15 +2,16 @@
 import { setLength, type Drawing } from "./drawing";
 import type { Point } from "./tools";
 import { appendTable, countAt, find, parse, quoted, removeAt, setValue, valueAt, type Doc, type Path } from "./toml";
-import { lengthOf, readQuantity, writeQuantity } from "./units";
+import { amountOf, lengthOf, writeQuantity } from "./units";
 
 export interface Tie {
   name: string;
   from: Point | null; // null: a block, a box or the beam
   to: Point | null;
-  area: number; // [m^2]
-  prestress: number; // [Pa]
-  yields: number; // at this stress [Pa]; Infinity where the file says none
+  // null: the file says one that is not read here
+  area: number | null; // [m^2]
+  prestress: number | null; // [Pa]
+  yields: number | null; // at this stress [Pa]; Infinity where the file says none
 }
 
 function pointOf(doc: Doc, at: Path): Point | null {
@@ -22,14 +23,14 @@ function pointOf(doc: Doc, at: Path): Point | null {
 export function readTies(doc: Doc): Tie[] {
   return Array.from({ length: countAt(doc, ["tie"]) }, (_, k) => {
     const at: Path = ["tie", k];
-    const value = (key: string): number | undefined => readQuantity(valueAt(doc, [...at, key]))?.value;
+    const value = (key: string, base: string, missing: number): number | null => (find(doc, [...at, key]) ? amountOf(valueAt(doc, [...at, key]), base) : missing);
     return {
       name: String(valueAt(doc, [...at, "name"]) ?? `tie ${k + 1}`),
       from: pointOf(doc, [...at, "from"]),
       to: pointOf(doc, [...at, "to"]),
-      area: value("area") ?? 0,
-      prestress: value("prestress") ?? 0,
-      yields: value("yield_strength") ?? Infinity,
+      area: value("area", "m^2", 0),
+      prestress: value("prestress", "Pa", 0),
+      yields: value("yield_strength", "Pa", Infinity),
     };
   });
 }
@@ -60,9 +61,9 @@ export function setTieEnds(text: string, k: number, from: Point, to: Point): str
 // The force that is drawn in, as the stress that the file has.
 export function setTieForce(text: string, tie: Tie, k: number, force: number): string | null {
   const path: Path = ["tie", k, "prestress"];
-  if (force < 0 || tie.area <= 0) return null;
+  if (force < 0 || tie.area === null || tie.area <= 0) return null;
   if (force === 0) return find(parse(text), path) ? removeAt(text, path) : text;
   return setValue(text, path, quoted(writeQuantity(Math.round(force / tie.area / 1e4) * 1e4, "MPa")));
 }
-export const forceOf = (tie: Tie): number => tie.prestress * tie.area;
+export const forceOf = ({ prestress, area }: Tie): number | null => (prestress === null || area === null ? null : prestress * area);
 export const removeTie = (text: string, k: number): string => removeAt(text, ["tie", k]);

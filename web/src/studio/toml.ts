@@ -430,13 +430,28 @@ export function removeAt(text: string, path: Path): string {
   const parent = find(doc, path.slice(0, -1));
   const node = find(doc, path);
   if (!node || node.kind === "tables") return text;
+  if (isDotted(node)) return [...node.keys.keys()].reverse().reduce((out, key) => removeAt(out, [...path, key]), text);
   if (parent?.kind === "list") return withoutMember(text, parent.items.map((i) => [i.kind === "tables" ? 0 : i.from, endOf(i)]), Number(path[path.length - 1]));
   if (parent?.kind !== "table") return text;
-  const entries = [...parent.keys.values()];
-  const k = entries.findIndex((e) => e.node === node);
-  if (parent.inline && parent.to > parent.from) return withoutMember(text, entries.map((e) => [e.from, endOf(e.node)]), k);
-  const start = text.lastIndexOf("\n", entries[k].from - 1) + 1;
-  return text.slice(0, start) + text.slice(Math.min(text.length, lineEndAt(text, endOf(node)) + 1));
+  const line = bracesAround(doc, path);
+  const [from, to] = [[...parent.keys.values()].find((e) => e.node === node)!.from, endOf(node)];
+  if (line) {
+    const all = [...line.keys.values()].flatMap(leavesOf).sort((a, b) => a[0] - b[0]);
+    return withoutMember(text, all, all.findIndex((span) => span[0] === from));
+  }
+  return text.slice(0, text.lastIndexOf("\n", from - 1) + 1) + text.slice(Math.min(text.length, lineEndAt(text, to) + 1));
+}
+// Written with dots (a.b = 1): no place of its own, only its keys'.
+const isDotted = (node: Node): node is Table => node.kind === "table" && node.inline && node.to === node.from;
+const leavesOf = ({ from, node }: Entry): number[][] => (isDotted(node) ? [...node.keys.values()].flatMap(leavesOf) : [[from, endOf(node)]]);
+// The { ... } in which a key stands.
+function bracesAround(doc: Doc, path: Path): Table | null {
+  for (let n = path.length - 1; n > 0; --n) {
+    const node = find(doc, path.slice(0, n));
+    if (node?.kind !== "table" || !node.inline) return null;
+    if (!isDotted(node)) return node;
+  }
+  return null;
 }
 // Of `a, b, c` one goes with the comma that parted it from its neighbour.
 function withoutMember(text: string, spans: number[][], k: number): string {

@@ -25,6 +25,7 @@ interface Gesture {
   kind: "draw" | "move" | "resize" | "size" | "wall" | "pan" | "part";
   part?: PartGesture;
   held?: boolean; // the button, since the start
+  button: number; // that is down for it; -1: none, it goes from click to click
   handle: Handle;
   start: Point; // in metres
   now: Point;
@@ -120,7 +121,9 @@ export class Tools {
     }
     if (e.button > 1) return;
     if (this.tool === "photo" && e.button === 0 && this.photo.down(this.canvas.at(e), { x: e.clientX, y: e.clientY })) return this.canvas.root.setPointerCapture(e.pointerId);
+    if (this.gesture && e.button === 1) this.cancel(); // the view moves in its place
     if (this.gesture?.clicks) {
+      this.gesture.button = e.button;
       if (this.gesture.part) [this.gesture.start, this.gesture.held] = [this.canvas.at(e), true];
       return; // this click ends what the one before began
     }
@@ -135,7 +138,7 @@ export class Tools {
     const { project, canvas } = this;
     const d = project.drawing;
     const at = canvas.at(e);
-    const base = { start: at, now: at, self: -1, typed: {}, field: 0, clicks: false, moved: false, free: e.altKey, client: { clientX: e.clientX, clientY: e.clientY } };
+    const base = { start: at, now: at, self: -1, typed: {}, field: 0, clicks: false, moved: false, button: e.button, free: e.altKey, client: { clientX: e.clientX, clientY: e.clientY } };
     const none: Box = { x: 0, y: 0, width: 0, height: 0 };
     const pan: Gesture = { ...base, kind: "pan", handle: "move", box: { ...none, x: canvas.view.left, y: canvas.view.bottom }, fields: [] };
     const partly = (part: PartGesture): Gesture => ({ ...base, kind: "part", part, handle: "move", box: none, fields: part.fields });
@@ -169,7 +172,7 @@ export class Tools {
     const part = kPlaces[this.tool](this.project.text, this.project.drawing!);
     const at = this.canvas.at(e);
     const box: Box = { x: 0, y: 0, width: 0, height: 0 };
-    this.gesture = { kind: "part", part, handle: "move", start: at, now: at, box, self: -1, fields: part.fields, typed: {}, field: 0, clicks: hovers, held: !hovers, moved: true, free: e.altKey, client: { clientX: e.clientX, clientY: e.clientY } };
+    this.gesture = { kind: "part", part, handle: "move", start: at, now: at, box, self: -1, fields: part.fields, typed: {}, field: 0, clicks: hovers, held: !hovers, button: hovers ? -1 : e.button, moved: true, free: e.altKey, client: { clientX: e.clientX, clientY: e.clientY } };
     this.show(this.gesture);
     this.placeTyping(e);
   }
@@ -206,12 +209,13 @@ export class Tools {
     this.photo.up(this.canvas.at(e));
     const g = this.gesture;
     if (!g) return;
+    if (g.button !== e.button) return g.button < 0 ? undefined : this.cancel(); // another button was let go last
     if (g.kind === "pan") {
       if (!g.moved) this.project.select(-1);
       return this.cancel();
     }
     if ((g.kind === "draw" || g.kind === "wall") && !g.moved && !g.clicks) {
-      g.clicks = true; // the second corner comes with the next click
+      [g.clicks, g.button] = [true, -1]; // the second corner comes with the next click
       this.show(g);
       return this.placeTyping(e);
     }

@@ -1,14 +1,15 @@
 // Quantities as a model file writes them ("5.10 m"), and lengths as people type them ("1,25", "80 cm").
 
-// How much of the base unit one of these is. Bases: m, m^2, N, Pa, N/m.
+// How much of the base unit one of these is. Bases: m, m^2, N, Pa, N/m, kg/m, kg/m^2, kg/m^3.
 const kFactors: Record<string, [base: string, factor: number]> = {
   m: ["m", 1], dm: ["m", 0.1], cm: ["m", 0.01], mm: ["m", 0.001], ft: ["m", 0.3048], in: ["m", 0.0254],
   N: ["N", 1], kN: ["N", 1e3], MN: ["N", 1e6],
   Pa: ["Pa", 1], kPa: ["Pa", 1e3], MPa: ["Pa", 1e6], GPa: ["Pa", 1e9],
   "N/mm^2": ["Pa", 1e6], "N/mm2": ["Pa", 1e6], "N/m^2": ["Pa", 1], "kN/m^2": ["Pa", 1e3],
-  "N/m": ["N/m", 1], "kN/m": ["N/m", 1e3],
-  "mm^2": ["m^2", 1e-6], mm2: ["m^2", 1e-6], "cm^2": ["m^2", 1e-4], cm2: ["m^2", 1e-4],
-  "kg/m^3": ["kg/m^3", 1], "kg/m3": ["kg/m^3", 1],
+  "kN/m2": ["Pa", 1e3], "daN/m^2": ["Pa", 10], "daN/m2": ["Pa", 10], "kgf/m^2": ["Pa", 9.80665], "kgf/m2": ["Pa", 9.80665],
+  "N/m": ["N/m", 1], "kN/m": ["N/m", 1e3], "daN/m": ["N/m", 10], "kgf/m": ["N/m", 9.80665],
+  "m^2": ["m^2", 1], m2: ["m^2", 1], "mm^2": ["m^2", 1e-6], mm2: ["m^2", 1e-6], "cm^2": ["m^2", 1e-4], cm2: ["m^2", 1e-4],
+  "kg/m": ["kg/m", 1], "kg/m^2": ["kg/m^2", 1], "kg/m2": ["kg/m^2", 1], "kg/m^3": ["kg/m^3", 1], "kg/m3": ["kg/m^3", 1],
 };
 
 export interface Quantity {
@@ -24,10 +25,12 @@ export function readQuantity(text: unknown): Quantity | null {
   return known ? { value: Number(match[1]) * known[1], unit: match[2], base: known[0] } : null;
 }
 
-export const lengthOf = (text: unknown): number | null => {
+// What stands in a place, in its base unit; null: it cannot be read, or is of another kind.
+export function amountOf(text: unknown, base: string): number | null {
   const q = readQuantity(text);
-  return q?.base === "m" ? q.value : null;
-};
+  return q?.base === base ? q.value : null;
+}
+export const lengthOf = (text: unknown): number | null => amountOf(text, "m");
 
 // A value in a unit, without tails of rounding: at most a tenth of a millimetre, and as many decimals as `like` has.
 export function writeQuantity(value: number, unit: string, like = ""): string {
