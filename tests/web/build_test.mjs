@@ -95,6 +95,12 @@ test("every text that is asked for is in the table, and none is there for nothin
   }
 });
 
+test("in German a push is broken off or interrupted, two different words", () => {
+  const german = (key) => table.texts[`studio.${key}`][table.languages.indexOf("de")];
+  for (const key of ["button.stop", "do.stop", "stopped"]) assert.match(german(key), /abbrechen|abgebrochen/i, key);
+  assert.match(german("do.pause"), /unterbrechen/);
+});
+
 test("the studio has the words of every failure mode that the engine names", () => {
   const code = fs.readFileSync(path.join(root, "src/judge/modes/mode_names.cpp"), "utf8");
   const all = (pattern) => [...code.matchAll(pattern)].map((m) => m[1]);
