@@ -15,7 +15,8 @@ onmessage = async ({ data }) => {
   if (data.wasm) {
     const compiled = data.wasm instanceof WebAssembly.Module; // by the page, for all its workers
     const instantiateWasm = (imports, done) => {
-      void WebAssembly.instantiate(data.wasm, imports).then((instance) => done(instance, data.wasm));
+      WebAssembly.instantiate(data.wasm, imports).then((instance) => done(instance, data.wasm)).catch((error) =>
+        setTimeout(() => { throw error; })); // the page hears of it (onerror); nothing else would
       return {};
     };
     engine = await wytheEngine({ ...(compiled ? { instantiateWasm } : { wasmBinary: data.wasm }), printErr: () => {} });
@@ -65,6 +66,8 @@ async function answer({ id, task, texts, numbers, want, tables, pieces, first })
       stopped = performance.now() - cost;
       code = job.do(tell);
     }
+    // stopped with no answer: the first analysis was refused. The reasons come with all of them.
+    if (first && code === 3 && job.answers().texts.error !== "") return await answer({ id, task, texts, numbers, want, tables, pieces });
     postMessage({ id, code: first && code === 3 ? 0 : code, ...job.answers({ texts: want, tables }) });
   } finally {
     job.free();

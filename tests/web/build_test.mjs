@@ -5,6 +5,7 @@ import fs from "node:fs";
 import { createRequire } from "node:module";
 import path from "node:path";
 import { test } from "node:test";
+import { textsOf } from "../../web/texts_of.js";
 import { folder, root } from "./helpers.mjs";
 
 const assets = path.join(root, "src/report/assets");
@@ -108,6 +109,22 @@ test("every text that is asked for is in the table, and none is there for nothin
       /^(kind|untitled|assumption|measure|crack|curve|curves)\./.test(key);
     assert.ok(used, `${key} is never said`);
   }
+});
+
+test("in German a push is broken off or interrupted, two different words", () => {
+  const german = (key) => table.texts[`studio.${key}`][table.languages.indexOf("de")];
+  for (const key of ["button.stop", "do.stop", "stopped"]) assert.match(german(key), /abbrechen|abgebrochen/i, key);
+  assert.match(german("do.pause"), /unterbrechen/);
+});
+
+test("the studio has the words of every failure mode that the engine names", () => {
+  const code = fs.readFileSync(path.join(root, "src/judge/modes/mode_names.cpp"), "utf8");
+  const all = (pattern) => [...code.matchAll(pattern)].map((m) => m[1]);
+  const parts = all(/surest\("([^"]+)"/g); // of a wall, no modes
+  const asked = all(/"((?:[^"\\]|\\.)*)"/g).filter((name) => name in table.phrases && !parts.includes(name));
+  assert.ok(asked.length > 10);
+  const made = JSON.parse(textsOf("studio").transform(JSON.stringify(table), "texts.json").code);
+  assert.deepEqual([...new Set(asked.filter((name) => !(name in made.phrases)))], []);
 });
 
 test("the lock file names no registry", () => {

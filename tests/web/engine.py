@@ -81,6 +81,9 @@ def answer(question):
         code = library.wythe_do(job, heard, None)
     if question.get("first") and code == STOPPED:
         code = 0
+        if text(job, "error"):  # the first analysis was refused
+            library.wythe_free(job)
+            return answer({**question, "first": False})
     # faults first: to ask for a text that there is not is a fault of its own
     texts = {name: text(job, name) for name in ["faults", "error", *(question.get("want", []) if code == 0 else [])]}
     tables, rows = {}, ctypes.c_size_t()

@@ -172,3 +172,26 @@ export const pixelsOf = (page, x, y) =>
     },
     [x, y],
   );
+
+// As much of a page as sentences need, for tests of parts without a browser: `text` of an element is what it says.
+class StandIn {
+  children = [];
+  classList = { toggle() {} };
+  setAttribute() {}
+  addEventListener() {}
+  appendChild(child) {
+    this.children.push(child);
+  }
+  replaceChildren(...all) {
+    this.children = all;
+  }
+  get text() {
+    return this.children.map((c) => c.text ?? String(c)).join(" ").replace(/\u202f/g, " ");
+  }
+}
+export function standInForPage() {
+  const createElement = () => new StandIn();
+  globalThis.Node = StandIn;
+  globalThis.window = globalThis;
+  globalThis.document = { createElement, createElementNS: createElement, createTextNode: (text) => Object.assign(new StandIn(), { children: [text] }), documentElement: { dataset: {} } };
+}

@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import fs from "node:fs";
 import path from "node:path";
 import { after, before, test } from "node:test";
+import { pathToFileURL } from "node:url";
 import { folder, root } from "./helpers.mjs";
 import { launch, openStudio, stonesOf, studioPage, textOf } from "./studio.mjs";
 
@@ -144,5 +145,94 @@ test("a model that wythe studio put into the page opens once, and what became of
   await stonesOf(other);
   assert.equal(await textOf(other), `${model}# mine\n`);
   assert.deepEqual(other.faults, []);
+  await other.end();
+});
+
+// Pages that `wythe studio` made of models, and the plain one, opened one after another in one browser: they share its storage.
+const made = (name, model) => {
+  const own = path.join(folder("studio"), `${name}_${process.pid}.html`);
+  fs.writeFileSync(own, fs.readFileSync(file, "utf8").replace("<!--wythe:model-->", Buffer.from(model).toString("hex")));
+  return own;
+};
+const visit = async (other, address) => {
+  await other.goto("about:blank");
+  await other.goto(address.startsWith("file:") ? address : pathToFileURL(address).href);
+  await other.waitForSelector("html[data-ready]");
+  return textOf(other);
+};
+const add = (other, line) =>
+  other.locator(".file-text").evaluate((area, line) => {
+    area.value += line;
+    area.dispatchEvent(new Event("blur"));
+  }, line);
+const undo = (other) => other.getByRole("button", { name: "Undo" }).click();
+const pier = fs.readFileSync(path.join(root, "examples/brick_pier/model.toml"), "utf8");
+
+test("each page with a model keeps the work on its own, and the wall of the plain page is one undo away", async () => {
+  const [a, b] = [made("a", `${pier}# a\n`), made("b", `${pier}# b\n`)];
+  const other = await openStudio(browser, file, { impatient: true });
+  await add(other, "# plain\n");
+  const plain = await textOf(other);
+  assert.equal(await visit(other, a), `${pier}# a\n`);
+  assert.match(await other.locator(".notice").innerText(), /Your last wall is one undo away/);
+  await undo(other);
+  assert.equal(await textOf(other), plain);
+  await other.getByRole("button", { name: "Redo" }).click();
+  await add(other, "# work on a\n");
+  assert.equal(await visit(other, b), `${pier}# b\n`);
+  await add(other, "# work on b\n");
+  assert.equal(await visit(other, a), `${pier}# a\n# work on a\n`);
+  assert.match(await other.locator(".notice").innerText(), /Your wall is back/);
+  assert.equal(await visit(other, b), `${pier}# b\n# work on b\n`);
+  assert.equal(await visit(other, file), plain);
+  await other.end();
+});
+
+test("an edit after a link was made outlives a reload", async () => {
+  const other = await openStudio(browser, file, { impatient: true });
+  await other.getByRole("button", { name: "Link" }).click();
+  await other.waitForFunction(() => location.hash.startsWith("#w="));
+  await add(other, "# newer\n");
+  assert.equal(new URL(other.url()).hash, "");
+  const newer = await textOf(other);
+  await other.reload();
+  await other.waitForSelector("html[data-ready]");
+  assert.equal(await textOf(other), newer);
+  await other.end();
+});
+
+test("another's link takes nothing away: the kept wall is one undo away, and kept until an edit", async () => {
+  const other = await openStudio(browser, file, { impatient: true });
+  await other.getByRole("button", { name: "Link" }).click();
+  await other.waitForFunction(() => location.hash.startsWith("#w="));
+  const link = other.url(),
+    linked = await textOf(other);
+  await add(other, "# mine\n");
+  assert.equal(await visit(other, link), linked);
+  assert.match(await other.locator(".notice").innerText(), /Your last wall is one undo away/);
+  assert.equal(await visit(other, file), `${linked}# mine\n`);
+  await visit(other, link);
+  await undo(other);
+  assert.equal(await textOf(other), `${linked}# mine\n`);
+  await other.end();
+});
+
+test("a model that the browser has no room to keep opens again, not another wall", async () => {
+  const a = made("full", `${pier}# full\n`);
+  const other = await openStudio(browser, file, { impatient: true });
+  await add(other, "# plain\n");
+  await other.evaluate(() => {
+    for (let length = 1 << 22; length > 0; length >>= 1)
+      for (let k = 0; k < 8; ++k)
+        try {
+          localStorage.setItem(`room ${length} ${k}`, "x".repeat(length));
+        } catch {
+          break;
+        }
+  });
+  assert.equal(await visit(other, a), `${pier}# full\n`);
+  await add(other, "# more\n");
+  assert.match(await other.locator(".notice").innerText(), /keeps nothing/);
+  assert.equal(await visit(other, a), `${pier}# full\n`);
   await other.end();
 });

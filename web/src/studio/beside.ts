@@ -9,7 +9,7 @@ import type { Answer, Engine } from "./engine";
 import { kStopped } from "./engine";
 import { pointsOf } from "./push";
 import type { Project } from "./project";
-import { countAt, valueAt, type Doc } from "./toml";
+import { valueAt, type Doc } from "./toml";
 
 export const kWalls = 8;
 
@@ -21,27 +21,36 @@ const kKinds: [RegExp, string][] = [
 ];
 export const kindOf = (masonry: string): string => kKinds.find(([words]) => words.test(masonry))?.[1] ?? "clay_brick";
 
-// What makes a wall one of many: the file's own scatter or fields with another seed, else the scatter of its masonry.
-export function settingsOfWall(doc: Doc, seed: number): string[] {
+// Settings that give the file's own fields another seed; a field by a formula has none.
+function seedsOf(doc: Doc, seed: number): string[] {
   const fields = doc.root.keys.get("field")?.node;
   const names = fields?.kind === "table" ? [...fields.keys.keys()] : [];
-  const seeds = names.filter((name) => valueAt(doc, ["field", name, "formula"]) === undefined).map((name) => `field.${name}.seed=${seed}`);
+  return names.filter((name) => valueAt(doc, ["field", name, "formula"]) === undefined).map((name) => `field.${name}.seed=${seed}`);
+}
+// What makes a wall one of many: the file's own scatter or fields with another seed, else the scatter of its masonry.
+export function settingsOfWall(doc: Doc, seed: number): string[] {
+  const seeds = seedsOf(doc, seed);
   if (doc.root.keys.has("scatter")) return [`scatter.seed=${seed}`, ...seeds];
-  if (seeds.length > 0) return seeds;
-  return [`scatter.use="${kindOf(String(valueAt(doc, ["masonry", "use"]) ?? ""))}"`, `scatter.seed=${seed}`];
+  return seeds.length > 0 ? seeds : [`scatter.use="${kindIn(doc)}"`, `scatter.seed=${seed}`];
 }
-const hasScatter = (doc: Doc): boolean => doc.root.keys.has("scatter") || countAt(doc, ["field"]) > 0 || doc.root.keys.has("field");
+const kindIn = (doc: Doc): string => kindOf(String(valueAt(doc, ["masonry", "use"]) ?? ""));
+const scatterOf = (doc: Doc): string => say(`studio.scatter.${doc.root.keys.has("scatter") || seedsOf(doc, 1).length > 0 ? "own" : kindIn(doc)}`);
 
-interface Peak {
-  force: number; // [kN]
+// The strength of a wall [kN]: 0 where it fell before the push, null where the run gives none.
+export function strengthOf(summary: Record<string, unknown>, points: Point[]): number | null {
+  if (summary.status === "collapsed" && points.length < 2) return 0;
+  return isAnswer(summary) && points.length > 1 ? numberOr(summary.peak_reaction_kN) : null;
 }
+const isAnswer = (summary: Record<string, unknown>): boolean => summary.status === "completed" || summary.status === "collapsed";
 
 export class Beside {
   readonly root = h("div", { class: "beside" });
   running: "" | "other" | "walls" = "";
   other: Line | null = null;
-  walls: Point[][] = [];
-  private peaks: Peak[] = [];
+  walls: Point[][] = []; // those that have a strength
+  private peaks: number[] = []; // theirs [kN]
+  private failed = 0; // walls without
+  private scatter = ""; // of the text that they are of, in words
   private otherWords = "";
   private trouble = "";
 
@@ -56,6 +65,7 @@ export class Beside {
     this.other = null;
     this.walls = [];
     this.peaks = [];
+    this.failed = 0;
     this.otherWords = this.trouble = "";
     this.tell();
   }
@@ -72,12 +82,13 @@ export class Beside {
     const way = pushOf(project.doc!)!.direction === "-x" ? "+x" : "-x";
     this.begin("other");
     const { answer, summary } = await this.push(setDirection(project.text, project.drawing!, way), []);
-    if (answer.code === 0) {
+    const failed = answer.code === 0 && !isAnswer(summary);
+    if (answer.code === 0 && !failed) {
       const drift = summary.drift_percent_at_peak;
       this.other = { css: "other", name: wayName(way), points: pointsOf(answer) };
       this.otherWords = say("studio.other.answer", { way: wayName(way), force: qty(numberOr(summary.peak_reaction_kN), "kN"), at: qty(numberOr(summary.displacement_at_peak_mm), "mm"), drift: qty(numberOr(drift), "%", 2), mode: phrase(String((summary.failure_mode as { name?: string } | undefined)?.name ?? "–")) });
     }
-    this.end(answer);
+    this.end(answer, failed ? String(summary.reason ?? summary.status) : "");
   }
   async pushWalls(): Promise<void> {
     const { project } = this;
@@ -85,6 +96,8 @@ export class Beside {
     if (this.running !== "" || !doc) return;
     this.walls = [];
     this.peaks = [];
+    this.failed = 0;
+    this.scatter = scatterOf(doc);
     this.begin("walls");
     let answer: Answer | null = null;
     for (let seed = 1; seed <= kWalls; ++seed) {
@@ -92,9 +105,13 @@ export class Beside {
       const pushed = await this.push(text, settingsOfWall(doc, seed));
       answer = pushed.answer;
       if (answer.code !== 0) break;
-      const force = pushed.summary.peak_reaction_kN;
-      this.walls.push(pointsOf(answer));
-      if (typeof force === "number") this.peaks.push({ force });
+      const points = pointsOf(answer),
+        force = strengthOf(pushed.summary, points);
+      if (force === null) ++this.failed;
+      else {
+        this.walls.push(points);
+        this.peaks.push(force);
+      }
       this.changed();
     }
     if (answer) this.end(answer);
@@ -110,8 +127,9 @@ export class Beside {
     this.tell();
     this.changed();
   }
-  private end(answer: Answer): void {
+  private end(answer: Answer, trouble = ""): void {
     this.running = "";
+    this.trouble = trouble;
     this.engine.rest();
     if (answer.code !== 0 && answer.code !== kStopped) this.trouble = answer.texts.error ?? "";
     this.tell();
@@ -123,17 +141,13 @@ export class Beside {
     else if (this.otherWords !== "") words.push(this.otherWords);
     if (this.running === "walls") words.push(say("studio.walls.running", { wall: Math.max(1, wall), count: kWalls }));
     if (this.peaks.length > 1) {
-      const forces = this.peaks.map((p) => p.force).sort((a, b) => a - b);
+      const forces = [...this.peaks].sort((a, b) => a - b);
       const median = (forces[(forces.length - 1) >> 1] + forces[forces.length >> 1]) / 2;
-      words.push(say("studio.walls.answer", { count: forces.length, median: qty(median, "kN"), low: qty(forces[0], "kN"), high: qty(forces[forces.length - 1], "kN"), scatter: this.scatter() }));
+      words.push(say(forces.length % 2 === 1 ? "studio.walls.odd" : "studio.walls.answer", { count: forces.length, median: qty(median, "kN"), low: qty(forces[0], "kN"), high: qty(forces[forces.length - 1], "kN"), scatter: this.scatter }));
     }
+    if (this.failed > 0) words.push(say("studio.walls.failed", { failed: this.failed, count: this.failed + this.peaks.length }));
     if (this.trouble !== "") words.push(say("studio.failed", { why: this.trouble }));
     this.root.replaceChildren(...words.map((w) => h("p", {}, w)));
-  }
-  private scatter(): string {
-    const doc = this.project.doc;
-    if (doc && hasScatter(doc)) return say("studio.scatter.own");
-    return say(`studio.scatter.${kindOf(String((doc && valueAt(doc, ["masonry", "use"])) ?? ""))}`);
   }
 }
 

@@ -79,14 +79,17 @@ export class Curve {
       ...(this.cursor === null ? [] : [svg("line", { class: "cursor", x1: px(this.cursor), x2: px(this.cursor), y1: kPad.top, y2: py(y0) })]),
     );
     const names: [css: string, name: string][] = [["force", this.name], ...this.lines.map((l): [string, string] => [`line ${l.css}`, l.name])];
-    if (this.walls.length > 0) names.push(["band", say("studio.walls.name", { count: this.walls.length })]);
+    if (this.walls.length > 1) names.push(["band", say("studio.walls.name", { count: this.walls.length })]);
     this.legend.hidden = names.length < 2;
     this.legend.replaceChildren(...(names.length < 2 ? [] : names).map(([css, name]) => h("li", {}, svg("svg", { class: "curve swatch", viewBox: "0 0 22 10", "aria-hidden": "true" }, svg("path", { class: css, d: css === "band" ? "M0 1H22V9H0Z" : "M0 5H22" })), name)));
   }
 }
 
-// Between the lowest and the highest of several curves, as far as all of them go; none where one turns back.
-export function bandOf(curves: Point[][]): { x: number; low: number; high: number }[] {
+// Between the lowest and the highest of several curves, as far as all of them go; none where one turns back. A wall that fell
+// before its push has no curve and carries nothing.
+export function bandOf(all: Point[][]): { x: number; low: number; high: number }[] {
+  const curves = all.filter((points) => points.length > 1);
+  const fell = curves.length < all.length ? [0] : [];
   const rising = (points: Point[]): boolean => points.length > 1 && points.every(([x], k) => k === 0 || x >= points[k - 1][0]);
   if (curves.length < 2 || !curves.every(rising)) return [];
   const from = Math.max(...curves.map((c) => c[0][0])),
@@ -100,7 +103,7 @@ export function bandOf(curves: Point[][]): { x: number; low: number; high: numbe
       const [a, b] = [c[next[i] - 1], c[next[i]]];
       return b[0] > a[0] ? a[1] + ((b[1] - a[1]) * (Math.min(x, b[0]) - a[0])) / (b[0] - a[0]) : b[1];
     });
-    band.push({ x, low: Math.min(...forces), high: Math.max(...forces) });
+    band.push({ x, low: Math.min(...forces, ...fell), high: Math.max(...forces) });
   }
   return band;
 }

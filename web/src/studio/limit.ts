@@ -9,6 +9,7 @@ import { faultsOf } from "./push";
 export const kPatience = 3000; // for a limit load [ms]
 
 interface LimitLoad {
+  name: string;
   static_kN?: number;
   static?: number; // of a body force: a load factor
 }
@@ -58,10 +59,11 @@ export class LiveLimit {
   }
 
   private answered(answer: Answer): void {
-    const load = (JSON.parse(answer.texts.mechanisms || "{}") as { limit_loads?: LimitLoad[] }).limit_loads?.[0];
+    const opinion = JSON.parse(answer.texts.mechanisms || "{}") as { limit_loads?: LimitLoad[]; refused?: { why: string }[] };
+    const load = opinion.limit_loads?.find((l) => l.name === "dry");
     if (answer.code !== 0 || !load) {
-      const why = faultsOf(answer)[0]?.problem ?? answer.texts.error ?? "";
-      return this.show(h("p", { class: "soft", title: why }, say("studio.limit.none")));
+      const why = faultsOf(answer)[0]?.problem ?? opinion.refused?.[0]?.why ?? answer.texts.error ?? "";
+      return this.show(h("p", { class: "soft" }, `${say("studio.limit.none")}${why === "" ? "" : `: ${why}`}`));
     }
     this.load = load;
     this.tell(load);

@@ -191,11 +191,17 @@ project.listen((why) => {
     fitNext = false;
     canvas.fit();
   } else canvas.draw();
-  if (!store.keep(project.text)) tell(say("studio.notkept"));
+  if (!starting) edited();
   ask();
   refreshBar();
 });
 
+// What a page opens with is kept elsewhere, or stands in its address, until it is edited.
+let starting = true;
+function edited(): void {
+  store.forgetLink();
+  if (!store.keep(project.text)) tell(say("studio.notkept"));
+}
 function showCracks(picture: Picture | null): void {
   canvas.readOnly = picture !== null;
   canvas.showOpenings = picture === null;
@@ -230,7 +236,6 @@ function showPane(name: "numbers" | "file"): void {
 // --- what can be done ------------------------------------------------------------------------------------------
 
 function begin(text: string): void {
-  store.forgetLink();
   if (canvas.readOnly) push.leave();
   fitNext = true;
   if (project.text === "") project.open(text);
@@ -255,8 +260,9 @@ function toggleSnap(key: "masonry" | "objects"): void {
   refreshBar();
 }
 async function share(): Promise<void> {
-  const link = await store.linkTo(project.text);
-  history.replaceState(null, "", link);
+  const { text } = project;
+  const link = await store.linkTo(text);
+  if (text === project.text) history.replaceState(null, "", link);
   try {
     await navigator.clipboard.writeText(link);
     tell(say("studio.linked"));
@@ -414,21 +420,26 @@ document.body.prepend(
 showPane("numbers");
 
 async function start(): Promise<void> {
-  let text = store.given();
-  let told = "";
-  if (text === null) {
-    text = store.kept();
-    told = text === null ? "" : say("studio.restored");
-  }
-  const linked = store.hasLink(); // another's wall: the photo stays hidden
+  const kept = store.kept();
+  let text = kept ?? store.given;
+  let told = kept === null ? "" : say("studio.restored");
+  let last = kept ?? store.keptPlain(); // what an undo brings back
+  let linked = false; // another's wall: the photo stays hidden
   if (store.hasLink())
     try {
       text = await store.textOfLink();
-      told = "";
+      linked = text !== kept;
+      last ??= store.given;
     } catch {
       told = say("studio.badlink");
+      store.forgetLink();
     }
+  if (text !== null && last !== null && last !== text) {
+    project.open(last);
+    told = say("studio.lastwall");
+  }
   begin(text ?? starter("portal"));
+  starting = false;
   await photo.restore(!linked);
   if (told !== "") tell(told);
   document.documentElement.dataset.ready = "yes";

@@ -2,41 +2,49 @@
 import { download } from "../export";
 import { fromLink, toLink } from "./packed";
 
-const kKey = "wythe.studio.text";
 const kLongest = 1 << 20; // of a file that is opened [bytes]
 
+// The model that `wythe studio MODEL.toml` put into this page, in hexadecimal digits; null where there is none.
+function modelOfPage(): string | null {
+  const digits = document.getElementById("wythe-model")?.textContent?.trim() ?? "";
+  if (!/^([0-9a-f]{2})+$/.test(digits)) return null;
+  return new TextDecoder().decode(Uint8Array.from(digits.match(/../g)!, (pair) => parseInt(pair, 16)));
+}
+// 64 bits of a text, so that pages of different models have different places.
+function hashOf(text: string): string {
+  let a = 0x811c9dc5,
+    b = text.length;
+  for (let k = 0; k < text.length; ++k) {
+    a = Math.imul(a ^ text.charCodeAt(k), 0x01000193);
+    b = Math.imul(b ^ text.charCodeAt(k), 0x5bd1e995) ^ (b >>> 15);
+  }
+  return [a, b].map((half) => (half >>> 0).toString(16).padStart(8, "0")).join("");
+}
+
+// Two places in the browser: one for the wall of a plain page, one for the work on each model that came with its page.
+const kPlain = "wythe.studio.text";
+export const given = modelOfPage();
+const kHere = given === null ? kPlain : `${kPlain}.${hashOf(given)}`;
+
+const read = (key: string): string | null => {
+  try {
+    return localStorage.getItem(key);
+  } catch {
+    return null;
+  }
+};
 // false: the browser keeps nothing (no room, or not allowed).
 export function keep(text: string): boolean {
   try {
-    localStorage.setItem(kKey, text);
+    if (text === given) localStorage.removeItem(kHere); // the page itself has it
+    else localStorage.setItem(kHere, text);
     return true;
   } catch {
     return false;
   }
 }
-export function kept(): string | null {
-  try {
-    return localStorage.getItem(kKey);
-  } catch {
-    return null;
-  }
-}
-
-// The model that `wythe studio MODEL.toml` put into this page, in hexadecimal digits; null where there is none, or where it was
-// opened before: what became of it is kept.
-const kGiven = "wythe.studio.given";
-export function given(): string | null {
-  const digits = document.getElementById("wythe-model")?.textContent?.trim() ?? "";
-  if (!/^([0-9a-f]{2})+$/.test(digits)) return null;
-  const text = new TextDecoder().decode(Uint8Array.from(digits.match(/../g)!, (pair) => parseInt(pair, 16)));
-  try {
-    if (localStorage.getItem(kGiven) === text) return null;
-    localStorage.setItem(kGiven, text);
-  } catch {
-    // a browser that keeps nothing opens it each time
-  }
-  return text;
-}
+export const kept = (): string | null => read(kHere);
+export const keptPlain = (): string | null => read(kPlain);
 
 const kMark = "#w=";
 export const hasLink = (): boolean => location.hash.startsWith(kMark);

@@ -1,0 +1,87 @@
+// The worker of a page (apps/wasm/worker.js) with an engine that is given: what it answers when analyses or the engine itself fail.
+import assert from "node:assert/strict";
+import fs from "node:fs";
+import path from "node:path";
+import { before, test } from "node:test";
+import vm from "node:vm";
+import { root, viewerModule } from "./helpers.mjs";
+import { standInForPage } from "./studio.mjs";
+
+const script = fs.readFileSync(path.join(root, "apps/wasm/worker.js"), "utf8");
+// A worker, and what it says; `analyses` are those of a limit task, each refused or not.
+function worker(analyses, wytheEngine = async () => ({ UTF8ToString: () => "test", _wythe_version: () => 0 })) {
+  const said = [];
+  let threw;
+  const thrown = new Promise((done) => (threw = done));
+  const openJob = () => {
+    let answered,
+      stopped = false; // once and for all, as in the engine
+    return {
+      do(tell) {
+        answered = [];
+        for (const { name, refused } of analyses) {
+          stopped ||= tell(name, 0.1, 0, 0);
+          if (!stopped && !refused) answered.push(name);
+        }
+        return stopped ? 3 : answered.length > 0 ? 0 : 2;
+      },
+      answers: () => ({ texts: { error: answered.length > 0 ? "" : stopped ? "stopped by the user" : "it cannot stand", limits: answered.join() }, tables: {} }),
+      free() {},
+    };
+  };
+  class Module {}
+  const context = vm.createContext({
+    postMessage: (m) => said.push(m), performance, wytheEngine, openJob,
+    setTimeout: (does) => setTimeout(() => { try { does(); } catch (error) { threw(error); } }),
+    WebAssembly: { Module, instantiate: () => Promise.reject(new Error("no memory for it")) },
+  });
+  vm.runInContext(script, context);
+  return { said, thrown, context, begun: context.onmessage({ data: { wasm: new Module() } }) };
+}
+const ask = async ({ context, said, begun }) => {
+  await begun;
+  await context.onmessage({ data: { id: 1, task: "limit", first: true, texts: {} } });
+  return said.at(-1);
+};
+
+test("of several analyses the first is enough", async () => {
+  const answer = await ask(worker([{ name: "dry" }, { name: "crushing" }]));
+  assert.equal(answer.code, 0);
+  assert.equal(answer.texts.limits, "dry");
+});
+
+test("where the first one is refused, its reason is told, not that it was stopped", async () => {
+  const answer = await ask(worker([{ name: "dry", refused: true }, { name: "crushing", refused: true }]));
+  assert.equal(answer.code, 2);
+  assert.equal(answer.texts.error, "it cannot stand");
+});
+
+test("an engine that cannot be made is an error of the worker, so that the page hears of it", async () => {
+  const made = ({ instantiateWasm }) => new Promise((done) => instantiateWasm({}, done));
+  assert.match(String(await worker([], made).thrown), /no memory for it/);
+});
+
+let LiveLimit;
+before(async () => {
+  standInForPage();
+  globalThis.DOMParser = class {
+    parseFromString = () => ({ documentElement: { localName: "html" } }); // no picture
+  };
+  ({ LiveLimit } = await viewerModule("studio/limit"));
+});
+const shown = async (code, texts) => {
+  const limit = new LiveLimit({ stop() {}, ask: async () => ({ code, texts, tables: {} }) });
+  limit.ask("");
+  await new Promise((done) => setTimeout(done));
+  return limit.root.text;
+};
+
+test("the limit load is that of dry joints, and a refusal is shown with its reason", async () => {
+  const loads = [{ name: "bonded", static_kN: 99 }, { name: "dry", static_kN: 12 }];
+  assert.match(await shown(0, { mechanisms: JSON.stringify({ limit_loads: loads }) }), /12 kN/);
+  const refused = { limit_loads: loads.slice(0, 1), refused: [{ what: "dry", why: "it cannot stand" }] };
+  const words = await shown(0, { mechanisms: JSON.stringify(refused) });
+  assert.match(words, /has no answer for this wall: it cannot stand/);
+  assert.doesNotMatch(words, /99/);
+  assert.match(await shown(2, { faults: JSON.stringify([{ problem: "the load can grow without end" }]) }), /: the load can grow without end/);
+});
