@@ -66,11 +66,11 @@ factor = 0.5
 """
 
 
-# five courses in two leaves tied by headers, pushed out of their plane until they crack
+# three courses in two leaves tied by headers, pushed out of their plane until they crack
 def two_leaves():
     blocks = [{"id": "floor", "polygon": [[-0.2, -0.1], [1, -0.1], [1, 0], [-0.2, 0]], "z": [-0.2, 0.4],
                "fixed": True}]
-    for course in range(5):
+    for course in range(3):
         y = 0.1 * course
         for k in range(4):
             x = 0.2 * k
@@ -102,9 +102,9 @@ compressive_energy = "12800 N/m"
 name = "gravity"
 [[stage]]
 name = "push"
-at = { block = "c4*" }
+at = { block = "c2*" }
 along = [1, 0, 0.6]
-velocity = "5 mm/s"
+velocity = "10 mm/s"
 until = "1 mm"
 """
 STUDY = """
