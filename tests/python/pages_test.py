@@ -169,6 +169,8 @@ class Reference(unittest.TestCase):
         for name in re.findall(r"^\| `wythe\.([\w.]+)", self.page, re.M):
             thing = wythe
             for part in name.split("."):
+                if inspect.ismodule(thing) and not hasattr(thing, part):
+                    importlib.import_module(f"{thing.__name__}.{part}")  # a module that is imported where it is needed
                 self.assertTrue(hasattr(thing, part), name)
                 thing = getattr(thing, part)
 

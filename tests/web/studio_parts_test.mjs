@@ -525,7 +525,7 @@ test("lines of a DXF lie under the drawing at their size", async () => {
   const { width, height } = await placeOf();
   assert.ok(Math.abs(width - 3.5) < 0.01 && Math.abs(height - 2.92) < 0.01, `${width} ${height}`);
   await page.locator('.photo-bar input[type="file"]').setInputFiles({ name: "empty.dxf", mimeType: "", buffer: Buffer.from("0\nEOF\n") });
-  assert.match(await page.locator(".notice").innerText(), /empty\.dxf is no PNG/);
+  await page.locator(".notice").getByText(/empty\.dxf is no PNG/).waitFor();
   await page.locator(".photo-bar").getByText("Delete").click();
   await page.keyboard.press("v");
 });

@@ -1,7 +1,7 @@
 // The answer that stays on while one draws: the limit load of the text as it is, and its mechanism. A question that an edit
 // overtakes is dropped, one that takes too long is ended; nothing that is shown belongs to an older text.
 import { h, svg } from "../dom";
-import { qty, say } from "../texts";
+import { isEnglish, qty, say } from "../texts";
 import type { Answer, Engine } from "./engine";
 import { readPicture } from "./picture";
 import { faultsOf } from "./push";
@@ -63,7 +63,9 @@ export class LiveLimit {
     const load = opinion.limit_loads?.find((l) => l.name === "dry");
     if (answer.code !== 0 || !load) {
       const why = faultsOf(answer)[0]?.problem ?? opinion.refused?.[0]?.why ?? answer.texts.error ?? "";
-      return this.show(h("p", { class: "soft" }, `${say("studio.limit.none")}${why === "" ? "" : `: ${why}`}`));
+      // the engine gives its reason in English
+      const said = why !== "" && isEnglish() ? `: ${why}` : "";
+      return this.show(h("p", { class: "soft", title: said === "" && why !== "" ? why : undefined }, `${say("studio.limit.none")}${said}`));
     }
     this.load = load;
     this.tell(load);
