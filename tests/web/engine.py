@@ -82,7 +82,7 @@ def answer(question):
     if question.get("first") and code == STOPPED:
         code = 0
     # faults first: to ask for a text that there is not is a fault of its own
-    texts = {name: text(job, name) for name in ["faults", "error", *(question.get("want", []) if code == 0 else [])]}
+    texts = {name: text(job, name) for name in ["faults", "error", *([*question.get("want", []), *question.get("bytes", [])] if code == 0 else [])]}
     tables, rows = {}, ctypes.c_size_t()
     for name in question.get("tables", []) if code == 0 else []:
         tables[name] = {}
