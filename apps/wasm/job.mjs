@@ -40,9 +40,14 @@ export function openJob(engine, task, inputs) {
       engine.progress = progress;
       return engine._wythe_do_here(job);
     },
-    /** @param {{texts?: string[], tables?: string[]}} want names of answers */
+    /** @param {{texts?: string[], bytes?: string[], tables?: string[]}} want names of answers; `bytes`: texts as UTF-8 */
     answers(want = {}) {
       const texts = {};
+      const bytes = {};
+      for (const name of want.bytes ?? []) {
+        const found = bytesOf(engine, job, text(name)[0]);
+        if (found) bytes[name] = found;
+      }
       for (const name of ["error", "faults"]) texts[name] = answer(name) ?? "";
       for (const name of want.texts?.includes("*") ? list("texts") : (want.texts ?? [])) {
         const found = answer(name);
@@ -55,7 +60,7 @@ export function openJob(engine, task, inputs) {
         tables[name] = {};
         for (const column of columns) tables[name][column] = columnOf(engine, job, text(name)[0], text(column)[0]);
       }
-      return { texts, tables };
+      return { texts, bytes, tables };
     },
     free() {
       engine._wythe_free(job);
@@ -78,6 +83,17 @@ export function doTask(engine, task, inputs, want = {}, progress = () => false) 
     return { code: job.do(progress), ...job.answers(want) };
   } finally {
     job.free();
+  }
+}
+
+function bytesOf(engine, job, name) {
+  const size = engine._malloc(8);
+  try {
+    const at = engine._wythe_text(job, name, size);
+    const count = new DataView(engine.HEAPU8.buffer).getUint32(size, true);
+    return at === 0 ? undefined : engine.HEAPU8.slice(at, at + count);
+  } finally {
+    engine._free(size);
   }
 }
 

@@ -85,7 +85,7 @@ def answer(question):
             library.wythe_free(job)
             return answer({**question, "first": False})
     # faults first: to ask for a text that there is not is a fault of its own
-    texts = {name: text(job, name) for name in ["faults", "error", *(question.get("want", []) if code == 0 else [])]}
+    texts = {name: text(job, name) for name in ["faults", "error", *([*question.get("want", []), *question.get("bytes", [])] if code == 0 else [])]}
     tables, rows = {}, ctypes.c_size_t()
     for name in question.get("tables", []) if code == 0 else []:
         tables[name] = {}

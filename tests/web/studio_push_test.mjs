@@ -43,6 +43,15 @@ test("the slider shows the wall at each state; arrows go along; Escape goes back
   await page.waitForSelector(".canvas.cracked");
   const end = await d();
   assert.ok((await page.locator(".stones .crack").count()) > 0);
+  // cracks that look alike are one path; the one under the pointer says what it is
+  const crack = page.locator(".stones .crack.open").first();
+  const [x, y] = /^M([\d.]+) ([\d.]+)/.exec(await crack.getAttribute("d")).slice(1).map(Number);
+  const at = await crack.evaluate((e, [x, y]) => {
+    const p = new DOMPoint(x, y).matrixTransform(e.getScreenCTM());
+    return { clientX: p.x, clientY: p.y };
+  }, [x, y]);
+  await crack.dispatchEvent("pointermove", at);
+  assert.match(await crack.locator("title").textContent(), /: open [\d.]+ mm, slip [\d.]+ mm, damage 1$/);
   await slider.focus();
   await page.keyboard.press("Home");
   assert.notEqual(await d(), end);

@@ -7,6 +7,7 @@ export interface Question {
   texts: Record<string, string | string[]>;
   numbers?: Record<string, number>;
   want?: string[]; // names of the texts that are wanted
+  bytes?: string[]; // of those that come as bytes: long ones, which textIn() reads when they are needed
   tables?: string[]; // and of the tables
   pieces?: boolean; // a run that shows the wall on its way, and that can pause
   first?: boolean; // of several analyses the first is enough
@@ -21,7 +22,25 @@ export interface Progress {
 export interface Answer {
   code: number; // 0 done, 2 an input is not admissible, 3 stopped, others: texts.error
   texts: Record<string, string>;
+  bytes?: Record<string, Uint8Array>;
   tables: Record<string, Record<string, Float64Array>>;
+}
+export function textIn(answer: Answer, name: string): string {
+  const bytes = answer.bytes?.[name];
+  return bytes ? new TextDecoder().decode(bytes) : (answer.texts[name] ?? "");
+}
+// A piece of a long text from the first place where `mark` stands (ASCII); "" where it stands nowhere.
+export function pieceOf(answer: Answer, name: string, mark: string, length: number): string {
+  const bytes = answer.bytes?.[name];
+  if (!bytes) {
+    const text = answer.texts[name] ?? "";
+    const at = text.indexOf(mark);
+    return at < 0 ? "" : text.slice(at, at + length);
+  }
+  const codes = [...mark].map((c) => c.charCodeAt(0));
+  for (let at = bytes.indexOf(codes[0]); at >= 0; at = bytes.indexOf(codes[0], at + 1))
+    if (codes.every((code, k) => bytes[at + k] === code)) return new TextDecoder().decode(bytes.subarray(at, at + length));
+  return "";
 }
 export interface Engine {
   ask(question: Question, progress?: (p: Progress) => void): Promise<Answer>;
@@ -79,7 +98,7 @@ export class WorkerEngine implements Engine {
     if (!waiting || m.id !== waiting.id) return;
     if (m.progress) return waiting.progress?.(m.progress);
     this.waiting = null;
-    waiting.done({ code: m.code ?? 6, texts: m.texts ?? {}, tables: m.tables ?? {} });
+    waiting.done({ code: m.code ?? 6, texts: m.texts ?? {}, bytes: m.bytes ?? {}, tables: m.tables ?? {} });
   }
 }
 

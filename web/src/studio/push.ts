@@ -8,7 +8,7 @@ import { Compare, type Pushed } from "./compare";
 import { Curve } from "./curve";
 import { pushOf, setLength } from "./drawing";
 import type { Answer, Engine, Progress } from "./engine";
-import { kStopped } from "./engine";
+import { kStopped, pieceOf, textIn } from "./engine";
 import { readPicture, type Picture } from "./picture";
 import type { Fault, Project } from "./project";
 import { lengthOf, readQuantity } from "./units";
@@ -30,9 +30,8 @@ export class Push {
   paused = false;
   private watching = false; // the drawing shows the wall as it is pushed
   private states: StoredState[] = [];
-  private pictures: string[] = []; // of the engine, as text
+  private answer: Answer | null = null; // pictures and report
   private pushed: Pushed | null = null; // what is shown
-  private page = "";
   private length = 1; // of that wall [m]
   private ofText = ""; // the text that was pushed
   private readonly beside: Beside;
@@ -134,9 +133,7 @@ export class Push {
     this.running = this.watching = true;
     this.paused = false;
     this.states = [];
-    this.pictures = [];
-    this.pushed = null;
-    this.page = "";
+    this.answer = this.pushed = null;
     this.beside.forget();
     this.report.hidden = this.states_row.hidden = true;
     this.root.classList.remove("stale");
@@ -150,7 +147,7 @@ export class Push {
     this.changed();
     const name = String((project.doc && valueAt(project.doc, ["name"])) ?? "");
     const answer = await this.engine.ask(
-      { task: "run", texts: { model: text, set: this.settings(), language: this.language() }, numbers: { frames: kFrames }, want: ["summary", "states", "page", ...Array.from({ length: kMostStates }, (_, k) => `state ${k} svg`)], tables: ["curve"], pieces: true },
+      { task: "run", texts: { model: text, set: this.settings(), language: this.language() }, numbers: { frames: kFrames }, want: ["summary", "states"], bytes: ["page", ...Array.from({ length: kMostStates }, (_, k) => picture(k))], tables: ["curve"], pieces: true },
       (p) => this.hear(p),
     );
     this.engine.rest();
@@ -238,8 +235,8 @@ export class Push {
     if (answer.tables.curve) curve.points = pointsOf(answer);
     this.pushed = { name, summary, points: curve.points };
     this.states = JSON.parse(answer.texts.states ?? "[]");
-    this.pictures = this.states.map((_, k) => answer.texts[`state ${k} svg`] ?? "");
-    this.page = answer.texts.page ?? "";
+    this.answer = answer;
+    const headline = headlineOf(answer);
     const number = (key: string): number | null => (typeof summary[key] === "number" ? summary[key] : null);
     const peak = number("peak_reaction_kN"),
       at = number("displacement_at_peak_mm");
@@ -252,9 +249,9 @@ export class Push {
         ...card(say("studio.mode"), phrase(String(summary.failure_mode?.name ?? "–"))),
       ),
       this.beside.root, this.compare.root,
-      h("p", { class: "answer" }, headlineOf(this.page) || say("run.resists", { force: qty(peak, "kN"), at: qty(at, "mm"), drift: "" })),
+      h("p", { class: "answer" }, headline || say("run.resists", { force: qty(peak, "kN"), at: qty(at, "mm"), drift: "" })),
     );
-    this.report.hidden = this.page === "";
+    this.report.hidden = !hasPage(answer);
     this.slider.max = String(this.states.length - 1);
     this.states_row.hidden = this.states.length === 0;
     const end = this.states.length - 1;
@@ -270,7 +267,7 @@ export class Push {
     this.curve.cursor = state.displacement_mm;
     this.curve.draw();
     this.root.classList.remove("stale");
-    this.show(readPicture(this.pictures[k], this.length));
+    if (this.answer) this.show(readPicture(textIn(this.answer, picture(k)), this.length));
   }
   // The state nearest to a displacement on the curve.
   private pick(mm: number): void {
@@ -293,13 +290,16 @@ export class Push {
     this.watchButton.setAttribute("aria-pressed", "false");
   }
   openReport(): void {
-    if (this.page === "") return;
-    const url = URL.createObjectURL(new Blob([this.page], { type: "text/html" }));
+    const { answer } = this;
+    if (!answer || !hasPage(answer)) return;
+    const page = (answer.bytes?.page as Uint8Array<ArrayBuffer> | undefined) ?? answer.texts.page;
+    const url = URL.createObjectURL(new Blob([page], { type: "text/html" }));
     window.open(url, "_blank", "noopener");
     setTimeout(() => URL.revokeObjectURL(url), 60_000);
   }
 }
 
+const picture = (state: number): string => `state ${state} svg`;
 const card = (name: string, value: string): HTMLElement[] => [h("div", {}, h("dt", {}, name), h("dd", {}, value))];
 
 export function pointsOf(answer: Answer): Point[] {
@@ -311,9 +311,12 @@ export function faultsOf(answer: Answer): Fault[] {
   return list.map((f) => ({ line: Number(f.line) || 1, path: String(f.path ?? ""), value: String(f.value ?? ""), problem: String(f.problem ?? ""), cure: String(f.cure ?? "") }));
 }
 
-// The answer's sentence, as the report's page says it.
-function headlineOf(page: string): string {
-  if (page === "") return "";
-  const answer = new DOMParser().parseFromString(page, "text/html").querySelector("#headline .answer");
-  return answer?.textContent?.replace(/\s+/g, " ").trim() ?? "";
+const hasPage = (answer: Answer): boolean => (answer.bytes?.page?.length ?? answer.texts.page?.length ?? 0) > 0;
+
+// The answer's sentence, as the report's page says it. The page may have many megabytes: only what stands there is read.
+const kOfHeadline = 20_000; // bytes, plenty
+function headlineOf(answer: Answer): string {
+  const piece = pieceOf(answer, "page", '<header id="headline"', kOfHeadline);
+  const sentence = new DOMParser().parseFromString(piece, "text/html").querySelector("#headline .answer");
+  return sentence?.textContent?.replace(/\s+/g, " ").trim() ?? "";
 }
