@@ -123,7 +123,7 @@ test("a link that has yielded has its colour in the picture", async () => {
 });
 
 test("what is taken for granted, and where loads lie, is that of a wall in space", async () => {
-  const text = await page.locator("body").evaluate((body) => body.textContent);
+  const text = await page.locator("main").evaluate((main) => main.textContent);
   assert.doesNotMatch(text, /works in its own plane/);
   assert.doesNotMatch(text, /\bnan\b/);
   assert.match(text, / m\) – \(/); // from, to
