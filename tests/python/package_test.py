@@ -341,11 +341,11 @@ class Batches(unittest.TestCase):
 
 class Campaigns(unittest.TestCase):
     def test_it_is_the_campaign_of_the_program(self):
-        short = {"stage.push.targets": ["1 mm"]}
+        short = {"stage.push.targets": ["0.3 mm"]}
         with tempfile.TemporaryDirectory() as folder:
             mine = wythe.campaign(STUDY, folder + "/mine", samples=4, set=short, progress=False)
             subprocess.run([BUILD / "wythe", "campaign", STUDY, "--out", folder + "/theirs", "--samples", "4",
-                            "--quiet", "--set", 'stage.push.targets=["1 mm"]'], check=True, capture_output=True)
+                            "--quiet", "--set", 'stage.push.targets=["0.3 mm"]'], check=True, capture_output=True)
             tables = [pathlib.Path(folder, name, "samples.csv").read_bytes() for name in ("mine", "theirs")]
             self.assertEqual(*tables)
             opened = wythe.open_campaign(folder + "/theirs")
