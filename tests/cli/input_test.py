@@ -27,7 +27,7 @@ def wythe(*arguments):
 def bomb(header, size):
     """A report's data of `size` zero bytes behind its header, packed to a thousandth."""
     text = json.dumps(header).encode()
-    head = b"WYTHE\0\0\1" + struct.pack("<I", len(text)) + text
+    head = b"WYTHE\0\0\2" + struct.pack("<I", len(text)) + text
     packer = zlib.compressobj(9)
     out = packer.compress(head) + packer.flush(zlib.Z_FULL_FLUSH)
     piece = 1 << 24
@@ -96,9 +96,9 @@ class Hostile(Base):
                        {"kind": "other", "arrays": {}}, {"kind": "limit", "arrays": {}},
                        {"kind": "campaign", "arrays": {}, "statistics": {"samples": "x"}}):
             text = json.dumps(header).encode()
-            (self.out / "report.data").write_bytes(zlib.compress(b"WYTHE\0\0\1" + struct.pack("<I", len(text)) + text))
+            (self.out / "report.data").write_bytes(zlib.compress(b"WYTHE\0\0\2" + struct.pack("<I", len(text)) + text))
             self.refuses("report", self.out, words=("report.data: the data of a report are damaged",), codes=(4,))
-        (self.out / "report.data").write_bytes(zlib.compress(b"WYTHE\0\0\1" + struct.pack("<I", 2**32 - 1)))
+        (self.out / "report.data").write_bytes(zlib.compress(b"WYTHE\0\0\2" + struct.pack("<I", 2**32 - 1)))
         self.refuses("report", self.out, words=("report.data",), codes=(4,))
 
     def test_a_link_among_results_is_not_followed(self):
