@@ -32,7 +32,7 @@ NO_NUMBERS = {"--help", "--out", "--set", "--resume", "--replace", "--quiet", "-
 BAD = ("nan", "inf", "1e308", "-1", "", " ", "99999999999999999999", "1,5", "abc", "nan s",
        "relative_interval(peak_reaction) < nan", "relative_interval(peak_reaction) < 1e308")
 COMMANDS = ("run", "assess", "check", "contact", "drawing", "materials", "campaign", "merge", "store", "status", "compare", "replay",
-            "report", "limit", "export", "new", "picture")
+            "report", "limit", "export", "new", "picture", "studio")
 
 
 def wythe(*arguments, **options):
