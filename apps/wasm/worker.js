@@ -69,7 +69,7 @@ async function answer({ id, task, texts, numbers, want, bytes, tables, pieces, f
     // stopped with no answer: the first analysis was refused. The reasons come with all of them.
     if (first && code === 3 && job.answers().texts.error !== "") return await answer({ id, task, texts, numbers, want, bytes, tables, pieces });
     const answers = job.answers({ texts: want, bytes, tables });
-    postMessage({ id, code: first && code === 3 ? 0 : code, ...answers }, Object.values(answers.bytes).map((b) => b.buffer));
+    postMessage({ id, code: first && code === 3 ? 0 : code, ...answers }, Object.values(answers.bytes ?? {}).map((b) => b.buffer));
   } finally {
     job.free();
   }

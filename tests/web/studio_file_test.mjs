@@ -87,7 +87,7 @@ test("the wall is back after the page was closed", async () => {
   await page.reload();
   await page.waitForSelector("html[data-ready]");
   assert.match(await textOf(page), /name = "my pier"/);
-  assert.match(await page.locator(".notice").innerText(), /Your wall is back/);
+  await page.locator(".notice", { hasText: /Your wall is back/ }).waitFor();
 });
 
 test("a link holds the wall", async () => {
@@ -103,7 +103,7 @@ test("a link holds the wall", async () => {
 test("a hostile link is refused in words, and no word of a file becomes markup", async () => {
   for (const hash of ["#w=AAAA", "#w=%3Cscript%3E", `#w=${"A".repeat(5000)}`]) {
     const other = await openStudio(browser, file, { hash });
-    assert.match(await other.locator(".notice").innerText(), /holds no wall/);
+    await other.locator(".notice", { hasText: /holds no wall/ }).waitFor();
     assert.deepEqual(other.faults, []);
     await other.end();
   }
@@ -174,7 +174,7 @@ test("each page with a model keeps the work on its own, and the wall of the plai
   await add(other, "# plain\n");
   const plain = await textOf(other);
   assert.equal(await visit(other, a), `${pier}# a\n`);
-  assert.match(await other.locator(".notice").innerText(), /Your last wall is one undo away/);
+  await other.locator(".notice", { hasText: /Your last wall is one undo away/ }).waitFor();
   await undo(other);
   assert.equal(await textOf(other), plain);
   await other.getByRole("button", { name: "Redo" }).click();
@@ -182,7 +182,7 @@ test("each page with a model keeps the work on its own, and the wall of the plai
   assert.equal(await visit(other, b), `${pier}# b\n`);
   await add(other, "# work on b\n");
   assert.equal(await visit(other, a), `${pier}# a\n# work on a\n`);
-  assert.match(await other.locator(".notice").innerText(), /Your wall is back/);
+  await other.locator(".notice", { hasText: /Your wall is back/ }).waitFor();
   assert.equal(await visit(other, b), `${pier}# b\n# work on b\n`);
   assert.equal(await visit(other, file), plain);
   await other.end();
@@ -209,7 +209,7 @@ test("another's link takes nothing away: the kept wall is one undo away, and kep
     linked = await textOf(other);
   await add(other, "# mine\n");
   assert.equal(await visit(other, link), linked);
-  assert.match(await other.locator(".notice").innerText(), /Your last wall is one undo away/);
+  await other.locator(".notice", { hasText: /Your last wall is one undo away/ }).waitFor();
   assert.equal(await visit(other, file), `${linked}# mine\n`);
   await visit(other, link);
   await undo(other);
@@ -232,7 +232,7 @@ test("a model that the browser has no room to keep opens again, not another wall
   });
   assert.equal(await visit(other, a), `${pier}# full\n`);
   await add(other, "# more\n");
-  assert.match(await other.locator(".notice").innerText(), /keeps nothing/);
+  await other.locator(".notice", { hasText: /keeps nothing/ }).waitFor();
   assert.equal(await visit(other, a), `${pier}# full\n`);
   await other.end();
 });

@@ -78,7 +78,7 @@ test("A puts an arch in the lintel's place, drawn as the engine cuts it; A again
   await begin("portal");
   const before = await textOf(page);
   await page.keyboard.press("a");
-  assert.match(await page.locator(".notice").innerText(), /Select a door or window/);
+  await page.locator(".notice", { hasText: /Select a door or window/ }).waitFor();
   await opening(0).click();
   await page.keyboard.press("a");
   await has(/\narch = \{ kind = "segmental", rise = "0\.17 m", depth = "0\.25 m" \}/);
@@ -139,7 +139,7 @@ test("E and a click part the wall in storeys, and openings belong to theirs", as
   await move(1, 1.5);
   assert.match(await page.locator(".typing").innerText(), /would cut door/);
   await click(1, 1.5);
-  assert.match(await page.locator(".notice").innerText(), /would cut door/);
+  await page.locator(".notice", { hasText: /would cut door/ }).waitFor();
   assert.equal(await textOf(page), before);
   await click(1, 2.34);
   await has(/\[\[storey\]\]\nname = "ground floor"\nheight = "2\.336 m"\n\n\[\[storey\]\]\nname = "first floor"\nheight = "0\.584 m"\n/);
@@ -205,7 +205,7 @@ test("a storey's line is dragged with its windows, floors and forces, and taken 
   await isOneStep(before);
   await page.keyboard.press("Control+z");
   await drag([0.5, 3.4], [0.5, 1.7]);
-  assert.match(await page.locator(".notice").innerText(), /would cut window 1/);
+  await page.locator(".notice", { hasText: /would cut window 1/ }).waitFor();
   await part("storey 1").focus();
   await page.keyboard.press("ArrowUp");
   await page.keyboard.press("ArrowUp");
@@ -309,7 +309,7 @@ test("I puts a tie through the wall by a click, or from here to there; dragged w
   await drag([0.075, 2.8475], [0.8, 2.8475], async () => assert.match(await page.locator(".typing").innerText(), /Left\s+0\.825/));
   await has(/from = \{ x = "0\.825 m", y = "2\.8475 m" \}\nto = \{ x = "9\.525 m"/);
   await drag([0.825, 2.8475], [2, 2]); // into a window
-  assert.match(await page.locator(".notice").innerText(), /no masonry in window 1/);
+  await page.locator(".notice", { hasText: /no masonry in window 1/ }).waitFor();
   await page.keyboard.press("i");
   await drag([0.9, 5.9], [8.5, 5.9]);
   await has(/name = "tie 2"\nfrom = \{ x = "0\.975 m"[^\n]*\nto = \{ x = "8\.475 m"/);
@@ -352,7 +352,7 @@ test("ties that hang on blocks, floors without a level and what the page does no
   await page.locator(".canvas").focus();
   await page.keyboard.press("i");
   await click(2, 3.1875);
-  assert.match(await page.locator(".notice").innerText(), /does not know/);
+  await page.locator(".notice", { hasText: /does not know/ }).waitFor();
   assert.equal(await textOf(page), strange);
   await page.keyboard.press("Escape");
 });
@@ -396,7 +396,7 @@ test("K puts a steel frame in an opening, with its material; profiles, feet and 
   await begin("arch");
   await opening(0).click();
   await page.keyboard.press("k");
-  assert.match(await page.locator(".notice").innerText(), /level head/);
+  await page.locator(".notice", { hasText: /level head/ }).waitFor();
 });
 
 test("every profile of the library can be chosen, as high as it is", async () => {
@@ -459,7 +459,7 @@ test("a photo lies under the lines: opened, moved, brought to scale by two point
   assert.equal(await textOf(page), before);
   await field("Strength").fill("0.3");
   assert.equal(await photo().getAttribute("opacity"), "0.3");
-  await page.waitForTimeout(600); // until it is kept
+  await page.waitForSelector("html:not([data-keeping])");
   await page.reload();
   await page.waitForSelector("html[data-ready]");
   await stonesOf(page);
@@ -471,7 +471,7 @@ test("a photo lies under the lines: opened, moved, brought to scale by two point
   await page.keyboard.press("h");
   await page.keyboard.press("b");
   await page.locator('.photo-bar input[type="file"]').setInputFiles({ name: "evil.png", mimeType: "image/png", buffer: Buffer.from("<svg onload=alert(1)>") });
-  assert.match(await page.locator(".notice").innerText(), /evil\.png is no PNG, JPEG or DXF/);
+  await page.locator(".notice", { hasText: /evil\.png is no PNG, JPEG or DXF/ }).waitFor();
   await page.locator(".photo-bar").getByText("Delete").click();
   assert.equal(await photo().count(), 0);
   await page.reload();
@@ -521,11 +521,11 @@ test("lines of a DXF lie under the drawing at their size", async () => {
   await page.keyboard.press("b");
   await page.locator('.photo-bar input[type="file"]').setInputFiles({ name: "wall.dxf", mimeType: "", buffer: Buffer.from(dxf()) });
   await photo().waitFor();
-  assert.match(await page.locator(".notice").innerText(), /Not shown of the DXF: 1/);
+  await page.locator(".notice", { hasText: /Not shown of the DXF: 1/ }).waitFor();
   const { width, height } = await placeOf();
   assert.ok(Math.abs(width - 3.5) < 0.01 && Math.abs(height - 2.92) < 0.01, `${width} ${height}`);
   await page.locator('.photo-bar input[type="file"]').setInputFiles({ name: "empty.dxf", mimeType: "", buffer: Buffer.from("0\nEOF\n") });
-  await page.locator(".notice").getByText(/empty\.dxf is no PNG/).waitFor();
+  await page.locator(".notice", { hasText: /empty\.dxf is no PNG/ }).waitFor();
   await page.locator(".photo-bar").getByText("Delete").click();
   await page.keyboard.press("v");
 });
@@ -589,10 +589,10 @@ test("an undone move of the photo is kept, and no step back does nothing", async
   };
   await open("front.png");
   await drag([1, 1], [1.5, 1.25]);
-  await page.waitForTimeout(600); // until it is kept
+  await page.waitForSelector("html:not([data-keeping])");
   await page.locator(".canvas").focus();
   await page.keyboard.press("Control+z");
-  await page.waitForTimeout(600);
+  await page.waitForSelector("html:not([data-keeping])");
   await page.reload();
   await page.waitForSelector("html[data-ready]");
   await stonesOf(page);
@@ -604,7 +604,7 @@ test("an undone move of the photo is kept, and no step back does nothing", async
   await page.keyboard.press("ArrowRight");
   assert.ok(await undo.isEnabled());
   await open("other.png");
-  await page.waitForTimeout(600);
+  await page.waitForSelector("html:not([data-keeping])");
   assert.ok(await undo.isDisabled(), "another photo");
   await drag([1, 1], [1.5, 1.25]);
   await page.locator(".photo-bar").getByText("Delete").click();

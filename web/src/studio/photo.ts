@@ -131,7 +131,11 @@ export class Photo {
   }
   private keepSoon(): void {
     window.clearTimeout(this.timer);
-    this.timer = window.setTimeout(() => void this.keep(), kPause);
+    document.documentElement.dataset.keeping = "yes"; // until the browser has it
+    const timer = (this.timer = window.setTimeout(async () => {
+      await this.keep();
+      if (timer === this.timer) delete document.documentElement.dataset.keeping;
+    }, kPause));
   }
   private remove(): void {
     if (this.loaded) URL.revokeObjectURL(this.loaded.url);
