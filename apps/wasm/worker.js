@@ -4,7 +4,7 @@
 //   from it: {id, progress} a few times a second; {id, code, texts, bytes, tables}
 //
 // `pieces`: a run is stopped a few times a second and goes on, with the same bits. In between it shows the wall as it stands
-// (progress.svg), and pauses where it is told to. `bytes`: texts that come as UTF-8, not copied. `first`: of several analyses the first is enough.
+// (progress.svg), and pauses where it is told to, which it says (progress.held). `bytes`: texts that come as UTF-8, not copied. `first`: of several analyses the first is enough.
 const kPiece = 350; // of a run in pieces, at least [ms]
 const kShare = 4; // a piece takes so many times what the stop after it costs
 let engine;
@@ -62,6 +62,7 @@ async function answer({ id, task, texts, numbers, want, bytes, tables, pieces, f
       postMessage({ id, progress: { ...last, svg: job.answers({ texts: ["svg"] }).texts.svg ?? "" } });
       const cost = performance.now() - stopped;
       await new Promise((done) => setTimeout(done)); // what the page says meanwhile is heard
+      if (paused) postMessage({ id, progress: { ...last, held: true } });
       while (paused) await new Promise((done) => (goOn = done));
       stopped = performance.now() - cost;
       code = job.do(tell);

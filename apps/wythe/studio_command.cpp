@@ -16,8 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kMark = "<!--wythe:model-->";
-constexpr std::size_t kLongest = 1
-                                 << 20;  // as the page opens files, web/src/studio/store.ts [bytes]
+// As the page opens files, web/src/studio/store.ts [bytes].
+constexpr std::size_t kLongest = 1 << 20;
 
 // Installed beside the program, or built beside its build folder; "" where there is none.
 std::string studio_page() {
@@ -53,7 +53,10 @@ std::string model_text(const std::string& path) {
     throw InputError({{.file = path, .path = "", .value = "", .problem = problem, .cure = cure}});
   };
   if (text.size() > kLongest) refuse("is longer than 1 MB", "name a model file");
-  if (readable_lines(text) != text) refuse("is no text in UTF-8", "name a model file");
+  std::string letters = text;  // without line ends and tabs, which are text too
+  std::erase_if(letters, [](char c) { return c == '\n' || c == '\r' || c == '\t'; });
+  if (readable(letters, letters.size()) != letters)
+    refuse("holds bytes that are no UTF-8, or control characters", "name a model file");
   if (is_study(path)) refuse("is a study", "name its base model");
   return text;
 }

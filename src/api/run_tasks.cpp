@@ -186,19 +186,19 @@ bool do_limit(Job& job) {
     write_origin(out, origin);
   }
   job.out.put("mechanisms", mechanisms_json(given.model, opinion));
+  const auto model = std::make_shared<const Model>(given.model);  // of all pictures
   for (const Mechanism& m : opinion.mechanisms) {
     Table curve;
     curve.add("displacement_mm",
               each(m.curve.states, [](const ChainState& s) { return 1e3 * s.displacement; }));
     curve.add("force_kN", each(m.curve.states, [](const ChainState& s) { return 1e-3 * s.force; }));
     job.out.put(m.file_name(), std::move(curve));
-    job.out.text_later(m.file_name() + " svg",
-                       [model = given.model, m] { return mechanism_svg(model, m); });
+    job.out.text_later(m.file_name() + " svg", [model, m] { return mechanism_svg(*model, m); });
   }
   for (const NamedLimit& limit : opinion.limits)
-    if (!given.model.in_space())
-      job.out.text_later(limit.name + " svg", [model = given.model, answer = limit.answer] {
-        return wall_svg(model, moved_by(model, answer), 1);
+    if (!model->in_space())
+      job.out.text_later(limit.name + " svg", [model, answer = limit.answer] {
+        return wall_svg(*model, moved_by(*model, answer), 1);
       });
   return job.stop;
 }

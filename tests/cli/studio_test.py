@@ -37,6 +37,16 @@ class Studio(unittest.TestCase):
         self.assertEqual(self.studio("--out", "wall.html").returncode, 0)
         self.assertEqual((self.folder / "wall.html").read_text(), PAGE.replace("<!--wythe:model-->", ""))
 
+    def test_any_text_goes_in_as_it_is(self):
+        self.page.write_text(PAGE)
+        for name, text in (("Windows", MODEL.replace("\n", "\r\n")), ("tabs", "\t" + MODEL), ("mark", "\ufeff" + MODEL),
+                           ("long lines", MODEL + "# " + "x" * 200_000 + "\n"), ("many", MODEL + "# é\n" * 40_000)):
+            with self.subTest(name):
+                (self.folder / "model.toml").write_bytes(text.encode())
+                run = self.studio("model.toml", "--out", "wall.html")
+                self.assertEqual((run.returncode, run.stderr), (0, ""))
+                self.assertIn(text.encode().hex(), (self.folder / "wall.html").read_text())
+
     def test_faults_are_told_and_nothing_is_lost(self):
         for words, said in ((("model.toml",), "has no studio"), (("none.toml",), "")):
             run = self.studio(*words)
@@ -52,7 +62,7 @@ class Studio(unittest.TestCase):
         self.assertEqual((self.folder / "letter.html").read_text(), "<p>mine</p>")
         (self.folder / "photo.png").write_bytes(b"\x89PNG\r\n\x1a\n\0\0\xff\xfe")
         (self.folder / "study.toml").write_text('[study]\nbase = "model.toml"\n')
-        for name, said in (("photo.png", "no text in UTF-8"), ("study.toml", "is a study")):
+        for name, said in (("photo.png", "no UTF-8"), ("study.toml", "is a study")):
             run = self.studio(name, "--out", "new.html")
             self.assertEqual(run.returncode, 2, run.stderr)
             self.assertIn(said, run.stderr)

@@ -18,6 +18,7 @@ export interface Progress {
   displacement_mm: number;
   reaction_kN: number;
   svg?: string; // of a run in pieces now and then: the wall as it stands
+  held?: boolean; // such a run has come to the pause that was asked for
 }
 export interface Answer {
   code: number; // 0 done, 2 an input is not admissible, 3 stopped, others: texts.error

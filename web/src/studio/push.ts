@@ -153,6 +153,7 @@ export class Push {
     this.engine.rest();
     const watched = this.watching;
     this.running = this.watching = this.paused = false;
+    this.root.classList.remove("held");
     this.bar.hidden = true;
     if (answer.code === 0) this.done(answer, name);
     else {
@@ -172,6 +173,7 @@ export class Push {
       if (this.watching && !this.isStale && !document.hidden) this.show(readPicture(p.svg, this.length));
       return;
     }
+    if (p.held) return void this.root.classList.toggle("held", this.paused);
     this.bar.value = p.share;
     // the curve belongs to the push, not to the loads before it
     if (p.displacement_mm !== 0) this.curve.points.push([p.displacement_mm, p.reaction_kN]);
@@ -184,6 +186,7 @@ export class Push {
   pause(): void {
     if (!this.running) return;
     this.paused = !this.paused;
+    this.root.classList.remove("held");
     this.engine.pause(this.paused);
     this.refresh();
   }
