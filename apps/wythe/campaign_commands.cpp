@@ -444,12 +444,13 @@ void print_refusals(const SampleTable& samples, const ModelBuilder& build) {
     std::vector<int> samples;
   };
   std::map<std::string, Refused> refused;
-  for (int s = 0; s < samples.n_sample(); ++s) {
-    const std::vector<Fault> why = refusal_of(samples, s, build);
+  int sample = 0;
+  for (const std::vector<Fault>& why : refusals_of(samples, build)) {
+    ++sample;
     if (why.empty()) continue;
     Refused& same = refused[why.front().path];
     if (same.samples.empty()) same.first = in_one_line(why);
-    same.samples.push_back(s + 1);
+    same.samples.push_back(sample);
   }
   for (const auto& [path, r] : refused) {
     fmt::print("{} sample{} will be refused ({}), e.g. {}\n", r.samples.size(),

@@ -216,6 +216,9 @@ using ModelBuilder = std::function<ModelSpec(const std::vector<std::string>& set
 // The same of a drawn sample (0-based); an input that is not finite is named by its formula's name.
 [[nodiscard]] std::vector<Fault> refusal_of(const SampleTable& samples, int sample,
                                             const ModelBuilder& build);
+// The same of each drawn sample. Samples of one shape share an assembly, as in a campaign.
+[[nodiscard]] std::vector<std::vector<Fault>> refusals_of(const SampleTable& samples,
+                                                          const ModelBuilder& build);
 // A refusal in one line: the first fault, its numbers to six digits, and how many more; "" of none.
 [[nodiscard]] std::string in_one_line(const std::vector<Fault>& refusal);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "campaign/draws/copula.h"
 #include "campaign/draws/dependents.h"
@@ -15,6 +16,7 @@
 #include "campaign/draws/study_check.h"
 #include "core/hash.h"
 #include "core/number.h"
+#include "model/compiler.h"
 #include "model/field_places.h"
 #include "wythe/parts/model.h"
 #include "wythe/parts/units.h"
@@ -123,22 +125,52 @@ std::vector<std::string> settings_of(const SampleTable& samples, int sample) {
   return out;
 }
 
-std::vector<Fault> refusal_of(const std::vector<std::string>& settings, const ModelBuilder& build) {
+namespace {
+
+template <class Compile>
+std::vector<Fault> refusal_by(const Compile& compile, const std::vector<std::string>& settings,
+                              const ModelBuilder& build) {
   try {
-    (void)compile(build(settings));
+    compile(build(settings));
     return {};
   } catch (const InputError& error) {
     return error.faults();
   }
 }
 
-std::vector<Fault> refusal_of(const SampleTable& samples, int sample, const ModelBuilder& build) {
+template <class Compile>
+std::vector<Fault> refusal_by(const Compile& compile, const SampleTable& samples, int sample,
+                              const ModelBuilder& build) {
   const std::vector<double>& row = samples.value.at(static_cast<std::size_t>(sample));
   for (std::size_t j = 0; j < samples.column.size(); ++j)
     if (!std::isfinite(row[j]))
       return {
           {"", samples.column[j].name, fmt::format("{:g}", row[j]), "is not a finite number", ""}};
-  return refusal_of(settings_of(samples, sample), build);
+  return refusal_by(compile, settings_of(samples, sample), build);
+}
+
+void compile_alone(const ModelSpec& spec) { (void)compile(spec); }
+
+}  // namespace
+
+std::vector<Fault> refusal_of(const std::vector<std::string>& settings, const ModelBuilder& build) {
+  return refusal_by(compile_alone, settings, build);
+}
+
+std::vector<Fault> refusal_of(const SampleTable& samples, int sample, const ModelBuilder& build) {
+  return refusal_by(compile_alone, samples, sample, build);
+}
+
+std::vector<std::vector<Fault>> refusals_of(const SampleTable& samples, const ModelBuilder& build) {
+  std::optional<Compiler> first;  // of the first sample that can be built
+  const auto compile_beside = [&](const ModelSpec& spec) {
+    if (!first) first.emplace(spec);
+    (void)first->compile(spec);
+  };
+  std::vector<std::vector<Fault>> out;
+  for (int s = 0; s < samples.n_sample(); ++s)
+    out.push_back(refusal_by(compile_beside, samples, s, build));
+  return out;
 }
 
 std::string in_one_line(const std::vector<Fault>& refusal) {

@@ -228,6 +228,22 @@ TEST(Refusal, names_the_input_whose_formula_has_no_value) {
   EXPECT_TRUE(refusal_of(table, 1, build).empty());
 }
 
+TEST(Refusal, of_all_samples_is_that_of_each) {
+  SampleTable table = draw_samples(tuff_study());
+  table.value.resize(6);
+  table.value[0][0] = -1.0;  // the first gives no wall that the others could share
+  table.value[3][5] = kUnlimited;
+  const ModelBuilder build = model_builder(tuff_study());
+  const std::vector<std::vector<Fault>> all = refusals_of(table, build);
+  ASSERT_EQ(all.size(), 6U);
+  for (int s = 0; s < 6; ++s)
+    EXPECT_EQ(in_one_line(all[static_cast<std::size_t>(s)]),
+              in_one_line(refusal_of(table, s, build)))
+        << s;
+  EXPECT_FALSE(all[0].empty());
+  EXPECT_TRUE(all[1].empty());
+}
+
 // --- dependents --------------------------------------------------------------------------------------
 
 TEST(Dependents, follow_each_other_in_any_order) {
