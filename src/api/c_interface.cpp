@@ -1,4 +1,4 @@
-// The functions of wythe/c.h: nothing is thrown beyond them.
+// The functions of wythe/c.h: no exception leaves them.
 #include <fmt/format.h>
 
 #include <cmath>

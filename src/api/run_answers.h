@@ -1,4 +1,4 @@
-// What a run that is done answers, for the tasks that make one: run and replay.
+// The answers of a finished run, for the tasks run and replay.
 #pragma once
 
 #include <memory>

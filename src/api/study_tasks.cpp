@@ -1,4 +1,4 @@
-// Tasks about many walls: batch, campaign, results, and one of a campaign again: replay.
+// Tasks about many walls: batch, campaign, results, and replay of one sample.
 #include <fmt/format.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// What every file calls the numbers that a run answers, one line each: the store (record_rows.h), its view
-// `samples`, samples.csv, summary.json.
+// The names of a run's results in every file, one line each: the store (record_rows.h), its view `samples`,
+// samples.csv, summary.json.
 //
 //   each_response(v, responses)       v(key, member) for each response
 //   each_quasi_static(v, meters)      the same for the meters at the peak

@@ -1,4 +1,4 @@
-// Beside the curves of runs: peaks, post-peak branches, bounds.
+// Compares limit loads and mechanisms with the curves of runs: peaks, post-peak branches, bounds.
 #include <algorithm>
 #include <cmath>
 #include <map>

@@ -1,4 +1,4 @@
-// limit_load(): both programmes, and words for what has no answer.
+// limit_load(): both programmes, and the reason where there is no answer.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
-// Makes limit loads of stages: the last push, body force or tilt grows, and what stands before it is dead load.
-// A factor multiplies the blocks' weights; loads that press join it only where they are said to be masses. The `secant`
-// of a tilt, 1/cos, multiplies dead point loads alone. Zones must be rigid blocks before: with_rigid_bodies().
+// Makes limit loads of stages: the last push, body force or tilt grows, and the stages before it are dead load. A
+// factor multiplies the blocks' weights; vertical loads join it only if they are declared masses. The `secant` of a
+// tilt, 1/cos, multiplies dead point loads alone. with_rigid_bodies() makes zones rigid blocks before.
 #include "limit/limit_loads.h"
 
 #include <fmt/format.h>

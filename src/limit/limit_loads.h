@@ -1,4 +1,4 @@
-// The loads of a model as limit analysis sees them: what stands still and what grows.
+// The loads of a model for limit analysis: those that stay constant and those that grow.
 //
 // Reads the stages: gravity and load stages give the dead loads, the last push, body force or tilt
 // gives what grows. Called by limit_load.cpp and by the macro-block mechanisms.

@@ -1,5 +1,5 @@
-// second_opinion(): every mechanism and limit load of a model. What can't be answered is kept with its
-// reason; the rest goes on.
+// second_opinion(): every mechanism and limit load of a model. One without an answer is kept with its reason; the
+// others go on.
 #include "wythe/parts/second_opinion.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Writes the answer and the cards of a page as markup, from the JSON of a run, a campaign or a limit analysis.
-// What makes numbers doubtful stands before them, and a lower bound has its sign. A member that a run lacks reads as
-// null, and its sentence is left out. Names that users give are escaped.
+// Reasons for doubt come before the numbers, and a lower bound is marked. A member that a run lacks reads as null,
+// and its sentence is left out. Names that users give are escaped.
 #include "report/headline.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
-// Tells what the user stated and what the model made of it, as rows of key, value and unit.
-// Each row has its factor from SI to the unit shown. NaN is not stated and leaves no row, infinite is "unlimited".
-// Origins are cut from lines that materials::to_text() composes, so their wording is read here.
+// Lists what the user stated and what the model derived, as rows of key, value and unit. Each row has its factor
+// from SI to the unit shown. NaN is not stated and leaves no row, infinite is "unlimited". Origins are cut from
+// lines that materials::to_text() composes, so their wording is read here.
 #include "report/model_inputs.h"
 
 #include <fmt/format.h>

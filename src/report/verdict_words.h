@@ -1,4 +1,4 @@
-// What the sheet of a verdict and its appendix say alike: numbers, ways of pushing, messages without keys.
+// Texts that the sheet of a verdict and its appendix share: numbers, ways of pushing, messages without keys.
 #pragma once
 
 #include <fmt/format.h>

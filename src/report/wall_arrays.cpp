@@ -1,6 +1,6 @@
-// Lays out a wall's shapes and states in arrays, under the names that web/src/wall.ts reads.
-// An array runs by the number of block, joint or node. Numbers of states are rounded to 16 bits over all frames. A
-// joint that gave way to free contact has the opening -1 and is not drawn. A field stands in the unit of its key.
+// Lays out a wall's shapes and states in arrays, under the names that web/src/wall.ts reads. An array runs by the
+// number of block, joint or node. Numbers of states are rounded to 16 bits over all frames. A joint that became a
+// free contact has the opening -1 and is not drawn. A field stands in the unit of its key.
 #include "report/wall_arrays.h"
 
 #include <algorithm>

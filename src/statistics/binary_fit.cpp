@@ -1,6 +1,6 @@
-// Finds the coefficients of greatest likelihood (7.17) by Fisher scoring, on inputs of mean 0 and deviation 1.
-// A step that would lower the likelihood is halved. Intervals of slope and half come from its profile, the band from
-// the information. A slope beyond kSteepest, or a singular information, leaves is_finite() false, and no number holds.
+// Finds the coefficients of greatest likelihood (7.17) by Fisher scoring, on inputs of mean 0 and deviation 1. A step
+// that would lower the likelihood is halved. Intervals of slope and half come from its profile, the band from the
+// information. A slope beyond kSteepest, or a singular information, leaves is_finite() false, and no number is valid.
 #include "statistics/binary_fit.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
-// Draws replicates with a fixed seed, and makes percentile and BCa intervals of them (7.1).
-// Replicates without a number are dropped. Neither is told below kFewestForBootstrap samples. Of more than
-// kMostResampled a part stands for all, and its distances are narrowed by the root of the ratio (7.1b).
+// Draws replicates with a fixed seed, and makes percentile and BCa intervals of them (7.1). Replicates without a
+// number are dropped. Below kFewestForBootstrap samples there is neither. Of more than kMostResampled a part is
+// resampled, and its distances are reduced by the root of the ratio (7.1b).
 #include "statistics/bootstrap.h"
 
 #include <algorithm>

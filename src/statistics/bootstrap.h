@@ -1,10 +1,10 @@
 // Bootstrap: how far an estimate scatters, from the samples themselves.
 //
-// A replicate draws n samples out of n with replacement; it is told as a count for each sample, so
-// that a statistic over sorted values needs no sorting again. Random bits are splitmix64 from a
-// fixed seed: the same samples give the same intervals, and every statistic sees the same
-// replicates. References: Efron and Tibshirani, An Introduction to the Bootstrap (1993); of more samples
-// than kMostResampled: Bickel, Goetze and van Zwet, Statistica Sinica 7 (1997), (7.1b) of docs/theory/statistics.md.
+// A replicate draws n samples out of n with replacement; it is stored as a count for each sample, so that a
+// statistic over sorted values needs no sorting again. Random bits are splitmix64 from a fixed seed: the same
+// samples give the same intervals, and every statistic sees the same replicates. References: Efron and Tibshirani,
+// An Introduction to the Bootstrap (1993); of more samples than kMostResampled: Bickel, Goetze and van Zwet,
+// Statistica Sinica 7 (1997), (7.1b) of docs/theory/statistics.md.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Samples taken together: the modes that occur, Table 3 of each group, shares, how firm names are.
+// Groups of samples: the modes that occur, Table 3 of each group, shares, how sure the names are.
 #include <fmt/format.h>
 
 #include <algorithm>

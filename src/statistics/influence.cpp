@@ -1,4 +1,4 @@
-// What the inputs do to the answers: correlation, first-order indices, modes in bins of an input.
+// How inputs influence the results: correlation, first-order indices, modes in bins of an input.
 #include <algorithm>
 #include <cmath>
 

@@ -1,9 +1,9 @@
 // Closed-form intervals of 95 %: shares (Clopper and Pearson, Wilson), means (Student), coefficients of variation
 // (Vangel), medians (order statistics), correlations (Fisher z).
 //
-// A bootstrap of few samples holds far less than it claims, so below kFewestForBootstrap the closed forms stand alone;
-// tests/verification/small_samples_test.cpp measures what they hold at each number of samples.
-// Called by the other files of statistics; docs/theory/statistics.md has the formulas.
+// An interval by bootstrap of few samples holds the true value less often than it states. So below
+// kFewestForBootstrap there are closed forms alone; tests/verification/small_samples_test.cpp measures their
+// coverage. Called by the other files of statistics; docs/theory/statistics.md has the formulas.
 #pragma once
 
 #include <vector>

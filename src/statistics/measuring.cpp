@@ -1,12 +1,12 @@
 // Which input to measure next, and Sobol indices where a surrogate predicts the response; neither where more than
 // one value in twenty is a lower bound.
 //
-// Both ask how much of a response's variance goes with an input. The first asks the samples directly, by a
-// cubic of the input's ranks; an input that others go along with counts what it says of them. The second
-// needs independent inputs and a polynomial that predicts samples it has not seen.
-// Equations (7.19) to (7.23) of docs/theory/statistics.md. References: Saltelli et al., Global Sensitivity
-// Analysis (2008); Sudret, Reliab. Eng. Syst. Saf. 93 (2008); Blatman and Sudret, J. Comput. Phys. 230
-// (2011); Ezekiel's correction of R^2 (1930).
+// Both estimate how much of a response's variance an input explains. The first uses the samples directly, by a
+// cubic of the input's ranks; an input that is correlated with others includes their share. The second needs
+// independent inputs and a polynomial that predicts samples it has not seen. Equations (7.19) to (7.23) of
+// docs/theory/statistics.md. References: Saltelli et al., Global Sensitivity Analysis (2008); Sudret, Reliab.
+// Eng. Syst. Saf. 93 (2008); Blatman and Sudret, J. Comput. Phys. 230 (2011); Ezekiel's correction of R^2
+// (1930).
 #include <algorithm>
 #include <cmath>
 #include <set>

@@ -1,6 +1,6 @@
-// Decides which cautions about one push's drift or mode fall away beside many walls, and gives the others a new cure.
-// They fall away where pushes wait at cracks: slow, adapting, with little damping, in the plane, without free contacts.
-// A push too fast for its force keeps its caution, since that error has one sign.
+// Decides which cautions about one push's drift or mode are dropped for many walls, and gives the others a new
+// cure. They are dropped if pushes slow down at cracks: slow, adapting, with little damping, in the plane, without
+// free contacts. A push too fast for its force keeps its caution, since that error has one sign.
 #include "statistics/one_push.h"
 
 #include <variant>

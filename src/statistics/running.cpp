@@ -1,4 +1,4 @@
-// How the answers settle as samples are added: running means (Fig. 8) and when they were precise.
+// How results converge as samples are added: running means (Fig. 8) and when they became precise.
 #include <algorithm>
 #include <array>
 #include <cmath>

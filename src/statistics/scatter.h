@@ -1,8 +1,8 @@
-// Scatter of a value over walls and records, told apart: a two-way layout without repetition.
+// Scatter of a value between walls and between records: a two-way layout without repetition.
 //
 //   y(r, w) = m + A(r) + B(w) + E(r, w),   sigma_R^2 = (MS_R - MS_E) / n_w,   sigma_W^2 = (MS_W - MS_E) / n_r
 //
-// Intervals: Tukey and Williams for the two, chi-square for what is left (Searle, Casella and McCulloch, Variance
+// Intervals: Tukey and Williams for the two, chi-square for the rest (Searle, Casella and McCulloch, Variance
 // Components (1992), sections 4.4 and 4.5; docs/theory/fragility.md).
 #pragma once
 

@@ -1,10 +1,10 @@
-// shaking_statistics: what samples under records say of limit states and intensities.
+// shaking_statistics: limit states and responses of samples under records.
 //
 //   shakes ──► brackets of each limit state ──► lognormal fit, intervals, scatter
 //          └─► response at each intensity
 //
 // Everything is summed in the order of records' names and of walls, so that the order of records in the study changes
-// no bit. Shakes that do not count (ShakeResult::counts) are told and count neither as stood nor as fell.
+// no bit. Shakes that do not count (ShakeResult::counts) are listed, and count neither as survived nor as fallen.
 #include <algorithm>
 #include <cmath>
 #include <limits>

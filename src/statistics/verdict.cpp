@@ -1,4 +1,4 @@
-// The verdict from many walls: each wall judged as a run of it, the worse direction of each wall, the pattern
+// The verdict from many walls: each wall assessed like a single run, the worse direction of each wall, the pattern
 // that decides, and how sure the share of walls is (docs/theory/assessment.md, "The verdict from many walls").
 #include <algorithm>
 #include <cmath>

@@ -464,7 +464,7 @@ class Assess(unittest.TestCase):
         ended = wythe("assess", self.file("no_bearing.toml", floor), "--out", out, "--walls", "2", "--quiet", *QUICK)
         self.assertEqual(ended.returncode, 0, ended.stderr)
         j = json.loads((out / "assessment.json").read_text())
-        self.assertIn("these parts were not checked, for want of data or of certainty: the wall", " ".join(j["notes"]))
+        self.assertIn("these parts were not checked, because data are missing or uncertain: the wall", " ".join(j["notes"]))
         self.assertIn("how deep it bears", j["parts"]["not_checked"][0]["why"])
         self.assertEqual((j["parts"]["least"], j["verdict"]), (None, j["verdict_of_pushes"]))
         # a thin wall falls if nothing holds it: that is not met, and the cure is to say what does

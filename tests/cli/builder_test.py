@@ -107,7 +107,7 @@ class Builder(unittest.TestCase):
     def test_units_drawn_larger_are_of_one_size_and_said_so(self):
         real = '[wall.unit.real]\nlength = "{} mm"\nheight = "50 mm"\n'
         ended = wythe("check", self.model(ALONE + real.format(150)))
-        self.assertIn("note: units are drawn larger than they were built, and nothing says what such a wall in space is worth", ended.stdout)
+        self.assertIn("note: units are drawn larger than they were built, and the error of such a wall in space is not known", ended.stdout)
         self.assertNotIn("drawn larger", wythe("check", self.model(ALONE)).stdout)
         self.refused(self.model(ALONE + real.format(180)), "wall.unit.real.length", "0.6 of the drawn unit", "model.toml:")
         # what a wall draws larger than the others must not pass for built so

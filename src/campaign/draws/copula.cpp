@@ -1,6 +1,6 @@
-// Checks the pairs of a study one by one, then whether their matrix is positive definite; a refusal names the nearest
-// matrix that is. A stated rank correlation becomes the linear one of the normal variables behind it. Of variables
-// whose values repeat, few_values.h says what rank correlation can be reached.
+// Checks the pairs of a study one by one, then whether their matrix is positive definite; a refusal names the
+// nearest matrix that is. A stated rank correlation becomes the linear one of the normal variables behind it. If
+// values of a variable repeat, few_values.h says which rank correlation is possible.
 #include "campaign/draws/copula.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Correlation between variables: the matrix of a Gaussian copula, and the columns that it ties together.
+// Correlation between variables: the matrix of a Gaussian copula, and the columns that it correlates.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
-// What a random variable is stated by: one line a parameter, from which the study file, the store and the
-// checks follow. What a kind of distribution makes of them: kinds in sampling.cpp.
+// The parameters that state a random variable, one line each; the study file, the store and the checks follow from
+// them. How a kind of distribution uses them: margin.cpp.
 #pragma once
 
 #include <string>

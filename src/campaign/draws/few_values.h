@@ -1,5 +1,5 @@
-// Rank correlation of variables that have few values: measured ones that are drawn with replacement. Equal values share a
-// rank, so a Gaussian copula gives less of it than between continuous variables, and not every rank correlation exists.
+// Rank correlation of variables that have few values: measured ones that are drawn with replacement. Equal values share
+// a rank, so a Gaussian copula correlates them less than continuous variables, and not every rank correlation exists.
 #pragma once
 
 #include <vector>

@@ -1,6 +1,6 @@
 // Recursive descent, one function for each level of the grammar. Powers group from the right: 2^3^2 is 2^(3^2), and
-// -2^2 is -(2^2). A number takes the unit behind it at once, by the same conversion as every quantity of a file. Length
-// and nesting are bounded, since each level costs stack.
+// -2^2 is -(2^2). A number takes the unit behind it directly, by the same conversion as every quantity of a file.
+// Length and nesting are bounded, since each level costs stack.
 #include "campaign/draws/formula_parser.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Samples that meet records: which wall and which record a sample is, and its intensities.
+// Samples under records: the wall and the record of a sample, and its intensities.
 #pragma once
 
 #include "wythe/parts/study.h"

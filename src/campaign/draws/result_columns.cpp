@@ -1,6 +1,6 @@
-// Collects the titles of columns in small letters: from output keys, from directions of a cyclic push, and from a list
-// of those that no key gives. Columns of study.fractions hold a number and are told by their pattern. A new column that
-// no key gives belongs in that list.
+// Collects the titles of columns in small letters: from output keys, from directions of a cyclic push, and from a
+// list of those that no key gives. Columns of study.fractions hold a number and are known by their pattern. A new
+// column that no key gives belongs in that list.
 #include "campaign/draws/result_columns.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Designs: where each sample lies in the probability of each variable.
 //
 //   unit_design()         u(i, j) in (0, 1)
-//   impose_correlation()  ties columns of u together (correlation.h)
+//   impose_correlation()  correlates columns of u (correlation.h)
 //   Margin                u -> value of one variable, truncation included (margin.h)
 #pragma once
 

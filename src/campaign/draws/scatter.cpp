@@ -1,7 +1,7 @@
-// From a kind of masonry to fields: strengths scatter, energies and residual cohesions follow them by formulas. Sources
-// of the coefficients of variation: docs/theory/fields.md, "Scatter of a masonry". What the model says of a field
-// holds. A lognormal strength stays between 0.2 and 2.5 times its mean, and below what a compression cap leaves of a
-// cohesion.
+// From a kind of masonry to fields: strengths scatter, energies and residual cohesions follow them by formulas.
+// Sources of the coefficients of variation: docs/theory/fields.md, "Scatter of a masonry". A field that the model
+// states is kept. A lognormal strength stays between 0.2 and 2.5 times its mean, and below what a compression cap
+// leaves of a cohesion.
 #include "campaign/draws/scatter.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
-// A variable is checked in three steps, each only if the one before found nothing: which parameters stand there, their
-// values, what truncation leaves. Faults of all parts of a study are collected and told together. Columns and unused
+// A variable is checked in three steps, each only if the one before found nothing: which parameters are given,
+// their values, what truncation leaves. Faults of all parts of a study are reported together. Columns and unused
 // variables are looked for only in a study without other faults.
 #include "campaign/draws/study_check.h"
 

@@ -1,4 +1,4 @@
-// What can be wrong with a study by itself (check_study in study.h), by part.
+// The checks of a study by itself, part by part (check_study in study.h).
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What is read out of a store: the campaign, its states, the titles of its columns, and whether it is whole.
+// Reads a store: the campaign, its states, the titles of its columns, and whether it is undamaged.
 #include <algorithm>
 #include <utility>
 

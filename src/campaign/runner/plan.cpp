@@ -1,6 +1,6 @@
-// To continue a store, it must be whole and of the same study and shard. Then its design may grow by batches of two
-// samples or more. All samples are drawn anew, and only those beyond the stored ones are added. Where this version
-// would draw the stored ones otherwise, they stay and a note says so.
+// To be continued, a store must be undamaged and of the same study and shard. Then its design may grow by batches
+// of two samples or more. All samples are drawn anew, and only those beyond the stored ones are added. Where this
+// version would draw the stored ones otherwise, they stay and a note says so.
 #include "campaign/runner/plan.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
-// Each worker steps its walls in a LaneSolver and fills a place as soon as a wall ends. A sample that wants another run
-// gets it before a new sample is taken. The time of the worker's core is shared equally by the walls under way. The
-// first worker that fails halts the others, and what it threw is thrown again when all have ended.
+// Each worker steps its walls in a LaneSolver and fills a place as soon as a wall ends. A sample that needs another
+// run gets it before a new sample is taken. The time of the worker's core is divided equally among its walls. The
+// first worker that fails halts the others, and its exception is thrown again when all have ended.
 #include "campaign/runner/sample_pool.h"
 
 #include <time.h>

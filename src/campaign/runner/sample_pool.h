@@ -2,8 +2,8 @@
 //
 //   task.take() ──► lanes ──► task.keep(job), until take() gives 0 or `halt` is set
 //
-// Who asks decides which samples there are and what becomes of each (a store: campaign.cpp; memory:
-// batch.cpp). Each sample is told the time of one core that it took: its share of its pack's. The bits of a sample depend on neither, nor on jobs, lanes or order.
+// The caller decides which samples there are and where each result goes (a store: campaign.cpp; memory: batch.cpp).
+// Each sample gets its share of the core time of its pack. Its bits depend on none of this, nor on jobs, lanes or order.
 #pragma once
 
 #include <atomic>

@@ -1,6 +1,6 @@
-// An unstable result is run once more with half the step; under a record each intensity has this one retry. Settings
-// that give no model make a refused sample, and the campaign goes on. record_of() takes from a run what the store
-// keeps. A sample that was only shaken has its shakes in the place of responses.
+// An unstable result is run once more with half the step; under a record each intensity has this one retry.
+// Settings that give no model make a refused sample, and the campaign goes on. record_of() takes from a run what
+// the store keeps. A sample that was only shaken has shakes instead of responses.
 #include "campaign/runner/sample_run.h"
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 // One sample of a campaign: settings -> model -> solve -> failure mode, with one retry.
 //
-// What it answers depends on the study and the sample's inputs only; campaign and replay both come
-// through here.
+// Its result depends on the study and the sample's inputs alone; campaign and replay both use it.
 #pragma once
 
 #include <functional>

@@ -1,6 +1,6 @@
-// Stated levels are taken in order. A climbing intensity rises in equal steps to the first collapse; then the way
-// between the highest that stood and the one that fell is halved (docs/theory/fragility.md, "Samples and shakes"). A
-// shake that does not count moves neither bound, and between the bounds it ends the sample.
+// Stated levels are taken in order. A climbing intensity rises in equal steps to the first collapse; then the
+// interval from the highest that it survived to that of the collapse is halved (docs/theory/fragility.md, "Samples
+// and shakes"). A shake that does not count moves neither bound, and between the bounds it ends the sample.
 #include "campaign/runner/shakes.h"
 
 #include <fmt/format.h>

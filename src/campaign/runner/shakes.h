@@ -1,4 +1,4 @@
-// The shakes of one sample: at which intensity comes next, and what each answers.
+// The shakes of one sample: the next intensity, and the result of each.
 #pragma once
 
 #include <optional>

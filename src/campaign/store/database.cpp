@@ -1,7 +1,7 @@
-// SQLite behind checks: values by their type as they are read, and no cell larger than memory takes, since a store may
-// come from anybody. A store is read so that nothing beside it is made or removed (open_mode). Files are looked at
-// before and after opening, and the way is chosen anew where another program changed them. A new file gets its name
-// when whole.
+// Checks around SQLite, since a store may come from anybody: each value is read by its type, and no cell is
+// larger than memory allows. Reading a store makes or removes no file beside it (open_mode). Files are checked
+// before and after opening. If another program changed them, the mode is chosen again. A new file gets its name
+// when complete.
 #include "campaign/store/database.h"
 
 #include <fcntl.h>

@@ -1,10 +1,10 @@
-// Checksums over the rows of a store, so that a damaged number in any column is found and said.
+// Checksums over the rows of a store, so that a damaged number in any column is found and reported.
 //
 //   sample   table `digest`: one over its inputs and its rows in every table but `state`, one over its states
 //   study    rows of `study`: `digest` over the tables study and input, `digest_inputs` over sample_input
 //
 // A value counts with its type and all its bits, a row with its place. FNV-1a of 64 bits: each step can be undone, so
-// a change of one byte always shows, and any other with all but 1 in 2^64; no protection against who means to deceive.
+// a change of one byte always shows, and any other but for 1 in 2^64. They do not protect against deliberate changes.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// A sample that two stores hold: equal to the bit in every table, or where it is not.
+// Compares a sample that two stores hold: equal to the bit in every table, or where they differ.
 #pragma once
 
 #include <optional>

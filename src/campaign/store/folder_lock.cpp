@@ -1,6 +1,6 @@
 // The lock is flock() on the file; its text only tells others who holds it and with how many workers. The holder
-// removes the file at the end. So whoever gets a lock checks that the path still leads to the file it opened, or else
-// tries again. A reader asks for a shared lock: where that is refused, somebody writes.
+// removes the file at the end. So a process with a lock checks that the path still leads to the file it opened, or
+// else tries again. A reader asks for a shared lock: if that is refused, another process writes.
 #include "campaign/store/folder_lock.h"
 
 #include <fcntl.h>

@@ -1,5 +1,5 @@
-// One campaign at a time in a folder: campaign.lock, held while a run or a merge writes there. The
-// system lets go of it when the program ends, however it ends.
+// One campaign at a time in a folder: campaign.lock, held while a run or a merge writes there. The system releases
+// it when the program ends, in whatever way.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// merge_campaigns: everything is compared before the first byte is written, then rows are copied. Where two
-// stores hold the same sample, every number of it is compared but the time it took (duplicate_samples.h).
+// merge_campaigns: everything is compared before the first byte is written, then rows are copied. Where two stores
+// hold the same sample, every number of it is compared except the time it took (duplicate_samples.h).
 #include <fmt/format.h>
 
 #include <algorithm>

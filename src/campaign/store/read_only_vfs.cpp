@@ -1,5 +1,5 @@
-// Copies of the system's ways to files with two calls changed: open takes away every right to write or make, and delete
-// removes nothing. This holds for the store and its journals alone; other files, such as temporary ones, are opened as
+// Copies of the system's file functions with two calls changed: open neither writes nor creates, and delete removes
+// nothing. This holds for the store and its journals alone; other files, such as temporary ones, are opened as
 // asked.
 #include "campaign/store/read_only_vfs.h"
 

@@ -1,4 +1,4 @@
-// Ways to files for SQLite by which nothing of a store can be written, made or removed, also not what lies beside it.
+// File functions for SQLite that can't write, create or remove a store, nor the files beside it.
 #pragma once
 
 namespace wythe::study {

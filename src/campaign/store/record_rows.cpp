@@ -1,6 +1,6 @@
 // From the nested members of a record to flat lists of rows, and back. A sign names its element by its place in the
-// list; rows of one pier follow each other. A sample without an answer keeps its shakes alone. Arrays go column after
-// column, and those of a curve are read by name: a column that a store lacks is NaN.
+// list; rows of one pier follow each other. A sample without an answer keeps only its shakes. Arrays go column
+// after column, and those of a curve are read by name: a column that a store lacks is NaN.
 #include "campaign/store/record_rows.h"
 
 #include <algorithm>

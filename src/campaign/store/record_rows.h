@@ -1,5 +1,5 @@
-// How a SampleRecord lies in the store: every column of every table is named here once, and from
-// these lists come the schema, writing and reading (store.cpp).
+// How the store holds a SampleRecord: every column of every table is named here once, and from these lists come the
+// schema, writing and reading (store.cpp).
 //
 //   each_column(v, record)    v(name, member) for the columns of `sample`
 //   each_output(v, record)    its columns that are NULL where the sample has no answer

@@ -1,5 +1,5 @@
 // Each write is one transaction: a new study with its samples, one answered sample, added samples, or one value.
-// Reading trusts nothing: digests, order and ranges are checked, and what does not fit is named as damage. Binder and
+// Reading trusts nothing: digests, order and ranges are checked, and any mismatch is reported as damage. Binder and
 // Taker visit the same lists of record_rows.h, so that writing and reading have one order of columns.
 #include "campaign/store/store.h"
 

@@ -1,6 +1,6 @@
 // The store of a campaign: DIR/campaign.db, one SQLite file (docs/reference/store.md).
 //
-//   create_store()  study and samples in one transaction: a file is a whole campaign or none
+//   create_store()  study and samples in one transaction: a file is a complete campaign or none
 //   Store::write()  one sample in one transaction
 //
 // Journal in WAL mode with synchronous = NORMAL: killing the program loses nothing committed; after

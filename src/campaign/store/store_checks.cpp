@@ -1,4 +1,4 @@
-// Whether a store is what was written: version, tables, pages, rows and checksums.
+// Checks that a store is as it was written: version, tables, pages, rows and checksums.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 //
 //   file ──► bodies in its units and axes ──► place() ──► fix_supports() ──► ModelSpec::body
 //
-// Called by blocks_json.cpp, which knows the model file. Faults stand in the file, with their line.
+// Called by blocks_json.cpp, which knows the model file. Faults name their line in the file.
 #pragma once
 
 #include <functional>

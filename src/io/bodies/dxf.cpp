@@ -1,6 +1,6 @@
-// Reads pairs of group codes section by section: the unit in HEADER, hidden layers in TABLES, outlines in ENTITIES. An
-// entity is judged when the next one begins. What is drawn and is no closed flat polyline goes to Drawing::unread. An
-// arc has the same chords from both ends, so that two stones that share it still touch.
+// Reads pairs of group codes section by section: the unit in HEADER, hidden layers in TABLES, outlines in ENTITIES.
+// An entity is processed when the next one begins. A drawn entity that is no closed flat polyline goes to
+// Drawing::unread. An arc has the same chords from both ends, so two stones that share it still touch.
 #include "io/bodies/dxf.h"
 
 #include <algorithm>

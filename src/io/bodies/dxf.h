@@ -1,8 +1,8 @@
 // Outlines of a drawing: closed polylines of an ASCII DXF file, R12 to 2018, in metres.
 //
 // A file is pairs of lines, a group code and its value. HEADER states the unit ($INSUNITS), ENTITIES holds what was
-// drawn. Polylines are read, their arcs as chords (kChordError); what else draws a line or an area is told by name
-// with its place.
+// drawn. Polylines are read, their arcs as chords (kChordError); other entities with a line or an area are reported
+// by name and place.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// OBJ and STL; PLY stands in ply.cpp.
+// Readers of OBJ and STL; that of PLY is in ply.cpp.
 #include "io/bodies/meshes.h"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
-// Tells a format by the first two lines of a text and refuses the file where its ending says another. A text with no
-// known beginning is left to the reader of .dxf, .obj, .ply or .stl. Under another ending it is refused as no JSON.
+// Finds the format of a text from its first two lines, and refuses the file if its ending says another. A text with
+// an unknown beginning goes to the reader of .dxf, .obj, .ply or .stl. With another ending it is refused, as it is
+// no JSON.
 #include "io/bodies/other_format.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// A file of blocks whose content is of another format than its ending says, or is empty.
+// Finds files of blocks that are empty, or whose content has another format than their ending says.
 #pragma once
 
 #include <string>

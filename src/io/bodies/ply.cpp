@@ -1,6 +1,6 @@
 // PLY: a header of elements with typed properties, then the elements as text or bytes.
 //
-// Reads x, y, z of `vertex` and the list of corners of `face`; passes over everything else by its type.
+// Reads x, y, z of `vertex` and the list of corners of `face`; skips everything else by its type.
 #include <algorithm>
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // comparison.json: options side by side for other programs; keys in docs/reference/comparison.md.
 //
-// Numbers have nine significant digits; what is not a number is null, an open end of an interval too.
+// Numbers have nine significant digits; NaN and the open end of an interval are null.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// samples.csv of `wythe export`: one row a sample, with all that is said of it. Names are those of the
-// campaign's own samples.csv where that has the same; digits are all there are.
+// samples.csv of `wythe export`: one row a sample, with all its results. Columns of the campaign's own samples.csv
+// have the same names here; numbers have all their digits.
 #pragma once
 
 #include <algorithm>

@@ -1,7 +1,7 @@
-// samples.csv of a campaign: one row a sample that ran, in order; only what its inputs decide.
+// samples.csv of a campaign: one row a sample that ran, in order, with what its inputs decide.
 //
-// Nothing of the machine (times, jobs) stands here, so that an undisturbed, a resumed and a merged
-// campaign give the same bytes. Columns: docs/reference/store.md.
+// It has no data of the machine (times, jobs), so that an undisturbed, a resumed and a merged campaign give the
+// same bytes. Columns: docs/reference/store.md.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Writes counts and fragilities of shakes. The unit in the key of an intensity is that of the study's measure. A limit
-// state whose fragility is not told keeps its counts and brackets. Brackets number walls and records from 1.
+// Writes counts and fragilities of shakes. The unit in the key of an intensity is that of the study's measure. A
+// limit state without a fragility keeps its counts and brackets. Brackets number walls and records from 1.
 #include "io/export/shaking_json.h"
 
 #include "io/results/message_json.h"

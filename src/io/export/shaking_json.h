@@ -1,4 +1,4 @@
-// What samples under records said, as statistics.json has it.
+// The statistics of samples under records, in the form of statistics.json.
 #pragma once
 
 #include "io/export/statistics_numbers.h"

@@ -1,7 +1,7 @@
 // statistics.json: the statistics of a campaign for other programs; keys in docs/reference/statistics.md.
 //
-// Numbers have nine significant digits, far below any interval here and without noise of binary
-// fractions; what is not a number or infinite is null.
+// Numbers have nine significant digits, far more than any interval needs, without noise of binary fractions. NaN
+// and infinite values are null.
 #include <fmt/format.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// The keys of a shake, of its records and of the points whose motion is told (describe.h).
+// The keys of a shake, of its records and of the points whose motion is recorded (describe.h).
 #pragma once
 
 #include "io/keys/key.h"

@@ -1,6 +1,6 @@
-// Mends the tree from the top, table by table. Unknown keys go to the one table that knows them all, or get the nearest
-// name. Then wrong brackets are mended, a table for a list or a list for a table. Each slip adds a fault, so a mended
-// text is never accepted. Names with no near one are left to the table's reader.
+// Corrects the tree from the top, table by table. Unknown keys move to the one table that has them all, or get the
+// nearest name. Then wrong brackets are corrected: a table for a list, or the reverse. Each mistake adds a fault,
+// so a corrected text is never accepted. A name without a near one is left to the table's reader.
 #include "io/keys/meant_names.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Names and brackets as they were meant: one slip of a name gives one message, and not one more for each value that is
-// then missing.
+// Corrects misspelt names and wrong brackets, so that one mistake gives one message, and not one more for each
+// missing value.
 //
 //   [masonr]            ─► masonr: no such key; did you mean masonry?   and the table is read as [masonry]
 //   [[wall]]            ─► wall = a list: must be a table               and its first member is read

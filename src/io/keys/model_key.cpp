@@ -1,6 +1,6 @@
-// Walks the descriptions of a model and of the builder's tables and lists each number with its path and unit. Keys of
-// other kinds of stage are left out. A wrong path is mended from the left, step by step. A key is idle where a field's
-// formula sets it, no rule asks for it, or the model gives the angle.
+// Walks the descriptions of a model and of the builder's tables and lists each number with its path and unit. Keys
+// of other kinds of stage are left out. A wrong path is corrected from the left, step by step. A key is idle (has
+// no effect) if a field's formula sets it, if no rule uses it, or if the model gives the angle.
 #include "io/keys/model_key.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// --set path=value: values put into the TOML tree before it is read, so that they meet the same
-// checks as the file. Members of a list are found by index or by their `name`.
+// --set path=value: values put into the TOML tree before it is read, so that they pass the same checks as the file.
+// Members of a list are found by index or by their `name`.
 #include <algorithm>
 
 #include <fmt/format.h>

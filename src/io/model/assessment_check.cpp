@@ -1,4 +1,4 @@
-// What the keys of [assessment] must be together: each kind of spectrum needs some and knows only its own.
+// Checks the keys of [assessment] together: each kind of spectrum requires some and allows only its own.
 #include <cmath>
 #include <string>
 #include <string_view>

@@ -1,4 +1,4 @@
-// The builder's tables of a model file, for those who ask what stands there: bodies are made when the file is read.
+// Gives the builder's tables of a model file as they are written. Their bodies are made when the file is read.
 //
 // Called by model_file.cpp, and by model_key.cpp for the keys that a study may vary.
 #pragma once

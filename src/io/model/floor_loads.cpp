@@ -1,10 +1,10 @@
-// resolve_floors: the line load of a floor from what an office knows of it, put into the tree before it is read.
+// resolve_floors: the line load of a floor from its loads per area, put into the tree before it is read.
 //
 //   g1, g2, q [kN/m^2], psi2, span [m]  ─►  load = (g1 + g2 + psi2 q) span / 2 [kN/m]
 //   mass = "rule"                       ─►  mass = load / 9.81 m/s^2 [kg/m]
 //
-// The combination is that of an earthquake (NTC 2018, 2.5.3), whose masses are the same loads. As with
-// materials, `origin` says how a number came about, and model.used.toml runs again without these keys.
+// The combination is that of an earthquake (NTC 2018, 2.5.3), whose masses are the same loads. As with materials,
+// `origin` says where a number comes from, and model.used.toml runs again without these keys.
 #include <array>
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// The joint law's own check (check_joint_material), its faults put at their keys.
+// The joint law's own check (check_joint_material), with each fault placed at its key.
 #include <algorithm>
 #include <array>
 #include <string_view>

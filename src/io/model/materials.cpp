@@ -1,11 +1,11 @@
 // resolve_materials: values by rule and typical values, put into the tree before it is read.
 //
 //   [masonry] unit_strength = "15 MPa"           what tests say
-//   [material.unit] tensile_strength = "rule"  ─► "0.6 MPa", and a line of `origin` that says whence
+//   [material.unit] tensile_strength = "rule"  ─► "0.6 MPa", and a line of `origin` with the rule
 //
-// So what is read holds plain values, a setting (--set, a study) changes the inputs of rules, and
-// model.used.toml runs again without rules or library. A value is looked for in this order: the table
-// itself, [masonry], `use` of the table, `use` of [masonry]. Nothing is derived that is not asked for.
+// So the reader finds plain values, a setting (--set, a study) changes the inputs of rules, and model.used.toml
+// runs again without rules or library. A value is looked for in this order: the table itself, [masonry], `use` of
+// the table, `use` of [masonry]. A value is derived only if the file asks for it.
 #include <algorithm>
 #include <cmath>
 #include <optional>

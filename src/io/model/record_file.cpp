@@ -1,5 +1,5 @@
 // Records of accelerations -> RecordSpec::read_times, read_accelerations: tables of numbers, and formats of the
-// field (record_formats.h). The column of a table is the one that key or head name, and never a guess.
+// field (record_formats.h). The key or the head names the column of a table; it is never guessed.
 #include "io/model/record_file.h"
 
 #include <fmt/format.h>

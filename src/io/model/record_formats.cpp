@@ -1,6 +1,6 @@
-// Tries ESM, K-NET, COSMOS and AT2 in turn, then names formats that are known and not read. A reader passes where its
-// marks are missing, and refuses where they are there and the file is broken. Numbers must be as many as the head
-// states. A wrong unit would scale the record: a stated one must be known, and AT2 heads may have no factor beside it.
+// Tries ESM, K-NET, COSMOS and AT2 in turn, then names known formats that are not supported. A reader declines a
+// file without its marks, and refuses a broken file that has them. The head states how many numbers follow. A wrong
+// unit would scale the record, so a stated unit must be known, and AT2 heads may have no factor beside it.
 #include "io/model/record_formats.h"
 
 #include <algorithm>

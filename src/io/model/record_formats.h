@@ -1,4 +1,4 @@
-// Records in the formats of the field, told by what stands in their heads and not by the names of files.
+// Records in the formats of the field, recognised by their heads, not by the names of files.
 //
 //   AT2     PEER and others: a line names NPTS and DT, in any order, up to kMostHeadLines from the top
 //   ESM     "KEY: value" lines with SAMPLING_INTERVAL_S, NDATA, UNITS (also ITACA)

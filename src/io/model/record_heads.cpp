@@ -1,5 +1,5 @@
-// An acceleration's head is read as a whole: a name, a unit, and words that are known to say nothing of the unit. What
-// is left over may be a factor or another unit, and a guess would give wrong numbers.
+// Parses the complete head of an acceleration: a name, a unit, and words that are known not to change the unit. Any
+// other word may be a factor or another unit. It is not guessed, as that would give wrong numbers.
 #include "io/model/record_heads.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// What a stage's keys must be together: its kind is told from them, a kind needs some and knows
-// only its own.
+// Checks the keys of a stage together. They tell its kind; a kind requires some keys and allows only its
+// own.
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>

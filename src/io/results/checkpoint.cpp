@@ -1,4 +1,4 @@
-// The file of a checkpoint: a head that can be checked, then all that a run under way is.
+// The file of a checkpoint: a head that can be checked, then the complete unfinished run.
 //
 //   "wythe checkpoint"       16 bytes
 //   format                   u32: kFormat
@@ -9,8 +9,8 @@
 //   program                  its version, commit, compiler: bits may depend on them
 //   content                  RunOrder, State, RunRecord
 //
-// Numbers lie as in this machine's memory. The arrays of a state follow the table of fields
-// (model/fields.h): a new one is in the checkpoint by itself.
+// Numbers are stored as in this machine's memory. The arrays of a state follow the table of fields
+// (model/fields.h): a new one is stored without further code.
 #include "wythe/parts/checkpoint.h"
 
 #include <fmt/format.h>

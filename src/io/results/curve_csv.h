@@ -1,5 +1,5 @@
-// force_displacement.csv: the push-over curve with the unit in each column's name; where a lintel is
-// made of zones, what it does follows in columns of its own.
+// force_displacement.csv: the push-over curve with the unit in each column's name; where a lintel is made of zones,
+// its motion and forces follow in columns of their own.
 #pragma once
 
 #include <string>

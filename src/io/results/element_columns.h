@@ -1,6 +1,6 @@
-// What files say of blocks, joints and zones in a state, one line each: cells of VTU files, and of the
-// tables of `wythe export` with unit and meaning (columns.json). Displacements (displacement_mm) and what
-// never changes stand beside them there.
+// Columns of blocks, joints and zones in a state, one line each: cells of VTU files, and of the tables of `wythe
+// export` with unit and meaning (columns.json). Displacements (displacement_mm) and constant values are written
+// beside them there.
 #pragma once
 
 #include "wythe/parts/reading.h"

@@ -1,7 +1,7 @@
 // Replacement: old results, or new ones, never some of both.
 //
 //   DIR/.wythe_new     what is being written; the old results stay as they are
-//   DIR/.wythe_ready   the same, whole (one rename): from here on the new results count
+//   DIR/.wythe_ready   the same, complete (by one rename): from here on the new results count
 //   1  what .replaced in it names is removed from DIR, then .replaced
 //   2  every file is moved to DIR, then the empty folder is removed
 //

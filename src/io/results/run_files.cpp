@@ -7,7 +7,7 @@
 //   links.csv (with ties, diaphragms or springs)
 //   history.csv, record_N.csv (of shakes)
 //   run.pvd                  summary.json, written last
-//   checkpoint.wythe         of a run that has not come to its end (checkpoint.cpp)
+//   checkpoint.wythe         of an unfinished run (checkpoint.cpp)
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// VTK XML files of a state, for ParaView: blocks and zones as polygons, joints as lines, all where they
-// are.
+// VTK XML files of a state, for ParaView: blocks and zones as polygons, joints as lines, all
+// displaced.
 //
 // Arrays are base64 of little-endian doubles, so that every bit and every NaN survives.
 #pragma once

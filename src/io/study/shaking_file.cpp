@@ -1,5 +1,5 @@
-// The study's tables of records: TOML -> ShakingSpec. A record becomes a setting of the base model, as TOML, and the
-// text of its file goes along, so that a stored study needs no other file.
+// The study's tables of records: TOML -> ShakingSpec. A record becomes a setting of the base model, as TOML, and
+// the text of its file is stored with it, so that a stored study needs no other file.
 #include "io/study/shaking_file.h"
 
 #include <fmt/format.h>

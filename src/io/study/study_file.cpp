@@ -1,7 +1,7 @@
 // read_study, parse_study: text -> tree -> overrides -> head, base model, inputs -> StudySpec.
 //
-// Order matters: a variable's unit is that of the key it sets, so the base model is read first and
-// its keys listed; what can be wrong between the parts (check_study) comes last and is given lines.
+// Order matters: a variable's unit is that of the key it sets, so the base model is read first and its keys listed;
+// check_study, which compares the parts, comes last, and its faults get their lines.
 #include <algorithm>
 #include <filesystem>
 #include <set>

@@ -1,6 +1,6 @@
-// Checks each option and reads its study from the text anew, since a copied tree loses its lines. Formulas of dependent
-// quantities change the study, all other settings the base model. Settings of what is drawn are refused, for all
-// options share their samples. Faults of an option's study stand at the option's line.
+// Checks each option and reads its study from the text anew, since a copied tree loses its lines. Formulas of
+// dependent quantities change the study, all other settings the base model. Settings of drawn values are refused,
+// because all options share the samples. Faults of an option's study name the option's line.
 #include "io/study/variants.h"
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 // Writes values one after the other, and reads them back in the same order: a type needs one description of
 // its parts for both ways (`archive(part)` for each).
 //
-// What is read is not trusted: no count is used before it is compared with the bytes that are left, and
-// a list grows with what is really there.
+// What is read is not trusted: no count is used before it is compared with the bytes that are left, and a list
+// grows only as values are read.
 #pragma once
 
 #include <cstdint>

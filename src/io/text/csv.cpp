@@ -1,5 +1,5 @@
-// Cuts lines in cells, with quotes around marks that part nothing, and writes cells back. A text that a spreadsheet
-// would run as a formula gets an apostrophe in front, which text_of_cell() takes off again. NaN becomes an empty cell.
+// Splits lines into cells, where a quoted mark separates nothing, and writes cells back. A text that a spreadsheet
+// would run as a formula gets an apostrophe in front, which text_of_cell() removes again. NaN becomes an empty cell.
 #include "io/text/csv.h"
 
 #include <fmt/format.h>

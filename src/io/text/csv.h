@@ -1,4 +1,4 @@
-// Lines of a text, one after the other, as cells: the one place that cuts them (core/limits.h).
+// Lines of a text, one after the other, as cells: the one place that splits them (core/limits.h).
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// Looks at a text three times: how deep it nests (core/shape.h), whether a key stands twice, then the parse itself. The
-// look at keys is a pass of its own because the parser's callback costs the square of a long list.
+// Reads a text three times: for its depth (core/shape.h), for keys that occur twice, then to parse it. Keys have a
+// pass of their own, because with the parser's callback the time grows with the square of a list's length.
 #include "io/text/json.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// How large and how small a value of a file may be: far beyond what any wall has, and so that no square or product of
+// How large and how small a value of a file may be. The limits are far beyond any wall, and no square or product of
 // such values leaves the range of a double (docs/reference/limits.md).
 #pragma once
 

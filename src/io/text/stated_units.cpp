@@ -1,6 +1,6 @@
-// Reads sizes of units from the tree itself, since the rules of materials come before the model is read. Each key is
-// the storey's own or the wall's; beside mortar sizes are bare, and the joint is added. A region without a storey may
-// lie in any. What is no length gives NaN, and the key's reader says why.
+// Reads sizes of units from the tree, because rules of materials are applied before the model is read. A key of the
+// storey replaces that of the wall. If mortar is given, the joint is added to the size. A region without a storey
+// may be in any. A value that is no length gives NaN; the key's reader reports it.
 #include "io/text/stated_units.h"
 
 #include <algorithm>

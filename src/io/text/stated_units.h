@@ -1,5 +1,5 @@
-// The sizes of unit that the masonry of a material has, as its storeys state them: what rules ask of the wall. And which
-// joints are of a material.
+// What rules of materials need to know of the wall: the sizes of units in the masonry of a material, as its storeys
+// state them, and which joints have a material.
 #pragma once
 
 #include <string>

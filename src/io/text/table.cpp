@@ -1,6 +1,6 @@
-// Finds what parts cells from the first rows with numbers: a mark that all of them have, blanks between numbers, or a
-// comma. The first number with a decimal mark fixes that mark for the file. One line before the numbers is a head, and
-// a comment with as many names may be one. More lines, and rows of another width, are refused.
+// Finds the separator of cells from the first rows with numbers: a mark that all of them have, blanks between
+// numbers, or a comma. The first number with a decimal mark fixes that mark for the file. One line before the numbers
+// is a head, and a comment with as many names may be one. More lines, and rows of another width, are refused.
 #include "io/text/table.h"
 
 #include <algorithm>

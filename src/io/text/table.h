@@ -1,5 +1,5 @@
-// Tables of numbers as others write them, with one head or none: the one reader of records, measured values
-// and paths. It finds what stands between cells and before decimals, and refuses what can be read in two ways.
+// Tables of numbers from other programs, with one head or none: the one reader of records, measured values and
+// paths. It finds the separator of cells and the decimal mark, and refuses what can be read in two ways.
 //
 //   time_s,acc_cm_s2      "time";"acc (g)"      t [s]   acc [cm/s^2]      # time acc
 //   0.00,1.5              0,00;0,12             0.00    1.5               0.00 1.5

@@ -1,5 +1,5 @@
-// Decides by the unit whether "12.000" can mean thousandths: a gram of a mass in kg means nothing, a millimetre of a
-// length in m does. Where both are possible, zeros at the end decide. Callers warn; no value is changed.
+// Decides by the unit whether "12.000" can have three decimals: a gram of a mass in kg does not matter, a millimetre
+// of a length in m does. Where both are possible, zeros at the end decide. Callers warn; no value is changed.
 #include "io/text/thousands.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Digits in threes behind a mark, "1.900" and "12.000 kg": thousands to some, three decimals to others.
+// Numbers such as "1.900" and "12.000 kg", which some write for thousands and others with three decimals.
 #pragma once
 
 #include <string>

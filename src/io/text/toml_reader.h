@@ -3,8 +3,8 @@
 //   ReadContext context{file};                    one per file: faults, --set overrides
 //   parse_table(context, table, "wall", spec);     describe(), then unknown keys, then finish()
 //
-// After describe() the reader knows which keys the table may hold and which it does; finish() of
-// a struct (stage_check.cpp, material_check.cpp) asks it for what a range can't say.
+// After describe() the reader knows which keys the table may have and which it has. finish() of a struct
+// (stage_check.cpp, material_check.cpp) uses this to check what a range can't express.
 #pragma once
 
 #include <map>

@@ -1,6 +1,6 @@
-// Looks for known mistakes in the line at which the parser stopped. The first that fits is told, so the order matters:
-// habits of other formats, keys, numbers, quotes. The cure shows the line as it should be. Texts in quotes are masked
-// where marks are looked for.
+// Looks for known mistakes in the line at which the parser stopped. The first that fits is reported, so the order
+// matters: habits of other formats, keys, numbers, quotes. The cure shows the correct line. Texts in quotes are
+// masked in the search for marks.
 #include "io/text/toml_slips.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Slips of the hand in a TOML text, in a user's words: the parser's own say where it stopped, not what is wrong.
+// Names typing mistakes in a TOML text. The parser's own message says where it stopped, not what is wrong.
 #pragma once
 
 #include <string>

@@ -1,6 +1,6 @@
-// Writes each member of a struct as a line "key = value", and a model spec as a whole TOML text.
-// A quantity stands in its key's unit, or in SI where only that reads back to the same bits. An unset one (NaN) gets no
-// line. A model's fields that [scatter] makes again on reading are left out; one that differs from those is written.
+// Writes each member of a struct as a line "key = value", and a model spec as a complete TOML text. A quantity has its
+// key's unit, or SI if only that reads back to the same bits. An unset one (NaN) gets no line. A model's fields
+// that [scatter] makes again on reading are left out; one that differs from those is written.
 #include "io/text/toml_writer.h"
 #include "campaign/draws/scatter.h"
 #include "core/ascii.h"

@@ -1,6 +1,6 @@
-// Finds the meant column by its head, takes its unit from head or study, and turns each cell into SI.
-// Doubtful data are refused with a cure: row numbers, marks of missing values, magnitudes that no wall has, and
-// decimals that may be thousands. Cells go through parse_quantity(), so 0.15 MPa has the same bits as in a model.
+// Finds the column by its head, takes its unit from head or study, and turns each cell into SI. Doubtful data are
+// refused with a cure: row numbers, marks of missing values, magnitudes that no wall has, and decimals that may be
+// thousands. Cells go through parse_quantity(), so 0.15 MPa has the same bits as in a model.
 #include "io/text/value_column.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The assessment of a run: what its model and its states say of the push, then assess().
+// The assessment of a run: collects what assess() needs from its model and its states.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>

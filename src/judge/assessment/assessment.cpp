@@ -3,8 +3,8 @@
 //   refuse ──► limit states by force and drift ──► bilinear curve up to near collapse ──► m*, Gamma, T*
 //   ──► demand, capacity over demand, acceleration of each limit state ──► verdict and its cautions
 //
-// docs/theory/assessment.md. What a curve does not show is never made up: a push that ended early gives
-// lower bounds, one without a peak gives no number.
+// docs/theory/assessment.md. What a curve does not show is never estimated: a push that ended early gives lower
+// bounds, one without a peak gives no number.
 #include <algorithm>
 #include <cmath>
 #include <functional>

@@ -1,4 +1,5 @@
-// What a code asks of a part that falls on its face: the spectrum at its height, the onset by q, the way by d*.
+// What a code asks of a part that falls on its face: the spectrum at its height, the onset by q, the displacement
+// by d*.
 //
 // Equations (21.9) to (21.14) of docs/theory/local_mechanisms.md. Called by `wythe limit --assessment`.
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Virtual work of a strip that falls on its face: the onset, the equivalent system, and where nothing more is needed.
+// Virtual work of a strip that falls on its face: the onset, the equivalent system, and where it falls by itself.
 //
 //   alpha(theta) sum Q u'(theta) = sum P v'(theta) + sum T u'(theta)      u along the earthquake, v upwards
 //

@@ -1,5 +1,5 @@
-// The mechanism of a body force as limit analysis finds it: its rigid pieces, what they weigh, and where nothing more is
-// needed to fall.
+// The mechanism of a body force as limit analysis finds it: its rigid pieces, what they weigh, and where they fall
+// by themselves.
 //
 //   blocks of one twist (velocity at the origin, spin) are one piece; a weight of a piece acts at its common centroid
 //

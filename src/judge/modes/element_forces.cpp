@@ -1,9 +1,9 @@
-// Cuts the wall at the ends of each pier and spandrel and sums the forces of the joints that the cut parts;
-// see wythe/parts/element_forces.h.
+// Cuts the wall at the ends of each pier and spandrel and sums the forces of the joints that the cut separates; see
+// wythe/parts/element_forces.h.
 //
-// A cut follows the joints: between blocks whose centroids lie on either side of a straight line, so that
-// any bond is cut right through. A pier's cut reaches half way over the openings beside it, where the
-// haunches of an arch may carry; a spandrel's reaches down so, to where an arch springs.
+// A cut follows the joints: between blocks whose centroids lie on either side of a straight line, so that any bond
+// is cut right through. A pier's cut reaches half way over the openings beside it, where the haunches of an arch
+// may carry; a spandrel's reaches down in the same way, to the springing of an arch.
 #include "wythe/parts/element_forces.h"
 
 #include <fmt/format.h>

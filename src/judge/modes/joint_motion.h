@@ -1,5 +1,5 @@
-// What joints and blocks did, in the words the rules need; scan lines and bed sections over a region.
-// Read by element_states.cpp, mode_flags.cpp and features.cpp.
+// The motion of joints and blocks in the form that the rules need; scan lines and bed sections over a region. Read
+// by element_states.cpp, mode_flags.cpp and features.cpp.
 #pragma once
 
 #include <functional>

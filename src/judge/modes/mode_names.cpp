@@ -6,10 +6,10 @@
 //   FM-2  F p q                           both piers          FM-4  s f (1 - p) (1 - q)
 //   FM-5  (1 - s) c r (1 - p) (1 - q)     neither
 //
-// with F = (1 - s) c + s l, l the truth that a pier sheared before the spandrel did,
-// each times (1 - S), beside shares of S for "base sliding", "top sliding", "bed sliding": S is the
-// truth of joints all along the wall having slid by more than half of the way the wall has gone. The
-// highest is the name when it leads by kClear. Sheared: a diagonal crack, or sliding.
+// with F = (1 - s) c + s l, l the truth that a pier sheared before the spandrel did, each times (1 - S), beside
+// shares of S for "base sliding", "top sliding", "bed sliding": S is the truth that joints all along the wall have
+// slid by more than half of its displacement. The highest is the name if it leads by kClear. Sheared: a diagonal
+// crack, or sliding.
 #include "judge/modes/mode_names.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The parts of a wall that damage is read on, found from where its blocks stand.
+// The parts of a wall for which damage is evaluated, found from the places of its blocks.
 //
 //    +-----------------------------+      opening     an enclosed hole, or one open at the base
 //    |      [C]  spandrel  [C]     |      pier        between openings, over their height

@@ -9,7 +9,7 @@
 //               |M| <= l/2 (N + T)(C - N)/(C + T)       (stress block; T = ft A, C = fc A), convex,
 //               cut by tangents where the solution breaks it: `Tangent`
 //
-// Without crushing two end points say the same as any number, so only kPoints keeps the model's.
+// Without crushing two end points are equivalent to any number, so only kPoints keeps the model's.
 #pragma once
 
 #include <vector>

@@ -1,6 +1,6 @@
-// Finds the pattern of L once from the elimination tree, then computes L and D row by row.
-// A pivot keeps the sign that is stated for it. One that round-off takes away becomes kPutBack with that sign, so the
-// factors are then those of another matrix and the caller must refine.
+// Finds the pattern of L once from the elimination tree, then computes L and D row by row. A pivot keeps the sign
+// that is stated for it. One that round-off cancels becomes kPutBack with that sign. The factors are then those of
+// another matrix, and the caller must refine.
 #include "limit/solver/sparse_factor.h"
 
 #include <algorithm>
