@@ -36,6 +36,7 @@ export class Family {
   private readonly title = h("h2");
   private readonly from = this.limit("from");
   private readonly to = this.limit("to");
+  private readonly unit = h("span");
   private readonly count = h("select", { "aria-label": say("studio.family.count"), onchange: () => this.refresh() }, kCounts.map((n) => h("option", { value: n }, say("studio.family.values", { count: n }))));
   private readonly go = h("button", { class: "button small", type: "button", "data-action": "family", onclick: () => (this.running ? this.stop() : void this.push()) });
   private readonly slider = h("input", { type: "range", min: 0, step: 1, oninput: () => this.slide(Number(this.slider.value)) });
@@ -53,8 +54,8 @@ export class Family {
     private readonly changed: () => void, // shows it anew too
   ) {
     this.root = h("section", { class: "family", hidden: true, "aria-label": say("studio.family") },
-      h("div", { class: "family-head" }, this.title, h("button", { class: "button small icon-only", type: "button", title: say("studio.close"), "aria-label": say("studio.family.close"), onclick: () => this.close() }, "×")),
-      h("div", { class: "family-range" }, this.from, this.to, this.count, this.go),
+      h("div", { class: "family-head" }, this.title, this.go, h("button", { class: "button small icon-only", type: "button", title: say("studio.close"), "aria-label": say("studio.family.close"), onclick: () => this.close() }, "×")),
+      h("div", { class: "family-range" }, say("studio.family.from"), this.from, say("studio.family.to"), this.to, this.unit, this.count),
       this.scale, this.words, this.status);
     this.root.addEventListener("keydown", (e) => {
       if (e.key !== "Escape") return;
@@ -63,7 +64,7 @@ export class Family {
     });
   }
   private limit(name: "from" | "to"): HTMLInputElement {
-    return h("input", { type: "text", inputmode: "decimal", autocomplete: "off", "aria-label": say(`studio.family.${name}`), placeholder: say(`studio.family.${name}`), oninput: () => this.refresh() });
+    return h("input", { type: "text", inputmode: "decimal", autocomplete: "off", "aria-label": say(`studio.family.${name}`), oninput: () => this.refresh() });
   }
 
   get isOpen(): boolean {
@@ -200,8 +201,7 @@ export class Family {
     const now = number.now();
     const stale = this.isStale;
     this.title.textContent = say("studio.family.title", { name: number.name, now: Number.isFinite(now) ? shown(now, number) : "–" });
-    this.from.setAttribute("aria-description", number.unit);
-    this.to.setAttribute("aria-description", number.unit);
+    this.unit.textContent = number.unit;
     for (const field of [this.from, this.to]) field.setAttribute("aria-invalid", String(field.value.trim() !== "" && !this.range));
     this.go.textContent = this.running ? say("studio.button.stop") : say("studio.family.go", { count: this.count.value });
     this.go.disabled = !this.running && (!this.range || project.broken !== null || !Number.isFinite(now) || this.busy());

@@ -132,7 +132,7 @@ export function frameFields(panel: Panel, k: number): Child[] {
           panel.choice(say("studio.frame.beam_profile"), [["", say("studio.frame.as")], ...names], () => profileNamed(word("beam_profile")), (name) => setProfile(project.text, frame, "beam_profile", name)),
         ]
       : [h("p", { class: "hint" }, say("studio.frame.section"))]),
-    panel.choice(say("studio.frame.feet"), kFeet.map((f) => [f, say(`studio.frame.feet.${f}`)]), () => word("feet"), (f) => setValue(project.text, at("feet"), quoted(f))),
+    panel.choice(say("studio.frame.feet"), kFeet.map((f) => [f, say(`studio.frame.feet.${f}`)]), () => word("feet"), (f) => setValue(project.text, at("feet"), quoted(f)), true),
     count("count"),
     has("beam_profile") && count("beam_count"),
     has("grade") && panel.choice(say("studio.frame.grade"), kGrades.map((g) => [g, g]), () => word("grade"), (g) => setValue(project.text, at("grade"), quoted(g))),
