@@ -172,6 +172,20 @@ test("twice as far is an edit of the file and a push", { skip }, async () => {
   assert.equal(await page.locator(".push.stale").count(), 1);
 });
 
+test("eight walls stop at once, and with an edit", { skip }, async () => {
+  await page.keyboard.press("Control+y");
+  await stonesOf(page);
+  await action("walls").click();
+  await page.waitForSelector(".one-wall", { timeout: kPatience });
+  await action("walls").click();
+  assert.equal(await action("walls").innerText(), "Eight walls");
+  const some = await page.locator(".one-wall").count();
+  assert.ok(some > 0 && some < 8, String(some));
+  await action("other").click();
+  await setField("Thickness", "0.6");
+  await page.waitForFunction(() => document.querySelector('[data-action="other"]').textContent !== "Stop");
+});
+
 test("a family of curves: as many walls with another thickness, one of them taken, and nothing left running", { skip }, async () => {
   await write(page, kWall);
   const family = page.locator(".family");
@@ -222,18 +236,4 @@ test("a family of curves: as many walls with another thickness, one of them take
   await page.keyboard.press("y");
   await family.waitFor();
   await page.keyboard.press("Escape");
-});
-
-test("eight walls stop at once, and with an edit", { skip }, async () => {
-  await page.keyboard.press("Control+y");
-  await stonesOf(page);
-  await action("walls").click();
-  await page.waitForSelector(".one-wall", { timeout: kPatience });
-  await action("walls").click();
-  assert.equal(await action("walls").innerText(), "Eight walls");
-  const some = await page.locator(".one-wall").count();
-  assert.ok(some > 0 && some < 8, String(some));
-  await action("other").click();
-  await setField("Thickness", "0.6");
-  await page.waitForFunction(() => document.querySelector('[data-action="other"]').textContent !== "Stop");
 });

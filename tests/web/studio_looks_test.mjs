@@ -7,7 +7,7 @@ import path from "node:path";
 import { pathToFileURL } from "node:url";
 import { after, before, test } from "node:test";
 import { axe, folder, root, run, shots, viewerModule, wantsPictures } from "./helpers.mjs";
-import { launch, openStudio, stonesOf, studioPage } from "./studio.mjs";
+import { launch, openStudio, stonesOf, studioPage, write } from "./studio.mjs";
 
 let browser, file;
 before(async () => {
@@ -67,6 +67,9 @@ test("no other language has an English word left of the page's own, and an unkno
       for (const word of ["Push", "Length", "Height", "Thickness", "Wall", "Load", "File saved", "blocks", "Select"])
         assert.ok(!new RegExp(`\\b${word}\\b`).test(words), `${locale}: ${word}`);
     else assert.equal(await page.getAttribute("html", "lang"), "en");
+    await write(page, '[wall]\nlength = 3\nheigth = "2 m"\n');
+    const faults = await page.locator(".faults").innerText();
+    assert.equal(/unit|missing|write|such|mean/.test(faults), button === "Push", `${locale}: ${faults}`);
     await page.end();
   }
 });

@@ -50,7 +50,7 @@ export class Family {
     private readonly project: Project,
     private readonly engine: Engine,
     private readonly known: (text: string) => Pushed | null, // a push that there is already
-    private readonly busy: () => boolean, // the worker pushes something else
+    private readonly busy: () => boolean, // there is no worker, or it pushes something else
     private readonly changed: () => void, // shows it anew too
   ) {
     this.root = h("section", { class: "family", hidden: true, "aria-label": say("studio.family") },

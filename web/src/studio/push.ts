@@ -8,7 +8,7 @@ import { Compare, type Pushed } from "./compare";
 import { Curve } from "./curve";
 import { pushOf, setLength } from "./drawing";
 import type { Answer, Engine, Progress } from "./engine";
-import { kStopped, pieceOf, textIn } from "./engine";
+import { hasEngine, kStopped, pieceOf, textIn } from "./engine";
 import { Family } from "./family";
 import { readPicture, type Picture } from "./picture";
 import type { Fault, Project } from "./project";
@@ -63,7 +63,7 @@ export class Push {
     private readonly changed: () => void,
   ) {
     this.beside = new Beside(project, besides, () => this.refresh());
-    this.family = new Family(project, besides, (text) => (text === this.ofText ? this.pushed : null), () => this.beside.running !== "", () => this.refresh());
+    this.family = new Family(project, besides, (text) => (text === this.ofText ? this.pushed : null), () => !hasEngine() || this.beside.running !== "", () => this.refresh());
     this.states_row = h("div", { class: "states", hidden: true }, h("span", {}, say("studio.cracks")), this.slider, this.at);
     this.actions.prepend(this.back, this.report);
     this.slider.addEventListener("input", () => this.showState(Number(this.slider.value)));
