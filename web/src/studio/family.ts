@@ -58,6 +58,7 @@ export class Family {
       h("div", { class: "family-range" }, say("studio.family.from"), this.from, say("studio.family.to"), this.to, this.unit, this.count),
       this.scale, this.words, this.status);
     this.root.addEventListener("keydown", (e) => {
+      if (e.key === "Enter" && (e.target === this.from || e.target === this.to)) this.go.click();
       if (e.key !== "Escape") return;
       e.stopPropagation();
       this.close();
