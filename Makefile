@@ -82,10 +82,12 @@ check: configure ## layers, sizes, words, format, clang-tidy
 	run-clang-tidy -quiet -p $(BUILD) '/(src|apps)/' >$(BUILD)/tidy.txt 2>&1 \
 	  || { grep -E 'warning:|error:' $(BUILD)/tidy.txt; exit 1; }
 
-package: setup   ## build/package: Debian packages of the last commit: program, library, headers, Python module
+package: setup   ## build/package: Debian packages of the last commit: program, library, headers, Python module, studio
 	@tools/setup deps/package.txt
 	rm -rf build/package && mkdir -p build/package/wythe
 	git archive HEAD | tar x -C build/package/wythe
+	@if command -v em++ >/dev/null; then $(MAKE) studio && install -D -m 644 build/studio.html build/package/wythe/build/studio.html; \
+	  else echo "no Emscripten (deps/wasm.txt): the packages get no studio"; fi
 	cd build/package/wythe && PATH=/usr/sbin:/usr/bin:/sbin:/bin DEB_BUILD_OPTIONS="noautodbgsym $(DEB_BUILD_OPTIONS)" dpkg-buildpackage -us -uc -b
 	rm -rf build/package/wythe
 	lintian --allow-root --fail-on=error,warning --suppress-tags=initial-upload-closes-no-bugs build/package/*.changes

@@ -70,8 +70,8 @@ int studio(const StudioArguments& a) {
                        .path = "",
                        .value = "",
                        .problem = "this installation has no studio",
-                       .cure = "Debian packages have none: build it in the sources with make "
-                               "studio, then make install"}});
+                       .cure = "build it in the sources with make studio, then make "
+                               "install or make package"}});
   check_answer_file(a.out, {a.model, page}, "<title>wythe studio</title>");
   std::string text = read_data(page);
   const std::string model = a.model.empty() ? "" : model_text(a.model);

@@ -128,6 +128,7 @@ void answer_states(Job& job, const std::shared_ptr<const Done>& done) {
 void answer_run(Job& job, const std::shared_ptr<const Done>& done, const std::string& language) {
   const Result& r = done->result;
   job.out.put("summary", summary_json(done->spec, done->model, r));
+  job.out.put("reason", text_of(r.reason, language));
   job.out.put("curve", curve_of(r, done->model));
   if (!r.history.row.empty())
     job.out.put("history", table_of(io::history_csv(r.history, done->model.in_space())));

@@ -61,12 +61,6 @@ Origin origin_of(const Job& job, const GivenModel& given) {
           job.in.real("replace", 0) != 0};
 }
 
-Json notes_of_model(const Model& model) {
-  Json notes = Json::array();
-  for (const Message& note : model.anatomy.notes) notes.push_back(text_of(note));
-  return notes;
-}
-
 // A run from its beginning to its end, in one go or in pieces.
 struct RunUnderWay {
   std::shared_ptr<Done> done = std::make_shared<Done>();
@@ -124,7 +118,9 @@ bool do_run(Job& job) {
 }
 
 bool do_check(Job& job) {
-  job.in.check("check", {"model", "file", "set"}, {}, false);
+  job.in.check("check", {"model", "file", "set", "language"}, {}, false);
+  const std::string language = job.in.one("language", "en");
+  check_language(language, "language");
   const GivenModel given = read_given(job.in);
   const Model& m = given.model;
   const RunEstimate cost = estimate(m);
@@ -139,7 +135,7 @@ bool do_check(Job& job) {
                                {"time_step_s", cost.time_step},
                                {"steps", cost.steps},
                                {"expected_seconds", cost.seconds},
-                               {"notes", notes_of_model(m)}}));
+                               {"notes", texts_of(m.anatomy.notes, language)}}));
   job.out.put("model", write_model(given.spec));
   if (!m.in_space()) job.out.put("svg", wall_svg(m, initial_state(m), 1));
   return false;

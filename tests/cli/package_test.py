@@ -75,6 +75,27 @@ class Package(unittest.TestCase):
                 left -= found
         self.assertEqual(left, set())
 
+    def test_the_studio_is_in_the_package_of_the_program_where_it_is_built(self):
+        # the rule of debian/rules, with a dh_install that notes how it was called
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            (root / "dh_install").write_text(f'#!/bin/sh\necho "dh_install $*" >>{root}/called\n')
+            (root / "dh_install").chmod(0o755)
+            (root / "debian").mkdir()
+            rules = re.search(r"^override_dh_install:\n(?:\t.*\n)+", (SOURCE / "debian/rules").read_text(), re.M).group()
+            (root / "Makefile").write_text(rules)
+            environment = {**os.environ, "PATH": f"{root}:{os.environ['PATH']}"}
+            subprocess.run(["make", "override_dh_install"], cwd=root, env=environment, check=True, capture_output=True)
+            self.assertEqual((root / "called").read_text().split("\n"), ["dh_install ", ""])
+            page = root / "debian/tmp/usr/share/wythe/studio.html"
+            page.parent.mkdir(parents=True)
+            page.touch()
+            subprocess.run(["make", "override_dh_install"], cwd=root, env=environment, check=True, capture_output=True)
+            self.assertEqual((root / "called").read_text().split("\n")[2], "dh_install -pwythe usr/share/wythe/studio.html")
+        recipe = re.search(r"^package:.*\n(?:\t.*\n)+", (SOURCE / "Makefile").read_text(), re.M).group()
+        place = re.search(r"build/package/wythe/(build/studio.html)", recipe).group(1)
+        self.assertIn(f"${{CMAKE_SOURCE_DIR}}/{place} ", (SOURCE / "cmake/install.cmake").read_text())
+
     def test_pages_and_examples_are_there(self):
         for name in ("wythe.docs", "libwythe-dev.docs", "wythe.examples"):
             for pattern in listed(name):

@@ -8,7 +8,7 @@ import { pathToFileURL } from "node:url";
 import { folder, launch as launchBrowser, root } from "./helpers.mjs";
 
 const build = process.env.BUILD ?? path.join(root, "build/release");
-const library = path.join(build, "libwythe.so");
+export const kLibrary = path.join(build, "libwythe.so");
 export const kPatience = 120000; // [ms]; only a defect takes as long
 
 // A wall of large stones: pushed in a second.
@@ -110,7 +110,7 @@ export async function openStudio(browser, file, options = {}) {
       return void children.delete(number);
     }
     if (!children.has(number)) {
-      const child = spawn("python3", [path.join(root, "tests/web/engine.py"), library], { stdio: ["pipe", "pipe", "inherit"] });
+      const child = spawn("python3", [path.join(root, "tests/web/engine.py"), kLibrary], { stdio: ["pipe", "pipe", "inherit"] });
       createInterface({ input: child.stdout }).on("line", (line) => {
         page
           .evaluate(
@@ -177,13 +177,19 @@ export const pixelsOf = (page, x, y) =>
 class StandIn {
   children = [];
   classList = { toggle() {} };
+  style = { setProperty() {} };
   setAttribute() {}
   addEventListener() {}
+  focus() {}
+  scrollIntoView() {}
   appendChild(child) {
     this.children.push(child);
   }
   replaceChildren(...all) {
     this.children = all;
+  }
+  set textContent(text) {
+    this.children = [text];
   }
   get text() {
     return this.children.map((c) => c.text ?? String(c)).join(" ").replace(/\u202f/g, " ");
@@ -193,5 +199,5 @@ export function standInForPage() {
   const createElement = () => new StandIn();
   globalThis.Node = StandIn;
   globalThis.window = globalThis;
-  globalThis.document = { createElement, createElementNS: createElement, createTextNode: (text) => Object.assign(new StandIn(), { children: [text] }), documentElement: { dataset: {} } };
+  globalThis.document = { createElement, createElementNS: createElement, createTextNode: (text) => Object.assign(new StandIn(), { children: [text] }), querySelector: () => null, documentElement: { dataset: {} } };
 }

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import fs from "node:fs";
 import path from "node:path";
 import { after, before, test } from "node:test";
-import { folder, root, run } from "./helpers.mjs";
+import { axe, folder, root, run } from "./helpers.mjs";
 import { kPatience, kWall, launch, openStudio, stonesOf, studioPage, textOf, write } from "./studio.mjs";
 
 const made = path.join(root, "build/wasm");
@@ -184,4 +184,58 @@ test("eight walls stop at once, and with an edit", { skip }, async () => {
   await action("other").click();
   await setField("Thickness", "0.6");
   await page.waitForFunction(() => document.querySelector('[data-action="other"]').textContent !== "Stop");
+});
+
+test("a family of curves: as many walls with another thickness, one of them taken, and nothing left running", { skip }, async () => {
+  await write(page, kWall);
+  const family = page.locator(".family");
+  const curves = page.locator(".curve-box path.member");
+  const workers = page.workers().length;
+  const thickness = page.getByTitle("Vary Thickness");
+  await thickness.click();
+  assert.equal(await family.locator("h2").innerText(), "Thickness, now 0.4\u202fm");
+  assert.equal(await page.getByLabel("to", { exact: true }).inputValue(), "0.8");
+  await page.keyboard.press("Enter"); // the button has the focus
+  await page.waitForFunction(() => document.querySelectorAll(".curve-box path.member").length === 5, null, { timeout: kPatience });
+  await page.waitForFunction(() => document.querySelector('[data-action="family"]').textContent === "Push 5 walls", null, { timeout: kPatience });
+  assert.deepEqual(await family.locator("li span:first-of-type").allInnerTexts(), ["0.2", "0.283", "0.4", "0.566", "0.8"]);
+  const slider = page.getByLabel("Value of: Thickness");
+  await slider.focus();
+  await page.keyboard.press("End");
+  const twice = program("run", kWall.replace('thickness = "0.4 m"', 'thickness = "0.80 m"'))("summary.json");
+  assert.equal(await slider.getAttribute("aria-valuetext"), `0.8\u202fm: ${three(twice.peak_reaction_kN)}\u202fkN`);
+  const said = (await family.locator(".family-answer").innerText()).replace(/\s+/g, " ");
+  assert.ok(said.includes(`stiffness ${three(twice.initial_stiffness_kN_per_mm)} kN/mm failure mode ${twice.failure_mode.name}`), said);
+  assert.equal(await curves.last().getAttribute("class"), "line member chosen");
+  await page.evaluate(axe);
+  assert.deepEqual(await page.evaluate(async () => (await window.axe.run(".family, .curve-box", { resultTypes: ["violations"] })).violations.map((v) => v.help)), []);
+  await page.getByRole("button", { name: "Take 0.8 m" }).click();
+  assert.match(await textOf(page), /thickness = "0.8 m"/);
+  await stonesOf(page);
+  assert.equal(await curves.count(), 5); // of this wall too
+  await page.locator(".canvas").focus();
+  await page.keyboard.press("Control+z");
+  assert.equal(await textOf(page), kWall);
+  await setField("Height", "1.8");
+  assert.equal(await curves.count(), 0);
+  assert.match(await family.innerText(), /has changed since/);
+  // another number, from the file; closed while it is at it
+  await page.locator(".canvas").focus();
+  await page.keyboard.press("t");
+  await page.locator(".file-text").evaluate((area) => area.setSelectionRange(...Array(2).fill(area.value.indexOf("vertical_stress") + 3)));
+  await page.locator(".file-number .button", { hasText: "Vary masonry.vertical_stress" }).click();
+  assert.match(await family.locator("h2").innerText(), /now 0.1\u202fMPa/);
+  await page.locator('[data-action="family"]').click();
+  await curves.first().waitFor({ state: "attached", timeout: kPatience });
+  await page.locator('[data-action="family"]').press("Escape");
+  assert.equal(await family.isVisible(), false);
+  assert.equal(await curves.count(), 0);
+  if (page.workers().length > workers) await page.workers().at(-1).waitForEvent("close");
+  assert.ok(page.workers().length <= workers);
+  await page.locator(".tab", { hasText: "Numbers" }).click();
+  await page.locator(".canvas").focus();
+  await page.keyboard.press("Control+z");
+  await page.keyboard.press("y");
+  await family.waitFor();
+  await page.keyboard.press("Escape");
 });

@@ -7,7 +7,7 @@ import path from "node:path";
 import { pathToFileURL } from "node:url";
 import { after, before, test } from "node:test";
 import { axe, folder, root, run, shots, viewerModule, wantsPictures } from "./helpers.mjs";
-import { launch, openStudio, stonesOf, studioPage } from "./studio.mjs";
+import { launch, openStudio, stonesOf, studioPage, write } from "./studio.mjs";
 
 let browser, file;
 before(async () => {
@@ -40,6 +40,12 @@ for (const [k, [width, height]] of [[1440, 900], [820, 1180], [390, 844]].entrie
       assert.deepEqual(await violations(page), []);
       assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth), "wider than the screen");
       await picture(page, `studio_${width}_${scheme}`);
+      await page.locator(".canvas").focus();
+      await page.keyboard.press("y");
+      assert.ok(await page.locator(".family").isVisible());
+      assert.deepEqual(await violations(page), []);
+      assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth), "the family is wider than the screen");
+      await page.keyboard.press("Escape");
       await page.locator('[data-pane="file"].tab').click();
       await page.locator(".file-text").fill("[wall]\nlength = 3\n");
       await stonesOf(page);
@@ -61,6 +67,9 @@ test("no other language has an English word left of the page's own, and an unkno
       for (const word of ["Push", "Length", "Height", "Thickness", "Wall", "Load", "File saved", "blocks", "Select"])
         assert.ok(!new RegExp(`\\b${word}\\b`).test(words), `${locale}: ${word}`);
     else assert.equal(await page.getAttribute("html", "lang"), "en");
+    await write(page, '[wall]\nlength = 3\nheigth = "2 m"\n');
+    const faults = await page.locator(".faults").innerText();
+    assert.equal(/\b(missing|write|such|mean)\b/.test(faults), button === "Push", `${locale}: ${faults}`);
     await page.end();
   }
 });
@@ -137,7 +146,7 @@ test("a page without an engine draws and says so", async () => {
 
 test("the page is small and asks for nothing", () => {
   const page = fs.readFileSync(file, "utf8");
-  assert.ok(Buffer.byteLength(page) < 250e3, `${Buffer.byteLength(page)} bytes`);
+  assert.ok(Buffer.byteLength(page) < 400e3, `${Buffer.byteLength(page)} bytes`);
   for (const door of [/<script[^>]+src=/, /<link[^>]+href="(?!data:)/, /@import/, /url\((?!#|"?data:)/]) assert.doesNotMatch(page, door);
   assert.match(page, /default-src 'none'/);
 });

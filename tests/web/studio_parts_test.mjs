@@ -399,6 +399,42 @@ test("K puts a steel frame in an opening, with its material; profiles, feet and 
   await page.locator(".notice", { hasText: /level head/ }).waitFor();
 });
 
+test("steel, gap, anchors and wedges of a frame stand in the panel, and the engine takes them", async () => {
+  const press = (name) => page.getByRole("button", { name, exact: true }).click();
+  await begin("frame");
+  await opening(0).click();
+  const before = await textOf(page);
+  await enter("Beams side by side", "3");
+  await has(/\nbeam_count = 3\n/);
+  await field("Steel").selectOption("S355");
+  await has(/grade = "S355"/);
+  await enter("Gap to the masonry", "4");
+  await has(/\ngap = "4 mm"\n/);
+  await isBuilt();
+  await enter("Gap to the masonry", "0");
+  await lacks(/\ngap/);
+  await press("Anchor it in the masonry");
+  await has(/\nanchors = \{ spacing = "400 mm", depth = "150 mm", tension = "12 kN", shear = "15 kN" \}\n/);
+  await isBuilt();
+  await enter("Pull-out strength", "9");
+  await enter("Depth of an anchor", "120");
+  await has(/anchors = \{ spacing = "400 mm", depth = "120 mm", tension = "9 kN", shear = "15 kN" \}/);
+  await press("Wedge its beam");
+  await has(/\nwedges = \{ force = "80 kN", spacing = "400 mm" \}\n/);
+  await enter("Force of all wedges", "60");
+  await has(/wedges = \{ force = "60 kN"/);
+  await isBuilt();
+  await press("Without anchors");
+  await press("Without wedges");
+  await lacks(/anchors|wedges/);
+  assert.equal((await textOf(page)).replace("beam_count = 3\n", "").replace("S355", "S275"), before);
+  // a frame that stands from the start has no stage that could drive wedges in
+  await begin("portal");
+  await opening(0).click();
+  await page.keyboard.press("k");
+  assert.equal(await page.getByRole("button", { name: "Wedge its beam" }).count(), 0);
+});
+
 test("every profile of the library can be chosen, as high as it is", async () => {
   const { kProfiles } = await viewerModule("studio/profiles");
   const source = fs.readFileSync(path.join(root, "src/geometry/wall/profiles.cpp"), "utf8");

@@ -10,7 +10,7 @@ let language = 0;
 export function speak(code: string): void {
   language = Math.max(0, table.languages.indexOf(code));
 }
-export const isEnglish = (): boolean => language === 0;
+export const languageNow = (): string => table.languages[language];
 
 export function say(key: string, places: Record<string, string | number> = {}): string {
   let text = texts[key]?.[language] ?? texts[key]?.[0] ?? key;

@@ -2,13 +2,14 @@
 // worker of their own; an edit of the file stops them.
 import { h } from "../dom";
 import type { Point } from "../plot";
-import { phrase, qty, say } from "../texts";
+import { languageNow, phrase, qty, say } from "../texts";
 import type { Line } from "./curve";
 import { pushOf, setDirection } from "./drawing";
 import type { Answer, Engine } from "./engine";
 import { kStopped } from "./engine";
-import { pointsOf } from "./push";
 import type { Project } from "./project";
+import { faultsOf, pointsOf } from "./push";
+import { saidOf } from "./said";
 import { valueAt, type Doc } from "./toml";
 
 export const kWalls = 8;
@@ -88,7 +89,7 @@ export class Beside {
       this.other = { css: "other", name: wayName(way), points: pointsOf(answer) };
       this.otherWords = say("studio.other.answer", { way: wayName(way), force: qty(numberOr(summary.peak_reaction_kN), "kN"), at: qty(numberOr(summary.displacement_at_peak_mm), "mm"), drift: qty(numberOr(drift), "%", 2), mode: phrase(String((summary.failure_mode as { name?: string } | undefined)?.name ?? "–")) });
     }
-    this.end(answer, failed ? String(summary.reason ?? summary.status) : "");
+    this.end(answer, failed ? answer.texts.reason || String(summary.status) : "");
   }
   async pushWalls(): Promise<void> {
     const { project } = this;
@@ -118,7 +119,7 @@ export class Beside {
   }
 
   private async push(model: string, set: string[]): Promise<{ answer: Answer; summary: Record<string, unknown> }> {
-    const answer = await this.engine.ask({ task: "run", texts: { model, set }, want: ["summary"], tables: ["curve"] });
+    const answer = await this.engine.ask({ task: "run", texts: { model, set, language: languageNow() }, want: ["summary", "reason"], tables: ["curve"] });
     return { answer, summary: JSON.parse(answer.texts.summary || "{}") };
   }
   private begin(what: "other" | "walls"): void {
@@ -131,7 +132,7 @@ export class Beside {
     this.running = "";
     this.trouble = trouble;
     this.engine.rest();
-    if (answer.code !== 0 && answer.code !== kStopped) this.trouble = answer.texts.error ?? "";
+    if (answer.code !== 0 && answer.code !== kStopped) this.trouble = saidOf(faultsOf(answer)[0]?.problem ?? answer.texts.error ?? "");
     this.tell();
     this.changed();
   }

@@ -7,9 +7,10 @@ const kPad = { left: 52, right: 16, top: 14, bottom: 36 };
 const kInBand = 80; // places along a band
 
 export interface Line {
-  css: string; // "other", "kept"
-  name: string;
+  css: string; // "other", "kept", "member"
+  name: string; // in the legend; "": not there
   points: Point[];
+  share?: number; // of a member of a family, which gives its colour
 }
 
 export class Curve {
@@ -73,12 +74,12 @@ export class Curve {
       svg("text", { class: "tick", x: kPad.left + 6, y: kPad.top + 8 }, say("studio.curve.y")),
       ...(band.length > 0 ? [svg("path", { class: "band", d: `${line(band.map((b) => [b.x, b.low]))}${line([...band].reverse().map((b) => [b.x, b.high])).replace("M", "L")}Z` })] : []),
       ...this.walls.map((points) => svg("path", { class: "one-wall", d: line(points) })),
-      ...this.lines.map((l) => svg("path", { class: `line ${l.css}`, d: line(l.points) })),
+      ...this.lines.map((l) => svg("path", { class: `line ${l.css}`, style: l.share === undefined ? undefined : `--share: ${l.share}`, d: line(l.points) })),
       svg("path", { class: "force", d: line(this.points) }),
       ...(this.peak ? [svg("circle", { class: "peak", cx: px(this.peak[0]), cy: py(this.peak[1]), r: 5 })] : []),
       ...(this.cursor === null ? [] : [svg("line", { class: "cursor", x1: px(this.cursor), x2: px(this.cursor), y1: kPad.top, y2: py(y0) })]),
     );
-    const names: [css: string, name: string][] = [["force", this.name], ...this.lines.map((l): [string, string] => [`line ${l.css}`, l.name])];
+    const names: [css: string, name: string][] = [["force", this.name], ...this.lines.filter((l) => l.name !== "").map((l): [string, string] => [`line ${l.css}`, l.name])];
     if (this.walls.length > 1) names.push(["band", say("studio.walls.name", { count: this.walls.length })]);
     this.legend.hidden = names.length < 2;
     this.legend.replaceChildren(...(names.length < 2 ? [] : names).map(([css, name]) => h("li", {}, svg("svg", { class: "curve swatch", viewBox: "0 0 22 10", "aria-hidden": "true" }, svg("path", { class: css, d: css === "band" ? "M0 1H22V9H0Z" : "M0 5H22" })), name)));

@@ -2,6 +2,7 @@
 import { h } from "../dom";
 import { say } from "../texts";
 import type { Fault, Project } from "./project";
+import { said } from "./said";
 import { find, quoted, setValue, type Doc, type Path } from "./toml";
 
 export function pathOf(text: string): Path {
@@ -50,8 +51,8 @@ export class FaultList {
     return h(
       "li", {},
       h("button", { class: "fault", type: "button", onclick: () => this.go(fault) },
-        h("b", {}, say("studio.line", { line: fault.line })), " ", what !== "" && h("code", {}, what), " ", fault.problem),
-      fault.cure !== "" && h("p", { class: "cure" }, fault.cure),
+        h("b", {}, say("studio.line", { line: fault.line })), " ", what !== "" && h("code", {}, what), " ", said(fault.problem)),
+      fault.cure !== "" && h("p", { class: "cure" }, said(fault.cure)),
       edits && h("button", { class: "button small", type: "button", onclick: () => {
         let text = project.text;
         for (const [path, literal] of edits) text = setValue(text, path, literal);

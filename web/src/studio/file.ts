@@ -1,7 +1,9 @@
-// The model file beside the drawing: the whole text, editable, with line numbers and the lines of faults marked.
+// The model file beside the drawing: the whole text, editable, with line numbers and the lines of faults marked. The number at the
+// cursor may be varied.
 import { h } from "../dom";
 import { say } from "../texts";
 import type { Fault, Project } from "./project";
+import { numberAt, type Varied } from "./varied";
 
 const kPause = 250; // after a key, before the text counts [ms]
 
@@ -12,7 +14,13 @@ export class FilePane {
   private timer = 0;
   private faults = new Map<number, string>();
 
-  constructor(private readonly project: Project) {
+  private varied: Varied | null = null; // the number at the cursor
+  private readonly varies = h("button", { class: "button small", type: "button", hidden: true });
+
+  constructor(
+    private readonly project: Project,
+    vary: (number: Varied, opener: HTMLElement) => void,
+  ) {
     this.area = h("textarea", { class: "file-text", spellcheck: "false", wrap: "off", autocapitalize: "off", autocomplete: "off", "aria-label": say("studio.file") });
     this.area.addEventListener("input", () => {
       this.number();
@@ -25,10 +33,25 @@ export class FilePane {
       project.endStep();
     });
     this.area.addEventListener("scroll", () => (this.lines.scrollTop = this.area.scrollTop));
-    this.root = h("div", { class: "file" }, this.lines, this.area);
+    this.varies.addEventListener("click", () => this.varied && vary(this.varied, this.varies));
+    document.addEventListener("selectionchange", () => this.hasFocus && this.point());
+    this.root = h("div", { class: "file-pane" }, h("div", { class: "file" }, this.lines, this.area), h("div", { class: "file-number" }, this.varies));
     project.listen((why) => {
-      if (why === "text") this.refresh();
+      if (why === "selection") return;
+      this.refresh();
+      this.point();
     });
+  }
+  // What stands at the cursor. While somebody types, the text is not yet that of the project.
+  private point(): void {
+    this.varied = this.area.value === this.project.text ? numberAt(this.project, this.area.selectionStart) : null;
+    this.varies.hidden = this.varied === null;
+    this.varies.textContent = say("studio.vary", { name: this.varied?.name ?? "" });
+  }
+  // Varies the number at the cursor, if there is one.
+  vary(): boolean {
+    this.varies.click();
+    return this.varied !== null;
   }
   // What is typed becomes the project's text.
   take(): void {

@@ -3,7 +3,7 @@
 import { beforeStages, isDoor, type Box, type Drawing } from "./drawing";
 import { heightOf } from "./profiles";
 import { appendTable, countAt, find, parse, quoted, removeAt, setValue, valueAt, type Doc, type Path } from "./toml";
-import { lengthOf } from "./units";
+import { lengthOf, writeQuantity } from "./units";
 
 export interface Frame {
   name: string;
@@ -13,6 +13,7 @@ export interface Frame {
   beam: number;
   gap: number;
 }
+export const kGrades = ["S235", "S275", "S355"];
 export const kFeet = ["fixed", "hinged", "base_beam", "resting"] as const;
 
 export function readFrames(doc: Doc): Frame[] {
@@ -78,6 +79,27 @@ export function setProfile(text: string, k: number, key: "profile" | "beam_profi
   const path: Path = ["frame", k, key];
   if (name !== "") return setValue(text, path, quoted(name));
   return find(parse(text), path) ? removeAt(text, path) : text;
+}
+// No gap is no key.
+export function setGap(text: string, k: number, gap: number): string {
+  const path: Path = ["frame", k, "gap"];
+  if (gap > 0) return setValue(text, path, quoted(writeQuantity(gap, "mm")));
+  return find(parse(text), path) ? removeAt(text, path) : text;
+}
+
+// What a frame may have beside, in a table of its own: its keys, and numbers to begin with (docs/howto/frame.md).
+export const kExtras = {
+  anchors: { keys: ["spacing", "depth", "tension", "shear", "slip"], first: '{ spacing = "400 mm", depth = "150 mm", tension = "12 kN", shear = "15 kN" }' },
+  wedges: { keys: ["force", "spacing"], first: '{ force = "80 kN", spacing = "400 mm" }' },
+};
+export type Extra = keyof typeof kExtras;
+export const addExtra = (text: string, k: number, extra: Extra): string => setValue(text, ["frame", k, extra], kExtras[extra].first);
+export const removeExtra = (text: string, k: number, extra: Extra): string => removeAt(text, ["frame", k, extra]);
+// Wedges are driven in by the stage that puts the frame up: it needs one.
+export function isPutUp(doc: Doc, k: number): boolean {
+  const round = valueAt(doc, ["frame", k, "round"]);
+  const cuts = Array.from({ length: countAt(doc, ["wall", "opening"]) }, (_, o): Path => ["wall", "opening", o]).some((o) => valueAt(doc, [...o, "name"]) === round && find(doc, [...o, "cut"]));
+  return find(doc, ["frame", k, "stage"]) !== undefined || cuts;
 }
 
 // An opening's name, also where its frame says it.

@@ -1,10 +1,11 @@
 // The answer that stays on while one draws: the limit load of the text as it is, and its mechanism. A question that an edit
 // overtakes is dropped, one that takes too long is ended; nothing that is shown belongs to an older text.
 import { h, svg } from "../dom";
-import { isEnglish, qty, say } from "../texts";
+import { qty, say } from "../texts";
 import type { Answer, Engine } from "./engine";
 import { readPicture } from "./picture";
 import { faultsOf } from "./push";
+import { said } from "./said";
 
 export const kPatience = 3000; // for a limit load [ms]
 
@@ -62,10 +63,8 @@ export class LiveLimit {
     const opinion = JSON.parse(answer.texts.mechanisms || "{}") as { limit_loads?: LimitLoad[]; refused?: { why: string }[] };
     const load = opinion.limit_loads?.find((l) => l.name === "dry");
     if (answer.code !== 0 || !load) {
-      const why = faultsOf(answer)[0]?.problem ?? opinion.refused?.[0]?.why ?? answer.texts.error ?? "";
-      // the engine gives its reason in English
-      const said = why !== "" && isEnglish() ? `: ${why}` : "";
-      return this.show(h("p", { class: "soft", title: said === "" && why !== "" ? why : undefined }, `${say("studio.limit.none")}${said}`));
+      const why = problemIn(faultsOf(answer)[0]?.problem ?? opinion.refused?.[0]?.why ?? answer.texts.error ?? "");
+      return this.show(h("p", { class: "soft" }, why === "" ? say("studio.limit.none") : [`${say("studio.limit.none")}: `, said(why)]));
     }
     this.load = load;
     this.tell(load);
@@ -88,3 +87,9 @@ export class LiveLimit {
     this.picture.replaceChildren();
   }
 }
+
+// Of "path = value: problem; cure", as the engine puts its reasons together.
+const problemIn = (reason: string): string => {
+  const parts = /^(?:wall|stage|solve|frame|layer|crushing)[\w.]*(?: = [^:]*)?: (.*)$/.exec(reason);
+  return parts ? parts[1].split("; ")[0] : reason;
+};

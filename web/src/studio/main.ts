@@ -17,10 +17,12 @@ import { Photo } from "./photo";
 import { readPicture, type Picture } from "./picture";
 import { Project, type Fault } from "./project";
 import { faultsOf, Push } from "./push";
+import { saidOf } from "./said";
 import { kStarters, starter } from "./starters";
 import * as store from "./store";
 import { kTools, Tools, type Tool } from "./tools";
 import { lineOf, valueAt } from "./toml";
+import type { Varied } from "./varied";
 import { whole } from "./words";
 
 const kPause = 60; // after an edit, before the engine is asked for its stones [ms]
@@ -41,7 +43,7 @@ const remember = (key: string, value: string): void => {
   }
 };
 
-let language = [remembered("language"), navigator.language.slice(0, 2)].find((code) => kLanguages.some(([known]) => known === code)) ?? "en";
+const language = [remembered("language"), navigator.language.slice(0, 2)].find((code) => kLanguages.some(([known]) => known === code)) ?? "en";
 speak(language);
 document.documentElement.lang = language;
 document.title = say("studio.title");
@@ -65,15 +67,16 @@ let fitNext = true;
 
 const photo = new Photo(canvas, project, tell);
 const tools = new Tools(canvas, project, () => refreshBar(), tell, photo);
-const file = new FilePane(project);
-const panel = new Panel(project, () => canvas.draw(), tell);
+const vary = (number: Varied, opener: HTMLElement): void => push.family.open(number, opener);
+const file = new FilePane(project, vary);
+const panel = new Panel(project, () => canvas.draw(), tell, vary);
 const list = new FaultList(project, (fault) => {
   showPane("file");
   file.show(fault.line, true);
   if (openingOf(fault) >= 0) project.select(openingOf(fault));
 });
 const limit = new LiveLimit(new WorkerEngine());
-const push = new Push(project, new WorkerEngine(), new WorkerEngine(), () => language, (picture) => showCracks(picture), (found) => showFaults(found), () => refreshBar());
+const push = new Push(project, new WorkerEngine(), new WorkerEngine(), (picture) => showCracks(picture), (found) => showFaults(found), () => refreshBar());
 const status = h("p", { class: "status", role: "status", "aria-live": "polite" });
 const notes = h("details", { class: "notes", hidden: true });
 const notice = h("div", { class: "notice", role: "status", hidden: true });
@@ -134,7 +137,7 @@ function check(): void {
   }
   const text = project.text;
   limit.ask(text);
-  checker.ask({ task: "check", texts: { model: text }, want: ["check", "svg"] }, (answer) => {
+  checker.ask({ task: "check", texts: { model: text, language }, want: ["check", "svg"] }, (answer) => {
     if (text !== project.text) return;
     delete document.documentElement.dataset.checking;
     if (answer.code === 0) {
@@ -148,7 +151,7 @@ function check(): void {
     } else if (answer.code === 2) {
       status.textContent = say("studio.notbuilt");
       showFaults(faultsOf(answer));
-    } else status.textContent = say("studio.failed", { why: answer.texts.error ?? "" });
+    } else status.textContent = say("studio.failed", { why: saidOf(answer.texts.error ?? "") });
   });
 }
 function showNotes(list: string[]): void {
@@ -162,8 +165,8 @@ function showFaults(found: Fault[]): void {
   faults = found;
   list.show(found);
   file.mark(found);
-  canvas.faulty = new Map(found.filter((f) => openingOf(f) >= 0).map((f) => [openingOf(f), f.problem]));
-  canvas.faultyParts = new Map(found.map((f) => [f.path.split(".").slice(0, 2).join(" "), f.problem]));
+  canvas.faulty = new Map(found.filter((f) => openingOf(f) >= 0).map((f) => [openingOf(f), saidOf(f.problem)]));
+  canvas.faultyParts = new Map(found.map((f) => [f.path.split(".").slice(0, 2).join(" "), saidOf(f.problem)]));
   canvas.root.classList.toggle("outdated", found.length > 0);
   canvas.draw();
   refreshBar();
@@ -302,6 +305,11 @@ function turn(): void {
     project.change(setDirection(project.text, project.drawing, now.direction === "-x" ? "+x" : "-x"));
   }
 }
+// The number at the cursor of the file, or the one of the panel that was used last.
+function varyNumber(): void {
+  const there = document.documentElement.dataset.pane === "file" ? file.vary() : panel.varyLast();
+  if (!there) tell(say("studio.vary.none"));
+}
 function nextTheme(): void {
   theme = (theme + 1) % kThemes.length;
   remember("theme", kThemes[theme]);
@@ -353,6 +361,7 @@ const all: Command[] = [
     showPane("file");
     file.root.querySelector("textarea")?.focus();
   } },
+  { name: "vary", keys: ["y"], does: varyNumber },
   { name: "save", keys: ["Ctrl+s"], does: () => store.save(store.fileName(title()), project.text), typing: true },
   { name: "open", keys: ["Ctrl+o"], does: () => input.click(), typing: true },
   { name: "share", keys: [], does: () => void share() },

@@ -1,5 +1,5 @@
 // The numbers of the wall beside the drawing. Each field shows what the file says and edits it in place.
-import { h, type Child } from "../dom";
+import { h, svg, type Child } from "../dom";
 import { num, say } from "../texts";
 import { headOf, kHeads, riseOf, setHead, setRise, type Head } from "./arches";
 import { isDoor, loadOf, pushOf, setDirection, setLength, setOpening, setWallSize, type Box, type Selected } from "./drawing";
@@ -10,6 +10,7 @@ import { removePart } from "./parts";
 import type { Project } from "./project";
 import { countAt, find, quoted, setValue, valueAt, type Path } from "./toml";
 import { lengthOf, readQuantity, typedLength, typedQuantity, writeQuantity } from "./units";
+import type { Varied } from "./varied";
 
 const kBonds = ["running", "stack", "flemish", "english", "header"];
 
@@ -22,13 +23,23 @@ export class Panel {
   readonly root = h("div", { class: "numbers" });
   private fields: Field[] = [];
   private shape = ""; // of what is shown: another one is built anew
+  private last = ""; // label of the number that was used last
 
   constructor(
     readonly project: Project,
     private readonly changed: () => void,
     private readonly tell: (words: string) => void,
+    private readonly vary: (number: Varied, opener: HTMLElement) => void,
   ) {
     project.listen(() => this.refresh());
+    this.root.addEventListener("focusin", (e) => (this.last = (e.target as HTMLElement).getAttribute("aria-label") ?? this.last));
+  }
+  // Varies the number that was used last, else the first one.
+  varyLast(): boolean {
+    const all = [...this.root.querySelectorAll<HTMLButtonElement>(".vary:not(:disabled)")];
+    const button = all.find((b) => b.previousElementSibling?.querySelector("input")?.getAttribute("aria-label") === this.last) ?? all[0];
+    button?.click();
+    return button !== undefined;
   }
 
   refresh(): void {
@@ -141,7 +152,9 @@ export class Panel {
     else this.edit(text, null);
   }
   // A text field whose words `take` turns into an edit; null: it cannot be read.
-  private entry(label: string, unit: string, show: () => string, take: (text: string) => string | null, step?: (by: number) => string | null, wide = false): HTMLElement {
+  // A number may be varied.
+  private entry(label: string, unit: string, show: () => string, take: (text: string) => string | null, more: { step?: (by: number) => string | null; wide?: boolean; vary?: () => Omit<Varied, "name"> | null } = {}): HTMLElement {
+    const { step, vary } = more;
     const input = h("input", { type: "text", "aria-label": label, "aria-description": unit === "" ? undefined : unit, autocomplete: "off", spellcheck: "false", inputmode: unit === "" ? undefined : "decimal" });
     const commit = (): void => {
       if (input.value === input.dataset.shown) return;
@@ -167,7 +180,12 @@ export class Panel {
       input.dataset.shown = input.value = value;
       input.removeAttribute("aria-invalid");
     };
-    const root = h("label", { class: wide ? "entry wide" : "entry" }, h("span", {}, label), h("span", { class: "box" }, input, unit !== "" && h("span", { class: "unit" }, unit)));
+    const field = h("label", {}, h("span", {}, label), h("span", { class: "box" }, input, unit !== "" && h("span", { class: "unit" }, unit)));
+    const button = h("button", { class: "vary", type: "button", title: say("studio.vary", { name: label }), onclick: () => {
+      const number = vary?.();
+      if (number) this.vary({ ...number, name: label }, button);
+    } }, svg("svg", { viewBox: "0 0 16 16", "aria-hidden": "true" }, svg("path", { d: "M1 4.5H6M10 4.5H15M1 11.5H8M12 11.5H15" }), svg("circle", { cx: 8, cy: 4.5, r: 2 }), svg("circle", { cx: 10, cy: 11.5, r: 2 })));
+    const root = h("div", { class: more.wide ? "entry wide" : vary ? "entry varied" : "entry" }, field, vary && button);
     this.fields.push({ root, refresh });
     return root;
   }
@@ -175,17 +193,23 @@ export class Panel {
     const by = (): number => (typeof step === "number" ? step : this.project.drawing![step]);
     const safe = (v: number | null): string | null => (v === null || v < 0 || v > 1e4 ? null : set(v));
     const plain = (v: number): string => (Number.isFinite(v) ? writeQuantity(v, unit, unit === "m" ? "0.00" : "").split(" ")[0] : "");
-    return this.entry(label, unit, () => plain(show()), (text) => safe(typedLength(/[a-z]/i.test(text) ? text : `${text} ${unit}`)), (n) => safe(show() + n * by()));
+    return this.entry(label, unit, () => plain(show()), (text) => safe(typedLength(/[a-z]/i.test(text) ? text : `${text} ${unit}`)), {
+      step: (n) => safe(show() + n * by()),
+      vary: () => ({ unit, whole: false, now: () => Number(plain(show()) || NaN), text: (v) => safe(lengthOf(`${v} ${unit}`)) }),
+    });
   }
   quantity(label: string, show: () => string, set: (value: string) => string | null): HTMLElement {
     return this.entry(label, "", show, (text) => {
       const value = typedQuantity(text, show());
       return value === null ? null : set(value);
-    });
+    }, { vary: () => {
+      const unit = readQuantity(show())?.unit;
+      return unit ? { unit, whole: false, now: () => parseFloat(show()), text: (v) => set(`${v} ${unit}`) } : null;
+    } });
   }
   number(label: string, show: () => number, set: (value: number) => string): HTMLElement {
     const safe = (n: number): string | null => (Number.isInteger(n) && n >= 1 && n < 100 ? set(n) : null);
-    return this.entry(label, "", () => String(show()), (text) => safe(Number(text)), (by) => safe(show() + by));
+    return this.entry(label, "", () => String(show()), (text) => safe(Number(text)), { step: (by) => safe(show() + by), vary: () => ({ unit: "", whole: true, now: show, text: safe }) });
   }
   // What follows from the numbers.
   hint(show: () => string): HTMLElement {
@@ -194,7 +218,7 @@ export class Panel {
     return root;
   }
   text(label: string, show: () => string, set: (value: string) => string, wide = false): HTMLElement {
-    return this.entry(label, "", show, (text) => (text.trim() === "" ? null : set(text.trim())), undefined, wide);
+    return this.entry(label, "", show, (text) => (text.trim() === "" ? null : set(text.trim())), { wide });
   }
   choice(label: string, options: [string, string][], show: () => string, set: (value: string) => string, wide = false): HTMLElement {
     const select = h("select", { "aria-label": label, onchange: () => this.edit(set(select.value)) });

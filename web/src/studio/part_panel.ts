@@ -3,7 +3,7 @@ import { h, type Child } from "../dom";
 import { say } from "../texts";
 import { setLength, type Selected } from "./drawing";
 import { holdOf, kHolds, moveFloor, setFloorSpan, setHold, type Hold } from "./floors";
-import { addFrame, frameOf, kFeet, removeFrame, setProfile } from "./frames";
+import { addExtra, addFrame, frameOf, isPutUp, kExtras, kFeet, kGrades, removeExtra, removeFrame, setGap, setProfile, type Extra } from "./frames";
 import type { Panel } from "./panel";
 import { kProfiles, profileNamed } from "./profiles";
 import type { Project } from "./project";
@@ -16,7 +16,10 @@ import { amount, kUnread } from "./words";
 // What tells one set of fields from another.
 export function partShape({ selection, doc, drawing }: Project): string {
   if (!selection || !doc || !drawing) return "";
-  if (selection.kind === "opening") return [frameOf(drawing, selection.k), find(doc, ["frame", frameOf(drawing, selection.k), "profile"]) ? 1 : 0].join();
+  if (selection.kind === "opening") {
+    const frame = frameOf(drawing, selection.k);
+    return [frame, isPutUp(doc, frame), ...["profile", "beam_profile", "grade", "yield_strength", "anchors", "anchors.slip", "wedges"].map((key) => find(doc, ["frame", frame, ...key.split(".")]) !== undefined)].join();
+  }
   const keys: Partial<Record<string, string[]>> = { storey: ["thickness"], floor: ["load", "g1", "g2", "q", "psi2", "span", "bearing", "thrust", "mass", "joists"], tie: ["anchor_strength", "yield_strength"] };
   return (keys[selection.kind] ?? []).map((key) => (find(doc, [selection.kind, selection.k, key]) ? 1 : 0)).join("");
 }
@@ -118,7 +121,9 @@ export function frameFields(panel: Panel, k: number): Child[] {
   const word = (key: string): string => String(valueAt(project.doc!, at(key)) ?? "");
   const names = kProfiles.map(([name]): [string, string] => [name, name]);
   const count = (key: string): HTMLElement =>
-    panel.number(say(`studio.frame.${key}`), () => Number(valueAt(project.doc!, at(key)) ?? 1), (n) => setValue(project.text, at(key), String(n)));
+    panel.number(say(`studio.frame.${key}`), () => Number(valueAt(project.doc!, at(key)) || valueAt(project.doc!, at("count")) || 1), (n) => setValue(project.text, at(key), String(n)));
+  const has = (key: string): boolean => find(project.doc!, at(key)) !== undefined;
+  const strength = (): string => word("yield_strength");
   return [
     h("h3", {}, say("studio.frame")),
     ...(find(project.doc!, at("profile"))
@@ -127,8 +132,28 @@ export function frameFields(panel: Panel, k: number): Child[] {
           panel.choice(say("studio.frame.beam_profile"), [["", say("studio.frame.as")], ...names], () => profileNamed(word("beam_profile")), (name) => setProfile(project.text, frame, "beam_profile", name)),
         ]
       : [h("p", { class: "hint" }, say("studio.frame.section"))]),
-    panel.choice(say("studio.frame.feet"), kFeet.map((f) => [f, say(`studio.frame.feet.${f}`)]), () => word("feet"), (f) => setValue(project.text, at("feet"), quoted(f))),
+    panel.choice(say("studio.frame.feet"), kFeet.map((f) => [f, say(`studio.frame.feet.${f}`)]), () => word("feet"), (f) => setValue(project.text, at("feet"), quoted(f)), true),
     count("count"),
-    h("button", { class: "button", type: "button", onclick: () => panel.edit(removeFrame(project.text, frame)) }, say("studio.frame.remove")),
+    has("beam_profile") && count("beam_count"),
+    has("grade") && panel.choice(say("studio.frame.grade"), kGrades.map((g) => [g, g]), () => word("grade"), (g) => setValue(project.text, at("grade"), quoted(g))),
+    readQuantity(strength()) && panel.quantity(say("studio.tie.yield_strength"), strength, (v) => setValue(project.text, at("yield_strength"), quoted(v))),
+    panel.length(say("studio.frame.gap"), () => project.drawing!.frames[frame]?.gap ?? 0, (v) => setGap(project.text, frame, v), 0.001, "mm"),
+    extraFields(panel, frame, "anchors"),
+    (has("wedges") || isPutUp(project.doc!, frame)) && extraFields(panel, frame, "wedges"),
+    h("button", { class: "button wide", type: "button", onclick: () => panel.edit(removeFrame(project.text, frame)) }, say("studio.frame.remove")),
+  ];
+}
+// Anchors or wedges: a button that puts them in, or their numbers and a button that takes them away.
+function extraFields(panel: Panel, frame: number, extra: Extra): Child[] {
+  const { project } = panel;
+  const at = (key: string): Path => ["frame", frame, extra, key];
+  const press = (words: string, edit: (text: string, k: number, extra: Extra) => string): HTMLElement =>
+    h("button", { class: "button wide", type: "button", onclick: () => panel.edit(edit(project.text, frame, extra)) }, say(words));
+  if (!find(project.doc!, ["frame", frame, extra])) return [press(`studio.frame.${extra}.add`, addExtra)];
+  const show = (key: string) => (): string => String(valueAt(project.doc!, at(key)) ?? "");
+  return [
+    h("h3", {}, say(`studio.frame.${extra}`)),
+    kExtras[extra].keys.filter((key) => readQuantity(show(key)())).map((key) => panel.quantity(say(`studio.frame.${extra}.${key}`), show(key), (v) => setValue(project.text, at(key), quoted(v)))),
+    press(`studio.frame.${extra}.remove`, removeExtra),
   ];
 }

@@ -1,16 +1,18 @@
 // The push: its curve and its cracks while it runs, and what came out: a sentence, key numbers, the cracks at each state.
-// Other pushes stand beside it (beside.ts), and one that was kept (compare.ts).
+// Other pushes stand beside it (beside.ts, family.ts), and one that was kept (compare.ts).
 import { h } from "../dom";
 import type { Point } from "../plot";
-import { num, phrase, qty, say } from "../texts";
+import { languageNow, num, phrase, qty, say } from "../texts";
 import { Beside } from "./beside";
 import { Compare, type Pushed } from "./compare";
 import { Curve } from "./curve";
 import { pushOf, setLength } from "./drawing";
 import type { Answer, Engine, Progress } from "./engine";
-import { kStopped, pieceOf, textIn } from "./engine";
+import { hasEngine, kStopped, pieceOf, textIn } from "./engine";
+import { Family } from "./family";
 import { readPicture, type Picture } from "./picture";
 import type { Fault, Project } from "./project";
+import { saidOf } from "./said";
 import { lengthOf, readQuantity } from "./units";
 import { valueAt } from "./toml";
 
@@ -34,6 +36,7 @@ export class Push {
   private pushed: Pushed | null = null; // what is shown
   private length = 1; // of that wall [m]
   private ofText = ""; // the text that was pushed
+  readonly family: Family;
   private readonly beside: Beside;
   private readonly compare = new Compare();
   private readonly words = h("div", { class: "result-words", role: "status", "aria-live": "polite" });
@@ -55,12 +58,12 @@ export class Push {
     private readonly project: Project,
     private readonly engine: Engine,
     besides: Engine, // of the pushes beside it
-    private readonly language: () => string,
     private readonly show: (picture: Picture | null) => void, // cracks, or the wall as it is drawn
     private readonly refused: (faults: Fault[]) => void,
     private readonly changed: () => void,
   ) {
     this.beside = new Beside(project, besides, () => this.refresh());
+    this.family = new Family(project, besides, (text) => (text === this.ofText ? this.pushed : null), () => !hasEngine() || this.beside.running !== "", () => this.refresh());
     this.states_row = h("div", { class: "states", hidden: true }, h("span", {}, say("studio.cracks")), this.slider, this.at);
     this.actions.prepend(this.back, this.report);
     this.slider.addEventListener("input", () => this.showState(Number(this.slider.value)));
@@ -68,7 +71,7 @@ export class Push {
     this.root = h("section", { class: "push", "aria-label": say("studio.push") },
       this.bar,
       h("div", { class: "curve-box" }, this.curve.root, this.curve.legend),
-      h("div", { class: "result", tabindex: "0", role: "group", "aria-label": say("studio.result") }, this.states_row, this.actions, this.words));
+      h("div", { class: "result", tabindex: "0", role: "group", "aria-label": say("studio.result") }, this.family.root, this.states_row, this.actions, this.words));
     this.say(h("p", { class: "soft" }, say("studio.push.before")));
     this.refresh();
   }
@@ -83,7 +86,8 @@ export class Push {
   }
   // The wall was edited: what is shown belongs to the one before.
   edited(): void {
-    if (this.ofText === "") return;
+    this.family.edited();
+    if (this.ofText === "") return this.refresh();
     const stale = this.isStale;
     this.root.classList.toggle("stale", stale);
     if (stale) {
@@ -101,7 +105,7 @@ export class Push {
   }
   // Buttons and lines as they belong to what there is.
   private refresh(): void {
-    const { beside, curve } = this;
+    const { beside, curve, family } = this;
     const shown = this.pushed !== null && !this.running;
     const fresh = shown && !this.isStale;
     this.back.hidden = !shown;
@@ -111,17 +115,20 @@ export class Push {
     this.watchButton.disabled = this.isStale;
     this.otherButton.hidden = this.wallsButton.hidden = this.fartherButton.hidden = !shown;
     this.otherButton.textContent = say(beside.running === "other" ? "studio.button.stop" : "studio.button.other");
-    this.otherButton.disabled = beside.running === "walls" || !fresh || !beside.canTurn;
+    this.otherButton.disabled = beside.running === "walls" || family.running || !fresh || !beside.canTurn;
     this.wallsButton.textContent = say(beside.running === "walls" ? "studio.button.stop" : "studio.button.walls");
-    this.wallsButton.disabled = beside.running === "other" || !fresh;
+    this.wallsButton.disabled = beside.running === "other" || family.running || !fresh;
     this.fartherButton.disabled = !fresh || !(this.until() > 0) || !this.project.drawable;
     this.keepButton.hidden = !shown && this.compare.kept === null;
     this.keepButton.textContent = say(this.compare.kept ? "studio.button.unkeep" : "studio.button.keep");
     this.keepButton.setAttribute("aria-pressed", String(this.compare.kept !== null));
     curve.name = say("studio.now");
-    curve.lines = [...(this.compare.kept === this.pushed ? [] : this.compare.line()), ...(beside.other ? [beside.other] : [])];
+    curve.lines = [...(this.compare.kept === this.pushed ? [] : this.compare.line()), ...(beside.other ? [beside.other] : []), ...family.lines];
     curve.walls = beside.walls;
+    if (this.ofText === "") curve.until = this.until() || 20;
     curve.draw();
+    this.root.classList.toggle("doubled", family.has(this.ofText));
+    family.refresh();
     this.compare.show(this.running ? null : this.pushed);
   }
 
@@ -147,7 +154,7 @@ export class Push {
     this.changed();
     const name = String((project.doc && valueAt(project.doc, ["name"])) ?? "");
     const answer = await this.engine.ask(
-      { task: "run", texts: { model: text, set: this.settings(), language: this.language() }, numbers: { frames: kFrames }, want: ["summary", "states"], bytes: ["page", ...Array.from({ length: kMostStates }, (_, k) => picture(k))], tables: ["curve"], pieces: true },
+      { task: "run", texts: { model: text, set: this.settings(), language: languageNow() }, numbers: { frames: kFrames }, want: ["summary", "states"], bytes: ["page", ...Array.from({ length: kMostStates }, (_, k) => picture(k))], tables: ["curve"], pieces: true },
       (p) => this.hear(p),
     );
     this.engine.rest();
@@ -162,7 +169,7 @@ export class Push {
       else if (answer.code === 2) {
         this.say(h("p", {}, say("studio.refused")));
         this.refused(faultsOf(answer));
-      } else this.say(h("p", { class: "bad" }, say("studio.failed", { why: answer.texts.error ?? "" })));
+      } else this.say(h("p", { class: "bad" }, say("studio.failed", { why: saidOf(answer.texts.error ?? "") })));
     }
     this.refresh();
     this.changed();

@@ -1,0 +1,104 @@
+// The engine's faults and notes in the page's language: what a wall that is drawn or a file that is edited may meet is said in each of
+// the six, and nothing of it is English.
+import assert from "node:assert/strict";
+import { spawn } from "node:child_process";
+import fs from "node:fs";
+import path from "node:path";
+import { createInterface } from "node:readline";
+import { after, before, test } from "node:test";
+import { root, viewerModule } from "./helpers.mjs";
+import { kLibrary } from "./studio.mjs";
+
+const kOthers = ["it", "de", "fr", "es", "pt"];
+const example = (name) => fs.readFileSync(path.join(root, "examples", name), "utf8");
+let inWords, engine, lines;
+before(async () => {
+  ({ inWords } = await viewerModule("studio/said"));
+  engine = spawn("python3", [path.join(root, "tests/web/engine.py"), kLibrary], { stdio: ["pipe", "pipe", "inherit"] });
+  lines = createInterface({ input: engine.stdout })[Symbol.asyncIterator]();
+});
+after(() => engine?.kill("SIGKILL"));
+async function ask(task, texts, want = []) {
+  engine.stdin.write(`${JSON.stringify({ id: 1, task, texts, want })}\n`);
+  for (;;) {
+    const answer = JSON.parse((await lines.next()).value);
+    if (!answer.progress) return answer;
+  }
+}
+
+test("each row has six sentences whose places are those of the English one", () => {
+  const rows = JSON.parse(fs.readFileSync(path.join(root, "web/src/studio/fault_words.json"), "utf8"));
+  for (const [english, ...others] of rows) {
+    assert.equal(others.length, 5, english);
+    const places = (text) => [...text.matchAll(/\{[a-z]?(\d)\}/g)].map((m) => m[1]);
+    for (const words of others) {
+      assert.ok(words.trim() !== "" && places(words).every((place) => places(english).includes(place)), words);
+      assert.doesNotMatch(words.replace(/\[[^\]]*\]/g, ""), /\b(must|missing|write|leave|opening|the|wall is)\b/, words);
+    }
+  }
+});
+
+// What is drawn or written, and what may be wrong with it.
+const kFaulty = {
+  "brick_portal/model.toml": [
+    ['length = "3.50 m"', 'length = "0 m"'], ['length = "3.50 m"', "length = 3.5"], ['length = "3.50 m"', 'length = "3,50 m"'], ['length = "3.50 m"', 'length = "3.50 kN"'], ['length = "3.50 m"', 'length = "3.50 foo"'],
+    ['length = "3.50 m"', 'lenght = "3.50 m"'], ['length = "3.50 m"', 'length = "3.50 mm"'], ['length = "3.50 m"', 'length = "3500 m"'], ['thickness = "0.25 m"\n', ""], ['bond = "running"', 'bond = "runing"'], ["[wall]", "[wal]"], ["[wall]", "[wall"],
+    ['x = "1.25 m"', 'x = "3.25 m"'], ['x = "1.25 m"', 'x = "0.1 m"'], ['x = "1.25 m"', 'x = "-1 m"'], ['height = "2.10 m"', 'height = "4 m"'], ['height = "2.10 m"\n', ""],
+    ['depth = "146 mm"', 'depth = "1 m"'], ['bearing = "250 mm"', 'bearing = "2 m"'], ['material = "timber"\n', ""], ['material = "timber"', 'material = "steel"'], ['bond = "timber_face"', 'bond = "nothing"'],
+    ['use = "clay_brick_old"', 'use = "concrete"'], ['use = "clay_brick_old"\n', ""], ["[masonry]", "[mason]"], ['pier_load = "60 kN"', 'pier_load = "60 kN/m"'], ['pier_load = "60 kN"', 'beam_load = "60 kN"'],
+    ['y = "2.6 m", courses', 'y = "5 m", courses'], ["courses = 3", "courses = 300"], ["courses = 3", "courses = 2.5"], ['until = "20 mm"\n', ""], ['until = "20 mm"', 'until = "0 mm"'], ["damping = 0.2 ", 'damping = "0.2" '], ["damping = 0.2 ", "damping: 0.2 "],
+    ['name = "push"', 'name = "gravity"'], ['youngs_modulus = "10 GPa"\n', ""], ['friction_angle = "30 deg"', 'friction_angle = "95 deg"'], ['residual_cohesion = "0 MPa"', 'residual_cohesion = "1 MPa"'], ["[[stage]]", "[stage]"], ['density = "1800 kg/m^3"', 'density = "18 kN/m^3"'],
+    ["\n[masonry]", '\n[[wall.opening]]\nname = "w"\nx = "1.5 m"\ny = "1 m"\nwidth = "1 m"\nheight = "0.5 m"\n[masonry]'],
+    ["\n[masonry]", '\n[[tie]]\nname = "t"\nfrom = { x = "0.1 m", y = "2.6 m" }\nto = { x = "3.9 m", y = "2.6 m" }\narea = "314 mm^2"\nyoungs_modulus = "210 GPa"\n[masonry]'],
+    ['height = "2.10 m"\n', 'height = "2.10 m"\narch = { kind = "segmental", rise = "2 m", depth = "0.25 m" }\n'],
+  ],
+  "brick_facade/model.toml": [
+    ['height = "3.40 m"', 'height = "2 m"'], ['name = "first floor"', 'name = "ground floor"'], ['storey = "ground floor"', 'storey = "cellar"'], ['storey = "ground floor"            #', 'y = "1 m" #'], ['load = "12 kN/m"', 'load = "12 kN/m^2"'],
+    ['load = "12 kN/m"', 'load = "12 kN/m"\nx = "5 m"\nwidth = "9 m"'], ['load = "12 kN/m"\n', ""], ['[wall]\n', '[wall]\nheight = "7 m"\n'],
+  ],
+  "opening/after.toml": [
+    ['round = "shop"', 'round = "door"'], ['feet = "fixed"', 'feet = "free"'], ['profile = "HEB 120"', 'profile = "HEB 121"'], ['profile = "HEB 120"', 'profile = "HEB 500"'], ['grade = "S275"', 'grade = "S999"'], ['joint = "steel_contact"', 'joint = "j"'],
+    ['grade = "S275"', 'grade = "S275"\ngap = "80 mm"'], ['grade = "S275"', 'grade = "S275"\ngap = "8 mm"\nanchors = { spacing = "400 mm", depth = "150 mm", tension = "12 kN", shear = "15 kN" }'],
+    ['grade = "S275"', 'grade = "S275"\nanchors = { spacing = "400 mm", depth = "2 m", tension = "12 kN", shear = "15 kN" }'], ['cut = "works"', 'cut = "work"'],
+  ],
+};
+
+test("faults of drawn walls and edited files, and their cures, are said in each language", async () => {
+  const english = new Set();
+  for (const [name, edits] of Object.entries(kFaulty)) {
+    const text = example(name);
+    for (const [from, to] of edits) {
+      assert.ok(text.includes(from), from);
+      const { code, texts } = await ask("check", { model: text.replace(from, to) });
+      assert.equal(code, 2, to);
+      for (const { problem, cure } of JSON.parse(texts.faults)) english.add(problem).add(cure);
+    }
+  }
+  english.delete("");
+  assert.ok(english.size > 80, `${english.size} sentences`);
+  assert.equal(inWords("must be more than 0 m", "en"), "must be more than 0 m");
+  const missing = [...english].filter((sentence) => kOthers.some((language) => inWords(sentence, language) === null));
+  assert.deepEqual(missing, []);
+  for (const sentence of english)
+    for (const language of kOthers) {
+      const words = inWords(sentence, language).replace(/"[^"]*"|\[[^\]]*\]|\{[^}]*\}|\([^)]*\)/g, "");
+      assert.doesNotMatch(words, /\{\d\}|\b(must|missing|write|the|opening|lintel|leave|outside|known)\b/, `${language}: ${sentence} -> ${words}`);
+    }
+  assert.equal(inWords("opening 1 (w) overlaps opening 0 (door)", "de"), "Öffnung 1 (w) überschneidet Öffnung 0 (door)");
+  assert.equal(inWords("what nobody has written down", "de"), null);
+});
+
+test("why a limit load has no answer is said in each language", async () => {
+  const { texts } = await ask("limit", { model: example("opening/after.toml"), only: ["lp"] });
+  const [{ problem }] = JSON.parse(texts.faults);
+  for (const language of kOthers) assert.notEqual(inWords(problem.replace(/^[\w.]+(?: = [^:]*)?: /, "").split("; ")[0], language), null, problem);
+});
+
+test("notes on a wall and the reason of a run come in the language that is asked for", async () => {
+  const model = example("tied_arch/model.toml");
+  const notes = async (language) => JSON.parse((await ask("check", { model, language }, ["check"])).texts.check).notes;
+  const english = await notes("en");
+  assert.ok(english.length > 0);
+  for (const language of kOthers) (await notes(language)).forEach((note, k) => assert.notEqual(note, english[k]));
+  assert.equal((await ask("check", { model, language: "xx" })).code, 2);
+});

@@ -1,0 +1,54 @@
+// What the engine says of a faulty file, in the page's language. The engine has its faults in English; fault_words.json has the same
+// sentences in all languages, with places for what differs: {1} anything, {o1} an opening, {c1} text of a file, {k1} names,
+// {s1} a sign. What is not in the table stays English and is marked so.
+import { h, type Child } from "../dom";
+import { languageNow, say } from "../texts";
+import table from "./fault_words.json";
+
+const kLanguages = ["en", "it", "de", "fr", "es", "pt"]; // of the rows
+const kPlaces: Record<string, string> = {
+  "": ".+?",
+  o: "opening \\d+(?: \\(.*?\\))?",
+  c: '(?:"[^"]*"|\\[[^\\]]*\\]|\\{[^}]*\\}|[\\w.]+ =|[-+]?\\d[\\w.+-]*|true|false|[ ,])+',
+  k: "[\\w.<>\\[\\]*, -]+",
+  s: "\\S{1,3}",
+};
+interface Row {
+  pattern: RegExp;
+  kinds: string[]; // of its places, in the order of the English
+  places: string[]; // their names
+  words: string[];
+}
+const literal = (text: string): string => text.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
+function rowOf(words: string[]): Row {
+  const parts = words[0].split(/\{([a-z]?)(\d)\}/);
+  const kinds = parts.filter((_, k) => k % 3 === 1),
+    places = parts.filter((_, k) => k % 3 === 2);
+  const pattern = parts.map((part, k) => (k % 3 === 0 ? literal(part) : k % 3 === 1 ? `(${kPlaces[part]})` : "")).join("");
+  return { pattern: new RegExp(`^${pattern}$`), kinds, places, words };
+}
+// The one that says the most in words of its own goes first.
+let rows: Row[] | null = null;
+const all = (): Row[] =>
+  (rows ??= [...table].sort((a, b) => b[0].replace(/\{\w+\}/g, "").length - a[0].replace(/\{\w+\}/g, "").length).map(rowOf));
+
+// null: it is not in the table.
+export function inWords(english: string, language = languageNow()): string | null {
+  const at = kLanguages.indexOf(language);
+  if (at <= 0 || english === "") return english;
+  for (const { pattern, kinds, places, words } of all()) {
+    const found = pattern.exec(english);
+    if (!found) continue;
+    return words[at].replace(/\{(\d)\}/g, (_, place: string) => {
+      const k = places.indexOf(place);
+      return kinds[k] === "o" ? (inWords(found[k + 1], language) ?? found[k + 1]) : found[k + 1];
+    });
+  }
+  return null;
+}
+// For a place that takes text alone.
+export const saidOf = (english: string): string => inWords(english) ?? `${say("studio.english")} ${english}`;
+export function said(english: string): Child {
+  const words = inWords(english);
+  return words ?? [`${say("studio.english")} `, h("span", { lang: "en" }, english)];
+}
