@@ -206,6 +206,38 @@ TEST(Elevations, a_push_in_space_has_the_drifts_and_the_forces_of_the_plane_push
                 0.05 * solid.wall.storeys[k].drift);
 }
 
+// What both may carry, and by which limit.
+CodeAssessment assessed(ModelSpec spec) {
+  spec.assessment.code = "circolare_2019";
+  spec.assessment.spectrum.kind = SpectrumKind::kEn1998;
+  spec.assessment.spectrum.ground_acceleration = 2;
+  spec.assessment.spectrum.ground = "B", spec.assessment.spectrum.shape = "1";
+  const Model model = compile(spec);
+  State state = initial_state(model);
+  Result result = solve(model, state, {});
+  result.failure_mode = name_failure_mode(model, result, 3e-3);
+  return assess_run(spec, model, result);
+}
+
+TEST(Elevations, a_wall_in_space_gets_the_verdict_of_the_plane_wall) {
+  ModelSpec plane_spec = with_storeys(portal());
+  const CodeAssessment plane = assessed(plane_spec),
+                       solid = assessed(with_storeys(portal_in_space(kTurn)));
+  EXPECT_EQ(plane.verdict, solid.verdict);
+  ASSERT_NE(plane.asked(), nullptr);
+  ASSERT_NE(solid.asked(), nullptr);
+  ASSERT_TRUE(std::isfinite(plane.asked()->acceleration)) << text_of(plane.sentence);
+  EXPECT_EQ(plane.asked()->governing, solid.asked()->governing);
+  EXPECT_NEAR(plane.asked()->acceleration, solid.asked()->acceleration,
+              0.05 * plane.asked()->acceleration);
+  const auto notes_piers = [](const CodeAssessment& a) {
+    return std::any_of(a.notes.begin(), a.notes.end(), [](const Message& note) {
+      return note.code == "assessment.note.pier_drift";
+    });
+  };
+  EXPECT_EQ(notes_piers(plane), notes_piers(solid));
+}
+
 // --- a building --------------------------------------------------------------------------------------
 
 const std::string kHouse = R"(
