@@ -117,7 +117,7 @@ void answer_states(Job& job, const std::shared_ptr<const Done>& done) {
     job.out.table_later(name + " blocks", [=] { return blocks_of(done->model, state()); });
     job.out.table_later(name + " joints", [=] { return joints_of(done->model, state()); });
     job.out.text_later(name + " compas", [=] { return compas_json(done->model, state()); });
-    if (!done->model.in_space())
+    if (dimension_of(done->model) == 2)
       job.out.text_later(name + " svg", [=] { return wall_svg(done->model, state(), 1); });
   }
   job.out.put("states", dumped(states));
@@ -131,7 +131,7 @@ void answer_run(Job& job, const std::shared_ptr<const Done>& done, const std::st
   job.out.put("reason", text_of(r.reason, language));
   job.out.put("curve", curve_of(r, done->model));
   if (!r.history.row.empty())
-    job.out.put("history", table_of(io::history_csv(r.history, done->model.in_space())));
+    job.out.put("history", table_of(io::history_csv(r.history, dimension_of(done->model))));
   Json names = Json::array();
   for (const std::string& id : done->model.anatomy.block_id) names.push_back(id);
   for (const SolidBody& body : done->model.solids.bodies) names.push_back(body.id);

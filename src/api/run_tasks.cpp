@@ -15,6 +15,7 @@
 #include "wythe/parts/folders.h"
 #include "wythe/parts/formats.h"
 #include "wythe/parts/io.h"
+#include "wythe/parts/reading.h"
 #include "wythe/parts/report.h"
 #include "wythe/parts/second_opinion.h"
 #include "wythe/parts/solve.h"
@@ -90,7 +91,7 @@ bool solve_on(Job& job, const std::shared_ptr<RunUnderWay>& run) {
     run->state = std::move(state_then);
     run->record = std::move(record_then);
     job.rest = [run](Job& same) { return solve_on(same, run); };
-    if (!done.model.in_space())
+    if (dimension_of(done.model) == 2)
       job.out.text_later("svg", [run] { return wall_svg(run->done->model, run->state, 1); });
     return true;
   }
@@ -131,13 +132,13 @@ bool do_check(Job& job) {
                                {"length_m", m.anatomy.length},
                                {"height_m", m.anatomy.height},
                                {"thickness_m", m.anatomy.thickness},
-                               {"in_space", m.in_space()},
+                               {"in_space", dimension_of(m) == 3},
                                {"time_step_s", cost.time_step},
                                {"steps", cost.steps},
                                {"expected_seconds", cost.seconds},
                                {"notes", texts_of(m.anatomy.notes, language)}}));
   job.out.put("model", write_model(given.spec));
-  if (!m.in_space()) job.out.put("svg", wall_svg(m, initial_state(m), 1));
+  if (dimension_of(m) == 2) job.out.put("svg", wall_svg(m, initial_state(m), 1));
   return false;
 }
 
@@ -192,7 +193,7 @@ bool do_limit(Job& job) {
     job.out.text_later(m.file_name() + " svg", [model, m] { return mechanism_svg(*model, m); });
   }
   for (const NamedLimit& limit : opinion.limits)
-    if (!model->in_space())
+    if (dimension_of(*model) == 2)
       job.out.text_later(limit.name + " svg", [model, answer = limit.answer] {
         return wall_svg(*model, moved_by(*model, answer), 1);
       });

@@ -26,7 +26,8 @@ using namespace limit;
 
 std::string name_of(const Model& model, BlockId block) {
   if (block == kGroundBlock) return "the ground";
-  if (model.in_space()) return model.space.body[static_cast<std::size_t>(block)].id;
+  if (block >= model.n_block)
+    return model.space.body[static_cast<std::size_t>(block)].id;  // a support
   return model.anatomy.block_id[static_cast<std::size_t>(block)];
 }
 

@@ -12,6 +12,7 @@
 #include "geometry/polygon.h"
 #include "wythe/parts/error.h"
 #include "wythe/parts/limit.h"
+#include "wythe/parts/reading.h"
 
 namespace wythe::limit {
 namespace {
@@ -294,7 +295,7 @@ std::vector<Message> left_aside(const Model& model) {
 // Measured: 0.6 s for 5 600 rows, 12 s for 32 000 (docs/decisions/0017).
 // In space: 1 s for 1 200 points, 80 s for 16 600.
 double expected_seconds(const Model& model) {
-  if (model.in_space()) return 8 * elementary::pow(model.n_point() / 16600.0, 1.4);
+  if (dimension_of(model) == 3) return 8 * elementary::pow(model.n_point() / 16600.0, 1.4);
   const double rows = 3.0 * model.n_block + 2.0 * (model.n_joint + model.solids.n_contact);
   return 12 * elementary::pow(rows / 32000, 1.5);
 }

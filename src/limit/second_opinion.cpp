@@ -7,6 +7,7 @@
 #include "core/text.h"
 #include "limit/limit_loads.h"
 #include "wythe/parts/error.h"
+#include "wythe/parts/reading.h"
 
 namespace wythe {
 namespace {
@@ -53,9 +54,9 @@ void add_mechanisms(const OpinionAsked& asked, const Model& model, SecondOpinion
   });
   if (!asked.assessment) return;
   if (opinion.mechanisms.empty() && !is_body_force)
-    opinion.refused.push_back(
-        {{"limit.assessment"},
-         text_of(Message{model.in_space() ? "limit.no_chain_in_space" : "limit.no_chain"})});
+    opinion.refused.push_back({{"limit.assessment"},
+                               text_of(Message{dimension_of(model) == 3 ? "limit.no_chain_in_space"
+                                                                        : "limit.no_chain"})});
   for (const Mechanism& m : opinion.mechanisms)
     opinion.assessments.push_back(assess(m.chain, m.curve, model.solve.gravity, opinion.shares));
 }

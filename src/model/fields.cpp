@@ -5,6 +5,7 @@
 
 #include "contact/parameters.h"
 #include "core/hash.h"
+#include "model/geometry.h"
 
 namespace wythe {
 namespace {
@@ -94,7 +95,8 @@ std::uint64_t topology_of(const Model& model) {
                            static_cast<int>(choice.rising)})
       hash.add(static_cast<double>(word));
   }
-  if (model.in_space()) hash.add(static_cast<double>(static_cast<int>(model.solve.damping_form)));
+  if (geometry_of(model).dimension == 3)
+    hash.add(static_cast<double>(static_cast<int>(model.solve.damping_form)));
   if (model.free.any()) hash.add(std::string_view("free contacts"));
   for (std::int32_t i = 0; i < static_cast<std::int32_t>(model.stated_material.size()); ++i)
     if (model.stated(i) == i) hash.add(varies_beyond_strengths(model, i) ? 1.0 : 0.0);

@@ -83,7 +83,7 @@ void note_idle_width(const ModelSpec& spec, Model& model) {
 
 // In the plane the damping of a force is that of its components.
 void note_idle_damping_form(const ModelSpec& spec, Model& model) {
-  if (!model.in_space() && spec.solve.damping_form != SolveSpec{}.damping_form)
+  if (spec.body.empty() && spec.solve.damping_form != SolveSpec{}.damping_form)
     model.anatomy.notes.push_back({"solve.damping_form_idle"});
 }
 

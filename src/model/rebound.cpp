@@ -8,6 +8,8 @@
 #include <limits>
 #include <queue>
 
+#include "model/geometry.h"
+
 namespace wythe {
 namespace {
 
@@ -17,15 +19,15 @@ struct Bed {
 };
 
 // A joint that lies nearly flat.
-bool is_flat(const Model& m, std::size_t j) {
+bool is_flat(const Model& m, JointId j) {
   constexpr double kFlat = 0.9;
-  return m.in_space() ? std::fabs(m.space.normal[j].y) > kFlat : std::fabs(m.tangent_x[j]) > kFlat;
+  return std::fabs(geometry_of(m).normal(m, j).y) > kFlat;
 }
 
 std::vector<Bed> beds_of(const Model& m, const Dashpots& d) {
   std::vector<Bed> beds;
   for (int j = 0; j < m.n_joint; ++j) {
-    if (!is_flat(m, static_cast<std::size_t>(j))) continue;
+    if (!is_flat(m, j)) continue;
     const double area = m.area[j];
     const double k = m.materials[m.joint_material[j]].normal_stiffness * area;
     int low = j < m.n_pair ? m.joint_a[j] : -1, high = m.joint_b[j];

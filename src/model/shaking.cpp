@@ -12,9 +12,9 @@
 
 #include "core/elementary.h"
 #include "core/hash.h"
+#include "model/geometry.h"
 #include "model/parts.h"
 #include "model/rebound.h"
-#include "model/space/space.h"
 
 namespace wythe {
 namespace {
@@ -84,7 +84,7 @@ class ShakeCompiler {
                                 ? table_motion(s.record[k], model_.solve.gravity)
                                 : pulse_motion(s.record[k]);
       motion.along = places_.axis(s.record[k].direction);
-      if (!model_.in_space() && motion.along.z != 0)
+      if (geometry_of(model_).dimension < 3 && motion.along.z != 0)
         return fault(key_of(k, "direction"),
                      std::string(word_of(kDirectionWords, s.record[k].direction)),
                      "is out of the wall's plane, and this wall is no wall in space",
@@ -300,7 +300,7 @@ class ShakeCompiler {
   void note_coarse(const GroundMotion& m, std::size_t k) {
     constexpr double kUsual = 0.0201;  // seconds between samples; older records have 0.02
     const RecordSpec& r = stage_.spec.record[k];
-    const bool compared = !model_.in_space() && !says_something(r.at);
+    const bool compared = geometry_of(model_).dimension == 2 && !says_something(r.at);
     if (compared || r.pulse != PulseShape::kNone || m.time.size() < 3) return;
     const double step = m.duration() / static_cast<double>(m.time.size() - 1);
     if (step > kUsual)
@@ -383,10 +383,6 @@ void compile_shake(const std::string& path, const WallPlaces& places, Model& mod
 
 void compile_watched(const std::vector<HistorySpec>& history, const WallPlaces& places,
                      Model& model, FaultList& faults) {
-  const auto centroid = [&](BlockId i) {
-    return Vec3{model.centroid_x[i], model.centroid_y[i],
-                model.in_space() ? model.space.centroid[i].z : 0.0};
-  };
   for (std::size_t k = 0; k < history.size(); ++k) {
     const std::vector<BlockId> found = places.blocks(history[k].at);
     if (found.empty() || found.front() >= model.n_block) {
@@ -395,7 +391,8 @@ void compile_watched(const std::vector<HistorySpec>& history, const WallPlaces& 
       continue;
     }
     const BlockId block = found.front();
-    const Vec3 point = places.point(history[k].at, block), middle = centroid(block);
+    const Vec3 point = places.point(history[k].at, block),
+               middle = geometry_of(model).centroid(model, block);
     model.watched.push_back({history[k].name, block, point - middle, point.y - places.lowest});
   }
   const bool shakes = std::any_of(model.stages.begin(), model.stages.end(),
@@ -403,7 +400,8 @@ void compile_watched(const std::vector<HistorySpec>& history, const WallPlaces& 
   if (!history.empty() || !shakes || model.n_block == 0) return;
   const auto top = std::max_element(model.centroid_y.begin(), model.centroid_y.end());
   const auto block = static_cast<BlockId>(top - model.centroid_y.begin());
-  model.watched.push_back({"top", block, {}, centroid(block).y - places.lowest});
+  model.watched.push_back(
+      {"top", block, {}, geometry_of(model).centroid(model, block).y - places.lowest});
 }
 
 // A load that presses but has no mass makes a shaken wall safer than it is.
@@ -548,8 +546,7 @@ static void note_damping_obtained(Model& model) {
       asked = std::fmax(asked, v.fraction);
     if (!(asked > 0) || stage.base.empty()) continue;
     const auto& along = stage.base.front().along;
-    const double frequency = 1 / (model.in_space() ? first_period_in_space(model, along)
-                                                   : first_period(model, along.x, along.y));
+    const double frequency = 1 / geometry_of(model).first_period(model, along);
     const double obtained = viscous_fraction(s, frequency);
     if (!(std::fabs(obtained - asked) > kApart * asked)) continue;
     model.anatomy.notes.push_back({"shake.damping_obtained",
@@ -589,7 +586,7 @@ void set_dashpots(Model& m) {
     put_dashpots(m, d);
     if (!has_dashpots) continue;
     note_rebound(s, d, m);
-    d.rate = m.in_space() ? dashpot_rate_in_space(m, d) : dashpot_rate(m, d);
+    d.rate = geometry_of(m).dashpot_rate(m, d);
     m.anatomy.notes.push_back(
         {"shake.dashpots", {{"stage", s.name}, {"times", 1 / share_of_step(m.omega_max, d)}}});
   }
@@ -624,11 +621,9 @@ std::vector<std::vector<BlockId>> blocks_at_tops(const Model& m) {
   std::vector<std::vector<BlockId>> found(a.storey_top.size());
   const double slack = 1e-6 * a.height;
   for (BlockId b = 0; b < m.n_block && !found.empty(); ++b) {
-    const auto [low, high] =
-        std::minmax_element(a.outline_y.begin() + a.outline_begin[b],
-                            a.outline_y.begin() + a.outline_begin[static_cast<std::size_t>(b) + 1]);
+    const auto [low, high] = geometry_of(m).heights(m, b);
     for (std::size_t k = 0; k < found.size(); ++k)
-      if (a.storey_top[k] > *low + slack && a.storey_top[k] <= *high + slack) found[k].push_back(b);
+      if (a.storey_top[k] > low + slack && a.storey_top[k] <= high + slack) found[k].push_back(b);
   }
   return found;
 }

@@ -70,7 +70,7 @@ inline constexpr double kMostShakeRows = 4000;  // where the model does not say
 [[nodiscard]] std::vector<Message> damping_of(const StageSpec& shake,
                                               const std::map<std::string, std::string>& drawn);
 
-// The blocks that hold the top of each storey of a wall in its plane.
+// The blocks that hold the top of each storey.
 [[nodiscard]] std::vector<std::vector<BlockId>> blocks_at_tops(const Model& model);
 // Where a shake cannot tell the drifts of storeys.
 void note_storeys_without_top(Model& model);

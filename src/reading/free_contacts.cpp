@@ -11,6 +11,7 @@
 #include "core/elementary.h"
 #include "core/real.h"
 #include "model/free_shapes.h"
+#include "reading/readers.h"
 #include "wythe/parts/reading.h"
 
 namespace wythe::reading {
@@ -54,7 +55,7 @@ void each_in_space(const Model& m, const State& s, const Visit& visit) {
 template <class Visit>
 void each_contact(const Model& m, const State& s, const Visit& visit) {
   if (s.free_contacts.empty()) return;
-  if (m.in_space()) return each_in_space(m, s, visit);
+  if (dimension_of(m) == 3) return each_in_space(m, s, visit);
   const contact::PartEdges edges(m.free);
   for (const FreeContact& c : s.free_contacts) {
     const contact::Part a = edges.part(m.free.part_begin[c.a] + c.part_a);
@@ -71,22 +72,6 @@ double height_of(const std::vector<Vec3>& outline) {
   const auto [low, high] =
       std::minmax_element(outline.begin(), outline.end(), [](Vec3 a, Vec3 b) { return a.y < b.y; });
   return high->y - low->y;
-}
-
-double volume_of(const Model& m, BlockId i) {
-  double volume = 0;
-  if (m.in_space()) {  // a sum over tetrahedra to the origin
-    for (const Polyhedron& part : m.space.body[i].part)
-      for (const auto& face : part.face)
-        for (std::size_t k = 1; k + 1 < face.size(); ++k)
-          volume +=
-              dot(part.vertex[face[0]], cross(part.vertex[face[k]], part.vertex[face[k + 1]])) / 6;
-    return volume;
-  }
-  const std::vector<Vec3> outline = outline_of(m, i);
-  for (std::size_t p = 0, q = outline.size() - 1; p < outline.size(); q = p++)
-    volume += 0.5 * (outline[q].x * outline[p].y - outline[p].x * outline[q].y);
-  return volume * m.anatomy.block_thickness[i];
 }
 
 }  // namespace
@@ -112,31 +97,23 @@ double deepest_overlap(const Model& m, const State& s) {
 Debris evaluate_debris(const Model& m, const State& s) {
   Debris debris;
   if (!m.free.any()) return debris;
-  // what a block is made of, now or at the start
-  const auto corners = [&](BlockId i, bool now) {
-    if (!m.in_space()) return now ? outline_now(m, s, i) : outline_of(m, i);
-    std::vector<Vec3> all;
-    for (const Polyhedron& part : now ? solid_now(m, s, i) : m.space.body[i].part)
-      all.insert(all.end(), part.vertex.begin(), part.vertex.end());
-    return all;
-  };
   Vec3 low{1e300, 0, 1e300}, high{-1e300, 0, -1e300};
   for (BlockId i = 0; i < m.n_block; ++i)
-    for (const Vec3& v : corners(i, false)) {
+    for (const Vec3& v : corners_of(m, i)) {
       low = {std::fmin(low.x, v.x), 0, std::fmin(low.z, v.z)};
       high = {std::fmax(high.x, v.x), 0, std::fmax(high.z, v.z)};
     }
   for (BlockId i = 0; i < m.n_block; ++i) {
-    if (-s.uy[i] <= 0.5 * height_of(corners(i, false))) continue;
+    if (-s.uy[i] <= 0.5 * height_of(corners_of(m, i))) continue;
     ++debris.blocks;
-    debris.volume += volume_of(m, i);
+    debris.volume += readers_of(m).volume(m, i);
     debris.mass += m.gravity_mass[i];
-    for (const Vec3& v : corners(i, true))
+    for (const Vec3& v : corners_now(m, s, i))
       debris.reach = std::max({debris.reach, v.x - high.x, low.x - v.x, v.z - high.z, low.z - v.z});
   }
   for (std::size_t k = 0; k < m.stages.size(); ++k)
     for (const PointLoad& load : m.stages[k].loads) {
-      const double height = height_of(corners(load.block, false));
+      const double height = height_of(corners_of(m, load.block));
       debris.load += s.load_scale[k] * (1 - load_left(height, -s.uy[load.block])) *
                      elementary::hypot(load.fx, load.fy, load.fz);
     }

@@ -7,7 +7,7 @@
 #include "contact/parameters.h"
 #include "core/real.h"
 #include "model/fields.h"
-#include "reading/space.h"
+#include "reading/readers.h"
 #include "wythe/parts/reading.h"
 
 namespace wythe {
@@ -144,8 +144,7 @@ std::vector<SinCos<double>> rotations_of(const State& state) {
 
 }  // namespace
 
-std::vector<PointReading> read_points(const Model& m, const State& s) {
-  if (m.in_space()) return reading::points_in_space(m, s);
+std::vector<PointReading> reading::points_in_plane(const Model& m, const State& s) {
   contact::Laws law(m.materials);
   const Histories history(s);
   const std::vector<SinCos<double>> block = rotations_of(s);
@@ -192,9 +191,13 @@ double opening_at_ends(const std::vector<PointReading>& points, PointRange range
   return inside + 0.5 * beyond * std::fabs(last.opening - first.opening);
 }
 
-JointReading sum_up(const JointShape& shape, PointRange range,
-                    const std::vector<PointReading>& points) {
+}  // namespace
+
+JointReading reading::joint_in_plane(const Model& model, JointId id,
+                                     const std::vector<PointReading>& points) {
   JointReading joint;
+  const JointShape shape = joint_shape(model, id);
+  const PointRange range = points_of(model, id);
   joint.shape = shape;
   joint.points = range;
   joint.opening = opening_at_ends(points, range);
@@ -220,8 +223,6 @@ JointReading sum_up(const JointShape& shape, PointRange range,
   return joint;
 }
 
-}  // namespace
-
 WallReading read_wall(const Model& model, const State& state) {
   WallReading wall;
   wall.points = read_points(model, state);
@@ -230,9 +231,7 @@ WallReading read_wall(const Model& model, const State& state) {
     wall.blocks.push_back(read_block(model, state, b));
   wall.joints.reserve(joint_count(model));
   for (JointId j = 0; j < joint_count(model); ++j)
-    wall.joints.push_back(model.in_space()
-                              ? reading::joint_in_space(model, j, wall.points)
-                              : sum_up(joint_shape(model, j), points_of(model, j), wall.points));
+    wall.joints.push_back(reading::readers_of(model).joint(model, j, wall.points));
   for (std::size_t j = 0; j < state.handed_over.size(); ++j)
     wall.joints[j].handed_over = state.handed_over[j] != 0;
   for (JointReading& joint : wall.joints)
@@ -240,7 +239,8 @@ WallReading read_wall(const Model& model, const State& state) {
   return wall;
 }
 
-Vec3 force_of(const Model& model, const JointReading& joint, const WallReading& wall) {
+Vec3 reading::force_in_plane(const Model& model, const JointReading& joint,
+                             const WallReading& wall) {
   const JointShape& shape = joint.shape;
   const Vec3 force = joint.compression * shape.normal - joint.shear * shape.along;
   if (shape.a == kGroundBlock) return force;
@@ -270,8 +270,8 @@ bool is_on_support(const Anatomy& a, Vec3 place) {
 
 }  // namespace
 
-bool has_slid_off(const Model& model, const std::vector<PointReading>& points, JointId joint) {
-  if (model.in_space()) return reading::slid_off_in_space(model, points, joint);
+bool reading::slid_off_in_plane(const Model& model, const std::vector<PointReading>& points,
+                                JointId joint) {
   double slip = 0;
   bool pressed = false;
   const PointRange range = points_of(model, joint);

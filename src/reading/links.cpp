@@ -1,5 +1,6 @@
 // Links: what they carry in a state.
 #include "contact/link.h"
+#include "reading/readers.h"
 #include "wythe/parts/reading.h"
 
 namespace wythe {
@@ -22,7 +23,9 @@ contact::SpaceLinkEnd end_in_space(const State& s, BlockId block, const Vector<d
                            arm);
 }
 
-LinkReading link_in_space(const Model& m, const State& s, std::size_t k) {
+}  // namespace
+
+LinkReading reading::link_in_space(const Model& m, const State& s, std::size_t k) {
   const Links& l = m.links;
   const Vector<double> span{l.span_x[k], l.span_y[k], l.span_z[k]};
   const contact::SpaceLinkEnd a =
@@ -41,40 +44,36 @@ LinkReading link_in_space(const Model& m, const State& s, std::size_t k) {
   return {l.stiffness[k], pull.force, line.elongation, s.link_plastic[k] + pull.flow, {start, end}};
 }
 
-}  // namespace
+LinkReading reading::link_in_plane(const Model& m, const State& s, std::size_t k) {
+  const Links& l = m.links;
+  const contact::LinkEnd a = end_in(s, l.a[k], l.arm_a_x[k], l.arm_a_y[k]);
+  const contact::LinkEnd b = end_in(s, l.b[k], l.arm_b_x[k], l.arm_b_y[k]);
+  const contact::LinkLine line =
+      contact::link_line(l.span_x[k], l.span_y[k], l.follows[k] > 0, a, b);
+  const contact::LinkForce pull =
+      m.standing.joins(l.a[k], l.b[k], s.stage)
+          ? contact::force_of_link({l.stiffness[k], l.tension[k], l.compression[k]},
+                                   line.elongation, s.link_plastic[k], s.link_drawn[k])
+          : contact::LinkForce{0, 0};
+  const auto block = static_cast<std::size_t>(l.b[k]);
+  const Vec3 end{m.centroid_x[block] + l.arm_b_x[k] + b.moved_x,
+                 m.centroid_y[block] + l.arm_b_y[k] + b.moved_y, 0};
+  Vec3 start = end;
+  if (l.a[k] != kGroundBlock && !(l.follows[k] > 0)) {
+    const auto other = static_cast<std::size_t>(l.a[k]);
+    start = {m.centroid_x[other] + l.arm_a_x[k] + a.moved_x,
+             m.centroid_y[other] + l.arm_a_y[k] + a.moved_y, 0};
+  }
+  if (l.follows[k] > 0)
+    start = {end.x - l.span_x[k] - (b.moved_x - a.moved_x),
+             end.y - l.span_y[k] - (b.moved_y - a.moved_y), 0};
+  return {l.stiffness[k], pull.force, line.elongation, s.link_plastic[k] + pull.flow, {start, end}};
+}
 
 std::vector<LinkReading> read_links(const Model& m, const State& s) {
-  const Links& l = m.links;
-  std::vector<LinkReading> links(l.a.size());
-  for (std::size_t k = 0; k < links.size(); ++k) {
-    if (m.in_space()) {
-      links[k] = link_in_space(m, s, k);
-      continue;
-    }
-    const contact::LinkEnd a = end_in(s, l.a[k], l.arm_a_x[k], l.arm_a_y[k]);
-    const contact::LinkEnd b = end_in(s, l.b[k], l.arm_b_x[k], l.arm_b_y[k]);
-    const contact::LinkLine line =
-        contact::link_line(l.span_x[k], l.span_y[k], l.follows[k] > 0, a, b);
-    const contact::LinkForce pull =
-        m.standing.joins(l.a[k], l.b[k], s.stage)
-            ? contact::force_of_link({l.stiffness[k], l.tension[k], l.compression[k]},
-                                     line.elongation, s.link_plastic[k], s.link_drawn[k])
-            : contact::LinkForce{0, 0};
-    const auto block = static_cast<std::size_t>(l.b[k]);
-    const Vec3 end{m.centroid_x[block] + l.arm_b_x[k] + b.moved_x,
-                   m.centroid_y[block] + l.arm_b_y[k] + b.moved_y, 0};
-    Vec3 start = end;
-    if (l.a[k] != kGroundBlock && !(l.follows[k] > 0)) {
-      const auto other = static_cast<std::size_t>(l.a[k]);
-      start = {m.centroid_x[other] + l.arm_a_x[k] + a.moved_x,
-               m.centroid_y[other] + l.arm_a_y[k] + a.moved_y, 0};
-    }
-    if (l.follows[k] > 0)
-      start = {end.x - l.span_x[k] - (b.moved_x - a.moved_x),
-               end.y - l.span_y[k] - (b.moved_y - a.moved_y), 0};
-    links[k] = {
-        l.stiffness[k], pull.force, line.elongation, s.link_plastic[k] + pull.flow, {start, end}};
-  }
+  std::vector<LinkReading> links;
+  for (std::size_t k = 0; k < m.links.a.size(); ++k)
+    links.push_back(reading::readers_of(m).link(m, s, k));
   return links;
 }
 

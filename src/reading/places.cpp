@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/elementary.h"
+#include "reading/readers.h"
 #include "reading/zones_in_space.h"
 #include "wythe/parts/reading.h"
 
@@ -72,8 +73,26 @@ JointShape contact_shape(const Model& model, JointId joint) {
   return shape;
 }
 
-// The rest of the shape in space; half as far along t1 as its points reach.
-JointShape face_in_space(const Model& m, JointId j, JointShape shape) {
+// What the faces of both kinds of walls have.
+JointShape face_shape(const Model& m, JointId j) {
+  JointShape shape;
+  shape.id = j;
+  shape.kind = m.anatomy.joint_kind[j];
+  shape.a = m.joint_a[j];
+  shape.b = m.joint_b[j];
+  shape.material = m.joint_material[j];
+  shape.area = m.area[j];
+  return shape;
+}
+
+}  // namespace
+
+namespace reading {
+
+// Half as far along t1 as its points reach.
+JointShape shape_in_space(const Model& m, JointId j) {
+  if (j >= m.n_joint) return contact_in_space(m, j - m.n_joint);
+  JointShape shape = face_shape(m, j);
   const Space& s = m.space;
   if (shape.a >= m.n_block)
     shape.a = kGroundBlock;
@@ -83,53 +102,48 @@ JointShape face_in_space(const Model& m, JointId j, JointShape shape) {
   shape.centre = s.centroid[shape.b] + shape.arm_b;
   shape.along = s.tangent[j];
   shape.normal = s.normal[j];
-  double reach = 0;
-  for (auto p = s.point_begin[j]; p < s.point_begin[j + 1]; ++p)
+  double reach = 0, reach_2 = 0;
+  for (auto p = s.point_begin[j]; p < s.point_begin[j + 1]; ++p) {
     reach = std::max(reach, std::fabs(s.point_r1[p]));
+    reach_2 = std::max(reach_2, std::fabs(s.point_r2[p]));
+  }
   shape.half = reach * shape.along;
+  shape.half_2 = reach_2 * cross(shape.normal, shape.along);
   return shape;
 }
 
-JointShape face_shape(const Model& m, JointId j) {
-  JointShape shape;
-  shape.id = j;
-  shape.kind = m.anatomy.joint_kind[j];
-  shape.a = m.joint_a[j];
-  shape.b = m.joint_b[j];
-  shape.material = m.joint_material[j];
-  shape.area = m.area[j];
-  if (m.in_space()) return face_in_space(m, j, shape);
+JointShape shape_in_plane(const Model& m, JointId j) {
+  const auto with_normal = [](JointShape shape) {
+    shape.normal = {-shape.along.y, shape.along.x};
+    return shape;
+  };
+  if (j >= m.n_joint) return with_normal(contact_shape(m, j));
+  JointShape shape = face_shape(m, j);
   shape.arm_a = {m.arm_a_x[j], m.arm_a_y[j]};
   shape.arm_b = {m.arm_b_x[j], m.arm_b_y[j]};
   shape.centre = Vec3{m.centroid_x[shape.b], m.centroid_y[shape.b]} + shape.arm_b;
   shape.half = {m.half_x[j], m.half_y[j]};
   shape.along = {m.tangent_x[j], m.tangent_y[j]};
-  return shape;
+  return with_normal(shape);
 }
 
-}  // namespace
+PointRange range_in_space(const Model& model, JointId joint) {
+  const int contact = joint - model.n_joint;
+  const auto& begin = contact < 0 ? model.space.point_begin : model.space.solids.point_begin;
+  const int i = contact < 0 ? joint : contact;
+  return {begin[i], begin[i + 1]};
+}
 
-PointRange points_of(const Model& model, JointId joint) {
+PointRange range_in_plane(const Model& model, JointId joint) {
   const int per = model.n_face_point, contact = joint - model.n_joint;
-  if (model.in_space()) {
-    const auto& begin = contact < 0 ? model.space.point_begin : model.space.solids.point_begin;
-    const int i = contact < 0 ? joint : contact;
-    return {begin[i], begin[i + 1]};
-  }
   if (contact < 0) return {joint * per, (joint + 1) * per};
   return {model.n_point() + 2 * contact, model.n_point() + 2 * (contact + 1)};
 }
 
+}  // namespace reading
+
 int joint_count(const Model& model) {
   return model.n_joint + model.solids.n_contact + model.space.solids.n_contact;
-}
-
-JointShape joint_shape(const Model& model, JointId joint) {
-  if (joint >= model.n_joint && model.in_space())
-    return reading::contact_in_space(model, joint - model.n_joint);
-  JointShape shape = joint < model.n_joint ? face_shape(model, joint) : contact_shape(model, joint);
-  if (!model.in_space()) shape.normal = {-shape.along.y, shape.along.x};
-  return shape;
 }
 
 int block_count(const Model& model) {
@@ -138,7 +152,7 @@ int block_count(const Model& model) {
 
 std::vector<Vec3> outline_of(const Model& model, BlockId block) {
   std::vector<Vec3> outline;
-  if (model.in_space()) return outline;
+  if (model.anatomy.outline_x.empty()) return outline;
   if (block >= model.n_block) {
     for (const int node : body_of(model, block).rim) outline.push_back(node_at_start(model, node));
     return outline;
@@ -159,10 +173,14 @@ Rotation rotation_of(double w, Vec3 v) {
   return {2 * sense * elementary::atan2(sine, sense * w) / sine * v};
 }
 
+}  // namespace
+
+namespace reading {
+
 // A block, support n_block + i, or deformable block n_block + n_support + i.
-BlockReading in_space(const Model& model, const State& s, BlockId block) {
+BlockReading block_in_space(const Model& model, const State& s, BlockId block) {
   if (const int body = block - model.n_block - model.space.n_support; body >= 0)
-    return reading::body_in_space(model, s, body);
+    return body_in_space(model, s, body);
   if (block >= model.n_block) {
     const int i = block - model.n_block;
     return {block,
@@ -178,10 +196,7 @@ BlockReading in_space(const Model& model, const State& s, BlockId block) {
           rotation_of(s.qw[block], {s.qx[block], s.qy[block], s.qz[block]})};
 }
 
-}  // namespace
-
-BlockReading read_block(const Model& model, const State& state, BlockId block) {
-  if (model.in_space()) return in_space(model, state, block);
+BlockReading block_in_plane(const Model& model, const State& state, BlockId block) {
   if (block >= model.n_block) {
     const SolidBody& body = body_of(model, block);
     return {block,
@@ -197,6 +212,63 @@ BlockReading read_block(const Model& model, const State& state, BlockId block) {
           {state.ux[i], state.uy[i]},
           {{0, 0, state.theta[i]}}};
 }
+
+Vec3 way_in_plane(const Model&, const State& s, BlockId i, Vec3 arm) {
+  const Vec3 tip = turned(arm, Rotation{{0, 0, s.theta[i]}});
+  return Vec3{s.ux[i], s.uy[i], 0} + tip - arm;
+}
+
+Vec3 way_in_space(const Model&, const State& s, BlockId i, Vec3 arm) {
+  const Vec3 v{s.qx[i], s.qy[i], s.qz[i]}, half = cross(v, arm) + s.qw[i] * arm;
+  return Vec3{s.ux[i], s.uy[i], s.uz[i]} + 2.0 * cross(v, half);
+}
+
+double tilt_in_plane(const State& s, BlockId i) { return std::fabs(s.theta[i]); }
+
+double tilt_in_space(const State& s, BlockId i) {
+  return 2 * elementary::acos(std::min(1.0, std::fabs(s.qw[i])));
+}
+
+std::vector<Vec3> corners_in_space(const Model& model, BlockId block) {
+  const int body = block - model.n_block - model.space.n_support;
+  std::vector<Vec3> corners;
+  for (const Polyhedron& part :
+       body < 0 ? model.space.body[block].part : model.space.solids.bodies[body].body.part)
+    corners.insert(corners.end(), part.vertex.begin(), part.vertex.end());
+  return corners;
+}
+
+std::vector<Vec3> corners_now_in_plane(const Model& model, const State& state, BlockId block) {
+  return outline_now(model, state, block);
+}
+
+std::vector<Vec3> corners_now_in_space(const Model& model, const State& state, BlockId block) {
+  std::vector<Vec3> corners;
+  for (const Polyhedron& part : solid_now(model, state, block))
+    corners.insert(corners.end(), part.vertex.begin(), part.vertex.end());
+  return corners;
+}
+
+double volume_in_plane(const Model& model, BlockId block) {
+  const std::vector<Vec3> outline = outline_of(model, block);
+  double area = 0;
+  for (std::size_t p = 0, q = outline.size() - 1; p < outline.size(); q = p++)
+    area += 0.5 * (outline[q].x * outline[p].y - outline[p].x * outline[q].y);
+  return area * model.anatomy.block_thickness[block];
+}
+
+// A sum over tetrahedra to the origin.
+double volume_in_space(const Model& model, BlockId block) {
+  double volume = 0;
+  for (const Polyhedron& part : model.space.body[block].part)
+    for (const auto& face : part.face)
+      for (std::size_t k = 1; k + 1 < face.size(); ++k)
+        volume +=
+            dot(part.vertex[face[0]], cross(part.vertex[face[k]], part.vertex[face[k + 1]])) / 6;
+  return volume;
+}
+
+}  // namespace reading
 
 std::vector<Vec3> outline_now(const Model& model, const State& state, BlockId block, double scale) {
   std::vector<Vec3> outline;
@@ -222,8 +294,8 @@ namespace {
 // Where places on a joint's face are now, half way between its two sides.
 std::vector<Vec3> between_faces(const Model& model, const State& state, JointId joint,
                                 std::vector<Vec3> places, double scale) {
-  const BlockReading a = in_space(model, state, model.joint_a[joint]);
-  const BlockReading b = in_space(model, state, model.joint_b[joint]);
+  const BlockReading a = read_block(model, state, model.joint_a[joint]);
+  const BlockReading b = read_block(model, state, model.joint_b[joint]);
   for (Vec3& p : places) p = 0.5 * (place(a, p - a.start, scale) + place(b, p - b.start, scale));
   return places;
 }
@@ -231,14 +303,21 @@ std::vector<Vec3> between_faces(const Model& model, const State& state, JointId 
 // The same of a contact of zones, on its rigid side.
 std::vector<Vec3> on_rigid_side(const Model& model, const State& state, int contact,
                                 std::vector<Vec3> places, double scale) {
-  const BlockReading a = in_space(model, state, model.space.solids.contact_block[contact]);
+  const BlockReading a = read_block(model, state, model.space.solids.contact_block[contact]);
   for (Vec3& p : places) p = place(a, p - a.start, scale);
   return places;
 }
 
 }  // namespace
 
-std::vector<Vec3> face_now(const Model& model, const State& state, JointId joint, double scale) {
+std::vector<Vec3> reading::face_in_plane(const Model& model, const State& state, JointId joint,
+                                         double scale) {
+  const std::array<Vec3, 2> ends = ends_in_plane(model, state, joint, scale);
+  return {ends.begin(), ends.end()};
+}
+
+std::vector<Vec3> reading::face_in_space(const Model& model, const State& state, JointId joint,
+                                         double scale) {
   if (const int contact = joint - model.n_joint; contact >= 0)
     return on_rigid_side(model, state, contact, model.space.solids.contact_face[contact], scale);
   return between_faces(model, state, joint, model.space.face[joint], scale);
@@ -249,28 +328,28 @@ std::vector<Polyhedron> solid_now(const Model& model, const State& state, BlockI
   const int body = block - model.n_block - model.space.n_support;
   std::vector<Polyhedron> parts =
       body < 0 ? model.space.body[block].part : model.space.solids.bodies[body].body.part;
-  const BlockReading now = in_space(model, state, block);
+  const BlockReading now = read_block(model, state, block);
   for (Polyhedron& part : parts)
     for (Vec3& vertex : part.vertex) vertex = place(now, vertex - now.start, scale);
   return parts;
 }
 
-std::array<Vec3, 2> ends_now(const Model& model, const State& state, JointId joint, double scale) {
-  if (const int contact = joint - model.n_joint; contact >= 0 && model.in_space()) {
-    const JointShape shape = joint_shape(model, joint);
-    const std::vector<Vec3> ends = on_rigid_side(
-        model, state, contact, {shape.centre - shape.half, shape.centre + shape.half}, scale);
-    return {ends[0], ends[1]};
-  }
+std::array<Vec3, 2> reading::ends_in_space(const Model& model, const State& state, JointId joint,
+                                           double scale) {
+  const JointShape shape = joint_shape(model, joint);
+  const std::vector<Vec3> places{shape.centre - shape.half, shape.centre + shape.half};
+  const int contact = joint - model.n_joint;
+  const std::vector<Vec3> ends = contact < 0 ? between_faces(model, state, joint, places, scale)
+                                             : on_rigid_side(model, state, contact, places, scale);
+  return {ends[0], ends[1]};
+}
+
+std::array<Vec3, 2> reading::ends_in_plane(const Model& model, const State& state, JointId joint,
+                                           double scale) {
   if (const int contact = joint - model.n_joint; contact >= 0)
     return {contact_now(model, state, contact, 0, scale),
             contact_now(model, state, contact, 1, scale)};
   const JointShape shape = joint_shape(model, joint);
-  if (model.in_space()) {
-    const std::vector<Vec3> ends = between_faces(
-        model, state, joint, {shape.centre - shape.half, shape.centre + shape.half}, scale);
-    return {ends[0], ends[1]};
-  }
   const BlockReading b = read_block(model, state, shape.b);
   std::array<Vec3, 2> ends;
   for (const int side : {0, 1}) {

@@ -1,7 +1,7 @@
 // Asks the joint law at every point of a wall in space, with a state's history, and sums points to joints.
 // Shear is a vector: the law sees the length of the elastic slip, and its stress acts along that. A joint that a free
 // contact replaces carries nothing. docs/theory/space.md, "Shear as a vector".
-#include "reading/space.h"
+#include "reading/readers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -180,6 +180,15 @@ JointReading joint_in_space(const Model& m, JointId j, const std::vector<PointRe
     joint.eccentricity =
         std::clamp(std::fmax(off(about_1, reach_1), off(about_2, reach_2)), 0.0, 1.0);
   return joint;
+}
+
+Vec3 force_in_space(const Model& m, const JointReading& joint, const WallReading& wall) {
+  const JointShape& shape = joint.shape;
+  const auto turn = [&](BlockId b) { return wall.blocks[static_cast<std::size_t>(b)].turned.by; };
+  Rotation now;
+  if (shape.a != kGroundBlock)
+    now.by = shape.b >= m.n_block ? turn(shape.a) : 0.5 * (turn(shape.a) + turn(shape.b));
+  return joint.compression * turned(shape.normal, now) - joint.shear_vector;
 }
 
 namespace {

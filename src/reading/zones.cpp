@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/elementary.h"
+#include "reading/readers.h"
 #include "reading/zones_in_space.h"
 #include "solids/zone.h"
 #include "wythe/parts/curve.h"
@@ -70,7 +71,10 @@ double strain_energy(const Model& model, const State& s) {
 }
 
 std::vector<BeyondLimit> beyond_limits(const Model& model, const State& state) {
-  if (model.in_space()) return beyond_limits_in_space(model, state);
+  return readers_of(model).beyond_limits(model, state);
+}
+
+std::vector<BeyondLimit> beyond_limits_in_plane(const Model& model, const State& state) {
   std::vector<BeyondLimit> found;
   const auto has_limit = [](const SolidBody& body) {
     return std::isfinite(body.tension_limit) || std::isfinite(body.compression_limit);
@@ -98,8 +102,11 @@ const SolidBody* first_lintel(const Model& model) {
   return nullptr;
 }
 
-LintelMeasures lintel_measures(const Model& model, const State& s) {
-  if (model.in_space()) return lintel_measures_in_space(model, s);
+LintelMeasures lintel_measures(const Model& model, const State& state) {
+  return readers_of(model).lintel(model, state);
+}
+
+LintelMeasures lintel_measures_in_plane(const Model& model, const State& s) {
   const SolidBody* body = first_lintel(model);
   if (body == nullptr) return {};
   const Solids& m = model.solids;
@@ -121,7 +128,7 @@ ShownColumns columns_of(const Model& model) {
                                      reading::first_lintel_in_space(model) != nullptr};
   for (const Stage& stage : model.stages)  // the curve is that of the last push
     if (stage.spec.kind == StageKind::kPush)
-      of.held_head = stage.spec.across == Freedom::kBlocked && !model.in_space();
+      of.held_head = stage.spec.across == Freedom::kBlocked && dimension_of(model) == 2;
   return of;
 }
 

@@ -17,6 +17,7 @@
 #include "wythe/parts/element_forces.h"
 #include "wythe/parts/io.h"
 #include "wythe/parts/mechanism.h"
+#include "wythe/parts/reading.h"
 #include "wythe/parts/report.h"
 
 namespace wythe {
@@ -165,6 +166,7 @@ void add_parts(Bundle& bundle, const Model& model, const Result& result) {
                     {"kind", kind},
                     {"storey", part->storey},
                     {"box", {part->box.x0, part->box.x1, part->box.y0, part->box.y1}}});
+  if (dimension_of(model) == 3) list.clear();  // drawn in the plane alone
   bundle.header["wall"]["parts"] = list;
 
   const std::vector<ElementForces> elements = read_element_forces(model, result);

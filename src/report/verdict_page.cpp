@@ -9,6 +9,7 @@
 
 #include "core/ascii.h"
 #include "core/check.h"
+#include "judge/modes/in_space.h"
 #include "judge/modes/wall_parts.h"
 #include "report/html.h"
 #include "report/model_inputs.h"
@@ -16,6 +17,7 @@
 #include "report/svg.h"
 #include "report/verdict_words.h"
 #include "report/wall_picture.h"
+#include "wythe/parts/reading.h"
 #include "wythe/parts/report.h"
 #include "wythe/parts/verdict.h"
 
@@ -206,21 +208,39 @@ class VerdictPage {
 
   // The wall as it stands, with its piers by name; those whose drift ends a limit state are shaded.
   [[nodiscard]] std::string wall() const {
-    if (model_.in_space()) return "";
-    std::vector<WallMark> marks;
+    const std::vector<study::Elevation> all = study::elevations_of(model_);
+    const std::vector<study::WallParts> parts = study::find_parts(model_, all);
+    std::vector<study::Elevation> walls;
+    std::vector<std::vector<WallMark>> marks;
     bool any = false;
-    for (const study::Pier& pier : study::find_parts(model_).piers) {
-      const bool hit = ends(pier.mark);
-      any = any || hit;
-      marks.push_back({.x0 = pier.box.x0,
-                       .x1 = pier.box.x1,
-                       .y0 = pier.box.y0,
-                       .y1 = pier.box.y1,
-                       .name = pier.mark,
-                       .is_hit = hit});
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      if (!is_judged(all[k])) continue;
+      walls.push_back(all[k]);
+      std::vector<WallMark>& of_wall = marks.emplace_back();
+      for (const study::Pier& pier : parts[k].piers) {
+        const bool hit = ends(pier.mark);
+        any = any || hit;
+        of_wall.push_back({.x0 = pier.box.x0,
+                           .x1 = pier.box.x1,
+                           .y0 = pier.box.y0,
+                           .y1 = pier.box.y1,
+                           .name = pier.mark,
+                           .is_hit = hit});
+      }
     }
-    return "<figure>" + draw_wall(model_, initial_state(model_), 1, marks).svg + "<figcaption>" +
-           say(any ? "assess.picture.hit" : "assess.picture") + "</figcaption></figure>\n";
+    if (walls.empty()) return "";
+    const std::string svg = dimension_of(model_) == 3
+                                ? draw_elevations(model_, walls, marks)
+                                : draw_wall(model_, initial_state(model_), 1, marks.front()).svg;
+    return "<figure>" + svg + "<figcaption>" + say(any ? "assess.picture.hit" : "assess.picture") +
+           "</figcaption></figure>\n";
+  }
+  // A wall in space counts where it stands along the push.
+  [[nodiscard]] bool is_judged(const study::Elevation& wall) const {
+    if (dimension_of(model_) == 2) return true;
+    const auto push = std::find_if(model_.stages.rbegin(), model_.stages.rend(),
+                                   [](const Stage& s) { return s.spec.kind == StageKind::kPush; });
+    return push != model_.stages.rend() && study::is_along(wall, push->drive());
   }
   // Whether the drift of this pier ends near collapse, or the limit state that decides, in any wall.
   [[nodiscard]] bool ends(const std::string& mark) const {

@@ -194,10 +194,10 @@ void add_wall(Bundle& bundle, const Model& model) {
     wall["bodies"] = bodies, wall["nodes"] = s.n_node, wall["zones"] = s.n_zone;
     wall["contacts"] = s.n_contact;
   }
-  if (model.links.n > 0 && !model.in_space()) wall["links"] = links_of(model);
+  if (model.links.n > 0 && dimension_of(model) == 2) wall["links"] = links_of(model);
   if (model.frames.n > 0) add_members(wall, model);
   if (!a.storey_top.empty()) wall["storeys"] = storeys_of(a);
-  if (model.in_space()) {
+  if (dimension_of(model) == 3) {
     add_space(bundle, model, wall);
     bundle.header["wall"] = wall;
     return;
@@ -259,7 +259,7 @@ int states_kept(int states, int room, int samples_after) {
 }
 
 double state_numbers(const Model& m) {
-  if (m.in_space())
+  if (dimension_of(m) == 3)
     return 6.0 * (m.n_block + m.space.solids.n_zone + m.space.n_support) + 5.0 * joint_count(m);
   return 3.0 * m.n_block + 4.0 * (m.n_joint + m.solids.n_contact) + 2.0 * m.solids.n_node +
          2.0 * m.solids.n_zone + m.links.n + 4.0 * m.frames.n;
@@ -281,7 +281,7 @@ std::vector<bool> states_shown(const std::vector<bool>& labelled, int most) {
 
 void FrameArrays::add(const Model& model, const State& state) {
   ++count_;
-  in_space_ = model.in_space();
+  in_space_ = dimension_of(model) == 3;
   if (in_space_) return space_.add(model, state);
   const WallReading wall = read_wall(model, state);
   for (const BlockReading& block : wall.blocks) {

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "judge/modes/elevations.h"
 #include "wythe/parts/model.h"
 
 namespace wythe::report {
@@ -27,6 +28,12 @@ struct WallMark {
 
 [[nodiscard]] WallPicture draw_wall(const Model& model, const State& state, double scale,
                                     const std::vector<WallMark>& marks = {});
+
+// Walls of a building as they stand, one beside the other, each as it is seen across its plane. The boxes of `marks`
+// are of find_parts(): one list for each wall.
+[[nodiscard]] std::string draw_elevations(const Model& model,
+                                          const std::vector<study::Elevation>& walls,
+                                          const std::vector<std::vector<WallMark>>& marks);
 
 // A round magnification at which the largest displacement shows as some 5 % of the wall.
 [[nodiscard]] double fitting_scale(const Model& model, const State& state);

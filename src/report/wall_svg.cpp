@@ -101,6 +101,29 @@ std::string draw_blocks(const Model& model, const State& state, double scale,
   return out;
 }
 
+// Blocks of a wall in space as they stand, `shift` to the right.
+std::string draw_seen(const Model& model, const study::Elevation& wall, double shift,
+                      const Canvas& canvas) {
+  std::array<std::string, kTints> stones;
+  std::string timber;
+  const auto add = [&](BlockId b, std::string& group) {
+    for (const std::vector<Vec3>& part : study::outlines_of(model, wall, b)) {
+      std::vector<Pixel> outline;
+      for (const Vec3& p : part) outline.push_back(canvas(p + Vec3{shift, 0, 0}));
+      group += path_data(outline, true);
+    }
+  };
+  for (BlockId b = 0; b < model.n_block; ++b)
+    if (wall.holds(b))
+      add(b, model.anatomy.block_role[static_cast<std::size_t>(b)] == BlockRole::kMasonry
+                 ? stones[tint_of(model, b)]
+                 : timber);
+  for (const BlockId body : wall.bodies) add(body, timber);
+  std::string out;
+  for (int i = 0; i < kTints; ++i) out += path(stones[i], fmt::format("stone{}", i));
+  return timber.empty() ? out : out + path(timber, "timber");
+}
+
 std::string draw_zones(const Model& model, const State& state, double scale, const Canvas& canvas) {
   std::string edges;
   for (std::size_t z = 0; z < model.solids.zone_shape.size(); ++z) {
@@ -364,6 +387,39 @@ WallPicture draw_wall(const Model& model, const State& state, double scale,
                  draw_arrows(model, state, scale, canvas) + draw_marks(marks, canvas) +
                  draw_scale_bar(canvas) + "</svg>\n";
   return picture;
+}
+
+std::string draw_elevations(const Model& model, const std::vector<study::Elevation>& walls,
+                            const std::vector<std::vector<WallMark>>& marks) {
+  constexpr double kApart = 0.08;  // of the longest wall
+  std::vector<Bounds> bounds(walls.size());
+  double longest = 0;
+  for (std::size_t k = 0; k < walls.size(); ++k) {
+    for (BlockId b = 0; b < model.n_block; ++b)
+      if (walls[k].holds(b))
+        for (const auto& part : study::outlines_of(model, walls[k], b))
+          for (const Vec3& p : part) bounds[k].add(p);
+    longest = std::max(longest, bounds[k].x1 - bounds[k].x0);
+  }
+  Bounds all;
+  std::vector<double> shift;
+  double right = 0;
+  for (const Bounds& of : bounds) {
+    shift.push_back(right - of.x0);
+    all.add({right, of.y0}), all.add({right + of.x1 - of.x0, of.y1});
+    right += of.x1 - of.x0 + kApart * longest;
+  }
+  const Canvas canvas = canvas_of(all);
+  std::string svg =
+      svg_begin(canvas.width, canvas.height, "wall", "The walls, each seen across its plane");
+  for (std::size_t k = 0; k < walls.size(); ++k) {
+    std::vector<WallMark> moved = marks[k];
+    for (WallMark& mark : moved) mark.x0 += shift[k], mark.x1 += shift[k];
+    const Pixel head = canvas({shift[k] + 0.5 * (bounds[k].x0 + bounds[k].x1), bounds[k].y1});
+    svg += draw_seen(model, walls[k], shift[k], canvas) + draw_marks(moved, canvas) +
+           label({head.x, head.y - 8}, walls[k].wall, "small", "middle");
+  }
+  return svg + draw_scale_bar(canvas) + "</svg>\n";
 }
 
 std::vector<PushPart> push_parts(const Model& model, const Stage& push) {

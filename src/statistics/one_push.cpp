@@ -5,6 +5,8 @@
 
 #include <variant>
 
+#include "wythe/parts/reading.h"
+
 namespace wythe::study {
 namespace {
 
@@ -19,7 +21,7 @@ const Message* reason_of_one_push(const Message& caution) {
 }
 
 bool may_wait(const Model& model) {
-  return !model.in_space() && model.solve.contacts != Contacts::kFree;
+  return dimension_of(model) == 2 && model.solve.contacts != Contacts::kFree;
 }
 
 // The reason with the cure that many walls have: that of one push is to ask many walls.

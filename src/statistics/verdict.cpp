@@ -8,9 +8,11 @@
 #include <utility>
 
 #include "judge/assessment/assessment_parts.h"
+#include "judge/modes/in_space.h"
 #include "judge/modes/mode_names.h"
 #include "statistics/intervals.h"
 #include "statistics/one_push.h"
+#include "wythe/parts/reading.h"
 #include "wythe/parts/verdict.h"
 
 namespace wythe {
@@ -24,7 +26,7 @@ constexpr double kHalf =
 constexpr double kTestedScatter = 0.085, kAlike = 0.1;
 
 bool is_in_plane(const Model& model, const std::string& mode) {
-  return !model.in_space() || mode.starts_with("in-plane");
+  return dimension_of(model) == 2 || study::stays_in_plane(mode);
 }
 
 // What is known of a wall's capacity: it lies from low to high by its own curve, and from least to most at whichever

@@ -18,6 +18,7 @@
 
 #include "wythe/parts/model.h"
 #include "wythe/parts/result.h"
+#include "wythe/parts/vector.h"
 
 namespace wythe {
 
@@ -32,6 +33,8 @@ struct ElementForces {
   std::string element, kind, mark;  // "pier 2 of storey 1", "pier" or "spandrel", "P2"
   int storey = 0;
   double length = 0;  // between its ends [m]
+  Vec3 along = {1, 0,
+                0};  // to the right of who looks at its wall: drift and V of a pier are along it
   struct Row {
     double displacement = 0;        // of the push [m]
     std::array<ElementEnd, 2> end;  // foot and head of a pier, left and right end of a spandrel

@@ -30,8 +30,9 @@ struct PointRange {
 // How points are numbered is written here alone.
 [[nodiscard]] PointRange points_of(const Model& model, JointId joint);
 
-[[nodiscard]] int joint_count(const Model& model);  // with the contacts of deformable blocks
-[[nodiscard]] int block_count(const Model& model);  // with deformable blocks
+[[nodiscard]] int dimension_of(const Model& model);  // of places: 2 in the wall's plane, 3 in space
+[[nodiscard]] int joint_count(const Model& model);   // with the contacts of deformable blocks
+[[nodiscard]] int block_count(const Model& model);   // with deformable blocks
 
 //        b         along   the face; half: from its centre to its end along it
 //   ----------->           normal  on the left of it, from a to b
@@ -44,14 +45,19 @@ struct JointShape {
   double area = 0;            // [m^2]
   Vec3 centre;                // of the face at the start [m]
   Vec3 half;                  // [m]; shortened where a joint stands for a continuous section
+  Vec3 half_2;                // in space, the other way in the face [m]; 0 in the plane
   Vec3 along, normal;         // unit vectors at the start
   Vec3 arm_a, arm_b;  // centre seen from the centroids of a and b [m]; 0 of the ground and of
                       // deformable blocks
 };
 [[nodiscard]] JointShape joint_shape(const Model& model, JointId joint);
 
+[[nodiscard]] Vec3 centroid_of(const Model& model,
+                               BlockId block);  // of a rigid one at the start [m]
 // Corners of a block at the start, anticlockwise [m]; none in space.
 [[nodiscard]] std::vector<Vec3> outline_of(const Model& model, BlockId block);
+// The same of any wall; in space the corners of each convex part, in no order.
+[[nodiscard]] std::vector<Vec3> corners_of(const Model& model, BlockId block);
 
 // --- where it is now -------------------------------------------------------------------------------
 
@@ -74,11 +80,15 @@ struct BlockReading {
                                            double scale = 1);
 [[nodiscard]] Vec3 node_now(const Model& model, const State& state, int node, double scale = 1);
 [[nodiscard]] Vec3 node_moved(const State& state, int node);  // [m]
+[[nodiscard]] std::vector<Vec3> corners_now(const Model& model, const State& state, BlockId block);
+// How far the point of a rigid block went that started at `arm` from its centroid [m].
+[[nodiscard]] Vec3 way_of(const Model& model, const State& state, BlockId block, Vec3 arm);
+[[nodiscard]] double tilt_of(const Model& model, const State& state, BlockId block);  // [rad]
 
 // Convex parts of a block of a wall in space; n_block + i is support i.
 [[nodiscard]] std::vector<Polyhedron> solid_now(const Model& model, const State& state,
                                                 BlockId block, double scale = 1);
-// The joint's polygon, half way between its two faces, anticlockwise about its normal.
+// The joint's polygon, half way between its two faces, anticlockwise about its normal; in the plane its ends.
 [[nodiscard]] std::vector<Vec3> face_now(const Model& model, const State& state, JointId joint,
                                          double scale = 1);
 
@@ -135,8 +145,8 @@ struct WallReading {
   }
 };
 [[nodiscard]] WallReading read_wall(const Model& model, const State& state);
-// The force of a on b of a joint in the plane, in the wall's axes, as the face lies now: the ground's has not
-// turned, the edge of a deformable block lies as its neighbour [N].
+// The force of a on b, in the wall's axes, as the face lies now: the ground's has not turned, the edge of a
+// deformable block lies as its neighbour [N].
 [[nodiscard]] Vec3 force_of(const Model& model, const JointReading& joint, const WallReading& wall);
 
 // Whether a joint is pressed and its faces overlap by less than half; `points` of the whole wall.

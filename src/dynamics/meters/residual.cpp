@@ -51,7 +51,7 @@ double kinetic_in_space(const Model& m, const State& s) {
 // At the half step, without mass scaling [J].
 double kinetic_energy(const Model& m, const State& s) {
   double energy = 0;
-  if (m.in_space()) return kinetic_in_space(m, s);
+  if (!s.lx.empty()) return kinetic_in_space(m, s);
   for (std::size_t i = 0; i < s.vx.size(); ++i)
     energy += kinetic_of(m.mass[i], m.inertia[i], s.vx[i], s.vy[i], s.omega[i]);
   for (std::size_t i = 0; i < s.node_vx.size(); ++i)
@@ -104,8 +104,8 @@ double top_displacement(const Model& model, const State& state) {
   const double top = *std::max_element(model.centroid_y.begin(), model.centroid_y.end());
   for (std::size_t i = 0; i < state.ux.size(); ++i)
     if (model.centroid_y[i] > top - 0.01 * model.anatomy.height)
-      moved = std::max(moved, model.in_space() ? elementary::hypot(state.ux[i], state.uz[i])
-                                               : std::fabs(state.ux[i]));
+      moved = std::max(moved, state.uz.empty() ? std::fabs(state.ux[i])
+                                               : elementary::hypot(state.ux[i], state.uz[i]));
   return moved;
 }
 

@@ -163,7 +163,7 @@ void Recorder::take_shape(const WallAccess& access, State& state) {
   const State& start = result_.snapshots.front().state;
   MovedBlocks& shape = result_.rise_shapes.emplace_back();
   shape.displacement = displacement_;
-  const int supports = model_.in_space() ? model_.space.n_support : 0;
+  const int supports = model_.space.n_support;
   const auto bodies =
       static_cast<int>(model_.solids.bodies.size() + model_.space.solids.bodies.size());
   shape.moved.assign(static_cast<std::size_t>(model_.n_block + supports + bodies), 0.0);

@@ -21,21 +21,6 @@ double decay_of(const ViscousSpec& viscous) {
   return 2 * viscous.fraction * 2 * M_PI * viscous.frequency;
 }
 
-// A wall's point against the base, and how far it is turned [rad].
-Vec3 motion_of(const Model& m, const State& s, const WatchedPoint& point) {
-  const std::size_t i = static_cast<std::size_t>(point.block);
-  if (!m.in_space()) {
-    const Vec3 tip = turned(point.arm, Rotation{{0, 0, s.theta[i]}});
-    return Vec3{s.ux[i], s.uy[i], 0} + tip - point.arm;
-  }
-  const Vec3 v{s.qx[i], s.qy[i], s.qz[i]}, half = cross(v, point.arm) + s.qw[i] * point.arm;
-  return Vec3{s.ux[i], s.uy[i], s.uz[i]} + 2.0 * cross(v, half);
-}
-double tilt_of(const Model& m, const State& s, std::size_t i) {
-  if (!m.in_space()) return std::fabs(s.theta[i]);
-  return 2 * elementary::acos(std::min(1.0, std::fabs(s.qw[i])));
-}
-
 // The blocks that hold the top of each storey; none at all where a storey has none, which is noted before the run.
 std::vector<std::vector<BlockId>> storey_tops(const Model& m) {
   auto found = blocks_at_tops(m);
@@ -116,8 +101,8 @@ class Shake final : public StageRun {
     double mass = 0;
     for (const BlockId b : blocks) {
       const double m = model_.mass[b];
-      sum[0] += m * state_.ux[b], sum[1] += m * state_.uy[b];
-      if (model_.in_space()) sum[2] += m * state_.uz[b];
+      const Vec3 moved = read_block(model_, state_, b).moved;
+      sum[0] += m * moved.x, sum[1] += m * moved.y, sum[2] += m * moved.z;
       mass += m;
     }
     for (double& u : sum) u /= mass;
@@ -131,7 +116,7 @@ class Shake final : public StageRun {
   void sample() {
     n_.base_x += wall_.access->base_shear({1, 0, 0});
     n_.base_y -= wall_.access->base_shear({0, 1, 0});
-    if (model_.in_space()) n_.base_z += wall_.access->base_shear({0, 0, 1});
+    if (dimension_of(model_) == 3) n_.base_z += wall_.access->base_shear({0, 0, 1});
     ++n_.base_samples;
   }
 
@@ -159,7 +144,7 @@ class Shake final : public StageRun {
     }
     row.kinetic = wall_.access->kinetic_energy(1);
     for (const WatchedPoint& point : model_.watched) {
-      const Vec3 u = motion_of(model_, state_, point);
+      const Vec3 u = way_of(model_, state_, point.block, point.arm);
       result_.history.motion.push_back({u.x, u.y, u.z});
       if (&point == model_.watched.data() && point.height > 0)
         row.drift = elementary::hypot(u.x, u.z) / point.height;
@@ -204,8 +189,9 @@ class Shake final : public StageRun {
     return stage_.base.empty() ? stage_.drive() : stage_.base.front().along;
   }
   [[nodiscard]] double control_now() const {
-    return model_.watched.empty() ? 0
-                                  : dot(motion_of(model_, state_, model_.watched.front()), way());
+    if (model_.watched.empty()) return 0;
+    const WatchedPoint& point = model_.watched.front();
+    return dot(way_of(model_, state_, point.block, point.arm), way());
   }
   [[nodiscard]] double base_now() const {
     if (result_.history.row.empty()) return 0;
@@ -218,11 +204,11 @@ class Shake final : public StageRun {
     check_motion(state_.stage_time / duration_);
     if (ended()) return;
     check_falls();
-    for (std::size_t i = 0; i < state_.ux.size() && !ended(); ++i)
+    for (BlockId i = 0; i < model_.n_block && !ended(); ++i)
       if (tilt_of(model_, state_, i) > kMostTilt)
         end({SolveStatus::kCollapsed,
              {"block.toppled",
-              {{"block", name_of(static_cast<BlockId>(i))},
+              {{"block", name_of(i)},
                {"tilt_degrees", 180 / M_PI * tilt_of(model_, state_, i)},
                {"time_s", state_.stage_time},
                {"stage", stage_.spec.name}}},

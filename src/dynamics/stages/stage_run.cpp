@@ -231,7 +231,7 @@ void StageRun::check_world_bounds() {
     const BlockReading now = read_block(model_, state_, block);
     const Vec3 at = now.start + now.moved;
     const bool inside = at.x > world.x0 && at.x < world.x1 && at.y > world.y0 && at.y < world.y1 &&
-                        (!model_.in_space() || (at.z > world.z0 && at.z < world.z1));
+                        (dimension_of(model_) == 2 || (at.z > world.z0 && at.z < world.z1));
     if (inside) continue;
     return end(
         {SolveStatus::kCollapsed,

@@ -31,6 +31,7 @@
 #include "wythe/parts/error.h"
 #include "wythe/parts/formats.h"
 #include "wythe/parts/io.h"
+#include "wythe/parts/reading.h"
 #include "wythe/parts/stored_states.h"
 
 namespace wythe {
@@ -183,13 +184,6 @@ Vec3 mean_of(std::span<const Vec3> places) {
   return sum / static_cast<double>(places.size());
 }
 
-// Corners of a joint's face in space, or its two ends.
-std::vector<Vec3> places_of(const Model& model, const State& state, JointId joint) {
-  if (model.in_space()) return face_now(model, state, joint);
-  const std::array<Vec3, 2> ends = ends_now(model, state, joint);
-  return {ends.begin(), ends.end()};
-}
-
 // What never changes: the wall at the start.
 struct Wall {
   const Model& model;
@@ -201,15 +195,16 @@ struct Wall {
   std::vector<std::size_t> cell_begin = {0};    // of the convex parts of blocks
   bool all_turns;  // rotations about all axes; not in the plane, nor in runs before there were any
 
-  explicit Wall(const Model& of) : model(of), start(initial_state(of)), all_turns(of.in_space()) {
+  explicit Wall(const Model& of)
+      : model(of), start(initial_state(of)), all_turns(dimension_of(of) == 3) {
     for (JointId j = 0; j < joint_count(model); ++j) {
-      const std::vector<Vec3> places = places_of(model, start, j);
+      const std::vector<Vec3> places = face_now(model, start, j);
       joint.push_back(mean_of(places));
       corner_begin.push_back(corner_begin.back() + places.size());
     }
     for (std::size_t b = 0; b < static_cast<std::size_t>(model.n_block); ++b)
       cell_begin.push_back(cell_begin.back() +
-                           (model.in_space() ? model.space.body[b].part.size() : 1));
+                           (model.space.body.empty() ? 1 : model.space.body[b].part.size()));
     for (const ZoneReading& z : read_zones(model, start))
       zone.push_back(mean_of(std::span(z.corner).first(static_cast<std::size_t>(z.corners))));
     for (const SpaceZoneReading& z : read_space_zones(model, start)) zone.push_back(z.middle);
@@ -240,7 +235,7 @@ WallState state_of(const Wall& wall, const Snapshot& snapshot) {
   const std::vector<JointReading> joints = read_wall(model, snapshot.state).joints;
   for (std::size_t j = 0; j < joints.size(); ++j)
     take_values(kJointColumns, joints[j],
-                mean_of(places_of(model, snapshot.state, joints[j].shape.id)) - wall.joint[j],
+                mean_of(face_now(model, snapshot.state, joints[j].shape.id)) - wall.joint[j],
                 state.joints);
   for (const ZoneReading& z : read_zones(model, snapshot.state))
     take_values(kZoneColumns, z, z.moved, state.zones);
@@ -307,8 +302,8 @@ class StateTables {
   void add(int sample, int number, const Wall& wall, const WallState& state) {
     const Model& model = wall.model;
     ++count;
-    in_space_ = model.in_space();
-    if (!blocks_) open_tables(model.in_space(), wall.all_turns);
+    in_space_ = dimension_of(model) == 3;
+    if (!blocks_) open_tables(in_space_, wall.all_turns);
     for (BlockId b = 0; b < model.n_block; ++b) {
       const BlockReading at = read_block(model, wall.start, b);
       add_row(*blocks_, {sample, number, state},
@@ -323,7 +318,7 @@ class StateTables {
                std::to_string(shape.b), csv_cell(shape.area)},
               wall.joint[j], state.joints, j);
     }
-    if (!wall.zone.empty() && !zones_) open_zones(model.in_space());
+    if (!wall.zone.empty() && !zones_) open_zones(in_space_);
     for (std::size_t z = 0; z < wall.zone.size(); ++z)
       add_row(*zones_, {sample, number, state},
               {std::to_string(z), std::to_string(wall.zone_body[z])}, wall.zone[z], state.zones, z);
@@ -477,7 +472,7 @@ void export_run_states(const std::string& folder, StateTables& tables) {
                                one_each(wall.joint.size()), &wall.corner_begin, &wall.joint);
     const std::vector<std::size_t> zones = one_each(wall.zone.size());
     if (!wall.zone.empty())
-      state.zones = model.in_space()
+      state.zones = dimension_of(model) == 3
                         ? elements_in(inside(file("zones", number)), kSpaceZoneColumns, zones)
                         : elements_in(inside(file("zones", number)), kZoneColumns, zones);
     tables.add(1, number, wall, state);

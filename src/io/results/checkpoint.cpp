@@ -191,9 +191,8 @@ void walk_recording(A& archive, const Model& model, R& recording) {
 // As MovedBlocks numbers them.
 std::size_t moved_blocks(const Model& model) {
   const Space& space = model.space;
-  const std::size_t of_space =
-      model.in_space() ? static_cast<std::size_t>(space.n_support) + space.solids.bodies.size() : 0;
-  return static_cast<std::size_t>(model.n_block) + model.solids.bodies.size() + of_space;
+  return static_cast<std::size_t>(model.n_block + space.n_support) + model.solids.bodies.size() +
+         space.solids.bodies.size();
 }
 
 // Without what the end of a stage or of the run writes anew.

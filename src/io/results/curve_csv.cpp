@@ -23,8 +23,8 @@ std::string curve_csv(const std::vector<CurveRow>& curve, ShownColumns of) {
   return text + '\n';
 }
 
-std::string history_csv(const ShakeHistory& history, bool in_space) {
-  const int axes = in_space ? 3 : 2;
+std::string history_csv(const ShakeHistory& history, int axes) {
+  const bool in_space = axes == 3;
   const char* const names[] = {"x", "y", "z"};
   const char* const acceleration[] = {"base_acceleration_x_m_per_s2",
                                       "base_acceleration_y_m_per_s2",

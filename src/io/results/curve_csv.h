@@ -12,7 +12,7 @@ namespace wythe::io {
 [[nodiscard]] std::string curve_csv(const std::vector<CurveRow>& curve, ShownColumns of = {});
 
 // Rows of the shakes; the third direction of walls in space alone.
-[[nodiscard]] std::string history_csv(const ShakeHistory& history, bool in_space);
+[[nodiscard]] std::string history_csv(const ShakeHistory& history, int axes);
 // Frames only: N, V, M and use of every section at every row of the curve, a line each.
 [[nodiscard]] std::string frames_csv(const Model& model, const Result& result);
 // Layers only: largest use and where, what is detached and broken, of every layer at every row of the curve, a line each.

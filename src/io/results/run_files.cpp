@@ -29,6 +29,7 @@
 #include "wythe/parts/element_forces.h"
 #include "wythe/parts/error.h"
 #include "wythe/parts/io.h"
+#include "wythe/parts/reading.h"
 
 namespace wythe {
 namespace {
@@ -351,7 +352,7 @@ void write_run(const std::string& folder, const ModelSpec& spec, const Model& mo
   write_file(inside(folder, "elements.csv"),
              element_forces_csv(read_element_forces(model, result)));
   if (result.shaking.was_shaken)
-    write_file(inside(folder, "history.csv"), io::history_csv(result.history, model.in_space()));
+    write_file(inside(folder, "history.csv"), io::history_csv(result.history, dimension_of(model)));
   if (model.links.n > 0)
     write_file(inside(folder, "links.csv"), io::links_csv(model.links.name, result));
   if (model.frames.n > 0) write_file(inside(folder, "frames.csv"), io::frames_csv(model, result));

@@ -143,7 +143,8 @@ std::vector<double> doubles_of(std::string_view packed, const std::string& file,
 
 std::string blocks_vtu(const Model& model, const State& state) {
   Mesh mesh;
-  if (model.in_space()) mesh.cell_type = kVtkPolyhedron;
+  const bool in_space = dimension_of(model) == 3;
+  if (in_space) mesh.cell_type = kVtkPolyhedron;
   std::vector<double> displacement;
   std::vector<BlockReading> blocks;
   std::vector<std::int32_t> role, course, block,
@@ -151,7 +152,7 @@ std::string blocks_vtu(const Model& model, const State& state) {
   for (BlockId b = 0; b < model.n_block; ++b) {
     const BlockReading now = read_block(model, state, b);
     std::size_t cells = 1;
-    if (model.in_space()) {
+    if (in_space) {
       const std::vector<Polyhedron> parts = solid_now(model, state, b);
       for (const Polyhedron& part : parts) mesh.add_solid(part);
       cells = parts.size();
@@ -168,18 +169,17 @@ std::string blocks_vtu(const Model& model, const State& state) {
       stands.push_back(model.standing.holds(b, state.stage) ? 1 : 0);
     }
   }
-  return mesh_vtu(mesh, state,
-                  data_array("displacement_mm", displacement, 3) +
-                      (model.in_space() ? arrays_of(kSpaceBlockColumns, blocks)
-                                        : arrays_of(kBlockColumns, blocks)) +
-                      data_array("role", role) + data_array("course", course) +
-                      data_array("block", block) +
-                      (model.standing.any() ? data_array("stands", stands) : std::string()));
+  return mesh_vtu(
+      mesh, state,
+      data_array("displacement_mm", displacement, 3) +
+          (in_space ? arrays_of(kSpaceBlockColumns, blocks) : arrays_of(kBlockColumns, blocks)) +
+          data_array("role", role) + data_array("course", course) + data_array("block", block) +
+          (model.standing.any() ? data_array("stands", stands) : std::string()));
 }
 
 std::string joints_vtu(const Model& model, const State& state) {
   Mesh mesh;
-  mesh.cell_type = model.in_space() ? kVtkPolygon : kVtkLine;
+  mesh.cell_type = dimension_of(model) == 3 ? kVtkPolygon : kVtkLine;
   std::vector<std::int32_t> kind, id;
   std::vector<JointReading> joints = read_wall(model, state).joints;
   std::erase_if(
@@ -187,10 +187,7 @@ std::string joints_vtu(const Model& model, const State& state) {
         return joint.handed_over && model.standing.joins(joint.shape.a, joint.shape.b, state.stage);
       });
   for (const JointReading& joint : joints) {
-    if (model.in_space())
-      for (const Vec3& p : face_now(model, state, joint.shape.id)) mesh.add_point(p);
-    else
-      for (const Vec3& p : ends_now(model, state, joint.shape.id)) mesh.add_point(p);
+    for (const Vec3& p : face_now(model, state, joint.shape.id)) mesh.add_point(p);
     mesh.close_cell();
     kind.push_back(static_cast<std::int32_t>(joint.shape.kind));
     id.push_back(joint.shape.id < model.n_joint ? joint.shape.id : -1);
@@ -227,7 +224,7 @@ std::string space_zones_vtu(const Model& model, const State& state) {
 }  // namespace
 
 std::string zones_vtu(const Model& model, const State& state) {
-  if (model.in_space()) return space_zones_vtu(model, state);
+  if (!model.space.solids.bodies.empty()) return space_zones_vtu(model, state);
   Mesh mesh;
   std::vector<double> displacement;
   std::vector<std::int32_t> body, zone;

@@ -21,6 +21,7 @@
 #include "wythe/parts/comparison.h"
 #include "wythe/parts/error.h"
 #include "wythe/parts/io.h"
+#include "wythe/parts/reading.h"
 
 namespace wythe {
 namespace {
@@ -82,11 +83,13 @@ std::vector<Fault> differences(const ReadModel& base, const ReadModel& other) {
                        const std::string& cure) {
     if (faults.size() < kMost) faults.push_back({"", path, "", problem, cure, 0});
   };
-  if (base.model.in_space() != other.model.in_space()) {
+  const auto kind = [](const Model& model) {
+    return dimension_of(model) == 3 ? "in space" : "in its plane";
+  };
+  if (dimension_of(base.model) != dimension_of(other.model)) {
     add("wall",
-        fmt::format("is a wall {}, and that of {} is one {}",
-                    other.model.in_space() ? "in space" : "in its plane", base.file,
-                    base.model.in_space() ? "in space" : "in its plane"),
+        fmt::format("is a wall {}, and that of {} is one {}", kind(other.model), base.file,
+                    kind(base.model)),
         "model both in their plane, or both in space");
     return faults;
   }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <set>
 #include <utility>
 
 #include "judge/assessment/assessment_parts.h"
@@ -66,8 +67,12 @@ std::vector<DriftPoint> storey_drifts(const ModelSpec& spec, const Model& model,
 }
 
 // The stockiest pier, its moment nil at mid-height: H0 / D = height / 2 / width.
-double slenderness_of(const Anatomy& anatomy) {
+double slenderness_of(const Model& model) {
+  const Anatomy& anatomy = model.anatomy;
   double least = kUnset;
+  if (dimension_of(model) == 3)  // no builder tells them
+    for (const study::Pier& pier : study::find_parts(model).piers)
+      least = std::fmin(least, 0.5 * pier.box.height() / pier.box.width());
   for (std::size_t k = 0; k < anatomy.pier_height.size(); ++k) {
     const double width = anatomy.pier_x1[k] - anatomy.pier_x0[k];
     least = std::fmin(least, 0.5 * anatomy.pier_height[k] / width);
@@ -78,10 +83,11 @@ double slenderness_of(const Anatomy& anatomy) {
 // Of every pier, from the states read each millimetre; the end counts too.
 std::vector<PierDrift> pier_drifts(const Model& model, const Result& result) {
   std::vector<PierDrift> out;
-  const double along = study::push_of(model)->drive_x;
+  const Vec3 push = study::push_of(model)->drive();
   for (const ElementForces& element : read_element_forces(model, result)) {
     if (element.kind != "pier" || element.rows.empty()) continue;
     PierDrift& pier = out.emplace_back();
+    const double along = dot(element.along, push);
     pier.mark = element.mark;
     pier.element = element.element;
     for (const ElementForces::Row& row : element.rows)
@@ -139,11 +145,13 @@ Message barred_by_stages(const Model& model, const Stage& push) {
 
 namespace study {
 
-// Of a wall in space, which has no piers (judge/modes/in_space.h names these).
-std::string mechanism_in_space(const std::string& name) {
-  if (name == "in-plane shear" || name == "sliding") return "shear";
-  if (name == "in-plane rocking" || name == "rocking") return "flexure";
-  return name.empty() || name == "unclear" || name == "none" ? "" : kOutOfPlane;
+// Of a wall in space: by its piers, where it stays in its plane (judge/modes/in_space.h).
+std::string mechanism_in_space(const FailureMode& mode) {
+  if (leaves_plane(mode.name)) return kOutOfPlane;
+  if (mode.name != "sliding" && !stays_in_plane(mode.name)) return "";
+  if (std::string by_piers = mechanism_of(mode); !by_piers.empty()) return by_piers;
+  const bool shears = mode.name == "sliding" || mode.name == "in-plane shear";
+  return shears ? "shear" : "flexure";
 }
 
 namespace {
@@ -191,7 +199,7 @@ JudgedPush judged_push(const Model& model) {
   static const std::vector<CurveRow> kNoCurve;
   static const Responses kNoResponses;
   JudgedPush push{.curve = kNoCurve, .responses = kNoResponses};
-  push.pier_slenderness = slenderness_of(model.anatomy);
+  push.pier_slenderness = slenderness_of(model);
   // the curve is that of the last stage that has one
   const Stage* last = nullptr;
   for (const Stage& stage : model.stages)
@@ -209,7 +217,7 @@ double counted_mass(const FloorSpec& floor, const Model& model) {  // of its loa
   return floor.load > 0 ? floor.load / model.solve.gravity : 0;
 }
 double length_of(const FloorSpec& floor, const Model& model) {
-  if (model.in_space())
+  if (std::isfinite(floor.from.x))  // along a line, in space
     return length(
         Vec3{floor.to.x - floor.from.x, floor.to.y - floor.from.y, floor.to.z - floor.from.z});
   return std::isnan(floor.width) ? model.anatomy.length : floor.width;
@@ -321,11 +329,24 @@ void caution_of_control(const ModelSpec& spec, const Model& model, JudgedPush& p
       {"assessment.caution.control", {{"height_m", stage->load_height}, {"roof_m", roof}}});
 }
 
-// What codes ask of piers, which a wall in space does not know. A push across the plane of walls is one out of their
+// The drift of a pier is along its own wall: of walls across the push it tells nothing.
+void keep_piers_along(const Model& model, JudgedPush& push) {
+  const Stage* stage = push_of(model);
+  if (stage == nullptr) return push.piers.clear();
+  const std::vector<Elevation> walls = elevations_of(model);
+  const std::vector<WallParts> parts = find_parts(model, walls);
+  std::set<std::string> along;
+  for (std::size_t k = 0; k < walls.size(); ++k)
+    if (is_along(walls[k], stage->drive()))
+      for (const Pier& pier : parts[k].piers) along.insert(pier.mark);
+  std::erase_if(push.piers, [&](const PierDrift& pier) { return !along.contains(pier.mark); });
+}
+
+// What leaves its plane has no drift of piers. A push across the plane of walls is one out of their
 // plane whatever name the failure has, and where it has none it is that of any wall that stands across.
 void caution_in_space(const AssessmentSpec& spec, const Model& model, const FailureMode& mode,
                       JudgedPush& push) {
-  push.mechanism = mechanism_in_space(mode.name);
+  push.mechanism = mechanism_in_space(mode);
   const Stage* stage = push_of(model);
   const WallsByPush walls = stage != nullptr ? walls_by_push(model, stage->drive()) : WallsByPush{};
   const bool is_named = push.mechanism == kOutOfPlane;
@@ -334,6 +355,8 @@ void caution_in_space(const AssessmentSpec& spec, const Model& model, const Fail
     push.mechanism = kOutOfPlane;  // whatever a state shows
   else if (!push.mechanism.empty())
     push.mechanism_from = mode.read_at;
+  // piers tell of walls that stay in their planes alone
+  if (push.mechanism == kOutOfPlane || push.mechanism.empty()) push.piers.clear();
   if (is_named)
     push.cautions.push_back({"assessment.caution.out_of_plane", {{"mode", mode.name}}});
   else if (is_across)
@@ -341,9 +364,10 @@ void caution_in_space(const AssessmentSpec& spec, const Model& model, const Fail
                              {{"mode", mode.name.empty() ? "unclear" : mode.name},
                               {"off", walls.walls - walls.along},
                               {"walls", walls.walls}}});
-  else if (mode.name == "sliding")  // in its plane or out of it: the name does not say
+  else if (mode.name == "sliding" &&
+           mode.elements.empty())  // in its plane or out of it: the name does not say
     push.cautions.push_back({"assessment.caution.sliding"});
-  else if (push.mechanism != "shear" &&
+  else if (push.mechanism != "shear" && push.piers.empty() &&
            value_of(kAssessmentCodeWords, spec.code) == AssessmentCode::kEn1998)
     push.cautions.push_back({"assessment.caution.no_piers"});
 }
@@ -360,10 +384,12 @@ CodeAssessment study::judged(const ModelSpec& spec, const Model& model, JudgedPu
   push.undivided = undivided_strengths(spec);
   push.knowledge_level = knowledge_level_of(spec);
   caution_of_control(spec, model, push);
-  if (model.in_space()) caution_in_space(spec.assessment, model, mode, push);
+  const bool in_space = dimension_of(model) == 3;
   push.drifts = wall.storeys;
   push.storeys_known = !wall.storeys.empty();
   push.piers = wall.piers;
+  if (in_space) keep_piers_along(model, push);
+  if (in_space) caution_in_space(spec.assessment, model, mode, push);
   for (PierDrift& pier : push.piers) {
     pier.mechanism = mechanism_of(mode, pier.element);
     find_kinds(mode, pier);
@@ -373,13 +399,15 @@ CodeAssessment study::judged(const ModelSpec& spec, const Model& model, JudgedPu
     const MassAndShape shape = mass_and_shape(wall, displacement);
     return std::isfinite(shape.read_at) ? shape : mass_and_linear_shape(spec.assessment, model);
   });
-  if (!model.in_space()) return out;
+  if (!in_space) return out;
   std::erase_if(out.notes, [](const Message& note) {
     return note.code == "assessment.note.out_of_plane" ||
            note.code == "assessment.note.whole_drift";
   });
-  out.notes.push_back({"assessment.note.space_drift"});
-  if (push.mechanism_from > 0 && push.mechanism != "shear")  // shear has the lesser limit anyway
+  if (push.piers.empty() && !push.storeys_known)
+    out.notes.push_back({"assessment.note.space_drift"});
+  if (push.piers.empty() && push.mechanism_from > 0 &&
+      push.mechanism != "shear")  // shear has the lesser limit anyway
     out.notes.push_back({"assessment.note.kind_from", {{"from_mm", 1e3 * push.mechanism_from}}});
   return out;
 }

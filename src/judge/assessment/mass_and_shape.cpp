@@ -20,10 +20,9 @@ const Stage* push_of(const Model& model) {
 
 std::vector<BlockId> moving_blocks(const Model& model) {
   std::vector<BlockId> blocks;
-  const int supports = model.in_space() ? model.space.n_support : 0;
+  const int supports = model.space.n_support;
   for (BlockId b = 0; b < model.n_block; ++b) blocks.push_back(b);
-  const auto bodies =
-      model.in_space() ? model.space.solids.bodies.size() : model.solids.bodies.size();
+  const auto bodies = model.solids.bodies.size() + model.space.solids.bodies.size();
   for (std::size_t k = 0; k < bodies; ++k)
     blocks.push_back(model.n_block + supports + static_cast<BlockId>(k));
   return blocks;
@@ -32,19 +31,8 @@ std::vector<BlockId> moving_blocks(const Model& model) {
 Extent extent_of(const Model& model, BlockId block) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   Extent extent{kFar, -kFar};
-  const auto take = [&](const Vec3& corner) {
+  for (const Vec3& corner : corners_of(model, block))
     extent.low = std::fmin(extent.low, corner.y), extent.high = std::fmax(extent.high, corner.y);
-  };
-  if (!model.in_space()) {
-    for (const Vec3& corner : outline_of(model, block)) take(corner);
-    return extent;
-  }
-  const int zones = block - model.n_block - model.space.n_support;
-  const BodySpec& body = zones < 0
-                             ? model.space.body[static_cast<std::size_t>(block)]
-                             : model.space.solids.bodies[static_cast<std::size_t>(zones)].body;
-  for (const Polyhedron& part : body.part)
-    for (const Vec3& corner : part.vertex) take(corner);
   return extent;
 }
 
@@ -111,17 +99,12 @@ double mass_of(const Model& model, BlockId block) {
     const auto i = static_cast<std::size_t>(block);
     return model.anatomy.block_role[i] == BlockRole::kCutOut ? 0.0 : model.gravity_mass[i];
   }
-  if (model.in_space()) {
-    const SpaceSolids& solids = model.space.solids;
-    const auto number = static_cast<std::size_t>(block - model.n_block - model.space.n_support);
+  const auto number = static_cast<std::size_t>(block - model.n_block - model.space.n_support);
+  const auto of_nodes = [&](const auto& solids) {  // of the plane or in space
     const auto first = solids.node_gravity_mass.begin() + solids.bodies[number].first_node;
     return std::accumulate(first, first + solids.bodies[number].n_node, 0.0);
-  }
-  const SolidBody& body = model.solids.bodies[static_cast<std::size_t>(block - model.n_block)];
-  double mass = 0;
-  for (int node = body.first_node; node < body.first_node + body.n_node; ++node)
-    mass += model.solids.node_gravity_mass[static_cast<std::size_t>(node)];
-  return mass;
+  };
+  return model.solids.bodies.empty() ? of_nodes(model.space.solids) : of_nodes(model.solids);
 }
 
 std::vector<MovingMass> moving_masses(const AssessmentSpec& spec, const Model& model,

@@ -68,17 +68,11 @@ std::vector<double> reversed(std::vector<double> along) {
 Vec3 middle_of(const Model& model) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   Vec3 low{kFar, 0, kFar}, high{-kFar, 0, -kFar};
-  const auto take = [&](const Vec3& v) {
-    low.x = std::fmin(low.x, v.x), high.x = std::fmax(high.x, v.x);
-    low.z = std::fmin(low.z, v.z), high.z = std::fmax(high.z, v.z);
-  };
-  for (BlockId b = 0; b < model.n_block; ++b) {
-    if (!model.in_space())
-      for (const Vec3& corner : outline_of(model, b)) take(corner);
-    else
-      for (const Polyhedron& part : model.space.body[static_cast<std::size_t>(b)].part)
-        for (const Vec3& corner : part.vertex) take(corner);
-  }
+  for (BlockId b = 0; b < model.n_block; ++b)
+    for (const Vec3& v : corners_of(model, b)) {
+      low.x = std::fmin(low.x, v.x), low.z = std::fmin(low.z, v.z);
+      high.x = std::fmax(high.x, v.x), high.z = std::fmax(high.z, v.z);
+    }
   return {0.5 * (low.x + high.x), 0, 0.5 * (low.z + high.z)};
 }
 

@@ -11,6 +11,7 @@
 #include "limit/limit_loads.h"
 #include "wythe/parts/assessment.h"
 #include "wythe/parts/error.h"
+#include "wythe/parts/reading.h"
 
 namespace wythe {
 namespace {
@@ -283,7 +284,7 @@ void study::conclude(const ModelSpec& spec, const Model& model, bool crushes, Lo
 }
 
 bool has_parts(const ModelSpec& spec, const Model& model) {
-  if (model.in_space()) return false;
+  if (dimension_of(model) == 3) return false;
   const Stage* grows = limit::growing_stage(model);
   return !spec.assessment.part.empty() || grows == nullptr || grows->spec.kind == StageKind::kPush;
 }

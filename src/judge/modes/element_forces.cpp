@@ -18,6 +18,7 @@ namespace wythe {
 namespace {
 
 using study::Box;
+using study::Elevation;
 using study::RigidMotion;
 
 enum class Across { kPier, kSpandrel };
@@ -41,13 +42,19 @@ struct CutLine {
 
 class Cutter {
  public:
-  Cutter(const Model& model, double course) : model_(model), course_(course) {
+  Cutter(const Model& model, const Elevation& seen, double course)
+      : model_(model), seen_(seen), course_(course) {
     for (BlockId b = 0; b < block_count(model); ++b) {
-      const Box box = bounds_of(b);
-      at_.push_back({0.5 * (box.x0 + box.x1), 0.5 * (box.y0 + box.y1)});
-      if (b < model.n_block) at_.back() = {model.centroid_x[b], model.centroid_y[b]};
+      at_.push_back(b < model.n_block ? seen.place(centroid_of(model, b)) : middle_of(b));
     }
-    for (JointId j = 0; j < joint_count(model); ++j) shapes_.push_back(joint_shape(model, j));
+    for (std::size_t k = 0; k < model.space.solids.bodies.size(); ++k) {
+      at_.resize(static_cast<std::size_t>(model.n_block + model.space.n_support) + k);
+      at_.push_back(middle_of(static_cast<BlockId>(at_.size())));
+    }
+    for (JointId j = 0; j < joint_count(model); ++j) {
+      const JointShape shape = joint_shape(model, j);
+      if (is_of_wall(shape.a) && is_of_wall(shape.b)) shapes_.push_back(shape);
+    }
   }
 
   [[nodiscard]] Cut at(const CutLine& line) const {
@@ -55,7 +62,8 @@ class Cutter {
     Cut cut{line.across, line.middle, {}, {}};
     std::vector<BlockId> beyond;
     for (const JointShape& shape : shapes_) {
-      const double place = line.across == Across::kPier ? shape.centre.x : shape.centre.y;
+      const Vec3 centre = seen_.place(shape.centre);
+      const double place = line.across == Across::kPier ? centre.x : centre.y;
       if (place < line.from - kTouch || place > line.to + kTouch) continue;
       if (line.across == Across::kSpandrel && shape.a == kGroundBlock) continue;
       const bool a = is_beyond(shape.a, line), b = is_beyond(shape.b, line);
@@ -73,12 +81,18 @@ class Cutter {
   }
 
  private:
-  [[nodiscard]] Box bounds_of(BlockId block) const {
+  // Of the bounds of a deformable block.
+  [[nodiscard]] Vec3 middle_of(BlockId block) const {
     Box box{1e300, -1e300, 1e300, -1e300};
-    for (const Vec3& p : outline_of(model_, block))
+    for (const Vec3& corner : corners_of(model_, block)) {
+      const Vec3 p = seen_.place(corner);
       box = {std::min(box.x0, p.x), std::max(box.x1, p.x), std::min(box.y0, p.y),
              std::max(box.y1, p.y)};
-    return box;
+    }
+    return {0.5 * (box.x0 + box.x1), 0.5 * (box.y0 + box.y1)};
+  }
+  [[nodiscard]] bool is_of_wall(BlockId block) const {
+    return block == kGroundBlock || block >= model_.n_block || seen_.holds(block);
   }
   [[nodiscard]] bool is_beyond(BlockId block, const CutLine& line) const {
     if (block == kGroundBlock) return !line.is_second;  // below every level
@@ -104,6 +118,7 @@ class Cutter {
   [[nodiscard]] std::vector<BlockId> last_of(const CutLine& line) const {
     std::vector<BlockId> last;
     for (BlockId b = 0; b < model_.n_block; ++b) {
+      if (!seen_.holds(b)) continue;
       const Vec3& at = at_[static_cast<std::size_t>(b)];
       const bool pier = line.across == Across::kPier;
       const double along = pier ? at.y - line.middle.y : at.x - line.middle.x;
@@ -115,6 +130,7 @@ class Cutter {
   }
 
   const Model& model_;
+  const Elevation& seen_;
   double course_;
   std::vector<Vec3> at_;  // centroids
   std::vector<JointShape> shapes_;
@@ -122,6 +138,7 @@ class Cutter {
 
 struct Element {
   std::array<Cut, 2> end;
+  const Elevation* seen = nullptr;
 };
 
 Element cut_pier(const Cutter& cutter, const study::Pier& p) {
@@ -152,15 +169,22 @@ Element cut_spandrel(const Cutter& cutter, const study::Spandrel& s) {
   return e;
 }
 
+// Of the compression about the centre, in the plane of the wall, on b.
+double moment_of(const Elevation& seen, const JointReading& joint) {
+  return seen.of.empty() ? joint.moment : -dot(joint.moment_vector, seen.across);
+}
+
 // The force of the upper side on the lower one, of the right on the left.
-ElementEnd forces_at(const Model& model, const Cut& cut, const WallReading& wall) {
+ElementEnd forces_at(const Model& model, const Elevation& seen, const Cut& cut,
+                     const WallReading& wall) {
   Vec3 force;
   double moment = 0;
   for (const auto& [id, side] : cut.joints) {
     const JointReading& joint = wall.joints[static_cast<std::size_t>(id)];
-    const Vec3 on = -side * force_of(model, joint, wall);
+    const Vec3 on = -side * seen.way(force_of(model, joint, wall));
     force = force + on;
-    moment += cross(joint.shape.centre - cut.middle, on).z - side * joint.moment;
+    moment +=
+        cross(seen.place(joint.shape.centre) - cut.middle, on).z - side * moment_of(seen, joint);
   }
   ElementEnd end;
   const bool pier = cut.across == Across::kPier;
@@ -170,12 +194,15 @@ ElementEnd forces_at(const Model& model, const Cut& cut, const WallReading& wall
   return end;
 }
 
-RigidMotion motion_of(const Model& model, const Cut& cut, const WallReading& wall) {
+RigidMotion motion_of(const Model& model, const Elevation& seen, const Cut& cut,
+                      const WallReading& wall) {
   std::vector<study::BlockMotion> blocks;
   for (const BlockId b : cut.beyond) {
     const BlockReading& now = wall.blocks[static_cast<std::size_t>(b)];
-    blocks.push_back(
-        {{now.start, now.moved, now.turned.by}, now.role, model.mass[b], model.inertia[b]});
+    blocks.push_back({{seen.place(now.start), seen.way(now.moved), seen.turn(now.turned.by)},
+                      now.role,
+                      model.mass[b],
+                      study::inertia_of(model, seen, b)});
   }
   RigidMotion m = study::fitted(blocks, [](const study::BlockMotion&) { return true; });
   m.moved = m.moved + cross(m.turn, cut.middle - m.at);
@@ -189,8 +216,8 @@ ElementForces::Row row_of(const Model& model, const Element& element, const Wall
   row.displacement = displacement;
   std::array<RigidMotion, 2> motion;
   for (const std::size_t end : {0, 1}) {
-    row.end[end] = forces_at(model, element.end[end], wall);
-    motion[end] = motion_of(model, element.end[end], wall);
+    row.end[end] = forces_at(model, *element.seen, element.end[end], wall);
+    motion[end] = motion_of(model, *element.seen, element.end[end], wall);
     row.end[end].turn = motion[end].turn.z;
   }
   const bool pier = element.end[0].across == Across::kPier;
@@ -204,19 +231,26 @@ ElementForces::Row row_of(const Model& model, const Element& element, const Wall
 }  // namespace
 
 std::vector<ElementForces> read_element_forces(const Model& model, const Result& result) {
-  const study::WallParts parts = study::find_parts(model);
-  const Cutter cutter(model, parts.course);
+  const std::vector<Elevation> elevations = study::elevations_of(model);
+  const std::vector<study::WallParts> each = study::find_parts(model, elevations);
   std::vector<ElementForces> all;
   std::vector<Element> elements;
-  for (const study::Pier& p : parts.piers) {
-    all.push_back({p.name, "pier", p.mark, p.storey, p.clear_y1 - p.clear_y0});
-    elements.push_back(cut_pier(cutter, p));
-  }
-  for (const study::Spandrel& s : parts.spandrels) {
-    if (s.is_sill) continue;
-    all.push_back({s.name, "spandrel", s.mark, s.storey, s.box.width()});
-    elements.push_back(cut_spandrel(cutter, s));
-  }
+  std::vector<Cutter> cutters;
+  for (std::size_t k = 0; k < elevations.size(); ++k)
+    cutters.emplace_back(model, elevations[k], each[k].course);
+  const auto add = [&](ElementForces of, Element element, std::size_t wall) {
+    of.along = elevations[wall].along;
+    all.push_back(std::move(of));
+    element.seen = &elevations[wall];
+    elements.push_back(std::move(element));
+  };
+  for (std::size_t k = 0; k < elevations.size(); ++k)
+    for (const study::Pier& p : each[k].piers)
+      add({p.name, "pier", p.mark, p.storey, p.clear_y1 - p.clear_y0}, cut_pier(cutters[k], p), k);
+  for (std::size_t k = 0; k < elevations.size(); ++k)
+    for (const study::Spandrel& s : each[k].spandrels)
+      if (!s.is_sill)
+        add({s.name, "spandrel", s.mark, s.storey, s.box.width()}, cut_spandrel(cutters[k], s), k);
   std::vector<const Snapshot*> states;
   if (!result.snapshots.empty() && !result.readings.empty() &&
       result.snapshots.front().label == "start")

@@ -11,15 +11,18 @@
 
 namespace wythe {
 
-ModeRules rules_for(const Model& model) {
+ModeRules rules_for(const Model& model) { return study::rules_of(study::find_parts(model)); }
+
+namespace study {
+
+ModeRules rules_of(const WallParts& parts) {
   constexpr double kOfCourse = 0.01;  // a tenth of a 10 mm bed in courses of 100 mm
   ModeRules rules;
-  rules.crack = kOfCourse * study::find_parts(model).course;
+  rules.crack = kOfCourse * parts.course;
   rules.sliding = 3 * rules.crack;
   return rules;
 }
 
-namespace study {
 namespace {
 
 constexpr double kFoot = 0.25;  // of a pier's width (at most of its height): zone of toes and head

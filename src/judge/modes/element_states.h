@@ -41,6 +41,8 @@ inline constexpr const char* kBreaking = "breaking away";
 inline constexpr const char* kWholeWall = "whole wall";
 inline constexpr const char* kTopJoint = "top joint";
 
+// rules_for() a wall with these parts.
+[[nodiscard]] ModeRules rules_of(const WallParts& parts);
 // Piers, spandrels, connections, toes, in the order of WallParts; then the whole wall where it has
 // openings, and the top joint where it has plates or a beam.
 [[nodiscard]] ElementStates element_states(const WallParts& parts, const WallMotion& motion,

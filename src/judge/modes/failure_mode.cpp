@@ -10,11 +10,13 @@
 #include "judge/modes/mode_flags.h"
 #include "judge/modes/mode_names.h"
 #include "wythe/parts/mechanism.h"
+#include "wythe/parts/reading.h"
 #include "wythe/parts/slow_push.h"
 
 namespace wythe {
 namespace {
 
+using study::Elevation;
 using study::WallMotion;
 using study::WallParts;
 
@@ -65,8 +67,9 @@ bool is_falling(const Model& model, const Snapshot& s) {
 }
 
 // A wall that falls moves as a mechanism, whose size is where the run was ended: widths shrink with it.
-ModeRules rules_at(const Model& model, const Result& result, const Snapshot& s, double read_at) {
-  ModeRules rules = rules_for(model);
+ModeRules rules_at(const Model& model, const WallParts& parts, const Result& result,
+                   const Snapshot& s, double read_at) {
+  ModeRules rules = study::rules_of(parts);
   const bool fell = result.status == SolveStatus::kCollapsed && is_falling(model, s);
   if (fell && is_read_early(s.displacement, read_at)) {
     rules.crack *= far(s) / read_at;
@@ -213,13 +216,13 @@ void doubt_slid_off(const WallParts& parts, const WallMotion& motion, const Vali
 }
 
 // What each part showed at the states up to the one that is read.
-std::vector<study::ElementReading> readings_up_to(const Model& model, const WallParts& parts,
-                                                  const Result& result, const Snapshot* read,
-                                                  const ModeRules& rules) {
+std::vector<study::ElementReading> readings_up_to(const Model& model, const Elevation& seen,
+                                                  const WallParts& parts, const Result& result,
+                                                  const Snapshot* read, const ModeRules& rules) {
   std::vector<study::ElementReading> readings;
   readings.reserve(result.readings.size());
   for (const Snapshot& s : result.readings) {
-    const WallMotion then = study::evaluate_motion(model, s.state);
+    const WallMotion then = study::evaluate_motion(model, s.state, seen);
     readings.push_back({s.displacement, study::element_states(parts, then, rules)});
     if (&s == read) break;
   }
@@ -250,10 +253,10 @@ constexpr Change kChanges[] = {
     {"open share of a rocking foot", "threshold.rocking", &ModeRules::rocking},
     {"crushing", "threshold.crushing", &ModeRules::crushing}};
 
-std::vector<NameReading> sensitivity_of(const Model& model, const WallParts& parts,
-                                        const Result& result, const Snapshot& read,
-                                        const WallMotion& motion, const ModeRules& rules,
-                                        double later) {
+std::vector<NameReading> sensitivity_of(const Model& model, const Elevation& seen,
+                                        const WallParts& parts, const Result& result,
+                                        const Snapshot& read, const WallMotion& motion,
+                                        const ModeRules& rules, double later) {
   std::vector<NameReading> names;
   const Snapshot* before = &read;
   const auto same_place = [](const Snapshot& a, const Snapshot& b) {
@@ -262,7 +265,7 @@ std::vector<NameReading> sensitivity_of(const Model& model, const WallParts& par
   for (const Snapshot& s : result.snapshots) {
     if (s.label == "start" || same_place(s, read) || same_place(s, *before)) continue;
     before = &s;
-    const WallMotion there = study::evaluate_motion(model, s.state);
+    const WallMotion there = study::evaluate_motion(model, s.state, seen);
     names.push_back({study::name_parts(parts, there, rules, later).name, s.label, s.displacement});
   }
   for (const Change& change : kChanges) {
@@ -291,21 +294,94 @@ Message NameReading::what() const {
 }
 
 ElementStates read_elements(const Model& model, const State& state, const ModeRules& rules) {
-  return study::element_states(study::find_parts(model), study::evaluate_motion(model, state),
-                               rules);
+  const std::vector<Elevation> walls = study::elevations_of(model);
+  const std::vector<WallParts> parts = study::find_parts(model, walls);
+  const WallReading now = read_wall(model, state);
+  ElementStates all;
+  for (std::size_t k = 0; k < walls.size(); ++k)
+    for (ElementState& e :
+         study::element_states(parts[k], study::evaluate_motion(model, now, walls[k]), rules))
+      all.push_back(std::move(e));
+  return all;
 }
 
 ElementStates read_elements(const Model& model, const State& state) {
   return read_elements(model, state, rules_for(model));
 }
 
-FailureMode name_from_state(const Model& model, const State& state, const ModeRules& rules) {
-  const WallParts parts = study::find_parts(model);
-  const WallMotion motion = study::evaluate_motion(model, state);
+namespace {
+
+// The walls that move in their planes, and what each shows there.
+struct WallsInPlane {
+  std::vector<FailureMode> modes;
+  bool is_all = false;  // that takes part
+};
+template <class ModeOf>
+WallsInPlane walls_in_plane(const Model& model, const State& state, const ModeOf& mode_of) {
+  WallsInPlane found;
+  const std::vector<Elevation> elevations = study::elevations_of(model);
+  const std::vector<WallParts> parts = study::find_parts(model, elevations);
+  const study::WallsMoved moved = study::moved_in_plane(model, state, elevations);
+  for (const std::size_t k : moved.of) found.modes.push_back(mode_of(elevations[k], parts[k]));
+  found.is_all = moved.is_all;
+  return found;
+}
+
+// Whether all walls show one kind of damage, by name.
+bool agree(const std::vector<FailureMode>& modes) {
+  return !modes.empty() && modes.front().name != "unclear" && modes.front().name != "none" &&
+         std::all_of(modes.begin(), modes.end(),
+                     [&](const FailureMode& m) { return m.name == modes.front().name; });
+}
+
+struct ModeInSpace {
+  FailureMode mode;
+  bool is_of_plane_wall = false;  // by its name
+};
+
+// A mode by what moved, with what walls show that move in their planes: their piers and spandrels, and where they
+// agree the name of plane walls.
+ModeInSpace with_walls(FailureMode mode, const WallsInPlane& walls) {
+  const bool may_be = mode.name == "sliding" || study::stays_in_plane(mode.name);
+  for (const FailureMode& wall : walls.modes) {
+    mode.elements.insert(mode.elements.end(), wall.elements.begin(), wall.elements.end());
+    mode.evidence.insert(mode.evidence.end(), wall.evidence.begin(), wall.evidence.end());
+    mode.flags.insert(mode.flags.end(), wall.flags.begin(), wall.flags.end());
+  }
+  if (!may_be || !walls.is_all || !agree(walls.modes)) return {std::move(mode)};
+  const FailureMode& first = walls.modes.front();
+  mode.name = first.name;
+  mode.words = first.words;
+  mode.scores = first.scores;
+  mode.sensitivity = first.sensitivity;
+  std::vector<Message> shown;
+  for (const FailureMode& wall : walls.modes) shown.push_back(wall.sentence);
+  mode.sentence =
+      shown.size() == 1 ? shown.front() : Message{"space.each_wall", {{"shows", std::move(shown)}}};
+  return {std::move(mode), true};
+}
+
+// What one wall shows in its own plane, by one state alone.
+FailureMode name_of_wall(const Model& model, const State& state, const Elevation& seen,
+                         const WallParts& parts, const ModeRules& rules) {
+  const WallMotion motion = study::evaluate_motion(model, state, seen);
   FailureMode mode = study::name_parts(parts, motion, rules);
   doubt_slid_off(parts, motion, {}, mode);
   mode.flags = study::state_flags(model, parts, motion.joints, rules);
   return mode;
+}
+
+}  // namespace
+
+FailureMode name_from_state(const Model& model, const State& state, const ModeRules& rules) {
+  if (dimension_of(model) == 2)
+    return name_of_wall(model, state, {}, study::find_parts(model), rules);
+  return with_walls(study::name_in_space(model, state),
+                    walls_in_plane(model, state,
+                                   [&](const Elevation& seen, const WallParts& parts) {
+                                     return name_of_wall(model, state, seen, parts, rules);
+                                   }))
+      .mode;
 }
 
 FailureMode name_from_state(const Model& model, const State& state) {
@@ -314,6 +390,40 @@ FailureMode name_from_state(const Model& model, const State& state) {
 
 namespace {
 
+// What one wall shows in its own plane at the state that is read.
+FailureMode mode_of_wall(const Model& model, const Elevation& seen, const WallParts& parts,
+                         const Result& result, const Snapshot& read, double read_at) {
+  const WallMotion motion = study::evaluate_motion(model, read.state, seen);
+  const ModeRules rules = rules_at(model, parts, result, read, read_at);
+  const std::vector<study::ElementReading> readings =
+      readings_up_to(model, seen, parts, result, &read, rules);
+  const double later = study::spandrel_later(parts, readings, rules);
+  FailureMode mode = study::name_parts(parts, motion, rules, later);
+  doubt_slid_off(parts, motion, result.validity, mode);
+  for (const study::ElementReading& r : readings)
+    note_first(r.elements, r.displacement, mode.elements);
+  // when a part that is sound so far fails later: limit states may lie beyond the state that is read
+  for (std::size_t i = readings.size(); i < result.readings.size() && !is_cyclic(model, read);
+       ++i) {
+    const Snapshot& s = result.readings[i];
+    note_first(study::element_states(parts, study::evaluate_motion(model, s.state, seen), rules),
+               s.displacement, mode.elements);
+  }
+  mode.flags = study::state_flags(model, parts, motion.joints, rules);
+  mode.flags.push_back(study::drop_flag(backbone_of(result.curve), rules));
+  mode.sensitivity = sensitivity_of(model, seen, parts, result, read, motion, rules, later);
+  return mode;
+}
+
+ModeInSpace mode_in_space(const Model& model, const Result& result, const Snapshot& read,
+                          double read_at) {
+  return with_walls(
+      name_read_in_space(model, result, read),
+      walls_in_plane(model, read.state, [&](const Elevation& seen, const WallParts& parts) {
+        return mode_of_wall(model, seen, parts, result, read, read_at);
+      }));
+}
+
 FailureMode mode_of_push(const Model& model, const Result& result, double read_at) {
   const Snapshot* read = state_to_read(model, result.readings, read_at);
   if (read == nullptr) {
@@ -321,34 +431,11 @@ FailureMode mode_of_push(const Model& model, const Result& result, double read_a
     none.sentence = {"mode.no_state"};
     return none;
   }
-  if (model.in_space()) {
-    FailureMode mode = name_read_in_space(model, result, *read);
-    mode.read_at = read->displacement;
-    mode.reading = words_for(model, result, *read, read_at);
-    return mode;
-  }
-  const WallParts parts = study::find_parts(model);
-  const WallMotion motion = study::evaluate_motion(model, read->state);
-  const ModeRules rules = rules_at(model, result, *read, read_at);
-  const std::vector<study::ElementReading> readings =
-      readings_up_to(model, parts, result, read, rules);
-  const double later = study::spandrel_later(parts, readings, rules);
-  FailureMode mode = study::name_parts(parts, motion, rules, later);
-  doubt_slid_off(parts, motion, result.validity, mode);
+  FailureMode mode = dimension_of(model) == 3 ? mode_in_space(model, result, *read, read_at).mode
+                                              : mode_of_wall(model, {}, study::find_parts(model),
+                                                             result, *read, read_at);
   mode.read_at = read->displacement;
   mode.reading = words_for(model, result, *read, read_at);
-  for (const study::ElementReading& r : readings)
-    note_first(r.elements, r.displacement, mode.elements);
-  // when a part that is sound so far fails later: limit states may lie beyond the state that is read
-  for (std::size_t i = readings.size(); i < result.readings.size() && !is_cyclic(model, *read);
-       ++i) {
-    const Snapshot& s = result.readings[i];
-    note_first(study::element_states(parts, study::evaluate_motion(model, s.state), rules),
-               s.displacement, mode.elements);
-  }
-  mode.flags = study::state_flags(model, parts, motion.joints, rules);
-  mode.flags.push_back(study::drop_flag(backbone_of(result.curve), rules));
-  mode.sensitivity = sensitivity_of(model, parts, result, *read, motion, rules, later);
   return mode;
 }
 
@@ -413,33 +500,45 @@ SlowPushVerdict mode_of_slow_push(const Model& model, const Result& result) {
 }
 
 WallMechanism mechanism_from_state(const Model& model, const State& state) {
-  return mechanism_in(study::find_parts(model), study::evaluate_motion(model, state),
-                      rules_for(model));
+  const std::vector<Elevation> walls = study::elevations_of(model);
+  if (walls.size() == 1)
+    return mechanism_in(study::find_parts(model), study::evaluate_motion(model, state, walls[0]),
+                        rules_for(model));
+  const FailureMode mode = name_from_state(model, state);
+  return {.name = mode.name, .sentence = mode.sentence};
 }
 
 namespace {
 
-WallMechanism mechanism_of_push(const Model& model, const Result& result, double read_at) {
-  const Snapshot* read = state_to_read(model, result.readings, read_at);
-  if (read == nullptr) return {};
-  if (model.in_space()) {
-    const FailureMode mode = name_read_in_space(model, result, *read);
-    WallMechanism mechanism;
-    mechanism.name = mode.name;
-    mechanism.sentence = mode.sentence;
-    return mechanism;
-  }
-  const WallParts parts = study::find_parts(model);
-  const ModeRules rules = rules_at(model, result, *read, read_at);
-  const WallMotion motion = study::evaluate_motion(model, read->state);
+WallMechanism mechanism_of_wall(const Model& model, const Elevation& seen, const WallParts& parts,
+                                const Result& result, const Snapshot& read, double read_at) {
+  const ModeRules rules = rules_at(model, parts, result, read, read_at);
+  const WallMotion motion = study::evaluate_motion(model, read.state, seen);
   const double later =
       study::is_two_pier_wall(parts)
-          ? study::spandrel_later(parts, readings_up_to(model, parts, result, read, rules), rules)
+          ? study::spandrel_later(parts, readings_up_to(model, seen, parts, result, &read, rules),
+                                  rules)
           : 0.0;
   WallMechanism mechanism = mechanism_in(parts, motion, rules, later);
   if (mechanism.name != "none" || is_load_controlled(result)) return mechanism;
-  if (const double lost = force_lost(result, read->displacement); lost >= rules.drop)
+  if (const double lost = force_lost(result, read.displacement); lost >= rules.drop)
     doubt_calm(parts, motion, lost, mechanism);
+  return mechanism;
+}
+
+WallMechanism mechanism_of_push(const Model& model, const Result& result, double read_at) {
+  const Snapshot* read = state_to_read(model, result.readings, read_at);
+  if (read == nullptr) return {};
+  if (dimension_of(model) == 2)
+    return mechanism_of_wall(model, {}, study::find_parts(model), result, *read, read_at);
+  const auto [mode, is_of_plane_wall] = mode_in_space(model, result, *read, read_at);
+  const std::vector<Elevation> elevations = study::elevations_of(model);
+  if (elevations.size() == 1 && is_of_plane_wall)
+    return mechanism_of_wall(model, elevations.front(),
+                             study::find_parts(model, elevations).front(), result, *read, read_at);
+  WallMechanism mechanism;
+  mechanism.name = mode.name;
+  mechanism.sentence = mode.sentence;
   return mechanism;
 }
 

@@ -5,6 +5,7 @@
 #include "judge/modes/joint_motion.h"
 #include "judge/modes/wall_parts.h"
 #include "wythe/parts/failure_mode.h"
+#include "wythe/parts/reading.h"
 
 namespace wythe {
 namespace {
@@ -14,6 +15,7 @@ using study::JointMotion;
 
 std::string key_of(std::string name) {
   std::replace(name.begin(), name.end(), ' ', '_');
+  std::erase(name, ':');
   return name;
 }
 
@@ -41,22 +43,29 @@ std::vector<Region> regions_of(const study::WallParts& parts) {
 }  // namespace
 
 std::vector<Feature> read_features(const Model& model, const Result& result) {
-  if (model.in_space()) return {};
-  const std::vector<Region> regions = regions_of(study::find_parts(model));
+  const std::vector<study::Elevation> elevations = study::elevations_of(model);
+  std::vector<std::vector<Region>> regions;
+  for (const study::WallParts& parts : study::find_parts(model, elevations))
+    regions.push_back(regions_of(parts));
   std::vector<Feature> features;
   for (const Snapshot& snapshot : result.snapshots) {
-    const std::vector<JointMotion> joints = study::evaluate_motion(model, snapshot.state).joints;
-    for (const Region& r : regions) {
-      double opening = 0, slip = 0, crushing = 0;
-      for (const JointMotion& j : joints) {
-        if (!r.box.holds(j.x, j.y) || (r.is_base && !j.is_bed)) continue;
-        opening += j.opening;
-        slip += std::fabs(j.slip);
-        crushing += j.crushed;
+    const WallReading wall = read_wall(model, snapshot.state);
+    for (std::size_t k = 0; k < elevations.size(); ++k) {
+      const auto joints = study::evaluate_motion(model, wall, elevations[k]).joints;
+      const std::string of = elevations[k].wall.empty() ? "" : elevations[k].wall + "_";
+      for (const Region& r : regions[k]) {
+        double opening = 0, slip = 0, crushing = 0;
+        for (const JointMotion& j : joints) {
+          if (!r.box.holds(j.x, j.y) || (r.is_base && !j.is_bed)) continue;
+          opening += j.opening;
+          slip += std::fabs(j.slip);
+          crushing += j.crushed;
+        }
+        const std::string name = r.is_base ? of + r.name : r.name;  // parts bear their wall's name
+        features.push_back({name + "_opening", snapshot.displacement, opening});
+        features.push_back({name + "_slip", snapshot.displacement, slip});
+        features.push_back({name + "_crushing", snapshot.displacement, crushing});
       }
-      features.push_back({r.name + "_opening", snapshot.displacement, opening});
-      features.push_back({r.name + "_slip", snapshot.displacement, slip});
-      features.push_back({r.name + "_crushing", snapshot.displacement, crushing});
     }
   }
   return features;

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-#include "core/text.h"
+#include "judge/modes/elevations.h"
 #include "judge/modes/space_pieces.h"
 #include "wythe/parts/reading.h"
 
@@ -26,32 +26,6 @@ constexpr double kThin = 0.1;       // thickness over length, squared: what has 
 constexpr double kParallel = 0.95;  // cosine from which on two walls are parallel
 constexpr double kOblique = 0.3;    // cosine from which on a turn is about an axis as well
 constexpr double kSlidOff = 0.25;   // of the joints that moved, by area: no name is vouched for
-
-std::vector<Moved> evaluate_blocks(const Model& model, const State& state) {
-  std::vector<Moved> blocks;
-  const Space& space = model.space;
-  for (BlockId b = 0; b < model.n_block; ++b) {
-    const auto k = static_cast<std::size_t>(b);
-    const BlockReading now = read_block(model, state, b);
-    const Vec3& i = space.inertia[k];
-    const double mass = model.mass[k], least = std::fmin(i.x, std::fmin(i.y, i.z));
-    // the longest side has the least inertia about it
-    const Vec3 axis = least == i.x   ? space.axis_1[k]
-                      : least == i.y ? space.axis_2[k]
-                                     : space.axis_3[k];
-    const double others = i.x + i.y + i.z - least;
-    const bool is_long = 2 * least < 0.8 * others && std::fabs(axis.y) < 0.3;
-    blocks.push_back({b,
-                      now.start,
-                      now.moved,
-                      {state.qw[k], {state.qx[k], state.qy[k], state.qz[k]}},
-                      mass,
-                      std::sqrt((i.x + i.y + i.z) / (3 * mass)),
-                      is_long ? axis : Vec3{},
-                      &space.body[k]});
-  }
-  return blocks;
-}
 
 double mass_of(const std::vector<Moved>& blocks) {
   double mass = 0;
@@ -197,17 +171,6 @@ Sideways bends_sideways(const std::vector<Piece>& pieces) {
 struct Wall {
   std::vector<Moved> all, part;
 };
-
-// The builder's name of the wall: "front" of front.c03u05a, front.lintel0; "" for other ids.
-std::string wall_of(const std::string& id) {
-  for (std::size_t dot = id.find('.'); dot != std::string::npos; dot = id.find('.', dot + 1)) {
-    const std::string_view rest = std::string_view(id).substr(dot + 1);
-    const bool unit = rest.size() > 1 && rest[0] == 'c' && is_digit(rest[1]);
-    if (unit || rest.starts_with("lintel") || rest.starts_with("sill") || rest.starts_with("arch"))
-      return id.substr(0, dot);
-  }
-  return "";
-}
 
 // "walls left, right", or how many blocks where they bear no names of walls.
 Message walls_of(const std::vector<Moved>& blocks) {
@@ -486,6 +449,45 @@ FailureMode name_in_space(const Model& model, const State& state) {
     mode.name = "unclear";
   }
   return mode;
+}
+
+bool leaves_plane(const std::string& name) {
+  constexpr const char* kNames[] = {"overturning",        "turning",         "bending",
+                                    "horizontal bending", "two-way bending", "corner wedge",
+                                    "part breaking away"};
+  return std::find(std::begin(kNames), std::end(kNames), name) != std::end(kNames);
+}
+
+bool stays_in_plane(const std::string& name) {
+  return !name.empty() && name != "unclear" && name != "none" && name != "sliding" &&
+         !leaves_plane(name);
+}
+
+bool is_along(const Elevation& wall, const Vec3& push) {
+  return std::fabs(dot(wall.across, push)) < kOblique * length(push);
+}
+
+WallsMoved moved_in_plane(const Model& model, const State& state,
+                          const std::vector<Elevation>& elevations) {
+  std::vector<Moved> blocks = evaluate_blocks(model, state);
+  std::erase_if(blocks, [&](const Moved& b) { return is_slab(model, b.id); });
+  double most = 0, all = 0, of_walls = 0;
+  for (const Moved& b : blocks) most = std::fmax(most, length(b.moved));
+  std::erase_if(blocks, [&](const Moved& b) { return length(b.moved) < kTakesPart * most; });
+  WallsMoved found;
+  for (std::size_t k = 0; k < elevations.size(); ++k) {
+    std::vector<Moved> own = blocks;
+    std::erase_if(own, [&](const Moved& b) { return !elevations[k].holds(b.id); });
+    if (!own.empty() && off_plane(own, elevations[k].across) <= kOffPlane) found.of.push_back(k);
+  }
+  for (const Moved& b : blocks) {
+    all += b.mass;
+    const bool is_of_wall = std::any_of(found.of.begin(), found.of.end(),
+                                        [&](std::size_t k) { return elevations[k].holds(b.id); });
+    if (is_of_wall) of_walls += b.mass;
+  }
+  found.is_all = of_walls >= (1 - kRigid) * all;
+  return found;
 }
 
 WallsByPush walls_by_push(const Model& model, const Vec3& push) {

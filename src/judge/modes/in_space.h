@@ -1,12 +1,28 @@
 // The failure of a wall in space in words, by what moved (docs/theory/failure_modes.md, "In space").
 #pragma once
 
+#include "judge/modes/elevations.h"
 #include "wythe/parts/failure_mode.h"
 
 namespace wythe::study {
 
 // "overturning", "sliding", "turning", "bending", "none", or "unclear".
 [[nodiscard]] FailureMode name_in_space(const Model& model, const State& state);
+
+// Names of walls that leave their planes, "part breaking away" among them.
+[[nodiscard]] bool leaves_plane(const std::string& name);
+// Names of failures in the plane of walls. Blocks that slide do so in it or out of it: the name does not say.
+[[nodiscard]] bool stays_in_plane(const std::string& name);
+
+// The walls that take part in what a state shows, and move in their planes.
+struct WallsMoved {
+  std::vector<std::size_t> of;  // into elevations_of()
+  bool is_all = false;          // they are nearly all that takes part, by mass
+};
+[[nodiscard]] WallsMoved moved_in_plane(const Model& model, const State& state,
+                                        const std::vector<Elevation>& elevations);
+// Whether a wall stands along a push.
+[[nodiscard]] bool is_along(const Elevation& wall, const Vec3& push);
 
 // Walls by their planes as they were built: what a push does to them does not depend on how they fail.
 struct WallsByPush {

@@ -15,29 +15,46 @@
 namespace wythe::study {
 namespace {
 
+constexpr double kNowhere = 1e300;  // of blocks that are of other walls
+
 bool is_masonry(JointKind kind) {
   return kind != JointKind::kLintelChain && kind != JointKind::kLintelBond;
 }
 
-JointMotion motion_of(const Model& m, const WallReading& wall, const JointReading& joint) {
+// The slip of a point: of the upper side against the lower along the wall, of the right against the left upwards.
+double slip_of(const Elevation& seen, const JointMotion& j, const Vec3& normal, double slip,
+               const Vec3& slip_vector) {
+  if (seen.of.empty()) return slip;
+  // n points to b, which is above or below, right or left of a; the face may have turned since the start
+  const Vec3 way = seen.seen(slip_vector), to_b = seen.seen(normal);
+  const double along =
+      j.is_bed ? std::copysign(1.0, to_b.y) * way.x : -std::copysign(1.0, to_b.x) * way.y;
+  return std::copysign(std::hypot(way.x, way.y), along);
+}
+
+JointMotion motion_of(const Model& m, const WallReading& wall, const JointReading& joint,
+                      const Elevation& seen) {
   const JointShape& shape = joint.shape;
   JointMotion j;
   j.kind = shape.kind;
   j.a = shape.a;
   j.b = shape.b;
-  j.is_bed = std::fabs(shape.normal.y) >= std::fabs(shape.normal.x);
+  const Vec3 normal = seen.seen(shape.normal), centre = seen.place(shape.centre);
+  const Reach reach = reach_of(seen, shape.half, shape.half_2);
+  j.is_bed = std::fabs(normal.y) >= std::fabs(normal.x);
   j.on_ground = shape.a == kGroundBlock;
-  j.x = shape.centre.x;
-  j.y = shape.centre.y;
-  j.reach_x = std::fabs(shape.half.x);
-  j.reach_y = std::fabs(shape.half.y);
+  j.x = centre.x;
+  j.y = centre.y;
+  j.reach_x = reach.along;
+  j.reach_y = reach.up;
   for (const PointReading& point : wall.points_of(joint)) {
     const double most = std::max({0.0, point.opening, point.opened});
     j.opening += point.share * std::max(0.0, point.opening);
     j.opened += point.share * most;
     j.widest = std::max(j.widest, most);
-    j.slip += point.share * point.slip;
-    j.slid += point.share * point.slid;
+    const double slip = slip_of(seen, j, shape.normal, point.slip, point.slip_vector);
+    j.slip += point.share * slip;
+    j.slid += point.share * (seen.of.empty() ? point.slid : std::copysign(point.slid, slip));
     j.crushed += point.share * point.crushed;
   }
   j.crushing = joint.crushing;
@@ -48,13 +65,26 @@ JointMotion motion_of(const Model& m, const WallReading& wall, const JointReadin
   return j;
 }
 
+// Whether a joint is of the wall, and neither between its leaves nor beside a wall that it meets.
+bool is_seen(const Elevation& seen, const JointShape& shape) {
+  constexpr double kAcross = 0.7;
+  return seen.of.empty() ||
+         ((shape.a == kGroundBlock || seen.holds(shape.a)) && seen.holds(shape.b) &&
+          std::fabs(dot(shape.normal, seen.across)) < kAcross);
+}
+
 }  // namespace
 
-WallMotion evaluate_motion(const Model& m, const State& state) {
-  const WallReading now = read_wall(m, state);
+WallMotion evaluate_motion(const Model& m, const State& state, const Elevation& seen) {
+  return evaluate_motion(m, read_wall(m, state), seen);
+}
+
+WallMotion evaluate_motion(const Model& m, const WallReading& now, const Elevation& seen) {
   WallMotion wall;
   for (JointId j = 0; j < m.n_joint; ++j) {  // contacts of deformable blocks have no part in modes
-    const JointMotion joint = motion_of(m, now, now.joints[j]);
+    const JointShape& shape = now.joints[j].shape;
+    if (!is_seen(seen, shape)) continue;
+    const JointMotion joint = motion_of(m, now, now.joints[j], seen);
     // a name says what the masonry does
     if (joint.kind == JointKind::kFrame || joint.kind == JointKind::kCoat) continue;
     const bool is_top = joint.kind == JointKind::kPlate || joint.kind == JointKind::kBeam;
@@ -62,8 +92,15 @@ WallMotion evaluate_motion(const Model& m, const State& state) {
   }
   for (BlockId b = 0; b < m.n_block; ++b) {
     const BlockReading& block = now.blocks[b];
+    if (!seen.holds(b)) {
+      wall.blocks.push_back({{{kNowhere, kNowhere, 0}, {}, {}}, BlockRole::kCutOut, 0, 0});
+      continue;
+    }
     wall.blocks.push_back(
-        {{block.start, block.moved, block.turned.by}, block.role, m.mass[b], m.inertia[b]});
+        {{seen.place(block.start), seen.way(block.moved), seen.turn(block.turned.by)},
+         block.role,
+         m.mass[b],
+         inertia_of(m, seen, b)});
   }
   return wall;
 }

@@ -7,6 +7,7 @@
 
 #include "judge/modes/wall_parts.h"
 #include "wythe/parts/model.h"
+#include "wythe/parts/reading.h"
 #include "wythe/parts/vector.h"
 
 namespace wythe::study {
@@ -48,7 +49,11 @@ struct WallMotion {
   std::vector<JointMotion> top;     // of the plates and of the beam
   std::vector<BlockMotion> blocks;
 };
-[[nodiscard]] WallMotion evaluate_motion(const Model& model, const State& state);
+// What is seen of one wall: blocks of others are still there, by their numbers, but have no mass and no place.
+[[nodiscard]] WallMotion evaluate_motion(const Model& model, const WallReading& now,
+                                         const Elevation& seen);
+[[nodiscard]] WallMotion evaluate_motion(const Model& model, const State& state,
+                                         const Elevation& seen = {});
 
 // The rigid motion nearest to that of the blocks chosen, by least squares over their mass; null
 // motion where there is none.

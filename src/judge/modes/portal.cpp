@@ -432,7 +432,7 @@ Portal find_portal(const Model& model) {
   if (!model.solids.bodies.empty()) return find_portal(with_rigid_bodies(model));
   FaultList faults;
   Portal portal;
-  if (model.in_space())
+  if (dimension_of(model) == 3)
     add_fault(faults, "wall.blocks", "", "is a wall in space, and macro-blocks are for plane walls",
               "read the limit loads instead");
   faults.throw_if_any();

@@ -8,6 +8,8 @@
 #include <map>
 #include <numeric>
 
+#include "wythe/parts/reading.h"
+
 namespace wythe::study {
 namespace {
 
@@ -69,6 +71,32 @@ Vec3 turn_further(const Piece& piece) {
 }
 
 }  // namespace
+
+std::vector<Moved> evaluate_blocks(const Model& model, const State& state) {
+  std::vector<Moved> blocks;
+  const Space& space = model.space;
+  for (BlockId b = 0; b < model.n_block; ++b) {
+    const auto k = static_cast<std::size_t>(b);
+    const BlockReading now = read_block(model, state, b);
+    const Vec3& i = space.inertia[k];
+    const double mass = model.mass[k], least = std::fmin(i.x, std::fmin(i.y, i.z));
+    // the longest side has the least inertia about it
+    const Vec3 axis = least == i.x   ? space.axis_1[k]
+                      : least == i.y ? space.axis_2[k]
+                                     : space.axis_3[k];
+    const double others = i.x + i.y + i.z - least;
+    const bool is_long = 2 * least < 0.8 * others && std::fabs(axis.y) < 0.3;
+    blocks.push_back({b,
+                      now.start,
+                      now.moved,
+                      {state.qw[k], {state.qx[k], state.qy[k], state.qz[k]}},
+                      mass,
+                      std::sqrt((i.x + i.y + i.z) / (3 * mass)),
+                      is_long ? axis : Vec3{},
+                      &space.body[k]});
+  }
+  return blocks;
+}
 
 void fit(Piece& piece) {
   piece.mass = piece.all = piece.missed = 0;

@@ -24,6 +24,9 @@ struct Moved {
   const BodySpec* body = nullptr;
 };
 
+// All rigid blocks in a state.
+[[nodiscard]] std::vector<Moved> evaluate_blocks(const Model& model, const State& state);
+
 // What moves as one: its centre, a shift and a turn; how much of the motion that leaves out.
 struct Piece {
   std::vector<Moved> blocks;

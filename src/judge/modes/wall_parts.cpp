@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <string_view>
 #include <utility>
+
+#include "core/text.h"
 
 #include "wythe/parts/reading.h"
 
@@ -25,6 +28,10 @@ bool is_wall(BlockRole role) {
 // Corners of a block.
 using Outline = std::vector<Vec3>;
 
+Box join(const Box& a, const Box& b) {
+  return {std::min(a.x0, b.x0), std::max(a.x1, b.x1), std::min(a.y0, b.y0), std::max(a.y1, b.y1)};
+}
+
 Box hull_of(const Outline& outline) {
   Box box{outline.front().x, outline.front().x, outline.front().y, outline.front().y};
   for (const Vec3& p : outline)
@@ -32,6 +39,19 @@ Box hull_of(const Outline& outline) {
            std::max(box.y1, p.y)};
   return box;
 }
+
+Box hull_of(const std::vector<Outline>& parts) {
+  Box box = hull_of(parts.front());
+  for (const Outline& part : parts) box = join(box, hull_of(part));
+  return box;
+}
+
+// What pieces of one unit take along the wall.
+struct Range {
+  double low = 1e300, high = -1e300;
+  void take(const Box& box) { low = std::min(low, box.x0), high = std::max(high, box.x1); }
+  [[nodiscard]] double length() const { return high - low; }
+};
 
 bool is_inside(const Outline& o, double x, double y) {
   bool inside = false;
@@ -51,8 +71,7 @@ struct Frame {
 
   void take(const Box& box) {
     if (xs.empty()) wall = box;
-    wall = {std::min(wall.x0, box.x0), std::max(wall.x1, box.x1), std::min(wall.y0, box.y0),
-            std::max(wall.y1, box.y1)};
+    wall = join(wall, box);
     xs.insert(xs.end(), {box.x0, box.x1});
     ys.insert(ys.end(), {box.y0, box.y1});
   }
@@ -65,28 +84,53 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-Frame frame_of(const Model& m) {
+// Length and height of the usual block: those of the model, else medians. A builder's units that are cut into pieces
+// are seen whole: front.c03u05a and front.c03u05b are one.
+struct UsualBlock {
+  double column = 0, course = 0;
+};
+UsualBlock usual_block(const Model& m, const Elevation& seen, const std::vector<BlockId>& blocks,
+                       const std::vector<Box>& boxes) {
   const Anatomy& a = m.anatomy;
-  Frame f;
   std::vector<double> widths, heights;
+  std::map<std::string, Range> units;
+  for (std::size_t k = 0; k < blocks.size(); ++k) {
+    heights.push_back(boxes[k].height());
+    const std::string& id = a.block_id[static_cast<std::size_t>(blocks[k])];
+    if (seen.of.empty() || wall_of(id).empty())
+      widths.push_back(boxes[k].width());
+    else if (m.anatomy.block_role[static_cast<std::size_t>(blocks[k])] == BlockRole::kMasonry)
+      units[is_digit(id.back()) ? id : id.substr(0, id.size() - 1)].take(boxes[k]);
+  }
+  for (const auto& [unit, range] : units) widths.push_back(0.5 * range.length());
+  return {a.half_unit > 0 ? a.half_unit : median(widths),
+          a.course_height > 0 ? a.course_height : median(heights)};
+}
+
+Frame frame_of(const Model& m, const Elevation& seen) {
+  Frame f;
+  std::vector<BlockId> blocks;
+  std::vector<Box> boxes;
   for (BlockId b = 0; b < m.n_block; ++b) {
-    if (!is_wall(a.block_role[b])) continue;
-    const Box box = hull_of(outline_of(m, b));
-    f.take(box);
-    widths.push_back(box.width());
-    heights.push_back(box.height());
+    if (!is_wall(m.anatomy.block_role[b]) || !seen.holds(b)) continue;
+    blocks.push_back(b);
+    boxes.push_back(hull_of(outlines_of(m, seen, b)));
+    f.take(boxes.back());
   }
   for (const SolidBody& body : m.solids.bodies) f.take({body.x0, body.x1, body.y0, body.y1});
+  for (const BlockId body : seen.bodies) f.take(hull_of(outlines_of(m, seen, body)));
   for (JointId j = 0; j < m.n_joint; ++j) {
     const JointShape joint = joint_shape(m, j);
-    const double half = std::fabs(joint.half.x), x = joint.centre.x, y = joint.centre.y;
-    if (joint.a == kGroundBlock && std::fabs(joint.half.y) <= half && y > f.wall.y0 + 1e-6)
-      f.ground.push_back({x - half, x + half, f.wall.y0, y});
+    if (joint.a != kGroundBlock || !seen.holds(joint.b)) continue;
+    const Vec3 centre = seen.place(joint.centre);
+    const auto [half, up] = reach_of(seen, joint.half, joint.half_2);
+    const double x = centre.x, y = centre.y;
+    if (up <= half && y > f.wall.y0 + 1e-6) f.ground.push_back({x - half, x + half, f.wall.y0, y});
   }
   std::sort(f.xs.begin(), f.xs.end());
   std::sort(f.ys.begin(), f.ys.end());
-  f.column = a.half_unit > 0 ? a.half_unit : median(widths);
-  f.course = a.course_height > 0 ? a.course_height : median(heights);
+  const UsualBlock usual = usual_block(m, seen, blocks, boxes);
+  f.column = usual.column, f.course = usual.course;
   return f;
 }
 
@@ -106,7 +150,7 @@ struct Hole {
 // The wall painted on cells a quarter of a block wide and high.
 class Raster {
  public:
-  Raster(const Model& m, const Frame& f) : wall_(f.wall) {
+  Raster(const Model& m, const Elevation& seen, const Frame& f) : wall_(f.wall) {
     constexpr double kCells = 4;       // a block
     constexpr double kMost = 1 << 12;  // cells along a side
     nx_ = count(wall_.width(), f.column, kCells, kMost);
@@ -115,7 +159,10 @@ class Raster {
     dy_ = wall_.height() / ny_;
     cell_.assign(static_cast<std::size_t>(nx_) * static_cast<std::size_t>(ny_), kEmpty);
     for (BlockId b = 0; b < block_count(m); ++b)
-      if (b >= m.n_block || is_wall(m.anatomy.block_role[b])) paint(outline_of(m, b));
+      if (b >= m.n_block || (is_wall(m.anatomy.block_role[b]) && seen.holds(b)))
+        for (const Outline& part : outlines_of(m, seen, b)) paint(part);
+    for (const BlockId body : seen.bodies)
+      for (const Outline& part : outlines_of(m, seen, body)) paint(part);
     for (const Box& g : f.ground)  // a wall on steps has no opening below them
       paint({{g.x0, g.y0, 0}, {g.x1, g.y0, 0}, {g.x1, g.y1, 0}, {g.x0, g.y1, 0}});
   }
@@ -201,11 +248,11 @@ bool is_gap_at_edge(const Hole& hole, const Frame& f) {
          hole.box.width() >= 0.25 * hole.box.height();
 }
 
-std::vector<Opening> openings_of(const Model& m, const Frame& f) {
+std::vector<Opening> openings_of(const Model& m, const Elevation& seen, const Frame& f) {
   std::vector<Opening> openings;
   if (!(f.column > 0) || !(f.course > 0)) return openings;
   double widest = 0, highest = 0;
-  for (Hole hole : Raster(m, f).holes()) {
+  for (Hole hole : Raster(m, seen, f).holes()) {
     Box& box = hole.box;
     box = {nearest(f.xs, box.x0), nearest(f.xs, box.x1), nearest(f.ys, box.y0),
            nearest(f.ys, box.y1)};
@@ -297,11 +344,15 @@ constexpr Called kSpandrel{"part.spandrel", "part.spandrel_number", "part.spandr
 
 class Finder {
  public:
-  explicit Finder(const Model& m)
+  // `marks` given so far, by letter.
+  Finder(const Model& m, const Elevation& seen, int elevation, std::map<std::string, int>& marks)
       : model_(m),
-        frame_(frame_of(m)),
-        openings_(openings_of(m, frame_)),
-        rows_(storeys_of(openings_)) {
+        seen_(seen),
+        frame_(frame_of(m, seen)),
+        openings_(openings_of(m, seen, frame_)),
+        rows_(storeys_of(openings_)),
+        elevation_(elevation),
+        marks_(marks) {
     for (std::size_t k = 0; k < rows_.size(); ++k)
       for (const std::size_t i : rows_[k].of) openings_[i].storey = static_cast<int>(k);
     parts_.wall = frame_.wall;
@@ -446,10 +497,9 @@ class Finder {
     double top = above.y1;
     for (BlockId b = 0; b < model_.n_block; ++b) {
       if (model_.anatomy.block_role[static_cast<std::size_t>(b)] != BlockRole::kRingBeam ||
-          !above.holds(model_.centroid_x[static_cast<std::size_t>(b)],
-                       model_.centroid_y[static_cast<std::size_t>(b)]))
+          !is_within(above, b))
         continue;
-      const Box box = hull_of(outline_of(model_, b));
+      const Box box = hull_of(outlines_of(model_, seen_, b));
       if (box.y1 > above.y1 - 0.5 * frame_.course) top = std::min(top, box.y0);
     }
     return top;
@@ -461,15 +511,25 @@ class Finder {
     for (BlockId b = 0; b < model_.n_block; ++b) {
       const bool is_ring = a.block_role[b] == BlockRole::kRingBeam;
       if (!is_ring && a.block_role[b] != BlockRole::kLintel) continue;
-      if (!spandrel.holds(model_.centroid_x[b], model_.centroid_y[b])) continue;
-      const Box box = hull_of(outline_of(model_, b));
+      if (!is_within(spandrel, b)) continue;
+      const Box box = hull_of(outlines_of(model_, seen_, b));
       if (is_ring && box.y0 > spandrel.y0 + 0.5 * frame_.course) continue;  // not at its foot
       depth = std::max(depth, box.y1 - spandrel.y0);
     }
     for (const SolidBody& body : model_.solids.bodies)
       if (spandrel.holds(0.5 * (body.x0 + body.x1), 0.5 * (body.y0 + body.y1)))
         depth = std::max(depth, body.y1 - spandrel.y0);
+    for (const BlockId body : seen_.bodies) {
+      const Box box = hull_of(outlines_of(model_, seen_, body));
+      if (spandrel.holds(0.5 * (box.x0 + box.x1), 0.5 * (box.y0 + box.y1)))
+        depth = std::max(depth, box.y1 - spandrel.y0);
+    }
     return depth;
+  }
+
+  [[nodiscard]] bool is_within(const Box& box, BlockId block) const {
+    const Vec3 at = seen_.place(centroid_of(model_, block));
+    return seen_.holds(block) && box.holds(at.x, at.y);
   }
 
   // "left pier", "pier 3", "pier 2 of storey 1"; "left connection of spandrel 2".
@@ -524,7 +584,10 @@ class Finder {
   };
 
   void name(Part& part, const Message& words, const std::string& letter) {
-    part.name = called(words);
+    part.elevation = elevation_;
+    part.name = called(seen_.wall.empty()
+                           ? words
+                           : Message{"part.of_wall", {{"wall", seen_.wall}, {"part", words}}});
     part.mark = letter + std::to_string(++marks_[letter]);
   }
 
@@ -535,17 +598,48 @@ class Finder {
   }
 
   const Model& model_;
+  const Elevation& seen_;
   Frame frame_;
   std::vector<Opening> openings_;
-  std::vector<Row> rows_;             // upwards
-  std::map<std::string, int> marks_;  // given so far, by letter
+  std::vector<Row> rows_;  // upwards
+  int elevation_;
+  std::map<std::string, int>& marks_;
   WallParts parts_;
 };
 
 }  // namespace
 
+std::vector<WallParts> find_parts(const Model& model, const std::vector<Elevation>& elevations) {
+  std::map<std::string, int> marks;
+  std::vector<WallParts> all;
+  for (std::size_t k = 0; k < elevations.size(); ++k)
+    all.push_back(Finder(model, elevations[k], static_cast<int>(k), marks).find());
+  return all;
+}
+
 WallParts find_parts(const Model& model) {
-  return model.in_space() ? WallParts{} : Finder(model).find();
+  std::vector<WallParts> each = find_parts(model, elevations_of(model));
+  if (each.empty()) return {};
+  WallParts all = std::move(each.front());
+  const auto append = [](auto& to, auto& from) {
+    to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+  };
+  for (std::size_t k = 1; k < each.size(); ++k) {
+    WallParts& one = each[k];
+    const int toes = static_cast<int>(all.toes.size()),
+              connections = static_cast<int>(all.connections.size());
+    for (Pier& pier : one.piers) pier.left += toes, pier.right += toes;
+    for (Spandrel& s : one.spandrels)
+      for (int* side : {&s.left, &s.right})
+        if (*side >= 0) *side += connections;
+    append(all.piers, one.piers), append(all.spandrels, one.spandrels);
+    append(all.connections, one.connections), append(all.toes, one.toes);
+    append(all.nodes, one.nodes);
+    all.words.merge(one.words);
+    all.openings += one.openings;
+    all.storeys = std::max(all.storeys, one.storeys);
+  }
+  return all;
 }
 
 std::vector<std::pair<const Part*, const char*>> all_parts(const WallParts& parts) {
@@ -559,9 +653,9 @@ std::vector<std::pair<const Part*, const char*>> all_parts(const WallParts& part
 }
 
 std::vector<Box> find_openings(const Model& model) {
-  if (model.in_space()) return {};
+  const Elevation plane;
   std::vector<Box> between;
-  for (const Opening& o : openings_of(model, frame_of(model)))
+  for (const Opening& o : openings_of(model, plane, frame_of(model, plane)))
     if (!o.at_edge) between.push_back(o);
   return between;
 }

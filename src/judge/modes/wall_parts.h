@@ -20,6 +20,7 @@
 #include <utility>
 #include <vector>
 
+#include "judge/modes/elevations.h"
 #include "wythe/parts/model.h"
 
 namespace wythe::study {
@@ -38,6 +39,7 @@ struct Part {
   Box box;
   std::string mark = {};  // "P3", "S1", "N2", on pictures
   int storey = 0;         // 1 is the lowest
+  int elevation = 0;      // into elevations_of(); its box is in the axes of that
 };
 
 struct Pier : Part {
@@ -69,10 +71,14 @@ struct WallParts {
   std::map<std::string, Message> words;  // of each name, for a reader
 };
 
+// Of one elevation, with names and marks as all of them together have them.
+[[nodiscard]] std::vector<WallParts> find_parts(const Model& model,
+                                                const std::vector<Elevation>& elevations);
+// Of all elevations together. `wall`, `column` and `course` are those of the first one.
 [[nodiscard]] WallParts find_parts(const Model& model);
 // All of them with their kinds: "pier", "spandrel", "sill", "node", "connection", "toe".
 [[nodiscard]] std::vector<std::pair<const Part*, const char*>> all_parts(const WallParts& parts);
-// Openings with masonry on both sides, left to right and upwards.
+// Openings with masonry on both sides, left to right and upwards; of a wall in its plane.
 [[nodiscard]] std::vector<Box> find_openings(const Model& model);
 
 }  // namespace wythe::study

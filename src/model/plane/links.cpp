@@ -163,9 +163,7 @@ class SpaceSite {
 
   [[nodiscard]] std::vector<PlaceSpec> points_of(const DiaphragmSpec& d, const std::string& path,
                                                  FaultList& faults) const {
-    if (!d.storey.empty() || !std::isfinite(d.y))
-      faults.add({"", path, "", "needs its height y: a wall in space has no storeys",
-                  "write y, the height of what it lies on", 0});
+    const double y = level_of(d, path, faults);
     if (d.z.size() != d.x.size())
       faults.add({"", path + ".z", fmt::format("{} numbers", d.z.size()),
                   fmt::format("must be as many as x, {}", d.x.size()),
@@ -173,12 +171,28 @@ class SpaceSite {
     std::vector<PlaceSpec> points(std::min(d.x.size(), d.z.size()));
     for (std::size_t k = 0; k < points.size(); ++k) {  // y is the height, z the other level axis
       const bool up = places_.z_up();
-      points[k].x = d.x[k], points[k].y = up ? d.z[k] : d.y, points[k].z = up ? d.y : d.z[k];
+      points[k].x = d.x[k], points[k].y = up ? d.z[k] : y, points[k].z = up ? y : d.z[k];
     }
     return points;
   }
 
  private:
+  // The top of the named storey, or y.
+  [[nodiscard]] double level_of(const DiaphragmSpec& d, const std::string& path,
+                                FaultList& faults) const {
+    if (std::isfinite(d.y) == !d.storey.empty())
+      faults.add({"", path, "", d.storey.empty() ? "has no level" : "has two levels",
+                  "write the storey at whose top it lies, or its height y", 0});
+    if (d.storey.empty()) return d.y;
+    const std::vector<std::string>& names = model_.anatomy.storey_name;
+    const auto found = std::find(names.begin(), names.end(), d.storey);
+    if (found != names.end())
+      return model_.anatomy.storey_top[static_cast<std::size_t>(found - names.begin())];
+    faults.add({"", path + ".storey", d.storey, "is not among the storeys",
+                "write [[storey]] tables with names, or a height y", 0});
+    return kUnset;
+  }
+
   const geometry::SpaceAssembly& assembly_;
   const std::vector<BlockId>& id_;
   const Model& model_;

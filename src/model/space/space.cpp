@@ -44,7 +44,6 @@ void refuse_plane_parts(const ModelSpec& spec, FaultList& faults) {
       faults.add({"", path, "", "is for walls in their plane; this one is in space",
                   "leave it out, or write it as blocks of the file", 0});
   };
-  refuse("storey", !spec.storey.empty());
   refuse("region", !spec.region.empty());
   refuse("ring_beam", !spec.ring_beam.empty());
   refuse("frame", !spec.frame.empty());
@@ -56,6 +55,37 @@ void refuse_plane_parts(const ModelSpec& spec, FaultList& faults) {
     refuse(fmt::format("stage.{}.contraflexure", k).c_str(),
            std::isfinite(spec.stage[k].contraflexure));
     refuse(fmt::format("stage.{}.kind", k).c_str(), spec.stage[k].kind == StageKind::kCut);
+  }
+}
+
+// In space storeys are levels: their drifts are read there, and diaphragms name them. Walls along plan lines have their
+// own masonry.
+void check_storeys(const ModelSpec& spec, FaultList& faults) {
+  std::set<std::string> names;
+  for (std::size_t k = 0; k < spec.storey.size(); ++k) {
+    const StoreySpec& s = spec.storey[k];
+    const auto fault = [&](const char* key, std::string value, const char* problem,
+                           const char* cure) {
+      faults.add({"", fmt::format("storey.{}.{}", k, key), std::move(value), problem, cure, 0});
+    };
+    if (s.name.empty() || !names.insert(s.name).second)
+      fault("name", s.name, s.name.empty() ? "missing" : "two storeys have this name",
+            "give each storey a name of its own; they stand on each other in their order");
+    if (!(s.height > 0))
+      fault("height", fmt::format("{:g} m", s.height), "is no height of a storey",
+            "write e.g. height = \"3 m\"");
+    const UnitSpec& u = s.unit;
+    for (const auto& [key, is_there] :
+         {std::pair("thickness", !std::isnan(s.thickness)),
+          {"bond", !s.bond.empty()},
+          {"fit", !s.fit.empty()},
+          {"joint", !s.joints.joint.empty()},
+          {"head_joint", !s.joints.head_joint.empty()},
+          {"unit_joint", !s.joints.unit_joint.empty()},
+          {"unit", !(std::isnan(u.length) && std::isnan(u.height) && std::isnan(u.density))}})
+      if (is_there)
+        fault(key, "", "is for walls in their plane; this one is in space",
+              "write it in [[plan_wall]]: above another wall one with a base of its own");
   }
 }
 
@@ -453,6 +483,24 @@ void measure(const SpaceAssembly& assembly, Model& model) {
                                             : smallest;
 }
 
+void fill_storeys(const ModelSpec& spec, const SpaceAssembly& assembly, Model& model,
+                  FaultList& faults) {
+  if (spec.storey.empty()) return;
+  double foot = std::numeric_limits<double>::infinity(), top = 0;
+  for (const BodySpec& body : assembly.body)
+    if (!body.fixed) foot = std::fmin(foot, geometry::box_of(body).low.y);
+  if (std::fabs(foot) > 1e-6)
+    faults.add(
+        {"", "storey", "",
+         fmt::format("heights of storeys count from level 0, and the lowest block begins at {:g} m",
+                     foot),
+         "move the blocks up or down", 0});
+  for (const StoreySpec& storey : spec.storey) {
+    model.anatomy.storey_name.push_back(storey.name);
+    model.anatomy.storey_top.push_back(top += storey.height);
+  }
+}
+
 // What lies on a slab is spread as the slab is, so its moments of inertia grow as its mass.
 void spread_over_slabs(const std::vector<double>& bare, Model& model) {
   for (std::size_t i = 0; i < bare.size(); ++i)
@@ -504,6 +552,7 @@ PrincipalAxes principal_axes(const std::array<double, 6>& inertia) {
 
 SpaceAssembly assemble_space(const ModelSpec& spec, FaultList& faults) {
   refuse_plane_parts(spec, faults);
+  check_storeys(spec, faults);
   check_materials_of_blocks(spec, faults);
   check_points(spec.solve, faults);
   return geometry::assemble(spec.body, faults);
@@ -528,6 +577,7 @@ Model compile_space(const ModelSpec& spec, const SpaceAssembly& assembly) {
   fill_joints(spec, assembly, id, fields, model, faults);
   fill_lists(model);
   measure(assembly, model);
+  fill_storeys(spec, assembly, model, faults);
   compile_free_in_space(spec, model, faults);
   for (const double mass : model.gravity_mass) model.weight += mass * model.solve.gravity;
   for (const double mass : model.space.solids.node_gravity_mass)
@@ -540,6 +590,7 @@ Model compile_space(const ModelSpec& spec, const SpaceAssembly& assembly) {
   faults.throw_if_any();
   carry_floors(bare, model);
   fields.describe(spec, assembly, id, model);
+  note_storeys_without_top(model);
   note_idle_inputs(spec, model);
   note_densities(spec, model);
   note_coarse_units(spec, model);

@@ -1,0 +1,203 @@
+// Sorts the blocks of a model into walls: by the names that the builder gives, else by what joints hold together.
+// A wall has a plane where it is thin in plan: its thickness over its length, squared, is a tenth or less. A block of
+// another wall is of this one too where it lies within the thickness, as teeth of corners do.
+#include "judge/modes/elevations.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include "core/text.h"
+#include "judge/modes/space_pieces.h"
+#include "wythe/parts/reading.h"
+
+namespace wythe::study {
+namespace {
+
+struct Range {
+  double low = 1e300, high = -1e300;
+  void take(double x) { low = std::fmin(low, x), high = std::fmax(high, x); }
+  [[nodiscard]] double common(const Range& other) const {
+    return std::fmin(high, other.high) - std::fmax(low, other.low);
+  }
+};
+
+// How far blocks reach along a direction.
+template <class Blocks>
+Range range_of(const Model& model, const Blocks& blocks, Vec3 direction) {
+  Range range;
+  for (const BlockId b : blocks)
+    for (const Vec3& corner : corners_of(model, b)) range.take(dot(corner, direction));
+  return range;
+}
+
+// Head joints lie across a wall: their normals are its direction, to the last bit. Centroids alone tell it but for
+// what slabs and teeth take away.
+Vec3 direction_of(const Model& model, const std::vector<char>& of, Vec3 near) {
+  constexpr double kParallel = 0.95;
+  Vec3 sum;
+  for (JointId j = 0; j < model.n_pair; ++j) {
+    const JointShape joint = joint_shape(model, j);
+    const auto is_own = [&](BlockId b) { return b >= 0 && of[static_cast<std::size_t>(b)] != 0; };
+    const double along = dot(joint.normal, near);
+    if (!is_own(joint.a) || !is_own(joint.b) || std::fabs(along) < kParallel) continue;
+    sum = sum + std::copysign(joint.area, along) * joint.normal;
+  }
+  return length(sum) > 0 ? sum / length(sum) : near;
+}
+
+const std::vector<Polyhedron>& solid_of(const Model& model, BlockId block) {
+  const int body = block - model.n_block - model.space.n_support;
+  return body < 0 ? model.space.body[static_cast<std::size_t>(block)].part
+                  : model.space.solids.bodies[static_cast<std::size_t>(body)].body.part;
+}
+
+// Along a wall towards +x; where it runs along z towards +z.
+Vec3 rightwards(Vec3 along) {
+  constexpr double kNone = 1e-9;
+  const bool turns = std::fabs(along.x) > kNone ? along.x < 0 : along.z < 0;
+  return turns ? -1.0 * along : along;
+}
+
+struct Group {
+  std::string name;
+  std::vector<Moved> blocks;
+};
+
+// Walls by the builder's names, then by what hangs together; no slabs.
+std::vector<Group> groups_of(const Model& model) {
+  std::vector<Group> groups;
+  std::vector<Moved> unnamed;
+  for (const Moved& b : evaluate_blocks(model, initial_state(model))) {
+    if (model.anatomy.block_role[static_cast<std::size_t>(b.id)] == BlockRole::kSlab) continue;
+    const std::string name = wall_of(b.body->id);
+    if (name.empty()) {
+      unnamed.push_back(b);
+      continue;
+    }
+    auto group = std::find_if(groups.begin(), groups.end(),
+                              [&](const Group& known) { return known.name == name; });
+    if (group == groups.end()) group = groups.insert(group, {name, {}});
+    group->blocks.push_back(b);
+  }
+  for (std::vector<Moved>& cluster : clusters_of(model, unnamed))
+    groups.push_back({"", std::move(cluster)});
+  return groups;
+}
+
+// Every block that lies within the thickness and the length of the wall, by more than a hundredth of the thickness.
+void take_teeth(const Model& model, const std::vector<BlockId>& own, Elevation& wall) {
+  constexpr double kTouch = 0.01;
+  const Range thickness = range_of(model, own, wall.across),
+              length = range_of(model, own, wall.along);
+  const double least = kTouch * (thickness.high - thickness.low);
+  const auto lies_in = [&](BlockId b) {
+    const std::array<BlockId, 1> one{b};
+    return range_of(model, one, wall.across).common(thickness) > least &&
+           range_of(model, one, wall.along).common(length) > least;
+  };
+  for (BlockId b = 0; b < model.n_block; ++b) {
+    const auto i = static_cast<std::size_t>(b);
+    if (wall.of[i] == 0 && model.anatomy.block_role[i] != BlockRole::kSlab && lies_in(b))
+      wall.of[i] = 1;
+  }
+  for (std::size_t k = 0; k < model.space.solids.bodies.size(); ++k) {
+    const BlockId body = model.n_block + model.space.n_support + static_cast<BlockId>(k);
+    if (lies_in(body)) wall.bodies.push_back(body);
+  }
+}
+
+std::vector<Elevation> walls_in_space(const Model& model) {
+  constexpr double kThin = 0.1;
+  std::vector<Elevation> walls;
+  for (const Group& group : groups_of(model)) {
+    const Plan plan = plan_of(group.blocks);
+    if (plan.thin > kThin) continue;
+    Elevation wall{.wall = group.name,
+                   .of = std::vector<char>(static_cast<std::size_t>(model.n_block))};
+    std::vector<BlockId> own;
+    for (const Moved& b : group.blocks) {
+      own.push_back(b.id);
+      wall.of[static_cast<std::size_t>(b.id)] = 1;
+    }
+    wall.along = rightwards(direction_of(model, wall.of, cross(Vec3{0, 1, 0}, plan.normal)));
+    wall.across = cross(wall.along, Vec3{0, 1, 0});
+    take_teeth(model, own, wall);
+    walls.push_back(std::move(wall));
+  }
+  for (std::size_t k = 0; k < walls.size(); ++k)
+    if (walls.size() == 1)
+      walls[k].wall.clear();
+    else if (walls[k].wall.empty())
+      walls[k].wall = std::to_string(k + 1);
+  return walls;
+}
+
+// Anticlockwise round points of a plane, by their angle about the first corner (Andrew's chain).
+std::vector<Vec3> hull_round(std::vector<Vec3> points) {
+  std::sort(points.begin(), points.end(),
+            [](const Vec3& a, const Vec3& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+  std::vector<Vec3> hull;
+  const auto take = [&](const Vec3& p, std::size_t fixed) {
+    const auto turns_left = [&] {
+      const Vec3 a = hull[hull.size() - 2], b = hull.back();
+      return cross(b - a, p - a).z > 0;
+    };
+    while (hull.size() >= fixed + 2 && !turns_left()) hull.pop_back();
+    hull.push_back(p);
+  };
+  for (const Vec3& p : points) take(p, 0);
+  const std::size_t lower = hull.size() - 1;
+  for (auto p = points.rbegin() + 1; p < points.rend(); ++p) take(*p, lower);
+  hull.pop_back();
+  return hull;
+}
+
+}  // namespace
+
+std::vector<Elevation> elevations_of(const Model& model) {
+  if (dimension_of(model) == 2) return {Elevation{}};
+  return walls_in_space(model);
+}
+
+std::vector<std::vector<Vec3>> outlines_of(const Model& model, const Elevation& seen,
+                                           BlockId block) {
+  if (seen.of.empty()) return {outline_of(model, block)};
+  std::vector<std::vector<Vec3>> outlines;
+  for (const Polyhedron& part : solid_of(model, block)) {
+    std::vector<Vec3> corners;
+    for (const Vec3& corner : part.vertex) corners.push_back(seen.place(corner));
+    outlines.push_back(hull_round(std::move(corners)));
+  }
+  return outlines;
+}
+
+Reach reach_of(const Elevation& seen, const Vec3& half, const Vec3& half_2) {
+  const Vec3 one = seen.seen(half), two = seen.seen(half_2);
+  return {std::fabs(one.x) + std::fabs(two.x), std::fabs(one.y) + std::fabs(two.y)};
+}
+
+double inertia_of(const Model& model, const Elevation& seen, BlockId block) {
+  const auto i = static_cast<std::size_t>(block);
+  if (seen.of.empty()) return model.inertia[i];
+  const Space& s = model.space;
+  const auto share = [&](const Vec3& axis) {
+    return dot(axis, seen.across) * dot(axis, seen.across);
+  };
+  return share(s.axis_1[i]) * s.inertia[i].x + share(s.axis_2[i]) * s.inertia[i].y +
+         share(s.axis_3[i]) * s.inertia[i].z;
+}
+
+std::string wall_of(const std::string& id) {
+  for (std::size_t dot = id.find('.'); dot != std::string::npos; dot = id.find('.', dot + 1)) {
+    const std::string_view rest = std::string_view(id).substr(dot + 1);
+    const bool unit = rest.size() > 1 && rest[0] == 'c' && is_digit(rest[1]);
+    if (unit || rest.starts_with("lintel") || rest.starts_with("sill") || rest.starts_with("arch"))
+      return id.substr(0, dot);
+  }
+  return "";
+}
+
+}  // namespace wythe::study

@@ -1,0 +1,77 @@
+// How each kind of wall is read: a table for walls in their plane and one for walls in space.
+// readers_of() alone asks which wall it is; the doors in wythe/parts/reading.h call what it gives.
+#pragma once
+
+#include "reading/zones.h"
+#include "wythe/parts/reading.h"
+
+namespace wythe::reading {
+
+struct Readers {
+  int dimension;  // of places
+  // what never changes
+  PointRange (*range)(const Model&, JointId);
+  JointShape (*shape)(const Model&, JointId);
+  std::vector<Vec3> (*corners)(const Model&, BlockId);
+  double (*volume)(const Model&, BlockId);  // of a rigid block [m^3]
+  // where it is now
+  BlockReading (*block)(const Model&, const State&, BlockId);
+  std::vector<Vec3> (*corners_now)(const Model&, const State&, BlockId);
+  std::vector<Vec3> (*face)(const Model&, const State&, JointId, double scale);
+  std::array<Vec3, 2> (*ends)(const Model&, const State&, JointId, double scale);
+  Vec3 (*way)(const Model&, const State&, BlockId, Vec3 arm);
+  double (*tilt)(const State&, BlockId);
+  // what it does and carries
+  std::vector<PointReading> (*points)(const Model&, const State&);
+  JointReading (*joint)(const Model&, JointId, const std::vector<PointReading>&);
+  bool (*slid_off)(const Model&, const std::vector<PointReading>&, JointId);
+  Vec3 (*force)(const Model&, const JointReading&, const WallReading&);
+  LinkReading (*link)(const Model&, const State&, std::size_t);
+  std::vector<BeyondLimit> (*beyond_limits)(const Model&, const State&);
+  LintelMeasures (*lintel)(const Model&, const State&);
+};
+[[nodiscard]] const Readers& readers_of(const Model& model);
+
+// places.cpp
+[[nodiscard]] PointRange range_in_plane(const Model& model, JointId joint);
+[[nodiscard]] PointRange range_in_space(const Model& model, JointId joint);
+[[nodiscard]] JointShape shape_in_plane(const Model& model, JointId joint);
+[[nodiscard]] JointShape shape_in_space(const Model& model, JointId joint);
+[[nodiscard]] std::vector<Vec3> corners_in_space(const Model& model, BlockId block);
+[[nodiscard]] double volume_in_plane(const Model& model, BlockId block);
+[[nodiscard]] double volume_in_space(const Model& model, BlockId block);
+[[nodiscard]] BlockReading block_in_plane(const Model& model, const State& state, BlockId block);
+[[nodiscard]] BlockReading block_in_space(const Model& model, const State& state, BlockId block);
+[[nodiscard]] std::vector<Vec3> corners_now_in_plane(const Model&, const State&, BlockId);
+[[nodiscard]] std::vector<Vec3> corners_now_in_space(const Model&, const State&, BlockId);
+[[nodiscard]] std::vector<Vec3> face_in_plane(const Model&, const State&, JointId, double scale);
+[[nodiscard]] std::vector<Vec3> face_in_space(const Model&, const State&, JointId, double scale);
+[[nodiscard]] std::array<Vec3, 2> ends_in_plane(const Model&, const State&, JointId, double scale);
+[[nodiscard]] std::array<Vec3, 2> ends_in_space(const Model&, const State&, JointId, double scale);
+[[nodiscard]] Vec3 way_in_plane(const Model& model, const State& state, BlockId block, Vec3 arm);
+[[nodiscard]] Vec3 way_in_space(const Model& model, const State& state, BlockId block, Vec3 arm);
+[[nodiscard]] double tilt_in_plane(const State& state, BlockId block);
+[[nodiscard]] double tilt_in_space(const State& state, BlockId block);
+// joints.cpp
+[[nodiscard]] std::vector<PointReading> points_in_plane(const Model& model, const State& state);
+[[nodiscard]] JointReading joint_in_plane(const Model& model, JointId joint,
+                                          const std::vector<PointReading>& points);
+[[nodiscard]] bool slid_off_in_plane(const Model& model, const std::vector<PointReading>& points,
+                                     JointId joint);
+[[nodiscard]] Vec3 force_in_plane(const Model&, const JointReading&, const WallReading&);
+// space.cpp
+[[nodiscard]] std::vector<PointReading> points_in_space(const Model& model, const State& state);
+[[nodiscard]] JointReading joint_in_space(const Model& model, JointId joint,
+                                          const std::vector<PointReading>& points);
+// Whether a joint is pressed and has slid by more than half of its own size; on a support, off the box round it.
+[[nodiscard]] bool slid_off_in_space(const Model& model, const std::vector<PointReading>& points,
+                                     JointId joint);
+[[nodiscard]] Vec3 force_in_space(const Model&, const JointReading&, const WallReading&);
+// links.cpp
+[[nodiscard]] LinkReading link_in_plane(const Model& model, const State& state, std::size_t link);
+[[nodiscard]] LinkReading link_in_space(const Model& model, const State& state, std::size_t link);
+// zones.cpp
+[[nodiscard]] std::vector<BeyondLimit> beyond_limits_in_plane(const Model&, const State&);
+[[nodiscard]] LintelMeasures lintel_measures_in_plane(const Model& model, const State& state);
+
+}  // namespace wythe::reading

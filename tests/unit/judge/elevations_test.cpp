@@ -1,0 +1,350 @@
+// Walls in space seen across their planes: the same wall in its plane, as prisms in space and as prisms in a turned
+// world has the same parts, forces, drifts and names; a building has those of each of its walls.
+#include "judge/modes/elevations.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "judge/modes/in_space.h"
+#include "judge/modes/wall_parts.h"
+#include "scenes/mechanism.h"
+#include "scenes/scenes.h"
+#include "wythe/parts/assessment.h"
+#include "wythe/parts/element_forces.h"
+#include "wythe/parts/failure_mode.h"
+#include "wythe/parts/io.h"
+#include "wythe/parts/mechanism.h"
+#include "wythe/parts/reading.h"
+#include "wythe/parts/solve.h"
+
+namespace wythe::elevations_test {
+namespace {
+
+using scenes::Mechanism;
+using scenes::Motion;
+
+constexpr double kColumn = 0.155, kCourse = 0.11, kTurn = 0.7, kRoundOff = 1e-9;
+constexpr scenes::BondSize kPortal{
+    .columns = 14, .courses = 12, .hole_at_column = 5, .hole_at_course = 4, .hole = 4};
+constexpr double kLength = kPortal.columns * kColumn;
+
+ModelSpec portal() {
+  ModelSpec spec = scenes::half_units(kPortal, scenes::paper_joint());
+  StageSpec push = scenes::push_stage("r11c0", Direction::kPlusX, 0.02, 3e-3);
+  push.damping = 0.2;
+  spec.stage = {scenes::gravity_stage(), push};
+  return spec;
+}
+ModelSpec portal_in_space(double turn = 0) {
+  ModelSpec plane = portal();
+  ModelSpec solid = scenes::prisms(plane);
+  solid.stage.back().along = {1, 0, 0};
+  return turn == 0 ? solid : scenes::turned_about_y(solid, turn);
+}
+
+// A state of a wall in its plane as one of its prisms, turned about the upright axis.
+State in_space(const Model& plane, const State& flat, const Model& solid, double turn = 0) {
+  State state = initial_state(solid);
+  const Rotation about{{0, turn, 0}};
+  for (BlockId b = 0; b < plane.n_block; ++b) {
+    const auto i = static_cast<std::size_t>(b);
+    const auto k = static_cast<std::size_t>(scenes::block_named(solid, plane.anatomy.block_id[i]));
+    const Vec3 u = turned(Vec3{flat.ux[i], flat.uy[i], 0}, about);
+    const Vec3 axis = turned(Vec3{0, 0, 1}, about);
+    state.ux[k] = u.x, state.uy[k] = u.y, state.uz[k] = u.z;
+    const double sine = std::sin(flat.theta[i] / 2);
+    state.qw[k] = std::cos(flat.theta[i] / 2);
+    state.qx[k] = sine * axis.x, state.qy[k] = sine * axis.y, state.qz[k] = sine * axis.z;
+  }
+  const std::vector<PointReading> points = read_points(solid, state);
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    state.kappa[p] = std::max(0.0, points[p].opening);
+    state.slip[p] = points[p].slip;
+    state.plastic_slip[p] = points[p].slip;
+  }
+  return state;
+}
+
+Result read_at(const State& state) {
+  Result result;
+  result.readings.push_back({"end", 40e-3, 0, state});
+  return result;
+}
+
+void expect_same(const study::Part& a, const study::Part& b, double tolerance) {
+  EXPECT_EQ(a.name, b.name);
+  EXPECT_EQ(a.mark, b.mark);
+  EXPECT_EQ(a.storey, b.storey);
+  EXPECT_NEAR(a.box.width(), b.box.width(), tolerance) << a.name;
+  EXPECT_NEAR(a.box.y0, b.box.y0, tolerance) << a.name;
+  EXPECT_NEAR(a.box.y1, b.box.y1, tolerance) << a.name;
+}
+
+TEST(Elevations, a_wall_in_space_has_the_parts_of_the_plane_wall_in_any_world) {
+  const auto plane = study::find_parts(compile(portal()));
+  ASSERT_EQ(plane.piers.size(), 2U);
+  for (const double turn : {0.0, kTurn, -1.2}) {
+    const auto solid = study::find_parts(compile(portal_in_space(turn)));
+    const auto of_plane = study::all_parts(plane), of_solid = study::all_parts(solid);
+    ASSERT_EQ(of_plane.size(), of_solid.size()) << turn;
+    for (std::size_t k = 0; k < of_plane.size(); ++k)
+      expect_same(*of_plane[k].first, *of_solid[k].first, kRoundOff);
+    EXPECT_NEAR(plane.course, solid.course, kRoundOff);
+    EXPECT_NEAR(plane.column, solid.column, kRoundOff);
+  }
+}
+
+// Rigid bodies that move as some kinds of failure do.
+std::vector<Mechanism> mechanisms() {
+  const double head = 8 * kCourse, jamb = 5 * kColumn, far_jamb = 9 * kColumn;
+  return {
+      [=](double x, double y) {  // both piers rock, the spandrel goes along level
+        if (y > head) return Motion{.move_x = 8 * kCourse * 0.02, .move_y = 0};
+        if (x < jamb) return Motion{.pivot_x = jamb, .pivot_y = 0, .turn = -0.02};
+        if (x > far_jamb) return Motion{.pivot_x = kLength, .pivot_y = 0, .turn = -0.02};
+        return Motion{};
+      },
+      [=](double, double y) { return Motion{.move_x = y > 0 ? 0.01 : 0}; },
+      [=](double, double y) { return Motion{.move_x = y > 6 * kCourse ? 0.01 : 0}; },
+      [=](double x, double y) {  // a step through the right pier
+        const bool beyond = x > far_jamb && y > 4 * kCourse + 0.7 * (x - far_jamb);
+        return Motion{.move_x = beyond || y > head ? 0.01 : 0};
+      },
+  };
+}
+
+TEST(Elevations, a_wall_in_space_fails_by_the_name_of_the_plane_wall) {
+  const Model plane = compile(portal());
+  std::set<std::string> names;
+  for (const double turn : {0.0, kTurn}) {
+    const Model solid = compile(portal_in_space(turn));
+    for (const Mechanism& mechanism : mechanisms())
+      for (const bool mirror : {false, true}) {
+        const State flat =
+            scenes::moved(plane, mirror ? scenes::mirrored(mechanism, kLength) : mechanism);
+        const Result in_plane = read_at(flat),
+                     as_solid = read_at(in_space(plane, flat, solid, turn));
+        const FailureMode a = name_failure_mode(plane, in_plane),
+                          b = name_failure_mode(solid, as_solid);
+        names.insert(a.name);
+        ASSERT_EQ(a.elements.size(), b.elements.size());
+        for (std::size_t k = 0; k < a.elements.size(); ++k) {
+          EXPECT_EQ(a.elements[k].element, b.elements[k].element);
+          EXPECT_EQ(a.elements[k].state, b.elements[k].state) << a.elements[k].element;
+          for (std::size_t s = 0; s < a.elements[k].signs.size(); ++s)
+            EXPECT_NEAR(a.elements[k].signs[s].value, b.elements[k].signs[s].value,
+                        1e-6 + 1e-3 * std::fabs(a.elements[k].signs[s].value))
+                << a.elements[k].element << ": " << a.elements[k].signs[s].state;
+        }
+        if (a.name == "unclear") continue;  // in space it may still have a name by what moved
+        EXPECT_EQ(a.name, b.name);
+        EXPECT_EQ(read_mechanism(plane, in_plane).name, read_mechanism(solid, as_solid).name);
+        EXPECT_TRUE(study::stays_in_plane(b.name)) << b.name;
+      }
+  }
+  EXPECT_GE(names.size(), 3U);
+}
+
+struct Pushed {
+  Model model;
+  Result result;
+  PushedWall wall;
+  explicit Pushed(const ModelSpec& spec) : model(compile(spec)) {
+    State state = initial_state(model);
+    result = solve(model, state, {});
+    wall = read_pushed_wall(spec, model, result);
+  }
+};
+
+// Equal points, so that nothing but the step differs.
+ModelSpec with_storeys(ModelSpec spec) {
+  spec.solve.points_per_face = 2;
+  spec.solve.point_rule = PointRule::kCorners;
+  StoreySpec low, high;
+  low.name = "low", low.height = 6 * kCourse;
+  high.name = "high", high.height = 5.5 * kCourse;
+  if (!spec.body.empty()) spec.storey = {low, high};
+  return spec;
+}
+
+TEST(Elevations, a_push_in_space_has_the_drifts_and_the_forces_of_the_plane_push) {
+  ModelSpec plane_spec = with_storeys(portal());
+  plane_spec.storey.clear();
+  const Pushed plane(plane_spec), solid(with_storeys(portal_in_space())),
+      turned(with_storeys(portal_in_space(kTurn)));
+  const auto forces = read_element_forces(plane.model, plane.result);
+  for (const Pushed* other : {&solid, &turned}) {
+    ASSERT_EQ(other->wall.piers.size(), plane.wall.piers.size());
+    for (std::size_t k = 0; k < plane.wall.piers.size(); ++k) {
+      const PierDrift &a = plane.wall.piers[k], &b = other->wall.piers[k];
+      EXPECT_EQ(a.element, b.element);
+      ASSERT_EQ(a.drifts.size(), b.drifts.size());
+      EXPECT_NEAR(a.drifts.front().drift, b.drifts.front().drift, 0.02 * a.drifts.front().drift);
+      EXPECT_NEAR(a.drifts.front().shear, b.drifts.front().shear,
+                  0.02 * std::fabs(a.drifts.front().shear));
+    }
+    const auto own = read_element_forces(other->model, other->result);
+    ASSERT_EQ(own.size(), forces.size());
+    double most = 0;
+    for (const ElementForces& e : forces) most = std::max(most, std::fabs(e.rows[1].end[0].axial));
+    for (std::size_t e = 0; e < forces.size(); ++e)
+      for (const std::size_t end : {0, 1}) {
+        const ElementEnd &a = forces[e].rows[1].end[end], &b = own[e].rows[1].end[end];
+        EXPECT_NEAR(a.axial, b.axial, 0.02 * most) << forces[e].element;
+        EXPECT_NEAR(a.shear, b.shear, 0.02 * most) << forces[e].element;
+        EXPECT_NEAR(a.moment, b.moment, 0.02 * most * kLength) << forces[e].element;
+      }
+    EXPECT_FALSE(other->wall.storeys.empty());
+  }
+  for (std::size_t k = 0; k < solid.wall.storeys.size() && k < turned.wall.storeys.size(); ++k)
+    EXPECT_NEAR(solid.wall.storeys[k].drift, turned.wall.storeys[k].drift,
+                0.05 * solid.wall.storeys[k].drift);
+}
+
+// What both may carry, and by which limit.
+CodeAssessment assessed(ModelSpec spec) {
+  spec.assessment.code = "circolare_2019";
+  spec.assessment.spectrum.kind = SpectrumKind::kEn1998;
+  spec.assessment.spectrum.ground_acceleration = 2;
+  spec.assessment.spectrum.ground = "B", spec.assessment.spectrum.shape = "1";
+  const Model model = compile(spec);
+  State state = initial_state(model);
+  Result result = solve(model, state, {});
+  result.failure_mode = name_failure_mode(model, result, 3e-3);
+  return assess_run(spec, model, result);
+}
+
+TEST(Elevations, a_wall_in_space_gets_the_verdict_of_the_plane_wall) {
+  ModelSpec plane_spec = with_storeys(portal());
+  const CodeAssessment plane = assessed(plane_spec),
+                       solid = assessed(with_storeys(portal_in_space(kTurn)));
+  EXPECT_EQ(plane.verdict, solid.verdict);
+  ASSERT_NE(plane.asked(), nullptr);
+  ASSERT_NE(solid.asked(), nullptr);
+  ASSERT_TRUE(std::isfinite(plane.asked()->acceleration)) << text_of(plane.sentence);
+  EXPECT_EQ(plane.asked()->governing, solid.asked()->governing);
+  EXPECT_NEAR(plane.asked()->acceleration, solid.asked()->acceleration,
+              0.05 * plane.asked()->acceleration);
+  const auto notes_piers = [](const CodeAssessment& a) {
+    return std::any_of(a.notes.begin(), a.notes.end(), [](const Message& note) {
+      return note.code == "assessment.note.pier_drift";
+    });
+  };
+  EXPECT_EQ(notes_piers(plane), notes_piers(solid));
+}
+
+// --- a building --------------------------------------------------------------------------------------
+
+const std::string kHouse = R"(
+[wall]
+height = "1.2 m"
+thickness = "0.2 m"
+[wall.unit]
+length = "400 mm"
+height = "100 mm"
+density = "2000 kg/m^3"
+split = "none"
+[material.joint]
+normal_stiffness = "20 GPa/m"
+shear_stiffness = "8 GPa/m"
+tensile_strength = "0.5 MPa"
+cohesion = "0.8 MPa"
+residual_cohesion = "0 MPa"
+friction_angle = "30 deg"
+residual_friction_angle = "30 deg"
+mode_1_energy = "20 N/m"
+mode_2_energy = "200 N/m"
+compressive_strength = "unlimited"
+[material.timber]
+density = "600 kg/m^3"
+[[plan_wall]]
+name = "front"
+line = [["0 m", "0 m"], ["2.0 m", "0 m"]]
+MEETS
+[[plan_wall.opening]]
+name = "window"
+x = "0.8 m"
+y = "0.4 m"
+width = "0.4 m"
+height = "0.4 m"
+lintel = { kind = "timber", bearing = "200 mm", depth = "100 mm", material = "timber" }
+[[plan_wall]]
+name = "left"
+line = [["0 m", "1.5 m"], ["0 m", "0 m"]]
+MEETS
+[[plan_wall]]
+name = "right"
+line = [["2.0 m", "0 m"], ["2.0 m", "1.5 m"]]
+MEETS
+[[stage]]
+name = "gravity"
+)";
+Model house(const std::string& meets) {
+  std::string text = kHouse;
+  for (std::size_t k = text.find("MEETS"); k != std::string::npos; k = text.find("MEETS"))
+    text.replace(k, 5, "meets = \"" + meets + "\"");
+  return compile(parse_model(text, "house.toml", {}));
+}
+
+TEST(Elevations, a_house_has_the_parts_of_each_of_its_walls) {
+  for (const std::string meets : {"toothed", "butted"}) {
+    const Model model = house(meets);
+    const auto walls = study::elevations_of(model);
+    ASSERT_EQ(walls.size(), 3U);
+    EXPECT_EQ(walls[0].wall, "front");
+    EXPECT_NEAR(walls[0].along.x, 1, kRoundOff);
+    EXPECT_NEAR(walls[1].along.z, 1, kRoundOff) << "towards +z, whatever its line";
+    EXPECT_TRUE(study::is_along(walls[0], {1, 0, 0}));
+    EXPECT_FALSE(study::is_along(walls[1], {1, 0, 0}));
+    const auto parts = study::find_parts(model);
+    std::vector<std::string> names;
+    for (const study::Pier& pier : parts.piers) names.push_back(pier.name);
+    EXPECT_EQ(names, (std::vector<std::string>{"front: left pier", "front: right pier",
+                                               "left: wall", "right: wall"}))
+        << meets;
+    ASSERT_EQ(parts.spandrels.size(), 2U);  // a sill and a spandrel
+    EXPECT_EQ(parts.openings, 1) << "a corner has no hole in every second course";
+    EXPECT_NEAR(parts.column, 0.2, kRoundOff);
+    EXPECT_NEAR(parts.course, 0.1, kRoundOff);
+    EXPECT_NEAR(parts.piers[0].box.y0, 0.4, kRoundOff);
+    EXPECT_NEAR(parts.piers[0].box.y1, 0.8, kRoundOff);
+    EXPECT_EQ(parts.piers[2].mark, "P3");
+    EXPECT_EQ(parts.piers[2].elevation, 1);
+  }
+}
+
+// Butted walls share no block, so that the ground carries each wall's own piers: together the whole house.
+TEST(Elevations, what_the_walls_of_a_house_carry_adds_up_to_its_weight) {
+  const Model model = house("butted");
+  State state = initial_state(model);
+  const Result result = solve(model, state, {});
+  ASSERT_EQ(result.status, SolveStatus::kCompleted) << result.reason;
+  Result rest;
+  rest.readings.push_back({"end", 0, 0, state});
+  double windows = 0, bare = 0;
+  for (const ElementForces& e : read_element_forces(model, rest)) {
+    if (e.kind != "pier") continue;
+    (e.element.starts_with("front") ? windows : bare) += e.rows.back().end[0].axial;
+  }
+  double above = 0, sides = 0;
+  for (BlockId b = 0; b < model.n_block; ++b) {
+    const auto i = static_cast<std::size_t>(b);
+    const double weight = model.gravity_mass[i] * model.solve.gravity;
+    if (!model.anatomy.block_id[i].starts_with("front"))
+      sides += weight;
+    else if (model.centroid_y[i] > 0.4)
+      above += weight;
+  }
+  // bonded walls hang on each other at the corners: the sum is exact, the shares are not
+  EXPECT_NEAR(windows + bare, above + sides, 0.02 * (above + sides));
+  EXPECT_GT(windows, 0.7 * above);
+  EXPECT_GT(bare, 0.7 * sides);
+}
+
+}  // namespace
+}  // namespace wythe::elevations_test
