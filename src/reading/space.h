@@ -5,6 +5,11 @@
 
 namespace wythe::reading {
 
+// How far the points of a joint are apart along t1, t2 and n, as the law sees them [m].
+[[nodiscard]] std::vector<Vec3> gaps_in_space(const Model& model, const State& state,
+                                              JointId joint);
+// How far a place of a body has moved, `arm` from its centroid; a support as it was driven.
+[[nodiscard]] Vec3 moved_in_space(const Model& model, const State& state, BlockId body, Vec3 arm);
 [[nodiscard]] std::vector<PointReading> points_in_space(const Model& model, const State& state);
 [[nodiscard]] JointReading joint_in_space(const Model& model, JointId joint,
                                           const std::vector<PointReading>& points);
