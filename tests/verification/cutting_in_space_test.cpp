@@ -44,6 +44,7 @@ ModelSpec laid(ModelSpec plane, int wythes = 1) {
   wall.wythes = wythes;
   plane.wall.opening.clear();
   plane.wall.length = kUnset;
+  plane.stage[1].on.block = "w.c07*";  // else the foot of the window is pressed too
   lay_bodies({.plan_wall = {wall}, .slab = {}, .arch = {}, .dome = {}}, plane);
   return plane;
 }

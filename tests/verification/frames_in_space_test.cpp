@@ -135,7 +135,7 @@ TEST(FramesInSpace, a_post_bends_across_its_plane_about_its_weak_axis) {
   verify({"SF04", "post pushed across its frame's plane: stiffness", "N/m",
           1 / (std::pow(arm, 3) / (3 * kE * heb.weak_second_moment) +
                arm / (kG * heb.weak_shear_area)),
-          5e-3, "quadrature is exact; the push at 0.5 mm/s swings by less"},
+          1e-2, "quadrature is exact; the push at 0.5 mm/s swings by less"},
          stiffness(post, "frame0_7", kAcross));
 }
 
@@ -162,6 +162,7 @@ TEST(FramesInSpace, energy_balances_while_a_frame_swings_freely) {
   ModelSpec spec = yard();
   spec.frame = {portal(FrameFeet::kFixed)};
   spec.frame[0].yield_strength = 1e12;
+  spec.solve.step_fraction = 0.1;
   StageSpec swing;
   swing.name = "swing", swing.kind = StageKind::kHold, swing.duration = 0.05;
   swing.damping = 0, swing.release = true;
@@ -198,6 +199,8 @@ ModelSpec plane_wall() {
   spec.stage[1].pier_load = kUnset;
   spec.stage[1].pressure = 50e3;
   spec.stage.back().at.x = 0.05;
+  spec.material["joint"] = scenes::elastic_joint(20e9, 8e9);
+  spec.material["unit"] = scenes::elastic_joint(40e9, 16e9);
   spec = scenes::framed(spec);
   FrameSpec& frame = spec.frame[0];
   frame.yield_strength = 500e6;
@@ -212,6 +215,7 @@ ModelSpec laid(ModelSpec plane) {
   wall.opening = plane.wall.opening;
   plane.wall.opening.clear();
   plane.wall.length = kUnset;
+  plane.stage[1].on.block = "w.c07*";  // else the foot of the window is pressed too
   plane.frame[0].wall = "w";
   plane.stage.back().at.z = 0;
   lay_bodies({.plan_wall = {wall}, .slab = {}, .arch = {}, .dome = {}}, plane);
@@ -231,10 +235,10 @@ TEST(FramesInSpace, a_wall_with_a_frame_bears_as_in_its_plane) {
     const Ran flat = solved(plane), r = solved(laid(plane));
     EXPECT_EQ(r.model.frames.n, flat.model.frames.n);
     verify({"SF07", "wall with a frame, pushed in space and in its plane: force", "N",
-            flat.result.curve.back().base_shear, 0.03,
+            flat.result.curve.back().base_shear, 0.01,
             "the frame is as wide in both; points of faces across the thickness"},
            r.result.curve.back().base_shear);
-    verify({"SF08", "the same: largest moment in the frame", "N m", largest_moment(flat), 0.05,
+    verify({"SF08", "the same: largest moment in the frame", "N m", largest_moment(flat), 0.02,
             "as before"},
            largest_moment(r));
     EXPECT_LT(r.result.energy.gap_ratio, 1e-3);
