@@ -12,6 +12,7 @@
 #include "wythe/parts/builder.h"
 #include "wythe/parts/error.h"
 #include "wythe/parts/io.h"
+#include "wythe/parts/limit.h"
 #include "wythe/parts/reading.h"
 #include "wythe/parts/solve.h"
 
@@ -204,6 +205,73 @@ TEST(CuttingInSpace, bears_as_much_as_the_same_wall_in_its_plane) {
           flat.result.curve.back().base_shear, 0.02,
           "points of faces across the thickness; round-off of a path with cracks"},
          r.result.curve.back().base_shear);
+}
+
+// Limit analysis sees the wall that stands when the push begins.
+TEST(CuttingInSpace, the_limit_load_is_that_of_the_wall_after_the_cut) {
+  const auto pushed = [](ModelSpec spec) {
+    spec.stage.push_back(scenes::push_stage("", Direction::kPlusX, 5e-3, 1e-3));
+    spec.stage.back().at = {};
+    spec.stage.back().at.x = 0.05, spec.stage.back().at.y = 6.5 * 0.11;
+    spec = laid(with_lintel(spec));
+    spec.stage.back().at.z = 0;
+    return compile(spec);
+  };
+  const Model cut = pushed(plane_wall());
+  const LimitResult found = limit_load(cut, {}),
+                    wanted = limit_load(pushed(built(plane_wall())), {});
+  verify({"CU15", "limit load of a wall in space whose opening a stage cuts", "N", wanted.load,
+          1e-5, "the same programme, its rows in another order"},
+         found.load);
+  EXPECT_EQ(found.vx.size(), static_cast<std::size_t>(cut.n_block));
+  EXPECT_EQ(found.point_force.size(), static_cast<std::size_t>(cut.n_point()));
+}
+
+//      [ ---- beam ---- ]     the prop comes in one stage and goes in another
+//      [ ]    [prop]  [ ]
+TEST(CuttingInSpace, a_prop_comes_without_force_and_goes_without_a_trace) {
+  const auto blocks = [](bool has_prop) {
+    ModelSpec spec = scenes::in_space({scenes::box("floor", {-1, -0.1, -1}, {4, 0.1, 2}, true),
+                                       scenes::box("left", {0, 0, 0}, {0.2, 0.5, 0.2}),
+                                       scenes::box("right", {1.8, 0, 0}, {0.2, 0.5, 0.2}),
+                                       scenes::box("beam", {0, 0.5, 0}, {2, 0.2, 0.2})},
+                                      scenes::elastic_joint(20e9, 8e9), 2000);
+    if (has_prop) {
+      spec.body.push_back(scenes::box("prop", {0.9, 0, 0}, {0.2, 0.5, 0.2}));
+      spec.body.back().put_in = "prop";
+      spec.body.back().cut = "unprop";
+    }
+    spec.stage = {scenes::gravity_stage()};
+    for (const char* name : {"prop", "unprop"}) {
+      StageSpec stage;
+      stage.name = name, stage.kind = StageKind::kCut;
+      spec.stage.push_back(stage);
+    }
+    spec.solve.settle_ratio = 1e-8;
+    return spec;
+  };
+  const Ran with = solved(blocks(true)), without = solved(blocks(false));
+  ASSERT_EQ(with.result.status, SolveStatus::kCompleted) << text_of(with.result.reason);
+  const auto was = motions(with), wanted = motions(without);
+  double most = 0, apart = 0;
+  for (const auto& [id, motion] : wanted) {
+    most = std::max(most, length(motion));
+    apart = std::max(apart, length(was.at(id) - motion));
+  }
+  verify({"CU14", "beam that was propped and let go: displacement off that of one never propped",
+          "", 0, 1e-4, "settlings to 1e-8", true},
+         apart / most);
+  const Result& result = with.result;
+  const Ran propped = solved(blocks(true), result.steps - result.stages.back().steps - 1);
+  double weight = 0;
+  for (const JointReading& joint : read_wall(propped.model, propped.state).joints)
+    if (!joint.handed_over && joint.shape.kind == JointKind::kFoundation &&
+        propped.model.standing.from[static_cast<std::size_t>(joint.shape.b)] > 0)
+      weight += joint.compression;
+  // of its own weight the joint above holds a part; the beam, four times as heavy, gives it nothing
+  const double own = 2000 * 9.81 * 0.2 * 0.5 * 0.2;
+  EXPECT_GT(weight, 0.3 * own);
+  EXPECT_LT(weight, 1.001 * own);
 }
 
 std::string fault_of(const ModelSpec& plane) {
