@@ -9,9 +9,7 @@
 
 #include "scenes/scenes.h"
 #include "verification/record.h"
-#include "wythe/parts/builder.h"
 #include "wythe/parts/error.h"
-#include "wythe/parts/io.h"
 #include "wythe/parts/limit.h"
 #include "wythe/parts/reading.h"
 #include "wythe/parts/solve.h"
@@ -36,19 +34,7 @@ ModelSpec plane_wall() {
   return spec;
 }
 
-// The same wall along a line in plan.
-ModelSpec laid(ModelSpec plane, int wythes = 1) {
-  PlanWallSpec wall;
-  wall.name = "w";
-  wall.line = {{0, 0}, {plane.wall.length, 0}};
-  wall.opening = plane.wall.opening;
-  wall.wythes = wythes;
-  plane.wall.opening.clear();
-  plane.wall.length = kUnset;
-  plane.stage[1].on.block = "w.c07*";  // else the foot of the window is pressed too
-  lay_bodies({.plan_wall = {wall}, .slab = {}, .arch = {}, .dome = {}}, plane);
-  return plane;
-}
+using scenes::along_a_line;
 ModelSpec built(ModelSpec plane) {
   plane.wall.opening[0].cut = "";
   return plane;
@@ -102,8 +88,8 @@ double load_of(const Ran& r) {
 
 TEST(CuttingInSpace, an_elastic_wall_ends_as_if_it_had_been_built_so) {
   for (const int wythes : {1, 2}) {
-    const Ran cut = solved(laid(elastic(plane_wall()), wythes)),
-              whole = solved(laid(elastic(built(plane_wall())), wythes));
+    const Ran cut = solved(along_a_line(elastic(plane_wall()), wythes)),
+              whole = solved(along_a_line(elastic(built(plane_wall())), wythes));
     ASSERT_EQ(cut.result.status, SolveStatus::kCompleted) << text_of(cut.result.reason);
     const auto was = motions(cut), wanted = motions(whole);
     ASSERT_EQ(was.size(), wanted.size());
@@ -121,9 +107,9 @@ TEST(CuttingInSpace, an_elastic_wall_ends_as_if_it_had_been_built_so) {
 
 TEST(CuttingInSpace, the_ground_bears_what_is_left) {
   for (const bool is_elastic : {true, false}) {
-    const Ran r = solved(laid(is_elastic ? elastic(plane_wall()) : plane_wall()));
+    const Ran r = solved(along_a_line(is_elastic ? elastic(plane_wall()) : plane_wall()));
     ASSERT_EQ(r.result.status, SolveStatus::kCompleted) << text_of(r.result.reason);
-    const Model whole = compile(laid(built(plane_wall())));
+    const Model whole = compile(along_a_line(built(plane_wall())));
     EXPECT_NEAR(r.model.weight, whole.weight, 1e-9 * whole.weight);
     EXPECT_NEAR(load_of(r), kPressure * 8 * 0.155 * 0.31, 1e-6);
     verify({"CU12", "wall in space cut under load: force on the ground", "N",
@@ -134,7 +120,7 @@ TEST(CuttingInSpace, the_ground_bears_what_is_left) {
 }
 
 TEST(CuttingInSpace, begins_without_a_jolt) {
-  const Ran start = begun(laid(elastic(plane_wall())));
+  const Ran start = begun(along_a_line(elastic(plane_wall())));
   double speed = 0;
   for (std::size_t i = 0; i < start.state.vx.size(); ++i)
     speed = std::max(speed, length({start.state.vx[i], start.state.vy[i], start.state.vz[i]}));
@@ -155,7 +141,7 @@ ModelSpec with_lintel(ModelSpec spec) {
 }
 
 TEST(CuttingInSpace, a_lintel_is_put_in_without_force_and_then_bears) {
-  const ModelSpec spec = laid(with_lintel(plane_wall()));
+  const ModelSpec spec = along_a_line(with_lintel(plane_wall()));
   const auto most = [](const Ran& r) {
     double force = 0;
     for (const JointReading& joint : read_wall(r.model, r.state).joints)
@@ -171,7 +157,7 @@ TEST(CuttingInSpace, a_lintel_is_put_in_without_force_and_then_bears) {
 }
 
 TEST(CuttingInSpace, threads_and_restarts_give_the_same_bits) {
-  ModelSpec spec = laid(with_lintel(plane_wall()));
+  ModelSpec spec = along_a_line(with_lintel(plane_wall()));
   spec.solve.settle_ratio = 1e-3;
   const Ran one = solved(spec);
   EXPECT_EQ(solved(spec, 0, 2).result.state_hash, one.result.state_hash);
@@ -197,9 +183,7 @@ TEST(CuttingInSpace, bears_as_much_as_the_same_wall_in_its_plane) {
     spec.stage.back().at.x = 0.05, spec.stage.back().at.y = 6.5 * 0.11;
     return spec;
   };
-  ModelSpec in_space = laid(pushed(plane_wall()));
-  in_space.stage.back().at.z = 0;
-  const Ran flat = solved(pushed(plane_wall())), r = solved(in_space);
+  const Ran flat = solved(pushed(plane_wall())), r = solved(along_a_line(pushed(plane_wall())));
   ASSERT_EQ(r.result.status, SolveStatus::kCompleted) << text_of(r.result.reason);
   verify({"CU13", "wall cut under load and pushed, in space and in its plane: force", "N",
           flat.result.curve.back().base_shear, 0.02,
@@ -213,9 +197,7 @@ TEST(CuttingInSpace, the_limit_load_is_that_of_the_wall_after_the_cut) {
     spec.stage.push_back(scenes::push_stage("", Direction::kPlusX, 5e-3, 1e-3));
     spec.stage.back().at = {};
     spec.stage.back().at.x = 0.05, spec.stage.back().at.y = 6.5 * 0.11;
-    spec = laid(with_lintel(spec));
-    spec.stage.back().at.z = 0;
-    return compile(spec);
+    return compile(along_a_line(with_lintel(spec)));
   };
   const Model cut = pushed(plane_wall());
   const LimitResult found = limit_load(cut, {}),
@@ -276,7 +258,7 @@ TEST(CuttingInSpace, a_prop_comes_without_force_and_goes_without_a_trace) {
 
 std::string fault_of(const ModelSpec& plane) {
   try {
-    (void)compile(laid(plane));
+    (void)compile(along_a_line(plane));
   } catch (const InputError& error) {
     return error.faults().front().path + ": " + error.faults().front().problem;
   }

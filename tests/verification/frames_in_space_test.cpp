@@ -9,7 +9,6 @@
 #include "geometry/wall/profiles.h"
 #include "scenes/scenes.h"
 #include "verification/record.h"
-#include "wythe/parts/builder.h"
 #include "wythe/parts/error.h"
 #include "wythe/parts/reading.h"
 #include "wythe/parts/solve.h"
@@ -202,25 +201,10 @@ ModelSpec plane_wall() {
   spec.material["joint"] = scenes::elastic_joint(20e9, 8e9);
   spec.material["unit"] = scenes::elastic_joint(40e9, 16e9);
   spec = scenes::framed(spec);
-  FrameSpec& frame = spec.frame[0];
-  frame.yield_strength = 500e6;
-  frame.section.weak_second_moment = frame.section.second_moment;
-  frame.section.torsion_constant = 1.69 * frame.section.second_moment;
+  spec.frame[0].yield_strength = 500e6;
   return spec;
 }
-ModelSpec laid(ModelSpec plane) {
-  PlanWallSpec wall;
-  wall.name = "w";
-  wall.line = {{0, 0}, {plane.wall.length, 0}};
-  wall.opening = plane.wall.opening;
-  plane.wall.opening.clear();
-  plane.wall.length = kUnset;
-  plane.stage[1].on.block = "w.c07*";  // else the foot of the window is pressed too
-  plane.frame[0].wall = "w";
-  plane.stage.back().at.z = 0;
-  lay_bodies({.plan_wall = {wall}, .slab = {}, .arch = {}, .dome = {}}, plane);
-  return plane;
-}
+using scenes::along_a_line;
 
 double largest_moment(const Ran& r) {
   double most = 0;
@@ -232,7 +216,7 @@ double largest_moment(const Ran& r) {
 TEST(FramesInSpace, a_wall_with_a_frame_bears_as_in_its_plane) {
   for (const bool is_cut : {false, true}) {
     const ModelSpec plane = is_cut ? scenes::cut_under_load(plane_wall()) : plane_wall();
-    const Ran flat = solved(plane), r = solved(laid(plane));
+    const Ran flat = solved(plane), r = solved(along_a_line(plane));
     EXPECT_EQ(r.model.frames.n, flat.model.frames.n);
     verify({"SF07", "wall with a frame, pushed in space and in its plane: force", "N",
             flat.result.curve.back().base_shear, 0.01,
@@ -246,7 +230,7 @@ TEST(FramesInSpace, a_wall_with_a_frame_bears_as_in_its_plane) {
 }
 
 TEST(FramesInSpace, threads_give_the_same_bits) {
-  const ModelSpec spec = laid(scenes::cut_under_load(plane_wall()));
+  const ModelSpec spec = along_a_line(scenes::cut_under_load(plane_wall()));
   std::string hash;
   for (const int threads : {1, 2}) {
     Ran r{compile(spec), {}, {}};
