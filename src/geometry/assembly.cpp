@@ -14,6 +14,7 @@
 #include "geometry/wall/arches.h"
 #include "geometry/wall/checks.h"
 #include "geometry/wall/courses.h"
+#include "geometry/wall/cut_out.h"
 #include "geometry/wall/faces.h"
 #include "geometry/wall/fit.h"
 #include "geometry/wall/foundation.h"
@@ -133,29 +134,14 @@ struct Plan {
   std::vector<PlacedFrame> frames = {};
 };
 
-// The masonry in a box of the wall, cut at its sides: the courses less all that is round it.
-std::vector<Block> masonry_in(const Rect& box, const std::vector<Storey>& storeys) {
-  const Rect wall{0, 0, storeys.front().lattice.columns.extent, storeys.back().top()};
-  const std::vector<Rect> around{{wall.x0, wall.y0, box.x0, wall.y1},
-                                 {box.x1, wall.y0, wall.x1, wall.y1},
-                                 {box.x0, wall.y0, box.x1, box.y0},
-                                 {box.x0, box.y1, box.x1, wall.y1}};
-  return lay_masonry(storeys, around).blocks;
-}
-
 // What stands where a stage cuts an opening and puts in its lintel and sill.
 void add_cut_out(const PlacedOpening& opening, const std::vector<Storey>& storeys,
                  std::vector<Block>& blocks) {
-  std::vector<Rect> boxes{opening.hole};
-  for (const std::vector<Rect>* chain : {&opening.segment, &opening.sill})
-    if (!chain->empty()) boxes.push_back(join(chain->front(), chain->back()));
   int number = 0;
-  for (const Rect& box : boxes)
-    for (Block block : masonry_in(box, storeys)) {
-      block.id = "cut" + std::to_string(opening.index) + "_" + std::to_string(number++);
-      block.cut_from = opening.index;
-      blocks.push_back(block);
-    }
+  for (Block& block : masonry_cut_out(opening, storeys)) {
+    block.id = "cut" + std::to_string(opening.index) + "_" + std::to_string(number++);
+    blocks.push_back(block);
+  }
 }
 
 bool is_cut(const Shape& shape, const PlacedOpening& opening) {

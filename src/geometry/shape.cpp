@@ -36,10 +36,11 @@ class Key {
   void add(const FrameSpec& frame) {
     const auto& [name, round, line, feet, profile, count, section, beam_profile, beam_count,
                  beam_section, grade, yield_strength, youngs_modulus, shear_modulus, joint, gap,
-                 stage, anchors, wedges] = frame;
+                 stage, anchors, wedges, wall, x, y, z, turn, hole] = frame;
     // grade, moduli and what holds it shape nothing
     add_all(name, round, line, feet, profile, count, section, beam_profile, beam_count,
-            beam_section, joint, gap, stage);
+            beam_section, joint, gap, stage, wall, x, y, z, turn, hole.x, hole.y, hole.width,
+            hole.height);
   }
   void add(const RegionSpec& region) {
     const auto& [name, storey, pier, x, y, width, height, polygon, joints, density, thickness] =
@@ -57,8 +58,8 @@ class Key {
     add_all(vertex, face);
   }
   void add(const BodySpec& body) {
-    const auto& [id, part, material, fixed, zone, role] = body;
-    add_all(id, part, material, fixed, zone, role);
+    const auto& [id, part, material, fixed, zone, role, cut, put_in] = body;
+    add_all(id, part, material, fixed, zone, role, cut, put_in);
   }
   void add(const ContactRule& rule) {
     const auto& [between, material] = rule;
@@ -124,8 +125,9 @@ class Key {
     add_all(kind, depth, bearing, material, joint);
   }
   void add(const SectionSpec& section) {
-    const auto& [height, width, area, shear_area, second_moment, plastic_modulus, mass] = section;
-    add_all(height, width, area, shear_area, second_moment, plastic_modulus, mass);
+    const auto& [height, width, area, shear_area, second_moment, plastic_modulus, mass, weak,
+                 torsion] = section;
+    add_all(height, width, area, shear_area, second_moment, plastic_modulus, mass, weak, torsion);
   }
   void add(const FoundationStep& step) { add_all(step.x, step.y); }
   void add(const ArchSpec& arch) {

@@ -184,7 +184,7 @@ std::vector<EnvelopePoint> envelope(const std::vector<ComparedRun>& runs, const 
 }
 
 Message described(const Model& given) {
-  const Model model = with_rigid_bodies(given);
+  const Model model = with_rigid_bodies(with_what_stands(given));
   double weight = 0, x = 0, y = 0, down = 0, at = 0;
   for (std::size_t b = 0; b < model.gravity_mass.size(); ++b) {
     const double w = model.solve.gravity * model.gravity_mass[b];

@@ -7,6 +7,7 @@
 
 #include "limit/in_space.h"
 #include "limit/plane/programmes.h"
+#include "limit/standing.h"
 #include "wythe/parts/error.h"
 #include "wythe/parts/limit.h"
 
@@ -302,6 +303,12 @@ LimitResult limit_in_space(const Model& model, const LimitOptions& options,
 
 LimitResult limit_load(const Model& model, const LimitOptions& options,
                        const LimitMonitor& monitor) {
+  if (model.standing.any()) {
+    const StandingWall wall(model);
+    LimitResult answer = limit_load(wall.model, options, monitor);
+    wall.spread_out(answer);
+    return answer;
+  }
   if (!model.solids.bodies.empty()) {
     LimitResult answer = limit_load(with_rigid_bodies(model), options, monitor);
     keep_first(model, answer);
@@ -315,10 +322,6 @@ LimitResult limit_load(const Model& model, const LimitOptions& options,
     refuse("frame", model.frames.name.front(),
            "bends and yields, and limit analysis knows no frames",
            "leave it out for this analysis; the run takes it");
-  if (model.standing.any())
-    refuse("wall.opening", "",
-           "is cut by a stage, and limit analysis knows one wall from the first stage on",
-           "leave cut out of the openings for this analysis");
   const auto& kinds = model.anatomy.joint_kind;  // mortar alone has no fibres
   if (model.layers.n > 0 || std::find(kinds.begin(), kinds.end(), JointKind::kCoat) != kinds.end())
     refuse("layer", model.layers.n > 0 ? model.layers.name.front() : "mortar",

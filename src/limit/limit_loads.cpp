@@ -282,6 +282,9 @@ void note_stages(const Model& model, std::vector<Message>& notes) {
 std::vector<Message> left_aside(const Model& model) {
   std::vector<Message> notes;
   note_stages(model, notes);
+  const Stage* grows = limit::growing_stage(model);
+  if (model.standing.any() && grows != nullptr)
+    notes.push_back({"limit.stands_in", {{"stage", "\"" + grows->spec.name + "\""}}});
   // masses that a body force or a tilt leaves out
   for (const Message& note : model.anatomy.notes)
     if (note.code.starts_with("body_force.") || note.code.starts_with("tilt."))

@@ -46,6 +46,7 @@ State initial_state(const Model& model) {
     const auto block = static_cast<std::size_t>(model.frames.moved[k]);
     s.ux[block] = model.frames.moved_x[k];
     s.uy[block] = model.frames.moved_y[k];
+    if (!model.frames.moved_z.empty()) s.uz[block] = model.frames.moved_z[k];
   }
   s.load_scale.assign(model.stages.size(), 0.0);
   return s;

@@ -40,7 +40,9 @@ enum class Entity {
   kMaxwell,     // points of the joints of a wall with Maxwell elements
   kMaxwellInSpace,
   kFrameSet,  // a section of a wall where a stage puts something up
-  kRelease,   // a block of a wall where a stage cuts an opening
+  kFrameSetInSpace,
+  kRelease,  // a block of a wall where a stage cuts an opening
+  kReleaseInSpace,
   kOther
 };
 
@@ -69,7 +71,9 @@ enum class Entity {
     case Entity::kMaxwell: return has_maxwell(m) ? static_cast<std::size_t>(m.n_point()) : 0;
     case Entity::kMaxwellInSpace: return m.in_space() ? count_of(m, Entity::kMaxwell) : 0;
     case Entity::kFrameSet: return m.standing.any() ? count_of(m, Entity::kFrameLink) : 0;
+    case Entity::kFrameSetInSpace: return m.in_space() ? count_of(m, Entity::kFrameSet) : 0;
     case Entity::kRelease: return m.standing.any() ? count_of(m, Entity::kBlock) : 0;
+    case Entity::kReleaseInSpace: return m.in_space() ? count_of(m, Entity::kRelease) : 0;
     case Entity::kOther: break;
   }
   return 0;
@@ -164,12 +168,24 @@ inline constexpr std::array kStateFields{
                "the same across it"},
     StateField{&State::frame_turn, Entity::kFrameSet, true, "frame_turn", "rad",
                "how far it had turned"},
+    StateField{&State::frame_aside, Entity::kFrameSetInSpace, true, "frame_aside", "m",
+               "how far it had gone across the frame's plane"},
+    StateField{&State::frame_lean, Entity::kFrameSetInSpace, true, "frame_lean", "rad",
+               "how far it had turned about the left of its member's way"},
+    StateField{&State::frame_twist, Entity::kFrameSetInSpace, true, "frame_twist", "rad",
+               "the same about the member's axis"},
     StateField{
         &State::release_x, Entity::kRelease, true, "release_x", "N",
         "force along x that what was cut out left on its neighbours; of no length in other walls"},
     StateField{&State::release_y, Entity::kRelease, true, "release_y", "N", "the same along y"},
     StateField{&State::release_m, Entity::kRelease, true, "release_m", "N m",
-               "the same about the centroid"},
+               "the same about the centroid; in space about z"},
+    StateField{&State::release_z, Entity::kReleaseInSpace, true, "release_z", "N",
+               "the same along z"},
+    StateField{&State::release_mx, Entity::kReleaseInSpace, true, "release_mx", "N m",
+               "the same about x"},
+    StateField{&State::release_my, Entity::kReleaseInSpace, true, "release_my", "N m",
+               "the same about y"},
     StateField{&State::layer_slip, Entity::kLayerNode, true, "layer_slip", "m",
                "slip of a layer's node on its block"},
     StateField{&State::layer_reached, Entity::kLayerNode, true, "layer_reached", "m",
@@ -326,6 +342,14 @@ void each_model_field(M& m, const Visit& visit) {
     visit(f.fibre, E::kFrameLink, kOwn, "frame_fibre", "m");
     visit(f.outer_yield, E::kFrameLink, kOwn, "frame_outer_yield", "N");
     visit(f.middle_yield, E::kFrameLink, kOwn, "frame_middle_yield", "N");
+    visit(f.arm_a_z, E::kFrameLink, kOwn, "frame_arm_a_z", "m");
+    visit(f.arm_b_z, E::kFrameLink, kOwn, "frame_arm_b_z", "m");
+    visit(f.axis_z, E::kFrameLink, kOwn, "frame_axis_z", "1");
+    visit(f.rest_z, E::kFrameLink, kOwn, "frame_rest_z", "m");
+    visit(f.left, E::kFrameLink, kOwn, "frame_left_of_way", "1");
+    visit(f.aside_stiffness, E::kFrameLink, kOwn, "frame_aside_stiffness", "N/m");
+    visit(f.lean_stiffness, E::kFrameLink, kOwn, "frame_lean_stiffness", "N m");
+    visit(f.twist_stiffness, E::kFrameLink, kOwn, "frame_twist_stiffness", "N m");
   }
 
   if (m.standing.any()) {

@@ -55,6 +55,8 @@ struct Coat {
   JointMaterial law;
   std::string name;  // of the material
 };
+// Whether a layer may lie on a block: masonry, lintels, sills and ring beams that stand from the first stage on.
+[[nodiscard]] bool holds_layers(const ModelSpec& spec, const geometry::Block& block);
 [[nodiscard]] std::vector<Coat> compile_coats(const ModelSpec& spec,
                                               const geometry::Assembly& assembly,
                                               const BlockMap& map, Model& model, FaultList& faults);
@@ -72,12 +74,24 @@ void add_link(Links& links, const NewLink& link);
 // ties, diaphragms and springs.
 void compile_links(const ModelSpec& spec, const geometry::Assembly& assembly, const BlockMap& map,
                    Model& model, FaultList& faults);
+// --- of frames, in their plane and in space
+struct FrameSteel {
+  double yield = kUnset, youngs = kUnset, shear = kUnset;  // [Pa]
+};
+// Faults stand at the frame's `path`.
+[[nodiscard]] FrameSteel frame_steel(const FrameSpec& frame, const std::string& path,
+                                     FaultList& faults);
+void check_frame_gap(const ModelSpec& spec, const FrameSpec& frame, const std::string& path,
+                     FaultList& faults);
+void note_frame(const geometry::PlacedFrame& placed, const FrameSpec& frame, Model& model);
 // sections between the segments of frames.
 void compile_frames(const ModelSpec& spec, const geometry::Assembly& assembly, const BlockMap& map,
                     Model& model, FaultList& faults);
 // what stands when, where stages cut openings and put up frames; needs frames.
 void compile_standing(const ModelSpec& spec, const geometry::Assembly& assembly,
                       const BlockMap& map, Model& model, FaultList& faults);
+// Stages of kind cut that are none of `used`.
+void note_idle_cuts(const ModelSpec& spec, const std::vector<int>& used, Model& model);
 // loads, ties and pushes on masonry that a stage cuts out.
 void check_standing(const Model& model, FaultList& faults);
 // strands of layers: nodes on blocks, and where they cross joints; needs joints.

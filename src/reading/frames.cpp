@@ -4,6 +4,8 @@
 
 #include "core/rotation.h"
 #include "reading/frames.h"
+#include "reading/readers.h"
+#include "reading/space_frames.h"
 #include "wythe/parts/reading.h"
 
 namespace wythe {
@@ -55,11 +57,45 @@ double section_use(const FrameMember& m, double normal, double shear, double mom
   return std::max({bent, pulled + outer * bent, sheared});
 }
 
-std::vector<FrameReading> read_frames(const Model& m, const State& s) {
+namespace reading {
+
+std::vector<FrameReading> frames_in_space(const Model& m, const State& s) {
   const Frames& f = m.frames;
   std::vector<FrameReading> read(f.a.size());
   for (std::size_t k = 0; k < read.size(); ++k) {
-    const auto [jump, end_b] = reading::section_in(m, s, k);
+    const SpaceSectionJump jump = section_in_space(m, s, k);
+    const contact::SectionForces pull = section_forces_in_space(f, s, k, jump);
+    const FrameMember& member = m.frames.members[static_cast<std::size_t>(f.member[k])];
+    FrameReading& now = read[k];
+    const Vec3 arm{f.arm_b_x[k], f.arm_b_y[k], f.arm_b_z[k]};
+    now.where = m.space.centroid[static_cast<std::size_t>(f.b[k])] + arm +
+                moved_in_space(m, s, f.b[k], arm);
+    if (!m.standing.joins(f.a[k], f.b[k], s.stage)) continue;  // not up yet
+    // a foot at the end of the way, where the ground is side a, looks back along it
+    const bool back = f.a[k] == kGroundBlock && f.place[k] > 0.5 * member.length;
+    now.normal = pull.normal;
+    now.shear = -pull.shear;
+    now.moment = back ? -pull.moment : pull.moment;
+    now.use = section_use(member, now.normal, now.shear, now.moment);
+    now.plastic = std::max({std::fabs(s.frame_left[k] + pull.left.flow),
+                            std::fabs(s.frame_middle[k] + pull.middle.flow),
+                            std::fabs(s.frame_right[k] + pull.right.flow)});
+    now.stored = stored_in(f.outer_stiffness[k], pull.left.force) +
+                 stored_in(f.outer_stiffness[k], pull.right.force) +
+                 stored_in(f.middle_stiffness[k], pull.middle.force) +
+                 stored_in(f.shear_stiffness[k], pull.shear) +
+                 0.5 * (f.aside_stiffness[k] * jump.aside * jump.aside +
+                        f.lean_stiffness[k] * jump.lean * jump.lean +
+                        f.twist_stiffness[k] * jump.twist * jump.twist);
+  }
+  return read;
+}
+
+std::vector<FrameReading> frames_in_plane(const Model& m, const State& s) {
+  const Frames& f = m.frames;
+  std::vector<FrameReading> read(f.a.size());
+  for (std::size_t k = 0; k < read.size(); ++k) {
+    const auto [jump, end_b] = section_in(m, s, k);
     const contact::SectionLaw law{f.outer_stiffness[k], f.middle_stiffness[k], f.shear_stiffness[k],
                                   f.fibre[k],           f.outer_yield[k],      f.middle_yield[k]};
     const contact::SectionForces pull =
@@ -85,4 +121,5 @@ std::vector<FrameReading> read_frames(const Model& m, const State& s) {
   return read;
 }
 
+}  // namespace reading
 }  // namespace wythe

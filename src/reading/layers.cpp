@@ -30,10 +30,11 @@ std::vector<LayerReading> read_layers(const Model& m, const State& s) {
   for (std::size_t k = 0; k < read.size(); ++k) {
     LayerReading& now = read[k];
     const contact::LayerBond bond{l.bond_energy[k], l.bond_rate[k]};
+    if (!m.standing.holds(l.a[k], s.stage)) continue;  // it is cut out with its masonry
     now.slip = s.layer_slip[k];
     now.spent = contact::bond_spent(bond, s.layer_reached[k]);
     now.stored = 0.5 * contact::bond_secant(bond, s.layer_reached[k]) * now.slip * now.slip;
-    if (!(l.stiffness[k] > 0)) continue;
+    if (!(l.stiffness[k] > 0) || !m.standing.holds(l.b[k], s.stage)) continue;
     now.broken = s.layer_broken[k] > 0;
     const double stretch = now.broken ? 0.0 : stretch_in(l, s, k);
     now.force = contact::fibres_pull(l.stiffness[k], stretch);

@@ -24,6 +24,7 @@ constexpr Readers kPlane{.dimension = 2,
                          .slid_off = slid_off_in_plane,
                          .force = force_in_plane,
                          .link = link_in_plane,
+                         .frames = frames_in_plane,
                          .beyond_limits = beyond_limits_in_plane,
                          .lintel = lintel_measures_in_plane};
 
@@ -43,6 +44,7 @@ constexpr Readers kSpace{.dimension = 3,
                          .slid_off = slid_off_in_space,
                          .force = force_in_space,
                          .link = link_in_space,
+                         .frames = frames_in_space,
                          .beyond_limits = beyond_limits_in_space,
                          .lintel = lintel_measures_in_space};
 
@@ -90,6 +92,9 @@ std::vector<PointReading> read_points(const Model& model, const State& state) {
 }
 bool has_slid_off(const Model& model, const std::vector<PointReading>& points, JointId joint) {
   return readers_of(model).slid_off(model, points, joint);
+}
+std::vector<FrameReading> read_frames(const Model& model, const State& state) {
+  return readers_of(model).frames(model, state);
 }
 Vec3 force_of(const Model& model, const JointReading& joint, const WallReading& wall) {
   return readers_of(model).force(model, joint, wall);

@@ -27,6 +27,7 @@ struct Readers {
   bool (*slid_off)(const Model&, const std::vector<PointReading>&, JointId);
   Vec3 (*force)(const Model&, const JointReading&, const WallReading&);
   LinkReading (*link)(const Model&, const State&, std::size_t);
+  std::vector<FrameReading> (*frames)(const Model&, const State&);
   std::vector<BeyondLimit> (*beyond_limits)(const Model&, const State&);
   LintelMeasures (*lintel)(const Model&, const State&);
 };
@@ -60,6 +61,11 @@ struct Readers {
                                      JointId joint);
 [[nodiscard]] Vec3 force_in_plane(const Model&, const JointReading&, const WallReading&);
 // space.cpp
+// How far the points of a joint are apart along t1, t2 and n, as the law sees them [m].
+[[nodiscard]] std::vector<Vec3> gaps_in_space(const Model& model, const State& state,
+                                              JointId joint);
+// How far a place of a body has moved, `arm` from its centroid; a support as it was driven.
+[[nodiscard]] Vec3 moved_in_space(const Model& model, const State& state, BlockId body, Vec3 arm);
 [[nodiscard]] std::vector<PointReading> points_in_space(const Model& model, const State& state);
 [[nodiscard]] JointReading joint_in_space(const Model& model, JointId joint,
                                           const std::vector<PointReading>& points);
@@ -70,6 +76,9 @@ struct Readers {
 // links.cpp
 [[nodiscard]] LinkReading link_in_plane(const Model& model, const State& state, std::size_t link);
 [[nodiscard]] LinkReading link_in_space(const Model& model, const State& state, std::size_t link);
+// frames.cpp
+[[nodiscard]] std::vector<FrameReading> frames_in_plane(const Model& model, const State& state);
+[[nodiscard]] std::vector<FrameReading> frames_in_space(const Model& model, const State& state);
 // zones.cpp
 [[nodiscard]] std::vector<BeyondLimit> beyond_limits_in_plane(const Model&, const State&);
 [[nodiscard]] LintelMeasures lintel_measures_in_plane(const Model& model, const State& state);

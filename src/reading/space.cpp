@@ -10,6 +10,7 @@
 #include "contact/parameters.h"
 #include "core/elementary.h"
 #include "model/fields.h"
+#include "reading/space_frames.h"
 #include "reading/zones_in_space.h"
 
 namespace wythe::reading {
@@ -20,10 +21,7 @@ using Vec = Vector<double>;
 Vec vec(Vec3 v) { return {v.x, v.y, v.z}; }
 Vec3 vec3(const Vec& v) { return {v.x, v.y, v.z}; }
 
-contact::Pose<double> pose_of(const State& s, BlockId block) {
-  const auto i = static_cast<std::size_t>(block);
-  return {{s.ux[i], s.uy[i], s.uz[i]}, {s.qw[i], {s.qx[i], s.qy[i], s.qz[i]}}};
-}
+contact::Pose<double> pose_of(const State& s, BlockId block) { return pose_in_space(s, block); }
 
 // The gap of joint j, and the frame its components are in.
 struct Gap {
@@ -110,6 +108,25 @@ void evaluate_contacts(const Model& m, const State& s, std::vector<PointReading>
 
 }  // namespace
 
+std::vector<Vec3> gaps_in_space(const Model& m, const State& s, JointId j) {
+  const contact::FaceGap<double> gap = gap_of(m, s, j).gap;
+  std::vector<Vec3> gaps;
+  for (auto p = static_cast<std::size_t>(m.space.point_begin[j]);
+       p < static_cast<std::size_t>(m.space.point_begin[static_cast<std::size_t>(j) + 1]); ++p)
+    gaps.push_back(vec3(gap.j + m.space.point_r1[p] * gap.a + m.space.point_r2[p] * gap.b));
+  return gaps;
+}
+
+Vec3 moved_in_space(const Model& m, const State& s, BlockId body, Vec3 arm) {
+  if (body == kGroundBlock) return {};
+  if (const int support = body - m.n_block; support >= 0) {
+    const auto k = static_cast<std::size_t>(support);
+    return {s.support_x[k], s.support_y[k], s.support_z[k]};
+  }
+  const contact::Pose<double> pose = pose_of(s, body);
+  return vec3(pose.u + swing(pose.q, vec(arm)));
+}
+
 std::vector<PointReading> points_in_space(const Model& m, const State& s) {
   std::vector<PointReading> points(static_cast<std::size_t>(m.n_history()));
   contact::Laws laws(m.materials);
@@ -119,11 +136,14 @@ std::vector<PointReading> points_in_space(const Model& m, const State& s) {
     const JointShape shape = joint_shape(m, j);
     const double reach = length(shape.half);
     const BlockReading b = read_block(m, s, shape.b);
+    const bool stands =
+        m.standing.joins(m.joint_a[j], m.joint_b[j], s.stage);  // else nothing is read off it
     for (auto p = static_cast<std::size_t>(m.space.point_begin[j]);
          p < static_cast<std::size_t>(m.space.point_begin[static_cast<std::size_t>(j) + 1]); ++p) {
       const double r1 = m.space.point_r1[p], r2 = m.space.point_r2[p];
-      points[p] =
-          evaluate_point(s, p, law, face.gap.j + r1 * face.gap.a + r2 * face.gap.b, face.frame);
+      if (stands)
+        points[p] =
+            evaluate_point(s, p, law, face.gap.j + r1 * face.gap.a + r2 * face.gap.b, face.frame);
       if (!s.handed_over.empty() && s.handed_over[j] != 0) {  // a free contact has its place
         points[p].normal_stress = points[p].shear_stress = 0;
         points[p].shear_vector = {};
@@ -131,7 +151,7 @@ std::vector<PointReading> points_in_space(const Model& m, const State& s) {
       points[p].share = m.space.point_share[p];
       points[p].place = reach > 0 ? r1 / reach : 0;
       const Vec3 arm = shape.arm_b + r1 * shape.along + r2 * cross(shape.normal, shape.along);
-      const double back = shape.a == kGroundBlock ? 0.0 : 0.5;
+      const double back = shape.a == kGroundBlock || !stands ? 0.0 : 0.5;
       const Vec3 jump = points[p].slip_vector + points[p].opening * vec3(face.frame.n);
       points[p].where = turned(arm, b.turned, b.start + b.moved) - back * jump;
     }

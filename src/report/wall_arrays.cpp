@@ -195,7 +195,7 @@ void add_wall(Bundle& bundle, const Model& model) {
     wall["contacts"] = s.n_contact;
   }
   if (model.links.n > 0 && dimension_of(model) == 2) wall["links"] = links_of(model);
-  if (model.frames.n > 0) add_members(wall, model);
+  if (model.frames.n > 0 && dimension_of(model) == 2) add_members(wall, model);
   if (!a.storey_top.empty()) wall["storeys"] = storeys_of(a);
   if (dimension_of(model) == 3) {
     add_space(bundle, model, wall);

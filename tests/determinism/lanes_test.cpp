@@ -242,6 +242,24 @@ TEST(Lanes, walls_with_frames_too) {
                                       compile(scenes::framed(scenes::small_wall(0.1e-3, 0.05)))));
 }
 
+TEST(Lanes, walls_in_space_with_frames_too) {
+  const auto wall = [](double strength) {
+    ModelSpec spec = scenes::framed(scenes::small_wall(0.1e-3, 0.05));
+    spec.stage.erase(spec.stage.begin() + 1);  // what presses on piers is of the plane
+    spec.stage.back().at.x = 0.05;
+    spec.frame[0].yield_strength *= strength;
+    return scenes::along_a_line(spec);
+  };
+  for (const int width : {2, 4, 8}) {
+    std::vector<std::unique_ptr<Wall>> walls;
+    for (const double strength : {1.0, 1.1, 0.9, 1.2, 0.8})
+      walls.push_back(std::make_unique<Wall>(wall(strength), 1));
+    ASSERT_TRUE(dynamics::fit_together(walls[0]->model, walls[1]->model));
+    EXPECT_NE(walls[0]->alone, walls[1]->alone);
+    solve_together(walls, width);
+  }
+}
+
 TEST(Lanes, walls_with_layers_too) {
   for (const int width : {2, 4, 8}) {
     std::vector<std::unique_ptr<Wall>> walls;

@@ -225,6 +225,18 @@ TEST(Restart, a_wall_whose_opening_is_cut_in_pieces_gives_the_same_result) {
                    {"gravity", "cut", "push"});
 }
 
+TEST(Restart, a_wall_in_space_whose_opening_is_cut_in_pieces_gives_the_same_result) {
+  ModelSpec spec = scenes::cut_under_load(scenes::framed(scenes::small_wall(0.1e-3, 0.05)));
+  spec.stage.erase(spec.stage.begin() + 1);  // what presses on piers is of the plane
+  spec.stage.back().at.x = 0.05;
+  expect_invisible(scenes::along_a_line(spec), kPiece, {"gravity", "cut", "push"});
+}
+
+TEST(Restart, a_wall_with_a_layer_that_is_cut_in_pieces_gives_the_same_result) {
+  expect_invisible(scenes::cut_under_load(scenes::layered(scenes::small_wall(0.1e-3, 0.05))),
+                   kPiece, {"gravity", "cut", "push"});
+}
+
 TEST(Restart, a_wall_with_layers_that_come_off_and_break_in_pieces_gives_the_same_result) {
   ModelSpec spec = scenes::layered(scenes::small_wall(0.1e-3, 0.05));
   spec.stage.back().targets = {0.1e-3, -0.1e-3};

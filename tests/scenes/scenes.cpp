@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "wythe/parts/builder.h"
 #include "wythe/parts/io.h"
 #include "wythe/parts/study.h"
 
@@ -242,7 +243,9 @@ ModelSpec framed(ModelSpec spec) {
                    .shear_area = 10e-4 / 3,
                    .second_moment = 4e-8 / 3,
                    .plastic_modulus = 2e-6,
-                   .mass = 3.14};
+                   .mass = 3.14,
+                   .weak_second_moment = 4e-8 / 3,
+                   .torsion_constant = 2.25e-8};
   frame.yield_strength = 0.5e6, frame.youngs_modulus = 210e9, frame.shear_modulus = 81e9;
   frame.joint = "dry";
   spec.frame = {frame};
@@ -322,6 +325,25 @@ ModelSpec in_space(std::vector<BodySpec> bodies, const JointMaterial& joint, dou
   spec.material["joint"] = joint;
   spec.body = std::move(bodies);
   return spec;
+}
+
+ModelSpec along_a_line(ModelSpec plane, int wythes) {
+  PlanWallSpec wall;
+  wall.name = "w";
+  wall.line = {{0, 0}, {plane.wall.length, 0}};
+  wall.opening = plane.wall.opening;
+  wall.wythes = wythes;
+  const double courses = std::round(plane.wall.height / plane.wall.unit.height);
+  plane.wall.opening.clear();
+  plane.wall.length = kUnset;
+  for (FrameSpec& frame : plane.frame) frame.wall = "w";
+  for (StageSpec& stage : plane.stage) {
+    // else the foot of a window is pressed too
+    if (std::isfinite(stage.pressure)) stage.on.block = fmt::format("w.c{:02.0f}*", courses - 1);
+    if (stage.at.block.empty() && std::isfinite(stage.at.x)) stage.at.z = 0;
+  }
+  lay_bodies({.plan_wall = {wall}, .slab = {}, .arch = {}, .dome = {}}, plane);
+  return plane;
 }
 
 ModelSpec prisms(const ModelSpec& plane) {

@@ -62,6 +62,8 @@ struct BondSize {
                                  double density = 2000);
 // The blocks of an assembly in its plane as prisms of its thickness, with motion in that plane.
 [[nodiscard]] ModelSpec prisms(const ModelSpec& plane);
+// A wall of bricks, with its openings and frames, along a line in plan: "w". A pressure acts on its top course.
+[[nodiscard]] ModelSpec along_a_line(ModelSpec plane, int wythes = 1);
 // Every body turned about the upright axis, and with it what the stages do.
 [[nodiscard]] ModelSpec turned_about_y(ModelSpec spec, double angle);
 

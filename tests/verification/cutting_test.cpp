@@ -10,6 +10,7 @@
 #include "scenes/scenes.h"
 #include "verification/record.h"
 #include "wythe/parts/error.h"
+#include "wythe/parts/limit.h"
 #include "wythe/parts/reading.h"
 #include "wythe/parts/solve.h"
 
@@ -261,6 +262,86 @@ TEST(Cutting, a_frame_along_a_line_in_the_opening_comes_with_the_cut) {
     }
 }
 
+// --- layers, zones, limit loads --------------------------------------------------------------------------
+
+// Fibres that crossed the cut hold nothing, and what was held by them is let go of slowly.
+TEST(Cutting, a_layer_goes_with_its_masonry) {
+  const ModelSpec spec = scenes::layered(cut_wall());
+  const Ran start = begun(spec), r = solved(spec);
+  ASSERT_EQ(r.result.status, SolveStatus::kCompleted) << text_of(r.result.reason);
+  const Layers& l = r.model.layers;
+  const std::vector<LayerReading> nodes = read_layers(r.model, r.state);
+  int severed = 0, gone = 0;
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    const bool here = r.model.standing.holds(l.a[k], 2), there = r.model.standing.holds(l.b[k], 2);
+    gone += here ? 0 : 1;
+    severed += here != there ? 1 : 0;
+    if (here && there) continue;
+    EXPECT_EQ(nodes[k].force, 0);
+    EXPECT_FALSE(nodes[k].broken);
+  }
+  EXPECT_GT(gone, 10);
+  EXPECT_GT(severed, 4);
+  const double loads = kLoad * static_cast<double>(r.model.anatomy.pier_x0.size());
+  verify({"CU03", "wall with a layer, cut under load: force on the ground", "N",
+          r.model.weight + loads, 1e-4, "settled to 1e-7"},
+         ground_force(r));
+  EXPECT_LT(r.result.energy.gap_ratio, 1e-3);
+  double speed = 0;
+  for (std::size_t i = 0; i < start.state.vx.size(); ++i)
+    speed = std::max(speed, std::hypot(start.state.vx[i], start.state.vy[i]));
+  EXPECT_LT(speed, 0.01 * start.model.solve.gravity * start.result.time_step);
+}
+
+// A wall with a window whose lintel is cut into zones, and a second window that a stage cuts.
+ModelSpec wall_with_zones() {
+  ModelSpec spec = cut_wall();
+  spec.wall.length = 16 * 0.155;
+  OpeningSpec other = spec.wall.opening[0];
+  other.name = "other", other.cut = "";
+  other.x = 11 * 0.155;
+  spec.wall.opening.push_back(other);
+  ModelSpec lintel = with_lintel(built_wall(), scenes::dry_joint(20e9, 8e9, 0.4));
+  spec.wall.opening[1].lintel = lintel.wall.opening[0].lintel;
+  spec.wall.opening[1].lintel.model = LintelModel::kZones;
+  spec.wall.opening[1].lintel.zones = 1;
+  spec.material["timber"] = lintel.material["timber"];
+  spec.material["timber"].shear_modulus = 4e9;
+  spec.material["bond"] = lintel.material["bond"];
+  return spec;
+}
+
+TEST(Cutting, zones_elsewhere_stay_as_they_are) {
+  const Ran r = solved(wall_with_zones());
+  ASSERT_EQ(r.result.status, SolveStatus::kCompleted) << text_of(r.result.reason);
+  ASSERT_EQ(r.model.solids.bodies.size(), 1U);
+  const double loads = kLoad * static_cast<double>(r.model.anatomy.pier_x0.size());
+  verify({"CU04", "wall with a lintel of zones, cut under load elsewhere: force on the ground", "N",
+          r.model.weight + loads, 1e-4, "settled to 1e-7"},
+         ground_force(r));
+  EXPECT_LT(r.result.energy.gap_ratio, 1e-3);
+}
+
+// Limit analysis sees the wall that stands when the push begins.
+TEST(Cutting, the_limit_load_is_that_of_the_wall_after_the_cut) {
+  const auto pushed = [](ModelSpec spec) {
+    spec.stage.push_back(scenes::push_stage("", Direction::kPlusX, 0.02, 1e-3));
+    spec.stage.back().at = {};
+    spec.stage.back().at.x = 0, spec.stage.back().at.y = 6.5 * 0.11;
+    return with_lintel(spec, scenes::dry_joint(20e9, 8e9, 0.4));
+  };
+  const Model cut = compile(pushed(cut_wall())), whole = compile(pushed(built_wall()));
+  const LimitResult found = limit_load(cut, {}), wanted = limit_load(whole, {});
+  verify({"CU05", "limit load of a wall whose opening a stage cuts", "N", wanted.load, 1e-6,
+          "the same programme, its rows in another order"},
+         found.load);
+  EXPECT_EQ(found.vx.size(), static_cast<std::size_t>(cut.n_block));
+  EXPECT_EQ(found.shear_force.size(), static_cast<std::size_t>(cut.n_joint));
+  bool told = false;
+  for (const Message& note : left_aside(cut)) told = told || note.code == "limit.stands_in";
+  EXPECT_TRUE(told);
+}
+
 TEST(Cutting, threads_give_the_same_bits) {
   ModelSpec spec = cut_wall();
   spec.solve.settle_ratio = 1e-3;
@@ -296,6 +377,11 @@ TEST(Cutting, what_cannot_be_is_refused_with_its_place) {
   spec.wall.opening[0].arch.rise = 0.05;
   spec.wall.opening[0].arch.depth = 0.11;
   EXPECT_EQ(fault_of(spec), "wall.opening.0.cut: an arch cannot be laid into standing masonry");
+  spec = wall_with_zones();
+  spec.wall.opening[1].cut = "cut";
+  EXPECT_EQ(fault_of(spec),
+            "wall.opening.1.lintel.model: is put in by a stage, and deformable blocks stand from "
+            "the first stage on");
   spec = cut_wall();
   spec.solve.contacts = Contacts::kFree;
   EXPECT_NE(fault_of(spec).find("solve.contacts: does not go with openings that a stage cuts"),

@@ -25,7 +25,9 @@ struct BodySpec {
   std::string material = "masonry";  // names a material with a density, else wall.unit.density
   bool fixed = false;                // a support: never moves but by a stage that drives it
   ZoneSpec zone = {};                // deformable where zone.zones > 0: one part, a hexahedron
-  std::string role;  // word of BlockRole (model.h); "": masonry, or as its id and material say
+  std::string role;      // word of BlockRole (model.h); "": masonry, or as its id and material say
+  std::string cut = {};  // name of the stage that cuts it out; "": it stays
+  std::string put_in = {};  // name of the stage that puts it in; "": it stands from the first on
 };
 
 }  // namespace wythe

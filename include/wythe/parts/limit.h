@@ -98,6 +98,8 @@ struct LimitStopped : std::runtime_error {
 
 // The model with each deformable block as one rigid block, after its own blocks and joints.
 [[nodiscard]] Model with_rigid_bodies(Model model);
+// The wall as it stands when the growing load begins, where stages cut openings; else the model itself.
+[[nodiscard]] Model with_what_stands(Model model);
 // Whether some joint has a tensile strength that it can lose. Joints of unlimited strength (the chain
 // of a lintel) do not count.
 [[nodiscard]] bool has_bond(const Model& model);

@@ -259,8 +259,8 @@ struct FrameMember {
   int frame = 0;                            // into Frames::name
   Message words;                            // "left column"
   double length = 0;                        // [m]
-  double x0 = 0, y0 = 0;                    // where it begins, as built [m]
-  double direction_x = 0, direction_y = 0;  // unit vector
+  double x0 = 0, y0 = 0;                    // where it begins in its plane, as built [m]
+  double direction_x = 0, direction_y = 0;  // unit vector there
   // of its section, all pieces together
   double area = 0, shear_area = 0;                // [m^2]
   double second_moment = 0, plastic_modulus = 0;  // [m^4], [m^3]
@@ -268,8 +268,8 @@ struct FrameMember {
   double fibre = 0;                               // I / Wpl: of the outer fibres from the axis [m]
 };
 
-// Frames of the plane as chains of rigid segments (docs/theory/frames.md), one row per link: the section of three
-// fibres between two segments, or between the ground (a) and a foot.
+// Frames as chains of rigid segments (docs/theory/frames.md), one row per link: the section of three fibres between two
+// segments, or between the ground (a) and a foot.
 struct Frames {
   int n = 0;
   std::vector<BlockId> a, b;  // a is kGroundBlock at a foot
@@ -282,6 +282,12 @@ struct Frames {
   std::vector<double> fibre;                              // of the outer ones from the axis [m]
   std::vector<double> outer_yield, middle_yield;          // [N]
 
+  // in space beside these: the third components; what is left of the member's way, and across its plane
+  std::vector<double> arm_a_z, arm_b_z, axis_z, rest_z;
+  std::vector<Vec3> left;
+  std::vector<double> aside_stiffness;                  // in shear across the plane [N/m]
+  std::vector<double> lean_stiffness, twist_stiffness;  // about the left, about the axis [N m]
+
   // read by results alone
   std::vector<std::int32_t> member;  // into members
   std::vector<double> place;         // along its member [m]
@@ -291,7 +297,7 @@ struct Frames {
 
   // Blocks that do not start where their outlines are drawn, by the gap to the masonry.
   std::vector<BlockId> moved;
-  std::vector<double> moved_x, moved_y;  // [m]
+  std::vector<double> moved_x, moved_y, moved_z;  // [m]; z in space alone
 };
 
 // What stands when, where stages cut openings and put up what goes into them (docs/theory/cutting.md): block i stands in
@@ -532,9 +538,13 @@ struct State {
   // how far sections had gone along and across, and turned, when a stage put them up: without force (n_frame_link, or
   // empty) [m], [m], [rad]
   std::vector<double> frame_along, frame_across, frame_turn;
+  // in space beside these: across the frame's plane, about the left of the member's way, about its axis
+  std::vector<double> frame_aside, frame_lean, frame_twist;
 
   // where a stage cuts an opening: what went left this on its neighbours; it fades (n_block, or empty) [N], [N m]
   std::vector<double> release_x, release_y, release_m;
+  // in space the rest of it; release_m is about z
+  std::vector<double> release_z, release_mx, release_my;
 
   // written by the pass over layers (n_layer_node)
   std::vector<double> layer_slip;     // of a node on its block, along the strand [m]

@@ -186,6 +186,8 @@ struct SectionSpec {
   double second_moment = kUnset;              // I [m^4]
   double plastic_modulus = kUnset;            // Wpl [m^3]
   double mass = kUnset;                       // [kg/m]
+  // across the wall's plane, of frames in space [m^4]
+  double weak_second_moment = kUnset, torsion_constant = kUnset;
 };
 
 // Where a frame's columns end: held by the ground, hinged on it, on a base beam, or resting on what is below.
@@ -206,6 +208,10 @@ struct AnchorSpec {
 struct WedgeSpec {
   double force = kUnset;    // of all together [N]
   double spacing = kUnset;  // along the beam [m]
+};
+// The opening that a frame in space stands in, in the frame's plane [m].
+struct HoleSpec {
+  double x = kUnset, y = kUnset, width = kUnset, height = kUnset;
 };
 // A frame of columns and beams, round an opening or along a line, as a chain of rigid segments joined by
 // elastic-plastic sections (docs/theory/frames.md).
@@ -230,6 +236,11 @@ struct FrameSpec {
       "";  // name of the stage that puts it up; "": that which cuts its opening, or the first
   AnchorSpec anchors;
   WedgeSpec wedges;
+  // In space: the wall of the builder in whose middle plane it stands; or the place in the file's axes where that
+  // plane has x = y = 0 [m], its turn in plan from x [rad], and the opening that it stands in.
+  std::string wall;
+  double x = kUnset, y = kUnset, z = kUnset, turn = 0;
+  HoleSpec hole;
 };
 
 // The fibres of a layer; of one face.

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "dynamics/executors/processor.h"
+#include "dynamics/space/frames.h"
 #include "dynamics/space/space_bodies.h"
 
 namespace wythe::dynamics::space {
@@ -22,7 +23,7 @@ const KernelSet& kernels_for(int lanes, const KernelSet& most) {
 
 class SpaceWallAccess final : public WallAccess {
  public:
-  SpaceWallAccess(const SpaceProcessor& processor, const Model& model, int lane)
+  SpaceWallAccess(SpaceProcessor& processor, const Model& model, int lane)
       : processor_(processor), model_(model), lane_(lane), view_(processor.view(lane)) {}
 
   [[nodiscard]] double unbalance_ratio() const override {
@@ -55,13 +56,15 @@ class SpaceWallAccess final : public WallAccess {
   }
   void choose_driven(const std::vector<BlockId>& blocks) override {
     space::choose_driven(view_, blocks);
+    if (model_.standing.any()) hold_still(view_, model_, processor_.state(lane_).stage);
   }
   void store_state(State& state) const override { processor_.store_state(lane_, state); }
+  void reload_wall(State& state) override { processor_.load_wall(lane_, model_, state); }
 
  private:
   [[nodiscard]] const ZoneRun* zones() const { return processor_.zones(lane_); }
 
-  const SpaceProcessor& processor_;
+  SpaceProcessor& processor_;
   const Model& model_;
   int lane_;
   const WallView& view_;
@@ -105,6 +108,7 @@ void SpaceProcessor::load_wall(int lane, const Model& model, State& state) {
   wall.has_stepped = false;
   wall.dashpot_state.maxwell.load_state(state);
   load_lane(wall.view, model, state);
+  if (model.standing.any()) stand(wall.view, model, state);
   if (free_) free_->load_state(state, wall.view);
   wall.zones.reset();
   if (model.space.solids.n_zone > 0) wall.zones = std::make_unique<ZoneRun>(model, state);
@@ -155,9 +159,13 @@ void SpaceProcessor::begin_step() {
     if (wall.model == nullptr) continue;
     State& state = *wall.state;
     for (const Stage& stage : wall.model->stages) {
-      for (const PointLoad& load : stage.loads) clear_load(load, wall.view);
-      for (const PointLoad& mass : stage.carried) clear_load(mass, wall.view);
+      for (const PointLoad& load : stage.loads) clear_load(load.block, wall.view);
+      for (const PointLoad& mass : stage.carried) clear_load(mass.block, wall.view);
     }
+    const auto now = static_cast<std::size_t>(state.stage);
+    const bool cuts = wall.model->standing.any() && now < wall.model->stages.size() &&
+                      wall.model->stages[now].spec.kind == StageKind::kCut;
+    for (int i = 0; cuts && i < wall.view.blocks; ++i) clear_load(i, wall.view);
     for (std::size_t k = 0; k < wall.model->stages.size(); ++k)
       if (state.load_scale[k] != 0)
         for (const PointLoad& load : wall.model->stages[k].loads)
@@ -165,6 +173,9 @@ void SpaceProcessor::begin_step() {
                    free_ ? state.load_scale[k] * free_->load_share(load.block, wall.view)
                          : state.load_scale[k],
                    wall.view);
+    if (cuts) release(wall.view, state, 1 - state.load_scale[now]);
+    if (wall.model->frames.n > 0 && wall.controls.dt > 0)
+      state.dissipated_friction += add_frame_forces(wall.view, *wall.model, state);
     if (wall.view.links > 0 && wall.controls.dt > 0) {
       const LinkWork work = add_link_forces(wall.view, links_set(*wall.model, state));
       state.dissipated_friction += work.dissipated;

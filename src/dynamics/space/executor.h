@@ -38,6 +38,9 @@ class SpaceProcessor final : public Executor {
   [[nodiscard]] double reaction(int lane) const override {
     return wall_[static_cast<std::size_t>(lane)].reaction;
   }
+  [[nodiscard]] const State& state(int lane) const {
+    return *wall_[static_cast<std::size_t>(lane)].state;
+  }
   // Motion, history and free contacts of the wall in a lane, into a state's own arrays.
   void store_state(int lane, State& state) const;
   [[nodiscard]] const WallView& view(int lane) const {

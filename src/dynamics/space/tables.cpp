@@ -96,6 +96,7 @@ void place(const Layout& l, const Model& m, Tables& t, Placed& to) {
   to.take(t.block_middle, blocks);
   const std::size_t frees = m.free.any() ? static_cast<std::size_t>(m.n_block + m.free.n_fixed) : 0;
   to.take(t.block_entry, m.block_entry.size() + 2 * static_cast<std::size_t>(l.n_link) +
+                             2 * static_cast<std::size_t>(l.n_frame) +
                              (frees > 0 ? static_cast<std::size_t>(m.n_block) : 0) +
                              static_cast<std::size_t>(l.n_contact));
   to.take(t.link_a, static_cast<std::size_t>(l.n_link));
@@ -113,7 +114,7 @@ void place(const Layout& l, const Model& m, Tables& t, Placed& to) {
   // of joints, of links, of free contacts: one a body; of contacts of zones
   for (double** rows : {&t.force, &t.moment_a, &t.moment_b})
     to.take(*rows, 4 *
-                       (joints + static_cast<std::size_t>(l.n_link) + frees +
+                       (joints + static_cast<std::size_t>(l.n_link + l.n_frame) + frees +
                         static_cast<std::size_t>(l.n_contact)) *
                        walls);
   to.take(t.law_path, joints * walls);
@@ -155,9 +156,9 @@ void fill_joints(const Layout& l, const Model& m, Tables& t) {
 // contacts of zones, then b.
 void fill_blocks(const Layout& l, const Model& m, Tables& t) {
   std::int32_t next = 0;
-  const auto add_links = [&](const std::vector<BlockId>& side, BlockId block) {
-    for (int k = 0; k < l.n_link; ++k)
-      if (side[k] == block) t.block_entry[next++] = l.n_joint + k;
+  const auto add = [&](const std::vector<BlockId>& side, BlockId block, std::int32_t first) {
+    for (std::size_t k = 0; k < side.size(); ++k)
+      if (side[k] == block) t.block_entry[next++] = first + static_cast<std::int32_t>(k);
   };
   for (int i = 0; i < l.n_block; ++i) {
     t.block_begin[i] = t.block_middle[i] = next;
@@ -171,13 +172,15 @@ void fill_blocks(const Layout& l, const Model& m, Tables& t) {
     const auto last = m.block_begin[static_cast<std::size_t>(i) + 1];
     for (; e < last && (m.block_entry[e] & 1) == 0; ++e)
       t.block_entry[next++] = l.joint_place[m.block_entry[e] >> 1];
-    add_links(m.links.a, i);
-    if (m.free.any()) t.block_entry[next++] = l.n_joint + l.n_link + i;
+    add(m.links.a, i, l.n_joint);
+    add(m.frames.a, i, l.first_frame);
+    if (m.free.any()) t.block_entry[next++] = l.first_frame + l.n_frame + i;
     for (std::int32_t c = 0; c < l.n_contact; ++c)
       if (m.space.solids.contact_block[c] == i) t.block_entry[next++] = l.first_contact + c;
     t.block_middle[i] = next;
     for (; e < last; ++e) t.block_entry[next++] = l.joint_place[m.block_entry[e] >> 1];
-    add_links(m.links.b, i);
+    add(m.links.b, i, l.n_joint);
+    add(m.frames.b, i, l.first_frame);
   }
   for (int k = 0; k < l.n_link; ++k) {
     const BlockId a = m.links.a[k];
@@ -191,10 +194,12 @@ void fill_blocks(const Layout& l, const Model& m, Tables& t) {
 
 Layout::Layout(const Model& m, dynamics::Layout::Kind of) : kind(of) {
   n_link = m.links.n;
+  n_frame = m.frames.n;
   n_contact = m.space.solids.n_contact;
   cut_joints(m, *this);
   cut_blocks(m, *this);
-  first_contact = n_joint + n_link + (m.free.any() ? m.n_block + m.free.n_fixed : 0);
+  first_frame = n_joint + n_link;
+  first_contact = first_frame + n_frame + (m.free.any() ? m.n_block + m.free.n_fixed : 0);
 }
 
 Tables make_tables(const Layout& l, const Model& m, int walls, Memory& memory) {

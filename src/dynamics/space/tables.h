@@ -61,7 +61,7 @@ struct Tables {
   double* link = nullptr;     // (links, kSpaceLinkRows)
   double *force = nullptr, *moment_a = nullptr,
          *moment_b =
-             nullptr;  // rows of four: of joints, of links, of free contacts, of contacts of zones
+             nullptr;  // rows of four: of joints, links, frames, free contacts, contacts of zones
   std::uint8_t* law_path = nullptr;
 };
 // Numbers of a wall that every step brings along; kTimeBefore as in the plane, kSupportStep how far driven supports move.
@@ -74,7 +74,8 @@ struct Layout {
   std::vector<Chunk> joints, blocks;      // Chunk::rule: the first of its points in `point`
   std::vector<std::int32_t> joint_place;  // of joint j
   std::int32_t n_joint = 0, n_block = 0;  // with those that fill up groups
-  std::int32_t n_link = 0, n_contact = 0;
+  std::int32_t n_link = 0, n_frame = 0, n_contact = 0;
+  std::int32_t first_frame = 0;    // row of forces of the first section of frames
   std::int32_t first_contact = 0;  // row of forces of the first contact of zones
   std::int32_t history = 0, points = 0, laws = 0;
 

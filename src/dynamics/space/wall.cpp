@@ -4,6 +4,7 @@
 #include "dynamics/space/wall.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "contact/link.h"
 #include "contact/parameters.h"
@@ -205,7 +206,7 @@ WallView view_of(const Layout& layout, const Model& model, const Tables& tables,
   view.blocks = model.n_block;
   view.supports = model.space.n_support;
   view.links = layout.n_link;
-  if (model.free.any()) view.first_free = layout.n_joint + layout.n_link;
+  if (model.free.any()) view.first_free = layout.first_frame + layout.n_frame;
   view.bodies = model.free.any() ? model.n_block + model.free.n_fixed : 0;
   view.contact_block = &model.space.solids.contact_block;
   return view;
@@ -232,6 +233,57 @@ void load_lane(const WallView& w, const Model& m, const State& s) {
     for (const PointLoad& mass : stage.carried) w.special(mass.block) = 1;
     for (const BlockId block : stage.driven)
       if (block < m.n_block) w.special(block) = 1;
+  }
+}
+
+void stand(const WallView& w, const Model& m, const State& s) {
+  const auto clear_forces = [&](std::ptrdiff_t row) {
+    for (double* rows : {w.t.force, w.t.moment_a, w.t.moment_b})
+      std::fill_n(rows + 4 * row, 4, 0.0);
+  };
+  for (JointId j = 0; j < m.n_joint; ++j) {
+    const std::int32_t place = w.layout->joint_place[j];
+    const BlockId a = m.joint_a[j], b = m.joint_b[j];
+    const bool on_ground = j >= m.n_pair, stands = m.standing.joins(a, b, s.stage);
+    // else between what rests and itself, without an area
+    const std::int32_t resting = on_ground ? m.space.n_support : w.t.n_block;
+    w.t.joint_a[place] = !stands ? resting : on_ground ? a - m.n_block : a;
+    w.t.joint_b[place] = stands ? b : w.t.n_block;
+    w.t.face[w.layout->number(place, kFaceRows, kFaceArea, 1)] = stands ? m.area[j] : 0;
+    clear_forces(place);
+  }
+  for (int k = 0; k < w.links; ++k) {
+    const BlockId a = m.links.a[k], b = m.links.b[k];
+    const bool stands = m.standing.joins(a, b, s.stage);
+    w.t.link_a[k] = stands && a != kGroundBlock ? a : w.t.n_block;
+    w.t.link_b[k] = stands ? b : w.t.n_block;
+    clear_forces(w.layout->n_joint + k);
+  }
+  for (int k = 0; k < w.layout->n_frame; ++k) clear_forces(w.layout->first_frame + k);
+  for (int i = 0; i < m.n_block; ++i) {
+    const double pulls = std::fabs(s.release_x[i]) + std::fabs(s.release_y[i]) +
+                         std::fabs(s.release_z[i]) + std::fabs(s.release_mx[i]) +
+                         std::fabs(s.release_my[i]) + std::fabs(s.release_m[i]);
+    if (!m.standing.holds(i, s.stage) || pulls > 0) w.special(i) = 1;
+  }
+  hold_still(w, m, s.stage);
+}
+
+void hold_still(const WallView& w, const Model& m, int stage) {
+  for (int i = 0; i < m.n_block; ++i) {
+    if (m.standing.holds(i, stage)) continue;
+    w.body(i, kFree) = 0;
+    w.store_body_vector({0, 0, 0}, i, kV);
+    w.store_body_vector({0, 0, 0}, i, kL);
+  }
+}
+
+void release(const WallView& w, const State& s, double share) {
+  for (int i = 0; i < w.blocks; ++i) {
+    const Vec f{s.release_x[i], s.release_y[i], s.release_z[i]};
+    const Vec m{s.release_mx[i], s.release_my[i], s.release_m[i]};
+    w.store_body_vector(w.body_vector(i, kLoad) + share * f, i, kLoad);
+    w.store_body_vector(w.body_vector(i, kLoadMoment) + share * m, i, kLoadMoment);
   }
 }
 
@@ -268,9 +320,9 @@ void choose_driven(const WallView& w, const std::vector<BlockId>& blocks) {
       w.column_of(w.t.support, block - w.blocks, kDriven) = 1;
 }
 
-void clear_load(const PointLoad& load, const WallView& w) {
-  w.store_body_vector({0, 0, 0}, load.block, kLoad);
-  w.store_body_vector({0, 0, 0}, load.block, kLoadMoment);
+void clear_load(BlockId block, const WallView& w) {
+  w.store_body_vector({0, 0, 0}, block, kLoad);
+  w.store_body_vector({0, 0, 0}, block, kLoadMoment);
 }
 
 void add_load(const PointLoad& load, double scale, const WallView& w) {
@@ -287,6 +339,7 @@ LinkWork add_link_forces(const WallView& w, double set) {
   for (int k = 0; k < w.links; ++k) {
     const auto of = [&](int row) { return w.link(k, row); };
     const std::int32_t ia = w.t.link_a[k], ib = w.t.link_b[k];
+    if (ib == w.t.n_block) continue;  // what it joins does not stand
     const contact::SpaceLinkEnd a = contact::link_end(
         w.shift(ia), w.turn(ia), Vec{of(kLinkArmAX), of(kLinkArmAY), of(kLinkArmAZ)});
     const contact::SpaceLinkEnd b = contact::link_end(
@@ -409,6 +462,12 @@ double unbalance_of(const WallView& w, const Model& m, const ZoneRun* zones) {
     const double sides = w.t.link_a[k] == w.t.n_block ? 1.0 : 2.0;
     contact += sides * magnitude(w.link(k, kLinkForce));
   }
+  for (int k = 0; k < w.layout->n_frame; ++k) {
+    const std::ptrdiff_t row = w.layout->first_frame + k;
+    const double sides = m.frames.a[k] == kGroundBlock ? 1.0 : 2.0;
+    contact += sides * length({w.column_of(w.t.force, row, 0), w.column_of(w.t.force, row, 1),
+                               w.column_of(w.t.force, row, 2)});
+  }
   for (int i = 0; w.first_free >= 0 && i < w.blocks; ++i)
     contact += w.column_of(w.t.force, w.first_free + i, 3);
   if (zones != nullptr) {
@@ -443,6 +502,12 @@ double shear_of(const WallView& w, const Model& m, const Vec3& along) {
     if (w.t.link_a[k] == w.t.n_block)
       sum += w.column_of(w.t.force, e, 0) * along.x + w.column_of(w.t.force, e, 1) * along.y +
              w.column_of(w.t.force, e, 2) * along.z;
+  }
+  for (int k = 0; k < w.layout->n_frame; ++k) {
+    if (m.frames.a[k] != kGroundBlock) continue;
+    const std::ptrdiff_t row = w.layout->first_frame + k;
+    sum += w.column_of(w.t.force, row, 0) * along.x + w.column_of(w.t.force, row, 1) * along.y +
+           w.column_of(w.t.force, row, 2) * along.z;
   }
   for (int i = w.blocks; i < w.bodies; ++i)
     sum += w.column_of(w.t.force, w.first_free + i, 0) * along.x +

@@ -74,6 +74,13 @@ struct WallView {
                                int lane);
 // A wall takes a lane: what it has for itself and where it is. Its time step is still to be set.
 void load_lane(const WallView& wall, const Model& model, const State& state);
+// Of a wall alone in its tables whose stages cut blocks out: joints and links of what does not stand in the state's
+// stage have no force, and its blocks keep still (as in the plane).
+void stand(const WallView& wall, const Model& model, const State& state);
+// The latter alone, after a drive has chosen its blocks.
+void hold_still(const WallView& wall, const Model& model, int stage);
+// The forces that hold the neighbours of what was cut out, at `share` (23.2).
+void release(const WallView& wall, const State& state, double share);
 // Its motion and history, into the state's own arrays.
 void store_lane(const WallView& wall, const Model& model, State& state);
 
@@ -82,7 +89,7 @@ void store_lane(const WallView& wall, const Model& model, State& state);
 void set_rates(const WallView& wall, double dt, double mass_scaling);
 // Marks the blocks that the drive moves.
 void choose_driven(const WallView& wall, const std::vector<BlockId>& blocks);
-void clear_load(const PointLoad& load, const WallView& wall);
+void clear_load(BlockId block, const WallView& wall);
 void add_load(const PointLoad& load, double scale, const WallView& wall);
 
 // Forces of all links where the blocks are now; `set`: share of their prestress in force.

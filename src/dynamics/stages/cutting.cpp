@@ -4,15 +4,20 @@
 #include "dynamics/stages/cutting.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <vector>
 
 #include "core/elementary.h"
+#include "core/rotation.h"
 #include "dynamics/executors/executor.h"
 #include "dynamics/executors/processor.h"
 #include "dynamics/meters/residual.h"
+#include "dynamics/space/executor.h"
 #include "reading/frames.h"
+#include "reading/readers.h"
+#include "reading/space_frames.h"
 #include "wythe/parts/reading.h"
 
 namespace wythe::dynamics {
@@ -188,34 +193,228 @@ class Fitter {
 // Blocks that meet what comes or goes in this stage, and what comes.
 std::vector<BlockId> touched(const Model& m, int stage) {
   const auto changes = [&](BlockId i) {
-    return i >= 0 && m.standing.holds(i, stage) != m.standing.holds(i, stage - 1);
+    return i >= 0 && i < m.n_block && m.standing.holds(i, stage) != m.standing.holds(i, stage - 1);
   };
   std::vector<bool> found(static_cast<std::size_t>(m.n_block), false);
   const auto join = [&](BlockId a, BlockId b) {
     for (const auto& [own, other] : {std::pair(a, b), std::pair(b, a)})
-      if (own >= 0 && m.standing.holds(own, stage) && (changes(own) || changes(other)))
+      if (own >= 0 && own < m.n_block && m.standing.holds(own, stage) &&
+          (changes(own) || changes(other)))
         found[own] = true;
   };
   for (std::size_t j = 0; j < m.joint_a.size(); ++j) join(m.joint_a[j], m.joint_b[j]);
   for (std::size_t k = 0; k < m.frames.a.size(); ++k) join(m.frames.a[k], m.frames.b[k]);
+  for (std::size_t k = 0; k < m.layers.cross_a.size(); ++k)
+    join(m.layers.cross_a[k], m.layers.cross_b[k]);
   std::vector<BlockId> blocks;
   for (BlockId i = 0; i < m.n_block; ++i)
     if (found[i]) blocks.push_back(i);
   return blocks;
 }
 
-// What each of these blocks lacks of balance without what was cut out, turned round: a load that holds it.
-void set_release(const Model& m, State& s, double dt) {
-  for (std::vector<double>* all : {&s.release_x, &s.release_y, &s.release_m})
-    std::fill(all->begin(), all->end(), 0.0);
-  constexpr double kAnInstant = 1e-9;  // of the step: nothing moves
-  State scratch = s;
-  Processor instant(m, 1);
+// As Fitter, of blocks in space: a lintel is one stiff body, any other block one by itself.
+class SpaceFitter {
+ public:
+  SpaceFitter(const Model& model, State& state) : m_(model), s_(state), stage_(state.stage) {}
+
+  void fit() {
+    find_groups();
+    find_mean();
+    for (const auto& [group, blocks] : groups_) place(blocks);
+    release_joints();  // before the gap, which opens from there
+    for (std::size_t k = 0; k < m_.frames.moved.size(); ++k) {
+      const BlockId block = m_.frames.moved[k];
+      if (!is_new(block)) continue;
+      s_.ux[block] += m_.frames.moved_x[k];
+      s_.uy[block] += m_.frames.moved_y[k];
+      s_.uz[block] += m_.frames.moved_z[k];
+    }
+    release_sections();
+    for (std::size_t k = 0; k < static_cast<std::size_t>(m_.links.n); ++k)
+      if (m_.standing.begins(m_.links.a[k], m_.links.b[k], stage_))
+        s_.link_drawn[k] = -read_links(m_, s_)[k].elongation;
+  }
+
+ private:
+  // Rows of least squares for the displacement of a group's origin and its turn.
+  struct Squares {
+    std::array<std::array<double, 7>, 6> rows{};  // the last column: the right side
+    void want(Vec3 along, Vec3 arm, double value, double weight) {
+      const Vec3 turn = cross(arm, along);
+      const double row[6] = {along.x, along.y, along.z, turn.x, turn.y, turn.z};
+      for (int i = 0; i < 6; ++i) {
+        for (int k = 0; k < 6; ++k) rows[i][k] += weight * row[i] * row[k];
+        rows[i][6] += weight * row[i] * value;
+      }
+    }
+    // Elimination of a matrix that is symmetric and definite.
+    [[nodiscard]] std::array<double, 6> solved() const {
+      auto m = rows;
+      for (int i = 0; i < 6; ++i)
+        for (int r = i + 1; r < 6; ++r) {
+          const double share = m[r][i] / m[i][i];
+          for (int k = i; k < 7; ++k) m[r][k] -= share * m[i][k];
+        }
+      std::array<double, 6> x{};
+      for (int i = 5; i >= 0; --i) {
+        x[i] = m[i][6];
+        for (int k = i + 1; k < 6; ++k) x[i] -= m[i][k] * x[k];
+        x[i] /= m[i][i];
+      }
+      return x;
+    }
+  };
+
+  [[nodiscard]] bool is_new(BlockId block) const {
+    return block >= 0 && block < m_.n_block && m_.standing.from[block] == stage_ && stage_ > 0;
+  }
+
+  void find_groups() {
+    std::vector<BlockId> group(static_cast<std::size_t>(m_.n_block));
+    for (BlockId i = 0; i < m_.n_block; ++i) group[i] = i;
+    const auto root = [&](BlockId i) {
+      while (group[i] != i) i = group[i];
+      return i;
+    };
+    for (JointId j = 0; j < m_.n_joint; ++j)
+      if (m_.anatomy.joint_kind[j] == JointKind::kLintelChain && is_new(m_.joint_a[j]) &&
+          is_new(m_.joint_b[j]))
+        group[root(m_.joint_a[j])] = root(m_.joint_b[j]);
+    for (BlockId i = 0; i < m_.n_block; ++i)
+      if (is_new(i)) groups_[root(i)].push_back(i);
+  }
+
+  // act(new block, place at the start, displacement of the neighbour there, joint, weight) at every point where
+  // something new meets what stands.
+  template <class Act>
+  void each_meeting(const Act& act) const {
+    for (JointId j = 0; j < m_.n_joint; ++j) {
+      const BlockId a = m_.joint_a[j], b = m_.joint_b[j];
+      if (is_new(a) == is_new(b) || !m_.standing.joins(a, b, stage_)) continue;
+      const BlockId own = is_new(b) ? b : a, other = is_new(b) ? a : b;
+      const Vec3 t1 = m_.space.tangent[j], t2 = cross(m_.space.normal[j], t1);
+      for (auto p = m_.space.point_begin[j]; p < m_.space.point_begin[j + 1]; ++p) {
+        const Vec3 on_face = m_.space.point_r1[p] * t1 + m_.space.point_r2[p] * t2;
+        const Vec3 far = (is_new(b) ? m_.space.arm_a[j] : m_.space.arm_b[j]) + on_face;
+        const Vec3 arm = (is_new(b) ? m_.space.arm_b[j] : m_.space.arm_a[j]) + on_face;
+        act(own, m_.space.centroid[own] + arm, reading::moved_in_space(m_, s_, other, far), j,
+            m_.area[j] * m_.space.point_share[p]);
+      }
+    }
+  }
+
+  void find_mean() {
+    double sum = 0;
+    each_meeting([&](BlockId, Vec3, Vec3 to, JointId, double weight) {
+      mean_ = mean_ + weight * to;
+      sum += weight;
+    });
+    if (sum > 0) mean_ = mean_ / sum;
+  }
+
+  void place(const std::vector<BlockId>& blocks) {
+    constexpr double kAlong = 1e-3, kFaint = 1e-6;
+    const Vec3 origin = m_.space.centroid[blocks.front()];
+    Squares squares;
+    double weights = 0, reach = 0;
+    each_meeting([&](BlockId own, Vec3 where, Vec3 to, JointId j, double weight) {
+      if (std::find(blocks.begin(), blocks.end(), own) == blocks.end()) return;
+      const Vec3 arm = where - origin, n = m_.space.normal[j], t1 = m_.space.tangent[j];
+      squares.want(n, arm, dot(n, to), weight);
+      for (const Vec3& t : {t1, cross(n, t1)}) squares.want(t, arm, dot(t, to), kAlong * weight);
+      weights += weight;
+      reach = std::max(reach, dot(arm, arm));
+    });
+    const double faint = weights > 0 ? kFaint * weights : 1;
+    for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}})
+      squares.want(axis, {}, dot(axis, mean_), faint);
+    // no turn where the faces leave it free
+    for (int k = 3; k < 6; ++k) squares.rows[k][k] += faint * (reach > 0 ? reach : 1);
+    const std::array<double, 6> q = squares.solved();
+    const Vec3 moved{q[0], q[1], q[2]}, turn{q[3], q[4], q[5]};
+    const double angle = length(turn);
+    const SinCos<double> half = sin_cos(0.5 * angle);
+    const double along = angle > 0 ? half.sin / angle : 0.5;
+    const Quaternion<double> by{half.cos, {along * turn.x, along * turn.y, along * turn.z}};
+    for (const BlockId i : blocks) {
+      const Vec3 arm = m_.space.centroid[i] - origin;
+      const Vector<double> swung = swing(by, Vector<double>{arm.x, arm.y, arm.z});
+      s_.ux[i] = moved.x + swung.x;
+      s_.uy[i] = moved.y + swung.y;
+      s_.uz[i] = moved.z + swung.z;
+      s_.qw[i] = by.w;
+      s_.qx[i] = by.v.x;
+      s_.qy[i] = by.v.y;
+      s_.qz[i] = by.v.z;
+    }
+  }
+
+  void release_joints() {
+    for (JointId j = 0; j < m_.n_joint; ++j) {
+      if (!is_new(m_.joint_a[j]) && !is_new(m_.joint_b[j])) continue;
+      const std::vector<Vec3> gaps = reading::gaps_in_space(m_, s_, j);
+      for (std::size_t k = 0; k < gaps.size(); ++k) {
+        const std::size_t p = static_cast<std::size_t>(m_.space.point_begin[j]) + k;
+        s_.plastic_slip[p] = gaps[k].x;
+        s_.plastic_slip_2[p] = gaps[k].y;
+        s_.crush[p] = -gaps[k].z;
+      }
+    }
+  }
+
+  void release_sections() {
+    for (std::size_t k = 0; k < m_.frames.a.size(); ++k) {
+      if (!is_new(m_.frames.b[k])) continue;
+      const reading::SpaceSectionJump jump = reading::section_in_space(m_, s_, k);
+      s_.frame_along[k] = jump.in_plane.along;
+      s_.frame_across[k] = jump.in_plane.across;
+      s_.frame_turn[k] = jump.in_plane.turn;
+      s_.frame_aside[k] = jump.aside;
+      s_.frame_lean[k] = jump.lean;
+      s_.frame_twist[k] = jump.twist;
+    }
+  }
+
+  const Model& m_;
+  State& s_;
+  int stage_;
+  std::map<BlockId, std::vector<BlockId>> groups_;
+  Vec3 mean_;
+};
+
+// A step of almost no length from a copy of the state, so that forces are those of what stands and nothing moves.
+template <class Walls>
+void step_an_instant(const Model& m, double dt, State& scratch, Walls& instant) {
+  constexpr double kAnInstant = 1e-9;  // of the step
   instant.load_wall(0, m, scratch);
   Controls controls;
   controls.dt = kAnInstant * dt;
   instant.set(0, controls);
   static_cast<Executor&>(instant).step();
+}
+
+// What each of these blocks lacks of balance without what was cut out, turned round: a load that holds it.
+void set_release(const Model& m, State& s, double dt) {
+  for (std::vector<double>* all :
+       {&s.release_x, &s.release_y, &s.release_m, &s.release_z, &s.release_mx, &s.release_my})
+    std::fill(all->begin(), all->end(), 0.0);
+  State scratch = s;
+  if (m.in_space()) {
+    space::SpaceProcessor instant(m, 1);
+    step_an_instant(m, dt, scratch, instant);
+    const space::WallView& wall = instant.view(0);
+    for (const BlockId i : touched(m, s.stage)) {
+      const space::Load<double> contact = space::contact_load(wall.t, i, wall.lane);
+      const space::Vec f = contact.f + wall.body_vector(i, space::kLoad) +
+                           wall.body(i, space::kGravityMass) * wall.gravity();
+      const space::Vec moment = contact.m + wall.body_vector(i, space::kLoadMoment);
+      s.release_x[i] = -f.x, s.release_y[i] = -f.y, s.release_z[i] = -f.z;
+      s.release_mx[i] = -moment.x, s.release_my[i] = -moment.y, s.release_m[i] = -moment.z;
+    }
+    return;
+  }
+  Processor instant(m, 1);
+  step_an_instant(m, dt, scratch, instant);
   const WallView& wall = instant.view(0);
   for (const BlockId i : touched(m, s.stage)) {
     const BlockForce<double> f = contact_force(wall.t, i, 0);
@@ -223,6 +422,15 @@ void set_release(const Model& m, State& s, double dt) {
     s.release_x[i] = -(f.x + wall.block(i, kLoadX) + heavy * wall.wall_value(kGravityX));
     s.release_y[i] = -(f.y + wall.block(i, kLoadY) + heavy * wall.wall_value(kGravityY));
     s.release_m[i] = -(f.m + wall.block(i, kLoadM));
+  }
+}
+
+// A layer goes with the masonry on which it lies, and its fibres are cut at the edge.
+void cut_layers(const Model& m, State& s) {
+  const Layers& l = m.layers;
+  for (std::size_t k = 0; k < l.a.size(); ++k) {
+    if (!m.standing.joins(l.a[k], l.b[k], s.stage)) s.layer_broken[k] = 1;
+    if (!m.standing.holds(l.a[k], s.stage)) s.layer_slip[k] = s.layer_reached[k] = 0;
   }
 }
 
@@ -240,7 +448,11 @@ void begin_cut(StageContext& wall) {
   if (state.stage_time > 0 || !model.standing.any()) return;
   wall.access->store_state(state);
   const double before = stored(model, state, state.stage - 1);
-  Fitter(model, state).fit();
+  cut_layers(model, state);
+  if (model.in_space())
+    SpaceFitter(model, state).fit();
+  else
+    Fitter(model, state).fit();
   set_release(model, state, stage_time_step(model, model.stages[state.stage]));
   // what was stored in what is gone leaves with it
   state.work_loads += stored(model, state, state.stage) - before;

@@ -120,6 +120,7 @@ class OverlapCheck {
     for (const auto& [i, k] : near_pairs(boxes_, 0)) {
       if (enough(faults_)) return;
       if (assembly_.body[i].fixed && assembly_.body[k].fixed) continue;
+      if (!assembly_.span[i].meets(assembly_.span[k])) continue;
       const double most =
           kDeepestOverlap * std::min(thickness_[i], thickness_[k]) + warp_[i] + warp_[k];
       double depth = 0;
@@ -227,14 +228,21 @@ void check_support(SpaceAssembly& assembly, FaultList& faults) {
     return;
   }
   Groups groups(body.size());
-  for (const JointFace& face : assembly.faces) groups.join(face.a, face.b);
+  const auto goes = [&](int i) { return !body[i].cut.empty(); };
+  for (const JointFace& face : assembly.faces)  // what is cut out carries nothing in the end
+    if (!goes(face.a) && !goes(face.b)) groups.join(face.a, face.b);
+  for (const SpaceFrame& frame : assembly.frames)
+    for (std::size_t k = 1; k < frame.placed.segments.size(); ++k)
+      groups.join(static_cast<int>(frame.first_body), static_cast<int>(frame.first_body + k));
   std::vector<bool> held(body.size(), false);
+  for (const SpaceFrame& frame : assembly.frames)
+    if (frame.holds_feet()) held[groups.root(static_cast<int>(frame.first_body))] = true;
   for (std::size_t i = 0; i < body.size(); ++i)
     if (body[i].fixed) held[groups.root(static_cast<int>(i))] = true;
   std::vector<std::vector<std::string>> names(body.size());
   for (std::size_t i = 0; i < body.size(); ++i) {
     const int root = groups.root(static_cast<int>(i));
-    if (!held[root]) names[root].push_back(body[i].id);
+    if (!held[root] && !goes(static_cast<int>(i))) names[root].push_back(body[i].id);
   }
   const std::string lost =
       assembly.lost_faces == 0

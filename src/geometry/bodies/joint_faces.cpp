@@ -175,6 +175,7 @@ class FaceFinder {
   }
 
   void match(int i, int k) {
+    if (!out_.span[at(i)].meets(out_.span[at(k)]) || are_of_one_frame(i, k)) return;
     const bool swapped = out_.body[at(k)].fixed && !out_.body[at(i)].fixed;
     const bool both_fixed = out_.body[at(k)].fixed && out_.body[at(i)].fixed;
     const int a = swapped ? k : i, b = swapped ? i : k;
@@ -192,6 +193,15 @@ class FaceFinder {
       }
     unite_all(pieces, finest());
     for (Piece& piece : pieces) add_joint(a, b, std::move(piece));
+  }
+
+  [[nodiscard]] bool are_of_one_frame(int i, int k) const {
+    if (out_.frames.empty()) return false;
+    const int a = frame_of(out_, i), b = frame_of(out_, k);
+    if (a >= 0 && b >= 0) return a == b;
+    const int frame = std::max(a, b);
+    return frame >= 0 && out_.frames[at(frame)].holds_feet() &&
+           (out_.body[at(i)].fixed || out_.body[at(k)].fixed);
   }
 
   void add_joint(int a, int b, Piece piece) {
@@ -244,6 +254,16 @@ class FaceFinder {
   int lost_a_ = 0, lost_b_ = 0;
 };
 
+// A stage that has no name here is refused where stages are read.
+StageSpan span_of(const BodySpec& body, const std::vector<std::string>& stages) {
+  StageSpan span;
+  for (std::size_t k = 0; k < stages.size(); ++k) {
+    if (!body.put_in.empty() && stages[k] == body.put_in) span.from = static_cast<int>(k);
+    if (!body.cut.empty() && stages[k] == body.cut) span.until = static_cast<int>(k);
+  }
+  return span;
+}
+
 double along(Vec3 v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
 // The axis on which the middles of the boxes spread most.
@@ -260,6 +280,16 @@ int widest_axis(const std::vector<Box3>& boxes) {
 }
 
 }  // namespace
+
+int frame_of(const SpaceAssembly& assembly, int body) {
+  const auto at = static_cast<std::size_t>(body);
+  for (std::size_t k = 0; k < assembly.frames.size(); ++k) {
+    const SpaceFrame& frame = assembly.frames[k];
+    if (at >= frame.first_body && at < frame.first_body + frame.placed.segments.size())
+      return static_cast<int>(k);
+  }
+  return -1;
+}
 
 std::vector<std::pair<int, int>> near_pairs(const std::vector<Box3>& boxes, double margin) {
   const int axis = widest_axis(boxes);
@@ -291,9 +321,12 @@ double model_size(const std::vector<BodySpec>& bodies) {
   return box.longest();
 }
 
-SpaceAssembly assemble(const std::vector<BodySpec>& bodies, FaultList& faults) {
+SpaceAssembly assemble(const std::vector<BodySpec>& bodies, FaultList& faults,
+                       const std::vector<std::string>& stages, std::vector<SpaceFrame> frames) {
   SpaceAssembly out;
   out.body = bodies;
+  out.frames = std::move(frames);
+  for (const BodySpec& body : bodies) out.span.push_back(span_of(body, stages));
   if (!prepare_bodies(out.body, out.notes, faults)) return out;
   for (const BodySpec& body : out.body) out.moments.push_back(solid_moments(body));
   check_sizes(out, faults);

@@ -11,8 +11,12 @@
 // Called by src/model; checks in body_checks.cpp, cutting into convex parts in convex_parts.cpp.
 #pragma once
 
+#include <algorithm>
+#include <limits>
+#include <string>
 #include <vector>
 
+#include "geometry/assembly.h"
 #include "geometry/bodies/polyhedron.h"
 #include "wythe/parts/body.h"
 #include "wythe/parts/error.h"
@@ -44,18 +48,51 @@ struct OuterFace {
   double area = 0;
 };
 
+// The stages in which a body stands: from the first to the one before the last.
+struct StageSpan {
+  int from = 0, until = std::numeric_limits<int>::max();
+  [[nodiscard]] bool meets(const StageSpan& other) const {
+    return from < other.until && other.from < until;
+  }
+};
+
+// The upright plane of a frame: x along it in plan, y up.
+struct FramePlane {
+  Vec3 origin, along, across;
+  [[nodiscard]] Vec3 turned(Vec2 v) const { return v.x * along + Vec3{0, v.y, 0}; }
+  [[nodiscard]] Vec3 place(Vec2 p) const { return origin + turned(p); }
+};
+struct SpaceFrame {
+  PlacedFrame placed;
+  FramePlane plane;
+  std::size_t first_body = 0;              // its segments are bodies in a row
+  [[nodiscard]] bool holds_feet() const {  // sections on the ground
+    return std::any_of(placed.joints.begin(), placed.joints.end(), [](const FrameJoint& joint) {
+      return joint.a == kGround || joint.b == kGround;
+    });
+  }
+};
+
 struct SpaceAssembly {
   std::vector<BodySpec>
       body;  // as given, but turned outside out, cut into convex parts; same order
   std::vector<SolidMoments> moments;
-  std::vector<JointFace> faces;  // by a, b, then by the faces of a and b
-  std::vector<OuterFace> outer;  // by body and face
-  int lost_faces = 0;            // slivers and faces that nearly touch
+  std::vector<StageSpan> span;     // of each body
+  std::vector<SpaceFrame> frames;  // whose segments are bodies
+  std::vector<JointFace> faces;    // by a, b, then by the faces of a and b
+  std::vector<OuterFace> outer;    // by body and face
+  int lost_faces = 0;              // slivers and faces that nearly touch
   std::vector<Message> notes;
 };
 
-// Faults stand at "wall.blocks.<id>". After a fault of a body only the bodies are checked.
-[[nodiscard]] SpaceAssembly assemble(const std::vector<BodySpec>& bodies, FaultList& faults);
+// Faults stand at "wall.blocks.<id>". After a fault of a body only the bodies are checked. `stages`: their names in
+// order; bodies that never stand together may take one place, and do not touch. Nor do segments of one of the `frames`,
+// which sections join, and the ground that holds its feet.
+[[nodiscard]] SpaceAssembly assemble(const std::vector<BodySpec>& bodies, FaultList& faults,
+                                     const std::vector<std::string>& stages = {},
+                                     std::vector<SpaceFrame> frames = {});
+// Index of the frame whose segment a body is, or -1.
+[[nodiscard]] int frame_of(const SpaceAssembly& assembly, int body);
 
 // --- for body_checks.cpp
 

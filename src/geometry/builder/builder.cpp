@@ -11,6 +11,7 @@
 #include "geometry/blocks_file.h"
 #include "geometry/bodies/polyhedron.h"
 #include "geometry/text.h"
+#include "geometry/wall/cut_out.h"
 
 namespace wythe::geometry {
 namespace {
@@ -48,7 +49,7 @@ void Site::check_material(const std::string& path, const std::string& name,
 }
 
 std::vector<BuiltBody> build_bodies(const Site& site, std::vector<Message>& notes,
-                                    FaultList& faults) {
+                                    FaultList& faults, std::vector<FrameSpec>* frames) {
   std::set<std::string> names;
   name_all(site.spec.plan_wall, "plan_wall", names, faults);
   name_all(site.spec.slab, "slab", names, faults);
@@ -64,15 +65,19 @@ std::vector<BuiltBody> build_bodies(const Site& site, std::vector<Message>& note
     for (const auto& [key, name] :
          {std::pair(".material", wall.material), {".core_material", wall.core_material}})
       if (!name.empty()) (void)is_material(Shape(site.model), table + key, name, faults);
-    for (std::size_t k = 0; k < wall.opening.size(); ++k)
-      if (!wall.opening[k].cut.empty())
-        add_fault(faults, table + ".opening." + std::to_string(k) + ".cut",
-                  "\"" + wall.opening[k].cut + "\"",
-                  "an opening is cut by a stage in a wall in its plane, and this one is in space",
-                  "leave it out: the opening is built with the wall");
+    for (std::size_t k = 0; k < wall.opening.size(); ++k) {
+      const OpeningSpec& opening = wall.opening[k];
+      const std::string path = table + ".opening." + std::to_string(k) + ".cut";
+      (void)find_cut_stage(site.model.stage, path, opening.cut, faults);
+      if (!opening.cut.empty() && opening.arch.kind != ArchKind::kNone)
+        add_fault(faults, path, "\"" + opening.cut + "\"",
+                  "an arch cannot be laid into standing masonry",
+                  "give the opening a lintel, or leave cut out");
+    }
   }
   std::vector<StraightWall> walls;
   if (!site.spec.plan_wall.empty()) take(build_plan_walls(site, walls, notes, faults));
+  if (frames != nullptr && faults.empty()) *frames = frames_in_walls(site, walls, faults);
   if (faults.empty()) build_slabs(site, walls, bodies, notes, faults);
   for (std::size_t i = 0; i < site.spec.arch.size(); ++i)
     take(build_arch(site, static_cast<int>(i), faults));
@@ -134,7 +139,8 @@ void lay_bodies(const BuilderSpec& built, ModelSpec& spec) {
   refuse_idle_keys(spec, faults);
   std::vector<Message> notes;
   const Site site{built, spec};
-  std::vector<BuiltBody> bodies = build_bodies(site, notes, faults);
+  std::vector<FrameSpec> frames;
+  std::vector<BuiltBody> bodies = build_bodies(site, notes, faults, &frames);
   faults.throw_if_any();
   std::vector<ContactRule> rules = contacts_of_slabs(site, bodies, faults);
   std::vector<FloorSpec> floors = floors_of_slabs(site, bodies);
@@ -142,6 +148,7 @@ void lay_bodies(const BuilderSpec& built, ModelSpec& spec) {
   std::move(rules.begin(), rules.end(), std::back_inserter(spec.contact));
   std::move(floors.begin(), floors.end(), std::back_inserter(spec.floor));
   for (BuiltBody& body : bodies) spec.body.push_back(std::move(body.body));
+  spec.frame = std::move(frames);
   spec.wall.blocks = "blocks.json";  // of the run's folder
   if (spec.wall.up.empty()) spec.wall.up = "y";
   for (const std::string& note : texts_of(notes))

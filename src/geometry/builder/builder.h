@@ -39,8 +39,10 @@ struct BuiltBody {
 };
 
 // Bodies of all three tables; faults stand at the keys of their table.
+// `frames`: takes the model's frames as frames_in_walls() places them.
 [[nodiscard]] std::vector<BuiltBody> build_bodies(const Site& site, std::vector<Message>& notes,
-                                                  FaultList& faults);
+                                                  FaultList& faults,
+                                                  std::vector<FrameSpec>* frames = nullptr);
 
 // --- pieces
 
@@ -103,6 +105,11 @@ void match_courses(std::vector<StraightWall>& walls, FaultList& faults);
                                                       std::vector<StraightWall>& walls,
                                                       std::vector<Message>& notes,
                                                       FaultList& faults);
+// The model's frames, those that name a wall with the place of its middle plane, with the opening that they stand in as
+// it was laid, and with the stage that cuts it.
+[[nodiscard]] std::vector<FrameSpec> frames_in_walls(const Site& site,
+                                                     const std::vector<StraightWall>& walls,
+                                                     FaultList& faults);
 // Adds the slabs to the bodies of these walls, and cuts these where slabs reach into them.
 void build_slabs(const Site& site, const std::vector<StraightWall>& walls,
                  std::vector<BuiltBody>& bodies, std::vector<Message>& notes, FaultList& faults);

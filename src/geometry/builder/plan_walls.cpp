@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "core/elementary.h"
 #include "core/limits.h"
+#include "core/text.h"
 #include "core/to_int.h"
 #include "geometry/bodies/solid_cut.h"
 #include "geometry/builder/builder.h"
@@ -13,6 +15,7 @@
 #include "geometry/wall/bond.h"
 #include "geometry/wall/checks.h"
 #include "geometry/wall/courses.h"
+#include "geometry/wall/cut_out.h"
 #include "geometry/wall/openings.h"
 
 namespace wythe::geometry {
@@ -291,6 +294,9 @@ class WallBuilder {
       if (!opening.arch.empty())
         masonry.joined_pieces += cut_masonry(opening.arch, storeys_, blocks_);
     if (storeys_.size() > 1) cut_gable(masonry.joined_pieces);
+    for (const PlacedOpening& opening : openings)
+      if (!cut_of(opening.index).empty())
+        for (Block& block : masonry_cut_out(opening, storeys_)) blocks_.push_back(std::move(block));
     if (bare_teeth_ > 0)
       notes.push_back(
           as_text(fmt::format("over or under {} teeth of walls that end on it a head joint stands, "
@@ -429,6 +435,9 @@ class WallBuilder {
     return !part.vertex.empty();
   }
 
+  // Name of the stage that cuts an opening; "": it is built with the wall.
+  [[nodiscard]] const std::string& cut_of(int opening) const { return spec_.opening[opening].cut; }
+
   bool keep(const std::string& id, const std::string& material, Polyhedron part, int course,
             int wythe = 0) {
     if (!cut_at_faces(part)) return false;
@@ -446,16 +455,21 @@ class WallBuilder {
   void add_solids(const Block& block) {
     const std::vector<double> n = depths();
     const std::string id = name_of(block);
+    const bool is_cut = block.cut_from >= 0;
+    const std::string piece = is_cut ? fmt::format(".cut{}_{}", block.cut_from, cut_pieces_++) : "";
     const int course = block.course - storey().first_course;
-    if (n.size() == 2 || is_through(block)) {
-      keep(id + (n.size() > 2 ? ".t" : ""), spec_.material,
-           prism(block.outline, n.front(), n.back()), course);
-      return;
-    }
+    const auto add = [&](const std::string& wythe, const std::string& material, double n0,
+                         double n1, int number) {
+      if (keep(id + wythe + piece, material, prism(block.outline, n0, n1), course, number) &&
+          is_cut)
+        bodies_.back().body.cut = cut_of(block.cut_from);
+    };
+    if (n.size() == 2 || is_through(block))
+      return add(n.size() > 2 ? ".t" : "", spec_.material, n.front(), n.back(), 0);
     for (std::size_t k = 0; k + 1 < n.size(); ++k) {
       const bool core = n.size() == 4 && k == 1 && !spec_.core_material.empty();
-      keep(fmt::format("{}.w{}", id, k + 1), core ? spec_.core_material : spec_.material,
-           prism(block.outline, n[k], n[k + 1]), course, static_cast<int>(k) + 1);
+      add(fmt::format(".w{}", k + 1), core ? spec_.core_material : spec_.material, n[k], n[k + 1],
+          static_cast<int>(k) + 1);
     }
   }
 
@@ -475,6 +489,7 @@ class WallBuilder {
                          const Polygon& outline) {
       const bool stays = keep(wall_.name + "." + id, material.empty() ? spec_.material : material,
                               prism(outline, -half, half), -1);
+      if (stays) bodies_.back().body.put_in = spec.cut;
       if (stays && !id.starts_with("arch"))
         bodies_.back().body.role = id.starts_with("sill") ? "sill" : "lintel";
     };
@@ -527,7 +542,61 @@ class WallBuilder {
   std::vector<Block> blocks_;
   std::vector<std::pair<int, double>> bridges_;  // row, middle [m]
   int bare_teeth_ = 0;                           // without one
+  int cut_pieces_ = 0;                           // that a stage cuts out, so far
   std::vector<BuiltBody> bodies_;
+};
+
+// One of the model's frames, on its way to a place in a wall.
+class FrameInWall {
+ public:
+  FrameInWall(const Site& site, const StraightWall& wall, std::size_t index, FaultList& faults)
+      : site_(site), wall_(wall), frame_(site.model.frame[index]), index_(index), faults_(faults) {}
+
+  FrameSpec placed() {
+    const PlanAxes axes{site_.z_up()};
+    const Vec2 corner =
+        wall_.from + Vec2{wall_.begin() * wall_.along.x, wall_.begin() * wall_.along.y};
+    const Vec3 origin = axes.place(corner, wall_.base);
+    const Vec3 along = axes.place(wall_.along, 0);
+    frame_.x = origin.x;
+    frame_.y = site_.z_up() ? -origin.z : origin.y;
+    frame_.z = site_.z_up() ? origin.y : origin.z;
+    frame_.turn = elementary::atan2(-along.z, along.x);
+    frame_.wall = "";
+    const Layout layout(site_, wall_);
+    const Shape shape = layout.shape();
+    std::vector<Message> said;
+    FaultList found;
+    const std::vector<PlacedOpening> openings =
+        place_openings(shape, wall_.storeys, {}, said, found);
+    for (const PlacedOpening& opening : openings) take(opening);
+    if (!frame_.round.empty())
+      add_fault(faults_, fmt::format("frame.{}.round", index_), "\"" + frame_.round + "\"",
+                "is no opening of the wall " + wall_.name,
+                "name an opening of its [[plan_wall]], or write the frame's axis: line");
+    return frame_;
+  }
+
+ private:
+  void take(const PlacedOpening& opening) {
+    const OpeningSpec& spec = wall_.wall.opening[static_cast<std::size_t>(opening.index)];
+    const Rect& hole = opening.hole;
+    const bool is_round = !frame_.round.empty() && frame_.round == spec.name;
+    const bool holds_line =
+        std::any_of(frame_.line.begin(), frame_.line.end(), [&](const std::array<double, 2>& p) {
+          return p[0] > hole.x0 && p[0] < hole.x1 && p[1] > hole.y0 && p[1] < hole.y1;
+        });
+    if ((is_round || holds_line) && frame_.stage.empty()) frame_.stage = spec.cut;
+    if (!is_round) return;
+    frame_.hole = {hole.x0, hole.y0, hole.x1 - hole.x0, hole.y1 - hole.y0};
+    frame_.round = "";
+  }
+
+  const Site& site_;
+  const StraightWall& wall_;
+  FrameSpec frame_;
+  std::size_t index_;
+  FaultList& faults_;
 };
 
 double count_of(const StraightWall& wall, const PlanWallSpec& spec) {
@@ -550,6 +619,30 @@ bool check_count(const Site& site, const std::vector<StraightWall>& walls, Fault
 }
 
 }  // namespace
+
+std::vector<FrameSpec> frames_in_walls(const Site& site, const std::vector<StraightWall>& walls,
+                                       FaultList& faults) {
+  std::vector<FrameSpec> frames = site.model.frame;
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    const std::string path = fmt::format("frame.{}", k);
+    (void)find_cut_stage(site.model.stage, path + ".stage", frames[k].stage, faults);
+    if (frames[k].wall.empty() && !frames[k].round.empty())
+      add_fault(faults, path + ".wall", "", "is missing: its opening is one of a wall",
+                "write wall = \"the name of a [[plan_wall]]\"");
+    if (frames[k].wall.empty()) continue;
+    std::vector<std::string> names;
+    for (const StraightWall& wall : walls) names.push_back(wall.name);
+    const auto found = std::find(names.begin(), names.end(), frames[k].wall);
+    if (found == names.end())
+      add_fault(faults, path + ".wall", "\"" + frames[k].wall + "\"", "is no straight wall",
+                name_advice(frames[k].wall, names));
+    else
+      frames[k] =
+          FrameInWall(site, walls[static_cast<std::size_t>(found - names.begin())], k, faults)
+              .placed();
+  }
+  return frames;
+}
 
 std::vector<BuiltBody> build_plan_walls(const Site& site, std::vector<StraightWall>& walls,
                                         std::vector<Message>& notes, FaultList& faults) {

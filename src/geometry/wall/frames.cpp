@@ -30,7 +30,8 @@ std::string called(const FrameSpec& frame, std::size_t index) {
 bool is_stated(const SectionSpec& s) {
   return !std::isnan(s.height) || !std::isnan(s.width) || !std::isnan(s.area) ||
          !std::isnan(s.shear_area) || !std::isnan(s.second_moment) ||
-         !std::isnan(s.plastic_modulus) || !std::isnan(s.mass);
+         !std::isnan(s.plastic_modulus) || !std::isnan(s.mass) ||
+         !std::isnan(s.weak_second_moment) || !std::isnan(s.torsion_constant);
 }
 
 std::optional<Section> stated_section(const SectionSpec& s, const std::string& path,
@@ -47,8 +48,9 @@ std::optional<Section> stated_section(const SectionSpec& s, const std::string& p
   need("plastic_modulus", s.plastic_modulus, "m^3", "642.5 cm^3");
   need("mass", s.mass, "kg/m", "61.3 kg/m");
   if (faults.all().size() > before) return std::nullopt;
-  const Section found{s.height,        s.width,           s.area, s.shear_area,
-                      s.second_moment, s.plastic_modulus, s.mass};
+  const Section found{s.height,           s.width,           s.area, s.shear_area,
+                      s.second_moment,    s.plastic_modulus, s.mass, s.weak_second_moment,
+                      s.torsion_constant, s.shear_area};
   // The outer fibres take I / 2 d^2 of the area each, at d = I / Wpl (frames.md, 20.1).
   const double fibre = s.second_moment / s.plastic_modulus;
   if (s.second_moment > s.area * fibre * fibre || fibre > s.height / 2) {
@@ -83,6 +85,8 @@ std::optional<Section> one_section(const std::string& profile, const SectionSpec
   found->area *= count, found->shear_area *= count;
   found->second_moment *= count, found->plastic_modulus *= count;
   found->mass *= count;
+  found->weak_second_moment *= count, found->torsion_constant *= count;
+  found->weak_shear_area *= count;
   return found;
 }
 
@@ -237,7 +241,7 @@ class Builder {
     if (std::abs(foot.y - ground) < kNear) return true;
     const std::string where = metres(foot.x) + ", " + metres(foot.y);
     const std::string level = metres(ground);
-    if (!spec_.round.empty())
+    if (spec_.line.empty())
       return fault("feet", where,
                    "stands on masonry there, and the ground, at " + level + ", holds its feet",
                    "write feet = \"base_beam\", or feet = \"resting\"");
@@ -369,7 +373,8 @@ bool is_given(const FrameSpec& frame, std::size_t index, FaultList& faults) {
     add_fault(faults, path_of(index, key), std::move(value), called(frame, index) + ": " + problem,
               cure);
   };
-  if (frame.round.empty() == frame.line.empty())
+  const bool in_opening = !frame.round.empty() || !std::isnan(frame.hole.width);
+  if (in_opening != frame.line.empty())
     fault("round", frame.round, frame.line.empty() ? "has no place" : "has two places",
           "write round = \"the opening's name\", or its axis as line, one of both");
   if (frame.feet == FrameFeet::kNone)
@@ -380,7 +385,7 @@ bool is_given(const FrameSpec& frame, std::size_t index, FaultList& faults) {
   if (frame.beam_count < 0)
     fault("beam_count", std::to_string(frame.beam_count), "must be 1 or more",
           "write beam_count = 1");
-  if (!frame.round.empty() && frame.joint.empty())
+  if (in_opening && frame.joint.empty())
     fault("joint", "", "missing",
           "name the [material.*] between it and the masonry: dry for contact alone");
   if (!(frame.gap >= 0))
@@ -403,20 +408,37 @@ std::optional<FrameSections> sections_of(const FrameSpec& frame, std::size_t ind
   return FrameSections{*column, *beam};
 }
 
+std::optional<PlacedFrame> place_frame(const FrameSpec& spec, std::size_t index,
+                                       const PlacedOpening* opening, const FrameSite& site,
+                                       FaultList& faults) {
+  const bool given = is_given(spec, index, faults);
+  const auto sections = sections_of(spec, index, faults);
+  if (!given || !sections || (opening == nullptr && spec.line.empty())) return std::nullopt;
+  Builder builder(spec, index, *sections, site, faults);
+  if (!(opening != nullptr ? builder.round(*opening) : builder.along_line()) || !builder.build())
+    return std::nullopt;
+  return builder.take();
+}
+
 std::vector<PlacedFrame> place_frames(const Shape& shape,
                                       const std::vector<PlacedOpening>& openings,
                                       const FrameSite& site, FaultList& faults) {
   std::vector<PlacedFrame> placed;
   for (std::size_t k = 0; k < shape.frame.size(); ++k) {
     const FrameSpec& spec = shape.frame[k];
-    const bool given = is_given(spec, k, faults);
-    const auto sections = sections_of(spec, k, faults);
+    for (const auto& [key, stated] : {std::pair("wall", !spec.wall.empty()),
+                                      {"x", !std::isnan(spec.x)},
+                                      {"y", !std::isnan(spec.y)},
+                                      {"z", !std::isnan(spec.z)},
+                                      {"hole", !std::isnan(spec.hole.width)}})
+      if (stated)
+        add_fault(faults, path_of(k, key), "",
+                  called(spec, k) + ": is for walls in space; this one lies in its plane",
+                  "leave it out, and write round or line");
     const PlacedOpening* opening =
         spec.round.empty() ? nullptr : find_opening(shape, openings, spec, k, faults);
-    if (!given || !sections || (opening == nullptr && !spec.round.empty())) continue;
-    Builder builder(spec, k, *sections, site, faults);
-    if (!(opening != nullptr ? builder.round(*opening) : builder.along_line())) continue;
-    if (builder.build()) placed.push_back(builder.take());
+    if (auto frame = place_frame(spec, k, opening, site, faults))
+      placed.push_back(std::move(*frame));
     for (std::size_t j = 0; j < k; ++j)
       if (!spec.name.empty() && shape.frame[j].name == spec.name)
         add_fault(faults, path_of(k, "name"), spec.name, "is the name of another frame",

@@ -32,6 +32,11 @@ struct FrameSections {
 [[nodiscard]] std::optional<FrameSections> sections_of(const FrameSpec& frame, std::size_t index,
                                                        FaultList& faults);
 
+// One frame of the model; `opening`: that in which it stands, or none. Nothing after a fault.
+[[nodiscard]] std::optional<PlacedFrame> place_frame(const FrameSpec& frame, std::size_t index,
+                                                     const PlacedOpening* opening,
+                                                     const FrameSite& site, FaultList& faults);
+
 [[nodiscard]] std::vector<PlacedFrame> place_frames(const Shape& shape,
                                                     const std::vector<PlacedOpening>& openings,
                                                     const FrameSite& site, FaultList& faults);

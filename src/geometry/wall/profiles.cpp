@@ -47,23 +47,24 @@ constexpr RolledBeam kBeams[] = {
     {"HEB 360", 360, 300, 12.5, 22.5, 27}, {"HEB 400", 400, 300, 13.5, 24, 27},
     {"HEB 450", 450, 300, 14, 26, 27},     {"HEB 500", 500, 300, 14.5, 28, 27}};
 
-// Millimetres; area [cm2], second moment [cm4] and plastic modulus [cm3] as listed. UPN: EN 10365.
+// Millimetres; area [cm2], second moment [cm4], plastic modulus [cm3], weak second moment and torsion constant [cm4] as
+// listed. UPN: EN 10365.
 struct Channel {
   const char* name;
-  double h, b, tw, tf, area, second, plastic;
+  double h, b, tw, tf, area, second, plastic, weak, torsion;
 };
-constexpr Channel kChannels[] = {{"UPN 80", 80, 45, 6, 8, 11.0, 106, 31.8},
-                                 {"UPN 100", 100, 50, 6, 8.5, 13.5, 206, 49.0},
-                                 {"UPN 120", 120, 55, 7, 9, 17.0, 364, 72.6},
-                                 {"UPN 140", 140, 60, 7, 10, 20.4, 605, 103},
-                                 {"UPN 160", 160, 65, 7.5, 10.5, 24.0, 925, 138},
-                                 {"UPN 180", 180, 70, 8, 11, 28.0, 1350, 179},
-                                 {"UPN 200", 200, 75, 8.5, 11.5, 32.2, 1910, 228},
-                                 {"UPN 220", 220, 80, 9, 12.5, 37.4, 2690, 292},
-                                 {"UPN 240", 240, 85, 9.5, 13, 42.3, 3600, 358},
-                                 {"UPN 260", 260, 90, 10, 14, 48.3, 4820, 442},
-                                 {"UPN 280", 280, 95, 10, 15, 53.3, 6280, 532},
-                                 {"UPN 300", 300, 100, 10, 16, 58.8, 8030, 632}};
+constexpr Channel kChannels[] = {{"UPN 80", 80, 45, 6, 8, 11.0, 106, 31.8, 19.4, 2.16},
+                                 {"UPN 100", 100, 50, 6, 8.5, 13.5, 206, 49.0, 29.3, 2.81},
+                                 {"UPN 120", 120, 55, 7, 9, 17.0, 364, 72.6, 43.2, 4.15},
+                                 {"UPN 140", 140, 60, 7, 10, 20.4, 605, 103, 62.7, 5.68},
+                                 {"UPN 160", 160, 65, 7.5, 10.5, 24.0, 925, 138, 85.3, 7.39},
+                                 {"UPN 180", 180, 70, 8, 11, 28.0, 1350, 179, 114, 9.55},
+                                 {"UPN 200", 200, 75, 8.5, 11.5, 32.2, 1910, 228, 148, 11.9},
+                                 {"UPN 220", 220, 80, 9, 12.5, 37.4, 2690, 292, 197, 16},
+                                 {"UPN 240", 240, 85, 9.5, 13, 42.3, 3600, 358, 248, 19.7},
+                                 {"UPN 260", 260, 90, 10, 14, 48.3, 4820, 442, 317, 25.5},
+                                 {"UPN 280", 280, 95, 10, 15, 53.3, 6280, 532, 399, 31},
+                                 {"UPN 300", 300, 100, 10, 16, 58.8, 8030, 632, 495, 37.4}};
 
 // Millimetres; outer radius 1.5 t, inner t. Square tubes, hot finished: EN 10210-2.
 struct Tube {
@@ -93,25 +94,44 @@ Fillet fillet(double r) {
   return {area, from_side, (1.0 / 3 - quarter) * r * r * r * r - area * from_side * from_side};
 }
 
-Section in_metres(double h, double b, double area, double shear, double second, double plastic) {
-  return {1e-3 * h,       1e-3 * b,       1e-6 * area,         1e-6 * shear,
-          1e-12 * second, 1e-9 * plastic, kSteel * 1e-6 * area};
+// All in millimetres.
+struct Values {
+  double h, b, area, shear, second, plastic, weak, torsion, weak_shear;
+};
+Section in_metres(const Values& v) {
+  return {1e-3 * v.h,        1e-3 * v.b,         1e-6 * v.area,          1e-6 * v.shear,
+          1e-12 * v.second,  1e-9 * v.plastic,   kSteel * 1e-6 * v.area, 1e-12 * v.weak,
+          1e-12 * v.torsion, 1e-6 * v.weak_shear};
 }
+
+constexpr double kOfFlanges = 5.0 / 6;  // of a rectangle that is sheared
 
 Section section_of(const RolledBeam& p) {
   const double web = p.h - 2 * p.tf, flange = (p.h - p.tf) / 2;
   const Fillet corner = fillet(p.r);
-  const double arm = web / 2 - corner.from_side;
+  const double arm = web / 2 - corner.from_side, aside = p.tw / 2 + corner.from_side;
   const double area = 2 * p.b * p.tf + web * p.tw + 4 * corner.area;
   const double second = 2 * (p.b * elementary::pow(p.tf, 3) / 12 + p.b * p.tf * flange * flange) +
                         p.tw * elementary::pow(web, 3) / 12 +
                         4 * (corner.second + corner.area * arm * arm);
   const double plastic = 2 * p.b * p.tf * flange + p.tw * web * web / 4 + 4 * corner.area * arm;
-  return in_metres(p.h, p.b, area, p.tw * (p.h - p.tf), second, plastic);
+  const double weak = 2 * p.tf * elementary::pow(p.b, 3) / 12 +
+                      web * elementary::pow(p.tw, 3) / 12 +
+                      4 * (corner.second + corner.area * aside * aside);
+  // flanges and web, and what they gain where they meet (frames.md, 20.16)
+  const double meet =
+      (elementary::pow(p.r + p.tw / 2, 2) + elementary::pow(p.r + p.tf, 2) - p.r * p.r) /
+      (2 * p.r + p.tf);
+  const double torsion = 2.0 / 3 * (p.b - 0.63 * p.tf) * elementary::pow(p.tf, 3) +
+                         web * elementary::pow(p.tw, 3) / 3 +
+                         2 * p.tw / p.tf * (0.145 + 0.1 * p.r / p.tf) * elementary::pow(meet, 4);
+  return in_metres({p.h, p.b, area, p.tw * (p.h - p.tf), second, plastic, weak, torsion,
+                    kOfFlanges * 2 * p.b * p.tf});
 }
 
 Section section_of(const Channel& p) {
-  return in_metres(p.h, p.b, 1e2 * p.area, p.tw * (p.h - p.tf), 1e4 * p.second, 1e3 * p.plastic);
+  return in_metres({p.h, p.b, 1e2 * p.area, p.tw * (p.h - p.tf), 1e4 * p.second, 1e3 * p.plastic,
+                    1e4 * p.weak, 1e4 * p.torsion, kOfFlanges * 2 * p.b * p.tf});
 }
 
 // A square less its corners outside the outer circles, less the same of the hole.
@@ -127,8 +147,14 @@ Section section_of(const Tube& p) {
                 b * b * b / 4 - 4 * corner.area * arm};
   };
   const Sums whole = rounded(p.b, 1.5 * p.t), hole = rounded(p.b - 2 * p.t, p.t);
-  return in_metres(p.b, p.b, whole.area - hole.area, 2 * p.t * (p.b - p.t),
-                   whole.second - hole.second, whole.plastic - hole.plastic);
+  const double second = whole.second - hole.second, shear = 2 * p.t * (p.b - p.t);
+  // EN 10210-2, annex B: of the middle line, whose corners have the radius 1.25 t
+  const double radius = 1.25 * p.t, corners = 4 - std::numbers::pi, side = p.b - p.t;
+  const double around = 4 * side - 2 * radius * corners;
+  const double inside = side * side - radius * radius * corners;
+  const double torsion = elementary::pow(p.t, 3) * around / 3 + 4 * inside * inside * p.t / around;
+  return in_metres({p.b, p.b, whole.area - hole.area, shear, second, whole.plastic - hole.plastic,
+                    second, torsion, shear});
 }
 
 // Without spaces, in capitals; "HE200B" is "HEB200".

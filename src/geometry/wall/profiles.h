@@ -14,6 +14,8 @@
 #include <string>
 #include <vector>
 
+#include "wythe/parts/wall_spec.h"
+
 namespace wythe::geometry {
 
 // Of one or more pieces side by side, all together.
@@ -22,6 +24,8 @@ struct Section {
   double area = 0, shear_area = 0;                // [m^2]
   double second_moment = 0, plastic_modulus = 0;  // [m^4], [m^3]
   double mass = 0;                                // [kg/m]
+  // about the other axis, of each piece by itself, and in torsion [m^4], [m^2]; NaN where not stated
+  double weak_second_moment = kUnset, torsion_constant = kUnset, weak_shear_area = kUnset;
 };
 
 // "IPE 240", "heb200", "HE 200 B", "UPN 160", "SHS 100x5"; nothing where nobody rolls it.

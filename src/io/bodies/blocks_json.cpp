@@ -147,6 +147,8 @@ class BlocksReader {
     parse_word(json, "role", body.role, body.id);
     if (const std::string cure = role_advice(body.role); !cure.empty())
       refuse(body.id + ".role", "\"" + body.role + "\"", "is no role of a block", cure);
+    parse_word(json, "cut", body.cut, body.id);
+    parse_word(json, "put_in", body.put_in, body.id);
     parse_zones(json, body.id, body.zone);
     refuse_unknown(json, body.id, kBodyKeys);
     parse_body_parts(json, body,
@@ -238,8 +240,8 @@ class BlocksReader {
   inline static const std::vector<std::string> kBlockKeys = {
       "id", "polygon", "material", "fixed", "beam", "zones", "zone_length", "zone_kind", "plane"};
   inline static const std::vector<std::string> kBodyKeys = {
-      "id", "material", "fixed",       "vertices",  "faces", "parts", "polygon",
-      "z",  "zones",    "zone_length", "zone_kind", "plane", "role"};
+      "id",    "material",    "fixed",     "vertices", "faces", "parts", "polygon", "z",
+      "zones", "zone_length", "zone_kind", "plane",    "role",  "cut",   "put_in"};
 
   void refuse_unknown(const nlohmann::json& json, const std::string& id,
                       const std::vector<std::string>& known) {

@@ -273,6 +273,8 @@ std::string bodies_text(const std::vector<BodySpec>& bodies, bool z_up) {
                     {"material", body.material},
                     {"fixed", body.fixed}});
     if (!body.role.empty()) list.back()["role"] = body.role;
+    if (!body.cut.empty()) list.back()["cut"] = body.cut;
+    if (!body.put_in.empty()) list.back()["put_in"] = body.put_in;
     const ZoneSpec& zone = body.zone;
     if (zone.zones == 0) continue;
     list.back()["zones"] = zone.zones;

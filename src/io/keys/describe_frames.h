@@ -24,6 +24,22 @@ void describe(Visitor& v, SectionSpec& s) {
              .fallback = kRequired, .example = "642.5 cm^3", .doc = "Wpl, likewise."});
   v.quantity("mass", s.mass, {.unit = "kg/m", .shown = "kg/m", .range = kPositive, .fallback = kRequired,
              .example = "61.3 kg/m", .doc = "Of a length."});
+  v.quantity("weak_second_moment", s.weak_second_moment, {.unit = "m^4", .shown = "cm^4", .range = kPositive,
+             .fallback = "required in space", .example = "2003 cm^4", .doc = "I for bending across the wall's plane, in space."});
+  v.quantity("torsion_constant", s.torsion_constant, {.unit = "m^4", .shown = "cm^4", .range = kPositive,
+             .fallback = "required in space", .example = "59.3 cm^4", .doc = "It, in space."});
+}
+
+template <class Visitor>
+void describe(Visitor& v, HoleSpec& s) {
+  v.quantity("x", s.x, {.unit = "m", .shown = "m", .range = kCoordinate, .fallback = kRequired,
+             .example = "0.9 m", .doc = "Of its left side."});
+  v.quantity("y", s.y, {.unit = "m", .shown = "m", .range = kCoordinate, .fallback = kRequired,
+             .example = "0 m", .doc = "Of its foot."});
+  v.quantity("width", s.width, {.unit = "m", .shown = "m", .range = kLength, .fallback = kRequired,
+             .example = "1.8 m", .doc = "Clear, between the jambs."});
+  v.quantity("height", s.height, {.unit = "m", .shown = "m", .range = kLength, .fallback = kRequired,
+             .example = "2 m", .doc = "Clear, below the head."});
 }
 
 template <class Visitor>
@@ -86,6 +102,18 @@ void describe(Visitor& v, FrameSpec& s) {
           .doc = "Steel bars or studs that tie it to the masonry on both sides of its members, where masonry is."});
   v.table("wedges", s.wedges, {.in_braces = true, .optional = true, .fallback = "none",
           .doc = "Wedges or jacks between its beam and the masonry above, driven in by the stage that puts it up."});
+  v.text("wall", s.wall, {.fallback = "x, y and z", .example = "front",
+         .doc = "In space: the [[plan_wall]] in whose middle plane it stands; `line` and `round` are then of this wall."});
+  v.quantity("x", s.x, {.unit = "m", .shown = "m", .range = kCoordinate, .fallback = "wall", .example = "0 m",
+             .doc = "Or, for blocks in space: where its plane has x = y = 0, in the axes of the file."});
+  v.quantity("y", s.y, {.unit = "m", .shown = "m", .range = kCoordinate, .fallback = "wall", .example = "0 m",
+             .doc = "Likewise."});
+  v.quantity("z", s.z, {.unit = "m", .shown = "m", .range = kCoordinate, .fallback = "wall", .example = "0 m",
+             .doc = "Likewise."});
+  v.quantity("turn", s.turn, {.unit = "rad", .shown = "deg", .range = kAnyValue, .example = "90 deg",
+             .doc = "Of its plane in plan, from x, seen with y up towards -z, with z up towards y."});
+  v.table("hole", s.hole, {.in_braces = true, .optional = true, .fallback = "line",
+          .doc = "For blocks in space: the opening that it stands in, in its plane."});
 }
 
 // clang-format on

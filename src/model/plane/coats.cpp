@@ -25,15 +25,11 @@ using geometry::Role;
 constexpr double kShortest = 1e-3;           // of a face that is covered [m]
 constexpr double kShearPerYoungs = 1 / 2.4;  // with Poisson's ratio 0.2
 
-bool is_covered(const geometry::Block& block) {
-  return block.role == Role::kMasonry || geometry::is_chain(block);
-}
-
 // The rectangle of a layer, by default all of the masonry.
-Rect box_of(const LayerSpec& layer, const Assembly& assembly) {
+Rect box_of(const ModelSpec& spec, const LayerSpec& layer, const Assembly& assembly) {
   Rect all{1e300, 1e300, -1e300, -1e300};
   for (const geometry::Block& block : assembly.blocks)
-    if (is_covered(block)) all = geometry::join(all, geometry::bounds(block.outline));
+    if (holds_layers(spec, block)) all = geometry::join(all, geometry::bounds(block.outline));
   const double x = std::isnan(layer.x) ? all.x0 : layer.x;
   const double y = std::isnan(layer.y) ? all.y0 : layer.y;
   return {x, y, std::isnan(layer.width) ? all.x1 : x + layer.width,
@@ -95,13 +91,13 @@ class CoatBuilder {
   }
 
   void add(const LayerSpec& layer, std::size_t number) {
-    const Rect box = box_of(layer, assembly_);
+    const Rect box = box_of(spec_, layer, assembly_);
     const std::size_t first = coats_.size();
     for (const Face& face : assembly_.faces) {
       if (face.a == geometry::kGround || face.kind == FaceKind::kLintelChain) continue;
       const auto a = static_cast<std::size_t>(face.a), b = static_cast<std::size_t>(face.b);
-      if (map_[a] < 0 || map_[b] < 0 || !is_covered(assembly_.blocks[a]) ||
-          !is_covered(assembly_.blocks[b]))
+      if (map_[a] < 0 || map_[b] < 0 || !holds_layers(spec_, assembly_.blocks[a]) ||
+          !holds_layers(spec_, assembly_.blocks[b]))
         continue;
       Face own = clipped(face, box);
       const double length = elementary::hypot(own.p1.x - own.p0.x, own.p1.y - own.p0.y);
@@ -146,7 +142,7 @@ class CoatBuilder {
     const double per_area = layer.sides * layer.mortar.thickness * layer.mortar.density;
     if (!(per_area > 0)) return;
     for (std::size_t b = 0; b < assembly_.blocks.size(); ++b) {
-      if (map_[b] < 0 || !is_covered(assembly_.blocks[b])) continue;
+      if (map_[b] < 0 || !holds_layers(spec_, assembly_.blocks[b])) continue;
       const auto i = static_cast<std::size_t>(map_[b]);
       const double more =
           per_area * geometry::overlap_area(assembly_.blocks[b].outline, geometry::outline_of(box));
@@ -167,6 +163,13 @@ class CoatBuilder {
 };
 
 }  // namespace
+
+bool holds_layers(const ModelSpec& spec, const geometry::Block& block) {
+  if (block.role == Role::kMasonry) return true;
+  const bool put_in_later =
+      block.opening >= 0 && !spec.wall.opening[static_cast<std::size_t>(block.opening)].cut.empty();
+  return geometry::is_chain(block) && !put_in_later;
+}
 
 std::vector<Coat> compile_coats(const ModelSpec& spec, const Assembly& assembly,
                                 const BlockMap& map, Model& model, FaultList& faults) {

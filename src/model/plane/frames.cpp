@@ -21,14 +21,11 @@ using geometry::FramePart;
 using geometry::PlacedFrame;
 using geometry::Section;
 
-struct Steel {
-  double yield = kUnset, youngs = kUnset, shear = kUnset;  // [Pa]
-};
 // EN 1993-1-1, table 3.1 (thickness up to 40 mm) and 3.2.6.
-const std::map<std::string, Steel>& grades() {
-  static const std::map<std::string, Steel> kGrades = {{"S235", {235e6, 210e9, 81e9}},
-                                                       {"S275", {275e6, 210e9, 81e9}},
-                                                       {"S355", {355e6, 210e9, 81e9}}};
+const std::map<std::string, FrameSteel>& grades() {
+  static const std::map<std::string, FrameSteel> kGrades = {{"S235", {235e6, 210e9, 81e9}},
+                                                            {"S275", {275e6, 210e9, 81e9}},
+                                                            {"S355", {355e6, 210e9, 81e9}}};
   return kGrades;
 }
 
@@ -60,51 +57,13 @@ class FrameCompiler {
     faults_.add({"", path_ + "." + key, std::move(value), std::move(problem), std::move(cure), 0});
   }
 
-  Steel steel_of(const FrameSpec& frame) {
-    Steel steel;
-    if (!frame.grade.empty()) {
-      const auto found = grades().find(frame.grade);
-      if (found == grades().end())
-        fault("grade", "\"" + frame.grade + "\"", "is no grade of steel that is known here",
-              name_advice(frame.grade, {"S235", "S275", "S355"}) +
-                  " Or write yield_strength, youngs_modulus and shear_modulus");
-      else
-        steel = found->second;
-    }
-    const auto take = [&](const char* key, double stated, double& value, const char* example) {
-      if (!std::isnan(stated)) value = stated;
-      if (frame.grade.empty() && !(value > 0))
-        fault(key, "", "is missing",
-              fmt::format("write grade = \"S275\", or {} = {}", key, example));
-    };
-    take("yield_strength", frame.yield_strength, steel.yield, "\"275 MPa\"");
-    take("youngs_modulus", frame.youngs_modulus, steel.youngs, "\"210 GPa\"");
-    take("shear_modulus", frame.shear_modulus, steel.shear, "\"81 GPa\"");
-    return steel;
-  }
-
-  // A gap is open at the start: what can pull across it would have to be broken first.
-  void check_gap(const FrameSpec& frame) {
-    if (!(frame.gap > 0)) return;
-    const auto joint = spec_.material.find(frame.joint);
-    if (joint == spec_.material.end()) return;
-    if (joint->second.tensile_strength > 0 || joint->second.cohesion > 0)
-      fault("gap", fmt::format("{:g} mm", 1e3 * frame.gap),
-            fmt::format("is open, and [material.{}] has strength in tension or cohesion",
-                        frame.joint),
-            "name a dry joint: tensile_strength and cohesion 0 MPa; or leave the gap out");
-    if (!(frame.gap < 0.05))
-      fault("gap", fmt::format("{:g} mm", 1e3 * frame.gap), "is wider than any gap: 50 mm at most",
-            "write e.g. gap = \"5 mm\", or make the opening smaller");
-  }
-
   void add(const PlacedFrame& placed) {
     const auto index = static_cast<std::size_t>(placed.index);
     const FrameSpec& frame = spec_.frame[index];
     path_ = fmt::format("frame.{}", index);
     const std::size_t before = faults_.all().size();
-    const Steel steel = steel_of(frame);
-    check_gap(frame);
+    const FrameSteel steel = frame_steel(frame, path_, faults_);
+    check_frame_gap(spec_, frame, path_, faults_);
     const auto sections = geometry::sections_of(frame, index, faults_);
     if (faults_.all().size() > before || !sections) return;
     std::vector<BlockId> block(placed.segments.size(), kGroundBlock);
@@ -130,7 +89,7 @@ class FrameCompiler {
       f.moved_x.push_back(moved.x);
       f.moved_y.push_back(moved.y);
     }
-    note(placed, frame);
+    note_frame(placed, frame, model_);
     add_anchors(placed, frame, *sections, block);
     add_wedges(placed, frame, *sections, block);
   }
@@ -279,7 +238,7 @@ class FrameCompiler {
   }
 
   void add_section(const PlacedFrame& placed, const FrameJoint& joint, std::int32_t first,
-                   const std::vector<BlockId>& block, const Steel& steel) {
+                   const std::vector<BlockId>& block, const FrameSteel& steel) {
     Frames& f = model_.frames;
     const FramePart& part = placed.parts[static_cast<std::size_t>(joint.part)];
     const FrameMember& member = f.members[static_cast<std::size_t>(first + joint.part)];
@@ -326,17 +285,6 @@ class FrameCompiler {
     ++f.n;
   }
 
-  void note(const PlacedFrame& placed, const FrameSpec& frame) {
-    double weight = 0;
-    for (const geometry::Block& segment : placed.segments)
-      weight += segment.own_density * segment.thickness * geometry::moments(segment.outline).area;
-    model_.anatomy.notes.push_back({"frame.stands",
-                                    {{"frame", placed.name},
-                                     {"segments", placed.segments.size()},
-                                     {"mass_kg", weight},
-                                     {"gap_mm", 1e3 * frame.gap}}});
-  }
-
   const ModelSpec& spec_;
   const Assembly& assembly_;
   const BlockMap& map_;
@@ -346,6 +294,61 @@ class FrameCompiler {
 };
 
 }  // namespace
+
+FrameSteel frame_steel(const FrameSpec& frame, const std::string& path, FaultList& faults) {
+  const auto fault = [&](const char* key, std::string value, std::string problem,
+                         std::string cure) {
+    faults.add({"", path + "." + key, std::move(value), std::move(problem), std::move(cure), 0});
+  };
+  FrameSteel steel;
+  if (!frame.grade.empty()) {
+    const auto found = grades().find(frame.grade);
+    if (found == grades().end())
+      fault("grade", "\"" + frame.grade + "\"", "is no grade of steel that is known here",
+            name_advice(frame.grade, {"S235", "S275", "S355"}) +
+                " Or write yield_strength, youngs_modulus and shear_modulus");
+    else
+      steel = found->second;
+  }
+  const auto take = [&](const char* key, double stated, double& value, const char* example) {
+    if (!std::isnan(stated)) value = stated;
+    if (frame.grade.empty() && !(value > 0))
+      fault(key, "", "is missing", fmt::format("write grade = \"S275\", or {} = {}", key, example));
+  };
+  take("yield_strength", frame.yield_strength, steel.yield, "\"275 MPa\"");
+  take("youngs_modulus", frame.youngs_modulus, steel.youngs, "\"210 GPa\"");
+  take("shear_modulus", frame.shear_modulus, steel.shear, "\"81 GPa\"");
+  return steel;
+}
+
+// A gap is open at the start: what can pull across it would have to be broken first.
+void check_frame_gap(const ModelSpec& spec, const FrameSpec& frame, const std::string& path,
+                     FaultList& faults) {
+  const auto joint = spec.material.find(frame.joint);
+  if (!(frame.gap > 0) || joint == spec.material.end()) return;
+  const auto fault = [&](std::string problem, std::string cure) {
+    faults.add({"", path + ".gap", fmt::format("{:g} mm", 1e3 * frame.gap), std::move(problem),
+                std::move(cure), 0});
+  };
+  if (joint->second.tensile_strength > 0 || joint->second.cohesion > 0)
+    fault(
+        fmt::format("is open, and [material.{}] has strength in tension or cohesion", frame.joint),
+        "name a dry joint: tensile_strength and cohesion 0 MPa; or leave the gap out");
+  if (!(frame.gap < 0.05))
+    fault("is wider than any gap: 50 mm at most",
+          "write e.g. gap = \"5 mm\", or make the opening smaller");
+}
+
+void note_frame(const geometry::PlacedFrame& placed, const FrameSpec& frame, Model& model) {
+  double weight = 0;
+  for (const geometry::Block& segment : placed.segments)
+    weight += segment.own_density * segment.thickness * geometry::moments(segment.outline).area;
+  model.anatomy.notes.push_back({"frame.stands",
+                                 {{"frame", placed.name},
+                                  {"segments", placed.segments.size()},
+                                  {"mass_kg", weight},
+                                  {"gap_mm", 1e3 * frame.gap}}});
+}
 
 void compile_frames(const ModelSpec& spec, const Assembly& assembly, const BlockMap& map,
                     Model& model, FaultList& faults) {

@@ -16,7 +16,6 @@ namespace wythe {
 namespace {
 
 using geometry::Assembly;
-using geometry::Role;
 
 constexpr double kClose = 2e-3;          // pieces of a strand, no further apart [m]
 constexpr double kShortestPiece = 1e-3;  // of a piece [m]
@@ -82,14 +81,10 @@ class LayerCompiler {
     }
   }
 
-  // What a layer may lie on.
-  [[nodiscard]] static bool is_covered(const geometry::Block& block) {
-    return block.role == Role::kMasonry || geometry::is_chain(block);
-  }
   [[nodiscard]] std::vector<std::size_t> masonry() const {
     std::vector<std::size_t> blocks;
     for (std::size_t b = 0; b < assembly_.blocks.size(); ++b)
-      if (is_covered(assembly_.blocks[b])) blocks.push_back(b);
+      if (holds_layers(spec_, assembly_.blocks[b])) blocks.push_back(b);
     return blocks;
   }
   [[nodiscard]] Span span_of(std::size_t block, bool of_y) const {

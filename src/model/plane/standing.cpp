@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/text.h"
 #include "geometry/polygon.h"
+#include "geometry/wall/cut_out.h"
 #include "model/parts.h"
 
 namespace wythe {
@@ -30,6 +30,7 @@ class StandingCompiler {
     model_.standing.from.assign(static_cast<std::size_t>(model_.n_block), 0);
     model_.standing.until.assign(static_cast<std::size_t>(model_.n_block), kNever);
     for (std::size_t b = 0; b < map_.size(); ++b) place(assembly_.blocks[b], map_[b]);
+    refuse_zones_beside();
     for (std::size_t k = 0; k < cut_.size(); ++k)
       if (cut_[k] > 0) note_cut(k);
   }
@@ -82,29 +83,7 @@ class StandingCompiler {
   }
 
   int stage_named(const std::string& path, const std::string& name) {
-    if (name.empty()) return 0;
-    std::vector<std::string> names;
-    bool stands = false;  // a stage of gravity came before
-    for (std::size_t k = 0; k < spec_.stage.size(); ++k) {
-      const StageSpec& stage = spec_.stage[k];
-      names.push_back(stage.name);
-      if (stage.name == name) {
-        if (stage.kind != StageKind::kCut)
-          fault(path, "\"" + name + "\"",
-                fmt::format("is a {} stage", word_of(kStageKindWords, stage.kind)),
-                "write kind = \"cut\" in a stage of its own, after gravity");
-        else if (!stands)
-          fault(path, "\"" + name + "\"", "comes before gravity: nothing stands there yet",
-                "put a stage of gravity before it");
-        return static_cast<int>(k);
-      }
-      stands = stands || stage.kind == StageKind::kGravity;
-    }
-    fault(path, "\"" + name + "\"", "no stage has this name",
-          names.empty()
-              ? "add [[stage]] with this name and kind = \"cut\""
-              : name_advice(name, names) + " Or add [[stage]] with this name and kind = \"cut\"");
-    return 0;
+    return geometry::find_cut_stage(spec_.stage, path, name, faults_);
   }
 
   void refuse_what_is_not_built() {
@@ -122,18 +101,38 @@ class StandingCompiler {
               "leave it out, or build the opening with the wall (no cut)");
     };
     refuse("solve.contacts", spec_.solve.contacts == Contacts::kFree, "contacts are joints there");
-    refuse("layer", !spec_.layer.empty(), "layers are on the wall from the first stage on");
-    refuse("wall", !model_.solids.bodies.empty(), "its blocks are rigid, without zones");
+    for (std::size_t b = 0; b < map_.size(); ++b) {
+      const geometry::Block& block = assembly_.blocks[b];
+      if (!is_solid(map_[b]) || block.opening < 0 ||
+          cut_[static_cast<std::size_t>(block.opening)] == 0)
+        continue;
+      fault(fmt::format("wall.opening.{}.lintel.model", block.opening), "\"zones\"",
+            "is put in by a stage, and deformable blocks stand from the first stage on",
+            "write model = \"segments\", or build the opening with the wall (no cut)");
+    }
+  }
+
+  // What zones press on stands always: their nodes are not held while a stage lets go of it.
+  void refuse_zones_beside() {
+    const Solids& solids = model_.solids;
+    for (std::size_t c = 0; c < solids.contact_block.size(); ++c) {
+      const auto i = static_cast<std::size_t>(solids.contact_block[c]);
+      if (i >= model_.standing.from.size() ||
+          (model_.standing.from[i] == 0 && model_.standing.until[i] == kNever))
+        continue;
+      const auto body = std::find_if(
+          solids.bodies.begin(), solids.bodies.end(),
+          [&](const SolidBody& one) { return solids.contact_p[c] < one.first_node + one.n_node; });
+      return fault("wall.blocks." + body->id + ".zones", "",
+                   "touches what a stage cuts out or puts in",
+                   "leave its zones out, or move the opening away from it");
+    }
   }
 
   void note_idle_stages() {
-    for (std::size_t k = 0; k < spec_.stage.size(); ++k) {
-      const auto is_this = [&](int stage) { return stage == static_cast<int>(k); };
-      if (spec_.stage[k].kind == StageKind::kCut &&
-          std::none_of(cut_.begin(), cut_.end(), is_this) &&
-          std::none_of(up_.begin(), up_.end(), is_this))
-        model_.anatomy.notes.push_back({"cut.nothing", {{"stage", spec_.stage[k].name}}});
-    }
+    std::vector<int> used = cut_;
+    used.insert(used.end(), up_.begin(), up_.end());
+    note_idle_cuts(spec_, used, model_);
   }
 
   void place(const geometry::Block& block, BlockId id) {
@@ -179,6 +178,13 @@ class StandingCompiler {
 void compile_standing(const ModelSpec& spec, const geometry::Assembly& assembly,
                       const BlockMap& map, Model& model, FaultList& faults) {
   StandingCompiler(spec, assembly, map, model, faults).run();
+}
+
+void note_idle_cuts(const ModelSpec& spec, const std::vector<int>& used, Model& model) {
+  for (std::size_t k = 0; k < spec.stage.size(); ++k)
+    if (spec.stage[k].kind == StageKind::kCut &&
+        std::find(used.begin(), used.end(), static_cast<int>(k)) == used.end())
+      model.anatomy.notes.push_back({"cut.nothing", {{"stage", spec.stage[k].name}}});
 }
 
 void check_standing(const Model& model, FaultList& faults) {

@@ -20,6 +20,7 @@
 
 #include "contact/parameters.h"
 #include "geometry/blocks_file.h"
+#include "geometry/builder/space_frames.h"
 #include "model/field_places.h"
 #include "model/fields.h"
 #include "model/free_shapes.h"
@@ -46,16 +47,13 @@ void refuse_plane_parts(const ModelSpec& spec, FaultList& faults) {
   };
   refuse("region", !spec.region.empty());
   refuse("ring_beam", !spec.ring_beam.empty());
-  refuse("frame", !spec.frame.empty());
   refuse("layer", !spec.layer.empty());
   refuse("wall.opening", !spec.wall.opening.empty());
   refuse("wall.beam", std::isfinite(spec.wall.beam.height));
   refuse("wall.foundation", !spec.wall.foundation.empty());
-  for (std::size_t k = 0; k < spec.stage.size(); ++k) {
+  for (std::size_t k = 0; k < spec.stage.size(); ++k)
     refuse(fmt::format("stage.{}.contraflexure", k).c_str(),
            std::isfinite(spec.stage[k].contraflexure));
-    refuse(fmt::format("stage.{}.kind", k).c_str(), spec.stage[k].kind == StageKind::kCut);
-  }
 }
 
 // In space storeys are levels: their drifts are read there, and diaphragms name them. Walls along plan lines have their
@@ -210,6 +208,10 @@ std::vector<BlockId> number(const SpaceAssembly& assembly, Model& model) {
   return id;
 }
 
+double density_of_segment(const geometry::SpaceFrame& frame, std::size_t body) {
+  return frame.placed.segments[body - frame.first_body].own_density;
+}
+
 void fill_blocks(const ModelSpec& spec, const SpaceAssembly& assembly, const FieldValues& fields,
                  Model& model, FaultList& faults) {
   const Shape shape(spec);
@@ -223,8 +225,11 @@ void fill_blocks(const ModelSpec& spec, const SpaceAssembly& assembly, const Fie
       space.body.push_back(body);
       space.centroid.push_back(moments.centroid);
       if (fixed) continue;
+      const int frame = geometry::frame_of(assembly, static_cast<int>(k));
       const double density =
-          fields.density_of(static_cast<int>(k), geometry::density_in_file(shape, body.material));
+          frame < 0 ? fields.density_of(static_cast<int>(k),
+                                        geometry::density_in_file(shape, body.material))
+                    : density_of_segment(assembly.frames[static_cast<std::size_t>(frame)], k);
       if (!(density > 0))
         faults.add({"", "wall.blocks." + body.id, "",
                     fmt::format("has no density: neither material {} nor wall.unit has one",
@@ -240,7 +245,7 @@ void fill_blocks(const ModelSpec& spec, const SpaceAssembly& assembly, const Fie
       model.centroid_x.push_back(moments.centroid.x);
       model.centroid_y.push_back(moments.centroid.y);
       anatomy.block_id.push_back(body.id);
-      anatomy.block_role.push_back(role_of(body));
+      anatomy.block_role.push_back(body.cut.empty() ? role_of(body) : BlockRole::kCutOut);
       anatomy.block_course.push_back(-1);
     }
   model.inertia.assign(static_cast<std::size_t>(model.n_block),
@@ -269,7 +274,7 @@ struct Placed {
   FacePoints points;
   std::vector<Vec3> outline;
   double area;
-  bool of_chain = false;
+  bool of_chain = false, of_frame = false;
 };
 
 Placed placed(const JointFace& face, BlockId a, BlockId b, std::int32_t material,
@@ -300,7 +305,8 @@ void append(const Placed& joint, Model& model) {
   space.point_share.insert(space.point_share.end(), p.share.begin(), p.share.end());
   space.point_begin.push_back(static_cast<std::int32_t>(space.point_r1.size()));
   const bool upright = std::fabs(joint.normal.y) < 0.5;
-  model.anatomy.joint_kind.push_back(joint.of_chain             ? JointKind::kLintelChain
+  model.anatomy.joint_kind.push_back(joint.of_frame             ? JointKind::kFrame
+                                     : joint.of_chain           ? JointKind::kLintelChain
                                      : joint.a >= model.n_block ? JointKind::kFoundation
                                      : upright                  ? JointKind::kHead
                                                                 : JointKind::kBed);
@@ -397,6 +403,16 @@ void fill_joints(const ModelSpec& spec, const SpaceAssembly& assembly,
     if (has_zones(a) || has_zones(b)) {
       add_solid_face(assembly, face, id, solids, faults);
       solids.back().material = material();
+      continue;
+    }
+    if (const int frame =
+            std::max(geometry::frame_of(assembly, face.a), geometry::frame_of(assembly, face.b));
+        frame >= 0) {
+      const auto index =
+          static_cast<std::size_t>(assembly.frames[static_cast<std::size_t>(frame)].placed.index);
+      const std::string& joint = spec.frame[index].joint;
+      joints.push_back(placed(face, id[face.a], id[face.b], materials.index_of(joint), choice));
+      joints.back().of_frame = true;
       continue;
     }
     if (is_chain(a, b)) {
@@ -555,7 +571,11 @@ SpaceAssembly assemble_space(const ModelSpec& spec, FaultList& faults) {
   check_storeys(spec, faults);
   check_materials_of_blocks(spec, faults);
   check_points(spec.solve, faults);
-  return geometry::assemble(spec.body, faults);
+  std::vector<std::string> stages;
+  for (const StageSpec& stage : spec.stage) stages.push_back(stage.name);
+  std::vector<BodySpec> bodies = spec.body;
+  std::vector<geometry::SpaceFrame> frames = geometry::place_frames_in_space(spec, bodies, faults);
+  return geometry::assemble(bodies, faults, stages, std::move(frames));
 }
 
 Model compile_space(const ModelSpec& spec, const SpaceAssembly& assembly) {
@@ -579,14 +599,19 @@ Model compile_space(const ModelSpec& spec, const SpaceAssembly& assembly) {
   measure(assembly, model);
   fill_storeys(spec, assembly, model, faults);
   compile_free_in_space(spec, model, faults);
-  for (const double mass : model.gravity_mass) model.weight += mass * model.solve.gravity;
+  for (std::size_t i = 0; i < model.gravity_mass.size(); ++i)  // of what is cut out none is left
+    if (model.anatomy.block_role[i] != BlockRole::kCutOut)
+      model.weight += model.gravity_mass[i] * model.solve.gravity;
   for (const double mass : model.space.solids.node_gravity_mass)
     model.weight += mass * model.solve.gravity;
   const std::vector<double> bare = model.mass;
   const std::vector<PointLoad> floors = compile_space_floors(spec, assembly, id, model, faults);
   spread_over_slabs(bare, model);
   compile_links(spec, assembly, id, model, faults);
+  compile_space_frames(spec, assembly, id, model, faults);
+  compile_space_standing(spec, assembly, id, model, faults);
   compile_space_stages(spec, assembly, id, floors, model, faults);
+  check_standing(model, faults);
   faults.throw_if_any();
   carry_floors(bare, model);
   fields.describe(spec, assembly, id, model);

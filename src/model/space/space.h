@@ -19,6 +19,12 @@ namespace wythe {
 void compile_space_stages(const ModelSpec& spec, const geometry::SpaceAssembly& assembly,
                           const std::vector<BlockId>& id, const std::vector<PointLoad>& floors,
                           Model& model, FaultList& faults);
+// Sections between the segments of frames; needs blocks.
+void compile_space_frames(const ModelSpec& spec, const geometry::SpaceAssembly& assembly,
+                          const std::vector<BlockId>& id, Model& model, FaultList& faults);
+// What stands when, where stages cut blocks out and put them in; needs blocks.
+void compile_space_standing(const ModelSpec& spec, const geometry::SpaceAssembly& assembly,
+                            const std::vector<BlockId>& id, Model& model, FaultList& faults);
 // Ties, diaphragms and springs between bodies (links.cpp).
 void compile_links(const ModelSpec& spec, const geometry::SpaceAssembly& assembly,
                    const std::vector<BlockId>& id, Model& model, FaultList& faults);

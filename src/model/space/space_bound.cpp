@@ -159,7 +159,9 @@ double own_bound(const Model& m, std::size_t i, const Matrix6& links) {
 // stay, and a note says how much (docs/decisions/0009).
 void raise_light_inertia(Model& m, std::vector<double>& bound) {
   constexpr double kMuch = 0.03;
-  const auto is_segment = [&](std::size_t i) { return !chain_of(m.anatomy.block_id[i]).empty(); };
+  const auto is_segment = [&](std::size_t i) {
+    return m.anatomy.block_role[i] == BlockRole::kFrame || !chain_of(m.anatomy.block_id[i]).empty();
+  };
   double masonry = 0, all = 0, added = 0, raised = 0;
   for (std::size_t i = 0; i < bound.size(); ++i) {
     all += m.mass[i];
@@ -179,6 +181,36 @@ void raise_light_inertia(Model& m, std::vector<double>& bound) {
                                : raised == 1       ? "inertia.block_raised"
                                                    : "inertia.blocks_raised",
                                {{"blocks", raised}, {"of_wall_percent", 100 * added / all}}});
+}
+
+// Adds to `sum`, of each block, what the sections of frames give it: whole on the ground, twice otherwise.
+void add_frames(const Model& m, std::vector<Matrix6>& sum) {
+  const Frames& f = m.frames;
+  for (std::size_t k = 0; k < f.a.size(); ++k) {
+    const Vec3 axis{f.axis_x[k], f.axis_y[k], f.axis_z[k]}, left = f.left[k];
+    const Vec3 across = cross(axis, left);
+    const auto add = [&](BlockId block, double share, Vec3 arm) {
+      Matrix6& of = sum[static_cast<std::size_t>(block)];
+      const auto spring = [&](Vec3 direction, double stiffness) {
+        const Vector6 r = row(direction, arm);
+        of += share * stiffness * r * r.transpose();
+      };
+      spring(axis, 2 * f.outer_stiffness[k] + f.middle_stiffness[k]);
+      spring(left, f.shear_stiffness[k]);
+      spring(across, f.aside_stiffness[k]);
+      for (const auto& [about, stiffness] :
+           {std::pair(across, 2 * f.outer_stiffness[k] * f.fibre[k] * f.fibre[k]),
+            {left, f.lean_stiffness[k]},
+            {axis, f.twist_stiffness[k]}}) {
+        Vector6 r = Vector6::Zero();
+        r[3] = about.x, r[4] = about.y, r[5] = about.z;
+        of += share * stiffness * r * r.transpose();
+      }
+    };
+    const bool on_ground = f.a[k] == kGroundBlock;
+    if (!on_ground) add(f.a[k], 2, {f.arm_a_x[k], f.arm_a_y[k], f.arm_a_z[k]});
+    add(f.b[k], on_ground ? 1 : 2, {f.arm_b_x[k], f.arm_b_y[k], f.arm_b_z[k]});
+  }
 }
 
 // Adds to `sum`, of each block, what the contacts of zones give it, counted twice.
@@ -341,6 +373,7 @@ void bound_space_step(Model& m) {
       free[i] = free_stiffness(m, parts, static_cast<std::size_t>(i));
   }
   add_contacts(m, free);
+  if (m.frames.n > 0) add_frames(m, free);
   for (int i = 0; i < m.n_block; ++i)
     bound.push_back(own_bound(m, static_cast<std::size_t>(i), free[i]));
   if (m.solve.raise_light_inertia) raise_light_inertia(m, bound);

@@ -61,7 +61,8 @@ Sparse stiffness_of(const Model& m) {
 
 double first_period_in_space(const Model& m, Vec3 along) {
   constexpr int kMostBlocks = 5000;  // beyond, the factors take seconds and gigabytes
-  if (m.n_block > kMostBlocks || m.links.n > 0 || m.space.solids.n_node > 0) return kUnset;
+  if (m.n_block > kMostBlocks || m.links.n > 0 || m.frames.n > 0 || m.space.solids.n_node > 0)
+    return kUnset;
   const Eigen::SimplicialLDLT<Sparse> solver(stiffness_of(m));
   if (solver.info() != Eigen::Success) return kUnset;
   Eigen::VectorXd force = Eigen::VectorXd::Zero(6 * m.n_block);

@@ -55,9 +55,12 @@ bool is_bed_at_crown(const std::string& a, const std::string& b) {
 std::string unit_of(const std::string& whole) {
   // ".p2": a part that a slab's pocket cut off
   const std::size_t number = digits_before(whole, whole.size());
-  const bool is_cut =
+  const bool is_part =
       number < whole.size() && number > 2 && whole.compare(number - 2, 2, ".p") == 0;
-  const std::string id = is_cut ? whole.substr(0, number - 2) : whole;
+  const std::string piece = is_part ? whole.substr(0, number - 2) : whole;
+  // ".cut0_3": where a stage cuts an opening
+  const std::size_t cut = piece.rfind(".cut");
+  const std::string id = cut == std::string::npos ? piece : piece.substr(0, cut);
   const bool in_wythe = id.size() > 3 && id[id.size() - 3] == '.' && id[id.size() - 2] == 'w';
   const std::size_t end = in_wythe ? id.size() - 3 : id.ends_with(".t") ? id.size() - 2 : id.size();
   if (end < 5 || id[end - 1] < 'a' || id[end - 1] > 'z') return "";

@@ -134,6 +134,13 @@ class SpaceStages {
     has_factor_ = true;
   }
 
+  // Whether a body stands in the stage at hand.
+  [[nodiscard]] bool stands(std::size_t k) const {
+    const geometry::StageSpan& span = assembly_.span[k];
+    const int now = static_cast<int>(model_.stages.size());
+    return span.from <= now && now < span.until;
+  }
+
   // --- loads ------------------------------------------------------------------------------------------
 
   void set_loads(Stage& stage) {
@@ -158,7 +165,7 @@ class SpaceStages {
     const std::vector<std::size_t> bodies = places_.find(s.on);
     for (const OuterFace& face : assembly_.outer) {
       const auto k = static_cast<std::size_t>(face.body);
-      if (assembly_.body[k].fixed || dot(face.normal, looks) < kFacing) continue;
+      if (assembly_.body[k].fixed || dot(face.normal, looks) < kFacing || !stands(k)) continue;
       if (!std::binary_search(bodies.begin(), bodies.end(), k)) continue;
       const geometry::Facet facet = geometry::measured(face.polygon);
       const Vec3 arm = facet.centre - assembly_.moments[k].centroid;
@@ -183,8 +190,12 @@ class SpaceStages {
       return assembly_.body[k].fixed;
     });
     double height = 0, total = 0;
+    const auto names_it = [&](std::size_t k) {
+      return !patterned && s.at.block == assembly_.body[k].id;
+    };
     for (const std::size_t k : found) {
       if (assembly_.body[k].fixed != fixed) continue;
+      if ((!assembly_.body[k].cut.empty() || !stands(k)) && !names_it(k)) continue;
       const double share = s.pattern == Pattern::kMass   ? mass_on(k)
                            : s.pattern == Pattern::kArea ? facing_area(k, stage)
                                                          : 1.0;

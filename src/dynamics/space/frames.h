@@ -1,0 +1,43 @@
+// The sections of frames in one wall in space (reading/space_frames.h). A wall has few, so they are taken one by one, as
+// links are.
+#pragma once
+
+#include "dynamics/space/wall.h"
+#include "reading/space_frames.h"
+
+namespace wythe::dynamics::space {
+
+// Forces of all sections where the blocks are now; what yielding took [J].
+inline double add_frame_forces(const WallView& w, const Model& m, State& s) {
+  const Frames& f = m.frames;
+  double yielded = 0;
+  const auto pose_of = [&](BlockId i) { return contact::Pose<double>{w.shift(i), w.turn(i)}; };
+  for (std::size_t k = 0; k < f.a.size(); ++k) {
+    if (!m.standing.joins(f.a[k], f.b[k], s.stage)) continue;  // it is not up yet
+    const contact::BlockLoads<double> loads =
+        reading::with_section(f, k, pose_of, [&](const auto& face) {
+          reading::SpaceSectionJump jump = reading::section_jump_in_space(face.gap());
+          reading::take_off_set(s, k, jump);
+          const contact::SectionForces pull = reading::section_forces_in_space(f, s, k, jump);
+          yielded += pull.left.force * pull.left.flow + pull.middle.force * pull.middle.flow +
+                     pull.right.force * pull.right.flow;
+          s.frame_left[k] += pull.left.flow;
+          s.frame_middle[k] += pull.middle.flow;
+          s.frame_right[k] += pull.right.flow;
+          const double torque = f.twist_stiffness[k] * jump.twist;
+          return face.loads({{pull.shear, f.aside_stiffness[k] * jump.aside, pull.normal},
+                             {0, 0.5 * torque, -pull.moment},
+                             {-0.5 * torque, 0, f.lean_stiffness[k] * jump.lean}});
+        });
+    const std::ptrdiff_t row = w.layout->first_frame + static_cast<std::ptrdiff_t>(k);
+    for (const auto& [rows, v] :
+         {std::pair(w.t.force, loads.f), {w.t.moment_a, loads.on_a}, {w.t.moment_b, loads.on_b}}) {
+      w.column_of(rows, row, 0) = v.x;
+      w.column_of(rows, row, 1) = v.y;
+      w.column_of(rows, row, 2) = v.z;
+    }
+  }
+  return yielded;
+}
+
+}  // namespace wythe::dynamics::space

@@ -1,0 +1,150 @@
+// Frames in space -> sections between segments: the plane's three fibres, and what is elastic across the plane
+// (docs/theory/frames.md, "In space").
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "geometry/wall/frames.h"
+#include "model/parts.h"
+#include "model/space/space.h"
+
+namespace wythe {
+namespace {
+
+using geometry::FrameJoint;
+using geometry::FramePart;
+using geometry::Section;
+using geometry::SpaceFrame;
+
+class SpaceFrameCompiler {
+ public:
+  SpaceFrameCompiler(const ModelSpec& spec, const geometry::SpaceAssembly& assembly,
+                     const std::vector<BlockId>& id, Model& model, FaultList& faults)
+      : spec_(spec), assembly_(assembly), id_(id), model_(model), faults_(faults) {}
+
+  void run() {
+    if (!spec_.frame.empty() && spec_.solve.contacts == Contacts::kFree)
+      faults_.add({"", "solve.contacts", "free", "does not know frames yet",
+                   "leave it out, or leave the frames out", 0});
+    for (const SpaceFrame& frame : assembly_.frames) add(frame);
+  }
+
+ private:
+  void refuse(const char* key, const char* cure) {
+    faults_.add({"", path_ + "." + key, "", "is for walls in their plane; this frame is in space",
+                 cure, 0});
+  }
+
+  void add(const SpaceFrame& frame) {
+    const auto index = static_cast<std::size_t>(frame.placed.index);
+    const FrameSpec& spec = spec_.frame[index];
+    path_ = fmt::format("frame.{}", index);
+    const std::size_t before = faults_.all().size();
+    const FrameSteel steel = frame_steel(spec, path_, faults_);
+    check_frame_gap(spec_, spec, path_, faults_);
+    const auto sections = geometry::sections_of(spec, index, faults_);
+    if (!std::isnan(spec.anchors.spacing)) refuse("anchors", "leave them out, or write a joint");
+    if (!std::isnan(spec.wedges.force)) refuse("wedges", "leave them out, or write a joint");
+    if (sections)
+      for (const auto& [key, section] :
+           {std::pair("section", sections->column), {"beam_section", sections->beam}})
+        if (!(section.weak_second_moment > 0) || !(section.torsion_constant > 0))
+          faults_.add({"", path_ + "." + key + ".weak_second_moment", "",
+                       "is missing, or torsion_constant is: in space a member bends across its "
+                       "plane and twists",
+                       "write both, or name a profile", 0});
+    if (faults_.all().size() > before || !sections) return;
+    Frames& f = model_.frames;
+    const auto first = static_cast<std::int32_t>(f.members.size());
+    std::vector<Section> own;
+    for (const FramePart& part : frame.placed.parts) {
+      const bool upright = std::fabs(part.way.y) > std::fabs(part.way.x);
+      const Section& s = upright ? sections->column : sections->beam;
+      own.push_back(s);
+      f.members.push_back({static_cast<int>(f.name.size()), part.words, part.length, part.from.x,
+                           part.from.y, part.way.x, part.way.y, s.area, s.shear_area,
+                           s.second_moment, s.plastic_modulus, steel.youngs, steel.yield,
+                           s.second_moment / s.plastic_modulus});
+    }
+    f.name.push_back(frame.placed.name);
+    for (const FrameJoint& joint : frame.placed.joints)
+      add_section(frame, joint, first, own[static_cast<std::size_t>(joint.part)], steel);
+    for (std::size_t k = 0; k < frame.placed.segments.size(); ++k) {
+      const Vec3 moved = frame.plane.turned(frame.placed.moved[k]);
+      if (moved.x == 0 && moved.y == 0 && moved.z == 0) continue;
+      f.moved.push_back(block_of(frame, static_cast<int>(k)));
+      f.moved_x.push_back(moved.x);
+      f.moved_y.push_back(moved.y);
+      f.moved_z.push_back(moved.z);
+    }
+    note_frame(frame.placed, spec, model_);
+  }
+
+  [[nodiscard]] BlockId block_of(const SpaceFrame& frame, int segment) const {
+    return segment == geometry::kGround ? kGroundBlock
+                                        : id_[frame.first_body + static_cast<std::size_t>(segment)];
+  }
+
+  void add_section(const SpaceFrame& frame, const FrameJoint& joint, std::int32_t first,
+                   const Section& section, const FrameSteel& steel) {
+    Frames& f = model_.frames;
+    const FramePart& part = frame.placed.parts[static_cast<std::size_t>(joint.part)];
+    const bool back = joint.b == geometry::kGround;  // the ground is side a
+    const int a = back ? joint.b : joint.a, b = back ? joint.a : joint.b;
+    const Vec3 at = frame.plane.place(
+        {part.from.x + joint.place * part.way.x, part.from.y + joint.place * part.way.y});
+    const auto moved = [&](int segment) {
+      return segment == geometry::kGround
+                 ? Vec3{}
+                 : frame.plane.turned(frame.placed.moved[static_cast<std::size_t>(segment)]);
+    };
+    const auto arm = [&](int segment) {
+      if (segment == geometry::kGround) return Vec3{};
+      const Vec3 centroid =
+          model_.space.centroid[static_cast<std::size_t>(block_of(frame, segment))];
+      return at - (centroid + moved(segment));
+    };
+    const Vec3 arm_a = arm(a), arm_b = arm(b), rest = moved(b) - moved(a);
+    const Vec2 way = back ? Vec2{-part.way.x, -part.way.y} : part.way;
+    const Vec3 axis = frame.plane.turned(way);
+    f.a.push_back(block_of(frame, a));
+    f.b.push_back(block_of(frame, b));
+    f.arm_a_x.push_back(arm_a.x), f.arm_a_y.push_back(arm_a.y), f.arm_a_z.push_back(arm_a.z);
+    f.arm_b_x.push_back(arm_b.x), f.arm_b_y.push_back(arm_b.y), f.arm_b_z.push_back(arm_b.z);
+    f.axis_x.push_back(axis.x), f.axis_y.push_back(axis.y), f.axis_z.push_back(axis.z);
+    f.rest_x.push_back(rest.x), f.rest_y.push_back(rest.y), f.rest_z.push_back(rest.z);
+    f.left.push_back(frame.plane.turned({-way.y, way.x}));
+    const double d = section.second_moment / section.plastic_modulus;
+    const double outer = joint.hinged ? 0 : section.second_moment / (2 * d * d);
+    const double middle = section.area - 2 * outer, turns = joint.hinged ? 0 : 1;
+    f.outer_stiffness.push_back(steel.youngs * outer / joint.length);
+    f.middle_stiffness.push_back(steel.youngs * middle / joint.length);
+    f.shear_stiffness.push_back(steel.shear * section.shear_area / joint.length);
+    f.aside_stiffness.push_back(steel.shear * section.weak_shear_area / joint.length);
+    f.lean_stiffness.push_back(turns * steel.youngs * section.weak_second_moment / joint.length);
+    f.twist_stiffness.push_back(steel.shear * section.torsion_constant / joint.length);
+    f.fibre.push_back(d);
+    f.outer_yield.push_back(steel.yield * outer);
+    f.middle_yield.push_back(steel.yield * middle);
+    f.member.push_back(first + joint.part);
+    f.place.push_back(joint.place);
+    f.length.push_back(joint.length);
+    ++f.n;
+  }
+
+  const ModelSpec& spec_;
+  const geometry::SpaceAssembly& assembly_;
+  const std::vector<BlockId>& id_;
+  Model& model_;
+  FaultList& faults_;
+  std::string path_;
+};
+
+}  // namespace
+
+void compile_space_frames(const ModelSpec& spec, const geometry::SpaceAssembly& assembly,
+                          const std::vector<BlockId>& id, Model& model, FaultList& faults) {
+  SpaceFrameCompiler(spec, assembly, id, model, faults).run();
+}
+
+}  // namespace wythe
