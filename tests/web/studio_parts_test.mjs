@@ -435,6 +435,24 @@ test("steel, gap, anchors and wedges of a frame stand in the panel, and the engi
   assert.equal(await page.getByRole("button", { name: "Wedge its beam" }).count(), 0);
 });
 
+test("a number that is varied and then taken away is gone, and so is that of a wall the drawing cannot show", async () => {
+  const title = page.locator(".family h2");
+  await begin("portal");
+  await opening(0).click();
+  await page.getByTitle("Vary Width").click();
+  assert.equal(await title.innerText(), "Width, now 1\u202fm");
+  await page.locator(".canvas").focus();
+  await page.keyboard.press("Delete");
+  assert.equal(await title.innerText(), "Width, now –");
+  assert.ok(await page.locator('[data-action="family"]').isDisabled());
+  await page.getByTitle("Vary Length").first().click();
+  await write(page, '[wall]\nblocks = "house.obj"\n');
+  assert.equal(await title.innerText(), "Length, now –");
+  await page.locator('[data-action="family"]').waitFor();
+  await page.getByRole("button", { name: "Close the family of curves" }).click();
+  assert.deepEqual(page.faults, []);
+});
+
 test("every profile of the library can be chosen, as high as it is", async () => {
   const { kProfiles } = await viewerModule("studio/profiles");
   const source = fs.readFileSync(path.join(root, "src/geometry/wall/profiles.cpp"), "utf8");

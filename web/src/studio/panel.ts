@@ -183,7 +183,10 @@ export class Panel {
     const field = h("label", {}, h("span", {}, label), h("span", { class: "box" }, input, unit !== "" && h("span", { class: "unit" }, unit)));
     const button = h("button", { class: "vary", type: "button", title: say("studio.vary", { name: label }), onclick: () => {
       const number = vary?.();
-      if (number) this.vary({ ...number, name: label }, button);
+      const { project } = this;
+      const part = project.selection; // whose number it may be
+      const isThere = (): boolean => project.drawable && project.holds(part);
+      if (number) this.vary({ ...number, name: label, now: () => (isThere() ? number.now() : NaN), text: (v) => (isThere() ? number.text(v) : null) }, button);
     } }, svg("svg", { viewBox: "0 0 16 16", "aria-hidden": "true" }, svg("path", { d: "M1 4.5H6M10 4.5H15M1 11.5H8M12 11.5H15" }), svg("circle", { cx: 8, cy: 4.5, r: 2 }), svg("circle", { cx: 10, cy: 11.5, r: 2 })));
     const root = h("div", { class: more.wide ? "entry wide" : vary ? "entry varied" : "entry" }, field, vary && button);
     this.fields.push({ root, refresh });

@@ -99,7 +99,8 @@ export class Project {
     this.selection = selection;
     this.tell("selection");
   }
-  private holds(selection: Selected | null): boolean {
+  // Whether there is such a part still.
+  holds(selection: Selected | null): boolean {
     return selection === null || (this.drawing !== null && selection.k < countOf(this.drawing, selection.kind));
   }
   get canUndo(): boolean {
