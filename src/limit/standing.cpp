@@ -7,6 +7,7 @@
 
 #include "limit/limit_loads.h"
 #include "model/fields.h"
+#include "wythe/parts/reading.h"
 
 namespace wythe::limit {
 namespace {
@@ -89,7 +90,7 @@ StandingWall::StandingWall(const Model& whole) : model(whole) {
 void StandingWall::take_out() {
   const int blocks = model.n_block;
   std::vector<std::int32_t> point_begin{0};
-  for (std::size_t j = 0; model.in_space() && j < joint_.size(); ++j)
+  for (std::size_t j = 0; dimension_of(model) == 3 && j < joint_.size(); ++j)
     if (joint_[j] >= 0)
       point_begin.push_back(point_begin.back() + model.space.point_begin[j + 1] -
                             model.space.point_begin[j]);
@@ -126,7 +127,7 @@ void StandingWall::take_out() {
   for (std::vector<BlockId>* ids : {&model.joint_a, &model.joint_b, &model.links.a, &model.links.b,
                                     &model.solids.contact_block, &model.space.solids.contact_block})
     for (BlockId& id : *ids) renumber(id);
-  if (model.in_space()) {
+  if (dimension_of(model) == 3) {
     model.space.point_begin = std::move(point_begin);
     keep(model.space.body, block_);
     keep(model.space.centroid, block_);
@@ -162,7 +163,7 @@ void StandingWall::list_joints() {
 }
 
 void StandingWall::spread_out(LimitResult& answer) const {
-  const bool of_points = model.in_space();
+  const bool of_points = dimension_of(model) == 3;
   spread(answer.point_force, point_);
   spread(answer.shear_force, of_points ? point_ : joint_);
   spread(answer.shear_force_2, point_);

@@ -64,16 +64,20 @@ enum class Entity {
     case Entity::kLink: return static_cast<std::size_t>(m.links.n);
     case Entity::kFrameLink: return static_cast<std::size_t>(m.frames.n);
     case Entity::kLayerNode: return static_cast<std::size_t>(m.layers.n);
-    case Entity::kBody: return m.in_space() ? static_cast<std::size_t>(m.n_block) : 0;
-    case Entity::kFacePoint: return m.in_space() ? static_cast<std::size_t>(m.n_history()) : 0;
+    case Entity::kBody: return m.space.inertia.empty() ? 0 : static_cast<std::size_t>(m.n_block);
+    case Entity::kFacePoint:
+      return m.space.point_share.empty() ? 0 : static_cast<std::size_t>(m.n_history());
     case Entity::kSupport: return static_cast<std::size_t>(m.space.n_support);
     case Entity::kHandedOver: return m.free.any() ? static_cast<std::size_t>(m.n_joint) : 0;
     case Entity::kMaxwell: return has_maxwell(m) ? static_cast<std::size_t>(m.n_point()) : 0;
-    case Entity::kMaxwellInSpace: return m.in_space() ? count_of(m, Entity::kMaxwell) : 0;
+    case Entity::kMaxwellInSpace:
+      return m.space.point_share.empty() ? 0 : count_of(m, Entity::kMaxwell);
     case Entity::kFrameSet: return m.standing.any() ? count_of(m, Entity::kFrameLink) : 0;
-    case Entity::kFrameSetInSpace: return m.in_space() ? count_of(m, Entity::kFrameSet) : 0;
+    case Entity::kFrameSetInSpace:
+      return m.space.inertia.empty() ? 0 : count_of(m, Entity::kFrameSet);
     case Entity::kRelease: return m.standing.any() ? count_of(m, Entity::kBlock) : 0;
-    case Entity::kReleaseInSpace: return m.in_space() ? count_of(m, Entity::kRelease) : 0;
+    case Entity::kReleaseInSpace:
+      return m.space.inertia.empty() ? 0 : count_of(m, Entity::kRelease);
     case Entity::kOther: break;
   }
   return 0;

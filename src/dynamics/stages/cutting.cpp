@@ -399,7 +399,7 @@ void set_release(const Model& m, State& s, double dt) {
        {&s.release_x, &s.release_y, &s.release_m, &s.release_z, &s.release_mx, &s.release_my})
     std::fill(all->begin(), all->end(), 0.0);
   State scratch = s;
-  if (m.in_space()) {
+  if (dimension_of(m) == 3) {
     space::SpaceProcessor instant(m, 1);
     step_an_instant(m, dt, scratch, instant);
     const space::WallView& wall = instant.view(0);
@@ -449,7 +449,7 @@ void begin_cut(StageContext& wall) {
   wall.access->store_state(state);
   const double before = stored(model, state, state.stage - 1);
   cut_layers(model, state);
-  if (model.in_space())
+  if (dimension_of(model) == 3)
     SpaceFitter(model, state).fit();
   else
     Fitter(model, state).fit();

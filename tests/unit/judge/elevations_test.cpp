@@ -16,6 +16,7 @@
 #include "scenes/scenes.h"
 #include "wythe/parts/assessment.h"
 #include "wythe/parts/element_forces.h"
+#include "wythe/parts/error.h"
 #include "wythe/parts/failure_mode.h"
 #include "wythe/parts/io.h"
 #include "wythe/parts/mechanism.h"
@@ -284,8 +285,8 @@ MEETS
 [[stage]]
 name = "gravity"
 )";
-Model house(const std::string& meets) {
-  std::string text = kHouse;
+Model house(const std::string& meets, const std::string& more = "") {
+  std::string text = kHouse + more;
   for (std::size_t k = text.find("MEETS"); k != std::string::npos; k = text.find("MEETS"))
     text.replace(k, 5, "meets = \"" + meets + "\"");
   return compile(parse_model(text, "house.toml", {}));
@@ -344,6 +345,32 @@ TEST(Elevations, what_the_walls_of_a_house_carry_adds_up_to_its_weight) {
   EXPECT_NEAR(windows + bare, above + sides, 0.02 * (above + sides));
   EXPECT_GT(windows, 0.7 * above);
   EXPECT_GT(bare, 0.7 * sides);
+}
+
+// In space a storey is a level: the blocks that hold its top tell its drift.
+TEST(Elevations, storeys_of_a_house_are_levels_and_lay_no_masonry) {
+  const std::string levels =
+      "[[storey]]\nname = \"low\"\nheight = \"0.55 m\"\n"
+      "[[storey]]\nname = \"high\"\nheight = \"0.6 m\"\n";
+  const Model model = house("toothed", levels);
+  EXPECT_EQ(model.anatomy.storey_name, (std::vector<std::string>{"low", "high"}));
+  ASSERT_EQ(model.anatomy.storey_top.size(), 2U);
+  EXPECT_DOUBLE_EQ(model.anatomy.storey_top[1], 1.15);
+  const auto refusal = [&](const std::string& more) -> std::string {
+    try {
+      (void)house("toothed", more);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const std::string thick = refusal(levels + "thickness = \"0.3 m\"\n");
+  EXPECT_NE(thick.find("storey"), std::string::npos) << thick;
+  EXPECT_NE(thick.find("write it in [[plan_wall]]"), std::string::npos) << thick;
+  const std::string twice = refusal(levels + levels);
+  EXPECT_NE(twice.find("two storeys have this name"), std::string::npos) << twice;
+  const std::string region = refusal("[[region]]\nstorey = \"low\"\n");
+  EXPECT_NE(region.find("is for walls in their plane"), std::string::npos) << region;
 }
 
 }  // namespace
