@@ -267,6 +267,10 @@ TEST(FramesInSpace, what_cannot_be_is_refused_with_its_place) {
             "frame.0.section.weak_second_moment: is missing, or torsion_constant is: in space a "
             "member bends across its plane and twists");
   spec.frame[0] = portal(FrameFeet::kFixed);
+  spec.stage = {scenes::gravity_stage(), push("ground", kAlong, 1e-3, 5e-4)};
+  EXPECT_EQ(fault_of(spec),
+            "stage.1.at: drives supports, and the feet of frame F1 stand still in the ground");
+  spec.stage.clear();
   spec.frame[0].z = 50;
   EXPECT_EQ(fault_of(spec), "frame.0.x: stands in a plane that cuts no block that moves");
 }

@@ -2,6 +2,7 @@
 // (docs/theory/frames.md, "In space").
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "geometry/wall/frames.h"
@@ -145,6 +146,19 @@ class SpaceFrameCompiler {
 void compile_space_frames(const ModelSpec& spec, const geometry::SpaceAssembly& assembly,
                           const std::vector<BlockId>& id, Model& model, FaultList& faults) {
   SpaceFrameCompiler(spec, assembly, id, model, faults).run();
+}
+
+void check_space_frames(const Model& model, FaultList& faults) {
+  const std::vector<BlockId>& a = model.frames.a;
+  if (std::find(a.begin(), a.end(), kGroundBlock) == a.end()) return;
+  for (std::size_t k = 0; k < model.stages.size(); ++k) {
+    const std::vector<BlockId>& driven = model.stages[k].driven;
+    if (!driven.empty() && driven.front() >= model.n_block)
+      faults.add({"", fmt::format("stage.{}.at", k), "",
+                  "drives supports, and the feet of frame " + model.frames.name.front() +
+                      " stand still in the ground",
+                  "write feet = \"resting\", or push blocks", 0});
+  }
 }
 
 }  // namespace wythe
