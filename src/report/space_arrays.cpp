@@ -73,7 +73,8 @@ struct Parts {
 std::vector<BodySpec> bodies_shown(const Model& model) {
   const auto first = model.space.body.begin(), support = first + model.n_block;
   std::vector<BodySpec> bodies(first, support);
-  for (std::size_t i = 0; i < bodies.size(); ++i)  // not drawn, as on the page of a wall in its plane
+  for (std::size_t i = 0; i < bodies.size();
+       ++i)  // not drawn, as on the page of a wall in its plane
     if (model.anatomy.block_role[i] == BlockRole::kCutOut) bodies[i].part.clear();
   const SpaceSolids& s = model.space.solids;
   for (const SpaceSolidBody& of : s.bodies)

@@ -189,6 +189,42 @@ TEST(FramesInSpace, energy_balances_while_a_frame_swings_freely) {
   EXPECT_GT(e.elastic, 0.02 * before);
 }
 
+// --- anchors and wedges ------------------------------------------------------------------------------------
+
+constexpr double kTension = 5e3, kShear = 3e3;  // of one anchor, at a slip of 1 mm [N]
+
+// As in the plane (anchors_test.cpp): a block beside a stiff column, two anchors at its height.
+Ran pulled(const std::vector<double>& along, double until) {
+  ModelSpec spec = yard();
+  spec.material["contact"] = scenes::dry_joint(60e9, 30e9, 1e-6);
+  FrameSpec column = portal(FrameFeet::kFixed);
+  column.line = {{1.1, 0}, {1.1, 1}};
+  column.anchors = {
+      .spacing = 0.25, .depth = 0.1, .tension = kTension, .shear = kShear, .slip = 1e-3};
+  spec.frame = {column};
+  StageSpec stage = push("b0", along, until, 0.01);
+  stage.rotation = Freedom::kBlocked;
+  spec.stage = {scenes::gravity_stage(), stage};
+  return solved(spec);
+}
+
+TEST(FramesInSpace, anchors_are_pulled_out_and_sheared_off_at_their_strengths) {
+  const Ran out = pulled({-kAlong[0], 0, -kAlong[2]}, 3e-3);
+  ASSERT_EQ(out.model.links.n, 6);
+  verify({"SF09", "two anchors of a column in space, block pulled off: force", "N", 2 * kTension,
+          2e-3, "the damped motion of the block"},
+         std::fabs(out.result.curve.back().base_shear));
+  EXPECT_LT(out.result.energy.gap_ratio, 1e-3);
+  const Ran off = pulled(kAcross, 4e-3);
+  const std::vector<LinkReading> links = read_links(off.model, off.state);
+  double across = 0;
+  for (std::size_t k = 0; k < links.size(); ++k)
+    if (off.model.links.name[k].ends_with("aside")) across += std::fabs(links[k].force);
+  verify({"SF10", "the same, block pushed across the frame's plane: force across them", "N",
+          2 * kShear, 1e-6, "their law"},
+         across);
+}
+
 // --- with masonry ------------------------------------------------------------------------------------------
 
 // The window of small_wall, cut under load, with a frame in it that bends and yields.
@@ -244,6 +280,24 @@ TEST(FramesInSpace, threads_give_the_same_bits) {
   }
 }
 
+// They press with their force when the stage has ended, and the frame holds it against the wall above.
+TEST(FramesInSpace, wedges_press_with_their_force) {
+  constexpr double kWedged = 8e3;
+  ModelSpec spec = scenes::cut_under_load(plane_wall());
+  spec.frame[0].wedges = {.force = kWedged, .spacing = 0.1};
+  spec.frame[0].section.area *= 4;
+  spec.stage.pop_back();
+  const Ran r = solved(along_a_line(spec));
+  double force = 0;
+  const std::vector<LinkReading> links = read_links(r.model, r.state);
+  for (std::size_t k = 0; k < links.size(); ++k)
+    if (r.model.links.kind[k] == LinkKind::kWedge) force -= links[k].force;
+  verify({"SF11", "wedges above a beam in space, driven in by the stage that cuts: force", "N",
+          kWedged, 1e-6, "their law"},
+         force);
+  EXPECT_LT(r.result.energy.gap_ratio, 1e-3);
+}
+
 std::string fault_of(const ModelSpec& spec) {
   try {
     (void)compile(spec);
@@ -260,13 +314,19 @@ TEST(FramesInSpace, what_cannot_be_is_refused_with_its_place) {
   EXPECT_EQ(fault_of(spec), "frame.0.wall: is missing: a frame in space stands in a wall");
   spec.frame[0] = portal(FrameFeet::kFixed);
   spec.frame[0].wedges = {.force = 1e3, .spacing = 0.4};
-  EXPECT_EQ(fault_of(spec), "frame.0.wedges: is for walls in their plane; this frame is in space");
+  EXPECT_EQ(fault_of(spec),
+            "frame.0.wedges: are driven in while a stage puts the frame up, and this one stands "
+            "from the start");
   spec.frame[0] = slender(FrameFeet::kFixed);
   spec.frame[0].section.torsion_constant = kUnset;
   EXPECT_EQ(fault_of(spec),
             "frame.0.section.weak_second_moment: is missing, or torsion_constant is: in space a "
             "member bends across its plane and twists");
   spec.frame[0] = portal(FrameFeet::kFixed);
+  spec.stage = {scenes::gravity_stage(), push("ground", kAlong, 1e-3, 5e-4)};
+  EXPECT_EQ(fault_of(spec),
+            "stage.1.at: drives supports, and the feet of frame F1 stand still in the ground");
+  spec.stage.clear();
   spec.frame[0].z = 50;
   EXPECT_EQ(fault_of(spec), "frame.0.x: stands in a plane that cuts no block that moves");
 }

@@ -177,7 +177,8 @@ void SpaceProcessor::begin_step() {
     if (wall.model->frames.n > 0 && wall.controls.dt > 0)
       state.dissipated_friction += add_frame_forces(wall.view, *wall.model, state);
     if (wall.view.links > 0 && wall.controls.dt > 0) {
-      const LinkWork work = add_link_forces(wall.view, links_set(*wall.model, state));
+      const LinkWork work =
+          add_link_forces(wall.view, links_set(*wall.model, state), jacks_set(*wall.model, state));
       state.dissipated_friction += work.dissipated;
       state.work_loads += work.tensioned;
     }

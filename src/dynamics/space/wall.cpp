@@ -257,6 +257,7 @@ void stand(const WallView& w, const Model& m, const State& s) {
     const bool stands = m.standing.joins(a, b, s.stage);
     w.t.link_a[k] = stands && a != kGroundBlock ? a : w.t.n_block;
     w.t.link_b[k] = stands ? b : w.t.n_block;
+    w.link(k, kLinkJack) = stands && m.standing.begins(a, b, s.stage) ? m.links.jack[k] : 0;
     clear_forces(w.layout->n_joint + k);
   }
   for (int k = 0; k < w.layout->n_frame; ++k) clear_forces(w.layout->first_frame + k);
@@ -334,7 +335,7 @@ void add_load(const PointLoad& load, double scale, const WallView& w) {
 }
 
 // As add_link_forces() in the plane (passes/links.h); the forces lie behind those of the joints.
-LinkWork add_link_forces(const WallView& w, double set) {
+LinkWork add_link_forces(const WallView& w, double set, double jacked) {
   LinkWork work;
   for (int k = 0; k < w.links; ++k) {
     const auto of = [&](int row) { return w.link(k, row); };
@@ -346,7 +347,11 @@ LinkWork add_link_forces(const WallView& w, double set) {
         w.shift(ib), w.turn(ib), Vec{of(kLinkArmBX), of(kLinkArmBY), of(kLinkArmBZ)});
     const contact::SpaceLinkLine line = contact::link_line(
         Vec{of(kLinkSpanX), of(kLinkSpanY), of(kLinkSpanZ)}, of(kLinkFollows) > 0, a, b);
-    const double drawn = set * of(kLinkPrestress) / of(kLinkStiffness), before = of(kLinkForce);
+    const double before = of(kLinkForce);
+    double drawn = of(kLinkDrawn);
+    if (of(kLinkPrestress) != 0) drawn = set * of(kLinkPrestress) / of(kLinkStiffness);
+    if (jacked >= 0 && of(kLinkJack) > 0)
+      drawn = of(kLinkPlastic) - line.elongation - jacked * of(kLinkJack) / of(kLinkStiffness);
     const contact::LinkForce pull =
         contact::force_of_link({of(kLinkStiffness), of(kLinkTension), of(kLinkCompression)},
                                line.elongation, of(kLinkPlastic), drawn);

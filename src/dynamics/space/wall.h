@@ -92,8 +92,9 @@ void choose_driven(const WallView& wall, const std::vector<BlockId>& blocks);
 void clear_load(BlockId block, const WallView& wall);
 void add_load(const PointLoad& load, double scale, const WallView& wall);
 
-// Forces of all links where the blocks are now; `set`: share of their prestress in force.
-[[nodiscard]] LinkWork add_link_forces(const WallView& wall, double set);
+// Forces of all links where the blocks are now; `set`: share of their prestress in force, `jacked`: of the force of
+// jacks at work, below 0 where there are none.
+[[nodiscard]] LinkWork add_link_forces(const WallView& wall, double set, double jacked);
 
 // Moves the driven blocks, or supports, and returns the reaction [N].
 [[nodiscard]] double drive(const Stage& push, const WallView& wall, double velocity,

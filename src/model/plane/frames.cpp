@@ -6,11 +6,11 @@
 #include <map>
 #include <optional>
 
-#include "core/elementary.h"
 #include "core/text.h"
 #include "geometry/polygon.h"
 #include "geometry/wall/frames.h"
 #include "model/parts.h"
+#include "model/plane/fasteners.h"
 
 namespace wythe {
 namespace {
@@ -28,8 +28,6 @@ const std::map<std::string, FrameSteel>& grades() {
                                                             {"S355", {355e6, 210e9, 81e9}}};
   return kGrades;
 }
-
-constexpr double kOnFace = 1e-3;  // how near a place is to a face that counts as its masonry [m]
 
 bool holds(const geometry::Polygon& outline, Vec2 p) {
   constexpr double kSpot = 1e-4;  // [m]
@@ -53,10 +51,6 @@ class FrameCompiler {
   }
 
  private:
-  void fault(const std::string& key, std::string value, std::string problem, std::string cure) {
-    faults_.add({"", path_ + "." + key, std::move(value), std::move(problem), std::move(cure), 0});
-  }
-
   void add(const PlacedFrame& placed) {
     const auto index = static_cast<std::size_t>(placed.index);
     const FrameSpec& frame = spec_.frame[index];
@@ -90,8 +84,8 @@ class FrameCompiler {
       f.moved_y.push_back(moved.y);
     }
     note_frame(placed, frame, model_);
-    add_anchors(placed, frame, *sections, block);
-    add_wedges(placed, frame, *sections, block);
+    add_fasteners({spec_, frame, placed, *sections, path_, site_of(placed, block)}, model_,
+                  faults_);
   }
 
   // The moving masonry at a place that no stage cuts out; none where there is none.
@@ -104,137 +98,24 @@ class FrameCompiler {
     return std::nullopt;
   }
 
-  // A place on the outside of a member: the segment there, the direction away from its axis, and the unit behind it.
-  struct Footing {
-    BlockId segment, masonry;
-    Vec2 face, normal, behind;
-  };
-  // On both sides of member `k`, `spacing` apart and centred, where masonry lies at the face and `depth` behind it.
-  [[nodiscard]] std::vector<Footing> footings(const PlacedFrame& placed, std::size_t k, double half,
-                                              const std::vector<BlockId>& block, double spacing,
-                                              double depth) const {
-    const FramePart& part = placed.parts[k];
-    const int count = std::max(1, static_cast<int>(std::floor(part.length / spacing + 1e-9)));
-    std::vector<Footing> found;
-    for (int i = 0; i < count; ++i) {
-      const double s = 0.5 * part.length + (i - 0.5 * (count - 1)) * spacing;
-      const Vec2 axis{part.from.x + s * part.way.x, part.from.y + s * part.way.y};
-      for (const double side : {1.0, -1.0}) {
-        const Vec2 n{-side * part.way.y, side * part.way.x};
-        const Vec2 face{axis.x + half * n.x, axis.y + half * n.y};
-        const Vec2 behind{face.x + depth * n.x, face.y + depth * n.y};
-        const auto masonry = masonry_at(behind);
-        if (!masonry || !masonry_at({face.x + kOnFace * n.x, face.y + kOnFace * n.y})) continue;
-        for (std::size_t j = 0; j < placed.segments.size(); ++j)
-          if (holds(placed.segments[j].outline, axis)) {
-            found.push_back({block[j], *masonry, face, n, behind});
-            break;
-          }
-      }
-    }
-    return found;
-  }
-
-  [[nodiscard]] Vec3 arm(BlockId block, Vec2 p) const {
-    const auto i = static_cast<std::size_t>(block);
-    return {p.x - model_.centroid_x[i], p.y - model_.centroid_y[i], 0};
-  }
-
-  [[nodiscard]] static double half_depth(const FramePart& part, const geometry::FrameSections& s) {
-    return (std::fabs(part.way.y) > std::fabs(part.way.x) ? s.column : s.beam).height / 2;
-  }
-
-  // Each anchor is a link along its axis, which slips out, and one across it (docs/theory/frames.md).
-  void add_anchors(const PlacedFrame& placed, const FrameSpec& frame,
-                   const geometry::FrameSections& sections, const std::vector<BlockId>& block) {
-    const AnchorSpec& a = frame.anchors;
-    if (!is_given("anchors", {{"spacing", a.spacing},
-                              {"depth", a.depth},
-                              {"tension", a.tension},
-                              {"shear", a.shear}}))
-      return;
-    if (frame.gap > 0)
-      return fault("anchors", "", "bridge a gap, in which they would bend",
-                   "leave the gap out, or the anchors");
-    int count = 0;
-    for (std::size_t k = 0; k < placed.parts.size(); ++k)
-      for (const Footing& f :
-           footings(placed, k, half_depth(placed.parts[k], sections), block, a.spacing, a.depth)) {
-        ++count;
-        const auto add = [&](LinkKind kind, Vec2 far, Vec3 span, double strength, double press) {
-          add_link(model_.links,
-                   {fmt::format("{} {} {}", placed.name, word_of(kLinkKindWords, kind), count),
-                    kind, f.segment, f.masonry, arm(f.segment, f.face), arm(f.masonry, far), span,
-                    false, strength / a.slip, strength, press});
-        };
-        // pressure goes through the joint
-        add(LinkKind::kAnchor, f.behind, {f.normal.x, f.normal.y, 0}, a.tension, 0);
-        add(LinkKind::kDowel, f.face, {-f.normal.y, f.normal.x, 0}, a.shear, a.shear);
-      }
-    if (count == 0)
-      return fault("anchors.depth", fmt::format("{:g} mm", 1e3 * a.depth),
-                   "meets no masonry so far behind the frame's face",
-                   "let the frame touch masonry, or write the depth where that holds the anchors");
-    model_.anatomy.notes.push_back({"frame.anchored",
-                                    {{"frame", placed.name},
-                                     {"count", count},
-                                     {"tension_kN", 1e-3 * a.tension},
-                                     {"shear_kN", 1e-3 * a.shear}}});
-  }
-
-  void add_wedges(const PlacedFrame& placed, const FrameSpec& frame,
-                  const geometry::FrameSections& sections, const std::vector<BlockId>& block) {
-    const WedgeSpec& w = frame.wedges;
-    if (!is_given("wedges", {{"force", w.force}, {"spacing", w.spacing}})) return;
-    std::vector<Footing> above;
-    for (std::size_t k = 0; k < placed.parts.size(); ++k)
-      for (const Footing& f :
-           footings(placed, k, half_depth(placed.parts[k], sections), block, w.spacing, kOnFace))
-        if (f.normal.y > 0.5) above.push_back(f);
-    if (above.empty())
-      return fault("wedges", "", "have no masonry above a beam to press on",
-                   "leave them out, or let a level part of the frame stand under masonry");
-    const auto joint = spec_.material.find(frame.joint);
-    if (joint == spec_.material.end()) return;  // told elsewhere
-    const double each = w.force / static_cast<double>(above.size());
-    const double friction = each * elementary::tan(joint->second.residual_friction_angle);
-    for (std::size_t i = 0; i < above.size(); ++i) {
-      const Footing& f = above[i];
-      NewLink link{fmt::format("{} wedge {}", placed.name, i + 1),
-                   LinkKind::kWedge,
-                   f.segment,
-                   f.masonry,
-                   arm(f.segment, f.face),
-                   arm(f.masonry, f.face),
-                   {f.normal.x, f.normal.y, 0},
-                   false,
-                   kUnset,
-                   0,
-                   kUnlimited,
-                   each};
-      add_link(model_.links, link);
-      link.name = fmt::format("{} wedge {} friction", placed.name, i + 1);
-      link.kind = LinkKind::kDowel;
-      link.span = {-f.normal.y, f.normal.x, 0};
-      link.tension = link.compression = friction;
-      link.jack = 0;
-      if (friction > 0) add_link(model_.links, link);
-    }
-    model_.anatomy.notes.push_back(
-        {"frame.wedged",
-         {{"frame", placed.name}, {"count", above.size()}, {"force_kN", 1e-3 * w.force}}});
-  }
-
-  // Whether a table is there, with all of its numbers; a fault where some are missing.
-  bool is_given(const std::string& table, const std::vector<std::pair<const char*, double>>& keys) {
-    const auto missing = [](const auto& key) { return !(key.second > 0); };
-    if (std::all_of(keys.begin(), keys.end(), missing)) return false;
-    const auto first = std::find_if(keys.begin(), keys.end(), missing);
-    if (first == keys.end()) return true;
-    fault(table + "." + first->first, "", "is missing",
-          fmt::format("write {} beside {}", first->first,
-                      std::find_if_not(keys.begin(), keys.end(), missing)->first));
-    return false;
+  [[nodiscard]] FastenerSite site_of(const PlacedFrame& placed,
+                                     const std::vector<BlockId>& block) const {
+    return {.masonry_at = [this](Vec2 p) { return masonry_at(p); },
+            .segment_at = [&](Vec2 p) -> std::optional<BlockId> {
+              for (std::size_t j = 0; j < placed.segments.size(); ++j)
+                if (holds(placed.segments[j].outline, p)) return block[j];
+              return std::nullopt;
+            },
+            .arm =
+                [this](BlockId of, Vec2 p) {
+                  const auto i = static_cast<std::size_t>(of);
+                  return Vec3{p.x - model_.centroid_x[i], p.y - model_.centroid_y[i], 0};
+                },
+            .turned =
+                [](Vec2 v) {
+                  return Vec3{v.x, v.y, 0};
+                },
+            .across = std::nullopt};
   }
 
   void add_section(const PlacedFrame& placed, const FrameJoint& joint, std::int32_t first,

@@ -612,6 +612,7 @@ Model compile_space(const ModelSpec& spec, const SpaceAssembly& assembly) {
   compile_space_standing(spec, assembly, id, model, faults);
   compile_space_stages(spec, assembly, id, floors, model, faults);
   check_standing(model, faults);
+  check_space_frames(model, faults);
   faults.throw_if_any();
   carry_floors(bare, model);
   fields.describe(spec, assembly, id, model);

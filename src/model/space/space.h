@@ -22,6 +22,8 @@ void compile_space_stages(const ModelSpec& spec, const geometry::SpaceAssembly& 
 // Sections between the segments of frames; needs blocks.
 void compile_space_frames(const ModelSpec& spec, const geometry::SpaceAssembly& assembly,
                           const std::vector<BlockId>& id, Model& model, FaultList& faults);
+// Stages that drive supports under feet that the ground holds.
+void check_space_frames(const Model& model, FaultList& faults);
 // What stands when, where stages cut blocks out and put them in; needs blocks.
 void compile_space_standing(const ModelSpec& spec, const geometry::SpaceAssembly& assembly,
                             const std::vector<BlockId>& id, Model& model, FaultList& faults);

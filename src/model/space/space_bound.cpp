@@ -326,6 +326,7 @@ void set_rigid_links(Model& m, double bound) {
   for (std::size_t k = 0; k < least.size(); ++k)
     if (std::isnan(m.links.stiffness[k])) {
       m.links.stiffness[k] = least[k];
+      if (m.links.kind[k] > LinkKind::kSpring) continue;  // the note of its frame tells of it
       m.anatomy.notes.push_back(
           {"link.rigid", {{"link", m.links.name[k]}, {"stiffness_kN_per_mm", 1e-6 * least[k]}}});
     }

@@ -2,10 +2,12 @@
 // (docs/theory/frames.md, "In space").
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "geometry/wall/frames.h"
 #include "model/parts.h"
+#include "model/plane/fasteners.h"
 #include "model/space/space.h"
 
 namespace wythe {
@@ -30,9 +32,43 @@ class SpaceFrameCompiler {
   }
 
  private:
-  void refuse(const char* key, const char* cure) {
-    faults_.add({"", path_ + "." + key, "", "is for walls in their plane; this frame is in space",
-                 cure, 0});
+  [[nodiscard]] bool holds(std::size_t body, Vec3 p) const {
+    constexpr double kNear = 1e-4;  // [m]
+    const auto is_within = [&](const Polyhedron& part) {
+      return std::all_of(part.face.begin(), part.face.end(), [&](const auto& corners) {
+        const geometry::Facet facet = geometry::facet_of(part, corners);
+        return dot(p - facet.centre, facet.normal) < kNear;
+      });
+    };
+    const std::vector<Polyhedron>& parts = assembly_.body[body].part;
+    return std::any_of(parts.begin(), parts.end(), is_within);
+  }
+
+  // The moving masonry at a place of the frame's plane that no stage cuts out; none where there is none.
+  [[nodiscard]] std::optional<BlockId> masonry_at(Vec3 p) const {
+    for (std::size_t k = 0; k < assembly_.body.size(); ++k) {
+      const BodySpec& body = assembly_.body[k];
+      if (!body.fixed && body.cut.empty() && !is_solid(id_[k]) &&
+          geometry::frame_of(assembly_, static_cast<int>(k)) < 0 && holds(k, p))
+        return id_[k];
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] FastenerSite site_of(const SpaceFrame& frame) const {
+    return {.masonry_at = [&](Vec2 p) { return masonry_at(frame.plane.place(p)); },
+            .segment_at = [&](Vec2 p) -> std::optional<BlockId> {
+              for (std::size_t j = 0; j < frame.placed.segments.size(); ++j)
+                if (holds(frame.first_body + j, frame.plane.place(p)))
+                  return id_[frame.first_body + j];
+              return std::nullopt;
+            },
+            .arm =
+                [&](BlockId of, Vec2 p) {
+                  return frame.plane.place(p) - model_.space.centroid[static_cast<std::size_t>(of)];
+                },
+            .turned = [&](Vec2 v) { return frame.plane.turned(v); },
+            .across = frame.plane.across};
   }
 
   void add(const SpaceFrame& frame) {
@@ -43,8 +79,6 @@ class SpaceFrameCompiler {
     const FrameSteel steel = frame_steel(spec, path_, faults_);
     check_frame_gap(spec_, spec, path_, faults_);
     const auto sections = geometry::sections_of(spec, index, faults_);
-    if (!std::isnan(spec.anchors.spacing)) refuse("anchors", "leave them out, or write a joint");
-    if (!std::isnan(spec.wedges.force)) refuse("wedges", "leave them out, or write a joint");
     if (sections)
       for (const auto& [key, section] :
            {std::pair("section", sections->column), {"beam_section", sections->beam}})
@@ -78,6 +112,12 @@ class SpaceFrameCompiler {
       f.moved_z.push_back(moved.z);
     }
     note_frame(frame.placed, spec, model_);
+    if (spec.wedges.force > 0 && spec.stage.empty())
+      faults_.add({"", path_ + ".wedges", "",
+                   "are driven in while a stage puts the frame up, and this one stands from the "
+                   "start",
+                   "write stage = \"the name of a stage of kind cut\", or cut in its opening", 0});
+    add_fasteners({spec_, spec, frame.placed, *sections, path_, site_of(frame)}, model_, faults_);
   }
 
   [[nodiscard]] BlockId block_of(const SpaceFrame& frame, int segment) const {
@@ -145,6 +185,19 @@ class SpaceFrameCompiler {
 void compile_space_frames(const ModelSpec& spec, const geometry::SpaceAssembly& assembly,
                           const std::vector<BlockId>& id, Model& model, FaultList& faults) {
   SpaceFrameCompiler(spec, assembly, id, model, faults).run();
+}
+
+void check_space_frames(const Model& model, FaultList& faults) {
+  const std::vector<BlockId>& a = model.frames.a;
+  if (std::find(a.begin(), a.end(), kGroundBlock) == a.end()) return;
+  for (std::size_t k = 0; k < model.stages.size(); ++k) {
+    const std::vector<BlockId>& driven = model.stages[k].driven;
+    if (!driven.empty() && driven.front() >= model.n_block)
+      faults.add({"", fmt::format("stage.{}.at", k), "",
+                  "drives supports, and the feet of frame " + model.frames.name.front() +
+                      " stand still in the ground",
+                  "write feet = \"resting\", or push blocks", 0});
+  }
 }
 
 }  // namespace wythe
