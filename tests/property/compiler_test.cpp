@@ -127,9 +127,10 @@ class Bytes {
     add_all(a, b, c, d, e, f, g, h, i, j, k, l, m, n);
   }
   void add(const Frames& frames) {
-    const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y] =
-        frames;
-    add_all(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y);
+    const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y, z, aa,
+                 bb, cc, dd, ee, ff, gg, hh] = frames;
+    add_all(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y, z, aa, bb,
+            cc, dd, ee, ff, gg, hh);
   }
   void add(const Layers& layers) {
     const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v] = layers;
@@ -141,9 +142,9 @@ class Bytes {
     add_all(vertex, face);
   }
   void add(const BodySpec& body) {
-    const auto& [id, part, material, fixed, zone, role] = body;
+    const auto& [id, part, material, fixed, zone, role, cut, put_in] = body;
     const auto& [zones, length, kind, plane] = zone;
-    add_all(id, part, material, fixed, zones, length, kind, plane, role);
+    add_all(id, part, material, fixed, zones, length, kind, plane, role, cut, put_in);
   }
   void add(const HexahedronShape& shape) {
     const auto& [place, gradient, stiffness, elasticity, share, volume, omega, mass] = shape;
