@@ -38,7 +38,8 @@ Model wall_with_zones() { return compile(capped_wall_with_zones()); }
 // Whether a wall has it in space alone.
 bool is_of_space(const StateField& field) {
   return field.entity == Entity::kBody || field.entity == Entity::kFacePoint ||
-         field.entity == Entity::kSupport || field.entity == Entity::kSpaceNode;
+         field.entity == Entity::kSupport || field.entity == Entity::kSpaceNode ||
+         field.entity == Entity::kFrameSetInSpace || field.entity == Entity::kReleaseInSpace;
 }
 
 // Whether a wall has it with free contacts, Maxwell elements or openings that a stage cuts alone.
