@@ -352,7 +352,7 @@ across = "0.3 m"
         push = '[[stage]]\nname = "push"\nat = {{ block = "front.c05*" }}\ndirection = "{}"\nvelocity = "5 mm/s"\nuntil = "{}"\ndamping = 0.4\n'
         model = self.file("in.toml", PIER + push.format("+x", "12 mm") + assessment.format("circolare_2019"))
         text = json.dumps(self.summary("in", "run", model)["assessment"])
-        self.assertIn("of the control point over its height", text)
+        self.assertNotIn("of the control point over its height", text)  # the drift is the pier's
         self.assertNotIn("out-of-plane failure is not modelled", text)
         model = self.file("out.toml", PIER + push.format("+z", "30 mm") + assessment.format("circolare_2019"))
         summary = self.summary("out", "run", model)
