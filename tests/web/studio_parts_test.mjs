@@ -445,6 +445,12 @@ test("a number that is varied and then taken away is gone, and so is that of a w
   await page.keyboard.press("Delete");
   assert.equal(await title.innerText(), "Width, now –");
   assert.ok(await page.locator('[data-action="family"]').isDisabled());
+  // a quantity that has another unit by now is another number
+  await page.getByTitle("Vary As far as").click();
+  assert.match(await title.innerText(), /^As far as, now \d+\u202fmm$/);
+  await field("As far as").fill("2 cm");
+  await field("As far as").press("Enter");
+  assert.equal(await title.innerText(), "As far as, now –");
   await page.getByTitle("Vary Length").first().click();
   await write(page, '[wall]\nblocks = "house.obj"\n');
   assert.equal(await title.innerText(), "Length, now –");

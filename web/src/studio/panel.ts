@@ -207,7 +207,9 @@ export class Panel {
       return value === null ? null : set(value);
     }, { vary: () => {
       const unit = readQuantity(show())?.unit;
-      return unit ? { unit, whole: false, now: () => parseFloat(show()), text: (v) => set(`${v} ${unit}`) } : null;
+      // in another unit by now it is another number
+      const now = (): number => (readQuantity(show())?.unit === unit ? parseFloat(show()) : NaN);
+      return unit ? { unit, whole: false, now, text: (v) => set(`${v} ${unit}`) } : null;
     } });
   }
   number(label: string, show: () => number, set: (value: number) => string): HTMLElement {

@@ -6,10 +6,11 @@ import { languageNow, say } from "../texts";
 import table from "./fault_words.json";
 
 const kLanguages = ["en", "it", "de", "fr", "es", "pt"]; // of the rows
+const kToken = '(?:"[^"]*"|\\[[^\\]]*\\]|\\{[^}]*\\}|[\\w.]+ =|[-+]?\\d[\\w.+-]*|true|false)';
 const kPlaces: Record<string, string> = {
   "": ".+?",
   o: "opening \\d+(?: \\(.*?\\))?",
-  c: '(?:"[^"]*"|\\[[^\\]]*\\]|\\{[^}]*\\}|[\\w.]+ =|[-+]?\\d[\\w.+-]*|true|false|[ ,])+',
+  c: `${kToken}(?:[ ,]+${kToken})*`,
   k: "[\\w.<>\\[\\]*, -]+",
   s: "\\S{1,3}",
 };
