@@ -11,6 +11,7 @@
 #include "api/run_answers.h"
 #include "core/files.h"
 #include "core/limits.h"
+#include "limit/limit_loads.h"
 #include "wythe/parts/error.h"
 #include "wythe/parts/folders.h"
 #include "wythe/parts/formats.h"
@@ -142,10 +143,12 @@ bool do_check(Job& job) {
   return false;
 }
 
-// The wall as the mechanism of a limit load moves it, far enough to be seen.
+// The wall that stands while the load grows, as the mechanism of a limit load moves it, far enough to be seen.
 State moved_by(const Model& model, const LimitResult& limit) {
   constexpr double kFarthest = 0.06;  // of the wall's height
   State state = initial_state(model);
+  if (const Stage* grows = limit::growing_stage(model); grows != nullptr)
+    state.stage = static_cast<int>(grows - model.stages.data());
   double fastest = 0;
   for (std::size_t b = 0; b < limit.vx.size(); ++b)
     fastest = std::max(fastest, std::hypot(limit.vx[b], limit.vy[b]));

@@ -109,6 +109,28 @@ static void go_on(const char* model) {
   wythe_free(pieces);
 }
 
+/* the picture of a limit load is of the wall that stands while the load grows: with the lintel put in */
+static void limit_after_a_cut(void) {
+  const char* model =
+      "[wall]\nlength = \"2 m\"\nheight = \"1.6 m\"\nthickness = \"0.3 m\"\n"
+      "unit = { length = \"400 mm\", height = \"200 mm\", split = \"none\", density = \"1800 kg/m^3\" }\n"
+      "[[wall.opening]]\nx = \"0.6 m\"\ny = \"0 m\"\nwidth = \"0.8 m\"\nheight = \"1 m\"\ncut = \"works\"\n"
+      "lintel = { kind = \"timber\", depth = \"200 mm\", bearing = \"200 mm\", material = \"timber\" }\n"
+      "[material.joint]\nnormal_stiffness = \"20 GPa/m\"\nshear_stiffness = \"8 GPa/m\"\n"
+      "tensile_strength = \"0 MPa\"\ncohesion = \"0 MPa\"\nresidual_cohesion = \"0 MPa\"\n"
+      "friction_angle = \"30 deg\"\nresidual_friction_angle = \"30 deg\"\n"
+      "compressive_strength = \"unlimited\"\n"
+      "[material.timber]\ndensity = \"500 kg/m^3\"\nyoungs_modulus = \"10 GPa\"\nshear_modulus = \"0.6 GPa\"\n"
+      "[[stage]]\nname = \"gravity\"\n[[stage]]\nname = \"works\"\nkind = \"cut\"\n"
+      "[[stage]]\nname = \"push\"\nat = { x = \"0 m\", y = \"1.5 m\" }\nuntil = \"5 mm\"\n";
+  wythe_job* job = wythe_new("limit");
+  set(job, "model", model);
+  set(job, "only", "lp");
+  CHECK(wythe_do(job, NULL, NULL) == WYTHE_DONE);
+  CHECK(has(wythe_text(job, "dry svg", NULL), "class=\"timber\""));
+  wythe_free(job);
+}
+
 static void faults(void) {
   wythe_job* job = wythe_new("run");
   set(job, "model", "[wall]\nlength = \"-1 m\"\n");
@@ -148,6 +170,7 @@ int main(int count_of_arguments, char** arguments) {
   run(arguments[1]);
   stop(arguments[1]);
   go_on(arguments[1]);
+  limit_after_a_cut();
   faults();
   misuse();
   return failed;

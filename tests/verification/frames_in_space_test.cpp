@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "geometry/wall/profiles.h"
 #include "scenes/scenes.h"
+#include "scenes/zones.h"
 #include "verification/record.h"
 #include "wythe/parts/error.h"
 #include "wythe/parts/reading.h"
@@ -298,13 +300,50 @@ TEST(FramesInSpace, wedges_press_with_their_force) {
   EXPECT_LT(r.result.energy.gap_ratio, 1e-3);
 }
 
-std::string fault_of(const ModelSpec& spec) {
+// A middle post, whose line ends on the edges of the hole that it stands in.
+TEST(FramesInSpace, a_post_across_the_opening_comes_with_the_cut) {
+  ModelSpec plane = scenes::cut_under_load(plane_wall());
+  plane.frame[0].round = "";
+  plane.frame[0].feet = FrameFeet::kResting;
+  plane.frame[0].line = {{4 * 0.155, 3 * 0.11}, {4 * 0.155, 5 * 0.11}};
+  EXPECT_EQ(along_a_line(plane).frame[0].stage, "cut");
+  plane.frame[0].line = {{6 * 0.155, 3 * 0.11}, {6 * 0.155, 5 * 0.11}};  // in a pier
+  EXPECT_EQ(along_a_line(plane).frame[0].stage, "");
+}
+
+TEST(FramesInSpace, touch_a_deformable_block_with_their_own_joint) {
+  ModelSpec spec = yard();
+  FrameSpec column = portal(FrameFeet::kFixed);
+  column.line = {{1.1, 0}, {1.1, 1}};
+  column.joint = "steel";
+  spec.frame = {column};
+  spec.material["steel"] = scenes::dry_joint(50e9, 20e9, 0.3);
+  spec.material["stuff"] = scenes::elastic_body(10e9, 0.2, 2000);
+  spec.body[1].material = "stuff";
+  spec.body[1].zone.zones = 2, spec.body[1].zone.length = 0.25;
+  const Model model = compile(spec);
+  const SpaceSolids& solids = model.space.solids;
+  int of_frame = 0;
+  for (std::size_t c = 0; c < solids.contact_block.size(); ++c) {
+    const bool is_ground = solids.contact_block[c] >= model.n_block;
+    const auto material = static_cast<std::size_t>(solids.contact_material[c]);
+    EXPECT_EQ(model.material_names[material], is_ground ? "joint" : "steel");
+    of_frame += is_ground ? 0 : 1;
+  }
+  EXPECT_GT(of_frame, 0);
+}
+
+template <class Build>
+std::string fault_when(const Build& build) {
   try {
-    (void)compile(spec);
+    (void)build();
   } catch (const InputError& error) {
     return error.faults().front().path + ": " + error.faults().front().problem;
   }
   return "none";
+}
+std::string fault_of(const ModelSpec& spec) {
+  return fault_when([&] { return compile(spec); });
 }
 
 TEST(FramesInSpace, what_cannot_be_is_refused_with_its_place) {
@@ -329,6 +368,48 @@ TEST(FramesInSpace, what_cannot_be_is_refused_with_its_place) {
   spec.stage.clear();
   spec.frame[0].z = 50;
   EXPECT_EQ(fault_of(spec), "frame.0.x: stands in a plane that cuts no block that moves");
+  spec.body.push_back(scenes::box("far", {0, 0, 49.9}, {1, 0.5, 0.3}));
+  spec.frame[0].turn = 0;
+  EXPECT_EQ(
+      fault_of(spec),
+      "frame.0.feet: frame F1: has no ground to hold its feet: its plane cuts no fixed block");
+}
+
+TEST(FramesInSpace, a_place_that_is_half_stated_or_stated_twice_is_refused) {
+  ModelSpec spec = yard();
+  spec.frame = {portal(FrameFeet::kFixed)};
+  spec.frame[0].line.clear();
+  spec.frame[0].hole = {.y = 0, .width = 2, .height = 2};
+  EXPECT_EQ(fault_of(spec), "frame.0.hole.x: is missing");
+  spec.frame[0].hole = {.x = 1};
+  EXPECT_EQ(fault_of(spec), "frame.0.hole.y: is missing");
+  const auto laid = [](const std::function<void(FrameSpec&)>& change) {
+    ModelSpec plane = plane_wall();
+    change(plane.frame[0]);
+    return fault_when([&] { return along_a_line(plane); });
+  };
+  EXPECT_EQ(laid([](FrameSpec&) {}), "none");
+  const std::string beside = ": stands beside wall, which says where the plane is";
+  EXPECT_EQ(laid([](FrameSpec& f) { f.x = 0; }), "frame.0.x" + beside);
+  EXPECT_EQ(laid([](FrameSpec& f) { f.z = 1; }), "frame.0.z" + beside);
+  EXPECT_EQ(laid([](FrameSpec& f) { f.turn = 0.1; }), "frame.0.turn" + beside);
+  EXPECT_EQ(laid([](FrameSpec& f) { f.hole.width = 1; }),
+            "frame.0.hole: stands beside round, which says where the opening is");
+}
+
+TEST(FramesInSpace, faults_name_the_frame) {
+  ModelSpec spec = yard();
+  spec.frame = {portal(FrameFeet::kFixed), portal(FrameFeet::kFixed)};
+  EXPECT_EQ(fault_of(spec), "frame.1.name: is the name of another frame");
+  FrameSpec& post = spec.frame[0];
+  post.name = "F0", post.feet = FrameFeet::kResting;
+  post.line = {{-2.5, 0}, {-2.5, kHeight}};
+  spec.stage = {scenes::gravity_stage(), push("ground", kAlong, 1e-3, 5e-4)};
+  EXPECT_EQ(fault_of(spec),
+            "stage.1.at: drives supports, and the feet of frame F1 stand still in the ground");
+  spec.stage.pop_back();
+  spec.frame[1].stage = "works";
+  EXPECT_EQ(fault_of(spec), "frame.1.stage: no stage has this name");
 }
 
 }  // namespace

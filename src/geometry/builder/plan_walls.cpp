@@ -16,6 +16,7 @@
 #include "geometry/wall/checks.h"
 #include "geometry/wall/courses.h"
 #include "geometry/wall/cut_out.h"
+#include "geometry/wall/frames.h"
 #include "geometry/wall/openings.h"
 
 namespace wythe::geometry {
@@ -582,14 +583,27 @@ class FrameInWall {
     const OpeningSpec& spec = wall_.wall.opening[static_cast<std::size_t>(opening.index)];
     const Rect& hole = opening.hole;
     const bool is_round = !frame_.round.empty() && frame_.round == spec.name;
-    const bool holds_line =
-        std::any_of(frame_.line.begin(), frame_.line.end(), [&](const std::array<double, 2>& p) {
-          return p[0] > hole.x0 && p[0] < hole.x1 && p[1] > hole.y0 && p[1] < hole.y1;
-        });
-    if ((is_round || holds_line) && frame_.stage.empty()) frame_.stage = spec.cut;
+    if ((is_round || stands_in(hole)) && frame_.stage.empty()) frame_.stage = spec.cut;
     if (!is_round) return;
     frame_.hole = {hole.x0, hole.y0, hole.x1 - hole.x0, hole.y1 - hole.y0};
     frame_.round = "";
+  }
+
+  // Whether a part of its line reaches into the hole, as deep as its section (as in model/plane/standing.cpp).
+  [[nodiscard]] bool stands_in(const Rect& hole) const {
+    constexpr double kTouch = 1e-6;  // [m]
+    FaultList told;                  // where the frame is placed
+    const FrameSections sections = sections_of(frame_, index_, told).value_or(FrameSections{});
+    for (std::size_t k = 1; k < frame_.line.size(); ++k) {
+      const auto &p = frame_.line[k - 1], &q = frame_.line[k];
+      const bool upright = std::fabs(q[1] - p[1]) > std::fabs(q[0] - p[0]);
+      const double x = upright ? sections.column.height / 2 : 0;
+      const double y = upright ? 0 : sections.beam.height / 2;
+      const Rect part{std::min(p[0], q[0]) - x, std::min(p[1], q[1]) - y, std::max(p[0], q[0]) + x,
+                      std::max(p[1], q[1]) + y};
+      if (overlaps(part, hole, kTouch)) return true;
+    }
+    return false;
   }
 
   const Site& site_;
@@ -630,6 +644,16 @@ std::vector<FrameSpec> frames_in_walls(const Site& site, const std::vector<Strai
       add_fault(faults, path + ".wall", "", "is missing: its opening is one of a wall",
                 "write wall = \"the name of a [[plan_wall]]\"");
     if (frames[k].wall.empty()) continue;
+    for (const auto& [key, stated] : {std::pair(".x", !std::isnan(frames[k].x)),
+                                      {".y", !std::isnan(frames[k].y)},
+                                      {".z", !std::isnan(frames[k].z)},
+                                      {".turn", frames[k].turn != 0}})
+      if (stated)
+        add_fault(faults, path + key, "", "stands beside wall, which says where the plane is",
+                  "leave it out, or leave wall out");
+    if (!frames[k].round.empty() && has_hole(frames[k]))
+      add_fault(faults, path + ".hole", "", "stands beside round, which says where the opening is",
+                "write one of both");
     std::vector<std::string> names;
     for (const StraightWall& wall : walls) names.push_back(wall.name);
     const auto found = std::find(names.begin(), names.end(), frames[k].wall);

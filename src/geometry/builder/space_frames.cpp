@@ -39,6 +39,18 @@ FramePlane plane_of(const FrameSpec& frame, bool z_up) {
   return plane;
 }
 
+bool is_whole(const HoleSpec& hole, const std::string& path, FaultList& faults) {
+  bool whole = true;
+  for (const auto& [key, value] :
+       {std::pair("x", hole.x), {"y", hole.y}, {"width", hole.width}, {"height", hole.height}}) {
+    if (!std::isnan(value)) continue;
+    whole = false;
+    add_fault(faults, path + ".hole." + key, "", "is missing",
+              "write hole = { x, y, width, height } of the opening, in the frame's plane");
+  }
+  return whole;
+}
+
 BodySpec body_of(const Block& segment, const FramePlane& plane, const FrameSpec& frame) {
   BodySpec body;
   body.id = segment.id;
@@ -58,6 +70,7 @@ BodySpec body_of(const Block& segment, const FramePlane& plane, const FrameSpec&
 
 std::vector<SpaceFrame> place_frames_in_space(const ModelSpec& spec, std::vector<BodySpec>& bodies,
                                               FaultList& faults) {
+  check_frame_names(spec.frame, faults);
   std::vector<SpaceFrame> frames;
   for (std::size_t k = 0; k < spec.frame.size(); ++k) {
     const FrameSpec& frame = spec.frame[k];
@@ -92,13 +105,14 @@ std::vector<SpaceFrame> place_frames_in_space(const ModelSpec& spec, std::vector
       continue;
     }
     const HoleSpec& hole = frame.hole;
+    if (has_hole(frame) && !is_whole(hole, path, faults)) continue;
     const PlacedOpening opening{.called = "its opening",
                                 .words = {},
                                 .hole = {hole.x, hole.y, hole.x + hole.width, hole.y + hole.height},
                                 .segment = {},
                                 .arch = {}};
     std::optional<PlacedFrame> placed =
-        place_frame(frame, k, std::isnan(hole.width) ? nullptr : &opening, site, faults);
+        place_frame(frame, k, has_hole(frame) ? &opening : nullptr, site, faults);
     if (!placed) continue;
     const auto first_body = bodies.size();
     for (const Block& segment : placed->segments) bodies.push_back(body_of(segment, plane, frame));

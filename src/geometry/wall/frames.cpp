@@ -223,6 +223,9 @@ class Builder {
 
   bool check_feet() {
     if (!is_held()) return true;
+    if (site_.ground.empty())
+      return fault("feet", "", "has no ground to hold its feet: its plane cuts no fixed block",
+                   "let a block there be fixed = true, or write feet = \"resting\"");
     const bool sound = check_foot(false) & check_foot(true);
     if (!is_foot(false) && !is_foot(true))
       return fault("feet", "", "has no end that goes down to a foot",
@@ -373,7 +376,7 @@ bool is_given(const FrameSpec& frame, std::size_t index, FaultList& faults) {
     add_fault(faults, path_of(index, key), std::move(value), called(frame, index) + ": " + problem,
               cure);
   };
-  const bool in_opening = !frame.round.empty() || !std::isnan(frame.hole.width);
+  const bool in_opening = !frame.round.empty() || has_hole(frame);
   if (in_opening != frame.line.empty())
     fault("round", frame.round, frame.line.empty() ? "has no place" : "has two places",
           "write round = \"the opening's name\", or its axis as line, one of both");
@@ -420,6 +423,20 @@ std::optional<PlacedFrame> place_frame(const FrameSpec& spec, std::size_t index,
   return builder.take();
 }
 
+bool has_hole(const FrameSpec& frame) {
+  const HoleSpec& hole = frame.hole;
+  return !std::isnan(hole.x) || !std::isnan(hole.y) || !std::isnan(hole.width) ||
+         !std::isnan(hole.height);
+}
+
+void check_frame_names(const std::vector<FrameSpec>& frames, FaultList& faults) {
+  for (std::size_t k = 0; k < frames.size(); ++k)
+    for (std::size_t j = 0; j < k; ++j)
+      if (!frames[k].name.empty() && frames[j].name == frames[k].name)
+        add_fault(faults, path_of(k, "name"), frames[k].name, "is the name of another frame",
+                  "give each a name of its own");
+}
+
 std::vector<PlacedFrame> place_frames(const Shape& shape,
                                       const std::vector<PlacedOpening>& openings,
                                       const FrameSite& site, FaultList& faults) {
@@ -430,7 +447,8 @@ std::vector<PlacedFrame> place_frames(const Shape& shape,
                                       {"x", !std::isnan(spec.x)},
                                       {"y", !std::isnan(spec.y)},
                                       {"z", !std::isnan(spec.z)},
-                                      {"hole", !std::isnan(spec.hole.width)}})
+                                      {"turn", spec.turn != 0},
+                                      {"hole", has_hole(spec)}})
       if (stated)
         add_fault(faults, path_of(k, key), "",
                   called(spec, k) + ": is for walls in space; this one lies in its plane",
@@ -439,11 +457,8 @@ std::vector<PlacedFrame> place_frames(const Shape& shape,
         spec.round.empty() ? nullptr : find_opening(shape, openings, spec, k, faults);
     if (auto frame = place_frame(spec, k, opening, site, faults))
       placed.push_back(std::move(*frame));
-    for (std::size_t j = 0; j < k; ++j)
-      if (!spec.name.empty() && shape.frame[j].name == spec.name)
-        add_fault(faults, path_of(k, "name"), spec.name, "is the name of another frame",
-                  "give each a name of its own");
   }
+  check_frame_names(shape.frame, faults);
   for (const PlacedFrame& frame : placed) {
     Rect box = bounds(frame.segments.front().outline);
     for (const Block& segment : frame.segments) box = join(box, bounds(segment.outline));

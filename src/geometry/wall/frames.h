@@ -37,6 +37,11 @@ struct FrameSections {
                                                      const PlacedOpening* opening,
                                                      const FrameSite& site, FaultList& faults);
 
+// Whether any number of its hole is given.
+[[nodiscard]] bool has_hole(const FrameSpec& frame);
+// Two frames of one name.
+void check_frame_names(const std::vector<FrameSpec>& frames, FaultList& faults);
+
 [[nodiscard]] std::vector<PlacedFrame> place_frames(const Shape& shape,
                                                     const std::vector<PlacedOpening>& openings,
                                                     const FrameSite& site, FaultList& faults);

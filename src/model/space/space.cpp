@@ -395,7 +395,13 @@ void fill_joints(const ModelSpec& spec, const SpaceAssembly& assembly,
     const JointFace& face = assembly.faces[number];
     const BodySpec &a = assembly.body[face.a], &b = assembly.body[face.b];
     if (a.fixed && b.fixed) continue;
+    const int frame =
+        std::max(geometry::frame_of(assembly, face.a), geometry::frame_of(assembly, face.b));
     const auto material = [&] {
+      if (frame >= 0) {
+        const int index = assembly.frames[static_cast<std::size_t>(frame)].placed.index;
+        return materials.index_of(spec.frame[static_cast<std::size_t>(index)].joint);
+      }
       return materials.index_of(joint_material_of(shape, a, b, face.normal),
                                 shares_bed(shape, a, b, face.normal), static_cast<int>(number),
                                 face, fields);
@@ -405,13 +411,8 @@ void fill_joints(const ModelSpec& spec, const SpaceAssembly& assembly,
       solids.back().material = material();
       continue;
     }
-    if (const int frame =
-            std::max(geometry::frame_of(assembly, face.a), geometry::frame_of(assembly, face.b));
-        frame >= 0) {
-      const auto index =
-          static_cast<std::size_t>(assembly.frames[static_cast<std::size_t>(frame)].placed.index);
-      const std::string& joint = spec.frame[index].joint;
-      joints.push_back(placed(face, id[face.a], id[face.b], materials.index_of(joint), choice));
+    if (frame >= 0) {
+      joints.push_back(placed(face, id[face.a], id[face.b], material(), choice));
       joints.back().of_frame = true;
       continue;
     }

@@ -188,14 +188,17 @@ void compile_space_frames(const ModelSpec& spec, const geometry::SpaceAssembly& 
 }
 
 void check_space_frames(const Model& model, FaultList& faults) {
-  const std::vector<BlockId>& a = model.frames.a;
-  if (std::find(a.begin(), a.end(), kGroundBlock) == a.end()) return;
+  const Frames& f = model.frames;
+  const auto foot = std::find(f.a.begin(), f.a.end(), kGroundBlock);
+  if (foot == f.a.end()) return;
+  const auto member =
+      static_cast<std::size_t>(f.member[static_cast<std::size_t>(foot - f.a.begin())]);
+  const std::string& name = f.name[static_cast<std::size_t>(f.members[member].frame)];
   for (std::size_t k = 0; k < model.stages.size(); ++k) {
     const std::vector<BlockId>& driven = model.stages[k].driven;
     if (!driven.empty() && driven.front() >= model.n_block)
       faults.add({"", fmt::format("stage.{}.at", k), "",
-                  "drives supports, and the feet of frame " + model.frames.name.front() +
-                      " stand still in the ground",
+                  "drives supports, and the feet of frame " + name + " stand still in the ground",
                   "write feet = \"resting\", or push blocks", 0});
   }
 }

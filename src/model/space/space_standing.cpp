@@ -18,7 +18,7 @@ class SpaceStanding {
 
   void run() {
     const std::size_t before = faults_.all().size();
-    for (const BodySpec& body : assembly_.body) check(body);
+    for (std::size_t k = 0; k < assembly_.body.size(); ++k) check(assembly_.body[k], frame_at(k));
     std::vector<int> used;
     for (const auto& [name, path] : named_)
       used.push_back(geometry::find_cut_stage(spec_.stage, path, name, faults_));
@@ -40,10 +40,17 @@ class SpaceStanding {
         {"", "wall.blocks." + body.id + "." + key, "", std::move(problem), std::move(cure), 0});
   }
 
-  void check(const BodySpec& body) {
+  // The frame of the model that the body is a segment of, or -1.
+  [[nodiscard]] int frame_at(std::size_t body) const {
+    const int k = geometry::frame_of(assembly_, static_cast<int>(body));
+    return k < 0 ? k : assembly_.frames[static_cast<std::size_t>(k)].placed.index;
+  }
+
+  void check(const BodySpec& body, int frame) {
     for (const auto& [key, name] : {std::pair("cut", body.cut), {"put_in", body.put_in}}) {
       if (name.empty()) continue;
-      named_.emplace(name, "wall.blocks." + body.id + "." + key);
+      named_.emplace(name, frame >= 0 ? fmt::format("frame.{}.stage", frame)
+                                      : "wall.blocks." + body.id + "." + key);
       if (body.fixed)
         fault(body, key, "is of a support, which stands always",
               "leave it out, or let the block rest on a support");

@@ -366,6 +366,8 @@ TEST(Frames, bad_input_is_named_located_and_cured) {
                  {"frame.1.name", "another frame"});
   expect_refused([](ModelSpec& s) { s.solve.contacts = Contacts::kFree; },
                  {"solve.contacts", "frames"});
+  expect_refused([](ModelSpec& s) { s.frame[0].turn = 0.1; },
+                 {"frame.0.turn", "is for walls in space"});
   // feet of a window's frame
   expect_refused([](ModelSpec& s) { s.wall.opening[0].y = 0.4, s.wall.opening[0].height = 1.8; },
                  {"frame.0.feet", "1.07 m, 0.4 m", "base_beam"});
