@@ -2,6 +2,7 @@
 // does not compile until it is named here. What is named and not added shapes nothing, such as moduli.
 #include "geometry/shape.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <type_traits>
@@ -163,13 +164,20 @@ Shape::Shape(const ModelSpec& spec)
   for (const StageSpec& stage : spec.stage)
     if (stage.as == Manner::kPlate && std::isfinite(stage.pier_load))
       plates.push_back({stage.name, stage.plate_joint});
+  const bool changes =
+      std::any_of(body.begin(), body.end(),
+                  [](const BodySpec& b) { return !b.cut.empty() || !b.put_in.empty(); }) ||
+      std::any_of(frame.begin(), frame.end(), [](const FrameSpec& f) { return !f.stage.empty(); });
+  if (body.empty() || !changes) return;
+  for (const StageSpec& stage : spec.stage) stages.push_back(stage.name);
 }
 
 std::uint64_t shape_key(const Shape& shape) {
   Key key;
-  const auto& [wall, storey, region, ring_beam, frame, block, body, contact, material, plates] =
-      shape;
+  const auto& [wall, storey, region, ring_beam, frame, block, body, contact, material, plates,
+               stages] = shape;
   key.add_all(wall, storey, region, ring_beam, frame, block, body, contact, material, plates);
+  if (!stages.empty()) key.add(stages);  // other keys stay as they are in stores
   return key.value();
 }
 

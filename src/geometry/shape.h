@@ -31,6 +31,7 @@ struct Shape {
   std::map<std::string, double>
       material;  // names and densities [kg/m^3]; no other number of theirs
   std::vector<PlateStage> plates;
+  std::vector<std::string> stages;  // all names, where bodies or frames in space name one
 };
 
 // A hash over the shape, every bit. Of a density only whether it is a good one: blocks hold none.

@@ -12,6 +12,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "geometry/shape.h"
@@ -422,6 +423,28 @@ TEST(Compiler, each_part_of_a_block_is_in_the_shape) {
     change(changed.block[3]);
     EXPECT_NE(geometry::shape_key(changed), geometry::shape_key(base));
   }
+}
+
+// A block in space stands from a stage to another: names of stages tell which.
+TEST(Compiler, names_of_stages_are_in_the_shape_where_blocks_name_one) {
+  ModelSpec base = scenes::in_space({scenes::box("floor", {-1, -0.1, -1}, {3, 0.1, 3}, true),
+                                     scenes::box("low", {0, 0, 0}, {1, 0.5, 0.3}),
+                                     scenes::box("high", {0, 0.5, 0}, {1, 0.5, 0.3})},
+                                    scenes::elastic_joint(20e9, 8e9), 2000);
+  base.stage = {scenes::gravity_stage()};
+  for (const char* name : {"first", "second"}) {
+    StageSpec stage;
+    stage.name = name, stage.kind = StageKind::kCut;
+    base.stage.push_back(stage);
+  }
+  ModelSpec renamed = base;
+  std::swap(renamed.stage[1].name, renamed.stage[2].name);
+  EXPECT_EQ(geometry::shape_key(renamed), geometry::shape_key(base));
+  base.body[2].cut = renamed.body[2].cut = "first";
+  EXPECT_NE(geometry::shape_key(renamed), geometry::shape_key(base));
+  const Compiler compiler(base);
+  EXPECT_TRUE(outcome([&] { return compiler.compile(renamed); }) ==
+              outcome([&] { return compile(renamed); }));
 }
 
 TEST(Compiler, a_joint_that_names_no_material_is_refused_with_its_use) {
