@@ -80,32 +80,43 @@ int tint_of(const Model& model, BlockId block) {
   return static_cast<int>(((u >> 13) + course) % kTints);
 }
 
-std::string draw_blocks(const Model& model, const State& state, double scale,
-                        const Canvas& canvas) {
+// Blocks by their roles, one path for each tint.
+struct BlockPaths {
   std::array<std::string, kTints> stones;
   std::string timber, plates;
+  std::string& of(BlockRole role, int tint) {
+    const bool is_timber = role == BlockRole::kLintel || role == BlockRole::kSill;
+    return role == BlockRole::kMasonry ? stones[static_cast<std::size_t>(tint)]
+           : is_timber                 ? timber
+                                       : plates;
+  }
+  [[nodiscard]] std::string drawn() const {
+    std::string out;
+    for (std::size_t i = 0; i < stones.size(); ++i)
+      out += path(stones[i], fmt::format("stone{}", i));
+    if (!timber.empty()) out += path(timber, "timber");
+    if (!plates.empty()) out += path(plates, "plate");
+    return out;
+  }
+};
+
+std::string draw_blocks(const Model& model, const State& state, double scale,
+                        const Canvas& canvas) {
+  BlockPaths paths;
   for (BlockId b = 0; b < block_count(model); ++b) {
     if (!model.standing.holds(b, state.stage)) continue;
     std::vector<Pixel> outline;
     for (const Vec3& p : outline_now(model, state, b, scale)) outline.push_back(canvas(p));
     const BlockRole role = read_block(model, state, b).role;
-    const int tint = b < model.n_block ? tint_of(model, b) : 0;
-    const bool is_timber = role == BlockRole::kLintel || role == BlockRole::kSill;
-    std::string& group = role == BlockRole::kMasonry ? stones[tint] : is_timber ? timber : plates;
-    group += path_data(outline, true);
+    paths.of(role, b < model.n_block ? tint_of(model, b) : 0) += path_data(outline, true);
   }
-  std::string out;
-  for (int i = 0; i < kTints; ++i) out += path(stones[i], fmt::format("stone{}", i));
-  if (!timber.empty()) out += path(timber, "timber");
-  if (!plates.empty()) out += path(plates, "plate");
-  return out;
+  return paths.drawn();
 }
 
-// Blocks of a wall in space as they stand, `shift` to the right.
+// Blocks of a wall in space as they stand at the start, `shift` to the right.
 std::string draw_seen(const Model& model, const study::Elevation& wall, double shift,
                       const Canvas& canvas) {
-  std::array<std::string, kTints> stones;
-  std::string timber;
+  BlockPaths paths;
   const auto add = [&](BlockId b, std::string& group) {
     for (const std::vector<Vec3>& part : study::outlines_of(model, wall, b)) {
       std::vector<Pixel> outline;
@@ -114,14 +125,10 @@ std::string draw_seen(const Model& model, const study::Elevation& wall, double s
     }
   };
   for (BlockId b = 0; b < model.n_block; ++b)
-    if (wall.holds(b))
-      add(b, model.anatomy.block_role[static_cast<std::size_t>(b)] == BlockRole::kMasonry
-                 ? stones[tint_of(model, b)]
-                 : timber);
-  for (const BlockId body : wall.bodies) add(body, timber);
-  std::string out;
-  for (int i = 0; i < kTints; ++i) out += path(stones[i], fmt::format("stone{}", i));
-  return timber.empty() ? out : out + path(timber, "timber");
+    if (wall.holds(b) && model.standing.holds(b, 0))
+      add(b, paths.of(model.anatomy.block_role[static_cast<std::size_t>(b)], tint_of(model, b)));
+  for (const BlockId body : wall.bodies) add(body, paths.timber);
+  return paths.drawn();
 }
 
 std::string draw_zones(const Model& model, const State& state, double scale, const Canvas& canvas) {

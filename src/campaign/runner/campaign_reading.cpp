@@ -4,6 +4,7 @@
 
 #include "campaign/store/folder_lock.h"
 #include "campaign/store/store.h"
+#include "judge/modes/in_space.h"
 #include "wythe/parts/error.h"
 #include "wythe/parts/stored_states.h"
 
@@ -83,8 +84,9 @@ Campaign read_answers(const std::string& folder) {
       record.events = {};
       record.energy = {};
       FailureMode& mode = record.failure_mode;
-      mode.evidence = {};
-      // an assessment asks how each pier fails, and whether the name is firm
+      // an assessment asks how each pier fails, whether in its plane, and whether the name is firm
+      std::erase_if(mode.evidence, [](const Evidence& e) { return !study::tells_of_planes(e); });
+      mode.evidence.shrink_to_fit();
       if (!record.pushed.is_read()) mode.elements = {}, mode.scores = {};
       record.provenance = {};
       campaign.records.push_back(record);  // a copy has no room to spare in its lists

@@ -66,12 +66,25 @@ std::vector<DriftPoint> storey_drifts(const ModelSpec& spec, const Model& model,
   return out;
 }
 
+// The piers of walls along the push, in space: of walls across it they tell nothing.
+std::vector<study::Pier> piers_along(const Model& model) {
+  std::vector<study::Pier> along;
+  const Stage* stage = study::push_of(model);
+  if (stage == nullptr) return along;
+  const std::vector<study::Elevation> walls = study::elevations_of(model);
+  const std::vector<study::WallParts> parts = study::find_parts(model, walls);
+  for (std::size_t k = 0; k < walls.size(); ++k)
+    if (study::is_along(walls[k], stage->drive()))
+      along.insert(along.end(), parts[k].piers.begin(), parts[k].piers.end());
+  return along;
+}
+
 // The stockiest pier, its moment nil at mid-height: H0 / D = height / 2 / width.
 double slenderness_of(const Model& model) {
   const Anatomy& anatomy = model.anatomy;
   double least = kUnset;
   if (dimension_of(model) == 3)  // no builder tells them
-    for (const study::Pier& pier : study::find_parts(model).piers)
+    for (const study::Pier& pier : piers_along(model))
       least = std::fmin(least, 0.5 * pier.box.height() / pier.box.width());
   for (std::size_t k = 0; k < anatomy.pier_height.size(); ++k) {
     const double width = anatomy.pier_x1[k] - anatomy.pier_x0[k];
@@ -147,6 +160,8 @@ namespace study {
 
 // Of a wall in space: by its piers, where it stays in its plane (judge/modes/in_space.h).
 std::string mechanism_in_space(const FailureMode& mode) {
+  const bool breaks_in_plane = mode.name == "part breaking away" && stays_in_planes(mode);
+  if (breaks_in_plane) return mechanism_of(mode);
   if (leaves_plane(mode.name)) return kOutOfPlane;
   if (mode.name != "sliding" && !stays_in_plane(mode.name)) return "";
   if (std::string by_piers = mechanism_of(mode); !by_piers.empty()) return by_piers;
@@ -331,14 +346,8 @@ void caution_of_control(const ModelSpec& spec, const Model& model, JudgedPush& p
 
 // The drift of a pier is along its own wall: of walls across the push it tells nothing.
 void keep_piers_along(const Model& model, JudgedPush& push) {
-  const Stage* stage = push_of(model);
-  if (stage == nullptr) return push.piers.clear();
-  const std::vector<Elevation> walls = elevations_of(model);
-  const std::vector<WallParts> parts = find_parts(model, walls);
   std::set<std::string> along;
-  for (std::size_t k = 0; k < walls.size(); ++k)
-    if (is_along(walls[k], stage->drive()))
-      for (const Pier& pier : parts[k].piers) along.insert(pier.mark);
+  for (const Pier& pier : piers_along(model)) along.insert(pier.mark);
   std::erase_if(push.piers, [&](const PierDrift& pier) { return !along.contains(pier.mark); });
 }
 
@@ -356,7 +365,8 @@ void caution_in_space(const AssessmentSpec& spec, const Model& model, const Fail
   else if (!push.mechanism.empty())
     push.mechanism_from = mode.read_at;
   // piers tell of walls that stay in their planes alone
-  if (push.mechanism == kOutOfPlane || push.mechanism.empty()) push.piers.clear();
+  if (push.mechanism == kOutOfPlane || push.mechanism.empty())
+    push.piers.clear(), push.pier_slenderness = kUnset;
   if (is_named)
     push.cautions.push_back({"assessment.caution.out_of_plane", {{"mode", mode.name}}});
   else if (is_across)
@@ -364,8 +374,7 @@ void caution_in_space(const AssessmentSpec& spec, const Model& model, const Fail
                              {{"mode", mode.name.empty() ? "unclear" : mode.name},
                               {"off", walls.walls - walls.along},
                               {"walls", walls.walls}}});
-  else if (mode.name == "sliding" &&
-           mode.elements.empty())  // in its plane or out of it: the name does not say
+  else if (mode.name == "sliding" && !stays_in_planes(mode))  // the name does not say
     push.cautions.push_back({"assessment.caution.sliding"});
   else if (push.mechanism != "shear" && push.piers.empty() &&
            value_of(kAssessmentCodeWords, spec.code) == AssessmentCode::kEn1998)

@@ -45,6 +45,7 @@ Vec3 direction_of(const Model& model, const std::vector<char>& of, Vec3 near) {
     if (!is_own(joint.a) || !is_own(joint.b) || std::fabs(along) < kParallel) continue;
     sum = sum + std::copysign(joint.area, along) * joint.normal;
   }
+  sum.y = 0;  // head joints that lean do not tilt the wall
   return length(sum) > 0 ? sum / length(sum) : near;
 }
 
@@ -66,12 +67,12 @@ struct Group {
   std::vector<Moved> blocks;
 };
 
-// Walls by the builder's names, then by what hangs together; no slabs.
+// Walls by the builder's names, then by what hangs together; of masonry that is there to stay, without slabs.
 std::vector<Group> groups_of(const Model& model) {
   std::vector<Group> groups;
   std::vector<Moved> unnamed;
   for (const Moved& b : evaluate_blocks(model, initial_state(model))) {
-    if (model.anatomy.block_role[static_cast<std::size_t>(b.id)] == BlockRole::kSlab) continue;
+    if (!makes_walls(model, b.id)) continue;
     const std::string name = wall_of(b.body->id);
     if (name.empty()) {
       unnamed.push_back(b);
@@ -109,6 +110,74 @@ void take_teeth(const Model& model, const std::vector<BlockId>& own, Elevation& 
   }
 }
 
+// What a block takes of a wall.
+struct Taken {
+  Range along, up, across;
+  [[nodiscard]] bool holds(const Vec3& place) const {
+    constexpr double kTouch = 1e-6;  // [m]
+    const auto is_in = [](const Range& range, double x) {
+      return range.low <= x + kTouch && x <= range.high + kTouch;
+    };
+    return is_in(along, place.x) && is_in(up, place.y);
+  }
+};
+
+Range common_of(const Range& a, const Range& b) {
+  return {std::fmax(a.low, b.low), std::fmin(a.high, b.high)};
+}
+
+// Length of what ranges cover together.
+double covered_by(std::vector<Range> ranges) {
+  std::sort(ranges.begin(), ranges.end(),
+            [](const Range& a, const Range& b) { return a.low < b.low; });
+  double all = 0, reached = -1e300;
+  for (const Range& range : ranges) {
+    all += std::fmax(0, range.high - std::fmax(range.low, reached));
+    reached = std::fmax(reached, range.high);
+  }
+  return all;
+}
+
+// Of each joint how much of the wall's thickness both of its blocks take, over what all blocks take where it lies.
+std::vector<double> shares_of(const Model& model, const std::vector<BlockId>& own,
+                              const Elevation& wall) {
+  constexpr double kAll = 1 - 1e-6;
+  const Range thickness = range_of(model, own, wall.across);
+  std::vector<Taken> taken(static_cast<std::size_t>(model.n_block));
+  const auto of = [&](BlockId b) -> const Taken& { return taken[static_cast<std::size_t>(b)]; };
+  std::vector<BlockId> by_foot;
+  double tallest = 0;
+  for (BlockId b = 0; b < model.n_block; ++b) {
+    if (!wall.holds(b)) continue;
+    const std::array<BlockId, 1> one{b};
+    Taken& block = taken[static_cast<std::size_t>(b)];
+    block = {range_of(model, one, wall.along), range_of(model, one, Vec3{0, 1, 0}),
+             common_of(range_of(model, one, wall.across), thickness)};
+    tallest = std::fmax(tallest, block.up.high - block.up.low);
+    by_foot.push_back(b);
+  }
+  std::stable_sort(by_foot.begin(), by_foot.end(),
+                   [&](BlockId a, BlockId b) { return of(a).up.low < of(b).up.low; });
+  std::vector<double> shares(static_cast<std::size_t>(model.n_joint), 1.0);
+  for (JointId j = 0; j < model.n_joint; ++j) {
+    const JointShape joint = joint_shape(model, j);
+    if (!wall.holds(joint.b)) continue;
+    Range common = of(joint.b).across;
+    if (wall.holds(joint.a)) common = common_of(common, of(joint.a).across);
+    const Vec3 place = wall.place(joint.centre);
+    std::vector<Range> there;
+    constexpr double kTouch = 1e-6;  // [m]
+    auto b = std::lower_bound(by_foot.begin(), by_foot.end(), place.y - tallest - kTouch,
+                              [&](BlockId block, double y) { return of(block).up.low < y; });
+    for (; b != by_foot.end() && of(*b).up.low <= place.y + kTouch; ++b)
+      if (of(*b).holds(place)) there.push_back(of(*b).across);
+    const double all = covered_by(std::move(there));
+    const double share = all > 0 ? std::fmax(0, common.high - common.low) / all : 1;
+    if (share < kAll) shares[static_cast<std::size_t>(j)] = share;
+  }
+  return shares;
+}
+
 std::vector<Elevation> walls_in_space(const Model& model) {
   constexpr double kThin = 0.1;
   std::vector<Elevation> walls;
@@ -125,6 +194,7 @@ std::vector<Elevation> walls_in_space(const Model& model) {
     wall.along = rightwards(direction_of(model, wall.of, cross(Vec3{0, 1, 0}, plan.normal)));
     wall.across = cross(wall.along, Vec3{0, 1, 0});
     take_teeth(model, own, wall);
+    wall.share = shares_of(model, own, wall);
     walls.push_back(std::move(wall));
   }
   for (std::size_t k = 0; k < walls.size(); ++k)
@@ -188,6 +258,11 @@ double inertia_of(const Model& model, const Elevation& seen, BlockId block) {
   };
   return share(s.axis_1[i]) * s.inertia[i].x + share(s.axis_2[i]) * s.inertia[i].y +
          share(s.axis_3[i]) * s.inertia[i].z;
+}
+
+bool makes_walls(const Model& model, BlockId block) {
+  const BlockRole role = model.anatomy.block_role[static_cast<std::size_t>(block)];
+  return role != BlockRole::kSlab && role != BlockRole::kFrame && role != BlockRole::kCutOut;
 }
 
 std::string wall_of(const std::string& id) {

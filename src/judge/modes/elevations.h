@@ -25,6 +25,8 @@ struct Elevation {
   std::vector<char> of;  // of each rigid block whether it is of this wall; empty: all are
   std::vector<BlockId> bodies =
       {};  // deformable blocks of it in space, as read_block() numbers them
+  std::vector<double> share =
+      {};  // of each joint: how much of the wall's thickness it takes there; empty: all
 
   [[nodiscard]] bool holds(BlockId block) const {
     return of.empty() || (block >= 0 && static_cast<std::size_t>(block) < of.size() &&
@@ -57,6 +59,9 @@ struct Reach {
 [[nodiscard]] Reach reach_of(const Elevation& seen, const Vec3& half, const Vec3& half_2);
 // Moment of inertia of a rigid block about its centroid, in the plane of the wall [kg m^2].
 [[nodiscard]] double inertia_of(const Model& model, const Elevation& seen, BlockId block);
+
+// Whether a rigid block makes a wall. Slabs and frames do not, and neither does what a stage cuts out.
+[[nodiscard]] bool makes_walls(const Model& model, BlockId block);
 
 // The builder's name of the wall: "front" of front.c03u05a, front.lintel0; "" for other ids.
 [[nodiscard]] std::string wall_of(const std::string& id);

@@ -315,6 +315,7 @@ namespace {
 struct WallsInPlane {
   std::vector<FailureMode> modes;
   bool is_all = false;  // that takes part
+  Evidence told;        // how much of it they are
 };
 template <class ModeOf>
 WallsInPlane walls_in_plane(const Model& model, const State& state, const ModeOf& mode_of) {
@@ -324,6 +325,7 @@ WallsInPlane walls_in_plane(const Model& model, const State& state, const ModeOf
   const study::WallsMoved moved = study::moved_in_plane(model, state, elevations);
   for (const std::size_t k : moved.of) found.modes.push_back(mode_of(elevations[k], parts[k]));
   found.is_all = moved.is_all;
+  found.told = moved.told;
   return found;
 }
 
@@ -343,6 +345,7 @@ struct ModeInSpace {
 // agree the name of plane walls.
 ModeInSpace with_walls(FailureMode mode, const WallsInPlane& walls) {
   const bool may_be = mode.name == "sliding" || study::stays_in_plane(mode.name);
+  mode.evidence.push_back(walls.told);
   for (const FailureMode& wall : walls.modes) {
     mode.elements.insert(mode.elements.end(), wall.elements.begin(), wall.elements.end());
     mode.evidence.insert(mode.evidence.end(), wall.evidence.begin(), wall.evidence.end());
@@ -371,17 +374,19 @@ FailureMode name_of_wall(const Model& model, const State& state, const Elevation
   return mode;
 }
 
+ModeInSpace mode_in_space(const Model& model, const State& state, const ModeRules& rules) {
+  return with_walls(
+      study::name_in_space(model, state),
+      walls_in_plane(model, state, [&](const Elevation& seen, const WallParts& parts) {
+        return name_of_wall(model, state, seen, parts, rules);
+      }));
+}
+
 }  // namespace
 
 FailureMode name_from_state(const Model& model, const State& state, const ModeRules& rules) {
-  if (dimension_of(model) == 2)
-    return name_of_wall(model, state, {}, study::find_parts(model), rules);
-  return with_walls(study::name_in_space(model, state),
-                    walls_in_plane(model, state,
-                                   [&](const Elevation& seen, const WallParts& parts) {
-                                     return name_of_wall(model, state, seen, parts, rules);
-                                   }))
-      .mode;
+  return dimension_of(model) == 2 ? name_of_wall(model, state, {}, study::find_parts(model), rules)
+                                  : mode_in_space(model, state, rules).mode;
 }
 
 FailureMode name_from_state(const Model& model, const State& state) {
@@ -501,10 +506,13 @@ SlowPushVerdict mode_of_slow_push(const Model& model, const Result& result) {
 
 WallMechanism mechanism_from_state(const Model& model, const State& state) {
   const std::vector<Elevation> walls = study::elevations_of(model);
-  if (walls.size() == 1)
+  const auto in_plane = [&] {
     return mechanism_in(study::find_parts(model), study::evaluate_motion(model, state, walls[0]),
                         rules_for(model));
-  const FailureMode mode = name_from_state(model, state);
+  };
+  if (dimension_of(model) == 2) return in_plane();
+  const auto [mode, is_of_plane_wall] = mode_in_space(model, state, rules_for(model));
+  if (walls.size() == 1 && is_of_plane_wall) return in_plane();
   return {.name = mode.name, .sentence = mode.sentence};
 }
 

@@ -52,7 +52,7 @@ std::vector<Feature> read_features(const Model& model, const Result& result) {
     const WallReading wall = read_wall(model, snapshot.state);
     for (std::size_t k = 0; k < elevations.size(); ++k) {
       const auto joints = study::evaluate_motion(model, wall, elevations[k]).joints;
-      const std::string of = elevations[k].wall.empty() ? "" : elevations[k].wall + "_";
+      const std::string of = elevations[k].wall.empty() ? "" : key_of(elevations[k].wall) + "_";
       for (const Region& r : regions[k]) {
         double opening = 0, slip = 0, crushing = 0;
         for (const JointMotion& j : joints) {

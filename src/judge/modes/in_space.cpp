@@ -27,6 +27,9 @@ constexpr double kParallel = 0.95;  // cosine from which on two walls are parall
 constexpr double kOblique = 0.3;    // cosine from which on a turn is about an axis as well
 constexpr double kSlidOff = 0.25;   // of the joints that moved, by area: no name is vouched for
 
+constexpr const char* kInPlanes = "mass of walls that move in their planes";
+constexpr const char* kBreakingAway = "part breaking away";  // a name of plane walls too
+
 double mass_of(const std::vector<Moved>& blocks) {
   double mass = 0;
   for (const Moved& b : blocks) mass += b.mass;
@@ -454,8 +457,15 @@ FailureMode name_in_space(const Model& model, const State& state) {
 bool leaves_plane(const std::string& name) {
   constexpr const char* kNames[] = {"overturning",        "turning",         "bending",
                                     "horizontal bending", "two-way bending", "corner wedge",
-                                    "part breaking away"};
+                                    kBreakingAway};
   return std::find(std::begin(kNames), std::end(kNames), name) != std::end(kNames);
+}
+
+bool tells_of_planes(const Evidence& evidence) { return evidence.measure == kInPlanes; }
+
+bool stays_in_planes(const FailureMode& mode) {
+  return std::any_of(mode.evidence.begin(), mode.evidence.end(),
+                     [](const Evidence& e) { return tells_of_planes(e) && e.holds(); });
 }
 
 bool stays_in_plane(const std::string& name) {
@@ -487,6 +497,7 @@ WallsMoved moved_in_plane(const Model& model, const State& state,
     if (is_of_wall) of_walls += b.mass;
   }
   found.is_all = of_walls >= (1 - kRigid) * all;
+  found.told = {"moving blocks", kInPlanes, all > 0 ? of_walls / all : 0, 1 - kRigid, "-"};
   return found;
 }
 
@@ -494,7 +505,7 @@ WallsByPush walls_by_push(const Model& model, const Vec3& push) {
   std::vector<Moved> unnamed;
   std::vector<std::pair<std::string, std::vector<Moved>>> groups;
   for (const Moved& b : evaluate_blocks(model, initial_state(model))) {
-    if (is_slab(model, b.id)) continue;
+    if (!makes_walls(model, b.id)) continue;
     const std::string name = wall_of(b.body->id);
     if (name.empty()) {
       unnamed.push_back(b);

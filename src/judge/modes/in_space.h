@@ -18,9 +18,14 @@ namespace wythe::study {
 struct WallsMoved {
   std::vector<std::size_t> of;  // into elevations_of()
   bool is_all = false;          // they are nearly all that takes part, by mass
+  Evidence told;                // the same, for the mode
 };
 [[nodiscard]] WallsMoved moved_in_plane(const Model& model, const State& state,
                                         const std::vector<Elevation>& elevations);
+[[nodiscard]] bool tells_of_planes(const Evidence& evidence);
+// Whether all that takes part in a mode moves in the planes of its walls, by that evidence: names that plane walls have
+// too do not say.
+[[nodiscard]] bool stays_in_planes(const FailureMode& mode);
 // Whether a wall stands along a push.
 [[nodiscard]] bool is_along(const Elevation& wall, const Vec3& push);
 

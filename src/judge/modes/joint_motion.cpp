@@ -62,6 +62,7 @@ JointMotion motion_of(const Model& m, const WallReading& wall, const JointReadin
   const JointMaterial& law = m.materials[shape.material];
   j.bond = shape.area * std::max(law.tensile_strength, law.cohesion);
   j.has_slid_off = has_slid_off(m, wall.points, shape.id);
+  if (!seen.share.empty()) j.share = seen.share[static_cast<std::size_t>(shape.id)];
   return j;
 }
 
@@ -236,9 +237,9 @@ std::vector<LineSum> scan(const std::vector<JointMotion>& joints, const Box& box
     const double centre = level ? j.y : j.x, reach = level ? j.reach_y : j.reach_x;
     for (LineSum& line : sums) {
       if (std::fabs(line.at - centre) > reach) continue;
-      line.opening += j.opening;
-      line.opened += j.opened;
-      line.slip += j.slip;
+      line.opening += j.share * j.opening;
+      line.opened += j.share * j.opened;
+      line.slip += j.share * j.slip;
     }
   }
   return sums;

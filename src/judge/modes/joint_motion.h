@@ -30,7 +30,9 @@ struct JointMotion {
   double force = 0;     // compression across it [N]
   double bond = 0;      // the greater of its tensile strength and cohesion, times its area [N]
   bool has_slid_off = false;  // pressed, and its faces overlap by less than half
-  [[nodiscard]] double length() const { return 2 * (is_bed ? reach_x : reach_y); }
+  double share = 1;           // of the wall's thickness there: half in one of two leaves
+  // Along the wall, as if it went through the thickness [m].
+  [[nodiscard]] double length() const { return share * 2 * (is_bed ? reach_x : reach_y); }
 };
 
 // A rigid motion, small: of the point that stood at `at`, and a turn about it.
@@ -72,7 +74,7 @@ struct PieceOff {
 [[nodiscard]] std::vector<PieceOff> pieces_off(const WallMotion& motion, double crack,
                                                double parted);
 
-// Sum of the joints that one straight line through a region crosses.
+// Sum of the joints that one straight line through a region crosses; each counts by its share of the thickness.
 struct LineSum {
   double at = 0;                          // height of a level line, place of an upright one [m]
   double opening = 0;                     // now [m]

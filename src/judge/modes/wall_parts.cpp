@@ -89,6 +89,12 @@ double median(std::vector<double> values) {
 struct UsualBlock {
   double column = 0, course = 0;
 };
+// The unit of which a block is a piece: front.c03u05 of front.c03u05a.w1.
+std::string unit_of(const std::string& id, const std::string& wall) {
+  const std::string piece = id.substr(0, id.find('.', wall.size() + 1));
+  return is_digit(piece.back()) ? piece : piece.substr(0, piece.size() - 1);
+}
+
 UsualBlock usual_block(const Model& m, const Elevation& seen, const std::vector<BlockId>& blocks,
                        const std::vector<Box>& boxes) {
   const Anatomy& a = m.anatomy;
@@ -97,10 +103,11 @@ UsualBlock usual_block(const Model& m, const Elevation& seen, const std::vector<
   for (std::size_t k = 0; k < blocks.size(); ++k) {
     heights.push_back(boxes[k].height());
     const std::string& id = a.block_id[static_cast<std::size_t>(blocks[k])];
-    if (seen.of.empty() || wall_of(id).empty())
+    const std::string wall = seen.of.empty() ? "" : wall_of(id);
+    if (wall.empty())
       widths.push_back(boxes[k].width());
     else if (m.anatomy.block_role[static_cast<std::size_t>(blocks[k])] == BlockRole::kMasonry)
-      units[is_digit(id.back()) ? id : id.substr(0, id.size() - 1)].take(boxes[k]);
+      units[unit_of(id, wall)].take(boxes[k]);
   }
   for (const auto& [unit, range] : units) widths.push_back(0.5 * range.length());
   return {a.half_unit > 0 ? a.half_unit : median(widths),

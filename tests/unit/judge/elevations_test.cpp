@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "judge/modes/in_space.h"
+#include "judge/modes/joint_motion.h"
 #include "judge/modes/wall_parts.h"
+#include "report/wall_picture.h"
 #include "scenes/mechanism.h"
 #include "scenes/scenes.h"
 #include "wythe/parts/assessment.h"
@@ -371,6 +373,147 @@ TEST(Elevations, storeys_of_a_house_are_levels_and_lay_no_masonry) {
   EXPECT_NE(twice.find("two storeys have this name"), std::string::npos) << twice;
   const std::string region = refusal("[[region]]\nstorey = \"low\"\n");
   EXPECT_NE(region.find("is for walls in their plane"), std::string::npos) << region;
+}
+
+// --- what is of a wall -----------------------------------------------------------------------------
+
+// Blocks that `moves` names by id and place go 10 mm along x; joints bear what that does to them.
+template <class Moves>
+State slid_along_x(const Model& model, const Moves& moves) {
+  State state = initial_state(model);
+  for (BlockId b = 0; b < model.n_block; ++b) {
+    const auto i = static_cast<std::size_t>(b);
+    if (moves(model.anatomy.block_id[i], centroid_of(model, b))) state.ux[i] = 0.01;
+  }
+  const std::vector<PointReading> points = read_points(model, state);
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    state.slip[p] = state.plastic_slip[p] = points[p].slip;
+    state.kappa[p] = std::max(0.0, points[p].opening);
+  }
+  return state;
+}
+
+Model two_leaves() {
+  std::string text = kHouse.substr(0, kHouse.find("[[plan_wall]]"));
+  text.replace(text.find("split = \"none\""), 14, "split = \"middle\"");
+  const std::size_t joint = text.find("[material.joint]"), timber = text.find("[material.timber]");
+  text += "[material.unit]" + text.substr(joint + 16, timber - joint - 16) +
+          "[[plan_wall]]\nname = \"front\"\nline = [[\"0 m\", \"0 m\"], [\"2.0 m\", \"0 m\"]]\n"
+          "wythes = 2\n[[stage]]\nname = \"gravity\"\n";
+  return compile(parse_model(text, "leaves.toml", {}));
+}
+
+TEST(Elevations, leaves_of_a_wall_count_by_their_share_of_its_thickness) {
+  const Model model = two_leaves();
+  const auto walls = study::elevations_of(model);
+  ASSERT_EQ(walls.size(), 1U);
+  const study::WallParts parts = study::find_parts(model);
+  const auto slip_of = [&](const std::string& leaf) {
+    const State state = slid_along_x(model, [&](const std::string& id, const Vec3& at) {
+      return at.y > 0.6 && (leaf.empty() || id.ends_with(leaf));
+    });
+    const auto motion = study::evaluate_motion(model, state, walls[0]);
+    double most = 0;
+    for (const auto& section : study::bed_sections(motion.joints, parts.wall, parts.course)) {
+      double length = 0;
+      for (const study::JointMotion* j : section.joints) length += j->length();
+      EXPECT_NEAR(length, 2.0, 1e-6) << section.y;
+      most = std::max(most, study::slip_all_across(section, parts.wall.width()));
+    }
+    return most;
+  };
+  EXPECT_NEAR(slip_of(""), 0.01, 1e-6);
+  EXPECT_EQ(slip_of(".w1"), 0) << "half of the wall did not slide";
+  const State parted = slid_along_x(
+      model, [](const std::string& id, const Vec3& at) { return at.x > 1 && id.ends_with(".w1"); });
+  const auto motion = study::evaluate_motion(model, parted, walls[0]);
+  for (const auto& line : study::scan(motion.joints, parts.wall, study::Lines::kLevel, 0.1))
+    EXPECT_NEAR(line.opening, 0.005, 1e-6) << "one leaf of two by 10 mm, at " << line.at;
+  EXPECT_NEAR(parts.column, 0.2, kRoundOff) << "halves of a unit in a leaf are one unit";
+}
+
+TEST(Elevations, frames_and_what_is_cut_out_are_no_walls) {
+  for (const bool is_cut : {false, true}) {
+    ModelSpec spec = scenes::framed(scenes::small_wall());
+    spec.wall.opening[0].name = "window";
+    spec.stage[1].pier_load = kUnset;
+    spec.stage[1].pressure = 50e3;
+    if (is_cut) spec = scenes::cut_under_load(spec);
+    const Model model = compile(scenes::along_a_line(spec));
+    ASSERT_GT(model.frames.n, 0);
+    const auto walls = study::elevations_of(model);
+    ASSERT_EQ(walls.size(), 1U) << is_cut;
+    EXPECT_EQ(study::walls_by_push(model, {1, 0, 0}).walls, 1) << is_cut;
+    // the picture has what stands before the first cut
+    int standing = 0;
+    for (BlockId b = 0; b < model.n_block; ++b)
+      standing += walls[0].holds(b) && model.standing.holds(b, 0) ? 1 : 0;
+    const std::string svg = report::draw_elevations(model, walls, {{}});
+    int drawn = 0;
+    for (const char* css : {"stone0", "stone1", "stone2", "stone3", "timber", "plate"}) {
+      const std::size_t at = svg.find("class=\"" + std::string(css) + "\"");
+      if (at == std::string::npos) continue;
+      const std::string path = svg.substr(at, svg.find('>', at) - at);
+      drawn += static_cast<int>(std::count(path.begin(), path.end(), 'M'));
+    }
+    EXPECT_EQ(drawn, standing) << is_cut;
+  }
+}
+
+// Every wall slides along x: the front in its plane, the sides out of theirs.
+TEST(Elevations, walls_that_slide_along_and_across_do_not_stay_in_their_planes) {
+  const std::string push =
+      "[[stage]]\nname = \"push\"\nat = { x = \"0.1 m\", y = \"1.15 m\", z = \"0 m\" }\n"
+      "direction = \"+x\"\nvelocity = \"2 mm/s\"\nuntil = \"1 mm\"\n";
+  std::string text = kHouse + push;
+  for (std::size_t k = text.find("MEETS"); k != std::string::npos; k = text.find("MEETS"))
+    text.replace(k, 5, "meets = \"butted\"");
+  const ModelSpec spec = parse_model(text, "house.toml", {});
+  const Model model = compile(spec);
+  const auto mode_of = [&](bool front_alone) {
+    return name_from_state(model, slid_along_x(model, [&](const std::string& id, const Vec3& at) {
+                             return at.y > 0.8 && (!front_alone || id.starts_with("front"));
+                           }));
+  };
+  const FailureMode both = mode_of(false), front = mode_of(true);
+  EXPECT_EQ(both.name, "sliding");
+  EXPECT_FALSE(both.elements.empty());
+  EXPECT_FALSE(study::stays_in_planes(both));
+  EXPECT_TRUE(study::stays_in_planes(front)) << front.name;
+  const auto cautions_of = [&](FailureMode mode, const std::string& name) {
+    Result result;
+    result.failure_mode = std::move(mode);
+    result.failure_mode.name = name;
+    std::set<std::string> codes;
+    for (const Message& caution : assess_run(spec, model, result).cautions)
+      codes.insert(caution.code);
+    return codes;
+  };
+  EXPECT_TRUE(cautions_of(both, "sliding").contains("assessment.caution.sliding"));
+  EXPECT_FALSE(cautions_of(front, "sliding").contains("assessment.caution.sliding"));
+  const std::string breaking = "part breaking away", off = "assessment.caution.out_of_plane";
+  EXPECT_TRUE(cautions_of(both, breaking).contains(off));
+  EXPECT_FALSE(cautions_of(front, breaking).contains(off)) << "it broke away in its plane";
+}
+
+TEST(Elevations, a_wall_that_leaves_its_plane_has_no_mechanism_of_plane_walls) {
+  const Model model = compile(portal_in_space());
+  State state = initial_state(model);
+  const double turn = 0.02;
+  double half = 0;
+  for (BlockId b = 0; b < model.n_block; ++b)
+    for (const Vec3& corner : corners_of(model, b)) half = std::max(half, corner.z);
+  for (BlockId b = 0; b < model.n_block; ++b) {
+    const auto i = static_cast<std::size_t>(b);
+    const Vec3 arm = centroid_of(model, b) - Vec3{0, 0, half};
+    const Vec3 u = turned(arm, Rotation{{turn, 0, 0}}) - arm;
+    state.ux[i] = u.x, state.uy[i] = u.y, state.uz[i] = u.z;
+    state.qw[i] = std::cos(turn / 2), state.qx[i] = std::sin(turn / 2);
+  }
+  const FailureMode mode = name_from_state(model, state);
+  EXPECT_EQ(mode.name, "overturning");
+  EXPECT_FALSE(study::stays_in_planes(mode));
+  EXPECT_EQ(mechanism_from_state(model, state).name, "overturning");
 }
 
 }  // namespace
