@@ -43,31 +43,41 @@ Vec3 solved(const Vec3 (&m)[3], const Vec3& right) {
           dot(m[0], cross(m[1], right)) / whole};
 }
 
-// What is put up in a stage, on its way to where it fits.
-class Fitter {
- public:
-  Fitter(const Model& model, State& state) : m_(model), s_(state), stage_(state.stage) {}
-
-  void fit() {
+// What is put up in a stage: its blocks, and what of them is the same in the plane and in space.
+class PutUp {
+ protected:
+  PutUp(const Model& model, State& state) : m_(model), s_(state), stage_(state.stage) {
     find_groups();
-    find_mean();
-    for (const auto& [group, blocks] : groups_) place(blocks);
-    release_joints();  // before the gap, which opens from there
-    for (std::size_t k = 0; k < m_.frames.moved.size(); ++k) {
-      const BlockId block = m_.frames.moved[k];
-      if (!is_new(block)) continue;
-      s_.ux[block] += m_.frames.moved_x[k];
-      s_.uy[block] += m_.frames.moved_y[k];
-    }
-    release_sections();
-    let_go_of_links();
   }
+
+  [[nodiscard]] bool is_new(BlockId block) const {
+    return block >= 0 && block < m_.n_block && m_.standing.from[block] == stage_ && stage_ > 0;
+  }
+
+  void move_by_gaps() {
+    const Frames& f = m_.frames;
+    for (std::size_t k = 0; k < f.moved.size(); ++k) {
+      const BlockId block = f.moved[k];
+      if (!is_new(block)) continue;
+      s_.ux[block] += f.moved_x[k];
+      s_.uy[block] += f.moved_y[k];
+      if (!f.moved_z.empty()) s_.uz[block] += f.moved_z[k];
+    }
+  }
+
+  void let_go_of_links() {
+    const std::vector<LinkReading> links = read_links(m_, s_);
+    for (std::size_t k = 0; k < links.size(); ++k)
+      if (m_.standing.begins(m_.links.a[k], m_.links.b[k], stage_))
+        s_.link_drawn[k] = -links[k].elongation;
+  }
+
+  const Model& m_;
+  State& s_;
+  int stage_;
+  std::map<BlockId, std::vector<BlockId>> groups_;  // that are placed together
 
  private:
-  [[nodiscard]] bool is_new(BlockId block) const {
-    return block >= 0 && m_.standing.from[block] == stage_ && stage_ > 0;
-  }
-
   // A segment of a frame is placed by itself; a lintel or sill is one stiff body, held together by its chain.
   void find_groups() {
     std::vector<BlockId> group(static_cast<std::size_t>(m_.n_block));
@@ -83,7 +93,23 @@ class Fitter {
     for (BlockId i = 0; i < m_.n_block; ++i)
       if (is_new(i)) groups_[root(i)].push_back(i);
   }
+};
 
+// What is put up in a stage, on its way to where it fits.
+class Fitter : PutUp {
+ public:
+  Fitter(const Model& model, State& state) : PutUp(model, state) {}
+
+  void fit() {
+    find_mean();
+    for (const auto& [group, blocks] : groups_) place(blocks);
+    release_joints();  // before the gap, which opens from there
+    move_by_gaps();
+    release_sections();
+    let_go_of_links();
+  }
+
+ private:
   // act(new block, place seen from its centroid, displacement of the neighbour there, tangent, weight) at every point
   // where something new meets what stands.
   template <class Act>
@@ -176,17 +202,6 @@ class Fitter {
     }
   }
 
-  void let_go_of_links() {
-    const std::vector<LinkReading> links = read_links(m_, s_);
-    for (std::size_t k = 0; k < links.size(); ++k)
-      if (m_.standing.begins(m_.links.a[k], m_.links.b[k], stage_))
-        s_.link_drawn[k] = -links[k].elongation;
-  }
-
-  const Model& m_;
-  State& s_;
-  int stage_;
-  std::map<BlockId, std::vector<BlockId>> groups_;
   Moved2 mean_{0, 0};
 };
 
@@ -212,27 +227,18 @@ std::vector<BlockId> touched(const Model& m, int stage) {
   return blocks;
 }
 
-// As Fitter, of blocks in space: a lintel is one stiff body, any other block one by itself.
-class SpaceFitter {
+// As Fitter, of blocks in space.
+class SpaceFitter : PutUp {
  public:
-  SpaceFitter(const Model& model, State& state) : m_(model), s_(state), stage_(state.stage) {}
+  SpaceFitter(const Model& model, State& state) : PutUp(model, state) {}
 
   void fit() {
-    find_groups();
     find_mean();
     for (const auto& [group, blocks] : groups_) place(blocks);
     release_joints();  // before the gap, which opens from there
-    for (std::size_t k = 0; k < m_.frames.moved.size(); ++k) {
-      const BlockId block = m_.frames.moved[k];
-      if (!is_new(block)) continue;
-      s_.ux[block] += m_.frames.moved_x[k];
-      s_.uy[block] += m_.frames.moved_y[k];
-      s_.uz[block] += m_.frames.moved_z[k];
-    }
+    move_by_gaps();
     release_sections();
-    for (std::size_t k = 0; k < static_cast<std::size_t>(m_.links.n); ++k)
-      if (m_.standing.begins(m_.links.a[k], m_.links.b[k], stage_))
-        s_.link_drawn[k] = -read_links(m_, s_)[k].elongation;
+    let_go_of_links();
   }
 
  private:
@@ -264,25 +270,6 @@ class SpaceFitter {
       return x;
     }
   };
-
-  [[nodiscard]] bool is_new(BlockId block) const {
-    return block >= 0 && block < m_.n_block && m_.standing.from[block] == stage_ && stage_ > 0;
-  }
-
-  void find_groups() {
-    std::vector<BlockId> group(static_cast<std::size_t>(m_.n_block));
-    for (BlockId i = 0; i < m_.n_block; ++i) group[i] = i;
-    const auto root = [&](BlockId i) {
-      while (group[i] != i) i = group[i];
-      return i;
-    };
-    for (JointId j = 0; j < m_.n_joint; ++j)
-      if (m_.anatomy.joint_kind[j] == JointKind::kLintelChain && is_new(m_.joint_a[j]) &&
-          is_new(m_.joint_b[j]))
-        group[root(m_.joint_a[j])] = root(m_.joint_b[j]);
-    for (BlockId i = 0; i < m_.n_block; ++i)
-      if (is_new(i)) groups_[root(i)].push_back(i);
-  }
 
   // act(new block, place at the start, displacement of the neighbour there, joint, weight) at every point where
   // something new meets what stands.
@@ -375,10 +362,6 @@ class SpaceFitter {
     }
   }
 
-  const Model& m_;
-  State& s_;
-  int stage_;
-  std::map<BlockId, std::vector<BlockId>> groups_;
   Vec3 mean_;
 };
 
