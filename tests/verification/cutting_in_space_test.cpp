@@ -99,7 +99,7 @@ TEST(CuttingInSpace, an_elastic_wall_ends_as_if_it_had_been_built_so) {
       apart = std::max(apart, length(was.at(id) - motion));
     }
     verify({"CU11", "wall in space cut under load: displacement off that of one built so", "", 0,
-            1e-4, "two settlings to 1e-7, finite turns", true},
+            1e-4, "settled twice to 1e-7, finite turns", true},
            apart / most);
     EXPECT_GT(most, 1e-6);
   }
@@ -241,7 +241,7 @@ TEST(CuttingInSpace, a_prop_comes_without_force_and_goes_without_a_trace) {
     apart = std::max(apart, length(was.at(id) - motion));
   }
   verify({"CU14", "beam that was propped and let go: displacement off that of one never propped",
-          "", 0, 1e-4, "settlings to 1e-8", true},
+          "", 0, 1e-4, "settled to 1e-8", true},
          apart / most);
   const Result& result = with.result;
   const Ran propped = solved(blocks(true), result.steps - result.stages.back().steps - 1);

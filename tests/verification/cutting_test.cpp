@@ -94,7 +94,7 @@ TEST(Cutting, an_elastic_wall_ends_as_if_it_had_been_built_so) {
       apart = std::max(apart, std::fabs(was.at(id)[k] - motion[k]));
     }
   verify({"CU01", "wall cut under load: displacement off that of a wall built with the opening", "",
-          0, 1e-4, "two settlings to 1e-7, finite turns", true},
+          0, 1e-4, "settled twice to 1e-7, finite turns", true},
          apart / most);
   EXPECT_GT(most, 1e-6);
 }
