@@ -324,14 +324,14 @@ test("I puts a tie through the wall by a click, or from here to there; dragged w
 test("section and force of a tie stand in the panel, with what follows", async () => {
   await begin("tied");
   await part("tie 0").click({ position: { x: 40, y: 9 } });
-  assert.equal(await field("Force drawn in").inputValue(), "12.56 kN");
+  assert.equal(await field("Prestress force").inputValue(), "12.56 kN");
   await enter("Section", "491");
-  await enter("Force drawn in", "20");
+  await enter("Prestress force", "20");
   await has(/area = "491 mm\^2" +# one bar of 20 mm[^]*prestress = "40\.73 MPa"/);
   assert.match(await page.locator("output.hint").first().innerText(), /25\smm; yields at 115\skN/);
   await enter("Above the base", "2.0");
   await has(/from = \{ x = "0\.6 m", y = "2\.0 m" \}[^\n]*\nto = \{ x = "3\.9 m", y = "2\.0 m" \}/);
-  await enter("Force drawn in", "0");
+  await enter("Prestress force", "0");
   await lacks(/prestress/);
   await isBuilt();
 });
