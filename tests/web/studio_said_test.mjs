@@ -10,6 +10,14 @@ import { root, viewerModule } from "./helpers.mjs";
 import { kLibrary } from "./studio.mjs";
 
 const kOthers = ["it", "de", "fr", "es", "pt"];
+// Places that hold English words, or what a page cannot do: the other languages go without.
+const kEnglishAlone = {
+  "{1} is not the unit of {2} [{3}]": "2",
+  "{o1} has an edge at {2}, {3} from the nearest joint line, more than 2 % of its {4}": "4",
+  "the load can grow without end: no mechanism exists, {1} carries any force": "1",
+  "give each {1} a name of its own": "1",
+  "write larger units or a smaller wall, or state what may be used: {1}": "1",
+};
 const example = (name) => fs.readFileSync(path.join(root, "examples", name), "utf8");
 let inWords, engine, lines;
 before(async () => {
@@ -30,9 +38,11 @@ test("each row has six sentences whose places are those of the English one", () 
   const rows = JSON.parse(fs.readFileSync(path.join(root, "web/src/studio/fault_words.json"), "utf8"));
   for (const [english, ...others] of rows) {
     assert.equal(others.length, 5, english);
-    const places = (text) => [...text.matchAll(/\{[a-z]?(\d)\}/g)].map((m) => m[1]);
+    const places = (text) => [...text.matchAll(/\{[a-z]?(\d)\}/g)].map((m) => m[1]).sort();
+    const left = places(english).filter((place) => !(kEnglishAlone[english] ?? "").includes(place));
     for (const words of others) {
-      assert.ok(words.trim() !== "" && places(words).every((place) => places(english).includes(place)), words);
+      assert.ok(words.trim() !== "", english);
+      assert.deepEqual(places(words), left, words);
       assert.doesNotMatch(words.replace(/\[[^\]]*\]/g, ""), /\b(must|missing|write|leave|opening|the|wall is)\b/, words);
     }
   }
