@@ -113,7 +113,7 @@ class Local(unittest.TestCase):
 
     def test_words_of_the_page_are_italian_too(self):
         self.limit(wall(), "--only", "parts", "--lang", "it")
-        self.assertIn("verificato come meccanismo locale", (self.out / "report.html").read_text())
+        self.assertIn("verificata come meccanismo locale", (self.out / "report.html").read_text())
 
     def test_what_asks_for_it_alone(self):
         self.assertEqual(self.limit(wall(), "--only", "lp")["local"], [])
