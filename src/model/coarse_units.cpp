@@ -16,7 +16,7 @@ namespace {
 struct Drawn {
   double times_long = 1, times_high = 1;
   bool is_coarse = false;
-  const CoarseWalls* like = nullptr;  // null: no walls drawn so were compared
+  const CoarseWalls* like = nullptr;  // null: no walls drawn like this were compared
 };
 
 double times(double drawn, double real) { return std::isnan(real) ? 1 : std::round(drawn / real); }

@@ -154,7 +154,7 @@ class Assess(unittest.TestCase):
     def test_a_wall_of_units_drawn_larger_is_not_signed(self):
         real = "[wall.unit.real]\nlength = \"100 mm\"\nheight = \"50 mm\"\n"
         for name, text, words in (("twice", WALL + real, ("drawn 2 times", "peak force of three brick walls by -12.7 to -0.2 %", "-13 to +61 % or more")),
-                                  ("five", WALL + real.replace("50 mm", "20 mm"), ("5 times as high", "no walls drawn so were compared"))):
+                                  ("five", WALL + real.replace("50 mm", "20 mm"), ("5 times as high", "no walls drawn like this were compared"))):
             with self.subTest(name):
                 model, out = self.file(f"{name}.toml", text), self.folder / name
                 ended = wythe("assess", model, "--out", out, "--walls", "2", "--quiet", "--lang", "it", *SHORT)
@@ -427,7 +427,7 @@ class Assess(unittest.TestCase):
         part = '[[assessment.part]]\nname = "timpano"\n'
         for name, rest, verdict, english, italian in (
                 ("stands", 'foot = "0.4 m"\n', of_walls, "out of plane timpano has the least reserve", "fuori piano timpano ha la riserva minore"),
-                ("falls", 'foot = "0 m"\nlean = "30 deg"\n', "fails", "life safety not met: timpano falls on its face, with 0.00 times",
+                ("falls", 'foot = "0 m"\nlean = "30 deg"\n', "fails", "life safety not met: timpano overturns out of plane at 0.00 times the demand",
                  "non soddisfatta: timpano si ribalta"),
                 ("beyond", 'foot = "0.4 m"\nhead = "2 m"\n', "not shown", "timpano could not be checked out of plane", "verifica fuori piano impossibile per timpano")):
             with self.subTest(name):
@@ -475,10 +475,10 @@ class Assess(unittest.TestCase):
         j = json.loads((out / "assessment.json").read_text())
         self.assertNotEqual(j["verdict"], "holds")
         self.assertFalse(j["may_be_signed"])
-        self.assertIn("falls on its face if nothing holds it", j["sentence"])
+        self.assertIn("overturns out of plane if nothing holds it", j["sentence"])
         self.assertIn("[[assessment.part]]", " ".join(j["cautions"]))
         page = (out / "report.html").read_text(encoding="utf-8")
-        self.assertIn("la parete si ribalta se nulla la trattiene", page)
+        self.assertIn("la parete si ribalta fuori piano se nulla la trattiene", page)
         self.assertNotIn("assessment.part", page)
 
     def test_one_direction_impossible_is_named(self):

@@ -148,7 +148,7 @@ class Drawings(unittest.TestCase):
 
     def test_a_drawing_in_millimetres_that_says_metres(self):
         said = self.notes(self.thick(0, 6))
-        self.assertIn("the wall is 450.1 m high, more than any of masonry: if stones.dxf is drawn in millimetres, set that as its unit", said)
+        self.assertIn("the wall is 450.1 m high, more than any masonry wall: if stones.dxf is drawn in millimetres, set that as its unit", said)
         self.assertNotIn("in a blocks file", said)
 
     def test_an_outline_that_is_drawn_twice_is_one_fault(self):

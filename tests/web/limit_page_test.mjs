@@ -173,8 +173,8 @@ function opinion(blocks, name = "run") {
     refused: [{ what: ["FM-1 Macro-Block 2", "FM-1 Macro-Blocco 2"], why: "the spandrel is <b>one course</b> high" }],
     notes: [
       [
-        "FM-4 Macro-Block 2: 12.00 kN at rest, more than the 11.00 kN of infinite strength: its moved hinges are another lever, take the lower one",
-        "FM-4 Macro-Blocco 2: 12,00 kN all’inizio, più dei 11,00 kN con resistenza infinita: le cerniere spostate danno un’altra leva, prendere il valore minore",
+        "FM-4 Macro-Block 2: 12.00 kN at rest, more than the 11.00 kN of infinite strength: its moved hinges change the lever arm, take the lower value",
+        "FM-4 Macro-Blocco 2: 12,00 kN all’inizio, più dei 11,00 kN con resistenza infinita: le cerniere spostate danno un altro braccio di leva, prendere il valore minore",
       ],
     ],
     mechanisms,

@@ -140,8 +140,8 @@ TEST(Mortar, a_wall_that_ends_without_a_joint_holds_its_units_and_says_who_gave_
   EXPECT_EQ(wall.report.courses, 10);
   EXPECT_NEAR(wall.report.half_unit, 2.59 / 20, 1e-15);
   EXPECT_NEAR(area_of(wall), 2.59 * 0.64, 1e-12);
-  EXPECT_TRUE(notes_say(wall, "20 of half unit 130 mm end without their last joint of 10 mm"));
-  EXPECT_TRUE(notes_say(wall, "10 of course 65 mm end without their last joint of 10 mm"));
+  EXPECT_TRUE(notes_say(wall, "20 x half unit 130 mm end without a last joint of 10 mm"));
+  EXPECT_TRUE(notes_say(wall, "10 x course 65 mm end without a last joint of 10 mm"));
 }
 
 TEST(Mortar, a_pillar_of_one_unit_is_one_unit_wide) {

@@ -345,7 +345,8 @@ TEST(Parts, that_are_named_and_fall_are_not_met_whatever_the_pushes_carry) {
   EXPECT_EQ(v.of_pushes, AssessmentVerdict::kHolds);
   EXPECT_EQ(v.verdict, AssessmentVerdict::kFails);
   EXPECT_TRUE(v.part_decides());
-  EXPECT_EQ(text_of(v.sentence).find("life safety not met: gable falls on its face, with 0.62"), 0U)
+  EXPECT_EQ(text_of(v.sentence).find("life safety not met: gable overturns out of plane at 0.62"),
+            0U)
       << text_of(v.sentence);
   // and with walls that are not met either, both are said
   const WallsVerdict both = with_parts(0.1, named({part_of("gable", 0.62)}));
@@ -395,7 +396,7 @@ TEST(Parts, that_rules_found_take_away_what_the_pushes_show_and_show_nothing_els
   EXPECT_FALSE(v.may_be_signed);
   EXPECT_TRUE(has(v.cautions, "verdict.caution.part_found"));
   EXPECT_EQ(text_of(v.sentence).find("not to be signed"), 0U);
-  EXPECT_NE(text_of(v.sentence).find("storey falls on its face if nothing holds it, with 0.70"),
+  EXPECT_NE(text_of(v.sentence).find("storey overturns out of plane if nothing holds it, at 0.70"),
             std::string::npos);
   EXPECT_EQ(with_parts(0.1, found({part_of("storey", 0.7)})).verdict, AssessmentVerdict::kFails);
 }
