@@ -254,7 +254,9 @@ class StageCompiler {
                            ? targets.empty() || std::any_of(targets.begin(), targets.end(),
                                                             [](double t) { return t != 0; })
                            : stage.spec.until > 0;
-    if (!moves) fault("until", "", "a push must go somewhere", "write e.g. until = \"50 mm\"");
+    if (!moves)
+      fault("until", "", "the displacement of a push cannot be zero",
+            "write e.g. until = \"50 mm\"");
     if (stage.spec.pattern != Pattern::kNone) {
       set_pattern(stage);
       set_control(stage);

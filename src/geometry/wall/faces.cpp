@@ -199,16 +199,20 @@ Need need_of(FaceKind kind, const std::string& material) {
       return {"missing: a lintel, sill or ring beam is made of it",
               "add " + table + " with its density and moduli"};
     case FaceKind::kLintelBond:
-      return {"missing: a lintel, sill or ring beam meets the masonry through it", "add " + table};
+      return {
+          "missing: it is the material of the joint between a lintel, sill or ring beam and the "
+          "masonry",
+          "add " + table};
     case FaceKind::kPlate:
       return {"missing: the plates on the piers lie on it",
               "add " + table + ", or name another plate_joint"};
     case FaceKind::kFrame:
-      return {"missing: a frame meets the masonry through it",
+      return {"missing: it is the material of the joint between a frame and the masonry",
               "add " + table + ", dry for contact alone, or name another frame.joint"};
     case FaceKind::kBeam:
       return {"missing: the beam lies on it", "add " + table + ", or name another wall.beam.joint"};
-    default: return {"missing: the joints between the blocks take it", "add " + table};
+    default:
+      return {"missing: it is the material of the joints between the blocks", "add " + table};
   }
 }
 

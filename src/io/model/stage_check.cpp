@@ -50,7 +50,7 @@ bool tell_kind(TableReader& reader, StageSpec& stage) {
     // a name may have told it, and an unknown key is told by the table's reader: one slip, one message
     if (stage.name.empty() || reader.has_unknown()) return false;
     reader.miss(
-        "kind", "can't be told, the stage has no key of any one kind",
+        "kind", "can't be deduced: no key of the stage shows its kind",
         "write kind = \"gravity\", or velocity (push), pier_load, pressure, beam_load, "
         "force, line_load or floors (load), rate (body_force), tilt_rate (tilt), duration (hold), "
         "record (shake)");

@@ -223,7 +223,7 @@ TEST(RingBeam, faults_are_named_with_place_and_cure) {
   expect_says(said([](ModelSpec& s) { s.ring_beam[0].material = "cncrete"; }),
               {"material.cncrete", "a lintel, sill or ring beam is made of it"});
   expect_says(said([](ModelSpec& s) { s.ring_beam[0].joint = "none"; }),
-              {"material.none", "the joints between the blocks take it"});
+              {"material.none", "it is the material of the joints between the blocks"});
   expect_says(said([](ModelSpec& s) { s.ring_beam.push_back(ring(0.3)); }),
               {"ring_beam.0.y", "reaches into ring beam 1 (roof)"});
   expect_says(said([](ModelSpec& s) { s.wall.opening = {window(0.6, 0.1, 0.6, 0.3)}; }),

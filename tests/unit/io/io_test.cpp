@@ -315,9 +315,9 @@ TEST(StageRefused, none_at_all) {
       "under it name = \"gravity\"");
 }
 
-TEST(StageRefused, kind_that_cannot_be_told) {
+TEST(StageRefused, kind_that_cannot_be_deduced) {
   const std::string fault = fault_of("name = \"gravity\"", "name = \"weight\"");
-  EXPECT_TRUE(fault.starts_with("model.toml:31: stage.0.kind: can't be told")) << fault;
+  EXPECT_TRUE(fault.starts_with("model.toml:31: stage.0.kind: can't be deduced")) << fault;
   EXPECT_NE(fault.find("write kind = \"gravity\""), std::string::npos);
 }
 
