@@ -67,8 +67,8 @@ void print_rate_warning(const Statistics& statistics) {
         doubtful, judged, counts);
   if (usable > 0)
     fmt::print(
-        "note: {} of {} pushes are \"usable\": a slower push may move their peak by more than 4 %; "
-        "halve the velocity or lower stage.damping to be sure\n",
+        "note: {} of {} pushes are \"usable\": a slower push may change their peak by more than "
+        "4 %; halve the velocity or lower stage.damping to be sure\n",
         usable, judged);
 }
 

@@ -132,7 +132,7 @@ void print_push(const Result& r) {
   print_falls(q);
   if (q.peak_raw > 1.02 * q.peak_reaction)
     fmt::print(
-        "the largest force of all, {:.2f} kN at {:.2f} mm, is out of balance: it is no strength\n",
+        "the largest force of all, {:.2f} kN at {:.2f} mm, is out of balance and not a strength\n",
         1e-3 * q.peak_raw, 1e3 * q.displacement_at_peak_raw);
 }
 
@@ -233,7 +233,7 @@ void print_result(const ModelSpec& spec, const Model& model, const Result& r,
                r.debris.blocks, r.debris.blocks == 1 ? "" : "s", r.debris.volume, r.debris.mass,
                r.debris.reach);
   if (r.debris.load > 0)
-    fmt::print("loads of {:.4g} kN lay on blocks that fell, and press no more\n",
+    fmt::print("loads of {:.4g} kN lay on blocks that fell, and no longer act\n",
                r.debris.load * 1e-3);
   fmt::print("{} steps of {:.3g} s in {:.1f} s   state {}\n", r.steps, r.time_step, r.wall_seconds,
              r.state_hash);

@@ -33,15 +33,15 @@ std::string reason_of(const LimitStateFragility& f) {
   switch (f.verdict) {
     case LimitStateVerdict::kTold: return "";
     case LimitStateVerdict::kFewRecords:
-      return fmt::format("not told: fewer than {} records", kFewestRecords);
-    case LimitStateVerdict::kNever: return "not told: no sample reached it; shake harder";
+      return fmt::format("not determined: fewer than {} records", kFewestRecords);
+    case LimitStateVerdict::kNever: return "not determined: no sample reached it; shake harder";
     case LimitStateVerdict::kAlways:
-      return "not told: every sample reached it at its lowest intensity; begin lower";
+      return "not determined: every sample reached it at its lowest intensity; begin lower";
     case LimitStateVerdict::kSeparated:
-      return "not told: one intensity parts those that reached it from the others, so that the "
-             "dispersion is not known; take closer intensities or more records";
+      return "not determined: one intensity separates those that reached it from the others, so "
+             "that the dispersion is not known; take closer intensities or more records";
     case LimitStateVerdict::kNoTrend:
-      return "not told: it is reached no more often at higher intensities";
+      return "not determined: it is reached no more often at higher intensities";
   }
   return "";
 }

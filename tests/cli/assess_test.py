@@ -275,7 +275,7 @@ class Assess(unittest.TestCase):
             self.assertAlmostEqual(state["risk_index"]["median"] * demand / capacity, 1, delta=2e-8)  # nine digits are written
         page = (out / "report.html").read_text(encoding="utf-8")
         self.assertIn("damage limitation (decides)", page)
-        self.assertIn("What ends each limit state", page)
+        self.assertIn("How each limit state is reached", page)
 
     def test_walls_are_added_until_the_share_is_known(self):
         out = self.folder / "until"

@@ -59,7 +59,7 @@ test("faults stand at their lines and on the opening; the cure is a button", asy
   await list.locator(".fault").click();
   const chosen = await page.locator(".file-text").evaluate((e) => e.value.slice(e.selectionStart, e.selectionEnd));
   assert.equal(chosen, 'width = "1.10 m"');
-  await list.getByRole("button", { name: "Do that" }).click();
+  await list.getByRole("button", { name: "Apply correction" }).click();
   await stonesOf(page);
   assert.match(await textOf(page), /x = "9\.15 m"\ny = "0\.90 m"\nwidth = "0\.15 m"/);
 });
@@ -168,13 +168,13 @@ const add = (other, line) =>
 const undo = (other) => other.getByRole("button", { name: "Undo" }).click();
 const pier = fs.readFileSync(path.join(root, "examples/brick_pier/model.toml"), "utf8");
 
-test("each page with a model keeps the work on its own, and the wall of the plain page is one undo away", async () => {
+test("each page with a model keeps the work on its own, and undo brings the wall of the plain page back", async () => {
   const [a, b] = [made("a", `${pier}# a\n`), made("b", `${pier}# b\n`)];
   const other = await openStudio(browser, file, { impatient: true });
   await add(other, "# plain\n");
   const plain = await textOf(other);
   assert.equal(await visit(other, a), `${pier}# a\n`);
-  await other.locator(".notice", { hasText: /Your last wall is one undo away/ }).waitFor();
+  await other.locator(".notice", { hasText: /Undo brings your last wall back/ }).waitFor();
   await undo(other);
   assert.equal(await textOf(other), plain);
   await other.getByRole("button", { name: "Redo" }).click();
@@ -201,7 +201,7 @@ test("an edit after a link was made outlives a reload", async () => {
   await other.end();
 });
 
-test("another's link takes nothing away: the kept wall is one undo away, and kept until an edit", async () => {
+test("another's link takes nothing away: undo brings the kept wall back, and it is kept until an edit", async () => {
   const other = await openStudio(browser, file, { impatient: true });
   await other.getByRole("button", { name: "Link" }).click();
   await other.waitForFunction(() => location.hash.startsWith("#w="));
@@ -209,7 +209,7 @@ test("another's link takes nothing away: the kept wall is one undo away, and kep
     linked = await textOf(other);
   await add(other, "# mine\n");
   assert.equal(await visit(other, link), linked);
-  await other.locator(".notice", { hasText: /Your last wall is one undo away/ }).waitFor();
+  await other.locator(".notice", { hasText: /Undo brings your last wall back/ }).waitFor();
   assert.equal(await visit(other, file), `${linked}# mine\n`);
   await visit(other, link);
   await undo(other);

@@ -67,7 +67,7 @@ test("the sheet is one page, the appendix five at most, nothing cut, nothing bey
 test("the verdict comes first, then what it rests on, then what was not modelled", async () => {
   const { words } = await printed("verdict_palazzina");
   const order = [/Palazzina of three storeys/, /Not to be signed/, /asked 0\.168 g/, /ζE/, /Circolare 7\/2019/, /LC2, 1\.2/, /2 walls, 4 pushes each/, /Why it is not to be signed/,
-    /to the right \(\+x\), forces by mass times height/, /Limit states/, /What it rests on/, /What was not modelled[^]*Out of plane/, /Every wall/, /What ends each limit state/,
+    /to the right \(\+x\), forces by mass times height/, /Limit states/, /What it rests on/, /What was not modelled[^]*Out of plane/, /Every wall/, /How each limit state is reached/,
     /Spectra[^]*0\.14/, /first timber floor/, /Masonry, and where its values come from[^]*2\.875/, /wythe 0\./];
   let at = -1;
   for (const wanted of order) {

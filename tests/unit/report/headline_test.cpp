@@ -53,7 +53,10 @@ std::string pushed(const std::string& more) {
 TEST(Headline, a_push_that_was_too_fast_is_said_before_any_number) {
   const std::string head = answer_of(run_head(
       pushed(R"(, "quasi_static": {"judgement": "too fast", "verdict": "too fast: halve it"})")));
-  EXPECT_EQ(head.rfind("This run was pushed too fast: its force is no strength. The wall", 0), 0u)
+  EXPECT_EQ(head.rfind("This run was pushed too fast: its force is not the strength of the wall. "
+                       "The wall",
+                       0),
+            0u)
       << head;
   const auto begins = [](const std::string& judgement, const std::string& words) {
     const std::string said = answer_of(run_head(
@@ -61,7 +64,7 @@ TEST(Headline, a_push_that_was_too_fast_is_said_before_any_number) {
     return said.rfind(words, 0) == 0;
   };
   EXPECT_TRUE(begins("usable", "This run was pushed a little too fast:"));
-  EXPECT_TRUE(begins("unknown", "Nothing shows that this run was pushed slowly enough:"));
+  EXPECT_TRUE(begins("unknown", "It is not known whether this run was pushed slowly enough:"));
   EXPECT_TRUE(begins("slow enough", "The wall resists"));
   EXPECT_TRUE(begins("no push", "The wall resists"));
 }
@@ -82,7 +85,7 @@ TEST(Headline, no_capacity_is_said_with_its_reason_and_the_raw_maximum) {
   const std::string head = run_head(none);
   EXPECT_EQ(answer_of(head).rfind(
                 "No capacity was found: reaction and base shear never agree within 2 %. "
-                "The largest force read, 247\u202fkN, is no strength.",
+                "The largest force read, 247\u202fkN, is not a strength.",
                 0),
             0u)
       << answer_of(head);
@@ -103,7 +106,7 @@ TEST(Headline, an_energy_ledger_that_does_not_close_is_said_first) {
       << said("4.1");
   EXPECT_EQ(said("-0.02").rfind("The energy of this run does not balance (2\u202f%", 0), 0u);
   EXPECT_EQ(said("0.009").rfind("The wall resists", 0), 0u);
-  EXPECT_EQ(said("null").rfind("Nothing shows that this run", 0), 0u) << said("null");
+  EXPECT_EQ(said("null").rfind("It is not known whether this run", 0), 0u) << said("null");
 }
 
 TEST(Headline, blocks_that_slid_off_before_the_peak_are_said_first) {
@@ -224,10 +227,10 @@ TEST(Headline, a_campaign_counts_the_samples_that_were_too_fast_first) {
     return campaign_head("[]", R"({"samples": {"judgements": {)" + counts + "}}}");
   };
   const std::string counted = answer_of(judged(R"("too fast": 3, "unknown": 1, "slow enough": 0)"));
-  EXPECT_EQ(counted.rfind("3 of 4 samples were pushed too fast: their forces are no strengths.", 0),
-            0u)
+  EXPECT_EQ(
+      counted.rfind("3 of 4 samples were pushed too fast: their forces are not strengths.", 0), 0u)
       << counted;
-  EXPECT_NE(counted.find("Of 1 of 4 samples nothing shows"), std::string::npos) << counted;
+  EXPECT_NE(counted.find("For 1 of 4 samples it is not known"), std::string::npos) << counted;
   const std::string fine = answer_of(judged(R"("slow enough": 4)"));
   EXPECT_EQ(fine.rfind("In 4 samples the wall resists", 0), 0u) << fine;
   EXPECT_NE(judged(R"("usable": 2)").find("2 of 4 samples were pushed a"), std::string::npos);
