@@ -364,7 +364,7 @@ class Strip {
       const auto [from, to] = range_of(*floor);
       if (found[floor] > (1 - 1e-3) * floor->load * (to - from)) continue;
       refuse("", "",
-             fmt::format("loads at floor {} are not told from its own",
+             fmt::format("loads at floor {} can't be distinguished from its own",
                          floor->name.empty() ? std::to_string(floor - spec_.floor.data() + 1)
                                              : floor->name),
              "write each load there as a [[floor]] with its bearing");
