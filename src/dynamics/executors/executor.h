@@ -71,7 +71,7 @@ class Executor {
   void step();
 
  protected:
-  virtual void begin_step() = 0;    // dead loads, links, frames, layers; what the step brings
+  virtual void begin_step() = 0;    // dead loads, links, frames, layers; numbers that a step brings
   virtual void run(Pass pass) = 0;  // one pass over all its chunks
   virtual void update_free_contacts() {}  // finds contacts and adds their forces
   virtual void apply_dashpots() {}        // dashpots of shaken walls

@@ -5,11 +5,11 @@
 //
 // An item is a group of neighbours, or one entity. Both kinds of lanes offer
 //   shared(table, row)      one number for all walls         row: item * rows of the table + row
-//  load(table, row), store(value, table, row)                 numbers of each wall
-//  rows(rows, ids, item)                                    rows of four of the entities ids[item]
-//  load_rows(rows, item), store_rows(...)                     rows of four of the item itself
-//  of(table, rows, row, ids, item)                          one row of the entities ids[item]
-//  wall_value(numbers, row)                                    one number for each wall (time step, law)
+//   load(table, row), store(value, table, row)                 numbers of each wall
+//   rows(rows, ids, item)                                    rows of four of the entities ids[item]
+//   load_rows(rows, item), store_rows(...)                     rows of four of the item itself
+//   of(table, rows, row, ids, item)                          one row of the entities ids[item]
+//   wall_value(numbers, row)                                    one number for each wall (time step, law)
 //   load_flag(flags, item), store_flag(flags, item, flag)             one flag for all lanes of a Real
 //   history_lanes()                                          numbers of a row of history
 #pragma once

@@ -1,7 +1,7 @@
 // Dashpots and Maxwell elements of free contacts (docs/theory/dynamics.md, 14.11). Each contact has one of
 // each at its centre of pressure, along the normal and along the slip, in proportion to its present stiffness.
 //
-//  dashpot           c = beta K + 2 xi sqrt(K m),   f = c v / (1 + c dt / 2m')      with the mean velocity v of a step
+//   dashpot           c = beta K + 2 xi sqrt(K m),   f = c v / (1 + c dt / 2m')      with the mean velocity v of a step
 //   Maxwell element   as at joints (dashpots.h); K falls: the force falls with it; K grows: the force stays
 //
 // m = m_a m_b / (m_a + m_b), m' the mass that feels the force there, rotation included.

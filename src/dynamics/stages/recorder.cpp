@@ -199,7 +199,7 @@ bool Recorder::has_turned() const {
 // push turns. A window on both sides of a turn would mix forces and works.
 void Recorder::begin_leg(std::size_t leg, double from, double travelled) {
   constexpr double kFewest =
-      20;  // rows of a leg, where output.window gives no length
+      20;  // rows of a leg, where output.window does not give a window's length
   n_.leg_way = 0;
   if (leg >= stage_.spec.targets.size()) return;
   n_.leg_target = stage_.spec.targets[leg];

@@ -5,9 +5,9 @@
 //
 //   gravity, load   ramp with a smooth start, then settle below settle_ratio
 //   push            smooth start to the velocity, along one or several target displacements
-//  body force      lambda grows only while the unbalance is below settle_ratio; the result is the largest carried
+//   body force      lambda grows only while the unbalance is below settle_ratio; the result is the largest carried
 //   tilt            the same with the direction of gravity
-//  hold            no new action for a duration
+//   hold            no new action for a duration
 //   shake           the base moves by its records (shake.cpp)
 //
 // A stage keeps all data that later steps need in State and Recording. If it
