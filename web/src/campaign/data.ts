@@ -69,7 +69,7 @@ export class Bounds {
   get many(): boolean {
     return this.count > kFew * this.of;
   }
-  // Whether an order statistic (least, median, ...) of recorded values is exact: it must lie below all lower bounds.
+  // Whether an order statistic (least, median, ...) of recorded values is a lower bound: it is exact only below all bounds.
   reach(value: number | null): boolean {
     return value !== null && value >= this.least * (1 - 1e-6);
   }
