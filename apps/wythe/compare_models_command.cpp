@@ -87,7 +87,7 @@ bool is_same(const PushWay& a, const PushWay& b) {
   return a.direction == b.direction && a.pattern == b.pattern;
 }
 
-// Refuses a folder with other files.
+// Refuses a folder with campaigns, or with a comparison of other campaigns.
 void check_out(const CompareArguments& a) {
   if (holds_campaign(a.out) || holds_options(a.out))
     refuse("--out", a.out, "holds campaigns", "name another folder");

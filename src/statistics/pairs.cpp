@@ -77,7 +77,7 @@ void count_signs(PairedResponse& r) {
   }
 }
 
-// Finds the smallest bound. No value with a bound lies below it, so all values of min(value, it) are known.
+// Finds the smallest bound. No other bound is below it, so min(value, it) is known for all values.
 void cut_at_first_bound(PairedResponse& r) {
   for (const PairValue& pair : r.pair)
     for (const Reading* side : {&pair.base, &pair.option})

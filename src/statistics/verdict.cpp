@@ -1,5 +1,5 @@
-// The verdict from many walls: assesses each wall like a single run, takes the worse direction of each wall and the pattern
-// that decides, and the certainty of the share of walls (docs/theory/assessment.md, "The verdict from many walls").
+// The verdict from many walls. Assesses each wall like a single run, in its worse direction. Then finds the deciding
+// pattern and the certainty of the share of walls (docs/theory/assessment.md, "The verdict from many walls").
 #include <algorithm>
 #include <cmath>
 #include <iterator>

@@ -1,5 +1,5 @@
-// The content of a picture of a wall in space, and two things painted on a plain canvas: the whole
-// picture if the browser has no WebGL, and, above either picture, the axes, the load and the picked body.
+// The content of a picture of a wall in space, and two things painted on a plain canvas. One is the whole
+// picture if the browser has no WebGL; the other, above either, has the axes, the load and the picked body.
 import {
   crossing,
   isCutAway,

@@ -386,7 +386,7 @@ export class SpaceView implements View {
     );
   }
 
-  // Finds a body by its name, without the pointer.
+  // A search field for the name of a body, for use without the pointer.
   private finder(): HTMLElement {
     const { names } = this.spec.states.solids;
     const list = h("datalist", { id: `${this.spec.id}-names` });

@@ -330,7 +330,7 @@ class StudyCheck {
           "write as many samples as records at least, or pairing = \"each\"");
   }
 
-  // Checks also made for a store, which may be damaged.
+  // Checks records and intensities, which a damaged store may lack.
   void check_intensities() {
     const ShakingSpec& shaking = study_.shaking;
     if (shaking.record.empty())

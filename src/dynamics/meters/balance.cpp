@@ -1,5 +1,5 @@
-// A row is in balance if a stretch of rows around it is (4.11a), because reaction and base
-// shear that vibrate against each other are equal twice in a period. The rate is judged at
+// A row is in balance if a stretch of rows around it is (4.11a). Reaction and base shear
+// that vibrate against each other would be equal twice in a period. The rate is judged at
 // the largest force in balance (4.12), for driven supports in the worst fifth of the path
 // (4.12a). A NaN stays a NaN and never passes. A ledger that does not close gives "unknown".
 #include "dynamics/meters/balance.h"

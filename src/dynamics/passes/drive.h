@@ -116,8 +116,8 @@ WYTHE_INLINE Moved<double> turn_head(double lever, double balance, double correc
   return turn;
 }
 
-// Motion of a driven block in a step: velocity before and after along the push,
-// force on it [N], work of its damping, motion across the push, and turn.
+// Motion of a driven block in a step. Along the push: velocity before and after, force
+// on it [N], work of its damping. Then its motion across the push, and its turn.
 struct DrivenMotion {
   double before, after, force, damping_work;
   Moved<double> across, turn;

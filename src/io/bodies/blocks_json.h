@@ -8,9 +8,9 @@
 
 namespace wythe::io {
 
-// Reads spec.wall.blocks (relative to spec.folder), in metres with y up: into spec.block, and its thickness where
-// wall.thickness is unset, or into spec.body, where spec.wall.up says which axis is up in the file. Faults are at
-// wall.blocks, in the blocks file, with the block's id. `text` replaces the content of the file where it is given.
+// Reads spec.wall.blocks (relative to spec.folder) in metres with y up. Goes into spec.block, and its thickness
+// where wall.thickness is unset. In space it goes into spec.body, and spec.wall.up says which axis is up in the
+// file. Faults are at wall.blocks, in the blocks file, with the block's id. `text` replaces the content of the file.
 void parse_blocks(ReadContext& context, const toml::table& root, ModelSpec& spec,
                   const std::string& text);
 

@@ -90,7 +90,7 @@ struct Home {
 };
 
 void add_homes(const Names& known, const std::string& path, std::vector<Home>& out) {
-  constexpr std::size_t kDeepest = 40;  // no description contains itself, so it is never reached
+  constexpr std::size_t kDeepest = 40;  // characters; no description contains itself
   if (path.size() > 4 * kDeepest) return;
   for (const KnownName& one : known) {
     if (one.below == nullptr) continue;

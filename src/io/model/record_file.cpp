@@ -291,7 +291,7 @@ class TableRecord {
                 std::move(problem), std::move(cure), lines[first]});
   }
 
-  // Notes columns that may be times where the model gives the step.
+  // Collects other columns that may be times, where the model gives the step.
   void note_unchosen(const NumberTable& table) {
     if (time_ != kNone || std::isnan(record_.step)) return;
     unchosen_.resize(columns_.size());

@@ -22,7 +22,7 @@ struct StarterFile {
   const char* name;
   const std::string_view& text;
 };
-// Each list begins with the file to run; the files that it needs follow.
+// For each kind, the file to run comes first, then the files that it needs.
 constexpr std::array kFiles = {StarterFile{"pier", "model.toml", io::kPierModel},
                                StarterFile{"portal", "model.toml", io::kPortalModel},
                                StarterFile{"facade", "model.toml", io::kFacadeModel},

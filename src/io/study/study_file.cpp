@@ -279,7 +279,7 @@ class StudyReader {
                      found.problem, found.cure);
   }
 
-  // Moves a fault of a setting that is in the study file, not on the command line.
+  // Sets file and line of a fault whose setting is in the study file, not on the command line.
   [[nodiscard]] Fault placed(Fault fault) const {
     if (fault.path.starts_with("field.") && node_at(part_of(fault.path)) != nullptr) {
       fault.file = context_.file;

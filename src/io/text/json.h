@@ -6,8 +6,8 @@
 
 namespace wythe::io {
 
-// Throws InputError with the line where the text is not JSON, nests too deep
-// (core/limits.h), has a key twice in one object, or a number outside the range of a double.
+// Throws InputError with the line where the text is not JSON or nests too deep (core/limits.h).
+// Also where one object has a key twice, or a number is outside the range of a double.
 [[nodiscard]] nlohmann::json parse_json(const std::string& text, const std::string& file);
 
 }  // namespace wythe::io

@@ -147,7 +147,7 @@ bool has(const Model& model, BlockRole role) {
   return std::find(roles.begin(), roles.end(), role) != roles.end();
 }
 
-// Whether foundation joints lie at more than one height.
+// Whether the masonry has several thicknesses; stands_on_steps(): whether foundation joints lie at several heights.
 bool has_several_thicknesses(const Model& model) {
   const Anatomy& a = model.anatomy;
   for (std::size_t b = 0; b < a.block_role.size(); ++b)
