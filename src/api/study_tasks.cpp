@@ -30,7 +30,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
-// Numbers of the answers, a row a record: NaN where a record has no answer.
+// Numbers of the results, one row for each record: NaN where a record has no answer.
 Table answers_of(const std::vector<SampleRecord>& records) {
   Table table;
   SampleRecord none;
@@ -55,7 +55,7 @@ Table answers_of(const std::vector<SampleRecord>& records) {
   return table;
 }
 
-// Why a record ended, else why one that ended well has no capacity; and why it has no stiffness.
+// Why a record ended, or why one that completed has no capacity; and why it has no stiffness.
 std::string reason_of(const SampleRecord& record) {
   if (!record.answered()) return text_of(record.reason);
   const std::string ended =
@@ -64,7 +64,7 @@ std::string reason_of(const SampleRecord& record) {
   return ended + (ended.empty() || stiffness.empty() ? "" : "; ") + stiffness;
 }
 
-// Words of the answers, a row a record.
+// Words of the results, one row for each record.
 std::string rows_of(const std::vector<SampleRecord>& records) {
   Json rows = Json::array();
   for (const SampleRecord& record : records) {
@@ -79,7 +79,7 @@ std::string rows_of(const std::vector<SampleRecord>& records) {
   return dumped(rows);
 }
 
-// All curves one below the other; `row` says whose they are, counted from 0.
+// All curves below each other; `row` is the number of the record, from 0.
 Table curves_of(const std::vector<SampleRecord>& records) {
   Table table;
   std::vector<double> row;

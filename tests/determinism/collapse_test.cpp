@@ -1,5 +1,5 @@
-// A collapse has the same bits on every instruction set, in every lane, on any number of threads and over every
-// cut, in the plane and in space: contacts that come and go are part of the state, and found without chance.
+// A collapse has the same bits for every instruction set, lane, number of threads and cut, in the plane
+// and in space. Contacts that come and go are part of the state, and the search for them is deterministic.
 #include <gtest/gtest.h>
 
 #include <algorithm>

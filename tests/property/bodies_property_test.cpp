@@ -1,5 +1,5 @@
-// Laws of bodies in space that no frame changes: moments turn as a tensor, joint faces keep their areas, and neither
-// depends on the order of the bodies. Tolerances are round-off of coordinates of metres.
+// Laws of bodies in space in any frame: moments of inertia turn as a tensor, joint faces keep their
+// areas, and the order of the bodies does not matter. Tolerances are round-off of coordinates in metres.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 

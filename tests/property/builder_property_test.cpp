@@ -1,5 +1,5 @@
-// The builder in space against closed forms: volumes, areas of beds and joints, mirrored and turned plans, what ties
-// wythes, and what it refuses. Tolerances are round-off of coordinates of metres.
+// The builder in space against closed forms: volumes, areas of beds and joints, mirrored and turned
+// plans, connections between wythes, and refusals. Tolerances are round-off of coordinates in metres.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Laws that free contacts may not break: forces are the slope of the energy, numbers and mirrors do not
-// matter, and the search finds all that touch.
+// Laws of free contacts: forces are the gradient of the energy, numbering
+// and mirroring do not matter, and the search finds all touching pairs.
 #include <gtest/gtest.h>
 
 #include <algorithm>

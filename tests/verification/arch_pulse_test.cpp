@@ -1,4 +1,4 @@
-// An arch under one pulse of its base, beside the equation of motion of its mechanism of four hinges (Oppenheim
+// An arch under one pulse of its base, against the equation of motion of its four-hinge mechanism (Oppenheim
 // 1992): the arch of De Lorenzis, DeJong, Ochsendorf 2007, seven voussoirs over 157.5 degrees, t / R = 0.15.
 #include <gtest/gtest.h>
 

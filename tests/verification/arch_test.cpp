@@ -1,5 +1,5 @@
-// Arches of the builder against what is known of them: the thinnest semicircle that stands, and the forces of a flat
-// arch; on supports that part.
+// Arches of the builder against known results: the thinnest stable
+// semicircle, and the forces of a flat arch; on spreading supports.
 #include <gtest/gtest.h>
 
 #include <algorithm>

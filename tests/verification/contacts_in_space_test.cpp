@@ -1,4 +1,4 @@
-// Free contacts in space: what two parts share, by cases with coordinates (LMGC90's tests of its contact detection
+// Free contacts in space: the common volume of two parts, by cases with coordinates (LMGC90's tests of contact
 // between polyhedra, cubes of half size 0.3 m); and blocks that slide off, topple, fall and come to rest.
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// The energy ledger of undamped walls that slide to and fro while their pressure changes: what friction takes is booked
-// to second order in the time step (docs/theory/integration.md, 4.15).
+// The energy ledger of undamped walls that slide to and fro under a varying pressure: the work
+// of friction is exact to second order in the time step (docs/theory/integration.md, 4.15).
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// Floor slabs as rigid bodies against closed forms: how two walls share an eccentric load, when a slab slides, and the
-// force that pushes over two walls which it ties.
+// Floor slabs as rigid bodies against closed forms: the shares of two walls in an eccentric
+// load, the onset of sliding, and the overturning force of two walls tied by a slab.
 #include <gtest/gtest.h>
 
 #include <cmath>

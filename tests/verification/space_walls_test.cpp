@@ -1,5 +1,5 @@
-// Walls out of their plane against closed forms: a parapet and a wall held at foot and top under pressure, a dry
-// wall that is tilted, and the faces that two cubes share.
+// Walls out of their plane against closed forms: a parapet and a wall held at foot
+// and top under pressure, a tilted dry wall, and the common faces of two cubes.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
-// Tables of answers are made from record_rows.h, so a member that is listed there has its column. Each list of a record
-// is a table with key (sample, position). The view `samples` has the titles and units of samples.csv. It ends with the
-// sample at which the campaign's stop rule was met.
+// Tables of results are made from record_rows.h, so each member listed there has its column.
+// Each list of a record is a table with key (sample, position). The view `samples` has the
+// titles and units of samples.csv. It ends with the sample that met the campaign's stop rule.
 #include "campaign/store/store_schema.h"
 
 #include <fmt/format.h>

@@ -27,7 +27,7 @@ const ExportColumn kHash{"state_hash", "", "identifies the final state bit for b
 
 std::string flag(bool value) { return value ? "1" : "0"; }
 
-// What files call an answer for each sample: its own name, else the key of summary.json.
+// The name of a result in these tables: its own column name, else the key of summary.json.
 template <class Value>
 ExportColumn column_of(const study::OutputKey& key, const Value&) {
   std::string name = *key.column != '\0' ? key.column : key.summary;
@@ -54,7 +54,7 @@ std::string meaning_of(const StudySpec& study, const InputColumn& column) {
   return column.path.empty() ? "input of formulas alone" : "input: sets " + column.path;
 }
 
-// Fractions of the peak beside 0.8, which has its own columns.
+// Adds a fraction of the peak other than 0.8, which has its own columns.
 void add_fall(Cells& cells, double fraction, const std::string& displacement,
               const std::string& censored) {
   const double percent = 100 * fraction;
@@ -70,7 +70,7 @@ void add_fall(Cells& cells, double fraction, const std::string& displacement,
        censored});
 }
 
-// What a summary has at "bilinear.force_kN", as a cell.
+// The value of a summary at "bilinear.force_kN", as a cell.
 std::string text_at(const nlohmann::json& summary, const std::string& path) {
   const nlohmann::json* at = &summary;
   std::size_t begin = 0;

@@ -1,4 +1,4 @@
-// samples.csv of a campaign: one row a sample that ran, in order, with what its inputs decide.
+// samples.csv of a campaign: one row for each sample that ran, in order, with results that depend only on its inputs.
 //
 // It has no data of the machine (times, jobs), so that an undisturbed, a resumed and a merged campaign give the
 // same bytes. Columns: docs/reference/store.md.
@@ -25,7 +25,7 @@ const FallTo* fall_to(const Responses& responses, double fraction) {
   return nullptr;
 }
 
-// Readings of a cyclic push; the stored rows alone give them.
+// Responses of a cyclic push, computed from the stored rows.
 CyclicReadings cyclic_readings(const SampleRecord& record) {
   if (!record.answered()) return {};
   ResponseOptions read;
@@ -38,7 +38,7 @@ bool any_cyclic(const Campaign& campaign) {
                      [](const SampleRecord& record) { return cyclic_readings(record).sense != 0; });
 }
 
-// One column of an answer: its title, and its cell in a row.
+// One column of a result: its title, and its cell in a row.
 struct Cell {
   std::string title, text;
 };
@@ -59,8 +59,8 @@ std::vector<Cell> cyclic_cells(const CyclicReadings& c) {
   return cells;
 }
 
-// The columns that each response has (output_keys.h); the failure mode and the other fractions of the peak
-// stand among them.
+// The columns of the responses (output_keys.h), with the failure
+// mode and the other fractions of the peak between them.
 std::vector<Cell> answer_cells(const Campaign& campaign, const SampleRecord& record) {
   const Responses& r = record.responses;
   std::vector<Cell> cells;

@@ -1,5 +1,5 @@
-// reference_page(), curve_table(): what docs/reference says of every key and of the curve's columns, from
-// the same descriptions that read and write them.
+// reference_page(), curve_table(): the pages in docs/reference about keys and
+// the curve's columns, from the same descriptions that read and write them.
 #include <cmath>
 
 #include <fmt/format.h>
@@ -36,7 +36,7 @@ The file is TOML: `key = value`, with a `[table]` for each part.
   body force, `tilt_rate` a tilt, `duration` a hold.
 )";
 
-// The text for a cell of a table: each | is escaped, since it would end the cell.
+// The text of a table cell, with each | escaped, because it would end the cell.
 std::string cell(std::string text) {
   for (std::size_t at = text.find('|'); at != std::string::npos; at = text.find('|', at + 2))
     text.insert(at, "\\");

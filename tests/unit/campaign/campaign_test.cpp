@@ -1,4 +1,4 @@
-// Campaigns: the answer depends on the inputs only, never on jobs, order, shard, stop or resume.
+// Campaigns: results depend only on the inputs, never on jobs, order, shard, stop or resume.
 #include "wythe/parts/campaign.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Campaigns of very many samples: what stands for all of them gives the intervals of all, and the page stays readable.
+// Campaigns of very many samples: a selection of them gives the intervals of all, and the page stays readable.
 #include <gtest/gtest.h>
 
 #include <algorithm>

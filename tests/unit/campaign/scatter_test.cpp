@@ -1,4 +1,4 @@
-// [scatter] of a model: the fields that it makes, and what follows them.
+// [scatter] of a model: the fields that it creates, and the properties that follow them.
 #include <gtest/gtest.h>
 
 #include <cmath>

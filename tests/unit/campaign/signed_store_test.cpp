@@ -1,5 +1,5 @@
-// Stores that contradict themselves, by somebody who has computed all checksums anew: each is refused by file, table and
-// column, with an IoError (exit code 4).
+// Stores with contradictions but correct checksums: each is refused
+// with file, table and column, by an IoError (exit code 4).
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 

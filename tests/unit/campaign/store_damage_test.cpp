@@ -1,5 +1,5 @@
-// Stores that somebody has changed: read as what they are, or refused by name; never a crash, never a number from
-// beyond an array.
+// Stores that were changed: they are read with their content, or refused
+// with a reason. There is never a crash or a number from beyond an array.
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 

@@ -1,5 +1,5 @@
-// The short ways of the joint pass against the long ones: points at rest against update() on random
-// histories of every variant, faces along the tangent against plain vectors (docs/theory/kinematics.md).
+// The fast paths of the joint pass against the full law. Elastic and undamaged points against update() on
+// random histories of every variant, faces along the tangent against plain vectors (docs/theory/kinematics.md).
 #include <gtest/gtest.h>
 
 #include <bit>

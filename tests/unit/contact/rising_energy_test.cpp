@@ -1,5 +1,5 @@
-// A mode II energy that grows with the pressure, GII = a + b sn (docs/theory/joint_law.md, 3.11a): stresses and areas in
-// closed form for every shape, what a pressure that varies does, snap-back, and that b = 0 is the law without it.
+// A mode II energy that grows with the pressure, GII = a + b sn (docs/theory/joint_law.md, 3.11a): stresses
+// and areas in closed form for every shape, a varying pressure, snap-back, and b = 0 as the law without it.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 

@@ -1,4 +1,4 @@
-// Elementary functions of our own: their bits, and that they are those functions.
+// Our elementary functions: their bits, and their agreement with the functions that they stand for.
 #include "core/elementary.h"
 
 #include <gtest/gtest.h>

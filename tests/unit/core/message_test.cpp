@@ -1,5 +1,5 @@
-// Messages: codes and arguments into words, in every language; into JSON and back; and the one table of
-// words held against the engine's sources, so that nothing is missing, unused or left without a value.
+// Messages: codes and arguments to words, in every language; to JSON and back. The table of words
+// is compared with the engine's sources, so that no text is missing, unused or without a value.
 #include "wythe/parts/message.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What a push says of a slow one beyond its force, on hand-made curves.
+// Whether a slow push would give the same displacement and mode, on artificial curves.
 #include "wythe/parts/slow_push.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Bodies in space: mass properties, joint faces, and what is refused.
+// Bodies in space: mass properties, joint faces, and refusals.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Ring beams, sills and foundations in steps: where they lie, what joints they have, what is refused.
+// Ring beams, sills and stepped foundations: their places, their joints, and refusals.
 #include <gtest/gtest.h>
 
 #include <algorithm>

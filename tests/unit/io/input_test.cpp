@@ -1,4 +1,4 @@
-// What comes from outside, at its worst: not files, too large, too deep, too many, and links where results go.
+// Bad input from outside: not files, too large, too deep, too many, and links where results go.
 #include <gtest/gtest.h>
 #include <sys/socket.h>
 #include <sys/stat.h>

@@ -1,4 +1,4 @@
-// Bodies from files: OBJ, PLY, STL, COMPAS and blocks files in space; their joint faces beside an independent count.
+// Bodies from files: OBJ, PLY, STL, COMPAS and blocks files in space; their joint faces against an independent count.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Material and floors as an office has them: knowledge levels, coefficients, tests; g1, g2, psi2 q and a span. Numbers
-// by hand from the tables of Circolare 7/2019 (docs/theory/material_rules.md).
+// Materials and floors in design practice: knowledge levels, coefficients, tests; g1, g2, psi2 q
+// and a span. Numbers by hand from the tables of Circolare 7/2019 (docs/theory/material_rules.md).
 #include <cmath>
 #include <string>
 

@@ -1,4 +1,4 @@
-// write_run, prepare_folder and the texts they write, on a hand-made run.
+// write_run, prepare_folder and the texts that they write, on an artificial run.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <unistd.h>

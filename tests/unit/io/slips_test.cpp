@@ -1,4 +1,4 @@
-// One slip of the hand in a model gives one message: each line of a model with each of some twenty slips.
+// One typing mistake in a model gives one message: each line of a model with each of some twenty mistakes.
 #include <gtest/gtest.h>
 
 #include <functional>

@@ -1,5 +1,5 @@
-// Where the assessment has no answer: its push must begin at rest and at no force, and samples must share
-// mass and spectrum.
+// Cases without an assessment: its push must begin at rest and
+// without force, and samples must share mass and spectrum.
 #include <gtest/gtest.h>
 
 #include <algorithm>

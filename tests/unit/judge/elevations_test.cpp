@@ -1,5 +1,5 @@
-// Walls in space seen across their planes: the same wall in its plane, as prisms in space and as prisms in a turned
-// world has the same parts, forces, drifts and names; a building has those of each of its walls.
+// Walls in space seen across their planes. A wall in its plane, as prisms in space and as turned
+// prisms has the same parts, forces, drifts and names. A building has those of each of its walls.
 #include "judge/modes/elevations.h"
 
 #include <gtest/gtest.h>

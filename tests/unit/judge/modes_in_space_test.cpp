@@ -1,5 +1,5 @@
-// Names of failures in space: walls moved by hand as each mechanism moves them, and what looks like one and is
-// none.
+// Names of failures in space: walls moved like each
+// mechanism, and motions that look similar but are none.
 #include <gtest/gtest.h>
 
 #include <cmath>

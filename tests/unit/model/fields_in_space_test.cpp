@@ -1,5 +1,5 @@
-// Random fields of walls in space: covariance of places in plan, statistics over many walls, what
-// courses and units are, and what a field makes of the wall.
+// Random fields of walls in space: covariance of places in plan, statistics
+// over many walls, courses and units, and the effect of a field on the wall.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Random fields: factors against covariances, marginals and correlations against closed form over many seeds,
-// what is refused, and what a field makes of a wall.
+// Random fields: factors against covariances, marginals and correlations against
+// closed forms over many seeds, refusals, and the effect of a field on a wall.
 #include <gtest/gtest.h>
 
 #include <algorithm>

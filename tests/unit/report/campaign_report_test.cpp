@@ -1,5 +1,5 @@
-// The page and the file of a campaign: whatever it holds, names as text. What the page's scripts draw
-// is tested in a browser (tests/web).
+// The page and the file of a campaign: any content, names as text. The
+// drawings by the page's scripts are tested in a browser (tests/web).
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
-// The report of a hand-made run: the page's headline, its data, names as text, languages; and the SVG
-// pictures of a wall. What the page's scripts draw is tested in a browser (tests/web).
+// The report of an artificial run: the page's headline, its data, names as text, languages; and the
+// SVG pictures of a wall. The drawings by the page's scripts are tested in a browser (tests/web).
 #include <gtest/gtest.h>
 
 #include <algorithm>

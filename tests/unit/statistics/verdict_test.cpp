@@ -1,5 +1,5 @@
-// The verdict from many walls: which direction and pattern decide, what lost walls and bounds do to the share, and
-// when nothing may be signed. Walls are made up; only their capacities count.
+// The verdict from many walls: the deciding direction and pattern, the effect of lost walls and bounds
+// on the share, and cases that must not be signed. Walls are artificial; only their capacities count.
 #include "wythe/parts/verdict.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// The vocabulary and the parser of units against UDUNITS-2, from which both were taken over: every word of its XML files
-// with every prefix, a list of expressions, and made-up ones, right and wrong.
+// The vocabulary and the parser of units against UDUNITS-2, from which both come: every word of
+// its XML files with every prefix, a list of expressions, and random ones, valid and invalid.
 #include <gtest/gtest.h>
 #include <udunits2.h>
 
