@@ -9,7 +9,7 @@
 //     ref
 //
 // is the energy of the contact. Force and moment are its derivatives, so the work of loading is returned on
-// unloading. Where the other part extends beyond an end of the edge, at depth d there, that end exerts the force
+// unloading. Where the other part extends beyond an end of the edge, at depth d there, this end has a force
 // kn t d^2 / 2 along the edge.
 //
 // Called by the step (dynamics/passes/free_contacts.h) and by the reader of states (reading/free_contacts.cpp).

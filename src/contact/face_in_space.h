@@ -1,8 +1,8 @@
 // A joint face between two blocks in space: the motion that the joint law sees, and the forces of its stresses
 // on the blocks (docs/theory/space.md, "The face between two blocks").
 //
-// Between two blocks the frame (t1, t2, n) rotates with the mean of both rotations. With the jump j of the
-// face's centre and the rotation p of b against a as a quaternion, d = 2 vec(p) is the growth of the jump along the face:
+// Between two blocks the frame (t1, t2, n) rotates with the mean of both rotations. j is the jump of the face's
+// centre, the quaternion p the rotation of b against a. The jump grows along the face by d = 2 vec(p):
 //
 //   g(r) = j + d x r,   r = r1 t1 + r2 t2       w = g . n    s1 = g . t1    s2 = g . t2
 //   F = sum f,  M = sum r x f,  f = share area (sigma n + tau1 t1 + tau2 t2)

@@ -48,7 +48,7 @@ template <class C, class Real>
   return {sigma, tau, stays};
 }
 
-// A step in which no history changes: the point does not crush further, does not open wider than before, does not slide,
+// A step in which no history changes. The point does not crush further, open wider than before or slide,
 // and its shear damage does not grow under the present pressure. If the step `is_elastic`, update() gives the same bits.
 // Otherwise, and for NaN, update() must be called.
 template <class Real>

@@ -1,7 +1,7 @@
 // Notes values that are probably errors of unit: sizes, laws, moduli, densities, scatters, long pushes.
 // A note refuses nothing and changes no model. The ranges [SI] are those of masonry, and of steel, timber and fibres that
-// hold it. More notes name blocks with the unit's density, shakes with local damping, and values that a rule or a
-// knowledge level does not change because another value is stated.
+// hold it. More notes name blocks with the unit's density and shakes with local damping. Others name values that a rule or a
+// knowledge level leaves unchanged because another value is stated.
 #include "model/densities.h"
 
 #include <algorithm>

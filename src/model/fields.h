@@ -1,9 +1,9 @@
 // The table of fields: it declares every array of State and Model once.
 //
 // A line gives content, entity and unit of an array. All lists of arrays are derived from the table, so
-// that no other place lists them: allocation (initial_state), the rows of a step for walls
-// side by side (dynamics/passes/tables.h), copies to and from these rows,
-// the hash of a state, restarts and packed snapshots, and the identity of a topology.
+// that no other place lists them: the allocation (initial_state), the rows of a step for walls
+// side by side (dynamics/passes/tables.h), and copies to and from these rows. Others are the hash of a
+// state, restarts, packed snapshots, and the identity of a topology.
 //
 // To add a number to the history of the joint law: a member of contact::History and its line in
 // contact::kHistory (law.h), an array in State, and its line below, in the same order.

@@ -8,8 +8,8 @@
 
 namespace wythe {
 
-// Rebound velocity over impact velocity when the whole wall falls flat on its ground, from the vertical motion of its blocks
-// on the springs and dashpots of their beds, without weight [-]. Nothing where beds do not carry nearly all
+// Rebound velocity over impact velocity when the whole wall falls flat on its ground [-]. It follows from the vertical motion of
+// blocks on springs and dashpots of their beds, without weight. Nothing where beds do not carry nearly all
 // of the wall, where it has zones, or where it is a single block on another.
 [[nodiscard]] std::optional<double> rebound_of_wall(const Model& model, const Dashpots& dashpots);
 

@@ -342,7 +342,7 @@ class StageCompiler {
     return floors_lie_ && model_.solve.gravity > 0 ? weight / model_.solve.gravity : 0.0;
   }
 
-  // Loads and pushes act on rigid blocks. So the mass of a body of zones is distributed over the blocks in contact, by
+  // Loads and pushes act on rigid blocks. So the mass of a body of zones goes to the blocks in contact, by
   // the areas of the contacts that transfer its force [kg] (n_block).
   [[nodiscard]] std::vector<double> zone_mass_on_blocks() const {
     const Solids& s = model_.solids;

@@ -34,8 +34,8 @@ struct Checkpoint {
 // Bytes of the whole file; format: docs/reference/results.md, "checkpoint.wythe".
 [[nodiscard]] std::string checkpoint_bytes(const RunOrder& order, const Model& model,
                                            const State& state, const RunRecord& record);
-// Reads the checkpoint in `folder`. Throws InputError where there is none, where it is a link or no
-// regular file, truncated, damaged, of another program version, or of another model than it states.
+// Reads the checkpoint in `folder`. Throws InputError where there is none, or it is a link or no regular file; where it is
+// truncated or damaged; and where it belongs to another program version, or to another model than it states.
 [[nodiscard]] Checkpoint read_checkpoint(const std::string& folder);
 
 }  // namespace wythe

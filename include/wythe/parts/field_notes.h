@@ -12,7 +12,7 @@ namespace wythe {
 // NaN for a field that follows others.
 [[nodiscard]] double cov_of(const FieldSpec& field);
 
-// A note for each field whose cov truncation changes by more than 1 %, and for each field that replaces a strength
+// A note for each field whose cov truncation changes by more than 1 %. Also one for each field that replaces a strength
 // of [scatter] without the fracture energies that would follow it.
 [[nodiscard]] std::vector<Message> notes_of_fields(const ModelSpec& spec);
 

@@ -1,6 +1,6 @@
 // The compiled wall: flat arrays, grouped by the pass of the computation that reads them.
 //
-//   WallSpec --compile()--> Model (const)  +  State (mutable, exactly what a restart needs)
+//   ModelSpec --compile()--> Model (const)  +  State (mutable, exactly what a restart needs)
 //
 // Block  : centroid, mass, polar inertia; moves by (ux, uy, theta).
 // Joint  : a pair of faces. Side a may be the ground. Both faces coincide at the start:
@@ -346,8 +346,8 @@ struct Layers {
   std::vector<std::string> name;            // of layers, unique
 };
 
-// One deformable block in space: zones along its directions a, b, c; b is the one nearest to y. Corner i of the block,
-// numbered as in a zone, lies at the ends of a, b and c that corner i of a zone has.
+// One deformable block in space: zones along its directions a, b, c; b is the one nearest to y. Its corner i
+// lies at the same ends of a, b and c as corner i of a zone.
 struct SpaceSolidBody {
   BodySpec body;
   Vec3 centroid;  // at the start [m]

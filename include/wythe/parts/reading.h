@@ -94,8 +94,8 @@ struct BlockReading {
 
 // --- deformations and forces -----------------------------------------------------------------------
 
-// A point of a joint: the stresses that the joint law gives in this state without a further step, with the arithmetic of the
-// step, and the history of the point.
+// A point of a joint: its history, and the stresses of the joint law in this state, without a further step but with the arithmetic
+// of the step.
 struct PointReading {
   double share = 0;                            // of its joint's area [-]
   double place = 0;                            // on the face, from -1 to 1 along it [-]

@@ -47,8 +47,8 @@ struct MovedBlocks {
   std::vector<double> moved;  // by block; supports 0 [m]
 };
 
-// A fall below a share of the peak lasts unless the force returns to it before the displacement has grown by
-// this share, and then stays above for at least as long as it was below (docs/theory/drift.md).
+// A fall below a share of the peak is temporary if the force returns before the displacement has grown by this share. The
+// force must then stay above for at least as long as it was below (docs/theory/drift.md).
 inline constexpr double kLastingShare = 0.1;
 
 // Displacements at which the force falls to `fraction` of the peak, after the peak [m]. A value is
@@ -278,7 +278,7 @@ struct FailureMode {
   std::vector<NameReading> sensitivity = {};
 };
 
-// The limit of validity. Contact points belong to the faces that touched at the start, so a
+// The limit of validity. Contact points belong to the faces that touched at the start. So a
 // compressed joint whose faces overlap by less than half carries a force outside its face.
 struct Validity {
   double overlap_lost = std::numeric_limits<double>::quiet_NaN();  // of the first row with

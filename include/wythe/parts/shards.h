@@ -1,5 +1,5 @@
 // The shards of a campaign. Their stores are created together before any shard runs, so that all have one study and one
-// design, even if the study file changes later, and can be merged at any time.
+// design. They can be merged at any time, even if the study file changes later.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// Reads what a page needs of a store: the results of all samples in little memory, and their states one by one while the
-// store stays open, since opening it for each sample costs as much as a tiny run.
+// Reads what a page needs of a store: the results of all samples in little memory, and their states one by one. The store
+// stays open for these, since opening it for each sample costs as much as a tiny run.
 #pragma once
 
 #include <memory>

@@ -8,7 +8,7 @@
 
 namespace wythe {
 
-// Notes on the values of the base model with each input at its sample median (wythe/parts/model.h), and on inputs whose
+// Notes on the values of the base model with each input at its sample median (src/model/densities.h). Also notes on inputs whose
 // scatter reaches their mean, such as cov = 20 in place of 20 %.
 [[nodiscard]] std::vector<Message> notes_of_values(const StudySpec& study,
                                                    const SampleTable& samples,

@@ -48,8 +48,8 @@ inline constexpr Word<Direction> kDirectionWords[] = {
 
 // Where a push acts: on the blocks whose outline contains the point (x, y), widened to `courses` courses;
 // on all blocks whose centroid lies in the box (x, y, width, height); on one block by id; or on the beam.
-// In space points and boxes have z and depth too, an id that ends with * selects all that begin so, and a role selects all
-// its blocks.
+// In space points and boxes also have z and depth. An id that ends with * selects all ids that begin so, and a role all
+// blocks of that role.
 struct PlaceSpec {
   double x = kUnset, y = kUnset, z = kUnset;               // [m]
   double width = kUnset, height = kUnset, depth = kUnset;  // [m]
@@ -236,8 +236,8 @@ struct FrameSpec {
       "";  // name of the stage that puts it up; "": that which cuts its opening, or the first
   AnchorSpec anchors;
   WedgeSpec wedges;
-  // In space: the wall of the builder in whose middle plane it stands. Or the origin of its plane (x = y = 0 there) in the file's
-  // axes [m], the rotation of the plane in plan from x [rad], and the opening in it.
+  // In space: the wall of the builder in whose middle plane it stands. Or its plane in the file's axes: the origin
+  // (x = y = 0 there) [m] and the rotation in plan from x [rad], with the opening in it.
   std::string wall;
   double x = kUnset, y = kUnset, z = kUnset, turn = 0;
   HoleSpec hole;
@@ -507,7 +507,7 @@ inline constexpr Word<PointRule> kPointRuleWords[] = {{"corners", PointRule::kCo
                                                       {"lobatto", PointRule::kLobatto},
                                                       {"gauss", PointRule::kGauss}};
 
-// Local damping in space: of each component in the axes of the wall, as in the paper, or of force and moment as
+// Local damping in space: of each component in the axes of the wall, as in the paper; or of force and moment as
 // vectors, which does not depend on axes (docs/theory/space.md).
 enum class DampingForm { kVector, kComponents };
 inline constexpr Word<DampingForm> kDampingFormWords[] = {{"vector", DampingForm::kVector},
@@ -573,8 +573,8 @@ struct TeethSpec {
 enum class Fall { kOutwards, kInwards };
 inline constexpr Word<Fall> kFallWords[] = {{"outwards", Fall::kOutwards},
                                             {"inwards", Fall::kInwards}};
-// A part of a wall that may fall out of plane: one rigid strip that rotates about a line at its foot, or, where its head is
-// held, two that also rotate about a line between them (docs/theory/local_mechanisms.md).
+// A part of a wall that may fall out of plane: one rigid strip that rotates about a line at its foot. Where its head is
+// held, there are two strips with a further line between them (docs/theory/local_mechanisms.md).
 struct PartSpec {
   std::string name;
   double foot = kUnset, head = kUnset;   // above the wall's base [m]

@@ -1,4 +1,4 @@
-// Builds the axis of a frame from an opening or a line, places its corners, and divides each part between them into 4 to 8
+// Builds the axis of a frame from an opening or a line and places its corners. Each part between them has 4 to 8
 // segments, an even number. Lengths of sections are weights of Gregory's rule (docs/theory/frames.md, 20.6 and 20.7). Outlines
 // are moved by the gap so that they touch the masonry; each segment stores its gap.
 #include "geometry/wall/frames.h"

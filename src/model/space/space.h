@@ -38,8 +38,8 @@ void bound_space_step(Model& model);
 // links, zones or more than 5000 blocks.
 [[nodiscard]] double first_period_in_space(const Model& model, Vec3 along);
 
-// Principal moments of a symmetric matrix xx yy zz xy xz yz, and its right-handed axes, in the order of the
-// sweeps of Jacobi's method, so that bits are the same everywhere. A diagonal matrix keeps its axes.
+// Principal moments of a symmetric matrix xx yy zz xy xz yz, and its right-handed axes. The order is that of the sweeps of
+// Jacobi's method, so that bits are the same everywhere. A diagonal matrix keeps its axes.
 struct PrincipalAxes {
   Vec3 moment, axis_1, axis_2, axis_3;
 };

@@ -215,7 +215,7 @@ class SpaceStages {
     set_control(stage, fixed);
   }
 
-  // Loads and pushes act on rigid blocks. So the mass of a body of zones is distributed over the blocks in contact, by the
+  // Loads and pushes act on rigid blocks. So the mass of a body of zones goes to the blocks in contact, by the
   // areas of the contacts that transfer its force (as in stages.cpp) [kg].
   [[nodiscard]] double zone_mass_beside(BlockId block) const {
     const SpaceSolids& s = model_.space.solids;
