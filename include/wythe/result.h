@@ -1,4 +1,4 @@
-// A run: curve, numbers and evidence; what it means: failure mode, tested walls like it, what a code asks of it.
+// The result of a run (curve, numbers, evidence) and its interpretation: failure mode, comparison with tests, assessment by codes.
 //
 //   Result ──► name_failure_mode(model, result) ──► FailureMode          assess_run(spec, model, result) ──► CodeAssessment
 #pragma once
