@@ -61,7 +61,9 @@ class InputError;  // error.h
 [[nodiscard]] std::string keys_json();
 // Markdown table of the curve's columns (curve.h), for docs/reference/results.md.
 [[nodiscard]] std::string curve_table();
-// Both into docs/reference; the table between the comments that mark it.
+// The same of the responses (responses.h).
+[[nodiscard]] std::string responses_table();
+// All into docs/reference; the tables between the comments that mark it.
 void write_reference(const std::string& folder);
 
 // Study files (docs/reference/study.md). `overrides` that begin with study., variable., dependent. or
