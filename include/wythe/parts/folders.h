@@ -34,7 +34,7 @@ void write_page(const std::string& folder, const std::string& name, const std::s
 // report.html and report.data of a run, beside the files of write_run (io.h).
 void write_run_report(const std::string& folder, const ModelSpec& spec, const Model& model,
                       const Result& result, const std::string& language);
-// Failure mode, features and, where one is asked for, what an assessment needs: all that a result holds
+// Features and, where one is asked for, what an assessment needs: all that a result holds
 // beside what solve() gives.
 void read_result(const ModelSpec& spec, const Model& model, Result& result);
 

@@ -32,7 +32,7 @@ struct SolveOptions {
   std::function<void(const Progress&)> progress;  // first of each stage, then a few times a second
 };
 
-// Runs the stages and advances `state` to the end. Does not throw when the computation fails: the
+// Runs the stages, advances `state` to the end and names the failure mode. Does not throw when the computation fails: the
 // status of the result says what happened. To go on with a run, give the state and the record that
 // SolveOptions::checkpoint saw: the result is that of the whole run. Without the record it is that of
 // the rest.
