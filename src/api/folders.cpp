@@ -10,6 +10,7 @@
 
 #include "wythe/parts/assessment.h"
 #include "wythe/parts/error.h"
+#include "wythe/parts/failure_mode.h"
 #include "wythe/parts/provenance.h"
 #include "wythe/parts/report.h"
 
