@@ -10,6 +10,7 @@
 #include "wythe/parts/local_check.h"
 #include "wythe/parts/mechanism.h"
 #include "wythe/parts/pushed_wall.h"
+#include "wythe/parts/responses.h"
 #include "wythe/parts/result.h"
 #include "wythe/parts/shaking.h"
 #include "wythe/parts/slow_push.h"

@@ -52,7 +52,6 @@ void write_run_report(const std::string& folder, const ModelSpec& spec, const Mo
 }
 
 void read_result(const ModelSpec& spec, const Model& model, Result& result) {
-  result.failure_mode = name_failure_mode(model, result);
   result.features = read_features(model, result);
   if (is_asked(spec.assessment)) result.pushed = read_pushed_wall(spec, model, result);
 }

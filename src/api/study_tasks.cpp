@@ -8,7 +8,6 @@
 
 #include "api/job.h"
 #include "api/run_answers.h"
-#include "campaign/output_keys.h"
 #include "core/limits.h"
 #include "io/text/toml_reader.h"
 #include "wythe/parts/batch.h"
@@ -16,6 +15,7 @@
 #include "wythe/parts/error.h"
 #include "wythe/parts/folders.h"
 #include "wythe/parts/io.h"
+#include "wythe/parts/responses.h"
 #include "wythe/parts/slow_push.h"
 
 namespace wythe::api {
@@ -34,20 +34,20 @@ constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 Table answers_of(const std::vector<SampleRecord>& records) {
   Table table;
   SampleRecord none;
-  study::each_response(
-      [&](const study::OutputKey& key, const auto& value) {
+  each_response(
+      [&](const OutputKey& key, const auto& value) {
         using Value = std::decay_t<decltype(value)>;
         if constexpr (std::is_same_v<Value, double> || std::is_same_v<Value, bool>)
-          if (key.listed != study::Listed::kNowhere) table.add(key.column, {});
+          if (key.listed != OutputKey::kNowhere) table.add(key.column, {});
       },
       none.responses);
   for (const SampleRecord& record : records) {
     std::size_t c = 0;
-    study::each_response(
-        [&](const study::OutputKey& key, const auto& value) {
+    each_response(
+        [&](const OutputKey& key, const auto& value) {
           using Value = std::decay_t<decltype(value)>;
           if constexpr (std::is_same_v<Value, double> || std::is_same_v<Value, bool>)
-            if (key.listed != study::Listed::kNowhere)
+            if (key.listed != OutputKey::kNowhere)
               table.value[c++].push_back(record.answered() ? key.to_unit * value : kNoNumber);
         },
         record.responses);

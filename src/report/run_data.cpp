@@ -5,7 +5,6 @@
 #include <cmath>
 #include <map>
 
-#include "campaign/output_keys.h"
 #include "core/decimal_point.h"
 #include "dynamics/meters/residual.h"
 #include "judge/modes/wall_parts.h"
@@ -19,6 +18,7 @@
 #include "wythe/parts/mechanism.h"
 #include "wythe/parts/reading.h"
 #include "wythe/parts/report.h"
+#include "wythe/parts/responses.h"
 
 namespace wythe {
 namespace {
@@ -82,7 +82,7 @@ Json energy_of(const Model& model, const std::vector<Frame>& frames) {
   for (const Frame& f : frames) {
     const EnergyLedger e = dynamics::energy_ledger(model, f.snapshot->state, 1);
     Json row = Json::object();
-    for (const study::EnergyTerm& term : study::kEnergyTerms) row[term.name] = e.*term.value;
+    for (const EnergyTerm& term : kEnergyTerms) row[term.name] = e.*term.value;
     rows.push_back(std::move(row));
   }
   return rows;

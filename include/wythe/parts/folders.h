@@ -34,7 +34,7 @@ void write_page(const std::string& folder, const std::string& name, const std::s
 // Writes report.html and report.data of a run, beside the files of write_run (io.h).
 void write_run_report(const std::string& folder, const ModelSpec& spec, const Model& model,
                       const Result& result, const std::string& language);
-// Adds to a result what solve() does not give: failure mode, features and, where the model asks for one, the data
+// Adds to a result what solve() does not give: features and, where the model asks for one, the data
 // of an assessment.
 void read_result(const ModelSpec& spec, const Model& model, Result& result);
 

@@ -61,7 +61,9 @@ class InputError;  // error.h
 [[nodiscard]] std::string keys_json();
 // Markdown table of the curve's columns (curve.h), for docs/reference/results.md.
 [[nodiscard]] std::string curve_table();
-// Writes both tables into docs/reference; the curve's between the comments that mark it.
+// Markdown table of the responses (responses.h), for docs/reference/results.md.
+[[nodiscard]] std::string responses_table();
+// Writes all into docs/reference; the tables between the comments that mark them.
 void write_reference(const std::string& folder);
 
 // Reads a study file (docs/reference/study.md). `overrides` that begin with study., variable., dependent. or

@@ -32,7 +32,7 @@ struct SolveOptions {
   std::function<void(const Progress&)> progress;  // at each stage's start, a few times a second
 };
 
-// Runs the stages and advances `state` to the end. A failure of the computation does not throw: it is the
+// Runs the stages, advances `state` to the end and names the failure mode. A failure of the computation does not throw: it is the
 // status of the result. To continue a run, pass the state and the record that
 // SolveOptions::checkpoint received: the result is that of the whole run. Without the record it covers only the
 // rest.

@@ -7,8 +7,8 @@
 #include <set>
 #include <string_view>
 
-#include "campaign/output_keys.h"
 #include "wythe/parts/campaign.h"
+#include "wythe/parts/responses.h"
 
 namespace wythe::study {
 namespace {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "campaign/runner/shakes.h"
+#include "dynamics/stages/wall_run.h"
 #include "wythe/parts/assessment.h"
 #include "wythe/parts/error.h"
 #include "wythe/parts/failure_mode.h"
@@ -195,7 +196,7 @@ std::vector<Snapshot> asked_states(const StudySpec& spec, const Result& result) 
 namespace study {
 namespace {
 Result solve_alone(const Model& model, State& state, const SolveOptions& how) {
-  return solve(model, state, how);
+  return dynamics::run_stages(model, state, how);
 }
 }  // namespace
 }  // namespace study

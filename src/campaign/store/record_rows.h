@@ -10,9 +10,9 @@
 
 #include <string>
 
-#include "campaign/output_keys.h"
 #include "model/fields.h"
 #include "wythe/parts/campaign.h"
+#include "wythe/parts/responses.h"
 
 namespace wythe::study {
 

@@ -102,7 +102,7 @@ std::string samples_view_sql(const SampleTable& samples) {
   }
   std::string listed = ",\n status";
   const auto add = [&](const OutputKey& key, const auto& value) {
-    if (key.listed == Listed::kNowhere) return;
+    if (key.listed == OutputKey::kNowhere) return;
     if constexpr (std::is_same_v<decltype(value), const double&>)
       listed += fmt::format(", {} * {:g} AS {}", key.stored, key.to_unit, key.column);
     else

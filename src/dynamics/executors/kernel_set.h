@@ -78,9 +78,12 @@ struct PassesOf {
 };
 
 template <class Real>
+using ManyWalls = WallLanes<Real, Lanes<Real>::width>;
+
+template <class Real>
 [[nodiscard]] constexpr Kernels kernels_of(const char* name) {
   using One = EntityLanes<Real>;
-  using Many = WallLanes<Real, Lanes<Real>::width>;
+  using Many = ManyWalls<Real>;
   return {name,
           Lanes<Real>::width,
           {PassesOf<One>::joints, run_pass<Zones<One>>, PassesOf<One>::edges, run_pass<Blocks<One>>,

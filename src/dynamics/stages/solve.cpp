@@ -1,4 +1,4 @@
-// solve() and WallRun: runs the stages in order, then evaluates the curve.
+// run_stages() and WallRun: runs the stages in order, then evaluates the curve.
 #include "wythe/parts/solve.h"
 
 #include <algorithm>
@@ -166,12 +166,10 @@ Result WallRun::finish() {
   return std::move(result);
 }
 
-}  // namespace dynamics
-
-Result solve(const Model& model, State& state, const SolveOptions& options, RunRecord so_far) {
-  const auto processor = dynamics::processor_for(model, 1, std::max(1, options.threads));
+Result run_stages(const Model& model, State& state, const SolveOptions& options, RunRecord so_far) {
+  const auto processor = processor_for(model, 1, std::max(1, options.threads));
   processor->load_wall(0, model, state);
-  dynamics::WallRun run(model, state, options, processor->access(0), std::move(so_far));
+  WallRun run(model, state, options, processor->access(0), std::move(so_far));
   while (!run.ended()) {
     processor->set(0, run.next());
     processor->step();
@@ -180,6 +178,8 @@ Result solve(const Model& model, State& state, const SolveOptions& options, RunR
   processor->unload_wall(0);
   return run.finish();
 }
+
+}  // namespace dynamics
 
 namespace {
 

@@ -47,4 +47,8 @@ class WallRun {
   double seconds_before_;  // seconds of earlier parts of the run
 };
 
+// solve() without the name of its failure mode, which `judge` adds.
+[[nodiscard]] Result run_stages(const Model& model, State& state, const SolveOptions& options = {},
+                                RunRecord so_far = {});
+
 }  // namespace wythe::dynamics

@@ -5,7 +5,7 @@
 // A run counts as a campaign with one sample, number 1. A store is read and written a few
 // samples at a time, so neither its curves nor its states are in memory at once. Numbers
 // have the shortest digits that read back as the same double. Name, unit and meaning of each
-// column come from its table: curve.h, output_keys.h, element_columns.h, the study's inputs.
+// column come from its table: curve.h, responses.h, element_columns.h, the study's inputs.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -10,11 +10,11 @@
 #include <type_traits>
 
 #include "campaign/draws/result_columns.h"
-#include "campaign/output_keys.h"
 #include "io/export/export_samples.h"
 #include "io/results/shakes_csv.h"
 #include "io/text/csv.h"
 #include "wythe/parts/io.h"
+#include "wythe/parts/responses.h"
 
 namespace wythe {
 namespace {
@@ -59,14 +59,14 @@ std::vector<Cell> cyclic_cells(const CyclicReadings& c) {
   return cells;
 }
 
-// The columns of the responses (output_keys.h), with the failure
+// The columns of the responses (responses.h), with the failure
 // mode and the other fractions of the peak between them.
 std::vector<Cell> answer_cells(const Campaign& campaign, const SampleRecord& record) {
   const Responses& r = record.responses;
   std::vector<Cell> cells;
-  const auto add = [&](const study::OutputKey& key, const auto& value) {
+  const auto add = [&](const OutputKey& key, const auto& value) {
     using Value = std::decay_t<decltype(value)>;
-    if (key.listed != study::Listed::kCsv) return;
+    if (key.listed != OutputKey::kCsv) return;
     if constexpr (std::is_same_v<Value, double>)
       cells.push_back({key.column, io::short_cell(key.to_unit * value)});
     else if constexpr (std::is_same_v<Value, bool>)
@@ -87,7 +87,7 @@ std::vector<Cell> answer_cells(const Campaign& campaign, const SampleRecord& rec
                                                                                       : "0"});
     }
   };
-  study::each_response(add, r);
+  each_response(add, r);
   if (!record.answered())
     for (Cell& cell : cells) cell.text.clear();
   return cells;

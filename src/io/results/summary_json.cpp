@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "campaign/output_keys.h"
 #include "dynamics/meters/still_moving.h"
 #include "io/results/assessment_json.h"
 #include "io/results/message_json.h"
@@ -16,6 +15,7 @@
 #include "wythe/parts/mechanism.h"
 #include "wythe/parts/provenance.h"
 #include "wythe/parts/reading.h"
+#include "wythe/parts/responses.h"
 #include "wythe/parts/slow_push.h"
 #include "wythe/parts/tested_range.h"
 
@@ -26,14 +26,14 @@ using Json = nlohmann::ordered_json;
 
 Json energy_json(const EnergyLedger& energy) {
   Json json = Json::object();
-  for (const study::EnergyTerm& term : study::kEnergyTerms) json[term.name] = energy.*term.value;
+  for (const EnergyTerm& term : kEnergyTerms) json[term.name] = energy.*term.value;
   return json;
 }
 
 // Puts each result under its key, in the units of the key's name.
 struct Answers {
   Json& json;
-  void operator()(const study::OutputKey& key, const auto& value) const {
+  void operator()(const OutputKey& key, const auto& value) const {
     const std::string path = key.summary;  // "bilinear.force_kN" is a member of an object
     const std::size_t dot = path.find('.');
     if (dot == std::string::npos)
@@ -43,8 +43,7 @@ struct Answers {
   }
 
  private:
-  static void put(Json& in, const std::string& name, const study::OutputKey& key,
-                  const auto& value) {
+  static void put(Json& in, const std::string& name, const OutputKey& key, const auto& value) {
     using Value = std::decay_t<decltype(value)>;
     if constexpr (std::is_same_v<Value, double>)
       in[name] = value * key.to_unit;
@@ -297,7 +296,7 @@ Json bilinear_json(const Bilinear& b) {
 }
 
 void add_responses(Json& json, const Responses& r) {
-  study::each_response(Answers{json}, r);
+  each_response(Answers{json}, r);
   json["censored"] = r.censored_80;
   json["falls"] = falls_json(r.falls);
   json["drift_capacity"] = drift_capacity_json(r);
@@ -516,7 +515,7 @@ std::string summary_json(const ModelSpec& spec, const Model& model, const Result
                       {"reach_m", result.debris.reach},
                       {"load_off_kN", result.debris.load * 1e-3}};
   }
-  study::each_quasi_static(Answers{json}, result.quasi_static);
+  each_quasi_static(Answers{json}, result.quasi_static);
   json["quasi_static"]["displacement"] = slow_push_json(displacement_of_slow_push(model, result));
   json["quasi_static"]["mode"] = slow_push_json(mode_of_slow_push(model, result));
   json["validity"] = {{"overlap_lost_at_mm", result.validity.overlap_lost * 1e3},

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "dynamics/stages/wall_run.h"
 #include "judge/modes/in_space.h"
 #include "judge/modes/mode_flags.h"
 #include "judge/modes/mode_names.h"
@@ -497,6 +499,12 @@ FailureMode name_failure_mode(const Model& model, const Result& result, double r
   FailureMode mode = mode_of_push(model, result, read_at);
   name_fall(result, mode);
   return mode;
+}
+
+Result solve(const Model& model, State& state, const SolveOptions& options, RunRecord so_far) {
+  Result result = dynamics::run_stages(model, state, options, std::move(so_far));
+  result.failure_mode = name_failure_mode(model, result, options.read_modes_at);
+  return result;
 }
 
 SlowPushVerdict mode_of_slow_push(const Model& model, const Result& result) {

@@ -19,6 +19,7 @@ namespace {
 
 constexpr Softening kSoftenings[] = {Softening::kBilinear, Softening::kExponential,
                                      Softening::kPolynomial, Softening::kPetersson};
+static_assert(std::size(kSoftenings) == std::size(kSofteningWords));
 constexpr double kPressures[] = {0, 0.2e6, 0.7e6, 2e6};  // [Pa]
 constexpr double kB = 0.13e-3;                           // [m]
 

@@ -207,7 +207,8 @@ TEST(Readings, of_a_cyclic_push_are_taken_where_it_turns_farther_than_before) {
   ASSERT_GE(turns.size(), 2U);
   EXPECT_NEAR(turns.front(), 0.3e-3, 2 * 0.1 * result.time_step);
   EXPECT_NEAR(turns.back(), 0.5e-3, 2 * 0.1 * result.time_step);
-  EXPECT_NEAR(name_failure_mode(model, result).read_at, 0.5e-3, 2 * 0.1 * result.time_step);
+  EXPECT_NEAR(result.failure_mode.read_at, 0.5e-3, 2 * 0.1 * result.time_step);
+  EXPECT_EQ(result.failure_mode.name, name_failure_mode(model, result).name);
 }
 
 // --- where the model ends -------------------------------------------------------------------------------
