@@ -587,7 +587,7 @@ struct State {
 
 // Compiles the model; throws InputError with every fault found.
 [[nodiscard]] Model compile(const ModelSpec& spec);
-[[nodiscard]] State initial_state(const Model& model);
+[[nodiscard]] State initial_state(const Model& model);  // at rest; frames displaced by their gaps
 // 64-bit hash of all bits of the mechanical state (blocks and joints), as 16 hex digits.
 [[nodiscard]] std::string state_hash(const State& state);
 
