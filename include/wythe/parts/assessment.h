@@ -55,7 +55,7 @@ struct ElasticSpectrum {
   [[nodiscard]] double peak_ground_acceleration() const;   // Se(0) [m/s^2]
   [[nodiscard]] bool is_given() const { return kind != SpectrumKind::kNone; }
 };
-[[nodiscard]] ElasticSpectrum spectrum_of(const SpectrumSpec& spec);
+[[nodiscard]] ElasticSpectrum spectrum_of(const SpectrumSpec& spec);  // of a spec without faults
 // The spectrum for a limit state: its own, else that of the limit state which the model asks for.
 [[nodiscard]] const SpectrumSpec& spectrum_for(const AssessmentSpec& spec, LimitState state);
 // Whether the spectrum belongs to the return period of this limit state; only then does the verdict count.
@@ -174,8 +174,8 @@ struct CodeAssessment {
   SpectralDemand demand;
   double demand_displacement = kUnset;  // Gamma d*max, of the control point [m]
   std::vector<LimitStateCheck> limit_states;
-  std::vector<DriftOfTests> tests;  // source of tested_low and tested_high
-  [[nodiscard]] const LimitStateCheck* asked() const;
+  std::vector<DriftOfTests> tests;                     // source of tested_low and tested_high
+  [[nodiscard]] const LimitStateCheck* asked() const;  // null: not checked
   [[nodiscard]] const LimitStateCheck* at(LimitState state) const;  // null where it was not checked
   // The limit state whose verdict counts for the wall. Of those checked it is the one with the least reserve, where a
   // failed check precedes a lower bound. Without a checked one it is the limit state that the model asks for.

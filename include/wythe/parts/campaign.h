@@ -120,11 +120,11 @@ struct Campaign {
   double load_height = 0;             // for drift [m]
   std::string provenance;
 };
-[[nodiscard]] bool holds_campaign(const std::string& folder);
+[[nodiscard]] bool holds_campaign(const std::string& folder);  // whether it has a store
 // Sizes of the designs in a store, one for each batch.
 [[nodiscard]] std::vector<int> stored_batches(const std::string& folder);
 [[nodiscard]] StudySpec read_study_of(const std::string& folder);  // of a store
-[[nodiscard]] Campaign read_campaign(const std::string& folder);
+[[nodiscard]] Campaign read_campaign(const std::string& folder);   // throws InputError, IoError
 // Reads a store larger than memory: calls `take` with a few records at a time, in order, and with the
 // campaign without records. Returns that campaign.
 Campaign read_campaign(const std::string& folder,

@@ -20,8 +20,8 @@ struct GroundMotion {
 
   [[nodiscard]] bool empty() const { return time.empty(); }
   [[nodiscard]] double duration() const { return empty() ? 0 : time.back(); }
-  [[nodiscard]] double acceleration_at(double t) const;
-  [[nodiscard]] double velocity_at(double t) const;  // constant after the end
+  [[nodiscard]] double acceleration_at(double t) const;  // 0 outside its times [m/s^2]
+  [[nodiscard]] double velocity_at(double t) const;      // constant after the end
   [[nodiscard]] double displacement_at(
       double t) const;  // after the end it grows at constant velocity
 };
@@ -29,7 +29,7 @@ struct GroundMotion {
 // A motion with its integrals; it needs at least two samples.
 [[nodiscard]] GroundMotion ground_motion(std::vector<double> time,
                                          std::vector<double> acceleration);
-[[nodiscard]] GroundMotion scaled(GroundMotion motion, double factor);
+[[nodiscard]] GroundMotion scaled(GroundMotion motion, double factor);  // with its integrals
 // The sum a + factor b, sampled at the times of both.
 [[nodiscard]] GroundMotion combined(const GroundMotion& a, const GroundMotion& b, double factor);
 

@@ -131,7 +131,7 @@ struct Origin {
 void check_origin(const std::string& folder, const Origin& origin);
 // check_origin() for the files of `wythe limit`, which may lie beside those of a run.
 void check_limit_folder(const std::string& folder, const Origin& origin);
-[[nodiscard]] bool is_file_of_limit(const std::string& name);
+[[nodiscard]] bool is_file_of_limit(const std::string& name);  // names of its files
 // The origin of a comparison of these campaigns.
 [[nodiscard]] Origin origin_of(const std::vector<std::string>& folders, bool replaces);
 void write_origin(const std::string& folder, const Origin& origin);

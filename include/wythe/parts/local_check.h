@@ -122,7 +122,7 @@ struct LocalCheck {
   bool may_be_signed = false;
   std::vector<Message> cautions, notes;
   Message sentence;
-  [[nodiscard]] const LocalStateCheck* deciding() const;
+  [[nodiscard]] const LocalStateCheck* deciding() const;  // null: no limit state is checked
   // Capacity over demand of the deciding limit state; 0 for a part that falls by itself, NaN without an answer.
   [[nodiscard]] double reserve() const;
 };

@@ -136,7 +136,7 @@ struct Stage {
   // Force on each driven block over their mean force; all 1 without a pattern. The push prescribes the
   // displacement of the driven blocks, averaged with these weights.
   std::vector<double> driven_share;
-  BlockId control = -1;             // its displacement is prescribed; -1: that of the driven mean
+  BlockId control = -1;             // its displacement controls the push; -1: the driven mean's
   double drive_x = 0, drive_y = 0;  // unit vector of the push
   double drive_z = 0;               // in space
   double load_height = 0;           // height of the driven blocks' mean centroid [m]
@@ -243,9 +243,9 @@ struct Links {
   std::vector<double> arm_a_z, arm_b_z;  // the same; 0 in the plane
   std::vector<double> span_x, span_y,
       span_z;                       // from a to b at the start [m]; of a spring a unit vector
-  std::vector<double> follows;      // 1: turns with its ends; 0: constant direction
+  std::vector<double> follows;      // 1: its line turns with its ends; 0: constant direction
   std::vector<double> stiffness;    // [N/m]
-  std::vector<double> tension;      // yield force in tension, 0: none [N]
+  std::vector<double> tension;      // yield force in tension, 0: hangs slack [N]
   std::vector<double> compression;  // yield force in compression, positive [N]
   std::vector<double> prestress;    // force that shortens the link during stage set_by [N]
   std::vector<double> jack;         // force of a wedge, applied by the stage that installs it [N]
@@ -587,7 +587,7 @@ struct State {
 
 // Compiles the model; throws InputError with every fault found.
 [[nodiscard]] Model compile(const ModelSpec& spec);
-[[nodiscard]] State initial_state(const Model& model);
+[[nodiscard]] State initial_state(const Model& model);  // at rest; frames displaced by their gaps
 // 64-bit hash of all bits of the mechanical state (blocks and joints), as 16 hex digits.
 [[nodiscard]] std::string state_hash(const State& state);
 

@@ -57,6 +57,6 @@ struct SampleWalls {
 // Makes the page from these bytes. Throws IoError where they are damaged or of another version, InputError
 // where the language is not one of report_languages().
 [[nodiscard]] std::string report_page(const std::string& data, const std::string& language = "en");
-[[nodiscard]] std::vector<std::string> report_languages();
+[[nodiscard]] std::vector<std::string> report_languages();  // codes such as "en" and "de"
 
 }  // namespace wythe

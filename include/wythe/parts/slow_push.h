@@ -41,7 +41,7 @@ struct FlatPeak {
   // Whether the range exceeds a tenth of the displacement on either side, so that this displacement alone says little.
   [[nodiscard]] bool says_little(double displacement_at_peak) const;
 };
-[[nodiscard]] FlatPeak flat_peak(const Result& result);
+[[nodiscard]] FlatPeak flat_peak(const Result& result);  // NaN for load control
 
 // Why a wall with a peak has no initial stiffness; empty where it has one.
 [[nodiscard]] Message why_no_stiffness(const Responses& responses);

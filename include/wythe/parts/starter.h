@@ -6,7 +6,7 @@
 
 namespace wythe {
 
-[[nodiscard]] std::vector<std::string> starter_kinds();
+[[nodiscard]] std::vector<std::string> starter_kinds();  // values of `kind` below
 // Writes the files of a starter into `folder`, made if absent, and returns their paths; the first one is the file to
 // run. Throws InputError for an unknown kind, and where one of the files exists: then nothing is
 // written. Throws IoError where the system refuses.

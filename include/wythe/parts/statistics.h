@@ -373,7 +373,7 @@ struct Bracket {
   int wall = 0, record = 0;  // 0-based
   double low = 0, high = 0;  // [SI]
   bool is_known = true;      // false: decisive shakes do not count; the sample is left out
-  bool came_back = false;    // not reached again at a higher intensity
+  bool came_back = false;    // a higher intensity did not reach it again
 };
 
 // Whether a fragility curve of a limit state can be given, or why not.

@@ -474,7 +474,7 @@ struct StageSpec {
   std::vector<double> amplitudes;  // [m]
   std::vector<double> drifts;      // over the height that the rows' drift uses [-]
   std::vector<double> cycles;      // one number for all levels, or one for each; empty: one cycle
-  double stop_below = 0;           // stop when the reaction is below this share of the peak
+  double stop_below = 0;           // share of the peak: stop when the reaction stays below it
   Freedom rotation = Freedom::kFree;
   Freedom across = Freedom::kFree;  // motion across the push direction
   // body force: horizontal force lambda W_i on every block, growing at `rate` up to `factor`
