@@ -1,5 +1,5 @@
-// The names of a run's results in every file, one in each line: the
-// store (record_rows.h), its view `samples`, samples.csv, summary.json.
+// The names of a run's results in every file, one line each: the store (record_rows.h), its view `samples`,
+// samples.csv, summary.json.
 //
 //   each_response(v, responses)       v(key, member) for each response
 //   each_quasi_static(v, meters)      the same for the meters at the peak
@@ -14,7 +14,7 @@
 
 namespace wythe::study {
 
-// Where a response has a column for each sample: kView means the view only, kCsv the view and samples.csv.
+// Where a response has a column for each sample: kView is the view alone, kCsv both.
 enum class Listed { kNowhere, kView, kCsv };
 
 struct Explained {
@@ -28,7 +28,7 @@ struct OutputKey {
   Explained explained;
   Listed listed = Listed::kNowhere;
   const char* column = "";  // there
-  double to_unit = 1;       // shown = SI * to_unit; the store has SI
+  double to_unit = 1;       // shown = SI * to_unit; in the store as it is
 };
 
 // clang-format off
@@ -99,7 +99,7 @@ inline constexpr EnergyTerm kEnergyTerms[] = {
     {"damping", "energy_damping_J", &EnergyLedger::damping},
     {"gap", "energy_gap_J", &EnergyLedger::gap},
     {"gap_ratio", "energy_gap_ratio", &EnergyLedger::gap_ratio}};
-// hand_over exists only in runs with free contacts (summary_json.cpp)
+// hand_over is of runs with free contacts alone (summary_json.cpp)
 static_assert(sizeof(EnergyLedger) == (std::size(kEnergyTerms) + 1) * sizeof(double));
 
 }  // namespace wythe::study

@@ -1,4 +1,4 @@
-// solve() and WallRun: runs the stages in order, then evaluates the curve.
+// solve() and WallRun: the stages in order, then what the curve says.
 #include "wythe/parts/solve.h"
 
 #include <algorithm>

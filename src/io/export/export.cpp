@@ -2,10 +2,10 @@
 //
 //   curves.csv  samples.csv  state_blocks.csv  state_joints.csv  state_zones.csv  columns.json
 //
-// A run counts as a campaign with one sample, number 1. A store is read and written a few
-// samples at a time, so neither its curves nor its states are in memory at once. Numbers
-// have the shortest digits that read back as the same double. Name, unit and meaning of each
-// column come from its table: curve.h, output_keys.h, element_columns.h, the study's inputs.
+// A run is a campaign of one sample, number 1. A store is read and written a few samples at a time, so
+// neither its curves nor its states are in memory at once. Numbers have the shortest digits that read back
+// as the same double. Name, unit and meaning of each column come from the table that makes it: curve.h,
+// output_keys.h, element_columns.h, the study's inputs.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -59,8 +59,8 @@ std::vector<Cell> cyclic_cells(const CyclicReadings& c) {
   return cells;
 }
 
-// The columns of the responses (output_keys.h), with the failure
-// mode and the other fractions of the peak between them.
+// The columns that each response has (output_keys.h); the failure mode and the other fractions of the peak
+// stand among them.
 std::vector<Cell> answer_cells(const Campaign& campaign, const SampleRecord& record) {
   const Responses& r = record.responses;
   std::vector<Cell> cells;

@@ -1,5 +1,5 @@
-// reference_page(), curve_table(): the pages in docs/reference about keys and
-// the curve's columns, from the same descriptions that read and write them.
+// reference_page(), curve_table(): what docs/reference says of every key and of the curve's columns, from
+// the same descriptions that read and write them.
 #include <cmath>
 
 #include <fmt/format.h>

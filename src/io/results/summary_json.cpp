@@ -34,7 +34,7 @@ Json energy_json(const EnergyLedger& energy) {
 struct Answers {
   Json& json;
   void operator()(const study::OutputKey& key, const auto& value) const {
-    const std::string path = key.summary;  // "bilinear.force_kN" is a member of an object
+    const std::string path = key.summary;  // "bilinear.force_kN" lies in an object
     const std::size_t dot = path.find('.');
     if (dot == std::string::npos)
       put(json, path, key, value);

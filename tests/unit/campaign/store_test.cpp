@@ -527,8 +527,8 @@ TEST(Store, a_folder_that_cannot_be_made_is_an_io_error) {
   EXPECT_TRUE(has(said, "cannot be made")) << said;
 }
 
-// After a change of a table the version must be raised; else each program would
-// call the store of the other one damaged. Then the new checksum goes here.
+// Who changes a table has to raise the version: another program would call the new store damaged, and this one
+// theirs. Then the new checksum belongs here.
 TEST(StoreSchema, a_version_belongs_to_its_tables) {
   Hash hash;
   hash.add(schema_sql());

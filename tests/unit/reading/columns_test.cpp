@@ -1,5 +1,5 @@
-// One line in kCurveColumns is a column everywhere: in the CSV, the store, the
-// page and the reference. Every enumerator that a file stores keeps its value.
+// One line in kCurveColumns is a column everywhere: in the CSV, the store, the page and the reference. And
+// every word of an enumeration that something outside keeps has its value.
 #include <gtest/gtest.h>
 
 #include <fstream>
