@@ -89,7 +89,7 @@ TEST(Collapse, no_instruction_set_and_no_number_of_threads_changes_a_bit) {
   expect_collapsed(*first_in_space);
 }
 
-// Where there are dashpots, contacts are taken one by one, here by dashpots that resist nothing.
+// With dashpots, contacts are taken one by one. These dashpots have no resistance.
 TEST(Collapse, contacts_taken_one_by_one_have_the_bits_of_those_in_packs) {
   const Model model = compile(collapse(false));
   Dashpots none;

@@ -83,7 +83,7 @@ RC_GTEST_PROP(Bodies, joint_faces_do_not_depend_on_the_order, ()) {
   for (std::size_t i = 0; i < a.size(); ++i) RC_ASSERT(std::abs(a[i] - b[i]) < 1e-14);
 }
 
-// What a face loses to a joint is what stays free.
+// The area of a face is the sum of its joint areas and its free area.
 RC_GTEST_PROP(Bodies, free_and_joint_areas_add_up_to_the_surface, ()) {
   const std::vector<BodySpec> stones = any_stones();
   FaultList faults;

@@ -290,7 +290,7 @@ void make_valid(JointMaterial& material) {
   material.compressive_energy = 128000 * more;
 }
 
-// What stands between the keys of a spectrum: each kind has its own.
+// Keeps only the keys of the spectrum's kind.
 void make_valid(SpectrumSpec& s) {
   const SpectrumSpec drawn = s;
   s = {};

@@ -41,7 +41,7 @@ struct Setting {
 
 const Setting kUndamped{.damping = 0};
 
-// What a push gives, by block name.
+// The results of a push, by block name.
 struct Answer {
   Model model;
   State state;

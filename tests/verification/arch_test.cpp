@@ -85,7 +85,7 @@ StageSpec body_force() {
   return stage;
 }
 
-// Of `ratio` = thickness over mean radius. Friction is high, so that the arch can only turn about hinges.
+// A semicircle with `ratio` = thickness over mean radius. Friction is high, so the arch can only turn about hinges.
 ModelSpec semicircle(double ratio, int voussoirs) {
   ArchSpec arch;
   arch.kind = ArchKind::kRound;

@@ -78,7 +78,7 @@ class Held {
   [[nodiscard]] std::vector<LayerReading> read() const {
     return read_layers(rig_.model, rig_.state);
   }
-  // Of all fibres from block `below` to the next one [N/m].
+  // Force of all fibres from block `below` to the next one [N/m].
   [[nodiscard]] double force(int below) const {
     const Layers& l = rig_.model.layers;
     const std::vector<LayerReading> nodes = read();

@@ -234,7 +234,7 @@ TEST(SmallSamples, indices_have_no_interval_of_few) {
   }
 }
 
-// What stood there before: told here, printed nowhere.
+// Coverage of bootstrap intervals of few samples, for comparison; no page prints them.
 TEST(SmallSamples, a_bootstrap_of_few_is_withheld) {
   const Law law = laws()[1];
   const auto mean = [](const Column& x, const Counts& c) {

@@ -177,8 +177,8 @@ double twist(double a, double t, double from = 0) {
   return sum * 2 * a * t / (n * n);
 }
 
-// Beside returns the side panels hinge at the inner corners and tear themselves off: in each course one joint of the
-// corner opens over the thickness, and between two courses the unit that runs through twists on a square of the next one.
+// Beside returns the side panels hinge at the inner corners and tear off. In each course one joint of the corner
+// opens over the thickness, and between two courses the unit that runs through twists on a square of the next one.
 double work_at_returns(const Panel& p) {
   if (p.returned == 0) return 0;
   constexpr int n = 400;

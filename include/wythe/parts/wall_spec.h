@@ -468,8 +468,8 @@ struct StageSpec {
   std::string face;               // in space: direction of those faces, a word of Direction; "": up
   double force = kUnset;          // in space: load at the point `at` [N]
   double line_load = kUnset;      // in space: load along the line `from` - `to` [N/m]
-  PlaceSpec from, to;             //
-  std::vector<double> targets;    // cyclic: displacements along `direction`, in turn [m]
+  PlaceSpec from, to;
+  std::vector<double> targets;  // cyclic: displacements along `direction`, in turn [m]
   // cyclic, by a protocol (model/protocol.h): amplitude of each level as a length or a drift, and number of its cycles
   std::vector<double> amplitudes;  // [m]
   std::vector<double> drifts;      // over the height that the rows' drift uses [-]

@@ -362,7 +362,7 @@ bool ended_in_curve(const Model& model, const Result& result) {
 
 ResponseOptions reading_of(const Model& model, const Result& result) {
   ResponseOptions read;
-  // a wall that falls after its push had ended standing, in a shake or under a load, tells nothing of the push
+  // a wall that fell after its push had ended, in a shake or under a load, shows nothing about the push
   if (result.status == SolveStatus::kCollapsed && !result.shaking.collapsed &&
       ended_in_curve(model, result))
     read.collapse = result.reason;

@@ -87,7 +87,7 @@ class PlaneBodies {
   // Up to eight contacts that stay on their faces, taken together (pressing.h).
   struct Packed {
     int n = 0;
-    std::size_t number[kGroup];  // whatever the caller calls them
+    std::size_t number[kGroup];  // numbers that the caller gave them
     PressGroup group;
   };
   // Adds a pair to the pack; false where a part has too many corners.

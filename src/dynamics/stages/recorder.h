@@ -21,10 +21,10 @@ struct LastingFall {
 
 class Recorder {
  public:
-  // `path` is the whole driven path of the stage [m], or the whole ramp of a load factor. `frames`
-  // states of it are kept for films, closer where cracks begin, and one at `read_at` [m] for the failure
-  // mode. If `record` holds a stage under way, the recorder continues it; if not, it begins anew.
-  // begins it anew otherwise.
+  // `path` is the whole driven path of the stage [m], or the whole ramp of a
+  // load factor. `frames` states of it are kept for films, closer where cracks
+  // begin, and one at `read_at` [m] for the failure mode. If `record` holds a
+  // stage under way, the recorder continues it; if not, it begins anew.
   Recorder(const Model& model, const Stage& stage, double path, int frames, double read_at,
            RunRecord& record);
 

@@ -38,7 +38,7 @@ Model wall() { return compile(model_builder(scenes::small_study(2))({})); }
 
 std::string csv(const std::string& folder) { return samples_csv(read_campaign(folder)); }
 
-// What was refused; "" when nothing was.
+// The message of a refusal; "" if nothing was refused.
 template <class Error, class Call>
 std::string refusal(Call call) {
   try {

@@ -137,7 +137,7 @@ TEST_F(SignedStore, declarations_are_compared_word_for_word) {
   }
 }
 
-// What a rule stopped counts again once other samples are merged in: they were asked for.
+// Samples beyond the end of a stop rule count again after a merge with other samples, because they were requested.
 TEST_F(SignedStore, a_rule_that_was_met_ends_with_a_merge) {
   put_back();
   StudySpec more = scenes::small_study(2);

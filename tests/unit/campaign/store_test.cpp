@@ -34,7 +34,7 @@ bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-// What an IoError said; "" when nothing was thrown.
+// The message of an IoError; "" if nothing was thrown.
 template <class Call>
 std::string refusal(Call call) {
   try {

@@ -36,7 +36,7 @@ contact::LawUpdate<double> update(const contact::LawConstants<double>& m, double
       m.choice, [&](auto variant) { return contact::update<decltype(variant)>(m, w, s, h); });
 }
 
-// What (3.10) says of a joint under a pressure that stays.
+// The numbers of (3.10) for a joint under constant pressure.
 struct Under {
   double pressure, residual, drop, energy;
   Under(const JointMaterial& m, double sn)

@@ -176,7 +176,7 @@ TEST(MessageTable, every_code_has_words_in_every_language_with_the_same_argument
   }
 }
 
-// What a reader may copy is the same in all of them.
+// Text that a reader may copy is the same in all languages.
 TEST(MessageTable, keys_with_their_values_and_options_are_not_translated) {
   static const std::regex kCode(R"([a-z_.]+ = "[^"]*"|--[a-z-]+)");
   int found = 0;

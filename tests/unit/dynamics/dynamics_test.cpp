@@ -369,7 +369,7 @@ TEST(Stages, a_push_without_a_velocity_adapts_it) {
   EXPECT_TRUE(std::isnan(compile(spec).stages[1].spec.fast_velocity));
 }
 
-// Of a cracking wall pushed at 20 mm/s and, where it is quieter than `below`, at 100 mm/s.
+// Seconds of a cracking wall that is pushed at 20 mm/s, and at 100 mm/s while its unbalance is less than `below`.
 double push_seconds(double fast, double below) {
   ModelSpec spec = scenes::small_wall(3e-3, 0.02);
   spec.stage.back().ramp = 0.05;

@@ -37,7 +37,7 @@ bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-// What an InputError said; "" where there was none.
+// The message of an InputError; "" if there was none.
 template <class Call>
 std::string refusal(Call call) {
   try {

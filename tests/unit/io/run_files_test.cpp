@@ -49,7 +49,7 @@ class RunFiles : public testing::Test {
   fs::path folder_;
 };
 
-// What an IoError said; "" when nothing was thrown.
+// The message of an IoError; "" if nothing was thrown.
 template <class Call>
 std::string refusal(Call call) {
   try {

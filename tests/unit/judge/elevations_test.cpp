@@ -209,7 +209,7 @@ TEST(Elevations, a_push_in_space_has_the_drifts_and_the_forces_of_the_plane_push
                 0.05 * solid.wall.storeys[k].drift);
 }
 
-// What both may carry, and by which limit.
+// The capacity of both walls, and the governing limit.
 CodeAssessment assessed(ModelSpec spec) {
   spec.assessment.code = "circolare_2019";
   spec.assessment.spectrum.kind = SpectrumKind::kEn1998;

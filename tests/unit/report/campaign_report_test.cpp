@@ -28,7 +28,7 @@ int count(const std::string& text, const std::string& part) {
 std::string data_of(const Campaign& campaign) {
   return campaign_data(campaign, statistics_of(campaign));
 }
-// What a reader without scripts sees.
+// The part of the page without scripts.
 std::string head_of(const Campaign& campaign, const std::string& language = "en") {
   const std::string page = report_page(data_of(campaign), language);
   const std::size_t from = page.find("<main");
