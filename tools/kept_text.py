@@ -1,7 +1,7 @@
-"""What people wrote on a page that a tool writes: the tool keeps it, so a reader meets one page.
+"""Keeps text that people wrote on a page by a tool, so that readers have one page.
 
-The text stands between `<!-- kept -->` and `<!-- end of kept -->` (`<!-- kept: NAME -->` where a page has several). A page that is there
-without its marks is not written again: what stands on it would be lost.
+The text stands between `<!-- kept -->` and `<!-- end of kept -->` (`<!-- kept: NAME -->` where a page has several). An existing page
+without these marks is not written again, because its text would be lost.
 """
 import pathlib
 import re

@@ -1,4 +1,4 @@
-// Writes what docs/reference takes from the program's own descriptions (make docs).
+// Writes the parts of docs/reference that come from the program's own descriptions (make docs).
 #include <exception>
 #include <iostream>
 

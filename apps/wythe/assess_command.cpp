@@ -21,7 +21,7 @@ namespace wythe::app {
 namespace {
 
 constexpr double kNarrowest = 0.05;  // interval of a share: 1560 walls
-constexpr int kPair = 2;             // walls that measure how long the others take
+constexpr int kPair = 2;             // walls run first, to measure how long the others take
 
 double number_between(const std::string& option, const std::string& text, double above,
                       const char* range) {
@@ -33,7 +33,7 @@ double number_between(const std::string& option, const std::string& text, double
   return value;
 }
 
-// The walls in each way; a resumed assessment keeps their number unless more are asked for.
+// The number of walls in each way of pushing. A resumed assessment keeps it unless more are asked for.
 StudySpec asked_walls(const AssessArguments& a) {
   AskedWalls asked{.model_file = a.model, .overrides = a.overrides};
   if (!a.walls.empty())
@@ -55,12 +55,12 @@ StudySpec asked_walls(const AssessArguments& a) {
   return study;
 }
 
-// How many times faster walls run side by side than alone. Equal ones gain 3.5 times in four lanes and 6 in eight
-// (docs/evidence/benchmarks.md); walls that scatter crack apart, and gained 1.0 to 1.3 and 1.6 to 1.9 times.
+// How many times faster walls run side by side than alone. Equal walls gain 3.5 times in four lanes and 6 in eight
+// (docs/evidence/benchmarks.md). Walls with scatter crack at different times, and gained 1.0 to 1.3 and 1.6 to 1.9 times.
 double gain_of(int lanes) { return 1 + 0.1 * (lanes - 1); }
 
-// How long the walls take that are not stored yet, by a first pair that ran just now; where it was stored already, by
-// the time of a core that the stored ones took.
+// Time for the walls that are not stored yet. It is measured with
+// a first pair, or taken from the core time of the stored walls.
 class Forecast {
  public:
   Forecast(const StudySpec& study, const std::string& out, const CampaignOptions& options)
@@ -71,7 +71,7 @@ class Forecast {
                   ? options.jobs
                   : std::max(1, static_cast<int>(std::thread::hardware_concurrency()))) {}
 
-  // `most`: walls that there may be.
+  // `most`: largest possible number of walls.
   void say(int most, int ran, double took) const {
     const StoreProgress there = campaign_progress(base_);
     if (there.done == 0) return;
@@ -115,7 +115,7 @@ void print_way(const WayOfPushing& way) {
   fmt::print("\n");
 }
 
-// What a part is worth, then what stands against it.
+// The result of a part, then its cautions.
 void print_part(const LocalCheck& part) {
   Message said = part.sentence;
   if (said.code == "local.unsigned")
@@ -140,7 +140,7 @@ void print_verdict(const WallsVerdict& v, const std::string& out) {
   fmt::print("report {}/report.html\n", readable(out));
 }
 
-// All walls of a study in all its ways, and the verdict from them, unless the user stopped.
+// All walls of a study in all its ways of pushing, and their verdict, unless the user stopped it.
 struct Round {
   OptionRuns ran;
   WallsVerdict verdict;

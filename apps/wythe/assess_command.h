@@ -11,7 +11,7 @@ struct AssessArguments {
   std::string walls, until, seed, between, jobs;  // as typed, "": not given
   std::vector<std::string> overrides;
   bool resume = false, quiet = false;
-  std::vector<std::string> command;  // as typed, to say how to go on
+  std::vector<std::string> command;  // as typed, for the command that continues
 };
 int assess(const AssessArguments& arguments);
 

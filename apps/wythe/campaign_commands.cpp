@@ -37,7 +37,7 @@ void read_shard(const std::string& text, CampaignOptions& options) {
   refuse("--shard", text, "is not I/N", "write e.g. --shard 1/4");
 }
 
-// The study with the options that are short for a --set; their faults are named as typed.
+// The study with options that are short forms of --set; their faults have the option's name.
 StudySpec study_with_options(const CampaignArguments& a) {
   std::vector<std::string> overrides = a.overrides;
   std::map<std::string, std::string> option;
@@ -130,7 +130,7 @@ StudySpec asked_study(const CampaignArguments& a) {
 
 namespace {
 
-// The study that stores hold: of a shard whose study file is not there any more.
+// The study in the stores of an array, for a shard whose study file is gone.
 StudySpec study_in(const std::string& folder) {
   if (holds_campaign(folder)) return read_study_of(folder);
   const std::string base = folder + "/" + kBaseFolder;
@@ -151,8 +151,8 @@ std::vector<std::string> variants_of(const StudySpec& study) {
   return names;
 }
 
-// The study of a shard whose stores were made beforehand: the file may not ask for anything else. What else differs
-// is refused where each store is opened.
+// The study of a shard whose stores were created beforehand. The file must not ask
+// for another design. Other differences are refused where each store is opened.
 StudySpec stored_study(const CampaignArguments& a) {
   if (!a.resume) refuse("--stored", "", "goes on with stores that are there", "add --resume");
   if (!holds_campaign(a.out) && !holds_options(a.out))
@@ -322,7 +322,7 @@ void print_sample(const Model& model, const Result& result) {
              result.failure_mode.name, result.state_hash);
 }
 
-// The last shake of the replay among those that the store has; NULL: none.
+// The last shake of the replay that the store has; null: none.
 const ShakeResult* shake_in(const SampleRecord& stored, const SampleRun& run) {
   for (const ShakeResult& shake : stored.shakes)
     if (run.shakes.empty() || shake.intensity == run.shakes.back().intensity ||
@@ -331,7 +331,7 @@ const ShakeResult* shake_in(const SampleRecord& stored, const SampleRun& run) {
   return nullptr;
 }
 
-// What the store says against what came out.
+// Compares the results in the store with those of the replay.
 int compare_replay(const ReplayArguments& a, const SampleRecord* stored_sample,
                    const SampleRun& run) {
   const std::string status = run.refused.empty() ? to_string(run.result.status) : "refused";
@@ -361,7 +361,7 @@ int compare_replay(const ReplayArguments& a, const SampleRecord* stored_sample,
   return kFailed;
 }
 
-// NaN: none was asked for.
+// NaN: no intensity was requested.
 double asked_intensity(const ReplayArguments& a, const StudySpec& study) {
   if (a.intensity.empty()) return std::nan("");
   if (!study.shaking.is_asked())
@@ -369,7 +369,7 @@ double asked_intensity(const ReplayArguments& a, const StudySpec& study) {
   try {
     const double value = parse_quantity(a.intensity, unit_of(study.shaking.measure));
     if (value > 0 && std::isfinite(value)) return value;
-  } catch (const std::exception&) {  // no quantity, or of another unit
+  } catch (const std::exception&) {  // no quantity, or one with another unit
   }
   refuse("--intensity", a.intensity,
          fmt::format("is no {} in {}", word_of(kIntensityMeasureWords, study.shaking.measure),
@@ -421,12 +421,12 @@ std::string some_of(const std::vector<int>& samples) {
                                  : text + fmt::format(" and {} more", samples.size() - shown);
 }
 
-// A residual value that stays while the peak varies: how it may follow; "" of other keys.
+// How a constant residual value may follow its peak, which varies; "" for other keys.
 std::string follow_cure(const SampleTable& samples, const std::string& path) {
   constexpr const char* kResidual = ".residual_";
   const std::size_t at = path.find(kResidual);
   if (at == std::string::npos) return "";
-  // "friction_angle" is "friction_tan" where the model says so
+  // the model may have "friction_tan" instead of "friction_angle"
   const std::string stem = path.substr(0, at + 1) + path.substr(at + 10, 8);
   for (const InputColumn& column : samples.column)
     if (column.path.starts_with(stem))
@@ -437,7 +437,7 @@ std::string follow_cure(const SampleTable& samples, const std::string& path) {
   return "";
 }
 
-// Samples refused at the same key share a line.
+// Samples refused at the same key share one line.
 void print_refusals(const SampleTable& samples, const ModelBuilder& build) {
   struct Refused {
     std::string first;
@@ -460,7 +460,7 @@ void print_refusals(const SampleTable& samples, const ModelBuilder& build) {
   }
 }
 
-// The notes that no option before had; they are added to `told`.
+// Notes that no earlier option had; they are added to `told`.
 std::vector<Message> new_to(std::vector<Message>& told, const std::vector<Message>& notes) {
   std::vector<Message> out;
   for (const Message& note : notes)
@@ -469,7 +469,7 @@ std::vector<Message> new_to(std::vector<Message>& told, const std::vector<Messag
   return out;
 }
 
-// What the base model says of itself: not of values, which samples may set, nor of records that a study replaces.
+// Notes of the base model, without values that samples may set and records that a study replaces.
 std::vector<Message> notes_of_base(const Model& base, const StudySpec& study) {
   const auto is_of_values = [](const std::string& code) {
     return code == "value.odd" || code == "density.odd" || code == "scatter.odd" ||
@@ -483,7 +483,7 @@ std::vector<Message> notes_of_base(const Model& base, const StudySpec& study) {
   return notes;
 }
 
-// Prints what is to be known of an option; the time of one of its samples [s].
+// Prints notes of an option; returns the time of one of its samples [s].
 double check_option(const VariantSpec& option, std::vector<Message>& told) {
   const StudySpec& study = option.study;
   const ModelBuilder build = model_builder(study);

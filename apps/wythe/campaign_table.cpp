@@ -38,7 +38,7 @@ void print_entangled(const std::vector<InputCorrelation>& pairs) {
         pairs.front().a, pairs.front().b, pairs.front().rank);
 }
 
-// Before the table, so that no number is read without it.
+// Printed before the table, so that its numbers are not read without it.
 void print_assessment(const CampaignAssessment& a) {
   if (a.spec.code.empty()) return;
   const Message said = sentence_of(a);
@@ -48,7 +48,7 @@ void print_assessment(const CampaignAssessment& a) {
 
 }  // namespace
 
-// What must be known before any number: how many pushes were no static ones. A usable one is, within a few percent.
+// A warning before all numbers: how many pushes were too fast. A usable push is right within a few percent.
 void print_rate_warning(const Statistics& statistics) {
   std::string counts;
   int doubtful = 0, usable = 0, judged = 0;
@@ -87,7 +87,7 @@ void print_table(const Campaign& campaign, const Statistics& statistics) {
   if (statistics.collapsed_before_push > 0)
     fmt::print("{} collapsed before the push: they have no strength and are not counted below\n",
                statistics.collapsed_before_push);
-  constexpr std::size_t kShown = 3;  // peak, displacement at it, at 80 % of it
+  constexpr std::size_t kShown = 3;  // peak, displacement at the peak, at 80 % of it
   const auto& quantity = quantities();
   fmt::print("{:<24} {:>4} {:>14}", "failure mode", "n", "share %");
   for (std::size_t q = 0; q < kShown && q < quantity.size(); ++q)

@@ -5,11 +5,11 @@
 
 namespace wythe::app {
 
-// How many samples ran and how they ended, then strength and displacement by failure mode.
+// Number of samples and how they ended, then strength and displacement by failure mode.
 void print_table(const Campaign& campaign, const Statistics& statistics);
-// A line where pushes were not slow enough; it comes before any number.
+// A warning about pushes that were not slow enough, before all numbers.
 void print_rate_warning(const Statistics& statistics);
-// Every input with the mean and CoV of its samples, and what truncation cut off.
+// Every input with mean and CoV of its samples, and the share that truncation cut off.
 void print_inputs(const SampleTable& samples);
 
 }  // namespace wythe::app

@@ -71,8 +71,8 @@ RunStart start_of(const RunArguments& a) {
 CheckpointWriter::CheckpointWriter(const RunStart& start, Replacement& results)
     : start_(start), results_(results) {}
 
-// One that cannot be written must not end a long run: the last good one stands. At the end it goes with the
-// results into the folder, in the place of the last.
+// A failed write must not end a long run, because the last good checkpoint stays. At the
+// end the checkpoint goes into the folder with the results and replaces the last one.
 void CheckpointWriter::operator()(const State& state, const RunRecord& record, bool ends) {
   const auto since = std::chrono::duration<double>(Clock::now() - last_).count();
   if (!ends && since < start_.from.order.every) return;

@@ -1,4 +1,4 @@
-// What `wythe run` begins with, a model or the checkpoint of a run, and the checkpoints it writes.
+// The start of `wythe run`, from a model or a checkpoint, and the checkpoints that it writes.
 #pragma once
 
 #include <chrono>
@@ -12,19 +12,19 @@
 namespace wythe::app {
 
 struct RunStart {
-  Checkpoint from = {};  // at rest where the run is not resumed
+  Checkpoint from = {};  // at rest, unless the run is resumed
   std::string out = {};  // folder of the results
   bool is_resumed = false;
   [[nodiscard]] bool has_checkpoints() const { return from.order.every > 0; }
 };
-// Throws InputError where options don't go together, or the model or the checkpoint can't be used.
+// Throws InputError where options conflict, or the model or the checkpoint is not usable.
 [[nodiscard]] RunStart start_of(const RunArguments& arguments);
 
 // Writes the checkpoint of a run whenever it is due.
 class CheckpointWriter {
  public:
   CheckpointWriter(const RunStart& start, Replacement& results);
-  // As SolveOptions::checkpoint.
+  // For SolveOptions::checkpoint.
   void operator()(const State& state, const RunRecord& record, bool ends);
 
  private:

@@ -28,7 +28,7 @@ int exit_code(SolveStatus status) {
   return status == SolveStatus::kCompleted || status == SolveStatus::kCollapsed ? 0 : 3;
 }
 
-// The summary both `check` and `run` begin with.
+// The summary at the beginning of `check` and `run`.
 void print_model(const ModelSpec& spec, const Model& m, bool is_check) {
   fmt::print("blocks {}   joints {}   contact points {}   weight {:.1f} kN\n", m.n_block, m.n_joint,
              m.n_point(), 1e-3 * m.weight);
@@ -45,7 +45,7 @@ std::string shown(double value, int decimals) {
 
 constexpr double kMuchDrag = 0.1;  // of a loop's energy
 
-// Falls that a push made good, and what the share decides: of a push, or of one direction.
+// Falls from which a push recovered, and the decisive share; for a push, or for one direction.
 template <class Readings>
 void print_falls(const Readings& q) {
   for (const Dip& dip : q.dips)
@@ -147,7 +147,7 @@ void print_assessment(const ModelSpec& spec, const Model& model, const Result& r
   fmt::print("note: {}\n", text_of(a.notes.front()));
 }
 
-// Beyond the force. The first line says already why a displacement is not known.
+// Verdicts besides that of the force. The first line already says why a displacement is not known.
 void print_slow_push(const SlowPushVerdict& displacement, const SlowPushVerdict& mode,
                      bool is_usable) {
   if (mode.verdict == "no push" || (mode.reason.code == "promise.force" && !is_usable)) return;
@@ -156,7 +156,7 @@ void print_slow_push(const SlowPushVerdict& displacement, const SlowPushVerdict&
              mode.verdict, is_new ? ": " + text_of(mode.reason) : "");
 }
 
-// Of many elements how many show what; elements.csv and the page have each.
+// For many elements the numbers of those with each sign; elements.csv and the page list each element.
 std::string counted(Message sentence) {
   constexpr std::size_t kListed = 3;
   std::vector<Message>* parts = nullptr;
@@ -240,8 +240,8 @@ void print_result(const ModelSpec& spec, const Model& model, const Result& r,
   fmt::print("report {}/report.html\n", readable(out));
 }
 
-// Published micro-models give crack planes in units 1e6 N/mm3 to keep them closed. Between rigid blocks
-// that costs steps and leaves out the units' own flexibility.
+// Published micro-models use crack planes in units with 1e6 N/mm3 to keep them closed.
+// Between rigid blocks such planes cost many steps and leave out the flexibility of units.
 void print_stiff_planes(ModelSpec spec, const RunEstimate& now) {
   constexpr double kMuch = 3;  // times the steps
   const auto unit = spec.material.find("unit"), joint = spec.material.find("joint");
@@ -258,7 +258,7 @@ void print_stiff_planes(ModelSpec spec, const RunEstimate& now) {
   double step = 0;
   try {
     step = estimate(compile(spec)).time_step;
-  } catch (const InputError&) {  // softer, the law could not be followed
+  } catch (const InputError&) {  // a softer law would have snap-back
     return;
   }
   if (!(step > kMuch * now.time_step)) return;
@@ -331,7 +331,7 @@ bool stops_early(const Model& model) {
                      [](const Stage& stage) { return stage.spec.stop_below > 0; });
 }
 
-// What a forecast cannot know: how often a push waits, and how long a wall is watched that falls.
+// Facts that a forecast cannot include: how often a push waits, and how long a falling wall is computed.
 std::string bound_of(const Model& model, const RunEstimate& e) {
   constexpr double kLeast = 0.5, kMost = 2.5;  // of the forecast (docs/evidence/rate.md)
   if (adapts(model))

@@ -12,14 +12,14 @@ inline constexpr int kMostWalls = 100'000;
 struct RunArguments {
   std::string model, out;
   std::string checkpoint;  // time between checkpoints, with its unit; "": none
-  std::string resume;      // folder of a run to go on with
+  std::string resume;      // folder of a run to continue
   std::vector<std::string> overrides;
   int threads = 1;
   bool quiet = false;
-  std::string language;   // of the report; "": English, or that of the run resumed
-  std::string walls;      // how many walls of the model's scatter; "": one, as it stands
-  std::string jobs;       // of walls: how many cores; "": all
-  bool replaces = false;  // results of another model
+  std::string language;   // of the report; "": English, or that of the resumed run
+  std::string walls;      // number of walls with the model's scatter; "": one, without scatter
+  std::string jobs;       // cores for walls; "": all
+  bool replaces = false;  // over results of another model
 };
 int run(const RunArguments& arguments);
 
@@ -55,7 +55,7 @@ struct LimitArguments {
   std::vector<std::string> overrides;
   std::vector<std::string> only;  // of lp, infinite, macro_block_1, macro_block_2; empty: all
   bool assessment = false;
-  bool replaces = false;  // results of another model
+  bool replaces = false;  // over results of another model
   bool quiet = false;
 };
 int limit(const LimitArguments& arguments);

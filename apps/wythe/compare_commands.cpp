@@ -1,5 +1,5 @@
 // Options side by side: a study with [[variant]] runs its base and every option on the same samples, each
-// a campaign in a folder of its own; then, and for any stores of equal samples, the comparison.
+// as a campaign in its own folder. Then it compares them, as it can compare any stores of equal samples.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ std::vector<OptionRun> runs_of(const StudySpec& study, const std::string& out) {
   return runs;
 }
 
-// Nothing is written before every option compiles and every folder is free.
+// All options must compile and all folders must be free before anything is written.
 void check_runs(const std::vector<OptionRun>& runs, const std::string& out, bool resume) {
   std::vector<Fault> faults;
   if (holds_campaign(out))
@@ -87,7 +87,7 @@ class ProgressOfAll {
   int before_ = 0;
 };
 
-// What options say of themselves: one line for those that say the same, without names where all do.
+// Notes of options: one line for equal notes, without names where all options have them.
 class NotesOfOptions {
  public:
   void add(const std::string& option, const std::string& note) {
@@ -110,7 +110,7 @@ class NotesOfOptions {
   std::vector<std::pair<std::string, std::vector<std::string>>> notes_;
 };
 
-// Opens or continues every store without running a sample: what can be refused is refused now.
+// Opens or continues every store without running a sample, so that all refusals come now.
 void open_all(std::vector<OptionRun>& runs, CampaignOptions options) {
   static const std::atomic<bool> kAtOnce{true};
   options.stop = &kAtOnce;
@@ -150,7 +150,7 @@ void print_comparison(const PairedComparison& comparison, const std::string& out
   fmt::print("comparison {}/comparison.html\n", out);
 }
 
-// Folders are told relative to `out`, where they lie inside it.
+// Folders are written relative to `out`, if they are inside it.
 int write_comparison(const std::vector<std::string>& folders, const std::string& out,
                      const std::string& language) {
   std::vector<ComparedCampaign> stores = read_all(folders);
@@ -158,7 +158,7 @@ int write_comparison(const std::vector<std::string>& folders, const std::string&
   const auto shown = [&](std::string& folder) {
     const fs::path inside = fs::path(folder).lexically_relative(out);
     if (!inside.empty() && *inside.begin() != "..") folder = inside.string();
-    folder = readable(folder);  // a name may be no UTF-8, and JSON holds nothing else
+    folder = readable(folder);  // a name may not be UTF-8, and JSON holds only UTF-8
   };
   shown(comparison.base_folder);
   for (OptionComparison& option : comparison.option) shown(option.folder);
@@ -239,7 +239,7 @@ OptionRuns run_options(const CampaignArguments& a, const StudySpec& study, Campa
   for (std::size_t k = 0; k < runs.size() && !out.interrupted; ++k) {
     OptionRun& run = runs[k];
     StudySpec asked = *run.study;
-    if (k > 0) asked.until.clear();  // options take the samples that the base took
+    if (k > 0) asked.until.clear();  // options use the samples of the base
     const CampaignOutcome outcome =
         run_campaign(asked, run.build, run.folder, options, [&](const CampaignProgress& p) {
           progress(k, p);
@@ -286,7 +286,7 @@ int campaign_of_options(const CampaignArguments& a, const StudySpec& study,
 
 namespace {
 
-// A run has one wall and one way: no pair of walls, and no worse direction.
+// A run has one wall and one way of pushing, so there are no pairs and no worse direction.
 void refuse_runs(const CompareArguments& a) {
   std::vector<Fault> faults;
   for (const std::string& folder : a.folders)

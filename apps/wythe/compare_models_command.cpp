@@ -1,5 +1,5 @@
-// wythe compare of models: each model's walls pushed both ways, a campaign each, then what the later models change; or the
-// folders of walls that were pushed so.
+// wythe compare of models: pushes each model's walls both ways, in a campaign each, and compares
+// the later models with the first. It also accepts folders of walls that were pushed so.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ double share_of(const std::string& option, const std::string& text) {
   return value;
 }
 
-// "wall.toml"; the whole path where two files have one name.
+// "wall.toml", or the whole path where two files have one name.
 std::vector<std::string> names_of(const std::vector<std::string>& files) {
   std::vector<std::string> names;
   for (const std::string& file : files) names.push_back(fs::path(file).filename().string());
@@ -51,7 +51,7 @@ void check_files(const std::vector<std::string>& files) {
   const auto model = std::find_if(files.begin(), files.end(), [](const std::string& file) {
     std::error_code error;
     return !fs::is_directory(file, error);
-  });  // there is one: folders alone are compared as campaigns
+  });  // there is one, because folders alone are compared as campaigns
   for (const std::string& file : files) {
     std::error_code error;
     if (!fs::exists(file, error))
@@ -68,7 +68,7 @@ void check_files(const std::vector<std::string>& files) {
   if (!faults.empty()) throw InputError(std::move(faults));
 }
 
-// A resumed comparison keeps the walls that are stored, unless more are asked for.
+// A resumed comparison keeps the stored walls, unless more are asked for.
 void keep_stored_walls(const CompareArguments& a, int asked, const std::string& base,
                        std::vector<StudySpec>& studies) {
   if (!a.resume || !holds_campaign(base)) return;
@@ -87,7 +87,7 @@ bool is_same(const PushWay& a, const PushWay& b) {
   return a.direction == b.direction && a.pattern == b.pattern;
 }
 
-// What is there of something else is not touched.
+// Refuses a folder with campaigns, or with a comparison of other campaigns.
 void check_out(const CompareArguments& a) {
   if (holds_campaign(a.out) || holds_options(a.out))
     refuse("--out", a.out, "holds campaigns", "name another folder");
@@ -98,8 +98,8 @@ void check_out(const CompareArguments& a) {
            "name another folder, or add --replace");
 }
 
-// The folders of one model's ways of pushing, as `wythe compare` of models or `wythe assess` wrote them, in the order of
-// `ways`; none where it lacks one of them.
+// The folders of one model's ways of pushing, as `wythe compare` of models or
+// `wythe assess` wrote them, in the order of `ways`; empty where one is missing.
 std::vector<std::string> folders_of(const std::string& folder, const std::vector<PushWay>& ways) {
   std::vector<std::string> all = option_folders(folder), out;
   for (const PushWay& way : ways) {
@@ -147,7 +147,7 @@ int write_answers(const CompareArguments& a, const std::vector<ModelFolders>& fo
 bool hold_models(const std::vector<std::string>& folders) {
   if (folders.size() < 2 || !std::all_of(folders.begin(), folders.end(), holds_options))
     return false;
-  std::vector<PushWay> ways;  // of a study with [[variant]] two may push alike
+  std::vector<PushWay> ways;  // two options of a study with [[variant]] may push alike
   for (const std::string& one : option_folders(folders.front())) {
     const PushWay way = way_in(one);
     if (std::any_of(ways.begin(), ways.end(), [&](const PushWay& w) { return is_same(w, way); }))

@@ -14,8 +14,8 @@ namespace {
 
 std::atomic<bool> interrupted{false};
 
-// A signal some time after the first takes the default way: nothing makes the program deaf. At once a second is no
-// impatience: schedulers send SIGTERM to the job and to its process, and that is one process here.
+// A second signal has its default effect, so the program can always be ended. Two signals at nearly
+// the same time count as one, because schedulers send SIGTERM both to the job and to its process.
 void on_interrupt(int signal) {
   timespec now{};
   ::clock_gettime(CLOCK_MONOTONIC, &now);
@@ -28,7 +28,7 @@ void on_interrupt(int signal) {
   if (!is_first) std::raise(signal);
 }
 
-constexpr int kLookEvery = 10;  // at the flag, while held [ms]
+constexpr int kLookEvery = 10;  // checks of the flag, while held [ms]
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// Ctrl-C and SIGTERM as a flag that long computations look at, and a hold for tests of them.
+// Ctrl-C and SIGTERM as a flag for long computations, and a hold for tests of them.
 #pragma once
 
 #include <atomic>
@@ -6,9 +6,9 @@
 
 namespace wythe::app {
 
-// While it lives, the first Ctrl-C or SIGTERM sets a flag, so that what was computed is kept; a second
-// one, and any before or after, ends the program at once: then there is nothing to keep. SIGTERM twice within
-// a second counts once.
+// While it lives, the first Ctrl-C or SIGTERM sets a flag, so that computed results
+// are kept. A second one ends the program at once, and so does any signal outside its
+// lifetime, when there is nothing to keep. SIGTERM twice within a second counts once.
 class StopSignal {
  public:
   StopSignal();
@@ -18,8 +18,8 @@ class StopSignal {
   [[nodiscard]] const std::atomic<bool>& asked() const;
 };
 
-// Waits once at `point` where WYTHE_TEST_HOLD names it (CONTRIBUTING.md): says "held at POINT" on
-// stderr and goes on when the user has asked to stop or standard input has ended.
+// Waits once at `point` if WYTHE_TEST_HOLD names it (CONTRIBUTING.md): prints "held at
+// POINT" on stderr and continues when the user asks to stop or standard input ends.
 void hold_for_test(const std::string& point);
 
 }  // namespace wythe::app

@@ -1,4 +1,4 @@
-// wythe limit: a second opinion on a model, and whether it agrees with stored runs.
+// wythe limit: a second opinion on a model, and its agreement with stored runs.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace wythe::app {
 namespace {
 
-// One line a part: onset, equivalent system, where it falls; then what each limit state asks.
+// One line for each part: onset, equivalent system, limit displacement; then the demand of each limit state.
 void print_local(const std::vector<LocalCheck>& checks) {
   for (const LocalCheck& c : checks) {
     const LocalCapacity& k = c.capacity;
@@ -69,7 +69,7 @@ void print_bracket(const BracketVerdict& b) {
       b.runs > 1 ? " (nominal)" : "", b.low * unit, b.high * unit, b.below, b.above);
 }
 
-// The first sentence of a comparison: whether a run passes what its joints can carry.
+// The first sentence of a comparison: whether a run exceeds the limit load of its joints.
 int print_bounds(const Comparison& c) {
   int broken = 0, silent = 0;
   double nearest = 0;

@@ -325,8 +325,8 @@ void add_studio(CLI::App& app, StudioArguments& a, int& code) {
   command->callback([&] { code = studio(a); });
 }
 
-// A script whose variable is empty hands over "", which must not mean 0 nor that the option is not there:
-// --slurm "" would run the whole campaign here.
+// A script with an empty variable passes "", which must not mean 0
+// or a missing option: --slurm "" would run the whole campaign here.
 void refuse_empty(int argc, char** argv) {
   std::vector<wythe::Fault> faults;
   for (int i = 1; i < argc; ++i) {
@@ -349,7 +349,7 @@ void refuse_empty(int argc, char** argv) {
   if (!faults.empty()) throw wythe::InputError(std::move(faults));
 }
 
-// A word where a command is asked for, before the library says only that one is lacking.
+// Refuses a word that is no command. The library would only say that a command is missing.
 void refuse_unknown_command(const CLI::App& app, const std::string& before, int argc, char** argv) {
   if (argc < 2) return;
   const std::string word = argv[1];
@@ -371,11 +371,11 @@ void refuse_unknown_command(const CLI::App& app, const std::string& before, int 
                             .cure = wythe::meant_name(word == "help" ? "--help" : word, names)}});
 }
 
-// The system's reason, before anything asks whether such a file is there.
+// Reports the system's reason, before anything checks whether the file exists.
 void refuse_long_path(const std::string& path) {
   std::error_code error;
   static_cast<void>(std::filesystem::symlink_status(path, error));
-  constexpr std::size_t kLongestName = 255;  // bytes, of all common file systems
+  constexpr std::size_t kLongestName = 255;  // in bytes, on all common file systems
   bool is_long = error == std::errc::filename_too_long;
   for (const std::filesystem::path& part : std::filesystem::path(path))
     is_long = is_long || part.string().size() > kLongestName;
@@ -450,8 +450,8 @@ int parse_and_run(int argc, char** argv) {
   return code;
 }
 
-// Everywhere at once: a library's destructor may need memory too, where no exception can leave it. Ends as a
-// kill would, after which files are whole.
+// Ends the program at once, because a library's destructor may need memory
+// too, where no exception can leave it. As after a kill, files are complete.
 void say_memory_is_full() {
   constexpr std::string_view kWords =
       "wythe stopped: there is no more memory; what is stored is kept. Ask for less at once "

@@ -13,7 +13,7 @@
 namespace wythe::app {
 namespace {
 
-// What differs between texts that begin and end alike, whole words of each.
+// The different parts of texts that begin and end alike, in whole words.
 std::vector<std::string> differing(const std::vector<std::string>& texts) {
   const std::string& first = texts.front();
   std::size_t begin = first.size(), end = first.size();
@@ -39,7 +39,7 @@ std::string opening_of(const Message& note) {
   return "";
 }
 
-// Sizes that were fitted: an opening a row.
+// Sizes that were fitted, one opening in each row.
 void print_rows(const std::vector<Message>& members) {
   std::string owner;
   for (std::size_t i = 0; i < members.size(); ++i) {
@@ -53,7 +53,7 @@ void print_rows(const std::vector<Message>& members) {
   fmt::print("\n");
 }
 
-// The same of many things: the things alone.
+// For one note about many things: only the things.
 void print_things(const std::vector<Message>& members) {
   std::vector<std::string> texts;
   for (const Message& member : members) texts.push_back(text_of(member));

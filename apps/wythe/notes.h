@@ -1,4 +1,4 @@
-// Notes on the console: those of one kind as one line.
+// Notes on the console: one line for each kind.
 #pragma once
 
 #include <vector>
@@ -9,10 +9,10 @@
 
 namespace wythe::app {
 
-// The first line of a run: a WARNING where its force may be wrong, a note where its force holds and its drift does not; none else.
+// The first line of a run: a WARNING if its force may be wrong, a note if its force is right but its drift may not be; else nothing.
 void print_doubt(const Model& model, const Result& result);
 
-// `with_tables`: what a line stands for too, an opening a row; of notes that say the same of many things, the things.
+// `with_tables` also prints the details of a line: one opening in each row, or the things that share a note.
 void print_notes(const std::vector<Message>& notes, bool with_tables);
 
 }  // namespace wythe::app

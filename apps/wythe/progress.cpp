@@ -27,7 +27,7 @@ std::string bar(double share) {
   return std::string(filled, '#') + std::string(kBarWidth - filled, '.');
 }
 
-// What the last sample answered: peak and mode, or why there is none.
+// The result of the last sample: peak and mode, or why there is none.
 std::string last_sample(const SampleRecord& record) {
   if (!record.shakes.empty()) return fmt::format("  sample {}: {}", record.sample, record.status);
   if (!record.answered())
@@ -57,7 +57,7 @@ ProgressPrinter::~ProgressPrinter() {
 void ProgressPrinter::operator()(const Progress& progress) {
   if (quiet_) return;
   Progress p = progress;
-  p.share = p.share > 0 ? std::min(p.share, 1.0) : 0;  // forecasts may be short, or no number
+  p.share = p.share > 0 ? std::min(p.share, 1.0) : 0;  // forecasts may be too short, or NaN
   const auto now = Clock::now();
   const double elapsed = std::chrono::duration<double>(now - start_).count();
   const std::string text =

@@ -1,4 +1,4 @@
-// Progress on stderr: a bar on a terminal, a plain line now and then otherwise.
+// Progress on stderr: a bar on a terminal, else a plain line from time to time.
 #pragma once
 
 #include <chrono>
@@ -9,7 +9,7 @@
 
 namespace wythe::app {
 
-// "12 s", "3 min", "5 h", "2 days"; "more than a century" where nobody waits.
+// "12 s", "3 min", "5 h", "2 days"; "more than a century" for unrealistic times.
 [[nodiscard]] std::string duration_text(double seconds);
 
 class ProgressPrinter {
@@ -26,7 +26,7 @@ class ProgressPrinter {
   Clock::time_point start_ = Clock::now(), last_ = Clock::now();
 };
 
-// The same for a limit analysis: what is being solved, and the share of all of it.
+// The same for a limit analysis: the present task, and the share of all tasks.
 class LimitPrinter {
  public:
   explicit LimitPrinter(bool quiet);

@@ -54,7 +54,7 @@ namespace {
 
 int export_one(const std::string& folder, const std::string& out, const ExportArguments& a) {
   finish_replacement(folder);
-  const NewFolder folder_made(out);  // what can't be read leaves no empty one
+  const NewFolder folder_made(out);  // an input that cannot be read leaves no empty folder
   const Origin origin{folder, 0, a.replaces};
   const std::unique_ptr<Replacement> tables = replace_export(out, origin);
   const Exported made =
@@ -73,7 +73,7 @@ int export_one(const std::string& folder, const std::string& out, const ExportAr
   return 0;
 }
 
-// Campaigns side by side in a folder, as a study with variants leaves them.
+// Campaigns side by side in a folder, as written for a study with variants.
 std::vector<std::string> campaigns_in(const std::string& folder) {
   std::vector<std::string> names;
   std::error_code error;

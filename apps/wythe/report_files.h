@@ -1,4 +1,4 @@
-// Commands that write the page or the tables of stored results again.
+// Commands that write the page or the tables of stored results anew.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ int report(const ReportArguments& arguments);
 struct ExportArguments {
   std::string folder, out;
   bool hdf5 = false;
-  bool replaces = false;  // tables of other results
+  bool replaces = false;  // over tables of other results
 };
 int export_tables(const ExportArguments& arguments);
 

@@ -28,7 +28,7 @@ std::string interval_text(const Interval& interval, const char* format) {
   return end(interval.low) + " to " + end(interval.high);
 }
 
-// Why nothing is told, in words.
+// Why there is no result, in words.
 std::string reason_of(const LimitStateFragility& f) {
   switch (f.verdict) {
     case LimitStateVerdict::kTold: return "";
@@ -75,7 +75,7 @@ double print_shakes_asked(const StudySpec& study, const SampleTable& samples,
       const Model model = compile(build(settings_of(samples, s)));
       one = estimate(model).seconds;
       add_record_notes(model, notes);
-    } catch (const InputError&) {  // its values are refused: another sample tells
+    } catch (const InputError&) {  // this sample is refused, so another one is used
     }
   }
   print_notes(notes, true);

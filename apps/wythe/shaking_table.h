@@ -1,4 +1,4 @@
-// What the console says of studies with records: before the runs, and of their results.
+// Console output for studies with records: before the runs, and their results.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace wythe::app {
 
-// Records, intensities, numbers of shakes and their time; returns the time at most, on one core [s].
+// Prints records, intensities, numbers of shakes and their time; returns the longest time on one core [s].
 double print_shakes_asked(const StudySpec& study, const SampleTable& samples,
                           const ModelBuilder& build);
-// Adds what a model notes of its records and their damping, each text once.
+// Adds a model's notes on records and their damping, each text once.
 void add_record_notes(const Model& model, std::vector<Message>& notes);
 // Shakes and limit states.
 void print_shaking(const ShakingStatistics& statistics);

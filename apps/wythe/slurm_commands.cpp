@@ -1,10 +1,10 @@
-// A campaign handed in as a job array of Slurm.
+// Submits a campaign as a job array of Slurm.
 //
-//   check all studies ─► make the stores of all shards, with their samples drawn ─► three scripts ─► sbatch
+//   check all studies ─► create the stores of all shards, with their samples ─► three scripts ─► sbatch
 //
-// From then on the study is fixed: each task goes on with what its store holds, and refuses a file that says
-// otherwise. Nothing here schedules: what has run is read from the stores alone, so handing in again runs only what
-// is missing.
+// From then on the study is fixed: each task continues its store, and refuses
+// a study file that differs. This file contains no scheduling. The stores show
+// which samples have run, so submitting again runs only the missing ones.
 #include <fmt/format.h>
 #include <spawn.h>
 #include <sys/wait.h>
@@ -44,14 +44,14 @@ std::string program() {
   return error ? "wythe" : self.string();
 }
 
-// How many shards the campaign in a shard's folder is one of; 0: it has not begun.
+// The number of shards that the campaign in a shard's folder belongs to; 0: it has not begun.
 int shards_in(const std::string& folder) {
   if (holds_campaign(folder)) return campaign_progress(folder).shards;
   if (!holds_options(folder)) return 0;
   return campaign_progress(option_folders(folder).front()).shards;
 }
 
-// A study of the array: its base and options, and the folder of each within a shard's, "" where there is one alone.
+// A study of the array: its base and options, and the folder of each within a shard's; "" if there is only one.
 struct ClusterStudy {
   std::string file, folder;  // absolute
   StudySpec study;
@@ -73,14 +73,14 @@ struct ClusterStudy {
   }
 };
 
-// Of file systems that tell no capitals apart, or drop a dot at the end.
+// For file systems that ignore case, or drop a dot at the end.
 std::string folder_key(const std::string& name) {
   std::string key = small_letters(name);
   key.erase(key.find_last_not_of(". ") + 1);
   return key;
 }
 
-// The folder of a study beside others in `out`, which holds files and folders of wythe's own too.
+// The folder of a study beside others in `out`, which also contains files and folders of wythe.
 std::string inner_folder(const std::string& file, std::map<std::string, std::string>& taken) {
   const std::string name = fs::path(file).stem().string(), key = folder_key(name);
   if (key.empty())
@@ -98,7 +98,7 @@ std::string inner_folder(const std::string& file, std::map<std::string, std::str
   return name;
 }
 
-// A folder is for one study or for several, not for both.
+// A folder is either for one study or for several.
 void check_kind(const std::string& out, bool several) {
   std::error_code error;
   if (several) {
@@ -133,7 +133,7 @@ void check_walls(ClusterStudy& of) {
   }
 }
 
-// Variants may be added for all shards together; one that is there may not be missing.
+// Variants may be added for all shards together; an existing one must not be missing.
 void check_variants(ClusterStudy& of) {
   std::vector<std::string> is;
   for (auto& [study, inner] : of.walls()) is.push_back(inner.empty() ? "none" : inner.substr(1));
@@ -154,7 +154,7 @@ void check_variants(ClusterStudy& of) {
   }
 }
 
-// Every shard, base and options, gets one design: the one that is largest already, and what is asked beyond it.
+// All shards, base and options, get one design: the largest present one, plus the samples asked beyond it.
 void settle_design(ClusterStudy& of, bool may_shrink) {
   std::vector<int> design;
   const auto total = [](const std::vector<int>& batch) {
@@ -176,7 +176,7 @@ void settle_design(ClusterStudy& of, bool may_shrink) {
                readable(of.folder), has, readable(of.file), asks, has);
   for (auto& [study, inner] : of.walls()) {
     study->batch = design;
-    static_cast<void>(check_shards(*study, of.stores(inner, false)));  // may all become it
+    static_cast<void>(check_shards(*study, of.stores(inner, false)));  // all shards may grow to it
   }
 }
 
@@ -186,7 +186,7 @@ void check_samples(const ClusterStudy& of, const std::string& tasks) {
            "ask for fewer tasks");
 }
 
-// Each has to read, stand and have samples for all tasks, before anything is written.
+// Each study must be valid and have samples for all tasks, before anything is written.
 std::vector<ClusterStudy> checked_studies(const CampaignArguments& a, int shards) {
   const std::string out = absolute(a.out);
   const bool several = a.studies.size() > 1;
@@ -196,7 +196,7 @@ std::vector<ClusterStudy> checked_studies(const CampaignArguments& a, int shards
   for (const std::string& file : a.studies) {
     CampaignArguments one = a;
     one.study = file;
-    one.resume = false;  // what is there already is settled for all shards together
+    one.resume = false;  // the present stores are checked for all shards together
     ClusterStudy of{
         .file = absolute(file), .folder = out, .study = asked_study(one), .shards = shards};
     if (!of.study.until.empty())
@@ -225,7 +225,7 @@ void make_stores(std::vector<ClusterStudy>& studies) {
       make_shards(*study, model_builder(*study), of.stores(inner, false), provenance_text());
 }
 
-// Task by task: who runs it now, or whether it has samples left.
+// For each task: which process runs it now, or whether it has samples left.
 SlurmJob job_of(std::vector<ClusterStudy>& studies, int shards, const std::string& folder) {
   SlurmJob job;
   job.shards = shards;
@@ -254,7 +254,7 @@ SlurmJob job_of(std::vector<ClusterStudy>& studies, int shards, const std::strin
   return job;
 }
 
-// The script has no word from outside in it; it is run by its path.
+// Submits the script by its path; it contains no text from outside.
 void hand_in(const std::string& script) {
   std::string shell = "/bin/sh", path = script;
   char* words[] = {shell.data(), path.data(), nullptr};
@@ -283,7 +283,7 @@ void write_scripts(const CampaignArguments& a, const SlurmJob& job, const std::s
   write_text(folder + "/submit.sh", submit_script(job));
 }
 
-// Refuses options that make no sense for tasks, or are said otherwise here. Returns the number of shards.
+// Refuses options that make no sense for tasks, or have another form here. Returns the number of shards.
 int check_arguments(const CampaignArguments& a) {
   const SlurmArguments& s = a.slurm;
   const int shards =

@@ -12,14 +12,14 @@
 namespace wythe::app {
 namespace {
 
-constexpr int kNotice = 120;      // before the end of its time a task is told to stop [s]
+constexpr int kNotice = 120;      // from the signal to stop to the end of a task's time [s]
 constexpr long kLeastTime = 300;  // of a task [s]
-constexpr int kMostTurns = 20;    // of a join that waits for its array
+constexpr int kMostTurns = 20;    // of a merge that waits for its array
 constexpr const char* kTimeExample =
     "write e.g. --time 12:00:00 (hours:minutes:seconds), --time 90 "
     "(minutes) or --time 2-12 (days-hours)";
 
-// "1:30:00" -> {1, 30, 0}; nothing where a part is no number.
+// "1:30:00" -> {1, 30, 0}; none where a part is not a number.
 std::optional<std::vector<long>> parts_of(const std::string& text) {
   std::vector<long> parts;
   std::string digits;
@@ -43,7 +43,7 @@ std::optional<long> slurm_seconds(const std::string& text) {
   const auto days = parts_of(has_days ? text.substr(0, dash) : "0");
   const auto rest = parts_of(has_days ? text.substr(dash + 1) : text);
   if (!days || days->size() != 1 || !rest || rest->size() > 3) return std::nullopt;
-  std::vector<long> clock = *rest;  // to become hours, minutes, seconds
+  std::vector<long> clock = *rest;  // converted to hours, minutes, seconds
   if (!has_days && clock.size() < 3) clock.insert(clock.begin(), 0);
   clock.resize(3, 0);
   return ((days->front() * 24 + clock[0]) * 60 + clock[1]) * 60 + clock[2];
@@ -64,7 +64,7 @@ std::string head(const SlurmArguments& s, const char* what, bool is_task) {
   return text;
 }
 
-// Slurm puts the folder before a relative name, and expands what in either begins with %; a backslash stops it.
+// Slurm puts the folder before a relative name, and expands % in both; a backslash prevents this.
 bool slurm_misreads(const std::string& folder) {
   return folder.find_first_of("%\\") != std::string::npos;
 }
@@ -74,7 +74,7 @@ std::string log_option(const SlurmJob& job, const char* name) {
                      slurm_misreads(job.folder) ? "/dev/null" : name);
 }
 
-// In a folder whose name Slurm misreads the script sees to its log itself.
+// In a folder with a name that Slurm misreads, the script opens its log itself.
 std::string own_log(const SlurmJob& job, const char* name) {
   if (!slurm_misreads(job.folder)) return "";
   return fmt::format("if [ -n \"$SLURM_JOB_ID\" ]; then exec >> {}/{} 2>&1; fi\n",
@@ -85,7 +85,7 @@ std::string program_line(const SlurmJob& job) {
   return fmt::format("WYTHE=${{WYTHE:-{}}}\n", shell_quoted(job.program));
 }
 
-// What a task is told beside its store: all that has to agree with it, and how to run.
+// Options of a task: all that must agree with its store, and settings of its run.
 std::string task_options(const CampaignArguments& a) {
   std::string text;
   const auto option = [&](const char* name, const std::string& value) {
@@ -169,8 +169,8 @@ std::string array_script(const CampaignArguments& a, const SlurmJob& job) {
          "\" >&2\nexit 2\n";
 }
 
-// Its words: the array's number, and how often it has begun before the array was through. A task that gave way
-// counts as ended for a moment, before it stands in the queue again; then the join waits anew, each time longer.
+// Arguments: the array's number, and how often the script has begun before the array ended. A requeued task
+// counts as ended for a moment, before it is in the queue again. Then the merge waits again, each time longer.
 std::string merge_script(const CampaignArguments& a, const SlurmJob& job) {
   std::string text = head(a.slurm, "merge", false) + log_option(job, "merge.log") +
                      own_log(job, "merge.log") + program_line(job);

@@ -1,4 +1,4 @@
-// The three scripts of an array of Slurm: its tasks, the join of what they leave, and the one that hands both in.
+// The three scripts of a Slurm array: its tasks, the merge of their stores, and the one that submits both.
 #pragma once
 
 #include <string>
@@ -14,8 +14,8 @@ struct SlurmJob {
   };
   std::vector<Study> studies;
   int shards = 1;            // of each
-  std::vector<int> tasks;    // those that have samples left: task t runs shard (t - 1) % shards + 1
-  std::vector<int> running;  // those that a process runs now
+  std::vector<int> tasks;    // that have samples left: task t runs the shard (t - 1) % shards + 1
+  std::vector<int> running;  // being run by a process now
   std::string program, folder;  // folder of the scripts and logs
 };
 
@@ -26,9 +26,9 @@ struct SlurmJob {
 // "1-3,7": the tasks of an array.
 [[nodiscard]] std::string ranges(const std::vector<int>& tasks);
 
-// Throw InputError where Slurm would read the words otherwise.
+// Throw InputError where Slurm would interpret the words differently.
 void check_slurm_name(const std::string& option, const std::string& word);
-// A limit of time as sbatch takes it, of five minutes at least.
+// A time limit as in sbatch, at least five minutes.
 void check_slurm_time(const std::string& option, const std::string& text);
 
 }  // namespace wythe::app

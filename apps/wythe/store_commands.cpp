@@ -1,5 +1,5 @@
-// What lies in a folder: how far its campaigns, shards, options and studies are, and whether their stores are whole.
-// Everything is read from the stores alone: there is no accounting everywhere.
+// Shows the content of a folder: the progress of campaigns, shards, options and studies, and whether
+// their stores are undamaged. All data come from the stores, because not every cluster has accounting.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ std::vector<std::string> shard_folders(const std::string& folder) {
     const std::string name = entry.path().filename().string(),
                       path = shards_of(folder) + "/" + name;
     const int number = std::atoi(name.c_str());
-    if (number < 1 || name != std::to_string(number)) continue;  // "1.bak", a copy by hand
+    if (number < 1 || name != std::to_string(number)) continue;  // "1.bak" is a manual copy
     if (!holds_campaign(path) && !holds_options(path)) continue;
     found.emplace_back(number, path);
   }
@@ -57,7 +57,7 @@ struct Line {
   int workers = 0;       // that run samples there now
   std::string fault{};   // why it is not counted: its store can't be read, or is none of this array
   int shard = 0;         // by the name of its folder; 0: none
-  std::string option{};  // its folder within the shard's, "." where there is none
+  std::string option{};  // its folder within the shard's, "." where there is only one
 };
 
 std::vector<std::string> folders_in(const std::string& folder) {
@@ -71,10 +71,10 @@ std::vector<std::string> folders_in(const std::string& folder) {
   return inner;
 }
 
-// Campaigns below a folder: itself, its options, its shards, and those of the studies in it.
+// Campaigns in a folder: itself, its options, its shards, and those of the studies in it.
 class Overview {
  public:
-  // Without counting, every store has its line, and nothing is read of any.
+  // Without `counts`, every store gets a line, and no store is read.
   explicit Overview(const std::string& folder, bool counts = true) : counts_(counts) {
     collect(folder, "", 0);
   }
@@ -109,7 +109,7 @@ class Overview {
     for (const std::string& inner : folders_in(folder))
       if (holds_campaign(folder + "/" + inner)) lines_.push_back({name, folder + "/" + inner, {}});
   }
-  // All shards and options that belong to an array, there or not: the stores that read say how many there are.
+  // All shards and options of an array, present or not; the stores give their number.
   void add_shards(const std::vector<std::string>& shards, const std::string& name, int depth) {
     const std::size_t before = lines_.size();
     for (const std::string& shard : shards) {
@@ -130,7 +130,7 @@ class Overview {
     complete(array, name);
     lines_.insert(lines_.end(), array.begin(), array.end());
   }
-  // What is in the folder of another shard, or of another array or study than most stores of its option.
+  // Marks a store in the folder of another shard, or of another array or study than most stores of its option.
   static void refuse_aliens(std::vector<Line>& array, const std::set<std::string>& options) {
     for (Line& line : array)
       if (line.fault.empty() && line.of.shard != line.shard)
@@ -138,7 +138,7 @@ class Overview {
             "{}: is shard {} of {}, in the folder of shard {}; "
             "put it into the folder of its number",
             line.folder, line.of.shard, line.of.shards, line.shard);
-    std::map<int, int> shards;  // how many stores say that there are so many
+    std::map<int, int> shards;  // how many stores give this number of shards
     for (const Line& line : array)
       if (line.fault.empty()) ++shards[line.of.shards];
     for (Line& line : array)
@@ -159,14 +159,14 @@ class Overview {
               line.folder);
     }
   }
-  // Of several that are said as often, the first.
+  // The most frequent value; of several, the first.
   template <class What>
   static What most_said(const std::map<What, int>& said) {
     const auto most = std::max_element(
         said.begin(), said.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
     return most == said.end() ? What() : most->first;
   }
-  // The largest design is that of all: a shard that has not grown to it has samples left.
+  // The largest design applies to all: a shard that has not grown to it has samples left.
   static void complete(std::vector<Line>& array, const std::string& name) {
     const Line* like = nullptr;
     std::set<std::string> options;
@@ -205,14 +205,14 @@ class Overview {
   std::vector<Line> lines_;
 };
 
-// Seconds of one core that samples take which have not run; NaN: none has run that could tell.
+// Core seconds for the samples that have not run; NaN if no sample has run.
 double core_seconds_left(const StoreProgress& p, double each) { return each * (p.total - p.done); }
 
 double seconds_each(const StoreProgress& p) {
   return p.done > 0 ? p.seconds / p.done : std::nan("");
 }
 
-// What stands behind the numbers of samples: who runs them, and until when.
+// The text after the numbers of samples: who runs them, and until when.
 std::string state_text(const Line& line, double each_of_all) {
   const StoreProgress& p = line.of;
   if (p.done >= p.total) return p.writer.empty() ? "" : ", " + readable(p.writer) + " writes";
@@ -242,9 +242,9 @@ void print_line(const Line& line, double each_of_all) {
 
 struct Sum {
   StoreProgress of;
-  int workers = 0, running = 0, idle = 0;  // lines that somebody writes, or nobody
+  int workers = 0, running = 0, idle = 0;  // lines with and without a running process
   int unread = 0;                          // lines whose store can't be read
-  double longest = 0;                      // time left of those that run [s]
+  double longest = 0;                      // longest time left of those that run [s]
 };
 
 Sum sum_of(const std::vector<Line>& lines) {
@@ -269,7 +269,7 @@ Sum sum_of(const std::vector<Line>& lines) {
   return sum;
 }
 
-// The workers that run now take what waits too; the last of them ends no earlier than it does alone.
+// The running workers also take the waiting samples; the last one ends no earlier than it would alone.
 void print_sum(const Sum& sum) {
   const double left = core_seconds_left(sum.of, seconds_each(sum.of));
   std::string time;

@@ -15,9 +15,9 @@ namespace {
 
 constexpr int kEnvironmentError = 4;
 int failed =
-    0;  // errno of the first write on standard output that did not arrive; streams have no other place for it
+    0;  // errno of the first failed write on standard output; streams have no other place for it
 
-// Writes all there is, and tells stdio that it went well in any case.
+// Writes as much as possible, and reports success to stdio in any case.
 ssize_t write_or_drop(void* stream, const char* bytes, std::size_t size) {
   const int number = stream == &failed ? STDOUT_FILENO : STDERR_FILENO;
   for (std::size_t done = 0; done < size;) {
@@ -42,7 +42,7 @@ std::FILE* stream_of(void* cookie, int buffering) {
 }  // namespace
 
 void make_streams_safe() {
-  // of `ulimit -f`, of a reader that has left: the write fails, and that is told. What is started gets the default.
+  // from `ulimit -f`, or a reader that has left: the write fails and is reported. Child processes get the default.
   for (const int number : {SIGXFSZ, SIGPIPE}) std::signal(number, [](int) {});
   for (int number = 0; number <= STDERR_FILENO; ++number) {
     if (isatty(number) != 0 || errno != EBADF) continue;
@@ -58,7 +58,7 @@ int ended_with(int code) {
   std::fflush(stdout);
   std::cout.flush();
   if (failed == 0 && std::cout.good()) return code;
-  if (failed == EPIPE) {  // as `| head` expects, now that the work is done
+  if (failed == EPIPE) {  // normal for `| head`, when the work is done
     std::signal(SIGPIPE, SIG_DFL);
     std::raise(SIGPIPE);
   }

@@ -1,14 +1,14 @@
-// Standard streams that cannot harm: what the caller closed, and what no longer takes a byte.
+// Makes standard streams safe where they are closed or cannot be written.
 #pragma once
 
 namespace wythe::app {
 
-// To be called first. A closed standard stream would give its number to the next file that is opened, a store or a table, which then
-// took our messages: it is opened on nothing. Messages (stderr) that do not arrive are lost and stop no computation; a result (stdout)
-// that does not arrive is remembered for ended_with. A limit on the size of files ends no program: the write says it. Nor does a reader of ours that has left, before the work is done.
+// To be called first. A closed standard stream would give its number to the next opened file, which would then get our
+// messages; so it is opened on nothing. Lost messages (stderr) stop no computation. A lost result (stdout) is remembered
+// for ended_with. A file size limit, or a reader that leaves early, does not end the program: the write reports it.
 void make_streams_safe();
 
-// The exit code of the program: 4 in the place of 0 where what was printed on standard output did not arrive, which is said then.
+// The exit code of the program: 4 instead of 0 where output on standard output was lost, which is then reported.
 [[nodiscard]] int ended_with(int code);
 
 }  // namespace wythe::app

@@ -1,4 +1,4 @@
-// wythe studio: the page to draw walls on, with a model in it where one is named; a copy that can be sent on.
+// wythe studio: the page for drawing walls, with a model in it if one is named, as a file that can be passed on.
 #include <fmt/format.h>
 #include <spawn.h>
 #include <unistd.h>
@@ -16,10 +16,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kMark = "<!--wythe:model-->";
-// As the page opens files, web/src/studio/store.ts [bytes].
+// The limit for files of the page, web/src/studio/store.ts [bytes].
 constexpr std::size_t kLongest = 1 << 20;
 
-// Installed beside the program, or built beside its build folder; "" where there is none.
+// Installed beside the program, or built beside its build folder; "" if there is none.
 std::string studio_page() {
   std::error_code error;
   const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
@@ -28,7 +28,7 @@ std::string studio_page() {
   return "";
 }
 
-// Shows the page where somebody sits in front of this terminal; whether a browser was asked.
+// Opens the page if a user is at this terminal; returns whether a browser was started.
 bool open_in_browser(const std::string& page) {
   if (::isatty(STDOUT_FILENO) == 0 ||
       (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr))
@@ -39,21 +39,21 @@ bool open_in_browser(const std::string& page) {
   return ::posix_spawnp(&child, program.c_str(), nullptr, nullptr, words, environ) == 0;
 }
 
-// Hexadecimal digits: of the model nothing can end the element that holds it.
+// In hexadecimal digits, so that no text of the model can end the HTML element with it.
 std::string in_digits(const std::string& text) {
   std::string out;
   for (const char c : text) out += fmt::format("{:02x}", static_cast<unsigned char>(c));
   return out;
 }
 
-// Of a file that may have faults yet: the studio shows them at their places.
+// The text of a file that may still have faults; the studio shows them at their places.
 std::string model_text(const std::string& path) {
   std::string text = read_data(path);
   const auto refuse = [&](const char* problem, const char* cure) {
     throw InputError({{.file = path, .path = "", .value = "", .problem = problem, .cure = cure}});
   };
   if (text.size() > kLongest) refuse("is longer than 1 MB", "name a model file");
-  std::string letters = text;  // without line ends and tabs, which are text too
+  std::string letters = text;  // line ends and tabs are text too
   std::erase_if(letters, [](char c) { return c == '\n' || c == '\r' || c == '\t'; });
   if (readable(letters, letters.size()) != letters)
     refuse("holds bytes that are no UTF-8, or control characters", "name a model file");

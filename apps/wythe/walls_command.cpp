@@ -30,9 +30,9 @@ std::string quoted(const std::string& text) {
   return out + '"';
 }
 
-// A study with the walls as its samples, and d(r) read at all its shares.
+// A study with the walls as its samples, and d(r) at all its shares.
 StudySpec study_of_walls(const RunArguments& a, int walls) {
-  const ModelSpec base = read_model(a.model, a.overrides);  // its faults with their own places
+  const ModelSpec base = read_model(a.model, a.overrides);  // reports faults with their own places
   if (std::all_of(base.field.begin(), base.field.end(),
                   [](const auto& field) { return !field.second.formula.empty(); }))
     refuse(
@@ -81,7 +81,7 @@ void print_walls(const WallEnsemble& walls) {
                100 * mode.share.interval.high);
 }
 
-// Walls that say nothing, and why an interval is missing.
+// Walls without a result, and why an interval is missing.
 void print_silent(const Statistics& s) {
   const int known = s.walls.peak_reaction.n;
   if (known < s.run)

@@ -1,4 +1,4 @@
-// What goes wrong, and what the engine says: errors by their cause, messages as a code with arguments.
+// Errors by their cause, and messages of the engine as a code with arguments.
 //
 //   InputError   wrong input, with all faults: file, key, value, problem, cure
 //   IoError      a file or the machine

@@ -1,4 +1,4 @@
-// Limit analysis and macro-blocks: the load that a wall of rigid blocks carries, and the mechanism it goes by.
+// Limit analysis and macro-blocks: the load that a wall of rigid blocks carries, and the mechanism in which it fails.
 #pragma once
 
 #include "wythe/parts/limit.h"

@@ -1,4 +1,4 @@
-// The compiled wall: Model as flat arrays, which never change, and State, what a restart needs.
+// The compiled wall: Model, flat arrays that never change, and State, all that a restart needs.
 //
 //   ModelSpec ──► compile() ──► Model ──► initial_state() ──► State
 #pragma once

@@ -1,4 +1,4 @@
-// A run: curve, numbers and evidence; what it means: failure mode, tested walls like it, what a code asks of it.
+// The result of a run (curve, numbers, evidence) and its interpretation: failure mode, comparison with tests, assessment by codes.
 //
 //   Result ──► name_failure_mode(model, result) ──► FailureMode          assess_run(spec, model, result) ──► CodeAssessment
 #pragma once
@@ -10,6 +10,7 @@
 #include "wythe/parts/local_check.h"
 #include "wythe/parts/mechanism.h"
 #include "wythe/parts/pushed_wall.h"
+#include "wythe/parts/responses.h"
 #include "wythe/parts/result.h"
 #include "wythe/parts/shaking.h"
 #include "wythe/parts/slow_push.h"

@@ -1,5 +1,5 @@
-// The content of a model file as plain data in SI units: wall, materials, stages, settings; blocks in space and what the
-// builder lays there. Physical values are NaN until they are given.
+// The content of a model file as plain data in SI units: wall, materials, stages, settings, and for walls in space blocks and
+// the builder's input. Physical values are NaN until they are given.
 //
 //   ModelSpec spec;  ──► compile(spec) (model.h)          lay_bodies(BuilderSpec, spec) for walls in space
 #pragma once

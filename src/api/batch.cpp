@@ -1,5 +1,5 @@
-// run_batch(): the columns are checked against the base model, then the rows are solved by the pool of a
-// campaign (campaign/runner/sample_pool.h) and kept in memory.
+// run_batch(): checks the columns against the base model. Then the pool of a campaign
+// solves the rows (campaign/runner/sample_pool.h), and the results stay in memory.
 #include "wythe/parts/batch.h"
 
 #include <fmt/format.h>
@@ -18,7 +18,7 @@
 namespace wythe {
 namespace {
 
-// Which key each column sets, and its unit; the faults of all columns and numbers together.
+// Finds the key and the unit of each column; collects the faults of all columns and numbers.
 class BatchReader {
  public:
   BatchReader(const BatchSpec& batch, const StudySpec& study)
@@ -56,7 +56,7 @@ class BatchReader {
     } catch (const QuantityError& error) {
       fault(column.path, column.unit, error.problem(), error.cure());
     }
-    // a number stays in its unit to the last digit: "path=number unit" is how the row is set
+    // a number keeps its unit to the last digit, because a row is set as "path=number unit"
     if (key->si_unit == "1") unit = "1";
     return {
         .name = fmt::format("column {}", i), .path = column.path, .si_unit = unit, .unit = unit};

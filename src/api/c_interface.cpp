@@ -1,4 +1,4 @@
-// The functions of wythe/c.h: no exception leaves them.
+// The functions of wythe/c.h; none of them lets an exception out.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@
 
 struct wythe_job {
   wythe::api::Job job;
-  std::string faults, error, made;  // texts that are not answers
+  std::string faults, error, made;  // texts that are not results
 };
 
 namespace wythe::api {
@@ -52,11 +52,11 @@ std::string faults_json(const std::vector<Fault>& faults) {
                     {"value", f.value},
                     {"problem", f.problem},
                     {"cure", f.cure}});
-  // what a user wrote need not be UTF-8
+  // texts of a user may not be UTF-8
   return list.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-// Runs `action` and turns what it throws into a code; "error" and "faults" say what it was.
+// Runs `action` and converts an exception to a code; "error" and "faults" describe it.
 template <class Action>
 int guarded(wythe_job& job, const Action& action) noexcept {
   try {
@@ -84,12 +84,12 @@ int guarded(wythe_job& job, const Action& action) noexcept {
       job.error = "a defect of wythe";
       return WYTHE_DEFECT;
     }
-  } catch (...) {  // no memory for the words
+  } catch (...) {  // no memory for the text
     return WYTHE_NO_MEMORY;
   }
 }
 
-// The caller's function hears of progress one call at a time.
+// Calls the caller's progress function, one call at a time.
 std::function<void(const std::string&, double, double, double)> listener(wythe_job& job,
                                                                          wythe_progress progress,
                                                                          void* context) {
@@ -103,8 +103,8 @@ std::function<void(const std::string&, double, double, double)> listener(wythe_j
   };
 }
 
-// Where a task has ended, a stop was obeyed or came too late. A run in pieces forgets it where it is stopped, and obeys one
-// that comes between two pieces.
+// A stop request counts once. When a task ends, the request was fulfilled or came too late. A
+// run in pieces drops it where it stops, and obeys a new one that comes between two pieces.
 struct Obeyed {
   Job& job;
   ~Obeyed() {
@@ -214,7 +214,7 @@ const double* wythe_column(wythe_job* job, const char* table, const char* column
     values = job->job.out.column(table, column);
     return WYTHE_DONE;
   });
-  static const double kNone = 0;  // of a column without rows: not NULL
+  static const double kNone = 0;  // for a column without rows, which must not be NULL
   if (values == nullptr) return nullptr;
   if (rows != nullptr) *rows = values->size();
   return values->empty() ? &kNone : values->data();

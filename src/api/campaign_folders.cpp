@@ -1,5 +1,5 @@
-// What a campaign's folder gets beside its store: samples, statistics and the page. Campaigns get an assessment only where
-// their base model asks for one.
+// Files of a campaign's folder beside its store: samples, statistics and the
+// page. A campaign gets an assessment only if its base model asks for one.
 #include <algorithm>
 #include <map>
 
@@ -12,7 +12,7 @@
 namespace wythe {
 namespace {
 
-// The damping of the stage that takes the records; of what samples draw, the name of the input.
+// The damping of the stage with the records; for damping that samples draw, the name of the input.
 std::vector<Message> damping_of_study(const StudySpec& study, const ModelSpec& base) {
   const auto shake = std::find_if(base.stage.begin(), base.stage.end(), [&](const StageSpec& s) {
     return s.name == study.shaking.stage;

@@ -1,6 +1,6 @@
-// New results go into a hidden folder, and commit() puts all of them in place together (Replacement, wythe/parts/io.h). A
-// page is made from its .data text, so that it can be made again. A second opinion beside a run takes another name for
-// its page, so the page of the run stays.
+// New results go into a hidden folder, and commit() moves all of them into place together
+// (Replacement, wythe/parts/io.h). A page is made from its .data text, so that it can be made again.
+// A second opinion beside a run gives its page another name, so that the page of the run stays.
 #include "wythe/parts/folders.h"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@
 namespace wythe {
 namespace {
 
-// "report", unless the folder is a run's and has that one's; a campaign's is refused by Replacement.
+// "report", or another name if the folder has a run's page. Replacement refuses the folder of a campaign.
 std::string opinion_page(const std::string& folder) {
   return std::filesystem::exists(folder + "/summary.json") ? "limit" : "report";
 }
@@ -52,7 +52,6 @@ void write_run_report(const std::string& folder, const ModelSpec& spec, const Mo
 }
 
 void read_result(const ModelSpec& spec, const Model& model, Result& result) {
-  result.failure_mode = name_failure_mode(model, result);
   result.features = read_features(model, result);
   if (is_asked(spec.assessment)) result.pushed = read_pushed_wall(spec, model, result);
 }

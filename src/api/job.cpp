@@ -1,6 +1,6 @@
-// Looks up named inputs and makes answers on demand. Of a text that is given several times one() takes the last, all()
-// takes each. An answer is made when it is first asked for, and kept. tables_json() makes every table, since the names
-// of columns are known only then.
+// Looks up named inputs and makes outputs on demand. If a text is given several times, one()
+// returns the last, all() returns each. An output is made when it is first requested, and then
+// kept. tables_json() makes every table, because the names of columns are known only then.
 #include "api/job.h"
 
 #include <fmt/format.h>

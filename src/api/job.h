@@ -2,7 +2,7 @@
 //
 //   Job ──► task(job)       one function a task, below; throws what the library throws
 //
-// Answers may be made when they are first asked for: pictures and states cost time that most users don't need.
+// Outputs may be made when they are first requested, because pictures and states take time and most users do not need them.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -15,7 +15,7 @@
 
 namespace wythe::api {
 
-// In one line; bytes that are no UTF-8 become U+FFFD.
+// As one line; bytes that are not UTF-8 become U+FFFD.
 [[nodiscard]] std::string dumped(const nlohmann::ordered_json& json);
 
 struct Table {
@@ -33,18 +33,18 @@ class Inputs {
   std::map<std::string, double> number;
   std::map<std::string, std::vector<double>> column;
 
-  // Throws InputError with every input that `task` does not have; each name once in its list.
+  // Throws InputError for each input that `task` does not have; each list contains a name once.
   void check(const std::string& task, const std::vector<std::string>& texts,
              const std::vector<std::string>& numbers, bool columns) const;
 
   [[nodiscard]] bool has(const std::string& name) const { return text.contains(name); }
   [[nodiscard]] std::string one(const std::string& name, const std::string& otherwise = "") const;
-  // "out": a folder for files; "" where none is asked for. Throws InputError where it was given empty.
+  // "out": a folder for files; "" where none is requested. Throws InputError where it is given but empty.
   [[nodiscard]] std::string out_folder() const;
   [[nodiscard]] std::vector<std::string> all(const std::string& name) const;
-  // A whole number from `least` to `most`; throws InputError.
+  // An integer from `least` to `most`; throws InputError.
   [[nodiscard]] int integer(const std::string& name, int otherwise, int least, int most) const;
-  // "threads" or "jobs": a number of cores; 0: all of them.
+  // "threads" or "jobs": a number of cores; 0 means all of them.
   [[nodiscard]] int cores(const std::string& name, int otherwise) const;
   [[nodiscard]] double real(const std::string& name, double otherwise) const;
 };
@@ -53,7 +53,7 @@ class Answers {
  public:
   void put(const std::string& name, std::string text) { text_[name] = std::move(text); }
   void put(const std::string& name, Table table) { table_[name] = std::move(table); }
-  // Made when first asked for.
+  // Made when it is first requested.
   void text_later(const std::string& name, std::function<std::string()> make) {
     text_[name] = {};
     text_maker_[name] = std::move(make);
@@ -70,7 +70,7 @@ class Answers {
   // {"curve": ["time_s", ...], ...} and ["summary", ...]; makes every table.
   [[nodiscard]] std::string tables_json();
   [[nodiscard]] std::string texts_json() const;
-  // The columns of one table; none where there is no such table.
+  // The columns of one table; none if the table does not exist.
   [[nodiscard]] std::string columns_json(const std::string& table);
 
  private:
@@ -87,13 +87,13 @@ struct Job {
   Inputs in;
   Answers out;
   std::atomic<bool> stop{false};
-  // What is under way and the share done [0, 1]; displacement [mm] and force [kN] of a run.
+  // The present activity and the finished share [0, 1]; displacement [mm] and force [kN] of a run.
   std::function<void(const std::string& what, double share, double mm, double kn)> progress;
-  // Of a task that was stopped and goes on when it is done again; none otherwise.
+  // The continuation of a stopped task, for its next call; none otherwise.
   std::function<bool(Job& job)> rest;
 };
 
-// Each fills job.out; true: it was stopped before its end. Throws InputError, IoError.
+// Each fills job.out; returns true if it was stopped before its end. Throws InputError, IoError.
 using Task = bool (*)(Job& job);
 using Tasks = std::map<std::string, Task>;
 [[nodiscard]] const Tasks& run_tasks();    // about one wall

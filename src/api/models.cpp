@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Whether the same place of both walls drew the same number: an opening renumbers the units after it.
+// Whether the same place of both walls draws the same number. An opening renumbers the units after it.
 bool draw_alike(const ModelSpec& base, const ModelSpec& other) {
   return std::all_of(base.field.begin(), base.field.end(), [&](const auto& named) {
     const FieldSpec& was = named.second;
@@ -28,7 +28,7 @@ ModelCapacity capacity_of(const std::vector<std::string>& folders) {
   return {{capacity.median.value, capacity.with_tests}, capacity.at_least};
 }
 
-// Folders are told relative to `out`, where they lie inside it.
+// A folder relative to `out`, if it is inside it.
 std::string shown(const std::string& folder, const std::string& out) {
   const fs::path inside = fs::path(folder).lexically_relative(out);
   return inside.empty() || *inside.begin() == ".." ? folder : inside.string();

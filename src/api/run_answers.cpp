@@ -1,4 +1,4 @@
-// Tables of the curve, of blocks and of joints; states and pages are made when they are asked for.
+// Tables of the curve, of blocks and of joints. States and pages are made when they are requested.
 #include "api/run_answers.h"
 
 #include <fmt/format.h>
@@ -32,7 +32,7 @@ Table curve_of(const Result& result, const Model& model) {
   return table;
 }
 
-// A text of comma separated numbers under one row of titles, as the program writes it itself.
+// A table from a text of comma-separated numbers under one row of titles, as the program itself writes it.
 Table table_of(const std::string& csv) {
   Table table;
   std::size_t at = csv.find('\n');

@@ -1,4 +1,4 @@
-// The answers of a finished run, for the tasks run and replay.
+// The outputs of a finished run, for the tasks run and replay.
 #pragma once
 
 #include <memory>
@@ -12,18 +12,18 @@
 
 namespace wythe::api {
 
-// What later answers are made from; kept as long as one of them is.
+// The data for later outputs; kept as long as one of them exists.
 struct Done {
   ModelSpec spec;
   Model model;
   Result result;
 };
 
-// Summary, curve, history, states, the model as it was read, and the page in a language.
+// Summary, curve, history, states, the model as read, and the page in a language.
 void answer_run(Job& job, const std::shared_ptr<const Done>& done, const std::string& language);
-// Threads and frames as the job asks; its stop and its progress.
+// Options from the job: threads, frames, stop and progress.
 [[nodiscard]] SolveOptions options_of(Job& job);
-// The files of a run, put in place together.
+// Writes the files of a run, which are then put in place together.
 void write_done(const std::string& language, Replacement& results, const Done& done);
 
 }  // namespace wythe::api

@@ -26,7 +26,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A model as it was given: by its text, or by its file alone.
+// A model given as a text, or only as a file.
 struct GivenModel {
   std::string text, file;
   std::vector<std::string> settings;
@@ -55,7 +55,7 @@ GivenModel read_given(const Inputs& in) {
   return given;
 }
 
-// A model that a program holds is of no file: what its results replace is the program's own affair.
+// A model given as a text belongs to no file, so the caller has to take care which files its results replace.
 Origin origin_of(const Job& job, const GivenModel& given) {
   std::error_code error;
   const std::string file = job.in.one("file");
@@ -63,7 +63,7 @@ Origin origin_of(const Job& job, const GivenModel& given) {
           job.in.real("replace", 0) != 0};
 }
 
-// A run from its beginning to its end, in one go or in pieces.
+// A run from start to end, in one call or in pieces.
 struct RunUnderWay {
   std::shared_ptr<Done> done = std::make_shared<Done>();
   State state;
@@ -74,7 +74,7 @@ struct RunUnderWay {
   bool goes_on = false;
 };
 
-// To the end, or to where it is stopped. From there a run in pieces goes on by the next wythe_do, with the same bits.
+// Solves to the end, or to where it is stopped. The next wythe_do continues a run in pieces from there, with the same bits.
 bool solve_on(Job& job, const std::shared_ptr<RunUnderWay>& run) {
   Done& done = *run->done;
   State state_then;
@@ -143,7 +143,7 @@ bool do_check(Job& job) {
   return false;
 }
 
-// The wall that stands while the load grows, as the mechanism of a limit load moves it, far enough to be seen.
+// The state for the picture of a limit load: the blocks moved by its mechanism, far enough to be visible.
 State moved_by(const Model& model, const LimitResult& limit) {
   constexpr double kFarthest = 0.06;  // of the wall's height
   State state = initial_state(model);
@@ -186,7 +186,7 @@ bool do_limit(Job& job) {
     write_origin(out, origin);
   }
   job.out.put("mechanisms", mechanisms_json(given.model, opinion));
-  const auto model = std::make_shared<const Model>(given.model);  // of all pictures
+  const auto model = std::make_shared<const Model>(given.model);  // for all pictures
   for (const Mechanism& m : opinion.mechanisms) {
     Table curve;
     curve.add("displacement_mm",

@@ -8,7 +8,6 @@
 
 #include "api/job.h"
 #include "api/run_answers.h"
-#include "campaign/output_keys.h"
 #include "core/limits.h"
 #include "io/text/toml_reader.h"
 #include "wythe/parts/batch.h"
@@ -16,6 +15,7 @@
 #include "wythe/parts/error.h"
 #include "wythe/parts/folders.h"
 #include "wythe/parts/io.h"
+#include "wythe/parts/responses.h"
 #include "wythe/parts/slow_push.h"
 
 namespace wythe::api {
@@ -30,24 +30,24 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
-// Numbers of the answers, a row a record: NaN where a record has no answer.
+// Numbers of the results, one row for each record: NaN where a record has no answer.
 Table answers_of(const std::vector<SampleRecord>& records) {
   Table table;
   SampleRecord none;
-  study::each_response(
-      [&](const study::OutputKey& key, const auto& value) {
+  each_response(
+      [&](const OutputKey& key, const auto& value) {
         using Value = std::decay_t<decltype(value)>;
         if constexpr (std::is_same_v<Value, double> || std::is_same_v<Value, bool>)
-          if (key.listed != study::Listed::kNowhere) table.add(key.column, {});
+          if (key.listed != OutputKey::kNowhere) table.add(key.column, {});
       },
       none.responses);
   for (const SampleRecord& record : records) {
     std::size_t c = 0;
-    study::each_response(
-        [&](const study::OutputKey& key, const auto& value) {
+    each_response(
+        [&](const OutputKey& key, const auto& value) {
           using Value = std::decay_t<decltype(value)>;
           if constexpr (std::is_same_v<Value, double> || std::is_same_v<Value, bool>)
-            if (key.listed != study::Listed::kNowhere)
+            if (key.listed != OutputKey::kNowhere)
               table.value[c++].push_back(record.answered() ? key.to_unit * value : kNoNumber);
         },
         record.responses);
@@ -55,7 +55,7 @@ Table answers_of(const std::vector<SampleRecord>& records) {
   return table;
 }
 
-// Why a record ended, else why one that ended well has no capacity; and why it has no stiffness.
+// Why a record ended, or why one that completed has no capacity; and why it has no stiffness.
 std::string reason_of(const SampleRecord& record) {
   if (!record.answered()) return text_of(record.reason);
   const std::string ended =
@@ -64,7 +64,7 @@ std::string reason_of(const SampleRecord& record) {
   return ended + (ended.empty() || stiffness.empty() ? "" : "; ") + stiffness;
 }
 
-// Words of the answers, a row a record.
+// Words of the results, one row for each record.
 std::string rows_of(const std::vector<SampleRecord>& records) {
   Json rows = Json::array();
   for (const SampleRecord& record : records) {
@@ -79,7 +79,7 @@ std::string rows_of(const std::vector<SampleRecord>& records) {
   return dumped(rows);
 }
 
-// All curves one below the other; `row` says whose they are, counted from 0.
+// All curves below each other; `row` is the number of the record, from 0.
 Table curves_of(const std::vector<SampleRecord>& records) {
   Table table;
   std::vector<double> row;

@@ -15,14 +15,14 @@ namespace wythe {
 
 namespace {
 
-// Of the mean strength from wall to wall; NaN: none.
+// Scatter of the mean strength between walls; NaN: none.
 double scatter_between(const StudySpec& study) {
   for (const VariableSpec& variable : study.variable)
     if (variable.name == kBetweenWalls) return variable.cov;
   return kUnset;
 }
 
-// What makes the walls differ.
+// The source of the differences between walls.
 Message note_of_scatter(const ModelSpec& base, double between) {
   if (std::isnan(between)) return {"verdict.note.within_only"};
   const bool within = base.draws_fields();
@@ -30,7 +30,7 @@ Message note_of_scatter(const ModelSpec& base, double between) {
           {{"percent", 100 * between}}};
 }
 
-// Checks of parts out of plane, of the base model. They need no walls: seconds at most.
+// Checks of parts out of plane, for the base model. They need no runs, so they take seconds at most.
 PartsOutOfPlane parts_of(const ModelSpec& base, const Model& model) {
   PartsOutOfPlane out;
   out.are_named = !base.assessment.part.empty();

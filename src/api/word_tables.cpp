@@ -1,6 +1,6 @@
-// Checks, as it is compiled, that each table of words of a public header names every enumerator once and no word
-// twice (wythe/parts/words.h). The checks stand here and not beside the tables: they took a second of each source that
-// read the headers, a fifth of the whole build. tools/check_layers finds a table that is missing here.
+// Checks at compile time that each table of words of a public header names every enumerator once and no
+// word twice (wythe/parts/words.h). The checks are here and not beside the tables, where they took a second
+// for each source with these headers, a fifth of the whole build. tools/check_layers finds a missing table.
 #include "wythe/parts/assessment.h"
 #include "wythe/parts/builder.h"
 #include "wythe/parts/comparison.h"

@@ -1,6 +1,6 @@
-// Cuts the lower side of the other part to the edge, piece by piece, and adds exact integrals (docs/theory/contacts.md,
-// 13.1 to 13.4, without kn t). Another face is taken only if it is better by `slop`; whether the parts touch at all
-// does not depend on it. Feature e >= 0 is edge e of a, and -1 - e is edge e of b. Parts of one outline share their
+// Clips the lower side of the other part to the edge, piece by piece, and adds exact integrals (docs/theory/contacts.md,
+// 13.1 to 13.4, without kn t). The face changes only if another is better by `slop`; whether the parts touch at all
+// does not depend on that. Feature e >= 0 is edge e of a, and -1 - e is edge e of b. Parts of equal outline share
 // corners.
 #include "contact/convex_contact.h"
 
@@ -55,11 +55,11 @@ struct EdgeView {
   [[nodiscard]] WYTHE_INLINE double y(double vx, double vy) const { return y0 + yx * vx + yy * vy; }
 };
 
-// A piece of the other part's lower side from (xa, ya) to (xb, yb), xa < xb.
+// Adds a piece of the other part's lower side from (xa, ya) to (xb, yb), xa < xb.
 WYTHE_INLINE void add_piece(double xa, double ya, double xb, double yb, double length, double& left,
                             double& right, Overlap& sum) {
   const double slope = (yb - ya) / (xb - xa);
-  // cut off what lies beyond the ends of the edge
+  // clip what lies beyond the ends of the edge
   if (xa < 0) ya = ya - xa * slope, xa = 0, left = maximum(0.0, -ya);
   if (xb > length) yb = yb + (length - xb) * slope, xb = length, right = maximum(0.0, -yb);
   // and what lies above it
@@ -71,7 +71,7 @@ WYTHE_INLINE void add_piece(double xa, double ya, double xb, double yb, double l
   sum.cover += width;
   sum.area += 0.5 * width * (da + db);
   sum.moment += width * (1.0 / 6) * (xa * (2 * da + db) + xb * (da + 2 * db));
-  sum.moment -= (1.0 / 6) * (db * db * db - da * da * da);  // a tilted piece leans its force
+  sum.moment -= (1.0 / 6) * (db * db * db - da * da * da);  // a sloping piece inclines its force
   sum.energy += width * (1.0 / 6) * (da * da + da * db + db * db);
 }
 
@@ -117,7 +117,7 @@ Face face_of(const Part& a, const Part& b, const BodyFrame& b_from_a, const Body
              std::int32_t last, double slop) {
   const Separation of_a = separation_of(a, b, b_from_a), of_b = separation_of(b, a, a_from_b);
   Face best{of_a.distance, of_a.edge};
-  // whether anything separates the parts must not depend on the slop
+  // the separation test must not depend on the slop
   const bool parts = of_b.distance >= 0 && of_b.distance > of_a.distance;
   if (parts || of_b.distance > of_a.distance + slop) best = {of_b.distance, -1 - of_b.edge};
   if (last == kNoFeature || last == best.feature) return best;

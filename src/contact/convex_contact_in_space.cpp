@@ -1,6 +1,6 @@
-// Sees each facet of the other part along the normal of the reference facet and cuts it at that facet's plane and
-// sides. Over what is left it adds exact integrals (docs/theory/contacts.md, 13.6 and 13.7, without kn). A cut side
-// remembers which side cut it, for the push of that side. A polygon has room for 64 corners, and further ones are
+// Views each facet of the other part along the normal of the reference facet, and clips it at the plane and sides of that
+// facet. Over the rest it adds exact integrals (docs/theory/contacts.md, 13.6 and 13.7, without kn). A clipped side
+// stores the side that clipped it, for the force of that side. A polygon has room for 64 corners; further ones are
 // dropped.
 #include "contact/convex_contact_in_space.h"
 
@@ -13,7 +13,7 @@ namespace {
 Vec vec(const Vec3& v) { return {v.x, v.y, v.z}; }
 Vec unit(const Vec& v) { return (1 / square_root(dot(v, v))) * v; }
 
-// A convex polygon about `normal` with each side moved inwards by `inset`, by less where it is small.
+// A convex polygon about `normal` with each side moved inwards by `inset`, by less where the polygon is small.
 std::vector<Vec> inset_of(const std::vector<Vec>& corner, const Vec& normal, double inset) {
   const std::size_t n = corner.size();
   double shortest = 1e300;
@@ -26,7 +26,7 @@ std::vector<Vec> inset_of(const std::vector<Vec>& corner, const Vec& normal, dou
   for (std::size_t i = 0; i < n; ++i) {
     const Vec before = unit(corner[i] - corner[(i + n - 1) % n]);
     const Vec after = unit(corner[(i + 1) % n] - corner[i]);
-    // where both sides, moved inwards, meet: by (after - before) / sine of the turn
+    // corner of both sides moved inwards: displaced by (after - before) / sine of the angle
     const double sine = dot(normal, cross(before, after));
     out.push_back(sine > 1e-6 ? corner[i] + (by / sine) * (after - before)
                               : corner[i] + by * cross(normal, after));
@@ -94,7 +94,7 @@ SpaceFrame seen_from(const SpaceFrame& a, const SpaceFrame& b) {
 
 namespace {
 
-// The other part in the axes of a facet: p = o + r v.
+// Pose of the other part in the axes of a facet: p = o + r v.
 struct FacetView {
   Vec o, rx, ry, rz;
 
@@ -111,7 +111,7 @@ struct FacetView {
   }
 };
 
-// A polygon being cut: corners, and of the side that begins at each whether it lies on a side of the facet.
+// A polygon during clipping: its corners, and for the side after each corner which side of the facet it lies on.
 constexpr int kMostCorners = 64;
 struct Cut {
   std::array<Vec, kMostCorners> corner;
@@ -123,7 +123,7 @@ struct Cut {
   }
 };
 
-// What lies where level(corner) <= 0; the new side is called `name`. Takes `polygon`, gives it or `room`.
+// Keeps the part with level(corner) <= 0; the new side gets `name`. Reads `polygon`, returns it or `room`.
 template <class Level>
 Cut& cut(Cut& polygon, Cut& room, int name, const Level& level) {
   std::array<double, kMostCorners> levels;
@@ -151,18 +151,18 @@ Cut& cut(Cut& polygon, Cut& room, int name, const Level& level) {
   return room;
 }
 
-// Sums over the cover, for its spread.
+// Sums over the covered area, for its spread.
 struct Cover {
   double x = 0, y = 0, square = 0;
 };
 
-// What a polygon below the facet, seen along z, adds; (nx, ny, nz): its own normal.
+// Adds a polygon below the facet, seen along z; (nx, ny, nz) is its own normal.
 void add_piece(const Cut& polygon, const Vec& normal, SpaceOverlap& sum, Cover& cover) {
   double squares = 0;
   for (int i = 1; i + 1 < polygon.n; ++i) {
     const Vec &a = polygon.corner[0], &b = polygon.corner[static_cast<std::size_t>(i)],
               &c = polygon.corner[static_cast<std::size_t>(i + 1)];
-    // it looks down: clockwise seen from above
+    // its normal points down: clockwise seen from above
     const double area = -0.5 * ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
     const double da = -a.z, db = -b.z, dc = -c.z, all = da + db + dc;
     const double xs = a.x + b.x + c.x, ys = a.y + b.y + c.y;
@@ -179,12 +179,12 @@ void add_piece(const Cut& polygon, const Vec& normal, SpaceOverlap& sum, Cover& 
         (xs * xs + a.x * a.x + b.x * b.x + c.x * c.x + ys * ys + a.y * a.y + b.y * b.y + c.y * c.y);
   }
   sum.energy += 0.5 * squares;
-  // a tilted facet leans its force: d = -z, dd/dx = nx / nz
+  // a tilted facet inclines its force: d = -z, dd/dx = nx / nz
   sum.moment.x -= 0.5 * squares * (normal.y / normal.z);
   sum.moment.y += 0.5 * squares * (normal.x / normal.z);
 }
 
-// The push of the facet's sides on what hangs over them.
+// Adds the force of the facet's sides on what extends beyond them.
 void add_side(const Vec& p, const Vec& q, const FacetSide& side, SpaceOverlap& sum) {
   const double dx = q.x - p.x, dy = q.y - p.y, length = square_root(dx * dx + dy * dy);
   const double d0 = -p.z, d1 = -q.z;
@@ -271,7 +271,7 @@ Face face_of(const SpacePart& a, const SpacePart& b, const SpaceFrame& b_from_a,
              const SpaceFrame& a_from_b, std::int32_t last, double slop) {
   const Separation of_a = separation_of(a, b, b_from_a), of_b = separation_of(b, a, a_from_b);
   Face best{of_a.distance, of_a.edge};
-  // whether anything separates the parts must not depend on the slop
+  // the separation test must not depend on the slop
   const bool parts = of_b.distance >= 0 && of_b.distance > of_a.distance;
   if (parts || of_b.distance > of_a.distance + slop) best = {of_b.distance, -1 - of_b.edge};
   if (last == kNoFeature || last == best.feature) return best;

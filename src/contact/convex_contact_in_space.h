@@ -1,8 +1,8 @@
-// Two convex parts that meet in space: how they overlap, and the force of it (docs/theory/contacts.md, "Two parts
-// in space"). As convex_contact.h, with a facet in the place of an edge:
+// Contact of two convex parts in space: their overlap and its force (docs/theory/contacts.md, "Two parts
+// in space"). As convex_contact.h, with a facet in place of an edge:
 //
-//            n = z                  V = kn / 2  integral of d^2 dA      over what the other part's facets
-//            |    y                 cover of the facet, seen along z; force and moment are its derivatives
+//            n = z                  V = kn / 2  integral of d^2 dA      over the area that the other part's
+//            |    y                 facets cover, seen along z; force and moment are its derivatives
 //       +----|---/------+
 //      /     o--------> x           Facets are inset by the bevel, so that parts that share an edge or a
 //     +----------------+            corner at the start do not touch there.
@@ -21,25 +21,25 @@ namespace wythe::contact {
 
 using Vec = Vector<double>;
 
-// A facet in its body's axes: origin in its plane, x, y along it, z out of the body.
+// A facet in the axes of its body: origin in its plane, x and y in it, z out of the body.
 struct Facet {
   Vec origin, x, y, z;
   std::int32_t begin = 0, end = 0;  // its corners, anticlockwise seen from outside
 };
-// The outward normal of a side of a facet, in the facet's axes; `level` is how far a place lies beyond it.
+// The outward normal of a facet's side, in the facet's axes; `level` is the distance of a place beyond it.
 struct FacetSide {
   double nx, ny, offset;
   [[nodiscard]] double level(const Vec& p) const { return nx * p.x + ny * p.y - offset; }
 };
-// All parts of all bodies, corners seen from the bodies' centroids; parts of one shape share it.
+// All parts of all bodies, corners relative to the bodies' centroids; parts of one shape share it.
 struct SpaceParts {
   std::vector<std::int32_t> shape;           // of each part
   std::vector<std::int32_t> facet_begin{0};  // CSR (shapes + 1)
   std::vector<Facet> facet;
   std::vector<Vec> corner;
-  std::vector<FacetSide> side;                        // that begins at each corner
+  std::vector<FacetSide> side;                        // the side after each corner
   std::map<std::vector<double>, std::int32_t> known;  // shapes by vertices and faces
-  // Adds a part whose vertices are seen from `centre`.
+  // Adds a part whose vertices are taken relative to `centre`.
   void add(const Polyhedron& part, const Vec3& centre, double inset);
 
   // Facets of a part.
@@ -63,29 +63,29 @@ struct SpacePart {
   return {facets.data(), parts.corner.data(), parts.side.data(), static_cast<int>(facets.size())};
 }
 
-// Where a body's axes are.
+// Pose of a body's axes.
 struct SpaceFrame {
   Vec at;
   Quaternion<double> turn;
 };
 [[nodiscard]] SpaceFrame seen_from(const SpaceFrame& a, const SpaceFrame& b);
 
-// On one facet, in its axes, for kn = 1.
+// Integrals of the overlap on one facet, in its axes, for kn = 1.
 struct SpaceOverlap {
   double lowest =
-      0;  // the other part's lowest corner over the moved facet; above 0 nothing presses [m]
-  double cover = 0;          // of the facet that is passed [m^2]
+      0;  // the other part's lowest corner over the moved facet; above 0 there is no contact [m]
+  double cover = 0;          // covered area of the facet [m^2]
   Vec force{0, 0, 0};        // [m^3]
   Vec moment{0, 0, 0};       // about the origin of the facet's axes [m^4]
   double energy = 0;         // [m^4]
-  double spread = 0;         // mean squared distance of the cover from its centroid [m^2]
-  std::vector<Vec> polygon;  // of the largest piece, where asked for
+  double spread = 0;         // mean squared distance of that area from its centroid [m^2]
+  std::vector<Vec> polygon;  // of the largest piece, on request
 };
-// With the facet moved into its part by `inset` [m]: that much of the overlap does not press.
+// Overlap on a facet that is moved into its part by `inset` [m], so that this depth carries no force.
 [[nodiscard]] SpaceOverlap overlap_on(const SpacePart& ref, int facet, const SpacePart& other,
                                       const SpaceFrame& seen, double inset = 0,
                                       bool with_polygon = false);
-// How far above a facet the other part's lowest corner is [m].
+// Height of the other part's lowest corner above a facet [m].
 [[nodiscard]] double lowest_over(const SpacePart& ref, int facet, const SpacePart& other,
                                  const SpaceFrame& seen);
 [[nodiscard]] Separation separation_of(const SpacePart& ref, const SpacePart& other,

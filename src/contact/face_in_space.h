@@ -1,40 +1,40 @@
-// A joint face between two blocks in space: what of their motion the joint law sees, and what the law's
-// stresses do to the blocks (docs/theory/space.md, "The face between two blocks").
+// A joint face between two blocks in space: the motion that the joint law sees, and the forces of its stresses
+// on the blocks (docs/theory/space.md, "The face between two blocks").
 //
-// Between two blocks the frame (t1, t2, n) turns with the mean of both rotations. With the jump j of the
-// face's centre and p the quaternion of b against a, d = 2 vec(p) is the growth of the jump along the face:
+// Between two blocks the frame (t1, t2, n) rotates with the mean of both rotations. j is the jump of the face's
+// centre, the quaternion p the rotation of b against a. The jump grows along the face by d = 2 vec(p):
 //
 //   g(r) = j + d x r,   r = r1 t1 + r2 t2       w = g . n    s1 = g . t1    s2 = g . t2
 //   F = sum f,  M = sum r x f,  f = share area (sigma n + tau1 t1 + tau2 t2)
 //   on a:   F  at its face's centre, and  j x F / 2 + C - D,    C = M - vec(p) (vec(p) . M) / (1 + w(p))
 //   on b:  -F  at its face's centre, and  j x F / 2 - C + D,    D = vec(p) x (j x F) / (2 (1 + w(p)))
 //
-// This is the exact gradient of the work of the law, and momentum and angular momentum are kept exactly.
-// On a support the frame stands still, each force acts at the block's own point.
+// These are the exact gradient of the law's work; momentum and angular momentum are conserved exactly.
+// On a support the frame is fixed, and each force acts at the point of the block.
 #pragma once
 
 #include "core/rotation.h"
 
 namespace wythe::contact {
 
-// Displacement of a block's centroid and its turn since the start.
+// Displacement of a block's centroid, and its rotation since the start.
 template <class Real>
 struct Pose {
   Vector<Real> u;
   Quaternion<Real> q;
 };
 
-// The jump of the points of a face in its frame: g(r) = j + r1 a + r2 b; components along t1, t2, n.
+// Jump of the points of a face in its frame: g(r) = j + r1 a + r2 b; components along t1, t2, n.
 template <class Real>
 struct FaceGap {
   Vector<Real> j, a, b;
 };
-// The law's forces on it, in the same components: sums of f, r1 f and r2 f.
+// Forces of the law on a face, in the same components: sums of f, r1 f and r2 f.
 template <class Real>
 struct FaceLoad {
   Vector<Real> f, r1, r2;
 };
-// On the blocks, in the wall's axes: f on a and -f on b, and moments about their centroids.
+// Forces on the blocks in the axes of the wall: f on a and -f on b, with moments about their centroids.
 template <class Real>
 struct BlockLoads {
   Vector<Real> f, on_a, on_b;
@@ -57,7 +57,7 @@ struct PairFace {
   Frame<Real> frame;
   Vector<Real> arm_a, arm_b;  // turned
   Vector<Real> jump;          // in the wall's axes
-  Vector<Real> p;             // vector part of b's turn against a
+  Vector<Real> p;             // vector part of the rotation of b against a
   Real inv;                   // 1 / (1 + w(p))
 
   WYTHE_INLINE PairFace(const Pose<Real>& a, const Pose<Real>& b, const Vector<Real>& arm_a0,
@@ -67,7 +67,7 @@ struct PairFace {
     arm_a = arm_a0 + move_a;
     arm_b = arm_b0 + move_b;
     jump = (b.u + move_b) - (a.u + move_a);
-    // of both signs of b's quaternion the one nearer to a's
+    // of the two quaternions +-q of b's rotation the one nearer to a's
     const Real product = a.q.w * b.q.w + dot(a.q.v, b.q.v);
     const Real one(1.0), sense = select(product < Real(0.0), Real(-1.0), one);
     const Quaternion<Real> qb{sense * b.q.w, sense * b.q.v};
@@ -94,12 +94,12 @@ struct PairFace {
   }
 };
 
-// A face on a support, which only shifts.
+// A face on a support, which translates but does not rotate.
 template <class Real>
 struct SupportFace {
   Frame<Real> frame;
   Vector<Real> arm_b, jump;
-  Vector<Real> grown_1, grown_2;  // how far the block's t1 and t2 swung, in the frame
+  Vector<Real> grown_1, grown_2;  // growth of t1 and t2 by the block's rotation, in the frame
 
   WYTHE_INLINE SupportFace(const Vector<Real>& support, const Pose<Real>& b,
                            const Vector<Real>& arm_b0, const Vector<Real>& t0,
@@ -124,8 +124,8 @@ struct SupportFace {
   }
 };
 
-// Shear as a vector: the law is asked for the length e of what is elastic in the slip, and its plastic part
-// goes the same way (radial return on the friction circle).
+// Shear as a vector: the law gets the length e of the elastic slip, and the plastic slip has its
+// direction (radial return on the friction circle).
 template <class Real>
 struct Shear {
   Real e1, e2, e;
@@ -135,7 +135,7 @@ template <class Real>
   const Real e1 = s1 - plastic_1, e2 = s2 - plastic_2;
   return {e1, e2, square_root(e1 * e1 + e2 * e2)};
 }
-// What `other` has along the direction of `shear`.
+// Component of `other` along `shear`.
 template <class Real>
 [[nodiscard]] WYTHE_INLINE Real along(const Shear<Real>& shear, const Shear<Real>& other) {
   return (shear.e1 * other.e1 + shear.e2 * other.e2) / maximum(shear.e, Real(1e-300));

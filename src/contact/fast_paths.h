@@ -1,20 +1,20 @@
-// Fast paths through the law (law.h) for two kinds of points: an undamaged point, of which at most the largest opening
-// grows, and an elastic step, in which no history changes. Each gives the bits of update(), or says that it does not
-// hold (docs/theory/joint_law.md, 3.12a, 3.12b; tests/unit/contact/fast_paths_test.cpp).
+// Fast paths through the law (law.h) for two kinds of points: an undamaged point, where only the largest opening may
+// grow, and an elastic step, in which no history changes. Each gives the bits of update(), or reports that it does not
+// apply (docs/theory/joint_law.md, 3.12a, 3.12b; tests/unit/contact/fast_paths_test.cpp).
 #pragma once
 
 #include "contact/law.h"
 
 namespace wythe::contact {
 
-// An undamaged point has not been crushed, has not slid, and has opened no wider than its tensile strength
-// bears. It is elastic in compression and tension as long as it stays so (joint_law.md, 3.12b). With stiffness damage
+// An undamaged point has not crushed or slid, and has not opened beyond its tensile
+// strength. Until then it is elastic in compression and tension (joint_law.md, 3.12b). With stiffness damage
 // or a cap no point counts as undamaged.
 template <class V, class C>
 [[nodiscard]] WYTHE_INLINE constexpr bool has_undamaged_path(const LawConstants<C>& m) {
   return choice_of<V>(m).coupling != Coupling::kStiffness && !choice_of<V>(m).cap;
 }
-// How far it may open; below ft/kn by more than rounding can hide. A dry joint is never undamaged (onset < 0).
+// Largest opening of an undamaged point; below ft/kn by more than round-off. A dry joint is never undamaged (onset < 0).
 template <class C>
 [[nodiscard]] WYTHE_INLINE C undamaged_opening(const LawConstants<C>& m) {
   return minimum(m.w0, m.tension_onset) * C(1 - 1e-9);
@@ -31,7 +31,7 @@ template <class V, class C, class Real>
   return undamaged;
 }
 
-// Stresses of an undamaged point. Where it `stays` undamaged, update() gives the same bits, and kappa alone grows, to w.
+// Stresses of an undamaged point. If it `stays` undamaged, update() gives the same bits and changes only kappa, to w.
 template <class Real>
 struct UndamagedStress {
   Real sigma, tau;  // [Pa]
@@ -48,16 +48,16 @@ template <class C, class Real>
   return {sigma, tau, stays};
 }
 
-// A step in which the history does not change: the point crushes no further, opens no wider than before, does not slide,
-// and its shear damage does not grow under the present pressure. Where the step `is_elastic`, update() gives the same
-// bits. Elsewhere, and where a value is not a number, update() has to be called.
+// A step in which no history changes. The point does not crush further, open wider than before or slide,
+// and its shear damage does not grow under the present pressure. If the step `is_elastic`, update() gives the same bits.
+// Otherwise, and for NaN, update() must be called.
 template <class Real>
 struct ElasticStep {
   Real sigma, tau;  // [Pa]
   bool_of_t<Real> is_elastic, open;
 };
 
-// `closed`: the caller expects no open point, which spares most of the work. A point that is open is not elastic then.
+// `closed`: the caller expects no open point, which saves most of the work; an open point then counts as not elastic.
 template <class V, bool closed, class C, class Real>
 [[nodiscard]] WYTHE_INLINE ElasticStep<Real> elastic_step(const LawConstants<C>& m, Real w, Real s,
                                                           const History<Real>& h) {
@@ -92,7 +92,7 @@ template <class V, bool closed, class C, class Real>
   return {sigma, tau, is_elastic, is_open};
 }
 
-// Whether update() changed the history of a point. If it did, the next step may change it again.
+// Whether update() changed the history of a point. If so, the next step may change it again.
 template <class Real>
 [[nodiscard]] WYTHE_INLINE bool_of_t<Real> history_changed(const History<Real>& before,
                                                            const History<Real>& now) {

@@ -15,11 +15,11 @@
 //
 // With a cap (LawChoice::cap), crushing is driven by normal and shear stress together:
 //
-//   cap        sigma^2 + Css tau^2 <= F(q)^2 in compression; q grows by what both give, F falls with q
-//   dilatancy  slip under pressure lifts: p falls by tan psi ds
+//   cap        sigma^2 + Css tau^2 <= F(q)^2 in compression; both stresses make q grow, F falls with q
+//   dilatancy  slip under pressure lifts the joint: p falls by tan psi ds
 //
-// The return in shear is implicit in d_s and the crushing return in p: on a straight piece of path at
-// constant normal stress the work done does not depend on how it is cut into steps.
+// The return in shear is implicit in d_s, the crushing return in p. So on a straight piece of path at
+// constant normal stress, the work does not depend on the number of steps.
 #pragma once
 
 #include <array>
@@ -41,10 +41,10 @@ struct LawChoice {
   bool operator==(const LawChoice&) const = default;
 };
 
-// How a function of the law learns of the choice: a Variant states it when the program is compiled, so
-// that nothing is asked at run time; AnyVariant reads it from the constants, the same in all lanes. Few
-// are compiled (with_variant, parameters.h): each costs seconds of compile time. `rising` is no part of it: every
-// variant asks the constants, one branch that all points of a material take alike.
+// How functions of the law get the choice: a Variant states it at compile time, so
+// that no test runs; AnyVariant reads it from the constants, equal in all lanes. Few variants
+// are compiled (with_variant, parameters.h), since each costs seconds of compile time. `rising` is not among them: every
+// variant tests the constants, one branch that is equal for all points of a material.
 template <Softening softening_, Coupling coupling_, Unloading unloading_, bool cap_ = false>
 struct Variant {
   static constexpr LawChoice known{softening_, coupling_, unloading_, cap_, false};
@@ -61,7 +61,7 @@ template <class V, class Constants>
     return V::known;
 }
 
-// Parameters of one material with every division done beforehand (constants_of, parameters.cpp).
+// Parameters of one material with all divisions done in advance (constants_of, parameters.cpp).
 template <class Real>
 struct LawConstants {
   Real kn, ks, inv_ks, inv_kn;       // [Pa/m], [m/Pa]
@@ -69,20 +69,20 @@ struct LawConstants {
   Real tension_onset, tension_rate;  // bilinear d_t = clip((kappa - onset) rate, 0, 1)
   Real c_res, c_drop;                // c_res, c - c_res [Pa]
   Real tan_res, tan_drop;            // tan phi_res, tan phi0 - tan phi_res
-  Real half_inv_GII;                 // 1/(2 GII), of a rising GII without pressure, 1/(2 a) [m/N]
+  Real half_inv_GII;                 // 1/(2 GII); of a rising GII 1/(2 a) [m/N]
   Real fc, p_full, inv_p_full;       // [Pa], 2 Gc/fc [m], [1/m]
   Real crush_gain;                   // 1/(kn - fc/p_full) [m/Pa]
-  Real twice_b;                      // 2 b, of a law with a rising GII alone [m]
-  // of a law with a cap alone
+  Real twice_b;                      // 2 b, for a rising GII only [m]
+  // for a law with a cap only
   Real root_css, css_ks;                          // sqrt Css [-], Css ks [Pa/m]
   Real harden, inv_harden, harden_drop;           // kappa_p [m]; share of fc missing at q = 0 [-]
   Real crush_rate;                                // 1/(q_full - kappa_p) [1/m]
-  Real tan_lift, inv_lift_slip, inv_lift_stress;  // dilatancy: tan psi, where it has faded
+  Real tan_lift, inv_lift_slip, inv_lift_stress;  // dilatancy: tan psi, where it fades
   LawChoice choice;
 };
-// Its numbers, in order: how they are copied, and laid out for walls side by side. First those that strengths,
-// cohesions and their energies make, which a field varies most; in both parts the constants that an elastic
-// step of a closed point needs come first, so that little memory is read.
+// The constants in order, for copies and for walls side by side. First those from strengths, cohesions and their
+// energies, which a field varies most. Within both parts, constants for an elastic
+// step of a closed point come first, so that such a step reads little memory.
 template <class Real, class C = LawConstants<Real>>
 inline constexpr std::array kConstants{&C::tension_onset,
                                        &C::tension_rate,
@@ -115,7 +115,7 @@ inline constexpr std::array kConstants{&C::tension_onset,
 inline constexpr int kStrengths = 8;
 static_assert(kConstants<double>[kStrengths] == &LawConstants<double>::kn);
 
-// Committed history of a point; the only memory of the law.
+// Committed history of a point; the law has no other memory.
 template <class Real>
 struct History {
   Real kappa;         // largest opening w_e reached [m]
@@ -124,13 +124,13 @@ struct History {
   Real slip;          // accumulated |plastic slip| [m]
   Real shear_damage;  // d_s [-]
   Real tension_set;   // w_t [m] (elastic unloading)
-  Real crush_path;    // q, what crushing has taken of normal and shear displacement [m] (cap)
+  Real crush_path;    // q, path of crushing in normal and shear displacement [m] (cap)
 };
-// Its numbers, in the order of the table of fields (model/fields.h).
+// The numbers of the history, in the order of the table of fields (model/fields.h).
 template <class Real, class H = History<Real>>
 inline constexpr std::array kHistory{&H::kappa,        &H::crush,       &H::plastic_slip, &H::slip,
                                      &H::shear_damage, &H::tension_set, &H::crush_path};
-// How many of them, from the first, a law of this choice needs. No others are stored.
+// How many of them, from the first on, a law of this choice needs. Only these are stored.
 [[nodiscard]] WYTHE_INLINE constexpr int history_size(const LawChoice& choice) {
   constexpr int all = static_cast<int>(kHistory<double>.size());
   static_assert(kHistory<double>[all - 2] == &History<double>::tension_set &&
@@ -144,13 +144,13 @@ struct LawUpdate {
   Real sigma, tau;                    // [Pa]
   Real tension_damage, damage;        // d_t, d [-]
   Real friction, fracture, crushing;  // dissipated in this step [N/m]
-  // What friction above took as the work of sliding, at the pressure of this step's end: plastic slip with its sign
-  // [m] and its work [N/m]; the same of dilatancy, which gives work back.
+  // Part of `friction` from sliding, at the pressure at the end of this step: signed plastic slip [m] and its work
+  // [N/m]; includes dilatancy, which returns work.
   Real slipped, slip_work;
   Real lifted, lift_work;
 };
 
-// Crushing return: updates p and gives the work done in crushing [N/m].
+// Crushing return: updates p and returns the work of crushing [N/m].
 template <class C, class Real>
 [[nodiscard]] WYTHE_INLINE Real crush_return(const LawConstants<C>& m, Real w, Real& p) {
   const Real zero(0.0);
@@ -158,7 +158,7 @@ template <class C, class Real>
   const Real excess = zero - m.kn * (w + p) - before;
   if (!any(excess > zero)) return zero;
   const Real softened = p + maximum(zero, excess) * m.crush_gain;
-  const Real spent = maximum(p, zero - w);  // fully crushed: carries nothing
+  const Real spent = maximum(p, zero - w);  // fully crushed: no stress left
   const Real p1 = select(softened > m.p_full, spent, softened);
   const Real after = m.fc * maximum(zero, Real(1.0) - p1 * m.inv_p_full);
   const Real length = minimum(p1, m.p_full) - minimum(p, m.p_full);
@@ -166,13 +166,13 @@ template <class C, class Real>
   return Real(0.5) * (before + after) * length;
 }
 
-// Share of tensile strength left, y = 1 - d_t, at the largest opening kappa.
+// Remaining share of tensile strength, y = 1 - d_t, at the largest opening kappa.
 template <class V, class C, class Real>
 [[nodiscard]] WYTHE_INLINE Real tension_left(const LawConstants<C>& m, Real kappa) {
   if (choice_of<V>(m).softening == Softening::kBilinear) {
     return Real(1.0) - clip((kappa - m.tension_onset) * m.tension_rate, Real(0.0), Real(1.0));
   } else {
-    // y - g(a (kappa - y w0)) is concave and rising in y: Newton from y = 1 turns monotone at once.
+    // y - g(a (kappa - y w0)) is concave and rising in y, so Newton from y = 1 converges monotonically after one step.
     const Real zero(0.0), one(1.0);
     Real y = one;
     for (int k = 0; k < 6; ++k) {
@@ -228,7 +228,7 @@ template <class V, class C, class Real>
   return yield;
 }
 
-// ds reached after the accumulated slip s.
+// d_s after the accumulated slip s.
 template <class V, class C, class Real>
 [[nodiscard]] WYTHE_INLINE Real damage_of_slip(const LawConstants<C>& m, const Yield<Real>& yield,
                                                Real s) {
@@ -244,13 +244,13 @@ template <class V, class C, class Real>
   return maximum(Real(0.0), yield.residual + yield.drop * (Real(1.0) - held));
 }
 
-// Plastic slip of this step: |tau_trial| - ks D = T(s + D), T falling with D; D >= 0.
+// Plastic slip of this step: |tau_trial| - ks D = T(s + D), where T falls with D; D >= 0.
 template <class V, class C, class Real>
 [[nodiscard]] WYTHE_INLINE Real plastic_increment(const LawConstants<C>& m,
                                                   const Yield<Real>& yield, Real trial, Real s,
                                                   Real ds) {
   const Real zero(0.0), one(1.0);
-  const Real held = maximum(ds, yield.floor);  // T is flat until ds passes this
+  const Real held = maximum(ds, yield.floor);  // T is constant until ds exceeds this
   const Real flat = (trial - yield.residual - yield.drop * (one - held)) * m.inv_ks;
   Real increment = flat;
   const Softening softening = choice_of<V>(m).softening;
@@ -293,7 +293,7 @@ template <class C, class Real>
           m.fc * (Real(2.0) * m.harden_drop * rest * m.inv_harden - falls)};
 }
 
-// Work of crushing along the path, from 0 to q [N/m].
+// Work of crushing on the path from 0 to q [N/m].
 template <class C, class Real>
 [[nodiscard]] WYTHE_INLINE Real crush_work(const LawConstants<C>& m, Real q) {
   const Real zero(0.0), one(1.0);
@@ -302,14 +302,14 @@ template <class C, class Real>
   return m.fc * (q - missing - Real(0.5) * beyond * beyond * m.crush_rate);
 }
 
-// Share of the strength in crushing that is lost for good [-].
+// Permanently lost share of the crushing strength [-].
 template <class C, class Real>
 [[nodiscard]] WYTHE_INLINE Real crushed_share(const LawConstants<C>& m, const History<Real>& h) {
   if (!m.choice.cap) return minimum(Real(1.0), h.crush * m.inv_p_full);
   return clip((h.crush_path - m.harden) * m.crush_rate, Real(0.0), Real(1.0));
 }
 
-// Positive outside the cap: sigma^2 + Css tau^2 - F^2, of a pressed point.
+// Positive outside the cap: sigma^2 + Css tau^2 - F^2, for a compressed point.
 template <class C, class Real>
 [[nodiscard]] WYTHE_INLINE Real beyond_cap(const LawConstants<C>& m, Real pressed, Real tau,
                                            Real strength) {
@@ -317,12 +317,12 @@ template <class C, class Real>
   return pressed * pressed + sheared * sheared - strength * strength;
 }
 
-// Path d that brings the trial stresses (a, b), b = sqrt(Css) tau, back to the cap:
+// Increment d of the path that returns the trial stresses (a, b), b = sqrt(Css) tau, to the cap:
 //
 //   (a/x)^2 + (b/y)^2 = 1,   x = F(q + d) + kn d,   y = F(q + d) + Css ks d        (joint_law.md, 3.22)
 //
-// 1/sqrt of the left side rises with d and is concave, and a straight line where a or b is 0: Newton from
-// d = 0 is exact there at once, and comes from below elsewhere.
+// 1/sqrt of the left side rises with d and is concave; it is a straight line where a or b is 0. So Newton from
+// d = 0 is exact there after one step, and approaches from below elsewhere.
 template <class C, class Real>
 [[nodiscard]] WYTHE_INLINE Real cap_path(const LawConstants<C>& m, Real a, Real b, Real q) {
   const Real zero(0.0), one(1.0);
@@ -334,22 +334,22 @@ template <class C, class Real>
     const Real u = a * inv_x, v = b * inv_y, square = u * u + v * v;
     const Real fall =
         u * u * (strength.slope + m.kn) * inv_x + v * v * (strength.slope + m.css_ks) * inv_y;
-    // a point that carries nothing gives no number here: maximum() takes its second argument then
+    // without stress this is NaN: maximum() returns its second argument then
     d = maximum(d + square * (square_root(square) - one) / fall, zero);
   }
   return d;
 }
 
-// What the cap did in a step.
+// Effect of the cap in a step.
 template <class Real>
 struct Capped {
   bool_of_t<Real> outside;  // where it acted; elsewhere nothing has changed
-  Real limit;               // shear stress it leaves, as the pressure is now [Pa]
+  Real limit;               // largest shear stress at the present pressure [Pa]
   Real work;                // [N/m]
 };
 
-// Return to the cap from the trial stresses. Friction takes of the shear stress what is above its own
-// strength, so that sliding does not crush.
+// Return to the cap from the trial stresses. Friction limits the shear stress first, so that sliding does
+// not cause crushing.
 template <class V, class C, class Real>
 WYTHE_OUTLINE void return_to_cap(const LawConstants<C>& m, Real w, Real pressed, Real tau,
                                  Real before, History<Real>& h, Capped<Real>& capped) {
@@ -388,7 +388,7 @@ template <class V, class C, class Real>
   return capped;
 }
 
-// Work of what is left of the shear stress above the cap: it slides.
+// Work of the remaining shear stress above the cap: the point slides.
 template <class C, class Real>
 WYTHE_INLINE void slide_under_cap(const LawConstants<C>& m, const Capped<Real>& capped,
                                   History<Real>& h, LawUpdate<Real>& answer) {
@@ -406,7 +406,7 @@ WYTHE_INLINE void slide_under_cap(const LawConstants<C>& m, const Capped<Real>& 
   answer.tau = select(slides, sign(tau) * capped.limit, tau);
 }
 
-// Slip from `before` to h.slip lifts a closed joint, against the pressure.
+// Dilatancy: slip from `before` to h.slip lifts a closed joint against the pressure.
 template <class C, class Real>
 WYTHE_INLINE void lift(const LawConstants<C>& m, Real sigma, Real before, History<Real>& h,
                        LawUpdate<Real>& answer) {
@@ -425,7 +425,7 @@ WYTHE_INLINE void lift(const LawConstants<C>& m, Real sigma, Real before, Histor
 
 // --- one step ----------------------------------------------------------------------------------------
 
-// Energy set free by the normal stress when kappa or d grew: the area between the old and the new
+// Energy released by the normal stress when kappa or d grew: the area between the old and the new
 // secant, exact for straight branches [N/m].
 template <class C, class Real>
 [[nodiscard]] WYTHE_INLINE Real secant_release(const LawConstants<C>& m, Real open, Real kappa0,
@@ -439,8 +439,8 @@ template <class C, class Real>
   return Real(0.5) * maximum(Real(0.0), select(open > kappa0, grown, faded));
 }
 
-// Shear of one step: elastic trial, implicit return, damage. `felt` is the normal stress with the
-// damage so far. Gives tau and adds the work of the plastic slip to the answer.
+// Shear in one step: elastic trial, implicit return, damage. `felt` is the normal stress with previous
+// damage. Sets tau and adds the work of the plastic slip to the result.
 template <class V, class C, class Real>
 WYTHE_INLINE void shear_step(const LawConstants<C>& m, const Yield<Real>& yield, Real s,
                              History<Real>& h, LawUpdate<Real>& answer) {
@@ -460,7 +460,7 @@ WYTHE_INLINE void shear_step(const LawConstants<C>& m, const Yield<Real>& yield,
   h.plastic_slip = h.plastic_slip + sign(answer.tau) * increment;
   h.shear_damage = maximum(h.shear_damage, damage_of_slip<V>(m, yield, h.slip));
   answer.tau = m.ks * (s - h.plastic_slip);
-  // Work of the plastic slip: friction is the residual's part, fracture the rest.
+  // work of the plastic slip: friction is the part of the residual stress, fracture the rest
   const Real worked = Real(0.5) * (start + magnitude(answer.tau)) * increment;
   answer.friction = minimum(worked, maximum(zero, yield.residual) * increment);
   answer.fracture = worked - answer.friction;
@@ -468,7 +468,7 @@ WYTHE_INLINE void shear_step(const LawConstants<C>& m, const Yield<Real>& yield,
   answer.slip_work = worked;
 }
 
-// Tensile stress of an open point, before (`strength`) any damage of this step in shear.
+// Tensile stress of an open point, with the tensile `strength` before any shear damage of this step.
 template <class V, class C, class Real>
 [[nodiscard]] WYTHE_INLINE Real tensile_stress(const LawConstants<C>& m, Real open, Real strength,
                                                Real inv_kappa, Real tension_set) {
@@ -477,15 +477,15 @@ template <class V, class C, class Real>
   return open * minimum(m.kn, strength * inv_kappa);
 }
 
-// One step of the law: from the total opening w and relative slip s [m], with history `h` advanced.
-// What happens only to open, sliding or crushing points is skipped where no lane needs it.
+// One step of the law, from total opening w and relative slip s [m]; advances the history `h`.
+// Work for open, sliding or crushing points is skipped where no lane needs it.
 template <class V, class C, class Real>
 [[nodiscard]] WYTHE_INLINE LawUpdate<Real> update(const LawConstants<C>& m, Real w, Real s,
                                                   History<Real>& h) {
   const Real zero(0.0), one(1.0);
   LawUpdate<Real> answer;
 
-  // Crushing, then the effective opening and what is left of the tensile strength.
+  // Crushing, then effective opening and remaining tensile strength.
   const bool cap = choice_of<V>(m).cap;
   Capped<Real> capped{zero > zero, zero, zero};
   if (cap) {
@@ -503,7 +503,7 @@ template <class V, class C, class Real>
   const auto is_open = we > zero;
   const bool opens = any(is_open);
 
-  // Normal stress with the shear damage so far: what the shear strength feels.
+  // Normal stress with previous shear damage, which determines the shear strength.
   const Real shear_left0 = one - h.shear_damage;
   Real felt = compression, inv_kappa = zero;
   if (opens) {
@@ -522,7 +522,7 @@ template <class V, class C, class Real>
     compression = m.kn * minimum(w + h.crush, zero);
   }
 
-  // Normal stress with the damage of this step, and the energy it set free.
+  // Normal stress with the damage of this step, and the energy it released.
   const Real all_left = strength_left<V>(m, left, one - h.shear_damage);
   answer.sigma = compression;
   if (opens) {
@@ -544,12 +544,12 @@ template <class V, class C, class Real>
   return answer;
 }
 
-// What friction takes in a step of an undamped motion, from what update() said of it [N/m]. update() knows where the step
-// ends, and takes the pressure there for that of the whole step. Forces act at whole steps and velocities at half steps, so
-// a joint's work in a step is (f + f_before)/2 . Delta u, exactly (docs/theory/integration.md, 4.15). `w_before` and
-// `s_before` are opening and slip of the step before, `before` the history then; all of it stays first order in the
-// time step without them where pressure and slip change together. A stress before cannot have been beyond the first
-// yield under the pressure before; where a state was put in by hand there was no step before, and that bounds it.
+// Friction work of a step in an undamped motion, from the results of update() [N/m]. update() knows the end of the step
+// and takes its pressure for the whole step. Forces act at whole steps and velocities at half steps, so the work of
+// a joint in a step is exactly (f + f_before)/2 . Delta u (docs/theory/integration.md, 4.15). `w_before` and
+// `s_before` are opening and slip of the previous step, `before` its history. Without them the work is of first order in
+// the time step where pressure and slip change together. The previous stress is limited to the first yield under its own
+// pressure: a state that was set by hand has no previous step, and this bounds it.
 template <class V, class C, class Real>
 [[nodiscard]] WYTHE_INLINE Real friction_taken(const LawConstants<C>& m,
                                                const LawUpdate<Real>& answer,

@@ -1,14 +1,14 @@
 // The law of a link: a tie, spring or diaphragm, a bar between two points a and b (docs/theory/links.md).
 //
-//       a o------------------o b      its length is L0 + e        N > 0 pulls a and b together
+//       a o------------------o b      its length is L0 + e        N > 0: tension
 //            axis from a to b
 //
-//   N = k (e - e_p + d)     d: elongation that prestress or a jack draws in, or -e when it was put up;
-//                           cut at the limits in tension and compression. Beyond a limit e_p grows; a
-//                           limit of 0 has no flow: there the link hangs slack, or has a gap, and takes
-//                           force again where it let go
+//   N = k (e - e_p + d)     d: elongation imposed by prestress or a jack, or -e at installation; N is
+//                           limited in tension and compression. Beyond a limit e_p grows. A limit of 0
+//                           has no plastic flow: the link hangs slack, or has a gap, and carries force
+//                           again from the same length
 //
-// Called by the step (dynamics/passes/links.h) and by what reads a state (reading/links.cpp).
+// Called by the step (dynamics/passes/links.h) and by the reader of states (reading/links.cpp).
 #pragma once
 
 #include "core/real.h"
@@ -16,7 +16,7 @@
 
 namespace wythe::contact {
 
-// An end: its arm from the centroid as the block has turned, and how far it has moved [m].
+// An end: its arm from the centroid, rotated with the block, and its displacement [m].
 struct LinkEnd {
   double arm_x, arm_y, moved_x, moved_y;
 };
@@ -31,7 +31,7 @@ WYTHE_INLINE LinkEnd link_end(double ux, double uy, double c, double s, double a
 struct LinkLine {
   double elongation, axis_x, axis_y;
 };
-// `span`: from a to b at the start; of a link that keeps its direction a unit vector.
+// `span`: from a to b at the start; for a link of constant direction a unit vector.
 WYTHE_INLINE LinkLine link_line(double span_x, double span_y, bool follows, const LinkEnd& a,
                                 const LinkEnd& b) {
   const double dx = b.moved_x - a.moved_x, dy = b.moved_y - a.moved_y;
@@ -43,7 +43,7 @@ WYTHE_INLINE LinkLine link_line(double span_x, double span_y, bool follows, cons
   return {(2 * along + dx * dx + dy * dy) / (start + now), x / now, y / now};
 }
 
-// The same in space.
+// The end of a link in space.
 struct SpaceLinkEnd {
   Vector<double> arm, moved;
 };

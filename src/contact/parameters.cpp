@@ -14,10 +14,10 @@ namespace wythe {
 namespace {
 
 constexpr double kHardeningDrop =
-    2.0 / 3.0;  // share of fc that comes with hardening: it starts at fc/3
+    2.0 / 3.0;  // share of fc that hardening adds: crushing begins at fc/3
 constexpr double kHardeningArea =
     1.0 - kHardeningDrop / 3.0;  // mean strength while it hardens, of fc
-constexpr double kHuge = 1e300;  // stands for "unlimited" where a product with it must stay finite
+constexpr double kHuge = 1e300;  // "unlimited", where products with it must stay finite
 
 double drop_of(const JointMaterial& m, double sn) {
   const double t0 = m.cohesion + sn * elementary::tan(m.friction_angle);
@@ -25,8 +25,8 @@ double drop_of(const JointMaterial& m, double sn) {
   return t0 - tr;
 }
 
-// Compression up to which the shear drop is looked at: crushing, or 10 MPa, beyond what masonry in
-// a wall sees, where crushing is unlimited.
+// Largest compression at which the shear drop is examined: crushing, or 10 MPa where crushing is
+// unlimited, more than masonry in a wall experiences.
 double greatest_compression(const JointMaterial& m) {
   return std::isfinite(m.compressive_strength) ? m.compressive_strength : 10e6;
 }
@@ -65,7 +65,7 @@ JointMaterial head_joint_law(const JointMaterial& bed) {
                     &JointMaterial::residual_cohesion, &JointMaterial::mode_1_energy,
                     &JointMaterial::mode_2_energy})
     head.*part *= share;
-  // The drop of friction does not shrink with the bond, and a branch steeper than ks has no path (3.13).
+  // the drop of friction does not decrease with the bond, and no path follows a branch steeper than ks (3.13)
   const double slope = steepest_slope(bed.softening) / bed.shear_stiffness;
   const double unpressed = std::max(0.0, drop_of(head, 0.0)), pressed = greatest_drop(head);
   const double least =
@@ -149,8 +149,8 @@ class Checker {
             fmt::format("write e.g. {} = \"30 deg\"", key));
   }
 
-  // Asks for an energy only where it acts, and for a branch no steeper than the elastic one. `already_spent`
-  // is missing for it; below 0: comes on top.
+  // Requires an energy only where it acts, and a branch no steeper than the elastic one. `already_spent` is not
+  // available for softening; a negative value adds to the energy.
   void check_energy(const char* key, double energy, double strength, double stiffness,
                     double steepest, const std::string& what, const char* example,
                     double already_spent = 0) {
@@ -191,7 +191,7 @@ class Checker {
             "write a residual no greater than the peak");
   }
 
-  // GII less what snap-back asks for is concave in the pressure, so the worse of its ends decides (joint_law.md, 3.13).
+  // GII less the value for snap-back is concave in the pressure, so the worse end of its range decides (joint_law.md, 3.13).
   void check_slip_energy() {
     const double steepest = contact::steepest_slope(m_.softening), rise = greatest_rise(m_);
     const double least = std::max(0.0, drop_of(m_, 0.0)), most = greatest_drop(m_);
@@ -278,25 +278,25 @@ double resolving_step(const JointMaterial& m) {
                      m.mode_1_energy / m.tensile_strength / 500});
   const double drop = greatest_drop(m);
   if (m.tensile_strength > 0 && drop > 0)
-    // GII over its drop goes up or down all the way with the pressure
+    // GII over its drop changes monotonically with the pressure
     step = std::min({step, drop / m.shear_stiffness / 50, m.mode_2_energy / drop_of(m, 0.0) / 500,
                      (m.mode_2_energy + greatest_rise(m)) / drop / 500});
   return step;
 }
 
-// One joint under way along a path.
+// One joint on a path.
 //
-// The law's energies are those of short steps: over a long one that opens a joint through and goes on,
-// the area under the falling branch would grow with the step. A wall never takes such steps (below
-// 100 m/s it moves a fraction of a millimetre in one); a path may ask for metres in a row of its file.
-// So a substep grows only while two halves of it dissipate what the whole does, both or neither.
+// The energies of the law hold for short steps. In a long step that opens a joint completely, the
+// area under the falling branch would grow with the step. A wall never takes such steps (below
+// 100 m/s it moves a fraction of a millimetre in one), but a row of a path may ask for metres.
+// So a substep grows only while two halves of it dissipate as much as the whole, or none does.
 template <class V>
 class PathDriver {
  public:
   explicit PathDriver(const JointMaterial& material)
       : m_(contact::constants_of(material)), finest_(resolving_step(material)) {}
 
-  // Straight to `to`; false where that can't be followed: too many substeps, or no number.
+  // Goes straight to `to`; false where that is impossible: too many substeps, or NaN.
   bool go_to(const ContactPathRow& to) {
     const ContactPathRow from = at_;
     const double length =
@@ -338,7 +338,7 @@ class PathDriver {
   }
 
  private:
-  static constexpr double kAgreement = 1e-7;       // of what was dissipated so far
+  static constexpr double kAgreement = 1e-7;       // of the dissipation so far
   static constexpr int kMostSubsteps = 4'000'000;  // about a second
 
   struct Point {
@@ -347,7 +347,7 @@ class PathDriver {
     double dissipated = 0;  // [N/m]
   };
 
-  // No branch begins or ends between them: a whole branch could hide in one half.
+  // Whether no branch begins or ends between these points: a whole branch could lie within one half.
   static bool is_smooth(const Point& from, const Point& half, const Point& to) {
     return (half.dissipated > from.dissipated) == (to.dissipated > half.dissipated);
   }
@@ -359,7 +359,7 @@ class PathDriver {
   }
 
   contact::LawConstants<double> m_;
-  double finest_;      // [m]
+  double finest_;      // smallest substep [m]
   Point point_;        // the joint starts closed and unstressed
   ContactPathRow at_;  // [m]
 };

@@ -1,4 +1,4 @@
-// From what the user states about a joint to the constants of the law, and the choice of variant.
+// Converts the user's joint material into the constants of the law, and chooses the variant.
 #pragma once
 
 #include <array>
@@ -10,8 +10,8 @@
 
 namespace wythe::contact {
 
-// Tangents of the last angles that were asked for. Each takes 0.5 us, and joints of a field have materials of their own, but
-// hardly ever angles of their own.
+// Cache of tangents of recent angles. Each costs 0.5 us; joints of a field have their own materials, but rarely their
+// own angles.
 class Tangents {
  public:
   [[nodiscard]] double of(double angle);
@@ -24,12 +24,12 @@ class Tangents {
   std::size_t oldest_ = 0;
 };
 
-// Precomputes every quotient of the law; `material` must have passed check_joint_material().
+// Computes the constants of the law; `material` must have passed check_joint_material().
 [[nodiscard]] LawConstants<double> constants_of(const JointMaterial& material);
 [[nodiscard]] LawConstants<double> constants_of(const JointMaterial& material, Tangents& tangents);
 
-// The constants of joint after joint. Those of the last material are kept, since joints come in runs of one material; a list of
-// all would be long where each joint of a field has its own.
+// Cache of the last constants, since consecutive joints often have one material. A list of all would be long where each joint
+// of a field has its own material.
 class Laws {
  public:
   explicit Laws(const std::vector<JointMaterial>& materials) : materials_(materials) {}
@@ -42,16 +42,16 @@ class Laws {
   Tangents tangents_;
 };
 
-// The largest fall from peak to residual shear stress at any pressure up to crushing [Pa].
+// Largest drop from peak to residual shear stress at any pressure up to crushing [Pa].
 [[nodiscard]] double greatest_drop(const JointMaterial& material);
-// What a GII that rises with pressure gains up to crushing, or to 10 MPa where that is unlimited [N/m].
+// Growth of a GII that rises with pressure, up to crushing, or to 10 MPa where that is unlimited [N/m].
 [[nodiscard]] double greatest_rise(const JointMaterial& material);
 
-// The law of a head joint that has `bed.head_joint_bond` of the bond of this bed (material_rules.md, 9.6): tension,
-// cohesion and energies by that share, the rest as the bed. Admissible wherever the bed is.
+// The law of a head joint with `bed.head_joint_bond` of this bed's bond (material_rules.md, 9.6): that share of tensile
+// strength, cohesion and energies, everything else as in the bed. Admissible where the bed is.
 [[nodiscard]] JointMaterial head_joint_law(const JointMaterial& bed);
 
-// Faults of check_joint_material() with one, of no key, in the place of several that say "is missing".
+// Replaces several faults "is missing" of check_joint_material() by one without a key.
 [[nodiscard]] std::vector<MaterialFault> missing_as_one(std::vector<MaterialFault> faults);
 
 [[nodiscard]] constexpr LawChoice choice_of(const JointMaterial& m) {
@@ -59,11 +59,11 @@ class Laws {
   return {m.softening, m.coupling, m.unloading, cap, m.mode_2_energy_per_pressure >= 0};
 }
 
-// Calls visitor(V{}) with the compiled variant that a law runs through: the paper's, the same with a cap,
-// or any.
+// Calls visitor(V{}) with the compiled variant for a law: that of the paper, the same with a cap,
+// or AnyVariant.
 template <class Visitor>
 decltype(auto) with_variant(LawChoice choice, Visitor&& visitor) {
-  choice.rising = false;  // asked at run time
+  choice.rising = false;  // tested at run time
   if (choice == PaperVariant::known) return visitor(PaperVariant{});
   if (choice == CappedVariant::known) return visitor(CappedVariant{});
   return visitor(AnyVariant{});

@@ -1,13 +1,13 @@
-// The section of a frame between two segments a and b (docs/theory/frames.md): three fibres, elastic and plastic in
-// both senses, and a shear spring.
+// The section of a frame between two segments a and b (docs/theory/frames.md): three elastic-plastic fibres, equal in
+// tension and compression, and a shear spring.
 //
-//        a  |  b           n  along the member as both have turned in the mean, t on its left
-//    =======|=======       e, s  how far b's point has gone from a's along n and t;  r  how far b has turned against a
+//        a  |  b           n  along the member in the mean rotation of both segments, t on its left
+//    =======|=======       e, s  displacement of b's point from a's along n and t;  r  rotation of b against a
 //           | - o +d       elongation of a fibre:  e - d r (left, at +d),  e (middle),  e + d r (right, at -d)
 //           |   o 0
-//           | - o -d       N pulls, M stretches the right
+//           | - o -d       N tension +, M tension on the right
 //
-// Called by the step (dynamics/passes/frames.h) and by what reads a state (reading/frames.cpp).
+// Called by the step (dynamics/passes/frames.h) and by the reader of states (reading/frames.cpp).
 #pragma once
 
 #include "contact/link.h"
@@ -15,7 +15,7 @@
 namespace wythe::contact {
 
 struct Fibre {
-  double force, flow;  // [N], growth of the elongation that stays [m]
+  double force, flow;  // [N], growth of the plastic elongation [m]
 };
 WYTHE_INLINE Fibre fibre_force(double stiffness, double yield, double elongation, double plastic) {
   const double trial = stiffness * (elongation - plastic);
@@ -29,14 +29,14 @@ struct SectionLaw {
   double fibre;                      // d [m]
   double outer_yield, middle_yield;  // [N]
 };
-// How b stands against a.
+// Relative position of b against a.
 struct SectionJump {
   double along, across, turn;  // e, s [m], r [rad]
-  double axis_x, axis_y;       // n now
-  double gap_x, gap_y;         // from a's point to b's, at the start none [m]
+  double axis_x, axis_y;       // n in the current state
+  double gap_x, gap_y;         // from a's point to b's, initially zero [m]
 };
-// `rest`: b's point from a's at the start, where blocks do not start at their outlines (gaps to the masonry);
-// half turns of both as cosine and sine.
+// `rest`: offset of b's point from a's at the start, where blocks start away from their outlines (gaps to the masonry);
+// half rotations of both as cosine and sine.
 WYTHE_INLINE SectionJump section_jump(double axis_x, double axis_y, double rest_x, double rest_y,
                                       const LinkEnd& a, const LinkEnd& b, double turn_a,
                                       double turn_b, double cos_a, double sin_a, double cos_b,

@@ -1,4 +1,4 @@
-// Softening shapes g(x): the share of strength left after the inelastic displacement x, scaled so
+// Softening shapes g(x): remaining share of strength after the inelastic displacement x, scaled so
 // that g(0) = 1 and the area under g is 1. With x = w_in ft/GI (tension) or s (t0 - tr)/GII (shear)
 // every shape dissipates exactly GI or GII (docs/theory/joint_law.md, eq. 3.4).
 //
@@ -39,7 +39,7 @@ template <class Real>
   }
 }
 
-// Steepest slope of each shape, for the snap-back test.
+// Steepest slope of each shape, for the check of snap-back.
 [[nodiscard]] constexpr double steepest_slope(Softening kind) {
   switch (kind) {
     case Softening::kBilinear: return 0.5;

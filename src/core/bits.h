@@ -1,4 +1,4 @@
-// The bits of one value as another of the same size: std::bit_cast, which not every standard library of C++20 has.
+// Reads the bits of one value as another type of the same size. It replaces std::bit_cast, which some standard libraries lack.
 #pragma once
 
 #include <cstring>

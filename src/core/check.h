@@ -1,4 +1,4 @@
-// WYTHE_ASSERT(condition, what): our own errors, checked in the builds dev, audit, asan and fuzz.
+// WYTHE_ASSERT(condition, what) finds programming errors. It is active in the builds dev, audit, asan and fuzz alone.
 #pragma once
 
 #include <cstdio>

@@ -1,5 +1,5 @@
-// Numbers with a point while it stands, in this thread alone: what a host program's locale says of a decimal comma is set
-// aside. For nlohmann's JSON, which asks the locale and takes one byte of a mark for all of it.
+// While an object of this class lives, its thread writes and reads numbers with a decimal point, whatever the host program's
+// locale is. nlohmann's JSON needs this: it asks the locale for the decimal mark and takes only the mark's first byte.
 #pragma once
 
 #include <locale.h>

@@ -1,7 +1,7 @@
-// Elementary functions with the same bits on every machine: only +, -, *, / and the square root of IEEE 754 are used,
-// which all processors round alike; the libraries' own differ in the last bit. Each is computed with twice the digits
-// of a double (Dekker 1971) from its Taylor series and rounded once at the end, so it is within 0.5001 ulp. They take
-// half a microsecond to one, and belong where a model is built, not into a step (core/rotation.h has sin_cos for that).
+// Elementary functions with the same bits on every machine. Only +, -, *, / and the square root of IEEE 754 are used, since
+// all processors round these alike; library functions differ in the last bit. Each function sums its Taylor series with twice
+// the digits of a double (Dekker 1971) and rounds once at the end: the error is below 0.5001 ulp. A call takes half a
+// microsecond to one. Use them to build a model, not in a time step: there sin_cos of core/rotation.h is the choice.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace wythe::elementary {
 
-// hi + lo, where lo is below half an ulp of hi: some 106 bits.
+// The sum hi + lo, where |lo| is below half an ulp of hi: some 106 bits in all.
 struct Twofold {
   double hi, lo;
 };
@@ -59,14 +59,14 @@ inline Twofold root(const Twofold& a) {
 inline double rounded(const Twofold& a) { return a.hi + a.lo; }
 
 inline constexpr Twofold kPi = {3.141592653589793116e+00, 1.224646799147353207e-16};
-inline constexpr double kPiRest = -2.994769809718339666e-33;  // of pi, behind kPi
+inline constexpr double kPiRest = -2.994769809718339666e-33;  // the third part of pi, after kPi
 inline constexpr Twofold kLn2 = {6.931471805599452862e-01, 2.319046813846299558e-17};
 inline constexpr Twofold kOne = {1, 0};
 
 // Coefficients of the series below, computed by the compiler.
 template <int kCount>
 using Coefficients = std::array<Twofold, kCount>;
-// 1/(first)!, 1/(first + step)!, ... with signs that alternate where `sign` is -1.
+// 1/(first)!, 1/(first + step)!, ...; where `sign` is -1 the signs alternate.
 template <int kCount>
 consteval Coefficients<kCount> inverse_factorials(int first, int step, double sign) {
   Coefficients<kCount> c{};
@@ -104,9 +104,9 @@ Twofold polynomial(const std::array<Twofold, kCount>& c, const Twofold& x) {
 struct Scaled {
   Twofold value;   // 1 to 2, about
   int power;       // of 2
-  Twofold less_1;  // value - 1, with digits of its own where it is small
+  Twofold less_1;  // value - 1, kept apart since it loses digits where it is small
 };
-// e^x = (1 + y)^32 2^k. Squared is y, as 2y + y^2: it keeps its digits where 1 + y loses them.
+// e^x = (1 + y)^32 2^k. The squaring is done on y, as 2y + y^2, since 1 + y would lose the digits of a small y.
 inline Scaled exponential(const Twofold& x) {
   constexpr int kHalvings = 5;
   const double k = std::nearbyint(x.hi / kLn2.hi);
@@ -162,7 +162,7 @@ inline double pow(double x, double y) {
   const bool is_odd = is_whole && std::fabs(y) < 9007199254740992.0 && std::fmod(y, 2) != 0;
   if (x < 0 && !is_whole) return std::numeric_limits<double>::quiet_NaN();
   const double sign = x < 0 && is_odd ? -1 : 1;
-  if (size == 0 || std::isinf(x) || std::isinf(y)) {  // the same everywhere: nothing is rounded
+  if (size == 0 || std::isinf(x) || std::isinf(y)) {  // exact on every machine: nothing is rounded
     return std::pow(x, y);
   }
   const Twofold e = Twofold{y, 0} * logarithm({size, 0});
@@ -195,7 +195,7 @@ inline Circle circle(double x) {
     default: return {-c, s};
   }
 }
-inline constexpr double kFarthest = 1e9;  // beyond, an angle has lost its digits [rad]
+inline constexpr double kFarthest = 1e9;  // beyond this an angle has no digits left [rad]
 inline double sin(double x) {
   return std::fabs(x) < kFarthest ? (x == 0 ? x : rounded(circle(x).sine))
                                   : std::numeric_limits<double>::quiet_NaN();
@@ -211,13 +211,13 @@ inline double tan(double x) {
   return rounded(c.sine / c.cosine);
 }
 
-// Of a quotient between 0 and 1.
+// The arctangent of a quotient t between 0 and 1.
 inline Twofold arctangent(Twofold t) {
   for (int i = 0; i < 2; ++i) t = t / (kOne + root(kOne + t * t));
   constexpr auto kTerms = inverse_odds<25>(-1);
   return 4.0 * (t * polynomial(kTerms, t * t));
 }
-// Angle of (x, y), both as hi + lo and not both 0; y >= 0.
+// The angle of the point (x, y) with y >= 0. Both are hi + lo, and not both are 0.
 inline Twofold angle(const Twofold& y, const Twofold& x) {
   const bool left = x.hi < 0;
   const Twofold ax = left ? -x : x;

@@ -1,4 +1,4 @@
-// Faults as text, and InputError, which carries all of them.
+// Text of faults, and InputError, which carries all faults of an input.
 #include "wythe/parts/error.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace wythe {
 namespace {
 
-// Faults of one kind, but for their values and lines.
+// Whether two faults differ only in their values and lines.
 bool are_alike(const Fault& a, const Fault& b) {
   return a.line > 0 && b.line > 0 && a.file == b.file && a.path == b.path &&
          a.problem == b.problem && a.cure == b.cure;
@@ -21,7 +21,7 @@ std::string without_digits(std::string text) {
   return text;
 }
 
-// The same value refused for the same reason in several members of a list: a name that nothing has any more.
+// Whether the same value was refused for the same reason in another member of a list, such as an unknown name.
 bool are_the_same(const Fault& a, const Fault& b) {
   return a.line > 0 && b.line > 0 && !a.value.empty() && a.value == b.value && a.file == b.file &&
          a.problem == b.problem && a.cure == b.cure && a.path != b.path &&
@@ -36,7 +36,7 @@ std::string same_in(const std::vector<int>& lines) {
   return out;
 }
 
-// A row each; of more than three in a row that are alike the first, and how many follow.
+// One line a fault. Of more than three similar ones in a row it shows the first and counts the others.
 std::string listed(const std::vector<Fault>& faults) {
   constexpr std::size_t kFew = 3;
   std::string out;
@@ -69,9 +69,9 @@ std::string listed(const std::vector<Fault>& faults) {
 
 constexpr std::size_t kLongName = 300, kLongValue = 120, kLongSentence = 4000;
 
-// Bytes at `i` that no terminal should see, 0 where there are none: C0, DEL, C1 (U+0080 to U+009F), the marks
-// that turn the direction of what follows (U+200E to U+200F, U+202A to U+202E, U+2066 to U+2069), and a byte
-// that is no part of a UTF-8 text.
+// Number of bytes at `i` that must not reach a terminal, 0 where there are none. They are C0, DEL, C1 (U+0080 to U+009F), the
+// marks that change the direction of text (U+200E to U+200F, U+202A to U+202E, U+2066 to U+2069), and any byte
+// that is not valid UTF-8.
 std::size_t unreadable_at(const std::string& text, std::size_t i) {
   const auto byte = [&](std::size_t k) {
     return k < text.size() ? static_cast<unsigned char>(text[k]) : 0U;

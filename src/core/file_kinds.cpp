@@ -1,5 +1,5 @@
-// Most kinds are told by their first bytes. ZIP archives are told apart by names in their first 4 and last 64 KiB,
-// texts by words of their first lines. The first entry of the table that fits decides. Bytes that fit none are left to
+// Most kinds are recognised by their first bytes. ZIP archives are distinguished by names in their first 4 and last 64 KiB,
+// texts by words of their first lines. The first matching entry of the table decides. Bytes that match none are left to
 // the reader of the file.
 #include "core/file_kinds.h"
 
@@ -52,7 +52,7 @@ bool holds(std::string_view text, std::string_view part) {
   return text.find(part) != std::string_view::npos;
 }
 
-// Archives in which a program keeps its documents.
+// Kinds of ZIP archives in which programs keep their documents.
 FileKind kind_of_archive(std::string_view bytes) {
   const std::string_view end = bytes.substr(bytes.size() - std::min(bytes.size(), 16 * kHead));
   const auto has = [&](std::string_view name) {
@@ -64,7 +64,7 @@ FileKind kind_of_archive(std::string_view bytes) {
   return {"a ZIP archive", kUnpack};
 }
 
-// Texts that are told by a word of their first lines.
+// Kinds of texts that a word of their first lines identifies.
 FileKind kind_of_text(std::string_view bytes) {
   std::string_view text = bytes.substr(0, kHead);
   if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);

@@ -1,4 +1,4 @@
-// What a file is by its first bytes, where it is none that is read: a drawing of AutoCAD, a page of the web, an archive.
+// Recognises foreign files by their first bytes: an AutoCAD drawing, a web page, an archive. None of these can be read here.
 #pragma once
 
 #include <string>
@@ -7,12 +7,12 @@
 namespace wythe {
 
 struct FileKind {
-  std::string what, cure;  // "a DWG drawing"; "" where the bytes say nothing
+  std::string what, cure;  // "a DWG drawing"; "" where the bytes match no kind
 };
 
 [[nodiscard]] FileKind foreign_kind(std::string_view bytes);
 
-// Throws InputError where the bytes are of such a kind.
+// Throws InputError with the kind and its cure where the bytes are of a foreign kind.
 void refuse_foreign(const std::string& path, std::string_view bytes);
 
 }  // namespace wythe

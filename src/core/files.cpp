@@ -1,4 +1,4 @@
-// POSIX calls rather than streams: they say why they failed, and they can refuse to wait or to follow.
+// POSIX calls rather than streams: they report why they failed, and they can refuse to wait or to follow a link.
 #include "core/files.h"
 
 #include <fcntl.h>
@@ -38,7 +38,7 @@ namespace {
   throw IoError(fmt::format("{}: cannot be written: {}", path, std::strerror(cause)));
 }
 
-// What stands there instead of a regular file; "" for one.
+// What a path holds instead of a regular file, "a folder" for example; "" for a regular file.
 const char* other_kind(mode_t mode) {
   if (S_ISREG(mode)) return "";
   if (S_ISLNK(mode)) return "a link";
@@ -74,7 +74,7 @@ struct Descriptor {
   }
 };
 
-// Bytes read, 0 at the end.
+// Reads at most `room` bytes and returns their number, 0 at the end of the file.
 std::size_t read_some(int descriptor, char* to, std::size_t room, const std::string& path) {
   while (true) {
     const ssize_t got = ::read(descriptor, to, room);
@@ -95,7 +95,7 @@ void check_utf8(const std::string& path, std::string_view text) {
   }
 }
 
-// 0, or errno.
+// Writes the whole text; returns 0, or errno.
 int write_all(int descriptor, std::string_view text) {
   while (!text.empty()) {
     const ssize_t written = ::write(descriptor, text.data(), text.size());
@@ -106,10 +106,10 @@ int write_all(int descriptor, std::string_view text) {
   return 0;
 }
 
-// The same; the data reach the disk before the rename, so that a crash leaves old or new.
+// Writes the whole text and flushes it to the disk before the rename: after a crash the old or the new file is there.
 int fill(int descriptor, std::string_view text) {
   if (const int cause = write_all(descriptor, text); cause != 0) return cause;
-  // EINVAL and EROFS: a file system that has nothing to flush
+  // a file system that has nothing to flush answers EINVAL or EROFS
   if (::fsync(descriptor) != 0 && errno != EINVAL && errno != EROFS) return errno;
   return 0;
 }
@@ -119,7 +119,7 @@ int fill(int descriptor, std::string_view text) {
 void check_input(const std::string& path) {
   struct stat there {};
   if (::stat(path.c_str(), &there) == 0) return check_readable(path, there);
-  if (::lstat(path.c_str(), &there) != 0) return;  // the open that follows says what is wrong
+  if (::lstat(path.c_str(), &there) != 0) return;  // open() reports the reason afterwards
   std::error_code error;
   refuse(path, "",
          fmt::format("is a link to {}, which can't be reached",
@@ -129,7 +129,7 @@ void check_input(const std::string& path) {
 
 void check_output(const std::string& path) {
   struct stat there {};
-  if (::lstat(path.c_str(), &there) != 0) return;  // the open that follows says what is wrong
+  if (::lstat(path.c_str(), &there) != 0) return;  // open() reports the reason afterwards
   const std::string kind = other_kind(there.st_mode);
   if (kind.empty()) return;
   std::error_code error;
@@ -141,14 +141,14 @@ void check_output(const std::string& path) {
 }
 
 std::string read_file(const std::string& path, std::size_t most) {
-  check_input(path);  // before it is opened: that alone may wait for a pipe, or start a device
+  check_input(path);  // before open(): that alone may wait for a pipe or start a device
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
   struct stat there {};
   if (file.number < 0 || ::fstat(file.number, &there) != 0) refuse_reading(path, errno);
   check_readable(path, there);
   const auto stated = static_cast<std::size_t>(there.st_size);
   if (stated > most) refuse_size(path, stated, most);
-  // one byte of room tells a file that has grown, or whose size is not known before (/proc)
+  // one spare byte shows that the file has grown, or that its size was unknown (/proc)
   std::string text(stated + 1, '\0');
   std::size_t size = 0;
   while (const std::size_t got =
@@ -171,7 +171,7 @@ std::string read_text(const std::string& path, std::size_t most) {
 void write_file(const std::string& path, std::string_view text) {
   check_output(path);
   const std::string temporary = path + ".part" + std::to_string(::getpid());
-  ::unlink(temporary.c_str());  // of a killed program that had this number
+  ::unlink(temporary.c_str());  // left by a killed program with the same process number
   const int descriptor =
       ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
   if (descriptor < 0) refuse_writing(path, errno);

@@ -7,12 +7,12 @@
 
 namespace wythe {
 
-// ln Gamma(1 + x) for 0 <= x <= 170, within some 1e-15 of its size, also where x is tiny: Gamma(1 + x) = x Gamma(x) down to
+// ln Gamma(1 + x) for 0 <= x <= 170, relative error some 1e-15 even for tiny x. Gamma(1 + x) = x Gamma(x) reduces x to
 // |x| <= 1/2, then -ln(1 + x) + (1 - gamma) x + sum over k >= 2 of (zeta(k) - 1) (-x)^k / k (Abramowitz and Stegun 6.1.33).
 inline double log_gamma_1p(double x) {
   constexpr double kOneLessEuler = 0.42278433509846714;
   constexpr double kZetaLess1[] = {
-      // of k = 2, 3, ...
+      // zeta(k) - 1 for k = 2, 3, ...
       0.64493406684822644,   0.20205690315959429,   0.082323233711138192,  0.036927755143369926,
       0.01734306198444914,   0.0083492773819228268, 0.0040773561979443394, 0.0020083928260822144,
       9.9457512781808534e-4, 4.9418860411946456e-4, 2.460865533080483e-4,  1.2271334757848915e-4,

@@ -1,4 +1,4 @@
-// 64-bit FNV-1a over bytes: names states and specs; not for security.
+// 64-bit FNV-1a hash over bytes. It identifies states and specs; it is not for security.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ class Hash {
     for (std::size_t i = 0; i < count; ++i) value_ = (value_ ^ p[i]) * 0x100000001b3ULL;
   }
   void add(std::string_view text) { add(text.data(), text.size()); }
-  // -0 and 0 are the same state; every other bit counts.
+  // -0 and 0 count as the same state; every other bit matters.
   void add(double number) {
     const double clean = number + 0.0;
     add(&clean, sizeof clean);

@@ -1,6 +1,6 @@
-// The most that is taken from outside, a line a number, with its reason (docs/reference/limits.md).
+// The largest input that each reader accepts, one number a line with its reason (docs/reference/limits.md).
 //
-// Readers ask these before they take memory or time. What a wall may be is another question: model/size.h.
+// Readers check these before they allocate memory or spend time. Limits of the wall itself stand in model/size.h.
 #pragma once
 
 #include <cstddef>
@@ -21,16 +21,16 @@ constexpr std::size_t kMostPacked =
 constexpr std::size_t kMostCheckpoint = 4'000'000'000;  // 60 states of 200 000 blocks
 
 // --- shape of a text
-constexpr int kMostDepth = 32;         // of tables and lists in each other: a model has 5
-constexpr int kMostKeys = 20'000;      // of a TOML file: a model of 1000 openings has 11 000
-constexpr int kMostSettings = 2'000;   // of --set and study.set: each is looked for among all keys
-constexpr int kMostColumns = 1'000;    // of a CSV file
-constexpr int kMostHeadLines = 100;    // before the numbers of a record: ESM has 64
-constexpr int kMostSampledRows = 50;   // of a table, from which its delimiter is told
+constexpr int kMostDepth = 32;         // depth of nested tables and lists: a model has 5
+constexpr int kMostKeys = 20'000;      // keys of a TOML file: a model of 1000 openings has 11 000
+constexpr int kMostSettings = 2'000;   // of --set and study.set: each is searched among all keys
+constexpr int kMostColumns = 1'000;    // columns of a CSV file
+constexpr int kMostHeadLines = 100;    // lines before the numbers of a record: ESM has 64
+constexpr int kMostSampledRows = 50;   // rows of a table that determine its delimiter
 constexpr int kMostRows = 10'000'000;  // of a CSV file or a curve: output.rows may ask for a tenth
 
-// --- what is said about it
-constexpr std::size_t kMostFaults = 100;  // told at once: nobody mends more before the next try
+// --- what an error message lists
+constexpr std::size_t kMostFaults = 100;  // listed at once: nobody mends more before the next try
 [[nodiscard]] inline bool enough(const FaultList& faults) {
   return faults.all().size() > kMostFaults;
 }

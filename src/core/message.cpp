@@ -1,7 +1,7 @@
-// Messages in words and as JSON. Door to nlohmann-json below io: the table of words is read with it.
+// Messages as text and as JSON. Below the room io only this file uses nlohmann-json: it reads the table of words.
 //
-// A text of the table has {name} or {name:format} for each argument, the format as of fmt: a number's,
-// or what stands between the messages of a list ("; " without one).
+// A text of the table has {name} or {name:format} for each argument. For a number the format is one of fmt;
+// for a list of messages it is the separator between them ("; " without one).
 #include "wythe/parts/message.h"
 
 #include <fmt/format.h>
@@ -28,7 +28,7 @@ const Json& table() {
 
 constexpr const char* kText = "text";  // the code of as_text()
 
-// Place of a language in the rows of the table.
+// Index of a language in the rows of the table.
 std::size_t place_of(std::string_view language) {
   const auto known = message_languages();
   const auto at = std::find(known.begin(), known.end(), language);
@@ -37,9 +37,9 @@ std::size_t place_of(std::string_view language) {
 
 std::string said(const Message& message, std::size_t language);
 
-// What is not 0 is not said to be: as many decimals more as show it, at most three. Formats without decimals
-// count things.
-// A file from anybody may put a number where the words expect a list: its format is none for numbers.
+// A number in its format. A number other than 0 must not appear as 0: up to three decimals are added until a digit shows.
+// Formats without decimals are for counts and stay as they are.
+// A foreign file may hold a number where the text expects a list: such a format is invalid for it and is ignored.
 std::string in_digits(double number, std::string format) try {
   std::string text = fmt::format(fmt::runtime("{:" + format + "}"), number);
   if (number == 0 || !format.ends_with('f') || format.ends_with(".0f")) return text;
@@ -52,8 +52,8 @@ std::string in_digits(double number, std::string format) try {
   return fmt::format("{}", number);
 }
 
-// Whether what follows is the value of a key, as in `until = "{until_mm} mm"`, or a quantity in quotes: a file has decimal
-// points in any language. A single letter before the sign is a coordinate.
+// Whether the next argument is the value of a key, as in `until = "{until_mm} mm"`, or a quantity in quotes. It then has a
+// decimal point in every language, as in a file. A single letter before the equals sign is a coordinate.
 bool is_value_of_key(std::string_view before) {
   if (before.ends_with('"')) return true;
   if (!before.ends_with("= ")) return false;
@@ -115,10 +115,10 @@ Json json_of(const Message& message) {
   return {{"code", message.code}, {"arguments", arguments}};
 }
 
-constexpr int kDeepest = 16;  // messages within messages; the engine's own go to 5
+constexpr int kDeepest = 16;  // nesting of messages; the engine's own reach 5
 
-// Nothing where the table does not know it, or one of the messages in it: half a sentence says
-// something else.
+// Nothing where the table does not know the message, or one of the messages in it: an incomplete sentence
+// would say something else.
 std::optional<Message> read(const Json& json, int depth = 0) {
   if (depth > kDeepest || !json.is_object() || !json.contains("code") || !json["code"].is_string())
     return std::nullopt;
@@ -194,7 +194,7 @@ bool is_message(const std::string& code) { return table()["messages"].contains(c
 
 std::string message_json(const Message& message) {
   if (message.empty() || message.code == kText) return "";
-  // replace: a name that is not UTF-8 must not lose the run
+  // replace: a name that is not UTF-8 must not end the run
   return json_of(message).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -9,13 +9,13 @@
 
 namespace wythe {
 
-extern const std::string_view kMessagesJson;  // cmake/embed.cmake
+extern const std::string_view kMessagesJson;  // made by cmake/embed.cmake
 
 [[nodiscard]] std::vector<std::string> message_languages();
 [[nodiscard]] bool is_message(const std::string& code);
-// "" for a message that is empty or only text (as_text): then the text is all there is.
+// JSON of a message; "" for one that is empty or only text (as_text), which its text describes completely.
 [[nodiscard]] std::string message_json(const Message& message);
-// `text` as it stands where `json` is "", or no message this table knows.
+// The message that `json` holds; as_text(text) where `json` is "" or holds no message that this table knows.
 [[nodiscard]] Message message_of(std::string_view json, const std::string& text);
 
 }  // namespace wythe

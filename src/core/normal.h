@@ -1,4 +1,4 @@
-// The standard normal distribution with the same bits on every machine: shares and quantiles by + - * / and roots alone.
+// The standard normal distribution with the same bits on every machine: only + - * / and square roots are used.
 #pragma once
 
 #include <cmath>
@@ -7,8 +7,8 @@
 
 namespace wythe {
 
-// Share below z, Phi(z), to an ulp: half and the density times z + z^3/3 + z^5/(3 5) + ... (Marsaglia 2004), with twice
-// the digits of a double, so that the far tail keeps its own. |z| <= 9: beyond, the share is 0 or 1 to 1e-19.
+// Probability Phi(z), to an ulp: 1/2 plus the density times z + z^3/3 + z^5/(3 5) + ... (Marsaglia 2004). The sum has twice
+// the digits of a double, so that the far tail stays exact. |z| <= 9: beyond, the result is 0 or 1 to 1e-19.
 inline double normal_share(double z) {
   using namespace elementary;
   if (!(std::fabs(z) < 9)) return z != z ? z : z > 0 ? 1 : 0;
@@ -26,7 +26,7 @@ inline double normal_share(double z) {
                  Twofold{std::ldexp(part.hi, e.power), std::ldexp(part.lo, e.power)});
 }
 
-// z with the share u below it, Phi^-1(u), for 0 < u < 1: algorithm AS 241 (Wichura 1988), within 2e-16 of z.
+// Quantile z = Phi^-1(u) for 0 < u < 1 by algorithm AS 241 (Wichura 1988), within 2e-16 of z.
 inline double normal_quantile(double u) {
   const auto ratio = [](double r, const double(&over)[8], const double(&under)[8]) {
     double a = over[7], b = under[7];

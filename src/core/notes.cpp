@@ -1,5 +1,5 @@
-// Notes that state a changed size of openings are of one kind, likewise of lintels and of sills, and their line names
-// the largest change. All other notes are of one kind with their code; a note without a code stays alone.
+// Notes about a changed size of openings form one group, likewise those of lintels and of sills; the line of such a group
+// names the largest change. Other notes are grouped by their code; a note without a code stays alone.
 #include "wythe/parts/notes.h"
 
 #include <cmath>
@@ -8,16 +8,16 @@
 namespace wythe {
 namespace {
 
-constexpr std::size_t kAlone = 3;  // of one kind, at most
+constexpr std::size_t kAlone = 3;  // notes of one kind that still get a line each
 
-// The size of a fitted thing before and after [m]; NaN of other notes.
+// How much a size was changed to fit the courses [m]; NaN where a note has no sizes.
 double change_of(const Message& note) {
   const double m = note.number("to_m") - note.number("from_m");
   const double mm = note.number("to_mm") - note.number("from_mm");
   return std::fabs(std::isnan(m) ? 1e-3 * mm : m);
 }
 
-// "opening.height_changed" and "opening.head_moved" fit openings; any other note is of its own code.
+// "opening" for "opening.height_changed" and "opening.head_moved"; the code itself for a note without sizes.
 std::string kind_of(const Message& note) {
   const std::string part = note.code.substr(0, note.code.find('.'));
   const bool is_part = part == "opening" || part == "lintel" || part == "sill";

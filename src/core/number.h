@@ -1,6 +1,6 @@
-// Numbers from text, the same in every locale: std::strtod, std::stod and streams follow the decimal comma that a host
-// program may have set. "+1", blanks in front and numbers too large are none. Fractions go through fast_float, whole
-// numbers through std::from_chars, which not every standard library has for fractions.
+// Reads numbers from text, the same in every locale: std::strtod, std::stod and streams follow the locale of a
+// host program. "+1", leading blanks and numbers too large for the type are refused. fast_float reads fractions;
+// std::from_chars reads integers, since not every standard library has it for fractions.
 #pragma once
 
 #include <fast_float/fast_float.h>
@@ -14,7 +14,7 @@
 namespace wythe {
 
 namespace detail {
-// Whether digits were read as a number that is too large or too small for a double.
+// Whether the text has digits but its number is too large or too small for a double.
 inline bool is_out_of_range(double value, std::string_view text) {
   const std::string_view digits = text.substr(0, text.find_first_of("eE"));
   return (std::isinf(value) && digits.find_first_of("0123456789") != std::string_view::npos) ||
@@ -25,10 +25,10 @@ inline bool is_out_of_range(double value, std::string_view text) {
 template <class T>
 struct LeadingNumber {
   T value{};
-  std::string_view rest;  // of the text, behind the number
+  std::string_view rest;  // the text after the number
 };
 
-// The number that a text begins with; nothing where it begins with none.
+// Reads the number at the beginning of a text; nothing where there is none.
 template <class T = double>
 [[nodiscard]] std::optional<LeadingNumber<T>> leading_number(std::string_view text) {
   LeadingNumber<T> out;
@@ -49,7 +49,7 @@ template <class T = double>
   return out;
 }
 
-// The number that a text is; nothing where it is none, or more than that.
+// Reads a text that is one number; nothing where it is none or has more text after it.
 template <class T = double>
 [[nodiscard]] std::optional<T> parse_number(std::string_view text) {
   const auto found = leading_number<T>(text);

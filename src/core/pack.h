@@ -1,8 +1,8 @@
-// Real as a pack of doubles, one a lane, over xsimd: the same law and step templates, N at a time.
+// Real as a pack of doubles, one per lane, over xsimd: the templates of law and step work on N numbers at a time.
 //
-// A lane's bits are those of the double next door: every operation is the IEEE one, minimum and
-// maximum keep the order of their operands, nothing is fused. Pack is a template over the instruction
-// set, so that code compiled for one never shares a function with another.
+// Each lane has the bits that a single double would have: every operation is that of IEEE 754, minimum and maximum
+// keep the order of their operands, and no multiply-add is fused. Pack is a template over the instruction
+// set, so code compiled for one set never shares a function with another.
 #pragma once
 
 #include <xsimd/xsimd.hpp>
@@ -55,7 +55,7 @@ template <class Arch>
 [[nodiscard]] WYTHE_INLINE Pack<Arch> select(Mask<Arch> condition, Pack<Arch> yes, Pack<Arch> no) {
   return Pack<Arch>(xsimd::select(condition.lanes, yes.lanes, no.lanes));
 }
-// a < b ? a : b in every lane, also where the order of equal or absent numbers matters.
+// a < b ? a : b in every lane. The order of the operands counts where both are equal or one is NaN.
 template <class Arch>
 [[nodiscard]] WYTHE_INLINE Pack<Arch> minimum(Pack<Arch> a, Pack<Arch> b) {
   return Pack<Arch>(xsimd::min(a.lanes, b.lanes));

@@ -1,7 +1,7 @@
-// A team of threads that stays awake between passes: a step of a wall takes tens of microseconds, as long as
-// waking a thread does. Who waits spins first and sleeps when nothing comes: a team
-// that is not asked for costs nothing. The standard library's threads; TBB woke its own for each pass
-// (two threads on 825 blocks took longer than one).
+// A team of threads that stays awake between passes. A step of a wall takes tens of microseconds, as long as waking a thread.
+// So a waiting thread first spins, then sleeps: a team without work costs
+// nothing. The threads are those of the standard library. TBB was slower: it woke its threads for each pass,
+// and two of them took longer on 825 blocks than one.
 #include "core/parallel.h"
 
 #include <atomic>
@@ -11,7 +11,7 @@
 namespace wythe {
 namespace {
 
-// Some tenths of a millisecond, longer than anything a step does alone.
+// Spins for some tenths of a millisecond, longer than any serial part of a step.
 constexpr int kSpins = 20000;
 
 void rest_a_little() {
@@ -20,7 +20,7 @@ void rest_a_little() {
 #endif
 }
 
-// Returns once `number` is no longer `was`.
+// Waits until `number` differs from `was`: spins first, then sleeps.
 template <class T>
 void wait_for_change(const std::atomic<T>& number, T was, int spins) {
   for (int k = 0; k < spins; ++k) {
@@ -43,7 +43,7 @@ struct Workers::Team {
     for (std::thread& thread : threads) thread.join();
   }
 
-  // Chunk k is the business of member k % size.
+  // Member m works on the chunks k with k % size = m.
   void do_mine(int member) const {
     for (int chunk = member; chunk < chunks; chunk += size) call(context, chunk);
   }
@@ -74,14 +74,14 @@ struct Workers::Team {
   }
 
   const int size;
-  // more threads than cores: who spins keeps another from working
+  // with more threads than cores nobody spins: it would keep another thread from working
   const int spins = size <= static_cast<int>(std::thread::hardware_concurrency()) ? kSpins : 0;
-  // what the round is about; written by the one who begins it, before `round` says so
+  // what a round works on; the thread that begins it writes these before it increments `round`
   Call call = nullptr;
   const void* context = nullptr;
   int chunks = 0;
   std::atomic<unsigned> round{0};
-  std::atomic<int> left{0};  // members who have not finished it
+  std::atomic<int> left{0};  // members that have not finished the round
   std::vector<std::thread> threads;
 };
 

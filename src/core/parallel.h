@@ -1,8 +1,8 @@
-// Threads within one step: a fixed list of chunks done by any number of workers. Threads that solve samples side by
-// side: campaign/runner/sample_pool.cpp.
+// Threads within one step: any number of workers share a fixed list of chunks. The threads that solve samples side by
+// side are those of campaign/runner/sample_pool.cpp.
 //
-// What a chunk computes never depends on who does it, and sums are kept per chunk and added in
-// order by the caller, so the bits are the same for every number of threads.
+// The result of a chunk does not depend on which worker computes it. The caller keeps sums per chunk and adds them in
+// order, so the bits are the same for every number of threads.
 #pragma once
 
 #include <memory>
@@ -16,7 +16,7 @@ class Workers {
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
 
-  // work(chunk) for chunk = 0 .. chunks-1; returns when all are done.
+  // Calls work(chunk) for chunk = 0 .. chunks-1; returns when all are done.
   template <class Work>
   void for_each_chunk(int chunks, const Work& work) {
     if (!team_) {
@@ -33,7 +33,7 @@ class Workers {
   void run(int chunks, Call call, const void* context);
 
   struct Team;
-  std::unique_ptr<Team> team_;  // empty for one thread
+  std::unique_ptr<Team> team_;  // null with one thread
 };
 
 }  // namespace wythe

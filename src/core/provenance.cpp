@@ -1,4 +1,4 @@
-// The only reader of the generated header, so that a moved HEAD recompiles one small file.
+// Only this file includes the generated header, so that a new commit recompiles one small file.
 #include "wythe/parts/provenance.h"
 
 #include "wythe_provenance.h"

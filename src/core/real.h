@@ -1,12 +1,12 @@
-// The scalar types the joint law and the step are written for: double here, Dual in dual.h, SIMD
-// packs in pack.h. Everything is branch-free through select(); no libm transcendental appears, so that
-// the bits are the same on every machine.
+// The scalar types of the joint law and the step: double here, Dual in dual.h, SIMD packs in pack.h.
+// Branches are written as select(), and no transcendental function of libm is called, so that the bits
+// are the same on every machine.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 
-// The hot kernels are one loop body to the optimiser; left to itself it calls them (3x slower).
+// The optimiser would call parts of a hot kernel as functions (3x slower), so they are always inlined.
 #define WYTHE_INLINE [[gnu::always_inline]] inline
 #define WYTHE_OUTLINE [[gnu::noinline]]
 
@@ -21,16 +21,16 @@ namespace wythe {
 [[nodiscard]] WYTHE_INLINE double square_root(double a) {
   return std::sqrt(a);
 }  // IEEE: exact bits
-// -1, 0 or 1; 0 at 0 keeps mirror images mirrored (physics: sgn(0) = 0).
+// -1, 0 or 1. It is 0 at 0, so that mirrored walls give mirrored results.
 [[nodiscard]] WYTHE_INLINE double sign(double a) {
   return (a > 0.0 ? 1.0 : 0.0) - (a < 0.0 ? 1.0 : 0.0);
 }
 [[nodiscard]] WYTHE_INLINE double value_of(double a) { return a; }
-// True where at least one lane says so: guards work that would change nothing in every lane.
+// True where at least one lane is true. It skips work that would change no lane.
 [[nodiscard]] WYTHE_INLINE bool any(bool condition) { return condition; }
 [[nodiscard]] WYTHE_INLINE bool all(bool condition) { return condition; }
 
-// What a comparison of two Reals gives: bool for double and Dual, a mask for a pack.
+// Type of a comparison of two Reals: bool for double and Dual, a mask for a pack.
 template <class Real>
 using bool_of_t = decltype(Real(0.0) < Real(0.0));
 
@@ -39,7 +39,7 @@ template <class Real>
   return minimum(maximum(a, low), high);
 }
 
-// exp(-x) for x >= 0, zero beyond 45: Taylor of degree 11 at x/256, squared eight times.
+// exp(-x) for x >= 0, zero beyond 45: Taylor series of degree 11 at x/256, squared eight times.
 // Relative error below 1e-13 (tests/unit/core/real_test.cpp).
 template <class Real>
 [[nodiscard]] WYTHE_INLINE Real exp_of_minus(Real x) {
@@ -56,7 +56,7 @@ struct SinCos {
 };
 
 namespace detail {
-// sin(q)/q and 2 (1 - cos q)/q^2 by Taylor series up to q^last, Horner from the tail.
+// sin(q)/q and 2 (1 - cos q)/q^2 by Taylor series up to q^last, evaluated by Horner's rule.
 template <int last, class Real>
 WYTHE_INLINE void sine_series(Real z, Real& s, Real& v) {
   s = Real(1.0);
@@ -70,21 +70,21 @@ WYTHE_INLINE void sine_series(Real z, Real& s, Real& v) {
 }  // namespace detail
 
 namespace detail {
-// An angle less its whole turns: by Cody and Waite, 2 pi in two parts of which the first times a number of turns is exact.
+// An angle without its full turns, after Cody and Waite: 2 pi in two parts, the first of which is exact times a count of turns.
 template <class Real>
 [[nodiscard]] WYTHE_INLINE Real within_a_turn(Real angle) {
   constexpr double kTurn = 6.283185243606567, kRest = 6.357301909411278e-08;
   constexpr double kRounder =
-      6755399441055744.0;  // 1.5 x 2^52: what is added to it loses its fraction
+      6755399441055744.0;  // 1.5 x 2^52: a number added to it loses its fraction
   const Real turns = (angle * Real(1 / (kTurn + kRest)) + Real(kRounder)) - Real(kRounder);
   return (angle - turns * Real(kTurn)) - turns * Real(kRest);
 }
 }  // namespace detail
 
-// Sine and cosine by polynomials: for |angle| <= 1/8 (every block short of collapse) of degree 9,
-// beyond by the double-angle formula, applied twice, on a polynomial of degree 17 in angle/4, without
-// whole turns where the angle is above 4 (blocks that roll).
-// Absolute error below 2e-15 up to pi, 1e-13 up to a thousand turns; which way is used depends on the angle alone.
+// Sine and cosine by polynomials. For |angle| <= 1/8, as in every block short of collapse, the degree is 9. Beyond,
+// a polynomial of degree 17 in angle/4 is followed by two double-angle formulas. Above 4, for blocks that roll, full
+// turns are removed first.
+// The absolute error is below 2e-15 up to pi, 1e-13 up to a thousand turns. The choice depends on the angle alone.
 template <class Real>
 [[nodiscard]] WYTHE_INLINE SinCos<Real> sin_cos(Real angle) {
   const Real one(1.0), half(0.5), two(2.0);
@@ -98,7 +98,7 @@ template <class Real>
   const Real q = angle * Real(0.25);
   detail::sine_series<17>(q * q, s, v);
   Real sine = q * s;
-  Real versine = half * q * q * v;  // 1 - cos, free of cancellation
+  Real versine = half * q * q * v;  // 1 - cos, without cancellation
   for (int k = 0; k < 2; ++k) {
     const Real cosine = one - versine;
     versine = two * sine * sine;

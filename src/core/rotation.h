@@ -1,5 +1,5 @@
-// Vectors and quaternions of Reals for steps in space: + - * / and sqrt alone, so that the bits are the
-// same on every machine. Outside the step wythe/parts/vector.h is the vocabulary.
+// Vectors and quaternions of Reals for steps in space. Only + - * / and sqrt are used, so that the bits are the
+// same on every machine. Code outside the step uses wythe/parts/vector.h.
 #pragma once
 
 #include "core/real.h"
@@ -31,19 +31,19 @@ template <class Real>
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-// w + x i + y j + z k, of length 1: a turn by 2 acos(w) about (x, y, z).
+// Unit quaternion w + x i + y j + z k: a rotation by 2 acos(w) about (x, y, z).
 template <class Real>
 struct Quaternion {
   Real w;
   Vector<Real> v;
 };
-// The turn b, then the turn a.
+// The rotation b followed by the rotation a.
 template <class Real>
 [[nodiscard]] WYTHE_INLINE Quaternion<Real> operator*(const Quaternion<Real>& a,
                                                       const Quaternion<Real>& b) {
   return {a.w * b.w - dot(a.v, b.v), a.w * b.v + b.w * a.v + cross(a.v, b.v)};
 }
-// How far the tip of `arm` moves when it is turned: R a - a, free of cancellation.
+// Displacement of the tip of `arm` by a rotation: R a - a, without cancellation.
 template <class Real>
 [[nodiscard]] WYTHE_INLINE Vector<Real> swing(const Quaternion<Real>& q, const Vector<Real>& arm) {
   const Vector<Real> half = cross(q.v, arm) + q.w * arm;

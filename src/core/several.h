@@ -1,6 +1,6 @@
-// Several numbers that go one way together: the points of a face. Each operation is done for one part
-// after the other, so that the processor works on all parts while it would wait for one, and any()
-// asks all with one branch. A part has the bits it would have alone.
+// Several numbers that take the same operations together: the points of a face. Each operation is done for all parts in
+// turn, so that the processor works on the others while one result is pending; any() tests all parts
+// with one branch. Each part has the bits it would have alone.
 #pragma once
 
 #include <type_traits>
@@ -20,7 +20,7 @@ struct SeveralMask {
   WYTHE_INLINE friend SeveralMask operator|(SeveralMask a, SeveralMask b) {
     return {static_cast<Mask>(a.first | b.first), a.rest | b.rest};
   }
-  // One mask: where any part says so, where all parts do.
+  // Combines the masks of all parts into one: any_part() by or, all_parts() by and.
   [[nodiscard]] WYTHE_INLINE Mask any_part() const {
     if constexpr (n == 1)
       return first;
@@ -50,7 +50,7 @@ struct Several {
   [[no_unique_address]] Several<Real, n - 1> rest;
 
   Several() = default;
-  // The same in all parts; a constant of the law mixes freely with them.
+  // All parts equal, so that constants of the law mix freely with them.
   WYTHE_INLINE Several(Real same) : first(same), rest(same) {}  // NOLINT: implicit on purpose
   WYTHE_INLINE explicit Several(double same) requires(!std::is_same_v<Real, double>)
       : Several(Real(same)) {}
@@ -134,7 +134,7 @@ struct Several<Real, 0> {
   WYTHE_INLINE friend Several sign(Several) { return {}; }
 };
 
-// act(k) for k = 0 .. n - 1, each a compile-time number.
+// Calls act(k) for k = 0 .. n - 1, each k a compile-time constant.
 template <int n, int k = 0, class Act>
 WYTHE_INLINE void for_each_part(const Act& act) {
   if constexpr (k < n) {

@@ -1,5 +1,5 @@
-// Counts open brackets, dots of keys, keys and lines, and skips strings and comments, whose brackets open nothing. It
-// is no parser, and its counts are upper bounds: in TOML a decimal point counts as a dot, and a list as a key.
+// Counts open brackets, dots of keys, keys and lines; it skips strings and comments, whose brackets do not nest.
+// It is no parser: its counts are upper bounds. In TOML it counts a decimal point as a dot, and a list as a key.
 #include "core/shape.h"
 
 #include <fmt/format.h>
@@ -34,20 +34,20 @@ class Scan {
     if (c == '\n') ++line_;
     if (c == '[' || c == '{') ++brackets_;
     if (c == ']' || c == '}') brackets_ = std::max(0, brackets_ - 1);
-    // the steps of a dotted key are tables in each other; it ends at any of these
+    // each dot of a key opens a nested table; any of these characters ends the key
     if (c == '\n' || c == '=' || c == ',' || c == '[' || c == '{') dots_ = 0;
     if (c == '.' && toml_) ++dots_;
     if (brackets_ + dots_ > kMostDepth)
       refuse(fmt::format("nests deeper than {} levels", kMostDepth),
              "write fewer tables or lists in each other");
-    const bool heads = c == '[' && (at_ == 0 || text_[at_ - 1] != '[');  // [a] and [[a]] are one
+    const bool heads = c == '[' && (at_ == 0 || text_[at_ - 1] != '[');  // [a] and [[a]] count once
     if (toml_ && (c == '=' || heads)) ++keys_;
     if (keys_ > kMostKeys)
       refuse(fmt::format("has more than {} keys", kMostKeys),
              "leave some out; values of a list may stand in a CSV file");
   }
 
-  // To behind the string that begins here. Longer than a line only between three quotes, in TOML.
+  // Skips the string that begins here. Only a TOML string between three quotes may be longer than a line.
   void skip_string(char quote) {
     const std::string_view three = quote == '"' ? "\"\"\"" : "'''";
     const bool lines = toml_ && text_.substr(at_, 3) == three;
@@ -62,7 +62,7 @@ class Scan {
       } else if (text_.substr(at_, end.size()) == end) {
         at_ += end.size();
         for (int more = 0; lines && more < 2 && at_ < text_.size() && text_[at_] == quote; ++more)
-          ++at_;  // quotes of the text itself, before the three that end it
+          ++at_;  // quotes that belong to the text, before the three that end it
         return;
       }
     }

@@ -1,4 +1,4 @@
-// Edit distance with swaps (optimal string alignment), by rows of the usual table.
+// Edit distance with swaps (optimal string alignment), computed row by row.
 #include "core/text.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace wythe {
 namespace {
 
-constexpr std::ptrdiff_t kMostShown = 60;  // names in one sentence
+constexpr std::ptrdiff_t kMostShown = 60;  // names listed in one sentence
 }  // namespace
 
 std::string small_letters(std::string_view text) {
@@ -47,12 +47,12 @@ std::string nearest_name(std::string_view name, const std::vector<std::string>& 
   bool nearest_begins = false;
   for (const std::string& candidate : candidates) {
     if (candidate.size() > 2 * kLongestName) continue;
-    // as many letters at least have to be added or taken away
+    // lower bound of the distance: the difference of the lengths
     const auto more = static_cast<int>(candidate.size()) - static_cast<int>(wanted.size());
     if (std::abs(more) > best) continue;
     const std::string known = small_letters(candidate);
     const int distance = edit_distance(wanted, known);
-    // no letter in common; as near as another, but one is the beginning of the other
+    // no letter in common is no match; of equally near names one that begins like the other wins
     if (distance >= static_cast<int>(std::max(wanted.size(), known.size()))) continue;
     const bool begins = known.starts_with(wanted) || wanted.starts_with(known);
     if (distance < best || (distance == best && !nearest.empty() && begins && !nearest_begins)) {
@@ -108,7 +108,7 @@ std::size_t utf8_size(std::string_view text, std::size_t i) {
   const std::size_t size = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
   for (std::size_t k = 1; k < size; ++k)
     if ((byte(i + k) & 0xc0) != 0x80) return 0;
-  // longer than need be, half of a pair of UTF-16, beyond the last character
+  // an overlong encoding, half of a UTF-16 pair, or a number beyond the last character
   if ((first == 0xe0 && second < 0xa0) || (first == 0xed && second > 0x9f) ||
       (first == 0xf0 && second < 0x90) || (first == 0xf4 && second > 0x8f))
     return 0;

@@ -1,4 +1,4 @@
-// From a double to an int, also where no int is as large: the language leaves such a conversion undefined.
+// Converts a double to an int of any size: C++ leaves the conversion undefined where no int is as large.
 #pragma once
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 
 namespace wythe {
 
-// The integer part; a thousand million at most on either side, 0 for what is no number.
+// The integer part, limited to a thousand million on either side; 0 for NaN.
 [[nodiscard]] inline int to_int(double x) {
   return std::isnan(x) ? 0 : static_cast<int>(std::clamp(x, -1e9, 1e9));
 }

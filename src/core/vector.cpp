@@ -1,4 +1,4 @@
-// Turns of wythe/parts/vector.h.
+// Rotations of wythe/parts/vector.h.
 #include "wythe/parts/vector.h"
 
 #include "core/elementary.h"

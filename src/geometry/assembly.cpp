@@ -33,7 +33,7 @@ ZoneSpec zones_of(const LintelSpec& lintel) {
   return {lintel.zones, lintel.zone_length, lintel.zone_kind, lintel.plane};
 }
 
-// One block a segment; `like` has what they share.
+// One block for each segment; `like` has the members that they share.
 void add_segments(const std::vector<Rect>& segments, const std::string& id, Block like,
                   std::vector<Block>& blocks) {
   for (std::size_t k = 0; k < segments.size(); ++k) {
@@ -88,7 +88,7 @@ void add_voussoirs(const Shape& shape, const PlacedOpening& opening,
   }
 }
 
-// Neighbours in the wall become neighbours in memory: from the bottom up, then left to right.
+// Neighbours in the wall become neighbours in memory: blocks are sorted from the bottom up, then left to right.
 void sort_blocks(std::vector<Block>& blocks, const std::vector<Storey>& storeys) {
   const auto key = [&](const Block& b) {
     const Vec2 corner = b.outline.front();
@@ -110,7 +110,7 @@ void add_frames(std::vector<PlacedFrame> frames, Assembly& assembly) {
   assembly.frames = std::move(frames);
 }
 
-// Bars side by side may need more room than the wall has; what sticks out touches nothing.
+// Notes frames wider than the wall: several profiles side by side may need more room, and what sticks out touches nothing.
 void note_wide_frames(const Shape& shape, Assembly& assembly) {
   for (const PlacedFrame& frame : assembly.frames) {
     double widest = 0;
@@ -125,7 +125,7 @@ void note_wide_frames(const Shape& shape, Assembly& assembly) {
   }
 }
 
-// Storeys with their lattices, and what stands on or in them.
+// Storeys with their lattices, and all that stands on or in them.
 struct Plan {
   std::vector<Storey> storeys;
   std::vector<PlacedOpening> openings;
@@ -134,7 +134,7 @@ struct Plan {
   std::vector<PlacedFrame> frames = {};
 };
 
-// What stands where a stage cuts an opening and puts in its lintel and sill.
+// Adds the masonry that stands before a stage cuts an opening and inserts its lintel and sill.
 void add_cut_out(const PlacedOpening& opening, const std::vector<Storey>& storeys,
                  std::vector<Block>& blocks) {
   int number = 0;
@@ -188,7 +188,7 @@ void lay_blocks(const Shape& shape, const Plan& plan, Assembly& assembly) {
                                     {"shorter_mm", 1e3 * kSliver * narrowest_column(storeys)}}});
 }
 
-// Keys that shape a generated wall and say something here; defaults written out say nothing.
+// Stated keys that shape a generated wall; keys at their defaults are not listed.
 std::vector<std::string> shape_keys(const Shape& shape) {
   const WallSpec& wall = shape.wall;
   const WallSpec unset;
@@ -220,7 +220,7 @@ std::vector<std::string> shape_keys(const Shape& shape) {
   return keys;
 }
 
-// Planes where no head joint ends: a crack that runs along them has to turn at every course.
+// Notes vertical planes where no head joint ends: a crack along such a plane has to turn at every course.
 void note_planes(const std::vector<Storey>& storeys, std::vector<Message>& notes) {
   const auto misses = [](const Storey& s) {
     const bool has_headers = s.bond == Bond::kFlemish || s.bond == Bond::kEnglish;
@@ -242,7 +242,7 @@ void note_unused(const Shape& shape, std::vector<Message>& notes) {
   }
 }
 
-// `cut_all`: as if every storey had fit = "cut".
+// Plans the wall. `cut_all`: as if every storey had fit = "cut".
 Plan plan_wall(const Shape& shape, bool cut_all, std::vector<Message>& notes, FaultList& faults) {
   Plan plan;
   plan.storeys = plan_storeys(shape, cut_all, notes, faults);
@@ -263,7 +263,7 @@ Plan plan_wall(const Shape& shape, bool cut_all, std::vector<Message>& notes, Fa
   return plan;
 }
 
-// A fault as an item of a list: where, what, and the size that fits.
+// A fault as an item of a list: place, problem, and a size that fits.
 std::string listed(const Fault& fault) {
   std::string cure =
       fault.cure.substr(0, std::min(fault.cure.find(", on the"), fault.cure.find(" (or")));
@@ -271,7 +271,7 @@ std::string listed(const Fault& fault) {
   return fault.path + " = " + fault.value + (cure.empty() ? "" : " (" + cure + " fits)");
 }
 
-// What is left to refuse of the same wall where units are cut.
+// Faults that remain for the same wall when units are cut.
 FaultList faults_when_cut(const Shape& shape) {
   FaultList faults;
   std::vector<Message> unsaid;
@@ -284,8 +284,8 @@ FaultList faults_when_cut(const Shape& shape) {
   return faults;
 }
 
-// Sizes that a survey measured seldom fit whole units. Where many do not, and fit = "cut" would take
-// them all, that is said first and once.
+// Surveyed sizes seldom fit whole units. Where many do not fit and fit = "cut" would accept all of them, one fault
+// says so first.
 void add_plan_faults(const Shape& shape, const FaultList& found, FaultList& faults) {
   constexpr std::size_t kMany = 3, kListed = 12;
   const auto& all = found.all();
@@ -336,7 +336,7 @@ void copy_storeys(const std::vector<Storey>& storeys, Assembly& assembly) {
   assembly.top_thickness = storeys.back().thickness;
 }
 
-// Fills everything but faces; false after a fault that keeps the wall from standing.
+// Fills everything but faces; false after a fault that prevents the wall from standing.
 bool raise_generated(const Shape& shape, Assembly& assembly, FaultList& faults) {
   const std::size_t before = faults.all().size();
   note_planes(stated_storeys(shape.wall, shape.storey), assembly.report.notes);
@@ -380,7 +380,7 @@ double lowest_point(const std::vector<Block>& blocks) {
   return lowest;
 }
 
-// Where frames may stand in a blocks file: on its supports, or on the line that stands in for them.
+// Where frames may stand in a blocks file: on its supports, or on the ground line that replaces missing supports.
 FrameSite site_of_file(const std::vector<Block>& blocks, const Rect& extent) {
   FrameSite site{extent, {}};
   for (const Block& block : blocks)
@@ -390,8 +390,8 @@ FrameSite site_of_file(const std::vector<Block>& blocks, const Rect& extent) {
   return site;
 }
 
-// In a blocks file storeys are levels, from its lowest point upwards; a block belongs to the one that
-// holds its centroid, and takes its thickness where it states one.
+// In a blocks file storeys are levels above its lowest point. A block belongs to the level that
+// contains its centroid, and takes its thickness where the level states one.
 std::vector<Storey> mark_storeys(const Shape& shape, double foot, Assembly& assembly,
                                  FaultList& faults) {
   std::vector<Storey> storeys = level_storeys(shape, foot, faults);
@@ -431,7 +431,7 @@ bool raise_from_file(const Shape& shape, Assembly& assembly, FaultList& faults) 
   return faults.all().size() == before;
 }
 
-// The ground line stands in for supports where the shape has none.
+// A ground line replaces supports where the shape has none.
 void add_ground(const Shape& shape, Assembly& assembly, std::vector<Contact>& contacts) {
   const auto& blocks = assembly.blocks;
   const bool has_supports = std::any_of(blocks.begin(), blocks.end(),
@@ -486,7 +486,7 @@ double density_of(const Shape& shape, const Block& block) {
   if (block.role == Role::kBeam && !std::isnan(shape.wall.beam.height))
     return shape.wall.beam.density;
   if (block.role == Role::kRingBeam) {
-    // The weight of the stated section, in courses that may be higher or lower.
+    // the weight is that of the stated section, though its courses may be higher or lower
     const Rect laid = bounds(block.outline);
     return shape.material.at(block.material) *
            shape.ring_beam[static_cast<std::size_t>(block.ring_beam)].height / (laid.y1 - laid.y0);
@@ -514,7 +514,7 @@ double Assembly::thickness_of(const Face& face) const {
 
 namespace {
 
-// What a stage cuts out never stands together with the lintel and the sill of its opening, and frames are put up within it.
+// Masonry that a stage cuts out never stands together with lintel, sill and frame of its opening.
 void part_cut_out(const std::vector<Block>& blocks, ContactSearch& search) {
   const auto part = [&](const auto& contact) {
     const auto side = [&](int i) -> const Block& { return blocks[static_cast<std::size_t>(i)]; };

@@ -1,9 +1,9 @@
 // The wall as geometry: blocks as polygons and the faces they share. No mechanics.
 //
-// build_assembly() makes it from a Shape: from its wall (bond patterns, openings, lintels, plates, beam)
-// or from its blocks (a blocks file already read); model/compile.cpp turns it into the arrays of a Model.
+// build_assembly() makes it from a Shape, either from its wall (bond patterns, openings, lintels, plates, beam) or
+// from the blocks of a file already read; model/compile.cpp turns it into the arrays of a Model.
 //
-//      +-----+-----+        each face pair is one Face: the overlap segment p0-p1, the two
+//      +-----+-----+        each pair of faces in contact is one Face: the overlap segment p0-p1, the two
 //      |  b  |     |        blocks, and the unit normal pointing from a to b
 //      +--^--+-----+   p0 --n-- p1
 //      |  a  |     |
@@ -22,30 +22,30 @@ namespace wythe::geometry {
 enum class Role { kMasonry, kLintel, kPlate, kBeam, kSupport, kRingBeam, kSill, kFrame };
 
 struct Block {
-  std::string id;              // "c03u07a" (course, unit, half) or the id in a blocks file
-  std::vector<Vec2> outline;   // anticlockwise, no repeated end point [m]
-  std::string material;        // block material name ("masonry", the lintel's material, ...)
-  double thickness = kUnset;   // [m]
-  Role role = Role::kMasonry;  // kSupport blocks never move
-  int course = -1;             // 0 at the bottom, -1 where it has no meaning
-  int unit = -1;               // blocks of one masonry unit share it; -1: a unit of its own
-  int opening = -1;            // segments of a lintel or sill and voussoirs: index of their opening
-  int ring_beam = -1;          // segments of one: its index in the model's list
-  int frame = -1;              // segments of one: its index in the model's list
-  int segment = -1;            // of a frame, in PlacedFrame
+  std::string id;               // "c03u07a" (course, unit, half) or the id in a blocks file
+  std::vector<Vec2> outline;    // anticlockwise, no repeated end point [m]
+  std::string material;         // block material name ("masonry", the lintel's material, ...)
+  double thickness = kUnset;    // [m]
+  Role role = Role::kMasonry;   // kSupport blocks are fixed
+  int course = -1;              // 0 at the bottom, -1 without courses
+  int unit = -1;                // the blocks of one masonry unit share it; -1: none
+  int opening = -1;             // of segments of a lintel or sill, and of voussoirs: their opening
+  int ring_beam = -1;           // of its segments: index in the model's list
+  int frame = -1;               // of its segments: index in the model's list
+  int segment = -1;             // of a frame's segments: index in PlacedFrame
   double own_density = kUnset;  // of a frame's segment, by its section [kg/m^3]
   int storey = -1;              // in the model's list; -1: the model has none
-  int region = -1;              // the last of the model's list that holds its centroid; -1: none
+  int region = -1;              // last region of the model's list with its centroid; -1: none
   ZoneSpec zone;                // deformable where zone.zones > 0
-  int cut_from = -1;            // masonry that a stage cuts out: index of the opening
+  int cut_from = -1;            // masonry that a stage cuts out: index of its opening
 };
 
-// A stone of an arch: masonry that belongs to an opening.
+// Whether a block is a voussoir: masonry that belongs to an opening.
 [[nodiscard]] inline bool is_voussoir(const Block& block) {
   return block.role == Role::kMasonry && block.opening >= 0;
 }
 
-// A segment of a lintel, sill or ring beam.
+// Whether a block is a segment of a lintel, sill or ring beam.
 [[nodiscard]] inline bool is_chain(const Block& block) {
   return block.role == Role::kLintel || block.role == Role::kSill || block.role == Role::kRingBeam;
 }
@@ -72,26 +72,26 @@ struct Face {
   Vec2 p0, p1;  // overlap segment; from p0 to p1 the normal is on the LEFT: n = (-ty, tx)
   FaceKind kind = FaceKind::kOther;
   std::string material;     // joint material name
-  bool shares_bed = false;  // a head joint of its bed's material: has head_joint_bond of it
+  bool shares_bed = false;  // a head joint with its bed's material: head_joint_bond acts
 };
 
-// What was changed or lost between the user's words and the geometry; shown by `wythe check`.
+// What the geometry changed or omitted of the user's input; `wythe check` shows it.
 struct BuildReport {
   std::vector<Message> notes;  // e.g. "half unit 155 mm -> 154.5 mm (-0.3 %)"
   double half_unit = 0;        // fitted [m], 0 for a blocks file
   double course = 0;           // fitted course height [m]
   int courses = 0;
   int masonry_blocks_before_lintels = 0;
-  int lost_joints = 0;  // facing pairs left out (below the smallest contact length)
+  int lost_joints = 0;  // facing pairs omitted (shorter than the smallest contact)
 };
 
-// One pier: an interval of the wall's length that stands beside openings, full height to the top.
+// One pier: an interval of the wall's length beside openings, from bottom to top.
 struct Pier {
   double x0 = 0, x1 = 0;  // [m]
   double height = 0;      // top of the lower adjacent opening [m]; wall height without openings
 };
 
-// One storey as laid, from the ground up.
+// One storey as laid; storeys are listed from the ground up.
 struct StoreyBand {
   std::string name;
   double foot = 0, top = 0;           // [m]
@@ -104,19 +104,19 @@ struct GroundStep {
   double x0 = 0, x1 = 0, y = 0;  // [m]
 };
 
-// One straight part of a frame along its way, as built: with its gap.
+// One straight part of a frame, as built: with its gap.
 struct FramePart {
   Message words;  // "left column"
   Vec2 from, way;
   double length = 0;  // between corners, on the axis [m]
 };
 
-// The section between two segments of a frame, or between the ground and a foot: `a` comes before `b` on the way.
+// A section between two segments of a frame, or between the ground and a foot; `a` comes first along the frame.
 struct FrameJoint {
   int part = 0;
   int a = kGround, b = kGround;  // segments
   double place = 0;              // along its part [m]
-  double length = 0;             // whose curvature it has [m]
+  double length = 0;             // length of frame that the section represents [m]
   bool hinged = false;
 };
 
@@ -125,8 +125,8 @@ struct PlacedFrame {
   std::string name;
   std::vector<FramePart> parts;
   std::vector<FrameJoint> joints;
-  std::vector<Block> segments;  // touching what they may come to touch
-  std::vector<Vec2> moved;  // of each segment: from its outline to where it stands, by the gap [m]
+  std::vector<Block> segments;  // outlines moved by the gap, so that they touch their neighbours
+  std::vector<Vec2> moved;      // of each segment: from outline to true place (the gap) [m]
 };
 
 struct Assembly {
@@ -142,11 +142,11 @@ struct Assembly {
   BuildReport report;
 };
 
-// Builds the wall (from shape.block when the spec names a blocks file), or adds to `faults`, with
-// spec paths, why it can't.
+// Builds the wall, from shape.block when the spec names a blocks file. A wall that can't be built gives `faults`
+// with their spec paths.
 [[nodiscard]] Assembly build_assembly(const Shape& shape, FaultList& faults);
 
-// Density of a block [kg/m^3]; not a member of Block, so that walls that differ in it share an assembly.
+// Density of a block [kg/m^3]. It is no member of Block, so that walls of different density share an assembly.
 [[nodiscard]] double density_of(const Shape& shape, const Block& block);
 
 // Area, centroid and second polar moment about the centroid of a simple anticlockwise polygon.

@@ -1,6 +1,6 @@
 // Checks ids, densities and names of a file's blocks, then makes an outline of each polygon. Corners that repeat a
-// neighbour are left out. So are those on the line of their neighbours, which would part a joint in two; blocks with
-// zones keep them as nodes. Overlaps are looked for later (wall/checks.cpp).
+// neighbour are removed. So are corners on the line of their neighbours, which would divide a joint in two; blocks with
+// zones keep them as nodes. wall/checks.cpp tests for overlaps later.
 #include "geometry/blocks_file.h"
 
 #include <algorithm>
@@ -24,18 +24,18 @@ bool is_finite(const Polygon& corners) {
                      [](Vec2 p) { return std::isfinite(p.x) && std::isfinite(p.y); });
 }
 
-// The corners that make the outline: neither one that repeats its neighbour but for rounding, nor one on the straight
-// line of its neighbours, which would part a joint in two. Those of a block that is cut into zones stay: they are its
+// Corners of the outline, without repetitions (up to rounding) and without corners on the straight line of their
+// neighbours, which would divide a joint in two. A block with zones keeps the latter: they are its
 // nodes.
 Polygon corners_of(const BlockSpec& block) {
-  constexpr double kRounding = 1e-6;  // of the outline's size, as for contacts
+  constexpr double kRounding = 1e-6;  // share of the outline's size, as for contacts
   Polygon corners;
   for (const auto& [x, y] : block.polygon) corners.push_back({x, y});
   if (corners.empty() || corners.size() > kMostOutlineCorners || !is_finite(corners))
     return corners;
   const Rect box = bounds(corners);
   const double size = std::max(box.x1 - box.x0, box.y1 - box.y0), near = kRounding * size;
-  // drawings close an outline by a corner that is off by what they print
+  // drawings repeat the first corner with an error of the last printed digit
   constexpr double kPrinted = 1e-5;  // [m]
   const double closes = std::max(near, std::min(kPrinted, 1e-3 * size));
   const auto apart = [&] {
@@ -56,7 +56,7 @@ Polygon corners_of(const BlockSpec& block) {
     const std::size_t n = corners.size();
     if (is_idle(corners[(i + n - 1) % n], corners[i % n], corners[(i + 1) % n])) {
       corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(i % n));
-      i = (i % n + n - 2) % (n - 1);  // the corner before it has another neighbour now
+      i = (i % n + n - 2) % (n - 1);  // the previous corner has another neighbour now
       seen = 0;
     } else {
       ++i;
@@ -86,7 +86,7 @@ Role role_of(const BlockSpec& block) {
   return block.beam ? Role::kBeam : Role::kMasonry;
 }
 
-// Supports do not move and the beam takes loads: neither is cut into zones.
+// Refuses zones for supports, which do not move, and for the beam, which takes loads.
 void refuse_zones(const BlockSpec& block, FaultList& faults) {
   if (block.zone.zones == 0 || !(block.fixed || block.beam)) return;
   add_fault(faults, path_of(block) + ".zones", std::to_string(block.zone.zones),
@@ -116,7 +116,7 @@ void check_densities(const Shape& shape, FaultList& faults) {
   }
 }
 
-// Bottom edges of the masonry, each height once, lowest first.
+// Levels of bottom edges of the masonry, each once, lowest first.
 std::vector<double> bottoms_of(const std::vector<Block>& blocks, double tolerance) {
   std::vector<double> bottoms;
   for (const Block& block : blocks) {
@@ -152,7 +152,7 @@ bool names_pair(const ContactRule& rule, const std::string& a, const std::string
          (rule.between[0] == b && rule.between[1] == a);
 }
 
-// A rule that names what no block is would do nothing, and its joints keep another law.
+// Refuses contact rules that match no block: their joints would have another law than the user expects.
 void check_rules(const Shape& shape, const BlockNames& blocks, FaultList& faults) {
   std::vector<std::string> known{"ground"};
   for (const auto& [material, id] : blocks) known.push_back(material);
@@ -175,7 +175,7 @@ void check_rules(const Shape& shape, const BlockNames& blocks, FaultList& faults
   }
 }
 
-// Names that a block may bear: tables of the model, and what contact rules call blocks.
+// Names that a block may have: tables of the model, and block materials of contact rules.
 std::vector<std::string> names_of_materials(const Shape& shape) {
   std::vector<std::string> names{"masonry"};
   for (const auto& [name, density] : shape.material) names.push_back(name);

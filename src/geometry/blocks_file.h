@@ -1,4 +1,4 @@
-// Blocks from a blocks file (spec.block, already read by src/io): checked and turned anticlockwise.
+// Checks the blocks of a blocks file (spec.block, already read by src/io) and turns them anticlockwise.
 //
 // Called by assembly.cpp. Faults stand at "wall.blocks.<id>".
 #pragma once
@@ -12,23 +12,23 @@
 
 namespace wythe::geometry {
 
-// Blocks in the file's order. Courses are numbered only where every block is an upright rectangle.
+// Blocks in the file's order. They get course numbers only where all of them are upright rectangles.
 [[nodiscard]] std::vector<Block> blocks_from_file(const Shape& shape, FaultList& faults);
 
-// Why these corners make no outline; "" where they do.
+// Why these corners form no outline; "" where they do.
 [[nodiscard]] std::string outline_problem(const Polygon& corners);
 
-// Density of a file's block: of its material, or the unit's where that has none [kg/m^3].
+// Density of a block in a file [kg/m^3]: of its material, or that of the unit where the material has none.
 [[nodiscard]] double density_in_file(const Shape& shape, const std::string& material);
 
-// Materials that blocks bear, each with the id of the first block that does.
+// Materials of blocks, each with the id of the first block that has it.
 using BlockNames = std::map<std::string, std::string>;
 
-// Refuses contact rules that name no block's material, and names of blocks that nearly are a material's ([material.*], "masonry", or
-// what a contact rule calls blocks). Any other name is a block's own: it takes the unit's density and the common joints.
+// Refuses contact rules that match no block's material, and block materials that are nearly a known name ([material.*], "masonry", or
+// a block material of a contact rule). Any other name is accepted: such a block has the unit's density and the common joints.
 void check_names(const Shape& shape, const BlockNames& blocks, FaultList& faults);
 
-// A name that the model states in a table of the builder is one of those materials; a fault at `path` where it is not.
+// Whether a name in a table of the builder is one of those materials; adds a fault at `path` where it is not.
 bool is_material(const Shape& shape, const std::string& path, const std::string& name,
                  FaultList& faults);
 

@@ -1,5 +1,5 @@
-// Puts plates on the piers, or one beam over the length, on the top of the masonry's box. A plate is half a course
-// high, or a twentieth of the wall where a blocks file has no course. A wall has plates or a beam, not both.
+// Puts plates on the piers, or one beam over the length, on the bounding box of the masonry. A plate is half a course
+// high, or a twentieth of the wall where a blocks file has no courses. A wall has plates or a beam, not both.
 #include "geometry/caps.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace wythe::geometry {
 namespace {
 
-// Plates lie half a course high; a blocks file has no course, there a twentieth of the height.
+// Height of plates: half a course, or a twentieth of the wall's height in a blocks file [m].
 double plate_height(const Assembly& assembly) {
   return assembly.report.course > 0 ? assembly.report.course / 2 : assembly.height / 20;
 }

@@ -1,9 +1,9 @@
-// What rests on the wall's top: a stiff plate on each pier, or one loading beam over the length.
+// Bodies on top of the wall: a stiff plate on each pier, or one loading beam over the length.
 //
 //    +----plate----+        +----plate----+          +------------- beam -------------+
 //    |    pier     |        |    pier     |          |              wall              |
 //
-// Called by assembly.cpp after the masonry stands.
+// Called by assembly.cpp once the masonry is laid.
 #pragma once
 
 #include <string>
@@ -13,8 +13,8 @@
 
 namespace wythe::geometry {
 
-// Plates for stages with as = "plate" and a pier_load; a beam where wall.beam.height is stated.
-// `extent` is the masonry's bounding box.
+// Adds plates for stages with as = "plate" and a pier_load, or a beam where wall.beam.height is stated.
+// `extent` is the bounding box of the masonry.
 void add_caps(const Shape& shape, const Rect& extent, Assembly& assembly, FaultList& faults);
 
 // Joint material under the plates; "" when no stage asks for plates.

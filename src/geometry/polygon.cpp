@@ -1,4 +1,4 @@
-// Moments by Green's theorem about the first corner (a far origin would cost digits); overlap as
+// Moments by Green's theorem about the first corner, since a distant origin would cost digits. The overlap is
 // the sum over pairs of triangles, each clipped by the other (Sutherland-Hodgman).
 #include "geometry/polygon.h"
 
@@ -32,7 +32,7 @@ Triangle corner(const Polygon& outline, std::size_t i) {
   return {outline[(i + n - 1) % n], outline[i], outline[(i + 1) % n]};
 }
 
-// Index of an ear; a flat corner where rounding leaves no ear.
+// Index of an ear; of a flat corner where rounding leaves no ear.
 std::size_t find_ear(const Polygon& outline) {
   for (std::size_t i = 0; i < outline.size(); ++i) {
     if (is_ear(outline, corner(outline, i))) return i;
@@ -56,7 +56,7 @@ Vec2 crossing(Vec2 p, Vec2 q, double side_p, double side_q) {
   return {p.x + s * (q.x - p.x), p.y + s * (q.y - p.y)};
 }
 
-// The part of `shape` on the left of the line a -> b.
+// The part of `shape` to the left of the line a -> b.
 Polygon keep_left(const Polygon& shape, Vec2 a, Vec2 b) {
   Polygon kept;
   for (std::size_t i = 0; i < shape.size(); ++i) {
@@ -182,7 +182,7 @@ double overlap_area(const Polygon& a, const Polygon& b) {
 
 namespace {
 
-// Sine of the turn at a corner that counts as none.
+// Sine of the angle below which a corner counts as straight.
 constexpr double kStraight = 1e-9;
 
 double turn_at(const Polygon& outline, std::size_t i) {
@@ -204,7 +204,7 @@ bool is_convex(const Polygon& outline) {
   return true;
 }
 
-// Both polygons as one, along the edge that they share; empty where they share none.
+// The union of both polygons along their common edge; empty where they share none.
 Polygon joined(const Polygon& a, const Polygon& b) {
   for (std::size_t i = 0; i < a.size(); ++i) {
     const Vec2 p = a[i], q = a[(i + 1) % a.size()];
@@ -226,7 +226,7 @@ std::vector<Polygon> convex_parts(const Polygon& outline) {
   if (is_convex(clean)) return {clean};
   std::vector<Polygon> parts;
   for (const Triangle& t : triangles_of(clean)) parts.emplace_back(t.begin(), t.end());
-  // triangles joined again while they stay convex
+  // join triangles again while the result is convex
   for (std::size_t i = 0; i < parts.size(); ++i)
     for (std::size_t k = i + 1; k < parts.size();) {
       const Polygon both = joined(parts[i], parts[k]);

@@ -1,6 +1,6 @@
 // Plane polygons: moments, bounds, simplicity, overlap.
 //
-// Called by the builders (blocks files) and by checks.cpp; reads outlines, writes nothing else.
+// Called by builders (blocks files) and checks.cpp.
 // Reference: J. O'Rourke, Computational Geometry in C, ch. 1 (ear clipping) and 7 (clipping).
 #pragma once
 
@@ -19,24 +19,24 @@ struct Rect {
 [[nodiscard]] Polygon outline_of(const Rect& rect);  // anticlockwise from the lower left corner
 [[nodiscard]] Rect bounds(const Polygon& outline);
 [[nodiscard]] Rect join(const Rect& a, const Rect& b);
-// True when the insides of the two rectangles meet by more than `margin` both ways.
+// Whether the interiors of two rectangles overlap by more than `margin` in both directions.
 [[nodiscard]] bool overlaps(const Rect& a, const Rect& b, double margin);
 
-// True when no two edges cross or touch except neighbours at their common corner.
+// Whether no two edges cross or touch, except neighbours at their common corner.
 [[nodiscard]] bool is_simple(const Polygon& outline);
-// True for a four-cornered outline whose edges all follow the axes within `tolerance`.
+// Whether the outline has four corners and edges along the axes within `tolerance`.
 [[nodiscard]] bool is_upright_rectangle(const Polygon& outline, double tolerance);
 // Common area of two simple anticlockwise polygons, convex or not [m^2].
 [[nodiscard]] double overlap_area(const Polygon& a, const Polygon& b);
 
-// The part of a simple outline inside a convex anticlockwise one; empty where they do not meet. Edges
-// may run back over each other where the outline is not convex: its moments are right.
+// The part of a simple outline inside a convex anticlockwise one; empty where they do not meet. For an outline that is
+// not convex, edges may overlap, but moments stay exact.
 [[nodiscard]] Polygon part_inside(const Polygon& outline, const Polygon& convex);
 
-// Convex polygons that make up a simple anticlockwise outline, itself where it is convex. Corners on a
-// straight line are left out.
+// Convex polygons that compose a simple anticlockwise outline; the outline itself where it is convex. Corners on a
+// straight line are removed.
 [[nodiscard]] std::vector<Polygon> convex_parts(const Polygon& outline);
-// A convex polygon whose corners are cut off by `bevel` along both edges, by less where an edge is short.
+// A convex polygon with each corner cut by `bevel` along both edges, by less at short edges.
 [[nodiscard]] Polygon bevelled(const Polygon& convex, double bevel);
 
 }  // namespace wythe::geometry

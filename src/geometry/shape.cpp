@@ -1,5 +1,5 @@
-// Hashes all that shapes a wall, member by member. Each struct is taken apart into all its members, so that a new one
-// does not compile until it is named here. What is named and not added shapes nothing, such as moduli.
+// Hashes all members that shape a wall. Each struct is decomposed into all its members, so that a new member
+// does not compile until it is named here. Members that are named but not added, such as moduli, have no effect on the shape.
 #include "geometry/shape.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace wythe::geometry {
 namespace {
 
-// Each struct is taken apart into all its members: a new one does not compile until it is added here.
+// Each struct is decomposed into all its members: a new one does not compile until it is added here.
 class Key {
  public:
   template <class... T>
@@ -38,7 +38,7 @@ class Key {
     const auto& [name, round, line, feet, profile, count, section, beam_profile, beam_count,
                  beam_section, grade, yield_strength, youngs_modulus, shear_modulus, joint, gap,
                  stage, anchors, wedges, wall, x, y, z, turn, hole] = frame;
-    // grade, moduli and what holds it shape nothing
+    // grade, strength, moduli, anchors and wedges have no effect on the shape
     add_all(name, round, line, feet, profile, count, section, beam_profile, beam_count,
             beam_section, joint, gap, stage, wall, x, y, z, turn, hole.x, hole.y, hole.width,
             hole.height);
@@ -100,7 +100,7 @@ class Key {
     hash_.add(&number, sizeof number);
   }
 
-  // All that the checks of a density ask (is_positive, is_not_negative, has a material its own).
+  // Only the properties of a density that the checks test (is_positive, is_not_negative, whether a material has its own).
   void add_density(double density) { add_all(std::isfinite(density), density > 0, density == 0); }
 
   void add(const UnitSpec& unit) {
@@ -177,7 +177,7 @@ std::uint64_t shape_key(const Shape& shape) {
   const auto& [wall, storey, region, ring_beam, frame, block, body, contact, material, plates,
                stages] = shape;
   key.add_all(wall, storey, region, ring_beam, frame, block, body, contact, material, plates);
-  if (!stages.empty()) key.add(stages);  // other keys stay as they are in stores
+  if (!stages.empty()) key.add(stages);  // without stages the keys are those of older stores
   return key.value();
 }
 

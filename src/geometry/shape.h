@@ -1,4 +1,4 @@
-// What of a model shapes its wall: build_assembly() sees this and nothing else.
+// The part of a model that shapes its wall: build_assembly() sees nothing else.
 //
 // Walls with one shape_key have the same blocks, faces and notes. Samples of a study differ in materials,
 // loads and stages, so they share one assembly (model/compiler.h).
@@ -19,7 +19,7 @@ struct PlateStage {
 };
 
 struct Shape {
-  Shape(const ModelSpec& spec);  // every spec has one; it lives no longer than the spec
+  Shape(const ModelSpec& spec);  // every spec has one; it must not outlive the spec
   const WallSpec& wall;
   const std::vector<StoreySpec>& storey;
   const std::vector<RegionSpec>& region;
@@ -29,12 +29,12 @@ struct Shape {
   const std::vector<BodySpec>& body;
   const std::vector<ContactRule>& contact;
   std::map<std::string, double>
-      material;  // names and densities [kg/m^3]; no other number of theirs
+      material;  // names, densities [kg/m^3]; no other number of materials
   std::vector<PlateStage> plates;
-  std::vector<std::string> stages;  // all names, where bodies or frames in space name one
+  std::vector<std::string> stages;  // all names, where bodies or frames in space refer to stages
 };
 
-// A hash over the shape, every bit. Of a density only whether it is a good one: blocks hold none.
+// A hash over all bits of the shape. Of a density it contains only whether it is valid, since blocks hold none.
 [[nodiscard]] std::uint64_t shape_key(const Shape& shape);
 
 }  // namespace wythe::geometry

@@ -1,4 +1,4 @@
-// Texts of lengths and shares for faults (a length has six digits), and the checks of numbers that must be there.
+// Texts of lengths and shares for faults (a length has six digits), and checks of required numbers.
 #include "geometry/text.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Words for the reader: lengths as text, and the faults that every part of geometry reports.
+// Text for the reader: lengths as text, and faults that all parts of geometry report.
 //
 // Called by the other files of src/geometry.
 #pragma once
@@ -25,7 +25,7 @@ namespace wythe::geometry {
 void add_fault(FaultList& faults, std::string path, std::string value, std::string problem,
                std::string cure);
 
-// One physical number the builder can't do without.
+// One physical number that the builder requires.
 struct Needed {
   std::string path;
   double value;
@@ -34,7 +34,7 @@ struct Needed {
 };
 // Adds a fault and returns false when the number is missing, infinite, zero or negative.
 bool is_positive(const Needed& number, FaultList& faults);
-// The same, zero allowed.
+// As is_positive(), but zero is allowed.
 bool is_not_negative(const Needed& number, FaultList& faults);
 
 }  // namespace wythe::geometry

@@ -11,7 +11,7 @@
 namespace wythe {
 namespace {
 
-// Of sorted values: straight between the order statistics.
+// Percentile of sorted values, interpolated linearly between order statistics.
 double at_share(const std::vector<double>& sorted, double share) {
   const double at = share * static_cast<double>(sorted.size() - 1);
   const auto below = static_cast<std::size_t>(at);
@@ -42,7 +42,7 @@ double peak_of(const ComparedRun& run) {
   return run.curve.empty() ? 0 : run.curve[peak_row(run.curve)].reaction;
 }
 
-// Why a peak below its bound says nothing for the run: by its own words it is no peak of a slow push.
+// Why a peak below its bound proves nothing: by the run's own verdict it is not the peak of a slow push.
 Message why_no_evidence(const ComparedRun& run) {
   if (run.capacity && !std::isfinite(*run.capacity)) return {"evidence.no_balance"};
   if (run.judgement.empty() || run.judgement == "no push" || run.judgement == "slow enough")
@@ -52,7 +52,7 @@ Message why_no_evidence(const ComparedRun& run) {
 
 void add_bounds(const ComparedRun& run, std::vector<BoundVerdict>& bounds) {
   const bool is_force = run.load_factor <= 0;
-  // the reaction also carries what rests on the driven blocks, where the push is not level
+  // where the push is not horizontal, the reaction also carries loads on the driven blocks
   const double peak = peak_of(run) - (is_force ? run.weight_on_push : 0);
   const Message why = why_no_evidence(run);
   if (peak > 0 && run.bound >= 0)
@@ -80,7 +80,7 @@ std::vector<const Mechanism*> mechanisms_of(const ComparedRun& run,
   return own.empty() ? all : own;
 }
 
-// Means over the runs of one mode, mechanism by mechanism.
+// Means over the runs of one mode, for each mechanism.
 std::vector<GroupVerdict> groups_of(const Comparison& c) {
   std::map<std::pair<std::string, std::string>, GroupVerdict> groups;
   std::map<std::string, double> peak;
@@ -103,7 +103,7 @@ std::vector<GroupVerdict> groups_of(const Comparison& c) {
   return out;
 }
 
-// Walls are told apart by these numbers, so they are no finer than they are shown.
+// Rounds to a millimetre, since walls are compared by these numbers as they are shown.
 double to_millimetre(double length) { return std::round(1e3 * length) * 1e-3 + 0.0; }
 
 double to_digits(double value, int digits) {
@@ -121,7 +121,7 @@ static_assert(names_all(kHypothesisCodes));
 
 }  // namespace
 
-// The mean over displacement, by the trapezoidal rule on the run's own rows.
+// Means over displacement by the trapezoidal rule on the run's own rows.
 CurveVerdict compare(const ComparedRun& run, const Mechanism& mechanism) {
   CurveVerdict v{.run = run.name, .mode = run.mode, .mechanism = mechanism.file_name()};
   if (run.curve.size() < 2) return v;
@@ -235,7 +235,7 @@ Message in_words(const std::string& mode, Hypothesis hypothesis) {
 
 BracketVerdict bracket_of(const SecondOpinion& opinion) {
   BracketVerdict v;
-  std::vector<NamedLimit> limits;  // of what a run pushes: the blocks alone
+  std::vector<NamedLimit> limits;  // for a push on blocks only
   for (const NamedLimit& limit : opinion.limits)
     if (!limit.answer.options.loads_are_masses) limits.push_back(limit);
   if (limits.empty()) return v;

@@ -1,6 +1,6 @@
-// Builds the static programme (forces in balance) and the kinematic one (velocities that flow) of a wall in space.
-// Both see the same points of faces, and friction is a circle of the solver, so nothing is cut by planes. Unknowns are
-// in units of a mean dead load of a block and of a mean face size, so that they are near 1.
+// Builds the static programme (forces in equilibrium) and the kinematic one (velocities that flow) of a wall in space.
+// Both use the same points of faces. The solver handles the friction circle, so no planes approximate it. Unknowns are
+// divided by the mean dead load of a block and the mean size of a face, so that they are near 1.
 #include "limit/in_space.h"
 
 #include <algorithm>
@@ -13,9 +13,9 @@
 namespace wythe::limit {
 namespace {
 
-constexpr double kNothing = 1e-7;  // of the force unit: a circle that small has no say
+constexpr double kNothing = 1e-7;  // share of the force unit: a smaller circle resists nothing
 
-// Where the stages before the growing one leave gravity; a body force or a tilt stays in force.
+// Gravity after the stages before the growing one; a body force or a tilt stays in force.
 Vec3 space_gravity_before(const Model& model, const Stage* grows) {
   const double g = model.solve.gravity;
   Vec3 gravity;
@@ -32,7 +32,7 @@ Vec3 space_gravity_before(const Model& model, const Stage* grows) {
   return gravity;
 }
 
-// The arms of a joint's point from the centroids, and its face's axes.
+// Arms of a joint's point from the centroids, and the axes of its face.
 struct Place {
   Vec3 arm_a, arm_b, t1, t2, n;
 };
@@ -54,7 +54,7 @@ std::array<double, 6> parts(const Vec3& force, const Vec3& moment, double length
   return {force.x, force.y, force.z, moment.x / length, moment.y / length, moment.z / length};
 }
 
-// Unit vectors across a push.
+// Unit vectors normal to a push.
 std::array<Vec3, 2> across(const Vec3& push) {
   const Vec3 other = std::fabs(push.x) < 0.9 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
   Vec3 first = cross(push, other);
@@ -67,10 +67,10 @@ double capacity_of(const Model& m, const JointYield& y, int point, double compre
 }
 
 bool slides(const JointYield& y) { return !std::isinf(y.cohesion); }
-// Against sliding; where nothing does, the circle is a point.
+// Whether a point resists sliding; otherwise its circle is a point.
 bool resists(const JointYield& y) { return y.cohesion > 0 || y.friction > 0; }
 
-// Where the line of link k goes, from a to b, and its ends seen from the centroids.
+// Direction of link k from a to b, and its ends relative to the centroids.
 struct LinkPlace {
   Vec3 way, arm_a, arm_b;
 };
@@ -81,14 +81,14 @@ LinkPlace link_place(const Links& l, std::size_t k) {
           {l.arm_b_x[k], l.arm_b_y[k], l.arm_b_z[k]}};
 }
 
-// Columns: load | p, s1, s2 of each point | forces of links | what holds driven blocks. Rows: balance of each block (force, moment),
-// friction circles.
+// Columns: load | p, s1, s2 of each point | forces of links | restraints of driven blocks. Rows: equilibrium of each block (force,
+// moment), friction circles.
 class StaticProgramme {
  public:
   StaticProgramme(const Model& m, const SpaceLoads& loads, const SpaceYield& y, const Units& u)
       : m_(m), loads_(loads), y_(y), u_(u), balance_(6 * static_cast<std::size_t>(m.n_block)) {}
 
-  // `elastic`: unbalanced forces are allowed at a cost, the load is nil.
+  // `elastic`: unbalanced forces are allowed at a cost, and the load is zero.
   void build(bool elastic) {
     load_ = lp_.add_column(elastic ? 0 : -kFree, elastic ? 0 : kFree, elastic ? 0 : -1);
     for (int j = 0; j < m_.n_joint; ++j) add_joint(j);
@@ -135,7 +135,7 @@ class StaticProgramme {
     return answer;
   }
 
-  // After build(true): the largest unbalanced force.
+  // The largest unbalanced force, after build(true).
   Unbalanced worst(const Monitor& monitor) {
     Unbalanced found;
     found.status = lp_.solve(monitor);
@@ -202,7 +202,7 @@ class StaticProgramme {
     }
   }
 
-  // Right behind the columns of the points.
+  // Columns of links directly follow those of points.
   void add_link(std::size_t k) {
     const LinkPlace link = link_place(m_.links, k);
     const int column =
@@ -211,7 +211,7 @@ class StaticProgramme {
     act(m_.links.b[k], column, -1.0 * link.way, link.arm_b);
   }
 
-  // A unit force and unit couples that a test rig holds a block with.
+  // A unit force and unit couples of the test rig on a block.
   void hold(BlockId block, const Vec3& force, const Vec3& moment) {
     put(block, lp_.add_column(-kFree, kFree, 0), parts(force, moment, 1));
   }
@@ -250,13 +250,13 @@ class StaticProgramme {
   const SpaceYield& y_;
   Units u_;
   LinearProgramme lp_;
-  std::vector<std::vector<Entry>> balance_;  // force and moment rows of each block
+  std::vector<std::vector<Entry>> balance_;  // rows of each block
   std::vector<Entry> sum_;
   int load_ = 0;
   std::size_t slack_ = 0;
 };
 
-// The largest share by which a shear passes its circle.
+// Largest relative excess of a shear force over its circle.
 double friction_excess(const Model& m, const Units& units, const SpaceStaticSolution& answer,
                        const SpaceYield& yield) {
   double most = 0;
@@ -274,8 +274,8 @@ double friction_excess(const Model& m, const Units& units, const SpaceStaticSolu
   return most;
 }
 
-// Columns: velocity and spin of each block | multipliers >= 0. Rows: at each point slip and opening are what the
-// multipliers make; the load does unit power; what a rig holds stands still.
+// Columns: velocity and angular velocity of each block | multipliers >= 0. Rows: slip and opening of each point follow from
+// the multipliers; the load has unit power; motions that a rig prevents are zero.
 class SpaceProgramme {
  public:
   SpaceProgramme(const Model& m, const SpaceLoads& loads, const SpaceYield& y, const Units& u)
@@ -318,7 +318,7 @@ class SpaceProgramme {
     return lp_.add_column(0, kFree, capacity / u_.force);
   }
 
-  // How far a point slips, and its slip.
+  // Amount of slip of a point, and its slip vector.
   int add_circle(double capacity) {
     capacity_.insert(capacity_.end(), {capacity / u_.force, 0, 0});
     return lp_.add_circle_columns(capacity / u_.force);
@@ -358,7 +358,7 @@ class SpaceProgramme {
     lp_.add_row(opening, 0, 0);
   }
 
-  // A link lengthens or shortens at what it bears; where it bears no end, not at all.
+  // A link changes its length at its limit forces; an unlimited one keeps its length.
   void add_link(std::size_t k) {
     const LinkPlace link = link_place(m_.links, k);
     std::vector<Entry> row;
@@ -444,7 +444,7 @@ SpaceLoads space_loads(const Model& model, double secant, bool loads_are_masses)
     for (const Stage& stage : model.stages) {
       if (&stage == loads.stage || !loads_are_masses) break;
       for (const PointLoad& p : stage.loads) {
-        if (!(p.fy < 0)) continue;  // what lifts is no mass
+        if (!(p.fy < 0)) continue;  // an uplift is no mass
         const Vec3 force = -p.fy * grows.drive();
         BodyForce& f = loads.growing[p.block];
         f.force = f.force + force;

@@ -1,8 +1,8 @@
 // Limit analysis of walls in space: loads, yield surfaces and both programmes (docs/theory/limit_analysis.md).
 //
-// Called by limit_load.cpp. A point of a face carries compression p and shear (s1, s2) on the face's axes:
+// Called by limit_load.cpp. A point of a face has compression p and shear (s1, s2) in the axes of the face:
 //
-//   sliding   |s| <= c A w + mu p   a circle, which the interior point knows
+//   sliding   |s| <= c A w + mu p   a circle, which the interior-point solver handles
 //   tension   p >= -ft A w          crushing   p <= fc A w            w: the point's share of the face
 #pragma once
 
@@ -18,15 +18,15 @@ struct BodyForce {
   Vec3 force, moment;  // on a centroid [N], [N m]
 };
 
-// What stands still, and what grows: per unit of the load.
+// Dead loads, and growing loads per unit of the load.
 struct SpaceLoads {
   std::vector<BodyForce> dead, growing;  // (n_block)
   const Stage* stage = nullptr;
   Vec3 push;  // unit vector of a push
   bool is_force = true;
-  bool together = false;  // driven blocks share one velocity, their forces sum up to the load
+  bool together = false;  // driven blocks share one velocity; their forces sum to the load
 };
-// Throws InputError when no stage grows, and when what grows moves a support. `secant`, `loads_are_masses`: limit_loads().
+// Throws InputError when no stage grows, and when the growing one moves a support. `secant`, `loads_are_masses`: limit_loads().
 [[nodiscard]] SpaceLoads space_loads(const Model& model, double secant = 1,
                                      bool loads_are_masses = false);
 
@@ -43,7 +43,7 @@ struct SpaceStaticSolution {
   double load = 0;
   std::vector<double> compression, shear_1, shear_2;  // (n_point) [N]
   std::vector<double> link_force;                     // (n_link), tension + [N]
-  double friction_excess = 0;  // largest share by which a shear passes its circle
+  double friction_excess = 0;  // largest relative excess of a shear over its circle
   double accuracy = 0;
   int carrier =
       -1;  // of a load without limit: the joint that carries most of it, links after joints

@@ -1,6 +1,6 @@
-// Makes limit loads of stages: the last push, body force or tilt grows, and the stages before it are dead load. A
-// factor multiplies the blocks' weights; vertical loads join it only if they are declared masses. The `secant` of a
-// tilt, 1/cos, multiplies dead point loads alone. with_rigid_bodies() makes zones rigid blocks before.
+// Derives limit loads from stages: the last push, body force or tilt grows; stages before it give the dead loads. A
+// factor multiplies the weights of blocks, and vertical loads only if they are declared as masses. The `secant` of a
+// tilt, 1/cos, multiplies dead point loads only. with_rigid_bodies() has replaced zones by rigid blocks before.
 #include "limit/limit_loads.h"
 
 #include <fmt/format.h>
@@ -17,8 +17,8 @@
 namespace wythe::limit {
 namespace {
 
-// Where the stages before the growing one leave gravity: a body force or a tilt stays in force. Tests
-// built in code may leave gravity out; then blocks weigh nothing.
+// Gravity after the stages before the growing one; a body force or a tilt stays in force. Tests
+// built in code may omit gravity; then blocks have no weight.
 Vec2 gravity_before(const Model& model, const Stage* grows) {
   const double g = model.solve.gravity;
   Vec2 gravity;
@@ -58,20 +58,20 @@ void add_push(const Stage& push, LimitLoads& loads) {
     const auto i = static_cast<std::size_t>(push.driven[k]);
     const double share = push.driven_share[k];
     if (!loads.together) loads.growing[i] = {share * loads.push_x / n, share * loads.push_y / n, 0};
-    // a head is pushed along a line beside its centroid
+    // the push on a head acts along a line beside its centroid
     if (std::isfinite(push.drive_arm)) loads.growing[i].moment = -push.drive_arm * loads.push_x;
     if (push.spec.across == Freedom::kBlocked) loads.held_across[i] = 1;
-    // a beam kept level stays so, whatever the push says of it
+    // a beam that is kept level stays so, whatever the push states
     if (push.spec.rotation == Freedom::kBlocked) loads.held_turn[i] = 1;
   }
 }
 
-// What presses is a mass, and goes with the blocks' own.
+// Adds vertical loads to the masses that a factor multiplies.
 void push_loads(const Model& model, LimitLoads& loads) {
   for (const Stage& stage : model.stages) {
     if (&stage == loads.stage) break;
     for (const PointLoad& p : stage.loads) {
-      if (!(p.fy < 0)) continue;  // what lifts is no mass
+      if (!(p.fy < 0)) continue;  // an uplift is no mass
       const double fx = -p.fy * loads.stage->drive_x, fy = -p.fy * loads.stage->drive_y;
       BlockForce& f = loads.growing[static_cast<std::size_t>(p.block)];
       f.fx += fx, f.fy += fy;
@@ -87,7 +87,7 @@ BlockId body_of(const Solids& solids, std::int32_t node) {
   return static_cast<BlockId>(at - solids.bodies.begin());
 }
 
-// A deformable body as a block of its outline and of the weight its nodes carry.
+// Adds a deformable body as a block with its outline and the weight of its nodes.
 void add_block(const Solids& solids, const SolidBody& body, Model& model) {
   geometry::Polygon outline;
   for (const std::int32_t node : body.rim) {
@@ -112,12 +112,12 @@ void add_block(const Solids& solids, const SolidBody& body, Model& model) {
   }
   model.mass.push_back(mass);
   model.gravity_mass.push_back(heavy);
-  model.inertia.push_back(0);  // limit analysis asks for none
+  model.inertia.push_back(0);  // not used by limit analysis
   model.turn_freedom.push_back(1);
   ++model.n_block;
 }
 
-// A contact of zones as a joint from the same rigid block to the body.
+// Adds a contact of zones as a joint between the same rigid block and the body.
 void add_joint(const Solids& s, std::size_t c, BlockId body, Model& model) {
   const bool ground = s.contact_block[c] == model.n_block - static_cast<int>(s.bodies.size());
   const BlockId a = ground ? kGroundBlock : s.contact_block[c];
@@ -231,7 +231,7 @@ Model with_rigid_bodies(Model model) {
 
 namespace {
 
-// The direction of a stage and its opposite, as the user writes them.
+// The direction of a stage and its opposite, in the words of the file.
 std::pair<std::string, std::string> ways_of(const StageSpec& spec) {
   if (spec.along.size() == 3) {
     const auto text = [&](double sign) {
@@ -285,7 +285,7 @@ std::vector<Message> left_aside(const Model& model) {
   const Stage* grows = limit::growing_stage(model);
   if (model.standing.any() && grows != nullptr)
     notes.push_back({"limit.stands_in", {{"stage", "\"" + grows->spec.name + "\""}}});
-  // masses that a body force or a tilt leaves out
+  // masses that a body force or a tilt ignores
   for (const Message& note : model.anatomy.notes)
     if (note.code.starts_with("body_force.") || note.code.starts_with("tilt."))
       notes.push_back(note);

@@ -1,5 +1,5 @@
-// second_opinion(): every mechanism and limit load of a model. One without an answer is kept with its reason; the
-// others go on.
+// second_opinion(): all mechanisms and limit loads of a model. One without a result is stored with its reason, and the
+// others continue.
 #include "wythe/parts/second_opinion.h"
 
 #include <algorithm>
@@ -66,7 +66,7 @@ struct LimitCase {
   LimitOptions options;
 };
 
-// Whether anything lies on the blocks when the load begins to grow.
+// Whether any load acts on the blocks when the growing load begins.
 bool presses_before(const Model& model, const Stage& grows) {
   for (const Stage& stage : model.stages) {
     if (&stage == &grows) break;
@@ -76,7 +76,7 @@ bool presses_before(const Model& model, const Stage& grows) {
   return false;
 }
 
-// From what is left when all bond is gone to what all of it could carry at once.
+// Cases from fully broken bond to full bond at all joints at once.
 std::vector<LimitCase> limit_cases(const Model& model, bool assessment) {
   std::vector<LimitCase> cases = {
       {"dry", "strength.dry", {}},
@@ -92,7 +92,7 @@ std::vector<LimitCase> limit_cases(const Model& model, bool assessment) {
   return cases;
 }
 
-// Nothing answered: the reasons are the answer. Each reason once.
+// Throws the reasons, each once, where no analysis succeeded.
 void throw_if_nothing(const OpinionAsked& asked, const SecondOpinion& opinion,
                       const std::atomic<bool>* stop) {
   if (!opinion.mechanisms.empty() || !opinion.limits.empty() || asked.parts) return;

@@ -1,5 +1,5 @@
-// The wall as it stands in one stage, for walls where stages cut openings (docs/theory/cutting.md): blocks that are gone
-// or not there yet, their joints and their links are left out, and the rest is numbered anew.
+// The wall as it stands in one stage, where stages cut openings (docs/theory/cutting.md). Blocks that are absent, their
+// joints and their links are left out, and the others get new numbers.
 #include "limit/standing.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace wythe::limit {
 namespace {
 
-// Of each entity its new number, or -1 where it is left out.
+// New number of each entity, or -1 where it is left out.
 template <class Stays>
 std::vector<int> numbered(int count, const Stays& stays) {
   std::vector<int> number(static_cast<std::size_t>(count), -1);
@@ -37,7 +37,7 @@ void keep(std::vector<T>& list, const std::vector<int>& number) {
              list.begin() + static_cast<std::ptrdiff_t>(number.size()));
 }
 
-// Back to the places of the whole wall; what is not there has none.
+// Moves values back to the places of the whole wall; absent entities have none.
 void spread(std::vector<double>& list, const std::vector<int>& number) {
   if (list.empty()) return;
   std::vector<double> all(number.size(), 0.0);
@@ -119,7 +119,7 @@ void StandingWall::take_out() {
   keep(a.block_thickness, block_);
   keep(a.joint_kind, joint_);
 
-  // supports, and the ground of zones, are numbered behind the blocks
+  // supports, and the ground of zones, have numbers after the blocks
   const auto renumber = [&](BlockId& id) {
     if (id >= 0)
       id = id < blocks ? block_[static_cast<std::size_t>(id)] : id - blocks + model.n_block;

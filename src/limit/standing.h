@@ -1,4 +1,4 @@
-// The wall that stands when the growing load begins, where stages cut openings and put up what goes into them.
+// The wall that stands when the growing load begins, where stages cut openings and insert parts.
 // Called by limit_load().
 #pragma once
 
@@ -13,7 +13,7 @@ namespace wythe::limit {
 class StandingWall {
  public:
   explicit StandingWall(const Model& whole);
-  // What it says of this wall, as lists of the whole one; what does not stand has no force and no motion.
+  // Expands results of this wall to lists of the whole one; what does not stand has no force and no motion.
   void spread_out(LimitResult& answer) const;
 
   Model model;

@@ -1,4 +1,4 @@
-// The figures were read in a transcription of the printed pages 257 to 262 of the Circolare (docs/theory/material_rules.md).
+// The figures come from a transcription of the printed pages 257 to 262 of the Circolare (docs/theory/material_rules.md).
 #include "materials/circolare.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace wythe::materials {
 namespace {
 
-// f, tau0, fv0, or E and G.
+// f, tau0, fv0, or both E and G.
 enum class Parameter { kCompression, kDiagonalShear, kSlidingShear, kModulus };
 
 std::optional<Parameter> parameter_of(std::string_view key) {
@@ -23,13 +23,13 @@ std::optional<Parameter> parameter_of(std::string_view key) {
 }
 
 enum Column { kMortar, kCourses, kTransverse, kInjections, kPlaster, kRepointing, kColumns };
-constexpr double kByMortar = -1;  // fm^0.35 of the mortar, above 2 MPa
+constexpr double kByMortar = -1;  // fm^0.35 of the mortar, if fm exceeds 2 MPa
 
-// A row of Table C8.5.II; 0: a dash there.
+// A row of Table C8.5.II; 0 stands for a dash.
 struct Row {
   const char* name;
   double factor[kColumns];
-  double most;  // of the whole product
+  double most;  // upper limit of the whole product
 };
 // clang-format off
 constexpr Row kRows[] = {
@@ -66,7 +66,7 @@ constexpr Correction kCorrections[] = {
 
 bool is_named(const Correction& c, std::string_view key) { return c.key == key; }
 
-// What a factor on strengths is on this parameter.
+// The value for this parameter of a factor on strengths.
 double acting(const Applied& a, Parameter parameter) {
   const std::string_view key = a.correction->key;
   const bool modulus = parameter == Parameter::kModulus;
@@ -80,7 +80,7 @@ double acting(const Applied& a, Parameter parameter) {
     return modulus ? 1 : a.factor;
   if (key == "reinforced_repointing") return modulus ? 1 + (a.factor - 1) / 2 : a.factor;
   if (key == "poor_mortar" || key == "thick_joints") return modulus ? 0.8 : a.factor;
-  return a.factor;  // good mortar, injections, plaster: all of them
+  return a.factor;  // good mortar, injections, plaster: on all parameters
 }
 
 struct Product {
@@ -88,7 +88,7 @@ struct Product {
   std::string words;
 };
 
-// Those of one kind that act, in the order of the table.
+// Product of the active factors of one kind, in the order of the table.
 Product product_of(std::span<const Applied> applied, Correction::Kind kind, Parameter parameter) {
   Product out;
   for (const Applied& a : applied) {
@@ -100,7 +100,7 @@ Product product_of(std::span<const Applied> applied, Correction::Kind kind, Para
   return out;
 }
 
-// Leaves out what C8.5.3.1 does not let act together.
+// Drops factors that C8.5.3.1 does not allow together.
 std::vector<Applied> acting_together(std::span<const Applied> applied, std::string& left_out) {
   std::vector<Applied> out(applied.begin(), applied.end());
   const auto has = [&](std::string_view key) {
@@ -188,7 +188,7 @@ double allowed(const Entry& entry, const Correction& correction, double mortar) 
   if (key == "poor_mortar") return name == "circolare_perforated_brick_cement" ? 0 : 0.7;
   if (key == "thick_joints") return is_brick ? 0.7 : 0;
   if (key == "deep_wedges") return name == "circolare_rough_blocks" ? 1.2 : 0;
-  return row->factor[kTransverse];  // found, or put in by artificial headers or ties
+  return row->factor[kTransverse];  // found, or made by artificial headers or ties
 }
 
 std::optional<double> kappa_of(std::string_view method, std::string_view key) {
@@ -215,11 +215,11 @@ Taken take(const Entry& entry, const Datum& datum, KnowledgeLevel level,
   const Product state = product_of(together, Correction::kState, *parameter);
   const Product work = product_of(together, Correction::kWork, *parameter);
   const Product notes = product_of(together, Correction::kFootnote, *parameter);
-  // The greatest product stands among the works: it bounds works and state together, but no state by itself.
+  // The largest product is listed with the works: it limits state and works together, but not the state alone.
   const double most = row_of(entry.name)->most;
   const double whole = std::max(state.factor, std::min(state.factor * work.factor, most));
 
-  // the wall as it is, then what its tests say, then what is done to it
+  // the existing wall first, then its tests, then the works
   const double base = is_least && datum.high > datum.low ? datum.low : datum.value;
   Taken out{base * notes.factor * state.factor, base_words(datum, is_least)};
   out.way += notes.words + state.words;
@@ -237,7 +237,7 @@ Taken take(const Entry& entry, const Datum& datum, KnowledgeLevel level,
                             : fmt::format(" (together not more than {:.4g})", most);
   if (is_strength) {
     const bool is_tested = level == KnowledgeLevel::kLc3 && tests != nullptr;
-    // of LC3 the factor 1.00 holds for what was tested alone
+    // for LC3 the factor 1.00 holds only for values that were tested
     const double factor = level == KnowledgeLevel::kLc3 && !is_tested
                               ? confidence_factor(KnowledgeLevel::kLc2)
                               : confidence_factor(level);

@@ -1,4 +1,4 @@
-// The library; docs/theory/material_rules.md says where its values come from.
+// The library of typical materials; docs/theory/material_rules.md gives the sources of its values.
 #include "materials/library.h"
 
 #include <cmath>
@@ -42,7 +42,7 @@ Entry circolare(const char* name, const char* title, const char* note, UnitType 
               between("youngs_modulus", "MPa", e.low, e.high),
               between("shear_modulus", "MPa", g.low, g.high),
               between("weight", "kN/m^3", weight.low, weight.high)};
-  // C8.5.3.1: the rows but the last are of lime mortar of modest quality
+  // C8.5.3.1: all rows but the last are for lime mortar of modest quality
   if (type != UnitType::kClayPerforated)
     out.data.push_back(between("mortar_strength", "MPa", 0.7, 1.5));
   if (fv0.low > 0) {
@@ -52,7 +52,7 @@ Entry circolare(const char* name, const char* title, const char* note, UnitType 
   return out;
 }
 
-// Couplets by class of mortar, for a kind of unit.
+// Shear tests of couplets, by class of mortar, for a kind of unit.
 Entry couplets(const char* name, const char* title, UnitType type, double fv0, double cov) {
   return {
       name, title,
@@ -60,7 +60,7 @@ Entry couplets(const char* name, const char* title, UnitType type, double fv0, d
       type, {mean("initial_shear_strength", "MPa", fv0, cov), mean("friction_tan", "", 0.8, 0.19)}};
 }
 
-// Tests of one masonry: fb, fmo, fm, E [MPa], fv0 [MPa], mu.
+// Tests of one kind of masonry: fb, fmo, fm, E [MPa], fv0 [MPa], mu.
 Entry tested(const char* name, const char* title, const char* source, UnitType type,
              const std::vector<double>& v) {
   return {

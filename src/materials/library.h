@@ -1,6 +1,6 @@
-// Typical materials: values of codes and of tests in the literature, with source and scatter.
+// Typical materials: values from codes and from tests in the literature, with source and scatter.
 //
-// Asked by src/io where a file says `use`. A value that tests of a building give comes before these.
+// Used by src/io where a file states `use`. Test results of the building itself take precedence.
 #pragma once
 
 #include <limits>
@@ -12,14 +12,14 @@
 
 namespace wythe::materials {
 
-// One typical value. Where the source gives an interval, `value` is its middle.
+// One typical value. Where the source gives an interval, `value` is its midpoint.
 struct Datum {
   Role role;  // kMasonry: a key of [masonry], an input of rules; else a key of a joint law
   const char* key;
   const char* unit;  // of the three below; "": a plain number
   double value;
   double low = kNoBound, high = kNoBound;
-  double cov = kNoBound;  // stated scatter; NaN: from the interval, or not known
+  double cov = kNoBound;  // stated scatter; NaN: by the interval, or not known
   static constexpr double kNoBound = std::numeric_limits<double>::quiet_NaN();
 };
 
@@ -35,7 +35,7 @@ struct Entry {
 [[nodiscard]] std::span<const Entry> library();
 [[nodiscard]] const Entry* entry_of(std::string_view name);
 [[nodiscard]] const Datum* datum_of(const Entry& entry, Role role, std::string_view key);
-// Coefficient of variation; an interval is taken as the 16 and 84 % fractiles of a lognormal variable
+// Coefficient of variation [-]. An interval counts as the 16 and 84 % fractiles of a lognormal variable
 // (CNR-DT 212/2013). NaN where nothing is known.
 [[nodiscard]] double cov_of(const Datum& datum);
 

@@ -1,4 +1,4 @@
-// A line of `origin`: "cohesion 0.21 MPa: typical of clay_brick_old (Magenes and Calvi 1992, CoV 0.40)".
+// Writes and parses a line of `origin`: "cohesion 0.21 MPa: typical of clay_brick_old (Magenes and Calvi 1992, CoV 0.40)".
 #pragma once
 
 #include <optional>
@@ -14,11 +14,11 @@ struct Origin {
   std::string by;  // "by gi_from_ft from tensile_strength 0.15 MPa"
 };
 
-// Why a joint goes without the slope of GII that a rule would give it: "mode_2_energy_per_pressure 0 mm: given as
-// mode_2_energy is stated", "... is typical of NAME", "... is by NAME". No value stands beside this line.
+// Why a joint has no slope of GII although a rule would give one: "mode_2_energy_per_pressure 0 mm: given as
+// mode_2_energy is stated", "... is typical of NAME", "... is by NAME". This line has no value beside it.
 inline const std::string kAsEnergyIs = "as mode_2_energy is ", kTypicalOf = "typical of ",
                          kBy = "by ";
-// Of a value that is stated where a knowledge level would take another: "masonry_strength 3 MPa: given as
+// For a stated value that replaces that of a knowledge level: "masonry_strength 3 MPa: given as
 // stated beside knowledge_level LC1, not minimum 2.6 MPa / 1.35".
 inline const std::string kBesideLevel = "as stated beside knowledge_level ", kNot = ", not ";
 

@@ -1,4 +1,4 @@
-// The rules; each line is explained in docs/theory/material_rules.md under the same name.
+// The rules for materials; docs/theory/material_rules.md explains each of them under its name.
 #include "materials/rules.h"
 
 #include <algorithm>
@@ -40,13 +40,13 @@ double masonry_strength(const Inputs& in) {
 double masonry_modulus(const Inputs& in) { return of(in.unit_type).stiffness * in[0]; }
 double masonry_shear_modulus(const Inputs& in) { return 0.4 * in[0]; }
 double unit_modulus(const Inputs& in) { return 300 * in[0]; }
-// The first rule solved for fb.
+// The rule fm_from_units solved for fb.
 double unit_strength(const Inputs& in) {
   const UnitRatios& r = of(in.unit_type);
   const double fm = in[0] / kMPa / (r.k * elementary::pow(in[1] / kMPa, r.beta));
   return kMPa * elementary::pow(fm, 1 / r.alpha);
 }
-// A stepped crack through the bond, unloaded, at the shear of a panel that cracks along a diagonal: tau0, mu, h, l.
+// Cohesion from a stepped crack through the bond, without load, at the diagonal shear strength of a panel: tau0, mu, h, l.
 double cohesion_of_panel(const Inputs& in) { return 1.5 * in[0] * (1 + in[1] * 2 * in[2] / in[3]); }
 double local_friction(const Inputs&) { return 0.577; }
 double mass_of_weight(const Inputs& in) { return in[0] / 9.81; }
@@ -73,10 +73,10 @@ double joint_residual(const Inputs& in) {
   return std::min(in[0], elementary::atan(kPublishedFriction));
 }
 double bond_energy(const Inputs& in) { return 0.029e-3 * in[0]; }
-// c, phi, phi_res, ks, fc, b; the law's drop from peak to residual is greatest at fc, and a branch steeper
-// than ks could not be followed (docs/theory/joint_law.md, 3.13).
+// Inputs c, phi, phi_res, ks, fc, b. The drop from peak to residual is largest at fc, and a branch steeper
+// than ks has no path (docs/theory/joint_law.md, 3.13).
 double slip_energy(const Inputs& in) {
-  constexpr double kGreatest = 10e6;  // compression looked at where crushing is unlimited [Pa]
+  constexpr double kGreatest = 10e6;  // largest compression without crushing [Pa]
   const double fc = std::isfinite(in[4]) ? in[4] : kGreatest;
   const auto least = [&](double drop) { return 1.05 * drop * drop / (2 * in[3]); };
   const double pressed =

@@ -1,7 +1,7 @@
-// Rules for materials: formulas that derive what a joint law needs from what tests on units, mortar and
-// couplets give (docs/theory/material_rules.md).
+// Rules for materials: formulas that derive parameters of a joint law from tests of units, mortar and
+// couplets (docs/theory/material_rules.md).
 //
-// Asked by src/io where a file says "rule"; nothing is derived that the file does not ask for. Each rule
+// Used by src/io where a file says "rule"; nothing else is derived. Each rule
 // names its inputs by their keys, in SI, and states formula, source, range of validity and scatter.
 #pragma once
 
@@ -15,7 +15,7 @@
 
 namespace wythe::materials {
 
-// What a value belongs to: a joint between units, the crack plane inside a unit, or the masonry.
+// What a value belongs to: a joint between units, the crack plane inside a unit, or masonry.
 enum class Role { kJoint, kUnit, kMasonry };
 
 // Admissible values of one input [SI], or of its ratio to another input.
@@ -29,7 +29,7 @@ struct Bound {
 // The inputs of a rule, in the order of its list.
 struct Inputs {
   std::vector<double> value;                 // [SI]
-  UnitType unit_type = UnitType::kUnstated;  // for rules that ask for it
+  UnitType unit_type = UnitType::kUnstated;  // for rules that depend on it
   double operator[](std::size_t i) const { return value[i]; }
 };
 
@@ -40,24 +40,24 @@ struct Rule {
   std::vector<const char*> inputs;  // keys
   const char* formula;
   const char* source;
-  double cov;                // of the value around the formula [-]; 0: a definition
-  std::vector<Bound> range;  // outside it the rule is refused
+  double cov;                // of the value about the formula [-]; 0: a definition
+  std::vector<Bound> range;  // the rule is refused outside it
   double (*value)(const Inputs&);
   bool by_unit_type = false;
-  bool on_request = false;  // for a key the law does without: `missing` leaves it out
-  bool clay_alone = false;  // tested on clay units alone; goes with by_unit_type
+  bool on_request = false;  // for an optional key of the law: `missing` omits it
+  bool clay_alone = false;  // tested on clay units only; needs by_unit_type
 };
 
-// Every rule. Of those with the same role and key the first is the one meant by "rule".
+// All rules. Among those with equal role and key, the first is the one that "rule" selects.
 [[nodiscard]] std::span<const Rule> rules();
-// The rule meant by "rule" for a key, or by "rule: name"; nullptr where there is none.
+// The rule that "rule" selects for a key, or "rule: name"; nullptr where there is none.
 [[nodiscard]] const Rule* rule_for(Role role, std::string_view key, std::string_view name = "");
-// Whether tests give the rule's coefficients for this kind of unit.
+// Whether tests give coefficients of the rule for this kind of unit.
 [[nodiscard]] bool holds_for(const Rule& rule, UnitType type);
-// Its scatter, which depends on the kind of unit for some.
+// Coefficient of variation of a rule [-]; for some rules it depends on the kind of unit.
 [[nodiscard]] double cov_of(const Rule& rule, UnitType type);
 
-// Ratios from tests on units and small specimens, for a kind of unit; nullopt where none are known.
+// Ratios from tests of units and small specimens, by kind of unit; nullopt where none are known.
 struct UnitRatios {
   UnitType type;
   double tension;      // longitudinal direct tensile strength over normalised compressive strength

@@ -1,6 +1,6 @@
-// Compares units as drawn with units as built in every storey, and tells what the storey worth least allows to say.
-// Tested walls to compare with exist in running bond alone, for the same multiple both ways (kCoarseWalls). Any other
-// wall is told to be untested. docs/theory/assessment.md, "Units drawn larger".
+// Compares units as drawn with units as built in every storey, and reports on the least reliable storey.
+// Tested walls for comparison exist only in running bond with equal multiples in both directions (kCoarseWalls). Any other
+// wall is reported as untested. docs/theory/assessment.md, "Units drawn larger".
 #include "model/coarse_units.h"
 
 #include <algorithm>
@@ -12,11 +12,11 @@
 namespace wythe {
 namespace {
 
-// How many times larger units are drawn, in the storey where that is worth least.
+// Magnification of units in the least reliable storey.
 struct Drawn {
   double times_long = 1, times_high = 1;
   bool is_coarse = false;
-  const CoarseWalls* like = nullptr;  // null: no walls drawn like this were compared
+  const CoarseWalls* like = nullptr;  // null: no such walls were compared
 };
 
 double times(double drawn, double real) { return std::isnan(real) ? 1 : std::round(drawn / real); }
@@ -28,7 +28,7 @@ const CoarseWalls* walls_like(const Drawn& drawn, Bond bond) {
   return nullptr;
 }
 
-// One without walls to compare with is worth least, then the larger units.
+// A storey without comparable walls is the least reliable, then the one with larger units.
 bool is_worse(const Drawn& a, const Drawn& b) {
   if (a.is_coarse != b.is_coarse) return a.is_coarse;
   if ((a.like == nullptr) != (b.like == nullptr)) return a.like == nullptr;
@@ -47,21 +47,21 @@ Drawn drawn_units(const ModelSpec& spec) {
   return worst;
 }
 
-// Codes of a message: walls to compare with there are, there are not, and none of the latter in space.
+// Codes of a message: for comparable walls, for no such walls, and for no such walls in space.
 struct Words {
   const char *compared, *untested, *in_space;
 };
 
 Message words_of_units(const ModelSpec& spec, const Words& words) {
-  if (spec.body.empty() && !spec.wall.blocks.empty()) return {};  // blocks of a file have no units
+  if (spec.body.empty() && !spec.wall.blocks.empty()) return {};  // files of blocks have no units
   const Drawn drawn = drawn_units(spec);
   if (!drawn.is_coarse) return {};
-  if (!spec.body.empty()) return {words.in_space};  // where walls may have units of their own
+  if (!spec.body.empty()) return {words.in_space};  // whose walls may have their own units
   if (drawn.like == nullptr)
     return {words.untested, {{"long", drawn.times_long}, {"high", drawn.times_high}}};
   const CoarseWalls& like = *drawn.like;
-  // Capacity over demand goes with the force where the period is short and with the displacement where it is long, and
-  // with a mean of the two between (docs/theory/assessment.md, "Units drawn larger").
+  // Capacity over demand follows the force at short periods, the displacement at long ones, and a
+  // mean of both between them (docs/theory/assessment.md, "Units drawn larger").
   return {words.compared,
           {{"times", like.times},
            {"force_low_percent", 100 * like.force_low},

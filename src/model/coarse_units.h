@@ -1,5 +1,5 @@
-// What a wall is worth whose units are drawn larger than they were built (wall.unit.real). Nothing is computed from the
-// real size: it says which walls of docs/evidence/block_size.md, drawn so and as built, this one is like.
+// Reliability of a wall whose units are drawn larger than built (wall.unit.real). The real size enters no
+// computation; it selects comparable walls of docs/evidence/block_size.md, which were computed both ways.
 #pragma once
 
 #include "wythe/parts/message.h"
@@ -8,8 +8,8 @@
 
 namespace wythe {
 
-// Three walls with units drawn `times` as long and high, over the same with units as built: least and largest mean
-// change, and how many walls failed in another way.
+// Three walls with units drawn `times` as long and high, compared with units as built: least and largest mean
+// change, and number of walls with another failure mode.
 struct CoarseWalls {
   int times;
   double force_low, force_high;  // of the peak [-]
@@ -19,10 +19,10 @@ struct CoarseWalls {
 inline constexpr CoarseWalls kCoarseWalls[] = {{2, -0.127, -0.002, 0.435, 0.608, 13, 32},
                                                {3, -0.033, 0.076, 0.431, 0.577, 15, 32}};
 
-// A note where units are drawn larger than they were built.
+// Adds a note where units are drawn larger than built.
 void note_coarse_units(const ModelSpec& spec, Model& model);
-// Why no verdict on such a wall is to be signed; empty where units are drawn as built, or nothing says how large those
-// were.
+// Why a verdict on such a wall must not be signed; empty where units are drawn as built, or where their real size is not
+// stated.
 [[nodiscard]] Message caution_of_units(const ModelSpec& spec);
 
 }  // namespace wythe

@@ -1,5 +1,5 @@
-// compile(): spec -> assembly -> flat arrays. Called once per run; throws InputError with all faults.
-// A Compiler keeps the assembly and repeats the second step.
+// compile(): spec -> assembly -> flat arrays. Called once a run; throws InputError with all faults.
+// A Compiler keeps the assembly and repeats the second step only.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -39,7 +39,7 @@ BlockRole role_of(Role role) {
   return BlockRole::kMasonry;
 }
 
-// A massless beam still needs inertia to move: that of masonry.
+// A massless beam needs inertia to move: it gets the density of masonry.
 double inertial_density(double density) {
   constexpr double kStandIn = 2000.0;  // [kg/m^3]
   return density > 0 ? density : kStandIn;
@@ -72,7 +72,7 @@ void copy_report(const Assembly& assembly, Anatomy& anatomy) {
   anatomy.notes = assembly.report.notes;
 }
 
-// What is looked at before any geometry; the size first, and alone.
+// Checks before any geometry; a fault of the size is reported alone.
 void check_settings(const ModelSpec& spec, FaultList& faults) {
   check_size(spec, faults);
   faults.throw_if_any();
@@ -149,9 +149,9 @@ BlockMap compile_blocks(const ModelSpec& spec, const Assembly& assembly, const F
 
 namespace {
 
-// Records whose samples lie far apart for this wall.
+// Notes records whose samples are too far apart for this wall.
 void note_coarse_records(Model& model) {
-  constexpr double kFewest = 5;  // samples of a period
+  constexpr double kFewest = 5;  // samples in a period
   for (const Stage& stage : model.stages)
     for (const GroundMotion& motion : stage.base) {
       const double step = motion.duration() / static_cast<double>(motion.time.size() - 1);
@@ -173,7 +173,7 @@ Assembly build(const ModelSpec& spec) {
   return assembly;
 }
 
-// The model of a spec whose settings are sound and whose assembly stands.
+// Fills the model from a spec with sound settings and a complete assembly.
 Model fill(const ModelSpec& spec, const Assembly& assembly) {
   FaultList faults;
   Model model;
@@ -210,7 +210,7 @@ Model fill(const ModelSpec& spec, const Assembly& assembly) {
   note_densities(spec, model);
   note_coarse_units(spec, model);
   set_push_ramps(model);
-  for (std::size_t i = 0; i < model.gravity_mass.size(); ++i)  // of what is cut out none is left
+  for (std::size_t i = 0; i < model.gravity_mass.size(); ++i)  // cut-out masonry has no weight
     if (model.anatomy.block_role[i] != BlockRole::kCutOut)
       model.weight += model.gravity_mass[i] * model.solve.gravity;
   for (const double mass : model.solids.node_gravity_mass)

@@ -1,8 +1,8 @@
-// Compiles walls that mostly have one shape, e.g. the samples of a study: their assembly is built once.
+// Compiles walls that mostly share one shape, such as samples of a study; it builds their assembly once.
 //
 //   ModelSpec ──build_assembly──► Assembly ──────────────────► Model
 //                                    │    + materials, densities, loads, stages, settings
-//               kept where the shape_key is the same
+//               kept while the shape_key is the same
 #pragma once
 
 #include "geometry/assembly.h"
@@ -15,14 +15,14 @@ class Compiler {
  public:
   // Builds the assembly of `spec`; throws InputError as compile() does.
   explicit Compiler(const ModelSpec& spec);
-  // The same bits or the same faults as compile(spec), also for a spec of another shape. Can be
+  // Gives the same bits or faults as compile(spec), also for a spec of another shape. May be
   // called from several threads.
   [[nodiscard]] Model compile(const ModelSpec& spec) const;
 
  private:
   std::uint64_t shape_;
   geometry::Assembly assembly_;
-  geometry::SpaceAssembly in_space_;  // of a wall in space
+  geometry::SpaceAssembly in_space_;  // for walls in space
 };
 
 }  // namespace wythe

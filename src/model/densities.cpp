@@ -1,7 +1,7 @@
-// Writes notes on values that are probably slips of the unit: sizes, laws, moduli, densities, scatters, far pushes.
-// A note refuses nothing and changes no model. Ranges are in SI: those of masonry, and of steel, timber and fibres that
-// hold it. More notes tell which blocks take the unit's density, that a shake has local damping, and what a rule or a
-// knowledge level leaves alone because another value is stated.
+// Notes values that are probably errors of unit: sizes, laws, moduli, densities, scatters, long pushes.
+// A note refuses nothing and changes no model. The ranges [SI] are those of masonry, and of steel, timber and fibres that
+// hold it. More notes name blocks with the unit's density and shakes with local damping. Others name values that a rule or a
+// knowledge level leaves unchanged because another value is stated.
 #include "model/densities.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@
 namespace wythe {
 namespace {
 
-// Names that blocks bear, that no table gives a density and no contact rule speaks of: a layer's name, say.
+// Materials of blocks without a density in any table and without a contact rule, such as the name of a layer.
 std::vector<std::string> unmatched(const ModelSpec& spec) {
   std::set<std::string> known = {"masonry"};
   for (const auto& [name, material] : spec.material)
@@ -37,7 +37,7 @@ std::vector<std::string> unmatched(const ModelSpec& spec) {
   return {names.begin(), names.end()};
 }
 
-// Millimetres read as metres, or the other way, where blocks come from a file or a length is a slip: the tallest masonry has
+// Notes millimetres read as metres, or the reverse, in blocks files and wrong lengths: the tallest masonry has
 // 170 m, the longest walls of a building a few hundred.
 void note_scale(const ModelSpec& spec, Model& model) {
   constexpr double kTallest = 200, kLongestWall = 1000, kLowest = 0.03;  // [m]
@@ -63,12 +63,12 @@ void note_scale(const ModelSpec& spec, Model& model) {
                                   {"cure", std::move(cure)}}});
 }
 
-// A value in the range that its key admits, and a thousand times off what masonry has: a slip of the unit, most likely.
+// Notes a value that its key admits but that differs from masonry by a factor of a thousand: probably a wrong unit.
 class OddValues {
  public:
   explicit OddValues(std::vector<Message>& notes) : notes_(notes) {}
 
-  // `shown`: the unit of the note, of which each is `factor` SI units.
+  // Tests one value. `shown`: unit of the note; `factor`: its SI value.
   void look(const std::string& path, double value, double least, double most, const char* shown,
             double factor) {
     if (!std::isfinite(value) || value == 0 || (value >= least && value <= most)) return;
@@ -108,7 +108,7 @@ class OddValues {
     modulus("masonry.mortar_youngs_modulus", m.mortar_youngs_modulus, 1e6);
     look("masonry.weight", m.weight, 3e3, 5e4, "kN/m^3", 1e3);
   }
-  // Steel, timber and fibres that hold a wall.
+  // Checks steel, timber and fibres that hold a wall.
   void of_ties(const ModelSpec& spec) {
     for (const TieSpec& tie : spec.tie) {
       modulus("tie." + tie.name + ".youngs_modulus", tie.youngs_modulus, 1e8);
@@ -148,7 +148,7 @@ void note_odd_values(const ModelSpec& spec, std::vector<Message>& notes) {
 }
 
 void note_odd_densities(const ModelSpec& spec, std::vector<Message>& notes) {
-  // Aerated concrete has 400 kg/m3, granite 3000; wood 350 and more, steel 7850.
+  // Aerated concrete has 400 kg/m3, granite 3000; wood at least 350, steel 7850.
   constexpr double kLeast = 300, kMost = 5000, kMostOfMetals = 8000;
   const auto look = [&](const std::string& path, double density, double most) {
     if (std::isfinite(density) && density > 0 && (density < kLeast || density > most))
@@ -161,7 +161,7 @@ void note_odd_densities(const ModelSpec& spec, std::vector<Message>& notes) {
     look("material." + name + ".density", material.density, kMostOfMetals);
 }
 
-// 20 for 20 %: no value of a wall scatters by its own mean and more.
+// Notes 20 in place of 20 %: no value of a wall scatters as much as its own mean.
 void note_odd_scatter(const ModelSpec& spec, std::vector<Message>& notes) {
   const auto look = [&](const std::string& path, double cov) {
     if (is_scatter_odd(cov)) notes.push_back(note_of_scatter(path, cov));
@@ -172,7 +172,7 @@ void note_odd_scatter(const ModelSpec& spec, std::vector<Message>& notes) {
   look("scatter.unit_tension", spec.scatter.unit_tension);
 }
 
-// The slope b of GII that `missing` asks for and GII, which does not come by its rule, keeps away: its origin says so.
+// Notes a slope b of GII that `missing` requests but that a stated GII excludes; its origin says so.
 void note_slopes_left_out(const ModelSpec& spec, std::vector<Message>& notes) {
   constexpr const char* kSlope = "mode_2_energy_per_pressure";
   const materials::Rule* rule = materials::rule_for(materials::Role::kJoint, kSlope);
@@ -195,7 +195,7 @@ void note_slopes_left_out(const ModelSpec& spec, std::vector<Message>& notes) {
     }
 }
 
-// What is stated beside a knowledge level, which divides and multiplies what it takes of the table alone.
+// Notes values stated beside a knowledge level, which only corrects values from the table.
 void note_undivided(const ModelSpec& spec, std::vector<Message>& notes) {
   for (const std::string& line : spec.masonry.origin) {
     const auto origin = materials::origin_of(line);
@@ -210,7 +210,7 @@ void note_undivided(const ModelSpec& spec, std::vector<Message>& notes) {
   }
 }
 
-// In a shake local damping brakes every motion, a fall too.
+// Notes local damping in a shake: it resists every motion, even a fall.
 void note_shake_damping(const ModelSpec& spec, Model& model) {
   for (const StageSpec& stage : spec.stage)
     if (stage.kind == StageKind::kShake && stage.damping > 0)
@@ -218,7 +218,7 @@ void note_shake_damping(const ModelSpec& spec, Model& model) {
           {"shake.local_damping", {{"stage", stage.name}, {"damping", stage.damping}}});
 }
 
-// Metres where millimetres were meant: no wall is pushed farther than its own size.
+// Notes metres in place of millimetres: no wall is pushed farther than its own size.
 void note_far_pushes(Model& model) {
   const double size = std::max(model.anatomy.length, model.anatomy.height);
   for (const Stage& stage : model.stages) {

@@ -1,5 +1,5 @@
-// What is told of values that no masonry has, and of blocks that take the unit's density because no table knows the name
-// of their material.
+// Notes on values that masonry does not have, and on blocks that get the unit's density because the name of their material
+// is unknown.
 #pragma once
 
 #include <string>
@@ -11,14 +11,14 @@
 
 namespace wythe {
 
-// A coefficient of variation of 1 and more: 20 for 20 %.
+// Whether a coefficient of variation is 1 or more, such as 20 for 20 %.
 [[nodiscard]] bool is_scatter_odd(double cov);
 [[nodiscard]] Message note_of_scatter(const std::string& key, double cov);
 
-// Values that masonry does not have, by their key; of a spec alone, such as that of a study's medians.
+// Notes on values that masonry does not have, by key. Needs only a spec, such as that of a study's medians.
 [[nodiscard]] std::vector<Message> notes_of_values(const ModelSpec& spec);
 
-// Adds these and the other notes to model.anatomy.
+// Adds these notes and the others to model.anatomy.
 void note_densities(const ModelSpec& spec, Model& model);
 
 }  // namespace wythe

@@ -1,6 +1,6 @@
-// Lists the joints or blocks that a field acts on, in the assembly's order, and puts drawn values into their materials.
-// A drawn number is a factor on the stated value; with a formula it is the value itself. A wall that changed after the
-// draw is refused. Which course and unit a joint counts to: docs/theory/fields.md, "Places".
+// Lists the joints or blocks on which a field acts, in the assembly's order, and applies drawn values to their materials.
+// A drawn number is a factor on the stated value; with a formula it is the value. A wall that changed after the
+// draw is refused. docs/theory/fields.md, "Places", defines course and unit of a joint.
 #include "model/field_places.h"
 
 #include <algorithm>
@@ -35,13 +35,13 @@ constexpr FieldKey kKeys[] = {
 
 Vec2 centre_of(const Block& block) { return geometry::moments(block.outline).centroid; }
 
-// A block of no unit of several is a unit of its own; they are numbered from above those of the assembly.
+// Units of the assembly have even numbers; a block that is part of none counts as a unit with an odd number.
 int unit_of(const Assembly& assembly, int block) {
   const int unit = assembly.blocks[block].unit;
   return unit >= 0 ? 2 * unit : 2 * block + 1;
 }
 
-// A density field acts on rigid blocks that have this density.
+// Whether a density field acts on a block: it must be rigid and have this density.
 bool has_density_of(const ModelSpec& spec, const Block& block, const std::string& material) {
   if (block.role == geometry::Role::kSupport || block.role == geometry::Role::kPlate ||
       block.zone.zones > 0)
@@ -100,7 +100,7 @@ std::vector<FieldPlace> field_places(const ModelSpec& spec, const Assembly& asse
 
 namespace {
 
-// A density field acts on bodies that have this density.
+// Whether a density field acts on a body: it must have this density.
 bool has_density_of(const ModelSpec& spec, const BodySpec& body, const std::string& material) {
   if (body.fixed || body.zone.zones > 0) return false;
   const auto own = spec.material.find(body.material);
@@ -109,7 +109,7 @@ bool has_density_of(const ModelSpec& spec, const BodySpec& body, const std::stri
   return has_own && body.material == material;
 }
 
-// Numbers of units and courses of bodies in space, by the names that builders give.
+// Numbers of units and courses of bodies in space, from the names that the builder gives.
 class SpaceGroups {
  public:
   explicit SpaceGroups(const geometry::SpaceAssembly& assembly) {
@@ -133,7 +133,7 @@ class SpaceGroups {
   std::vector<int> unit_, course_;
 };
 
-// The block that a joint counts to.
+// The block whose course and unit a joint has: the upper one, unless it is fixed.
 int upper_of(const geometry::SpaceAssembly& assembly, const geometry::JointFace& face) {
   constexpr double kAlong = 1e-6;
   const Vec3 n = face.normal;

@@ -1,4 +1,4 @@
-// What follows from the table of fields: the first state, the name of a state, the name of a topology.
+// Functions derived from the table of fields: the initial state, the hash of a state, the identity of a topology.
 #include "model/fields.h"
 
 #include <type_traits>

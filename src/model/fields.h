@@ -1,11 +1,11 @@
-// The table of fields: every array of State and Model, declared once.
+// The table of fields: it declares every array of State and Model once.
 //
-// A line says what the array holds, of which entity, in which unit. What follows from the table, so
-// that nothing else lists arrays: their allocation (initial_state), the rows in which a step keeps them
-// for walls side by side (dynamics/passes/tables.h), copies in and out of these rows,
-// the hash of a state, restarts and packed snapshots, and the identity of a topology.
+// A line gives content, entity and unit of an array. All lists of arrays are derived from the table, so
+// that no other place lists them: the allocation (initial_state), the rows of a step for walls
+// side by side (dynamics/passes/tables.h), and copies to and from these rows. Others are the hash of a
+// state, restarts, packed snapshots, and the identity of a topology.
 //
-// To add a number that the joint law remembers: a member of contact::History and its line in
+// To add a number to the history of the joint law: a member of contact::History and its line in
 // contact::kHistory (law.h), an array in State, and its line below, in the same order.
 #pragma once
 
@@ -20,8 +20,8 @@
 
 namespace wythe {
 
-// What an array has one number of.
-// kBody, kFacePoint: a block or point in space, beside what it has of a plane one.
+// The entity that an array has one number for.
+// kBody, kFacePoint: additional numbers of a block or point in space.
 enum class Entity {
   kBlock,
   kNode,
@@ -35,11 +35,11 @@ enum class Entity {
   kBody,
   kFacePoint,
   kSupport,
-  kSpaceNode,   // a node of zones in space, beside what it has of a plane one
+  kSpaceNode,   // additional numbers of a node of zones in space
   kHandedOver,  // joints of a wall with free contacts
   kMaxwell,     // points of the joints of a wall with Maxwell elements
   kMaxwellInSpace,
-  kFrameSet,  // a section of a wall where a stage puts something up
+  kFrameSet,  // a frame section of a wall where a stage installs something
   kFrameSetInSpace,
   kRelease,  // a block of a wall where a stage cuts an opening
   kReleaseInSpace,
@@ -83,12 +83,12 @@ enum class Entity {
   return 0;
 }
 
-// --- the state: kept from step to step, each wall its own, hashed, saved, packed in this order ---------
+// --- the state: its own for each wall; kept between steps, hashed, saved and packed in this order ------
 
 struct StateField {
   std::vector<double> State::*array;
   Entity entity;
-  bool in_store;  // kept in the states of a campaign's store, in this order; velocities are not
+  bool in_store;  // stored by campaigns, in this order; without velocities
   std::string_view name, unit, meaning;
 };
 
@@ -198,10 +198,10 @@ inline constexpr std::array kStateFields{
                "1: the fibres to the next node are broken"},
 };
 
-// How many numbers an array of the state has. What only rare laws remember is empty in walls without one.
+// Number of values in an array of the state; 0 where the wall has no law that needs it.
 [[nodiscard]] std::size_t count_of(const Model& model, const StateField& field);
 
-// How many of its fields an entity has, and which of them an array is: its row.
+// Number of an entity's fields, and the index of an array among them: its row.
 [[nodiscard]] constexpr int fields_of(Entity entity) {
   return static_cast<int>(std::count_if(kStateFields.begin(), kStateFields.end(),
                                         [&](const StateField& f) { return f.entity == entity; }));
@@ -218,14 +218,14 @@ inline constexpr std::array kStateFields{
 
 // --- the model -------------------------------------------------------------------------------------------
 
-// Walls of a campaign that differ in kOwn fields alone can be stepped side by side.
+// Walls of a campaign can be stepped side by side if they differ in kOwn fields only.
 enum class Shared {
-  kTopology,  // who touches whom, and where: the same in walls that are stepped side by side
-  kOwn,       // each wall has its own numbers
+  kTopology,  // contacts and their places: equal in walls side by side
+  kOwn,       // numbers of each wall
 };
 
 // visit(array, entity, shared, name, unit) for every array of the model that a step reads. M: Model or
-// const Model. As long as a kernel may be: it is a table, a line a field.
+// const Model. The function is long because it is a table, one line a field.
 template <class M, class Visit>
 void each_model_field(M& m, const Visit& visit) {
   using E = Entity;
@@ -381,13 +381,13 @@ void each_model_field(M& m, const Visit& visit) {
   }
 }
 
-// Names what walls must share to be stepped side by side: a hash over the kTopology fields, the number
-// of stages, the laws that materials follow (not their strengths), and which of them a field varies beyond
-// their strengths. compile() keeps it in
+// Identity of what walls must share to be stepped side by side: a hash of the kTopology fields, the number
+// of stages, the laws of materials (not their strengths), and which materials a field varies beyond their
+// strengths. compile() stores it in
 // Model::topology.
 [[nodiscard]] std::uint64_t topology_of(const Model& model);
 
-// Whether joints of one stated material differ in more than the first contact::kStrengths numbers of their law.
+// Whether joints of one stated material differ in more than the first contact::kStrengths constants of their law.
 [[nodiscard]] bool varies_beyond_strengths(const Model& model, std::int32_t stated);
 
 }  // namespace wythe

@@ -1,5 +1,5 @@
-// What free contacts see of a wall: bevelled convex parts of blocks, supports and ground, and the material that
-// each body brings to a contact (docs/theory/contacts.md).
+// Shapes for the free contacts of a wall: bevelled convex parts of blocks, supports and ground, and the material of
+// each body in a contact (docs/theory/contacts.md).
 #include "model/free_shapes.h"
 
 #include <fmt/core.h>
@@ -18,10 +18,10 @@ namespace {
 
 using geometry::Polygon;
 
-// A thousandth of a block: contacts are no wider than that short, and what touches corner to corner at the
-// start has room for elastic motion.
+// A thousandth of a block. Contacts are shorter by no more than that, and corners that meet at the start have room
+// for elastic motion.
 constexpr double kBevel = 1e-3;
-// How far blocks may go: so many times the wall's size on each side of it.
+// Limit of the motion of blocks, in sizes of the wall on each side of it.
 constexpr double kWorld = 20;
 
 class Shapes {
@@ -54,7 +54,7 @@ Polygon outline_of(const std::vector<double>& x, const std::vector<double>& y, i
   return outline;
 }
 
-// Ground that nobody meets, and blocks that begin below it.
+// Refuses ground that no block can reach, and blocks that begin below it.
 void check_ground(const ModelSpec& spec, double lowest, FaultList& faults) {
   const double ground = spec.solve.ground;
   if (!std::isfinite(ground)) return;
@@ -71,7 +71,7 @@ void check_ground(const ModelSpec& spec, double lowest, FaultList& faults) {
           fmt::format("write ground = \"{:g} m\" or lower", lowest));
 }
 
-// Level ground where joints stand on no body: steps of a built wall go on for ever on both sides.
+// Adds level ground where joints have no body below: the steps of a built wall extend without limit on both sides.
 void add_ground(const ModelSpec& spec, const geometry::Assembly& assembly, Model& m,
                 Shapes& shapes) {
   FreeShapes& f = m.free;
@@ -93,8 +93,8 @@ void add_ground(const ModelSpec& spec, const geometry::Assembly& assembly, Model
   }
 }
 
-// The material of a body: of its largest joint that is no elastic chain; a body without one takes the wall's
-// most common.
+// The material of a body is that of its largest joint that is no elastic chain; without one, the most
+// frequent of the wall.
 void choose_materials(Model& m) {
   FreeShapes& f = m.free;
   std::vector<double> largest(f.thickness.size(), 0.0);
@@ -104,7 +104,7 @@ void choose_materials(Model& m) {
     if (m.anatomy.joint_kind[j] == JointKind::kLintelChain) continue;
     common[static_cast<std::size_t>(m.joint_material[j])] += m.area[j];
     for (const BlockId side : {m.joint_a[j], m.joint_b[j]}) {
-      if (side == kGroundBlock) continue;  // in space supports have numbers
+      if (side == kGroundBlock) continue;  // supports in space have numbers
       const auto i = static_cast<std::size_t>(side);
       if (!(m.area[j] > largest[i])) continue;
       largest[i] = m.area[j];
@@ -210,7 +210,7 @@ contact::FreeLaw free_law_of(const Model& m, std::int32_t a, std::int32_t b) {
 
 namespace {
 
-// Level ground as a body: y at its top, as wide as the world.
+// Level ground as a body: y is its top; it is as wide as blocks may move.
 Polyhedron ground_of(const FreeShapes& f, double y) {
   Polyhedron box;
   const double depth = f.y1 - f.y0;

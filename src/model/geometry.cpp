@@ -1,4 +1,4 @@
-// The two tables. geometry_of() alone asks the model which wall it is.
+// The two tables, for walls in the plane and in space. Only geometry_of() tests which kind a model is.
 #include "model/geometry.h"
 
 #include <algorithm>

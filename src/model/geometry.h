@@ -1,5 +1,5 @@
-// What differs between walls in their plane and walls in space while a model is filled: one table for each.
-// Where a state is read, src/reading/readers.h has the same.
+// Operations that differ between walls in the plane and in space while a model is compiled: one table for each.
+// src/reading/readers.h has the same for reading a state.
 #pragma once
 
 #include <utility>

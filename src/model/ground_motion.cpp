@@ -10,7 +10,7 @@
 namespace wythe {
 namespace {
 
-// Where a time lies: the samples k and k + 1, how far behind k, the slope between them.
+// Position of a time: between the samples k and k + 1, its distance from k, and the slope there.
 struct Place {
   std::size_t k;
   double after, slope;
@@ -78,7 +78,7 @@ GroundMotion combined(const GroundMotion& a, const GroundMotion& b, double facto
   std::vector<double> time;
   std::set_union(a.time.begin(), a.time.end(), b.time.begin(), b.time.end(),
                  std::back_inserter(time));
-  // one that ends before the other ends at once, not along a line to the other's next sample
+  // the shorter motion ends at once, not along a line to the next sample of the other
   for (const auto& [one, other] : {std::pair(&a, &b), {&b, &a}})
     if (one->time.back() < other->time.back() && one->acceleration.back() != 0) {
       const double after = std::nextafter(one->time.back(), other->time.back());
@@ -99,7 +99,7 @@ double peak_acceleration(const GroundMotion& m) {
   return peak;
 }
 
-// At the samples, and between them where the acceleration changes its sign.
+// Maximum over the samples, and over zeros of the acceleration between them.
 double peak_velocity(const GroundMotion& m) {
   double peak = 0;
   for (std::size_t k = 0; k < m.time.size(); ++k) {
@@ -123,11 +123,11 @@ double arias_intensity(const GroundMotion& m) {
 }
 
 double spectral_displacement(const GroundMotion& m, double period, double damping) {
-  constexpr double kFine = 100;  // times a period at which the answer is read
+  constexpr double kFine = 100;  // times in a period at which the response is read
   const double omega = 2 * M_PI / period, decay = damping * omega;
   const double turn = omega * std::sqrt(1 - damping * damping);
   double u = 0, v = 0, peak = 0;
-  // over h, under an acceleration a + slope t of the ground
+  // exact solution over h for a ground acceleration a + slope t
   const auto advance = [&](double h, double a, double slope) {
     const double b = -slope / (omega * omega), c = (-a - 2 * decay * b) / (omega * omega);
     const double p = u - c, q = (v - b + decay * p) / turn;

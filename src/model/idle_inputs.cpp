@@ -1,4 +1,4 @@
-// Inputs without effect: each function knows one kind of them.
+// Inputs without effect; each function detects one kind of them.
 #include "model/idle_inputs.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace wythe {
 namespace {
 
-// A joint's law that no joint has, such as a misspelt "foundation".
+// Notes laws that no joint has, such as that of a misspelt "foundation".
 void note_idle_laws(const ModelSpec& spec, Model& model) {
   std::vector<std::string> idle;
   for (const auto& [name, law] : spec.material) {
@@ -25,7 +25,7 @@ void note_idle_laws(const ModelSpec& spec, Model& model) {
     model.anatomy.notes.push_back({"material.idle", {{"materials", joined(idle, ", ")}}});
 }
 
-// What a block, a lintel, an arch, a sill or a ring beam is made of.
+// Materials of blocks, lintels, arches, sills and ring beams.
 std::set<std::string> materials_of_blocks(const ModelSpec& spec) {
   std::set<std::string> names = {"masonry"};
   for (const auto& block : spec.block) names.insert(block.material);
@@ -38,7 +38,7 @@ std::set<std::string> materials_of_blocks(const ModelSpec& spec) {
   return names;
 }
 
-// Density and moduli of a material that nothing is made of.
+// Notes density and moduli of a material that no block has.
 void note_idle_bodies(const ModelSpec& spec, Model& model) {
   const std::set<std::string> used = materials_of_blocks(spec);
   std::vector<std::string> idle;
@@ -49,7 +49,7 @@ void note_idle_bodies(const ModelSpec& spec, Model& model) {
     model.anatomy.notes.push_back({"material.of_nothing", {{"materials", joined(idle, ", ")}}});
 }
 
-// A typology, or values of masonry, beside materials that ask for no rule.
+// Notes a typology, or values of masonry, where no material requests a rule.
 void note_idle_masonry(const ModelSpec& spec, Model& model) {
   const MasonrySpec& m = spec.masonry;
   const bool is_stated = !m.origin.empty() || m.unit_type != UnitType::kUnstated ||
@@ -61,9 +61,9 @@ void note_idle_masonry(const ModelSpec& spec, Model& model) {
     model.anatomy.notes.push_back({"masonry.idle"});
 }
 
-// The width of a unit is the length of a header; a bond of stretchers alone has none.
+// Notes the width of a unit, the length of a header, in a bond of stretchers only.
 void note_idle_width(const ModelSpec& spec, Model& model) {
-  if (!spec.block.empty() || !spec.body.empty()) return;  // of a file: told there
+  if (!spec.block.empty() || !spec.body.empty()) return;  // blocks files: noted elsewhere
   const auto has_headers = [&](const std::string& bond) {
     const Bond of_wall = spec.wall.bond;
     return bond.empty() ? of_wall != Bond::kRunning && of_wall != Bond::kStack
@@ -81,13 +81,13 @@ void note_idle_width(const ModelSpec& spec, Model& model) {
   if (std::isfinite(spec.wall.unit.width) && !is_any_header) note("wall.unit.width");
 }
 
-// In the plane the damping of a force is that of its components.
+// Notes the form of damping in the plane, where a force is damped by its components.
 void note_idle_damping_form(const ModelSpec& spec, Model& model) {
   if (spec.body.empty() && spec.solve.damping_form != SolveSpec{}.damping_form)
     model.anatomy.notes.push_back({"solve.damping_form_idle"});
 }
 
-// An end beside targets, which say how far the push goes: --set puts targets over a model that has an end.
+// Notes an end beside targets, which define the end of a push: --set may add targets to a model with an end.
 void note_idle_ends(const ModelSpec& spec, Model& model) {
   for (const StageSpec& stage : spec.stage)
     if (stage.kind == StageKind::kPush && std::isfinite(stage.until) &&
@@ -96,7 +96,7 @@ void note_idle_ends(const ModelSpec& spec, Model& model) {
           {"push.until_idle", {{"stage", stage.name}, {"until_mm", 1e3 * stage.until}}});
 }
 
-// States that no push comes to.
+// Notes states that no push reaches.
 void note_states_beyond(const ModelSpec& spec, Model& model) {
   double least = 0, most = 0;
   for (const StageSpec& stage : spec.stage) {
@@ -105,7 +105,7 @@ void note_states_beyond(const ModelSpec& spec, Model& model) {
     const bool one_way = stage.targets.empty() && stage.amplitudes.empty();
     if (one_way && std::isfinite(stage.until)) most = std::max(most, stage.until);
     for (const double a : stage.amplitudes) least = std::min(least, -a), most = std::max(most, a);
-    if (!stage.drifts.empty()) return;  // of a height that is found later
+    if (!stage.drifts.empty()) return;  // its height is found later
   }
   if (!(most > 0)) return;
   for (const double at : spec.output.states)

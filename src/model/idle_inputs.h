@@ -1,5 +1,5 @@
-// Notes on inputs that have no effect in this model. They are notes and no faults where --set, a study or a variant may put
-// one value over another and so leave an input idle.
+// Notes on inputs without effect in this model. They are notes, not faults, since --set, a study or a variant may replace
+// another value and so make an input idle.
 #pragma once
 
 #include "wythe/parts/model.h"

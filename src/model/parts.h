@@ -1,4 +1,4 @@
-// The pieces of compile(): each fills its group of Model's arrays from the assembly.
+// The steps of compile(): each fills its group of Model's arrays from the assembly.
 #pragma once
 
 #include "geometry/assembly.h"
@@ -7,60 +7,60 @@
 
 namespace wythe {
 
-// Index of each assembly block among the moving rigid blocks, kGroundBlock for supports, solid_id()
+// Number of each assembly block among the moving rigid blocks; kGroundBlock for supports, solid_id()
 // for deformable ones.
 using BlockMap = std::vector<BlockId>;
 [[nodiscard]] constexpr BlockId solid_id(int body) { return -2 - body; }
 [[nodiscard]] constexpr bool is_solid(BlockId block) { return block < kGroundBlock; }
 [[nodiscard]] constexpr int solid_of(BlockId block) { return -2 - block; }
 
-// What head joints have of the bond of their beds, where it is less than all.
+// A note on head joints with less than the full bond of their beds.
 [[nodiscard]] Message head_bond_note(const std::string& name, const JointMaterial& bed);
 
 class FieldValues;  // field_places.h
 
-// A face of a deformable block and its joint material.
+// A face of a deformable block, and its joint material.
 struct SolidFace {
   const geometry::Face* face;
   int material;
 };
 
-// mass, inertia, centroids, outlines and names.
+// compiles mass, inertia, centroids, outlines and names.
 [[nodiscard]] BlockMap compile_blocks(const ModelSpec& spec, const geometry::Assembly& assembly,
                                       const FieldValues& fields, Model& model, FaultList& faults);
-// joints, points, gather lists and the materials they refer to; chains get their beam stiffness.
+// compiles joints, points, gather lists and their materials; chains get their beam stiffness.
 void compile_joints(const ModelSpec& spec, const geometry::Assembly& assembly, const BlockMap& map,
                     const FieldValues& fields, Model& model, FaultList& faults);
-// deformable blocks: nodes and zones.
+// compiles nodes and zones of deformable blocks.
 void compile_solids(const ModelSpec& spec, const geometry::Assembly& assembly, Model& model,
                     FaultList& faults);
-// the faces of deformable blocks; called by compile_joints, which finds their materials.
+// compiles faces of deformable blocks; compile_joints calls it, since it finds their materials.
 void compile_contacts(const geometry::Assembly& assembly, const BlockMap& map,
                       std::vector<SolidFace> faces, Model& model, FaultList& faults);
-// Top of a storey as it was laid [m]; NaN with a fault where no storey has the name.
+// Top of a storey as laid [m]; NaN with a fault where no storey has the name.
 [[nodiscard]] double top_of_storey(const geometry::Assembly& assembly, const std::string& name,
                                    const std::string& path, FaultList& faults);
-// what the floors lay on blocks, for the stage that sets them; adds their inertia to the blocks.
+// loads of floors on blocks, for the stage that applies them; also adds their inertia to the blocks.
 [[nodiscard]] std::vector<PointLoad> compile_floors(const ModelSpec& spec,
                                                     const geometry::Assembly& assembly,
                                                     const BlockMap& map, Model& model,
                                                     FaultList& faults);
-// shapes of free contacts, where they are asked for; needs blocks and joints.
+// shapes for free contacts, where the model requests them; needs blocks and joints.
 void compile_free(const ModelSpec& spec, const geometry::Assembly& assembly, Model& model,
                   FaultList& faults);
 // The mortar of a layer over one joint of the masonry, and its mass on the units; needs blocks.
 struct Coat {
   geometry::Face face;
-  double thickness;  // of all faces that have it [m]
+  double thickness;  // of all coated faces together [m]
   JointMaterial law;
   std::string name;  // of the material
 };
-// Whether a layer may lie on a block: masonry, lintels, sills and ring beams that stand from the first stage on.
+// Whether a layer may cover a block: masonry, lintels, sills and ring beams that stand from the first stage on.
 [[nodiscard]] bool holds_layers(const ModelSpec& spec, const geometry::Block& block);
 [[nodiscard]] std::vector<Coat> compile_coats(const ModelSpec& spec,
                                               const geometry::Assembly& assembly,
                                               const BlockMap& map, Model& model, FaultList& faults);
-// A row of Links before it is one; arms and span as there.
+// Data of a future row of Links; arms and span as there.
 struct NewLink {
   std::string name;
   LinkKind kind;
@@ -71,10 +71,10 @@ struct NewLink {
   double jack = 0;                                                   // [N]
 };
 void add_link(Links& links, const NewLink& link);
-// ties, diaphragms and springs.
+// compiles ties, diaphragms and springs.
 void compile_links(const ModelSpec& spec, const geometry::Assembly& assembly, const BlockMap& map,
                    Model& model, FaultList& faults);
-// --- of frames, in their plane and in space
+// --- frames, in the plane and in space
 struct FrameSteel {
   double yield = kUnset, youngs = kUnset, shear = kUnset;  // [Pa]
 };
@@ -84,31 +84,31 @@ struct FrameSteel {
 void check_frame_gap(const ModelSpec& spec, const FrameSpec& frame, const std::string& path,
                      FaultList& faults);
 void note_frame(const geometry::PlacedFrame& placed, const FrameSpec& frame, Model& model);
-// sections between the segments of frames.
+// compiles sections between segments of frames.
 void compile_frames(const ModelSpec& spec, const geometry::Assembly& assembly, const BlockMap& map,
                     Model& model, FaultList& faults);
-// what stands when, where stages cut openings and put up frames; needs frames.
+// which blocks stand in which stage, where stages cut openings and install frames; needs frames.
 void compile_standing(const ModelSpec& spec, const geometry::Assembly& assembly,
                       const BlockMap& map, Model& model, FaultList& faults);
-// Stages of kind cut that are none of `used`.
+// Notes stages of kind cut that are not among `used`.
 void note_idle_cuts(const ModelSpec& spec, const std::vector<int>& used, Model& model);
-// loads, ties and pushes on masonry that a stage cuts out.
+// refuses loads, ties and pushes on masonry that a stage cuts out.
 void check_standing(const Model& model, FaultList& faults);
-// strands of layers: nodes on blocks, and where they cross joints; needs joints.
+// compiles strands of layers: nodes on blocks, and where they cross joints; needs joints.
 void compile_layers(const ModelSpec& spec, const geometry::Assembly& assembly, const BlockMap& map,
                     Model& model, FaultList& faults);
-// The load stage that asks for the floors, or the first gravity stage; the number of stages where none is to.
+// Index of the stage that applies floors: the load stage that requests them, else the first gravity stage; the number of stages: none.
 [[nodiscard]] std::size_t stage_of_floors(const ModelSpec& spec, FaultList& faults);
-// stages with loads and driven blocks.
+// compiles stages with their loads and driven blocks.
 void compile_stages(const ModelSpec& spec, const geometry::Assembly& assembly, const BlockMap& map,
                     const std::vector<PointLoad>& floors, Model& model, FaultList& faults);
 
-// Targets of a push by a protocol, once the height of its drifts is known; `path` of the stage.
+// Sets the targets of a push by a protocol, once the height of its drifts is known; `path` is that of the stage.
 void set_targets(const std::string& path, Stage& stage, FaultList& faults);
 
-// First period of the elastic wall along (px, py) [s], every contact closed; NaN where it has none.
+// First period of the elastic wall along (px, py) [s], with all contacts closed; NaN where it has none.
 [[nodiscard]] double first_period(const Model& model, double px, double py);
-// The default smooth start of each push, from that period; needs masses and joints.
+// Sets the default smooth start of each push from that period; needs masses and joints.
 void set_push_ramps(Model& model);
 
 // Joint between two rigid segments of a beam whose centres are `spacing` apart [m], with structural

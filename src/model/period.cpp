@@ -1,9 +1,9 @@
-// The wall's first period along a direction, for the default smooth start of a push.
+// First period of the wall along a direction, for the default smooth start of a push.
 //
-//   K u = M p    how gravity along p would bend the elastic wall, every contact closed
-//   omega^2 = u.K u / u.M u = u.M p / u.M u    Rayleigh's quotient: at most a few percent above the first
+//   K u = M p    static displacement u of the elastic wall under gravity along p, every contact closed
+//   omega^2 = u.K u / u.M u = u.M p / u.M u    Rayleigh quotient: at most a few percent above the first
 //                                              mode that moves along p
-// K: joints, zones and their contacts as in step_bound.cpp; M: masses and inertias, lumped.
+// K: joints, zones and their contacts as in step_bound.cpp; M: lumped masses and inertias.
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace {
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-// One component of the jump of a point, as a row over the degrees of freedom it touches.
+// One component of the jump of a point, as a row over its degrees of freedom.
 struct Row {
   int count = 0;
   int at[7] = {};
@@ -67,7 +67,7 @@ class Elastic {
         entries_.emplace_back(row.at[i], row.at[j], stiffness * row.share[i] * row.share[j]);
   }
 
-  // Motion along (dx, dy) of a point at (rx, ry) from the centroid of a block.
+  // Adds the motion along (dx, dy) of a point at (rx, ry) from the centroid of a block.
   void add_block(Row& row, int block, double sign, double dx, double dy, double rx, double ry) {
     row.add(3 * block, sign * dx);
     row.add(3 * block + 1, sign * dy);
@@ -159,7 +159,7 @@ class Elastic {
     }
   }
 
-  // What is held gets a spring that lets it move by a millionth of the rest.
+  // Adds a spring at each held motion, which then is a millionth of the others.
   void hold() {
     double stiffest = 0;
     for (const auto& entry : entries_) stiffest = std::fmax(stiffest, entry.value());
@@ -193,12 +193,12 @@ class Elastic {
   Triplets entries_;
 };
 
-// Smooth start of a push: after kPeriods of them a first mode is within 1 % of its static value
-// (docs/theory/integration.md, 4.14), but no more than kShare of the time to the first turn.
+// Duration of a smooth start: after kPeriods the first mode is within 1 % of its static value
+// (docs/theory/integration.md, 4.14), but at most kShare of the time to the first turn.
 constexpr double kPeriods = 8, kShare = 0.2;
-constexpr double kUnknown = 0.05;  // where the period cannot be found [s]
+constexpr double kUnknown = 0.05;  // without a period [s]
 
-// Up to two digits: no bit of a run hangs on the last one of an eigenvalue.
+// Rounds up to two digits, so that no bit of a run depends on the last bits of an eigenvalue.
 double rounded_up(double x) {
   const double unit = elementary::pow(10.0, std::floor(elementary::log10(x)) - 1);
   return std::ceil(x / unit * (1 - 1e-9)) * unit;

@@ -1,5 +1,5 @@
-// Turns levels and cycles of a test into the targets of a push, and finds the first fault of a stated protocol.
-// Levels are displacements [m], or drifts times the height. They may not fall. One number of cycles serves all levels.
+// Converts levels and cycles of a test to the targets of a push, and finds the first fault of a stated protocol.
+// Levels are displacements [m], or drifts times the height; they must not decrease. One number of cycles may serve all levels.
 #include "model/protocol.h"
 
 #include <fmt/core.h>
@@ -27,7 +27,7 @@ std::string shown(const StageSpec& stage, double level) {
                                   : fmt::format("{:g} mm", 1e3 * level);
 }
 
-// Of the levels alone.
+// First fault of the levels alone.
 std::optional<ProtocolFault> fault_of_levels(const StageSpec& stage) {
   const std::vector<double>& levels = levels_of(stage);
   const char* key = stage.amplitudes.empty() ? "drifts" : "amplitudes";

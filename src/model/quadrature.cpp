@@ -1,4 +1,4 @@
-// Finds the points of a rule as roots of Legendre polynomials by bisection, with the same bits on every machine.
+// Finds the points of a rule by bisection, as roots of Legendre polynomials, with the same bits on every machine.
 // One half of a face mirrors the other bit for bit. docs/theory/kinematics.md, "Points".
 #include "model/quadrature.h"
 
@@ -21,8 +21,8 @@ Legendre legendre(int n, double x) {
   return p;
 }
 
-// A root of `value` between two places where its sign differs, to the last bit that bisection finds: no
-// starting guess and no library function, so it is the same number on every machine.
+// A root of `value` between two places of opposite sign, to the last bit of bisection. It needs no
+// starting value and no library function, so it is the same number on every machine.
 template <class Value>
 double root_between(double low, double high, const Value& value) {
   const bool rising = value(high) > 0;
@@ -34,7 +34,7 @@ double root_between(double low, double high, const Value& value) {
   return 0.5 * (low + high);
 }
 
-// The roots of `value` in (0, 1), which lie further apart than the steps it is looked at in.
+// Roots of `value` in (0, 1); their distances must exceed the step of the search.
 template <class Value>
 std::vector<double> positive_roots(const Value& value) {
   constexpr int kSteps = 512;
@@ -46,7 +46,7 @@ std::vector<double> positive_roots(const Value& value) {
   return roots;
 }
 
-// Both halves of a face alike, bit for bit: a wall and its mirror image behave the same.
+// Mirrors one half of a face to the other bit for bit, so that a wall and its mirror image behave equally.
 template <class Weight>
 FaceQuadrature symmetric(int n, const std::vector<double>& positive, const Weight& weight) {
   FaceQuadrature rule;

@@ -1,6 +1,6 @@
-// Lets the wall fall flat at 1 m/s and steps the vertical motion of its blocks on springs and dashpots of their beds.
-// Beds only press, and weight has no part. The fall ends when the ground has carried nothing for as long as a shock
-// needs up and down. The answer is then momentum over mass. See docs/theory/dynamics.md, "The step".
+// Drops the wall flat at 1 m/s and steps the vertical motion of its blocks on springs and dashpots of their beds.
+// Beds act in compression only, and weight is left out. The fall ends when the ground has carried nothing for as long as a
+// shock needs up and down. The result is the final momentum over the mass. See docs/theory/dynamics.md, "The step".
 #include "model/rebound.h"
 
 #include <algorithm>
@@ -14,11 +14,11 @@ namespace wythe {
 namespace {
 
 struct Bed {
-  int low, high;  // blocks; low -1: the ground
+  int low, high;  // blocks; low = -1: the ground
   double k, c;    // [N/m], [N s/m]
 };
 
-// A joint that lies nearly flat.
+// Whether a joint is nearly level.
 bool is_flat(const Model& m, JointId j) {
   constexpr double kFlat = 0.9;
   return std::fabs(geometry_of(m).normal(m, j).y) > kFlat;
@@ -37,7 +37,7 @@ std::vector<Bed> beds_of(const Model& m, const Dashpots& d) {
   return beds;
 }
 
-// Beds between each block and the ground, at least; -1: none lead there.
+// Least number of beds between each block and the ground; -1: there is no path.
 std::vector<int> levels_of(int blocks, const std::vector<Bed>& beds) {
   std::vector<std::vector<int>> next(static_cast<std::size_t>(blocks));
   std::vector<int> level(static_cast<std::size_t>(blocks), -1);
@@ -63,7 +63,7 @@ std::vector<int> levels_of(int blocks, const std::vector<Bed>& beds) {
 }  // namespace
 
 std::optional<double> rebound_of_wall(const Model& m, const Dashpots& d) {
-  constexpr double kNearlyAll = 0.95;  // of the mass
+  constexpr double kNearlyAll = 0.95;  // of the mass that beds carry
   constexpr int kMostBlocks = 3000, kMostSteps = 40000;
   if (d.normal.empty() || m.n_block < 2 || m.n_block > kMostBlocks ||
       m.solids.n_zone + m.space.solids.n_zone > 0)
@@ -78,7 +78,7 @@ std::optional<double> rebound_of_wall(const Model& m, const Dashpots& d) {
   const int levels = *std::max_element(level.begin(), level.end());
   if (levels < 2 || held < kNearlyAll * all) return std::nullopt;
 
-  // stable, and fine enough that an impact's first step does not count
+  // stable, and fine enough that the first step of an impact has no influence
   std::vector<double> stiff(static_cast<std::size_t>(m.n_block)),
       viscous(static_cast<std::size_t>(m.n_block));
   double slowest = std::numeric_limits<double>::infinity(), dt = slowest;
@@ -94,7 +94,7 @@ std::optional<double> rebound_of_wall(const Model& m, const Dashpots& d) {
     slowest = std::min(slowest, omega);
     dt = std::min(dt, 0.1 * 2 / omega * (std::sqrt(1 + xi * xi) - xi));
   }
-  const double over = 2 * M_PI * levels / slowest;  // the shock has run up and down
+  const double over = 2 * M_PI * levels / slowest;  // time of a shock up and down
 
   std::vector<double> y(static_cast<std::size_t>(m.n_block), 0.0),
       v(static_cast<std::size_t>(m.n_block), -1.0), force(static_cast<std::size_t>(m.n_block));

@@ -1,6 +1,6 @@
-// Makes motions of a shake's records and pulses, finds what they drive, and sets dashpots (14.6) and Maxwell elements.
-// The first record decides the factor of all. Motions of driven blocks are taken against the base, in whose frame the
-// wall is computed. A peak that no earthquake has is refused as a slip of the unit. Dashpots need final masses, so they
+// Makes the motions of a shake from records and pulses, finds what they drive, and sets dashpots (14.6) and Maxwell elements.
+// The first record determines the common factor. Motions of driven blocks are relative to the base, in whose frame the
+// wall is computed. A peak beyond that of any earthquake is refused as a wrong unit. Dashpots need final masses, so they
 // come last.
 #include "model/shaking.h"
 
@@ -34,10 +34,10 @@ double in_metres(RecordUnit unit, double gravity) {
   }
 }
 
-// A pulse as samples; linear between them it is off by less than 1e-4 of its amplitude.
+// A pulse as samples; linear interpolation deviates by less than 1e-4 of its amplitude.
 GroundMotion pulse_motion(const RecordSpec& r) {
-  constexpr double kSamples = 400;     // a period
-  constexpr double kHalfRicker = 1.5;  // periods before its crest: there less than 1e-8 is left
+  constexpr double kSamples = 400;     // per period
+  constexpr double kHalfRicker = 1.5;  // periods before its peak: the rest is below 1e-8
   const double turns = r.pulse == PulseShape::kHalfCycle ? 0.5
                        : r.pulse == PulseShape::kCycle   ? 1.0
                                                          : 2 * kHalfRicker;
@@ -54,7 +54,7 @@ GroundMotion pulse_motion(const RecordSpec& r) {
   return ground_motion(std::move(time), std::move(acceleration));
 }
 
-// The samples of a record that is no pulse, in m/s^2; faults are said where it is read.
+// Samples of a record other than a pulse [m/s^2]; faults are reported where it is read.
 GroundMotion table_motion(const RecordSpec& r, double gravity) {
   std::vector<double> time = r.read_times, acceleration = r.read_accelerations;
   if (r.file.empty()) {
@@ -148,7 +148,7 @@ class ShakeCompiler {
                           {"stated_s", stage_.spec.interval}});
   }
 
-  // What models made by programs may lack; files are checked where they are read.
+  // Checks for models from programs; files are checked where they are read.
   bool is_sound(const RecordSpec& r, std::size_t k) {
     const std::size_t before = faults_.all().size();
     if (r.pulse != PulseShape::kNone) {
@@ -219,9 +219,9 @@ class ShakeCompiler {
     model_.anatomy.notes.push_back({code, std::move(arguments)});
   }
 
-  // A unit that is ten or a hundred times off shows by the size of the numbers.
+  // Refuses records whose size shows a wrong unit, by a factor of ten or a hundred.
   void weigh(const GroundMotion& m, std::size_t k) {
-    constexpr double kMost = 5, kLeast = kLeastShake;  // [g]: no record lies beyond
+    constexpr double kMost = 5, kLeast = kLeastShake;  // [g]: limits of all records
     const double pga = peak_acceleration(m) / kGravityOfRecords;
     if (stage_.spec.record[k].pulse != PulseShape::kNone || (pga >= kLeast && pga <= kMost)) return;
     if (pga == 0)
@@ -232,9 +232,9 @@ class ShakeCompiler {
           pga > kMost ? "numbers like these are often cm/s2" : "numbers like these are often g");
   }
 
-  // What is applied, and a baseline that drifts.
+  // Checks the applied motion, and the drift of its baseline.
   void look_at(const GroundMotion& m, std::size_t k) {
-    constexpr double kMost = 20;     // [g]: beyond lies a slip of the scale
+    constexpr double kMost = 20;     // [g]: beyond lies a wrong scale
     constexpr double kDrift = 0.05;  // of the largest velocity left at the end
     const double pga = peak_acceleration(m) / kGravityOfRecords;
     if (!(pga <= kMost))
@@ -252,7 +252,7 @@ class ShakeCompiler {
                               {"displacement_mm", 1e3 * m.displacement.back()}});
   }
 
-  // From time to time, or the least and the most of them.
+  // The step between times, or its least and largest value.
   static Message between(const std::vector<double>& time) {
     constexpr double kEven = 0.02;  // times are written with few digits
     double least = time[1] - time[0], most = least;
@@ -266,7 +266,7 @@ class ShakeCompiler {
     return {"shake.each", {{"step_ms", 1e3 * mean}}};
   }
 
-  // Of a file what was read of it too: a wrong column or unit shows here or nowhere.
+  // Notes what was read from a file: a wrong column or unit shows only here.
   void note_record(const GroundMotion& m, const RecordSpec& r, double pga) {
     std::vector<Argument> said = {{"stage", stage_.spec.name},
                                   {"record", m.source},
@@ -288,7 +288,7 @@ class ShakeCompiler {
     note("shake.record_file", std::move(said));
   }
 
-  // A wall that stands because nothing shakes it.
+  // Notes a wall that stands since nothing shakes it.
   void note_rest() {
     double most = peak_acceleration(stage_.driven_motion);
     for (const GroundMotion& m : stage_.base) most = std::max(most, peak_acceleration(m));
@@ -296,9 +296,9 @@ class ShakeCompiler {
       note("shake.nothing", {{"stage", stage_.spec.name}, {"pga_g", most / kGravityOfRecords}});
   }
 
-  // In the plane samples of the base are compared with the wall's first period (compile.cpp).
+  // In the plane compile.cpp compares the samples of the base with the wall's first period.
   void note_coarse(const GroundMotion& m, std::size_t k) {
-    constexpr double kUsual = 0.0201;  // seconds between samples; older records have 0.02
+    constexpr double kUsual = 0.0201;  // [s] between samples; older records have 0.02
     const RecordSpec& r = stage_.spec.record[k];
     const bool compared = geometry_of(model_).dimension == 2 && !says_something(r.at);
     if (compared || r.pulse != PulseShape::kNone || m.time.size() < 3) return;
@@ -319,7 +319,7 @@ class ShakeCompiler {
     stage_.base.push_back(std::move(motion));
   }
 
-  // All that moves otherwise than the base moves as one, along one direction.
+  // Adds a motion other than that of the base; all such motions must be one motion in one direction.
   void drive(GroundMotion motion, std::size_t k) {
     if (!stage_.driven_motion.empty())
       return fault(key_of(k, "at"), "", "is a second motion beside that of the base",
@@ -340,7 +340,7 @@ class ShakeCompiler {
     stage_.driven_motion = std::move(motion);
   }
 
-  // Against the base, in whose frame the wall is computed.
+  // Makes the driven motion relative to the base, in whose frame the wall is computed.
   void relate() {
     if (stage_.driven_motion.empty()) return;
     for (const GroundMotion& base : stage_.base)
@@ -404,7 +404,7 @@ void compile_watched(const std::vector<HistorySpec>& history, const WallPlaces& 
       {"top", block, {}, geometry_of(model).centroid(model, block).y - places.lowest});
 }
 
-// A load that presses but has no mass makes a shaken wall safer than it is.
+// Notes loads without mass in a shake: they press the wall and make it appear safer.
 static void note_loads_without_mass(const Stage& shake, double pressed, double bare, Model& model) {
   constexpr double kSome = 0.02;  // of the wall's weight
   double carried = 0;
@@ -415,8 +415,8 @@ static void note_loads_without_mass(const Stage& shake, double pressed, double b
          {{"stage", shake.spec.name}, {"load_kN", 1e-3 * pressed}, {"mass_kN", 1e-3 * carried}}});
 }
 
-// A body force is of the blocks' own weights. Loads press, and make the factor larger; where they stand for masses, an
-// earthquake shakes these too.
+// A body force is proportional to the weights of blocks. Loads press and so raise the factor; where they represent masses, an
+// earthquake acts on these too.
 static void note_loads_left_out(const Stage& factor, double pressed, double carried, Model& model) {
   constexpr double kSome = 0.02;  // of the wall's weight
   double weight = 0;
@@ -428,7 +428,7 @@ static void note_loads_left_out(const Stage& factor, double pressed, double carr
     model.anatomy.notes.push_back(
         {factor.spec.kind == StageKind::kTilt ? "tilt.loads_left_out" : "body_force.loads_left_out",
          {{"stage", factor.spec.name}, {"load_kN", 1e-3 * pressed}, {"weight_kN", 1e-3 * weight}}});
-  // a mass of floors that no load stands for, neither
+  // a mass of floors without a load is left out too
   if (const double more = carried * model.solve.gravity - pressed; more > kSome * weight)
     model.anatomy.notes.push_back(
         {"body_force.masses_left_out",
@@ -494,7 +494,7 @@ double share_of_step(double omega_max, const Dashpots& d) {
 
 namespace {
 
-// One row a joint.
+// Sets one row for each joint.
 void put_dashpots(const Model& m, Dashpots& d) {
   for (std::size_t j = 0; j < static_cast<std::size_t>(m.n_joint); ++j) {
     const JointMaterial& law = m.materials[m.joint_material[j]];
@@ -507,7 +507,7 @@ void put_dashpots(const Model& m, Dashpots& d) {
   }
 }
 
-// Of a pulse of a few steps the wall feels the change of velocity alone.
+// Notes a pulse of few steps: the wall only experiences its change of velocity.
 void note_brief_pulses(const Stage& stage, Model& m) {
   constexpr double kFewest = 10;  // steps
   const double step = 1 / m.omega_max;
@@ -522,7 +522,7 @@ void note_brief_pulses(const Stage& stage, Model& m) {
 
 }  // namespace
 
-// Of one block that falls flat restitution is what it says; of a pile it is not.
+// Notes that the stated restitution holds for a single block that falls flat, not for a pile.
 static void note_rebound(const StageSpec& shake, const Dashpots& d, Model& m) {
   constexpr double kApart = 0.05;
   if (!(d.impact > 0)) return;
@@ -535,10 +535,10 @@ static void note_rebound(const StageSpec& shake, const Dashpots& d, Model& m) {
                                 {"energy_percent", 100 * *obtained * *obtained}}});
 }
 
-// A stated fraction holds at a stated frequency; what the wall gets depends on its own (docs/theory/dynamics.md, 14.9a).
+// Notes the damping obtained: a fraction is stated at one frequency, the wall has its own (docs/theory/dynamics.md, 14.9a).
 static void note_damping_obtained(Model& model) {
   constexpr double kApart =
-      0.2;  // of what was asked: Maxwell elements keep 0.8 of it within an octave
+      0.2;  // of the request: Maxwell elements keep 0.8 of it within an octave
   for (const Stage& stage : model.stages) {
     const StageSpec& s = stage.spec;
     double asked = 0;
@@ -639,7 +639,7 @@ void note_storeys_without_top(Model& m) {
           {"shake.no_storeys", {{"storey", m.anatomy.storey_name[k]}}});
 }
 
-// Where nearly all steps are equal and a few are half again as long or more, samples are missing.
+// Gaps where samples are missing: nearly all steps are equal, and a few are at least half again as long.
 std::vector<Gap> gaps_of(const std::vector<double>& time) {
   constexpr double kEqual = 0.01, kGap = 1.5, kMostAreEqual = 0.9;
   if (time.size() < 10) return {};

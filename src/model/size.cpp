@@ -1,6 +1,6 @@
-// Estimates blocks, memory, steps and time from stated lengths and measured costs, and refuses what no machine can run.
-// Millimetres for metres, or the other way, are told first and alone, since all further messages would be wrong. Memory
-// may be stated by WYTHE_MEMORY; else it is that of the machine or its container.
+// Estimates blocks, memory, steps and time from stated lengths and measured costs, and refuses impossible runs.
+// Millimetres in place of metres, or the reverse, are reported first and alone, since further messages would be wrong. WYTHE_MEMORY
+// may state the memory; otherwise it is that of the machine or its container.
 #include "model/size.h"
 
 #include <fmt/core.h>
@@ -23,16 +23,16 @@ namespace {
 
 // Measured on plain walls of 20 000 and 80 000 blocks, rounded up.
 constexpr double kBuildBytes = 2000;      // a block, its joints and names while the model is built
-constexpr double kStateDoubles = 6;       // a block in a state, and as many a contact point
-constexpr double kJointsPerBlock = 3;     // running bond, halves apart
-constexpr double kCopies = 2;             // of a kept state: in memory, and in the page being made
-constexpr double kFramesKept = 64;        // for moving pictures, and start, peak, end
-constexpr double kReadEvery = 1e-3;       // a state is kept for reading each millimetre [m]
-constexpr double kSecondsPerStep = 1e-7;  // a block on one core
+constexpr double kStateDoubles = 6;       // numbers of a block in a state, and of a contact point
+constexpr double kJointsPerBlock = 3;     // running bond with split units
+constexpr double kCopies = 2;             // of a stored state: in memory, and in the page
+constexpr double kFramesKept = 64;        // for animations, and start, peak, end
+constexpr double kReadEvery = 1e-3;       // a state is stored for reading each millimetre [m]
+constexpr double kSecondsPerStep = 1e-7;  // for each block on one core
 constexpr double kMostNumbers = 2.5e8;    // of blocks: joints and points are numbered in 32 bits
 constexpr double kMostRowsOfModel = 1e6;  // as output.rows
 constexpr double kMostSeconds = 3.2e8;    // ten years
-constexpr double kSeconds = 0.1;          // of a ramp, and what a wall usually needs after it
+constexpr double kSeconds = 0.1;          // of a ramp, and usual time of settling
 
 std::string bytes_text(double bytes) {
   if (bytes < 1e9) return fmt::format("{:.0f} MB", bytes * 1e-6);
@@ -56,7 +56,7 @@ bool is_length(double value) { return std::isfinite(value) && value > 0; }
 
 double or_else(double value, double otherwise) { return std::isnan(value) ? otherwise : value; }
 
-// 0 where lengths are missing: those are faults of their own.
+// Number of blocks; 0 where lengths are missing, which are separate faults.
 double blocks_of(const geometry::Storey& storey) {
   const UnitSpec& unit = storey.unit;
   const bool headers = storey.bond == Bond::kHeader;
@@ -79,14 +79,14 @@ double blocks_of(const ModelSpec& spec) {
   return blocks;
 }
 
-// Where a push turns; before the wall is built nobody knows what a drift is of: `kUsualHeight` stands for it.
+// Turns of a push [m]. Before the wall is built the height of drifts is unknown; `kUsualHeight` replaces it.
 std::vector<double> turns_of(const StageSpec& stage) {
   constexpr double kUsualHeight = 3;                                 // [m]
-  if (stage.targets.empty() && fault_of_protocol(stage)) return {};  // a fault of its own
+  if (stage.targets.empty() && fault_of_protocol(stage)) return {};  // reported elsewhere
   return targets_of(stage, kUsualHeight);
 }
 
-// The farthest displacement, on either side: states for reading are kept up to there, however often it comes by.
+// Largest |displacement| of a push: states for reading are stored up to it once, however often it returns.
 double push_reach(const StageSpec& stage) {
   if (!goes_to_and_fro(stage)) return or_else(stage.until, 0);
   double reach = 0;
@@ -104,7 +104,7 @@ double push_path(const StageSpec& stage) {
   return path;
 }
 
-// The longest record, and what is watched after it.
+// Duration of the longest record with its free vibration.
 double shake_seconds(const StageSpec& stage) {
   double longest = 0;
   for (const RecordSpec& r : stage.record) {
@@ -120,12 +120,12 @@ double shake_seconds(const StageSpec& stage) {
 
 // Time step of the stiffest joint between two units [s]: 2 / omega with omega^2 = 2 K / m.
 double step_of(const ModelSpec& spec) {
-  constexpr double kUsual = 3e-5;  // of a wall whose sizes are not stated
+  constexpr double kUsual = 3e-5;  // for walls without stated sizes
   const UnitSpec unit = geometry::stated_storeys(spec.wall, spec.storey).front().unit;
   double stiffest = 0;
   for (const auto& [name, material] : spec.material)
     stiffest = std::max(stiffest, or_else(material.normal_stiffness, 0));
-  const double mass = unit.length * unit.height * unit.density;  // a metre of thickness
+  const double mass = unit.length * unit.height * unit.density;  // per metre of thickness
   const double step = 2 / std::sqrt(4 * stiffest * (unit.length + unit.height) / mass);
   return is_length(step) ? step : kUsual;
 }
@@ -212,7 +212,7 @@ Pace pace_of(const StageSpec& stage) {
     case StageKind::kCut: break;
     case StageKind::kPush: {
       const StageSpec adapted = with_velocity(stage);
-      // pushes that adapt took 1 to 5 times as many steps as at full speed (docs/evidence/rate.md)
+      // adaptive pushes took 1 to 5 times as many steps as at full speed (docs/evidence/rate.md)
       constexpr double kOfAdapting = 2;
       const bool adapts = adapted.fast_velocity > adapted.velocity;
       Pace pace =
@@ -252,7 +252,7 @@ Size size_of(const ModelSpec& spec) {
 
 constexpr double kShortestWall = 0.03, kThinnestWall = 0.002, kLongestUnit = 10;  // [m]
 
-// Millimetres for metres, or the other way: told alone, before every opening is said to lie outside the wall.
+// Refuses millimetres in place of metres, or the reverse. Reported alone, since every opening would be reported as outside the wall.
 static void check_scale(const ModelSpec& spec, FaultList& faults) {
   const auto wall = [&](const std::string& path, double size, double least = kShortestWall) {
     if (size > 0 && size < least)

@@ -1,7 +1,7 @@
-// What a spec asks of the machine, told before anything is built: blocks, memory, steps, time.
+// Demands of a spec on the machine, estimated before anything is built: blocks, memory, steps, time.
 //
-// compile() refuses what the machine can't hold or nobody can wait for; a study asks the same of its
-// samples. Orders of magnitude, from lengths and counts alone; nothing here depends on the wall's size.
+// compile() refuses what the machine can't hold and runs of excessive length; a study asks the same of its
+// samples. Orders of magnitude from lengths and counts; the cost does not depend on the wall's size.
 #pragma once
 
 #include <string>
@@ -11,11 +11,11 @@
 
 namespace wythe {
 
-// A push that says no velocity adapts it (kWaitingVelocity, kAdaptedVelocity); all other stages as they are.
+// Default velocities (kWaitingVelocity, kAdaptedVelocity) for a push that states none; other stages are unchanged.
 [[nodiscard]] StageSpec with_velocity(StageSpec stage);
 
-// How a stage goes: its path [m] or load factor, which its rows divide; the time it will probably take [s];
-// and the key by which it takes longer.
+// Course of a stage: path [m] or load factor, which its rows divide; probable duration [s];
+// and the key that makes it longer.
 struct Pace {
   double path = 0, seconds = 0;
   const char* key = "";
@@ -24,22 +24,22 @@ struct Pace {
 
 struct Size {
   double blocks = 0;
-  double bytes = 0;    // of a run: model, state, and the states kept on the way
+  double bytes = 0;    // of a run: model, state and stored states
   double steps = 0;    // of all stages
   double seconds = 0;  // on one core
 };
 [[nodiscard]] Size size_of(const ModelSpec& spec);
 
-// Faults for more blocks than memory holds, more rows than a curve may have, and runs without end.
+// Adds faults for more blocks than memory holds, more rows than a curve may have, and endless runs.
 void check_size(const ModelSpec& spec, FaultList& faults);
 
-// The same for `samples` runs of one spec, whose records are read together; "" where they fit.
+// The problem of `samples` runs of one spec, whose records are read together; "" where they fit.
 struct SizeProblem {
   std::string problem, cure;
 };
 [[nodiscard]] SizeProblem check_samples(const ModelSpec& spec, double samples);
 
-// What the program may plan with [bytes]: WYTHE_MEMORY, e.g. "64 GB", else what the machine has.
+// Memory available to the program [bytes]: WYTHE_MEMORY, such as "64 GB", else that of the machine.
 // Throws InputError where WYTHE_MEMORY is no size.
 [[nodiscard]] double memory_limit();
 

@@ -1,4 +1,4 @@
-// Stages in the user's words -> loads on blocks and driven blocks.
+// Stages of the model file -> loads on blocks and driven blocks.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 using geometry::Assembly;
 using geometry::Role;
 
-// Documented default of a load's smooth start [s]; docs/theory/integration.md says why.
+// Default smooth start of a load, as documented [s]; docs/theory/integration.md gives the reason.
 constexpr double kLoadRamp = 0.1;
 
 bool drives(StageKind kind) {
@@ -63,7 +63,7 @@ class StageCompiler {
     faults_.add({"", path_ + "." + key, std::move(value), std::move(problem), std::move(cure), 0});
   }
 
-  // A second body force or tilt would have to take the first one back on its way.
+  // Refuses a second body force or tilt: it would have to remove the first one while it grows.
   void refuse_second_factor(const Stage& stage) {
     const bool factor =
         stage.spec.kind == StageKind::kBodyForce || stage.spec.kind == StageKind::kTilt;
@@ -77,14 +77,14 @@ class StageCompiler {
     StageSpec& s = stage.spec;
     if (std::isnan(s.damping)) s.damping = s.kind == StageKind::kShake ? 0.0 : model_.solve.damping;
     const bool push = s.kind == StageKind::kPush;
-    if (std::isnan(s.ramp) && !push) s.ramp = kLoadRamp;  // of a push: set_push_ramps
+    if (std::isnan(s.ramp) && !push) s.ramp = kLoadRamp;  // pushes: set_push_ramps
     if (s.as == Manner::kDefault) {
       if (push) s.as = Manner::kSpreader;
       if (s.kind == StageKind::kLoad) s.as = Manner::kPressure;
     }
   }
 
-  // Keys that have a meaning for walls in space alone.
+  // Refuses keys for walls in space.
   void refuse_space(const Stage& stage) {
     const StageSpec& s = stage.spec;
     const bool tilts = s.kind == StageKind::kBodyForce || s.kind == StageKind::kTilt;
@@ -120,7 +120,7 @@ class StageCompiler {
     stage.drive_x = d.x, stage.drive_y = d.y, stage.drive_z = d.z;
   }
 
-  // What shakes and histories name.
+  // Places for shakes and histories.
   [[nodiscard]] WallPlaces places() {
     WallPlaces places;
     places.axis = vector_of;
@@ -160,8 +160,8 @@ class StageCompiler {
       press(stage, pier.x0, pier.x1, s.pier_load / (pier.x1 - pier.x0), "pier_load");
   }
 
-  // Openings above each other at different places leave narrower strips of full height than any storey has
-  // piers; what each strip takes is said.
+  // Notes the load of each strip of full height. Openings at different places above each other leave narrower
+  // strips than the piers of any storey.
   void say_strips(const Stage& stage) {
     if (assembly_.piers.empty())
       fault("pier_load", "", "the openings leave no strip of full height to load",
@@ -177,7 +177,7 @@ class StageCompiler {
                                      {"strips", strips}}});
   }
 
-  // The load acts downwards at the top centre of every block with that role.
+  // A load acts downwards at the top centre of every block with that role.
   void load_role(Stage& stage, Role role, double load, const char* key) {
     const std::size_t before = stage.loads.size();
     for (std::size_t b = 0; b < assembly_.blocks.size(); ++b) {
@@ -203,7 +203,7 @@ class StageCompiler {
           "put a rigid block between, or leave the block's zones out");
   }
 
-  // Dead line load `q` [N/m] on the masonry's upper edges between x0 and x1.
+  // Adds the dead line load `q` [N/m] on upper edges of the masonry between x0 and x1.
   void press(Stage& stage, double x0, double x1, double q, const char* key) {
     double pressed = 0;
     const double tolerance = 1e-6 * assembly_.height, top = top_of_wall();
@@ -229,7 +229,7 @@ class StageCompiler {
             "load the wall through a beam: [wall.beam] and beam_load");
   }
 
-  // Least x or y of the moving blocks: a blocks file need not start at the origin.
+  // Least x or y of the moving blocks: a blocks file may start away from the origin.
   [[nodiscard]] double lowest(double Vec2::*axis) const {
     double least = 1e300;
     for (std::size_t b = 0; b < assembly_.blocks.size(); ++b) {
@@ -282,7 +282,7 @@ class StageCompiler {
     set_control(stage);
   }
 
-  // The line of the push, and the rows those of the head: its arm's end is no point of the wall.
+  // Sets the line of the push. Rows follow the displacement of the head, since the end of its arm is no point of the wall.
   void set_contraflexure(Stage& stage) {
     const auto head = static_cast<std::size_t>(stage.driven.front());
     const std::string value = fmt::format("{:g}", stage.spec.contraflexure);
@@ -298,12 +298,12 @@ class StageCompiler {
     stage.control = stage.driven.front();
   }
 
-  // --- a pattern of forces: shares of blocks, of mean 1 ---------------------------------------------
+  // --- a pattern of forces: shares of blocks, with mean 1 -------------------------------------------
 
   struct Level {
     double height = 0;                // above the lowest point of the wall [m]
-    std::vector<std::size_t> blocks;  // that the force acts on
-    double mass = 0;                  // nearest to it [kg]
+    std::vector<std::size_t> blocks;  // on which the force acts
+    double mass = 0;                  // nearest to this level [kg]
     double share = 0;
   };
 
@@ -315,7 +315,7 @@ class StageCompiler {
       if (!all) return mass_of(b);
       return mass_of(b) + floor_mass_on(b) + zones[static_cast<std::size_t>(map_[b])];
     };
-    std::vector<double> force;  // of each driven block
+    std::vector<double> force;  // on each driven block
     double total = 0, height = 0;
     for (const Level& level : levels) {
       double mass = 0;
@@ -328,7 +328,7 @@ class StageCompiler {
         height += force.back() * (centroid_of(b).y - lowest(&Vec2::y));
       }
     }
-    if (stage.driven.empty()) return;  // a fault is said
+    if (stage.driven.empty()) return;  // a fault was reported
     if (!(total > 0))
       return fault("shares", "", "add up to nothing, or less",
                    "write shares whose sum is above 0; direction says which way they push");
@@ -337,18 +337,18 @@ class StageCompiler {
     stage.load_height = height / total;
   }
 
-  // Of the floors that lie on the block already [kg].
+  // Mass of floors already on the block [kg].
   [[nodiscard]] double floor_mass_on(std::size_t b) const {
     double weight = 0;
     for (const PointLoad& load : floors_) weight -= load.block == map_[b] ? load.fy : 0.0;
     return floors_lie_ && model_.solve.gravity > 0 ? weight / model_.solve.gravity : 0.0;
   }
 
-  // Loads and pushes act on rigid blocks: the mass of a body of zones goes to those that it touches, by the
-  // areas of its contacts, which hand its force on [kg] (n_block).
+  // Loads and pushes act on rigid blocks. So the mass of a body of zones goes to the blocks in contact, by
+  // the areas of the contacts that transfer its force [kg] (n_block).
   [[nodiscard]] std::vector<double> zone_mass_on_blocks() const {
     const Solids& s = model_.solids;
-    std::vector<double> on(static_cast<std::size_t>(model_.n_block) + 1, 0.0);  // the ground last
+    std::vector<double> on(static_cast<std::size_t>(model_.n_block) + 1, 0.0);  // last: the ground
     for (const SolidBody& body : s.bodies) {
       const auto is_of = [&](std::int32_t node) {
         return node >= body.first_node && node < body.first_node + body.n_node;
@@ -357,7 +357,7 @@ class StageCompiler {
       for (std::size_t c = 0; c < s.contact_p.size(); ++c)
         if (is_of(s.contact_p[c])) area += s.contact_area[c];
       for (std::size_t c = 0; c < s.contact_p.size(); ++c)
-        if (is_of(s.contact_p[c]) && s.contact_block[c] <= model_.n_block)  // else a fault is said
+        if (is_of(s.contact_p[c]) && s.contact_block[c] <= model_.n_block)  // else a reported fault
           on[static_cast<std::size_t>(s.contact_block[c])] +=
               mass_of_zones(body) * s.contact_area[c] / area;
     }
@@ -370,7 +370,7 @@ class StageCompiler {
     return mass;
   }
 
-  // All rigid blocks as one level: every block by its own mass, that of floors on it, and that of zones
+  // All rigid blocks as one level, with forces by the mass of each block, of floors on it and of zones
   // beside it.
   [[nodiscard]] std::vector<Level> every_block() const {
     Level all;
@@ -423,7 +423,7 @@ class StageCompiler {
     return levels;
   }
 
-  // Whether the block's box holds the height; one that only begins there is the next course's.
+  // Whether the block's box contains the height; a block that starts there belongs to the next course.
   [[nodiscard]] bool is_pushed_at(std::size_t b, double y) const {
     if (map_[b] == kGroundBlock || !(mass_of(b) > 0)) return false;
     double low = 1e300;
@@ -432,8 +432,8 @@ class StageCompiler {
     return y > low + tolerance && y <= top_of(b) + tolerance;
   }
 
-  // The mass of every block, and of the loads that stand on blocks before the push, goes to the level
-  // nearest to it; what is nearer to the ground than to the lowest level goes to the ground.
+  // Assigns the mass of every block, and of loads on blocks before the push, to the nearest
+  // level; mass nearer to the ground than to the lowest level goes to the ground.
   void lump_masses(std::vector<Level>& levels) const {
     const double bottom = lowest(&Vec2::y);
     const auto add = [&](double mass, double height) {
@@ -459,7 +459,7 @@ class StageCompiler {
     return is_solid(map_[b]) ? 0.0 : model_.gravity_mass[static_cast<std::size_t>(map_[b])];
   }
 
-  // The block whose displacement the push follows.
+  // Finds the block whose displacement the push follows.
   void set_control(Stage& stage) {
     const PlaceSpec& at = stage.spec.control;
     if (!std::isfinite(at.x) && at.block.empty()) return;
@@ -505,7 +505,7 @@ class StageCompiler {
   // The block nearest to the point, and in the courses around it the blocks nearest in x.
   std::vector<std::size_t> blocks_at_point(const PlaceSpec& at) {
     const std::size_t nearest = nearest_block(at.x, at.y, -1);
-    const bool found_any = nearest < assembly_.blocks.size();  // none where x or y is not finite
+    const bool found_any = nearest < assembly_.blocks.size();  // false where x or y is not finite
     if (!found_any || distance(nearest, at.x, at.y) > 0.05 * assembly_.height) return {};
     const int course = assembly_.blocks[nearest].course;
     if (at.courses <= 1 || course < 0) {
@@ -544,7 +544,7 @@ class StageCompiler {
     return elementary::hypot(std::max({0.0, x0 - x, x - x1}), std::max({0.0, y0 - y, y - y1}));
   }
 
-  // course -1: any. Beyond the last block when there is none.
+  // Nearest block in a course, or in any for course = -1; one past the last block where there is none.
   [[nodiscard]] std::size_t nearest_block(double x, double y, int course) const {
     std::size_t best = assembly_.blocks.size();
     double least = 1e300;
@@ -552,7 +552,7 @@ class StageCompiler {
       const geometry::Block& block = assembly_.blocks[b];
       if (block.role == Role::kSupport || (course >= 0 && block.course != course)) continue;
       const Vec2 c = centroid_of(b);
-      // the box first; the centroid decides between neighbours that both touch the point
+      // by box first; centroids decide between neighbours that both touch the point
       const double d = course >= 0 ? distance(b, x, c.y) : distance(b, x, y);
       const double score = d + 1e-6 * elementary::hypot(c.x - x, course >= 0 ? 0.0 : c.y - y);
       if (score < least) {

@@ -1,4 +1,4 @@
-// Frames: what their sections carry in a state.
+// Internal forces of frame sections in a state.
 #include <algorithm>
 #include <cmath>
 
@@ -11,10 +11,10 @@
 namespace wythe {
 namespace {
 
-// An end of a section and how its block has turned.
+// One end of a section, with the rotation of its block.
 struct Side {
   contact::LinkEnd end;
-  double turn, cos, sin;  // of half the turn
+  double turn, cos, sin;  // of half the rotation
 };
 Side side_of(const State& s, BlockId block, double arm_x, double arm_y) {
   if (block == kGroundBlock) return {{0, 0, 0, 0}, 0, 1, 0};
@@ -70,8 +70,8 @@ std::vector<FrameReading> frames_in_space(const Model& m, const State& s) {
     const Vec3 arm{f.arm_b_x[k], f.arm_b_y[k], f.arm_b_z[k]};
     now.where = m.space.centroid[static_cast<std::size_t>(f.b[k])] + arm +
                 moved_in_space(m, s, f.b[k], arm);
-    if (!m.standing.joins(f.a[k], f.b[k], s.stage)) continue;  // not up yet
-    // a foot at the end of the way, where the ground is side a, looks back along it
+    if (!m.standing.joins(f.a[k], f.b[k], s.stage)) continue;  // not installed yet
+    // a foot at the end of the member, where the ground is side a, has its axis reversed
     const bool back = f.a[k] == kGroundBlock && f.place[k] > 0.5 * member.length;
     now.normal = pull.normal;
     now.shear = -pull.shear;
@@ -101,13 +101,13 @@ std::vector<FrameReading> frames_in_plane(const Model& m, const State& s) {
     const contact::SectionForces pull =
         contact::section_forces(law, jump, s.frame_left[k], s.frame_middle[k], s.frame_right[k]);
     const FrameMember& member = m.frames.members[static_cast<std::size_t>(f.member[k])];
-    // a foot at the end of the way looks back along it
+    // a foot at the end of the member has its axis reversed
     const double forth = f.axis_x[k] * member.direction_x + f.axis_y[k] * member.direction_y;
     FrameReading& now = read[k];
     const auto i = static_cast<std::size_t>(f.b[k]);
     now.where = {m.centroid_x[i] + f.arm_b_x[k] + end_b.moved_x,
                  m.centroid_y[i] + f.arm_b_y[k] + end_b.moved_y, 0};
-    if (!m.standing.joins(f.a[k], f.b[k], s.stage)) continue;  // not up yet
+    if (!m.standing.joins(f.a[k], f.b[k], s.stage)) continue;  // not installed yet
     now.normal = pull.normal;
     now.shear = -pull.shear;
     now.moment = forth < 0 ? -pull.moment : pull.moment;

@@ -1,4 +1,4 @@
-// How the two sides of a frame's section stand to each other in a state.
+// Relative position of the two sides of a frame's section in a state.
 #pragma once
 
 #include <cstddef>
@@ -9,14 +9,14 @@
 
 namespace wythe::reading {
 
-// How far a point of a block has moved in a state; nothing moves on the ground.
+// Displacement of a point of a block in a state; zero on the ground.
 [[nodiscard]] contact::LinkEnd end_in(const State& state, BlockId block, double arm_x,
                                       double arm_y);
 
-// Less what it was when a stage put the section up (frame_along, frame_across, frame_turn), where one did.
+// Position without its value at installation (frame_along, frame_across, frame_turn).
 struct SectionPlace {
   contact::SectionJump jump;
-  contact::LinkEnd b;  // its point on side b
+  contact::LinkEnd b;  // the point on side b
 };
 [[nodiscard]] SectionPlace section_in(const Model& model, const State& state, std::size_t section);
 

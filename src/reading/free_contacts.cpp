@@ -1,6 +1,6 @@
-// Computes the overlap of each free contact anew from the poses of a state; its slip is the state's own.
-// A block has fallen when it sank by more than half of its height. Debris reaches as far as its corners lie outside the
-// wall's extent at the start. docs/theory/contacts.md.
+// Computes the overlap of each free contact from the poses of a state; its slip comes from the state.
+// A block has fallen when it has sunk by more than half of its height. The reach of debris is the distance of its corners
+// outside the initial extent of the wall. docs/theory/contacts.md.
 #include "reading/free_contacts.h"
 
 #include <algorithm>

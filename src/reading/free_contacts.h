@@ -1,17 +1,17 @@
-// What a state says of free contacts (docs/theory/contacts.md): their energy, and what has fallen.
+// Energy of free contacts in a state, and fallen blocks (docs/theory/contacts.md).
 #pragma once
 
 #include "wythe/parts/model.h"
 
 namespace wythe::reading {
 
-// Recoverable energy of the free contacts at the present poses [J].
+// Recoverable energy of the free contacts at the current poses [J].
 [[nodiscard]] double free_energy(const Model& model, const State& state);
 
-// Empty where contacts are not free.
+// Fallen material of a state; empty without free contacts.
 [[nodiscard]] Debris evaluate_debris(const Model& model, const State& state);
 
-// How deep the block of a free contact that is pressed most lies in the other [m]; 0 without one.
+// Largest penetration of a free contact, that of its most compressed block [m]; 0 without contacts.
 [[nodiscard]] double deepest_overlap(const Model& model, const State& state);
 
 }  // namespace wythe::reading

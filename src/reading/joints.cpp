@@ -1,5 +1,5 @@
-// read_points(): the law evaluated at the present state, with the arithmetic of the step and without storing anything;
-// and the sums over the points of each joint.
+// read_points(): evaluates the law in the current state, with the arithmetic of the step and without storing anything;
+// also sums over the points of each joint.
 #include <algorithm>
 #include <cmath>
 
@@ -15,7 +15,7 @@ namespace {
 
 using contact::LawConstants;
 
-// Kinematics of one point in the plane (2.2, 2.3, 8.5), as in the step but one operation after the other.
+// Kinematics of one point in the plane (2.2, 2.3, 8.5), as in the step but evaluated singly.
 struct PointMotion {
   double w, s, x, y;
 };
@@ -27,11 +27,11 @@ Turned turn(const SinCos<double>& r, double x, double y) {
   return {r.cos * x - r.sin * y, r.sin * x + r.cos * y};
 }
 
-// Of the two faces of joint j; `phi`: mean rotation of its sides.
+// Motion of the two faces of joint j; `phi`: mean rotation of its sides.
 struct FaceMotion {
   const Model& m;
   const State& s;
-  const std::vector<SinCos<double>>& block;  // rotation of each
+  const std::vector<SinCos<double>>& block;  // rotation of each block
   JointId j;
   SinCos<double> phi;
 
@@ -57,7 +57,7 @@ struct FaceMotion {
   }
 };
 
-// Of point k of contact c, on the edge of a zone.
+// Motion of point k of contact c, on the edge of a zone.
 PointMotion contact_motion(const Model& model, const State& s, int c, int k) {
   const Solids& m = model.solids;
   const int p = m.contact_p[c], q = m.contact_q[c];
@@ -83,7 +83,7 @@ PointMotion contact_motion(const Model& model, const State& s, int c, int k) {
           (1 - share) * m.node_y[p] + share * m.node_y[q] + ey};
 }
 
-// What the law remembers of each point, by the table of fields.
+// The history of each point, by the table of fields.
 class Histories {
  public:
   explicit Histories(const State& s) {
@@ -103,7 +103,7 @@ class Histories {
   std::array<const double*, contact::kHistory<double>.size()> row_{};
 };
 
-// The law's result, by the fast path where the point is undamaged.
+// Result of the law, by the fast path where the point is undamaged.
 template <class V>
 contact::LawUpdate<double> answer_of(const LawConstants<double>& law, const PointMotion& at,
                                      contact::History<double>& h) {
@@ -154,7 +154,7 @@ std::vector<PointReading> reading::points_in_plane(const Model& m, const State& 
     const double phi = a == kGroundBlock ? 0.0 : 0.5 * (s.theta[a] + s.theta[b]);
     const FaceMotion face{m, s, block, j, sin_cos(phi)};
     const PointRange range = points_of(m, j);
-    const bool stands = m.standing.joins(a, b, s.stage);  // else nothing is read off it
+    const bool stands = m.standing.joins(a, b, s.stage);  // otherwise nothing is read
     for (PointId p = range.begin; p < range.end; ++p) {
       const int k = p - range.begin;
       const PointMotion at = face.at(m.point_xi[k]);
@@ -162,7 +162,7 @@ std::vector<PointReading> reading::points_in_plane(const Model& m, const State& 
         points[p] = evaluate_point(history.at(p), law.of(m.joint_material[j]), at);
       else
         points[p].where = {at.x, at.y};
-      if (!s.handed_over.empty() && s.handed_over[j] != 0)  // a free contact has its place
+      if (!s.handed_over.empty() && s.handed_over[j] != 0)  // replaced by a free contact
         points[p].normal_stress = points[p].shear_stress = 0;
       points[p].share = m.point_weight[k];
       points[p].place = m.point_xi[k];
@@ -183,7 +183,7 @@ std::vector<PointReading> reading::points_in_plane(const Model& m, const State& 
 
 namespace {
 
-// A face is straight, so its largest opening is at an end, where not every rule has a point.
+// Largest opening of a straight face: at one of its ends, where not every rule has a point.
 double opening_at_ends(const std::vector<PointReading>& points, PointRange range) {
   const PointReading &first = points[range.begin], &last = points[range.end - 1];
   const double inside = std::fmax(first.opening, last.opening);
@@ -201,7 +201,7 @@ JointReading reading::joint_in_plane(const Model& model, JointId id,
   joint.shape = shape;
   joint.points = range;
   joint.opening = opening_at_ends(points, range);
-  double moment = 0;  // [N] per half face
+  double moment = 0;  // [N] for a unit half face
   for (PointId p = range.begin; p < range.end; ++p) {
     const PointReading& point = points[p];
     const double area = shape.area * point.share;
@@ -251,8 +251,8 @@ Vec3 reading::force_in_plane(const Model& model, const JointReading& joint,
 
 namespace {
 
-// Whether a place on the ground or on a fixed block still has a face under it. The ground of a wall
-// without fixed blocks goes on; a fixed block ends.
+// Whether a place on the ground or a fixed block still lies on a face. Ground without fixed blocks is
+// unlimited; a fixed block ends.
 bool is_on_support(const Anatomy& a, Vec3 place) {
   if (a.support_begin.size() < 2) return true;
   bool inside = false;
@@ -285,9 +285,9 @@ bool reading::slid_off_in_plane(const Model& model, const std::vector<PointReadi
   const double reach = length(half);  // half the face
   if (std::fabs(slip) <= reach) return false;
   const JointShape shape = joint_shape(model, joint);
-  if (shape.kind == JointKind::kLintelChain) return false;  // one piece of timber
+  if (shape.kind == JointKind::kLintelChain) return false;  // a continuous timber
   if (shape.a != kGroundBlock) return true;
-  // into the ground by a hundredth of the face, where the middle of the face is now
+  // below the middle of the face, in the ground by a hundredth of the face's length
   const double deep = 0.02 * reach;
   return !is_on_support(model.anatomy, shape.centre + slip * shape.along - deep * shape.normal);
 }

@@ -1,4 +1,4 @@
-// Layers: what their fibres and their bond carry in a state.
+// Forces of fibres and bond of layers in a state.
 #include <algorithm>
 
 #include "contact/layer.h"
@@ -12,7 +12,7 @@ namespace {
 
 using reading::end_in;
 
-// Of the fibres from node k to the next one.
+// Elongation of the fibres from node k to the next one.
 double stretch_in(const Layers& l, const State& s, std::size_t k) {
   const double slips = s.layer_slip[k + 1] - s.layer_slip[k];
   if (l.crossing[k] < 0) return slips;
@@ -30,7 +30,7 @@ std::vector<LayerReading> read_layers(const Model& m, const State& s) {
   for (std::size_t k = 0; k < read.size(); ++k) {
     LayerReading& now = read[k];
     const contact::LayerBond bond{l.bond_energy[k], l.bond_rate[k]};
-    if (!m.standing.holds(l.a[k], s.stage)) continue;  // it is cut out with its masonry
+    if (!m.standing.holds(l.a[k], s.stage)) continue;  // cut out with its masonry
     now.slip = s.layer_slip[k];
     now.spent = contact::bond_spent(bond, s.layer_reached[k]);
     now.stored = 0.5 * contact::bond_secant(bond, s.layer_reached[k]) * now.slip * now.slip;
@@ -39,7 +39,7 @@ std::vector<LayerReading> read_layers(const Model& m, const State& s) {
     const double stretch = now.broken ? 0.0 : stretch_in(l, s, k);
     now.force = contact::fibres_pull(l.stiffness[k], stretch);
     now.stored += contact::fibres_store(l.stiffness[k], stretch);
-    // blocks have moved since the step looked: what is beyond its strength breaks in the next one
+    // blocks have moved since the last step, so an excess over the strength breaks the fibres only in the next step
     now.use = now.broken ? 1.0 : std::min(1.0, now.force / l.strength[k]);
   }
   return read;

@@ -1,4 +1,4 @@
-// Links: what they carry in a state.
+// Forces of links in a state.
 #include "contact/link.h"
 #include "reading/readers.h"
 #include "wythe/parts/reading.h"

@@ -1,5 +1,5 @@
-// What of blocks and joints never changes, and where they and the nodes of zones are now. The step keeps
-// places of its own; these can be magnified, for pictures.
+// Constant data of blocks and joints, and current places of these and of nodes. The step keeps
+// places of its own; those here can be magnified for pictures.
 #include <algorithm>
 #include <cmath>
 
@@ -15,7 +15,7 @@ const SolidBody& body_of(const Model& model, BlockId block) {
   return model.solids.bodies[block - model.n_block];
 }
 
-// Magnified rotations stay rotations up to a quarter turn; beyond, blocks would spin.
+// Magnified rotations stay rotations up to a quarter turn; larger ones would make blocks spin.
 Rotation magnified(const Rotation& rotation, double scale) {
   constexpr double kQuarter = 1.5707963267948966;
   const double angle = length(rotation.by);
@@ -23,7 +23,7 @@ Rotation magnified(const Rotation& rotation, double scale) {
   return {std::min(angle * scale, kQuarter) * (rotation.by / angle)};
 }
 
-// Where the point of a rigid block is that started at `arm` from its centroid.
+// Current place of the point of a rigid block that started at `arm` from its centroid.
 Vec3 place(const BlockReading& block, Vec3 arm, double scale) {
   return turned(arm, magnified(block.turned, scale), block.start + scale * block.moved);
 }
@@ -32,10 +32,10 @@ Vec3 node_at_start(const Model& model, int node) {
   return {model.solids.node_x[node], model.solids.node_y[node]};
 }
 
-// What the ends p and q of a zone's edge give to a point on it (8.5).
+// Value at a point of a zone's edge from its ends p and q (8.5).
 Vec3 shared(double share, Vec3 p, Vec3 q) { return (1 - share) * p + share * q; }
 
-// Where point k of a contact starts.
+// Initial place of point k of a contact.
 Vec3 contact_at_start(const Model& model, int contact, int k) {
   const Solids& s = model.solids;
   return shared(k == 0 ? s.share_0[contact] : s.share_1[contact],
@@ -73,7 +73,7 @@ JointShape contact_shape(const Model& model, JointId joint) {
   return shape;
 }
 
-// What the faces of both kinds of walls have.
+// Shape data of a face in both kinds of walls.
 JointShape face_shape(const Model& m, JointId j) {
   JointShape shape;
   shape.id = j;
@@ -89,7 +89,7 @@ JointShape face_shape(const Model& m, JointId j) {
 
 namespace reading {
 
-// Half as far along t1 as its points reach.
+// Shape of a joint in space; its half vectors reach to the farthest points along t1 and t2.
 JointShape shape_in_space(const Model& m, JointId j) {
   if (j >= m.n_joint) return contact_in_space(m, j - m.n_joint);
   JointShape shape = face_shape(m, j);
@@ -165,7 +165,7 @@ std::vector<Vec3> outline_of(const Model& model, BlockId block) {
 
 namespace {
 
-// The turn of a unit quaternion, by less than a whole one.
+// Rotation vector of a unit quaternion, by less than a full turn.
 Rotation rotation_of(double w, Vec3 v) {
   const double sine = length(v);
   if (sine == 0) return {};
@@ -177,7 +177,7 @@ Rotation rotation_of(double w, Vec3 v) {
 
 namespace reading {
 
-// A block, support n_block + i, or deformable block n_block + n_support + i.
+// Reading of a block, support n_block + i, or deformable block n_block + n_support + i.
 BlockReading block_in_space(const Model& model, const State& s, BlockId block) {
   if (const int body = block - model.n_block - model.space.n_support; body >= 0)
     return body_in_space(model, s, body);
@@ -257,7 +257,7 @@ double volume_in_plane(const Model& model, BlockId block) {
   return area * model.anatomy.block_thickness[block];
 }
 
-// A sum over tetrahedra to the origin.
+// Volume as a sum of tetrahedra with the origin.
 double volume_in_space(const Model& model, BlockId block) {
   double volume = 0;
   for (const Polyhedron& part : model.space.body[block].part)
@@ -291,7 +291,7 @@ Vec3 node_now(const Model& model, const State& state, int node, double scale) {
 
 namespace {
 
-// Where places on a joint's face are now, half way between its two sides.
+// Current places midway between the two sides of a joint.
 std::vector<Vec3> between_faces(const Model& model, const State& state, JointId joint,
                                 std::vector<Vec3> places, double scale) {
   const BlockReading a = read_block(model, state, model.joint_a[joint]);
@@ -300,7 +300,7 @@ std::vector<Vec3> between_faces(const Model& model, const State& state, JointId 
   return places;
 }
 
-// The same of a contact of zones, on its rigid side.
+// The same for a contact of zones, on its rigid side.
 std::vector<Vec3> on_rigid_side(const Model& model, const State& state, int contact,
                                 std::vector<Vec3> places, double scale) {
   const BlockReading a = read_block(model, state, model.space.solids.contact_block[contact]);

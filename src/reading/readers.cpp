@@ -1,4 +1,4 @@
-// The two tables of readers.h.
+// The two tables of readers.h, for walls in the plane and in space.
 #include "reading/readers.h"
 
 #include "model/geometry.h"

@@ -1,5 +1,5 @@
-// How each kind of wall is read: a table for walls in their plane and one for walls in space.
-// readers_of() alone asks which wall it is; the doors in wythe/parts/reading.h call what it gives.
+// Functions that read each kind of wall: one table for walls in the plane, one for walls in space.
+// Only readers_of() tests which kind a wall is; the functions of wythe/parts/reading.h call its table.
 #pragma once
 
 #include "reading/zones.h"
@@ -9,19 +9,19 @@ namespace wythe::reading {
 
 struct Readers {
   int dimension;  // of places
-  // what never changes
+  // constant data
   PointRange (*range)(const Model&, JointId);
   JointShape (*shape)(const Model&, JointId);
   std::vector<Vec3> (*corners)(const Model&, BlockId);
   double (*volume)(const Model&, BlockId);  // of a rigid block [m^3]
-  // where it is now
+  // positions
   BlockReading (*block)(const Model&, const State&, BlockId);
   std::vector<Vec3> (*corners_now)(const Model&, const State&, BlockId);
   std::vector<Vec3> (*face)(const Model&, const State&, JointId, double scale);
   std::array<Vec3, 2> (*ends)(const Model&, const State&, JointId, double scale);
   Vec3 (*way)(const Model&, const State&, BlockId, Vec3 arm);
   double (*tilt)(const State&, BlockId);
-  // what it does and carries
+  // deformations and forces
   std::vector<PointReading> (*points)(const Model&, const State&);
   JointReading (*joint)(const Model&, JointId, const std::vector<PointReading>&);
   bool (*slid_off)(const Model&, const std::vector<PointReading>&, JointId);
@@ -61,15 +61,15 @@ struct Readers {
                                      JointId joint);
 [[nodiscard]] Vec3 force_in_plane(const Model&, const JointReading&, const WallReading&);
 // space.cpp
-// How far the points of a joint are apart along t1, t2 and n, as the law sees them [m].
+// Distances of a joint's points along t1, t2 and n, as the law receives them [m].
 [[nodiscard]] std::vector<Vec3> gaps_in_space(const Model& model, const State& state,
                                               JointId joint);
-// How far a place of a body has moved, `arm` from its centroid; a support as it was driven.
+// Displacement of a place of a body at `arm` from its centroid; of a support as it was driven.
 [[nodiscard]] Vec3 moved_in_space(const Model& model, const State& state, BlockId body, Vec3 arm);
 [[nodiscard]] std::vector<PointReading> points_in_space(const Model& model, const State& state);
 [[nodiscard]] JointReading joint_in_space(const Model& model, JointId joint,
                                           const std::vector<PointReading>& points);
-// Whether a joint is pressed and has slid by more than half of its own size; on a support, off the box round it.
+// Whether a joint is compressed and has slid by more than half its size; on a support, out of the box around it.
 [[nodiscard]] bool slid_off_in_space(const Model& model, const std::vector<PointReading>& points,
                                      JointId joint);
 [[nodiscard]] Vec3 force_in_space(const Model&, const JointReading&, const WallReading&);

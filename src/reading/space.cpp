@@ -1,6 +1,6 @@
-// Asks the joint law at every point of a wall in space, with a state's history, and sums points to joints.
-// Shear is a vector: the law sees the length of the elastic slip, and its stress acts along that. A joint that a free
-// contact replaces carries nothing. docs/theory/space.md, "Shear as a vector".
+// Evaluates the joint law at every point of a wall in space with a state's history, and sums over points of joints.
+// Shear is a vector: the law receives the length of the elastic slip, and its stress has the same direction. A joint that a
+// free contact replaces carries nothing. docs/theory/space.md, "Shear as a vector".
 #include "reading/readers.h"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ Vec3 vec3(const Vec& v) { return {v.x, v.y, v.z}; }
 
 contact::Pose<double> pose_of(const State& s, BlockId block) { return pose_in_space(s, block); }
 
-// The gap of joint j, and the frame its components are in.
+// The gap of joint j, and the frame of its components.
 struct Gap {
   contact::FaceGap<double> gap;
   contact::Frame<double> frame;
@@ -51,7 +51,7 @@ contact::History<double> history_of(const State& s, std::size_t p) {
   return h;
 }
 
-// Of point p, whose sides are g apart along t1, t2 and n of the frame.
+// Evaluates point p, whose sides are g apart along t1, t2 and n of the frame.
 PointReading evaluate_point(const State& s, std::size_t p, const contact::LawConstants<double>& law,
                             const Vec& g, const contact::Frame<double>& frame) {
   contact::History<double> h = history_of(s, p);
@@ -79,7 +79,7 @@ PointReading evaluate_point(const State& s, std::size_t p, const contact::LawCon
   return point;
 }
 
-// The points of the contacts of zones: the frame turns with the rigid side (docs/theory/zones.md).
+// Evaluates the points of zone contacts; their frame rotates with the rigid side (docs/theory/zones.md).
 void evaluate_contacts(const Model& m, const State& s, std::vector<PointReading>& points) {
   const SpaceSolids& z = m.space.solids;
   contact::Laws laws(m.materials);
@@ -137,14 +137,14 @@ std::vector<PointReading> points_in_space(const Model& m, const State& s) {
     const double reach = length(shape.half);
     const BlockReading b = read_block(m, s, shape.b);
     const bool stands =
-        m.standing.joins(m.joint_a[j], m.joint_b[j], s.stage);  // else nothing is read off it
+        m.standing.joins(m.joint_a[j], m.joint_b[j], s.stage);  // otherwise nothing is read
     for (auto p = static_cast<std::size_t>(m.space.point_begin[j]);
          p < static_cast<std::size_t>(m.space.point_begin[static_cast<std::size_t>(j) + 1]); ++p) {
       const double r1 = m.space.point_r1[p], r2 = m.space.point_r2[p];
       if (stands)
         points[p] =
             evaluate_point(s, p, law, face.gap.j + r1 * face.gap.a + r2 * face.gap.b, face.frame);
-      if (!s.handed_over.empty() && s.handed_over[j] != 0) {  // a free contact has its place
+      if (!s.handed_over.empty() && s.handed_over[j] != 0) {  // replaced by a free contact
         points[p].normal_stress = points[p].shear_stress = 0;
         points[p].shear_vector = {};
       }
@@ -213,7 +213,7 @@ Vec3 force_in_space(const Model& m, const JointReading& joint, const WallReading
 
 namespace {
 
-// Whether a place lies beyond the box round support `s`, by more than a hundredth of its size.
+// Whether a place lies outside the box around support `s` by more than a hundredth of its size.
 bool is_beyond(const Model& m, BlockId s, Vec3 place) {
   Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
   for (const Polyhedron& part : m.space.body[s].part)
@@ -241,7 +241,7 @@ bool slid_off_in_space(const Model& m, const std::vector<PointReading>& points, 
   }
   const double way = length(slip);
   if (!pressed || way == 0) return false;
-  double reach = 0;  // of the face, the way it slid
+  double reach = 0;  // of the face in the direction of its slip
   for (auto p = static_cast<std::size_t>(range.begin); p < static_cast<std::size_t>(range.end);
        ++p) {
     const Vec3 arm = m.space.point_r1[p] * t1 + m.space.point_r2[p] * t2;

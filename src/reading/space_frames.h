@@ -1,6 +1,6 @@
-// The section of a frame in space (docs/theory/frames.md, "In space"): a face whose t1 is the left of the member's way and
-// whose n is its axis. In the frame's plane it has the three fibres of the plane's section; across it all is elastic.
-// Called by the step (dynamics/space/frames.h), by what begins a cut, and by what reads a state.
+// The section of a frame in space (docs/theory/frames.md, "In space"): a face with t1 to the left of the member and
+// n along its axis. In the frame's plane it has the three fibres of the plane's section; normal to it, it is elastic.
+// Called by the step (dynamics/space/frames.h), by the start of a cut, and by readers of a state.
 #pragma once
 
 #include "contact/face_in_space.h"
@@ -9,10 +9,10 @@
 
 namespace wythe::reading {
 
-// How b's side of a section stands against a's, as the law of the plane sees it, and across the plane.
+// Relative position of b's side of a section: in the plane, as the plane's law receives it, and out of it.
 struct SpaceSectionJump {
   contact::SectionJump in_plane;
-  double aside, lean, twist;  // [m], about the left, about the axis [rad]
+  double aside, lean, twist;  // [m]; rotation about the left, about the axis [rad]
 };
 [[nodiscard]] inline SpaceSectionJump section_jump_in_space(const contact::FaceGap<double>& gap) {
   return {{.along = gap.j.z,
@@ -27,7 +27,7 @@ struct SpaceSectionJump {
           0.5 * (gap.a.y - gap.b.x)};
 }
 
-// act(face) with the face of section k between the poses that pose_of(block) gives; the ground stands still.
+// Calls act(face) with the face of section k between the poses that pose_of(block) returns; the ground is fixed.
 template <class PoseOf, class Act>
 auto with_section(const Frames& f, std::size_t k, const PoseOf& pose_of, const Act& act) {
   const auto of = [](const Vec3& v) { return Vector<double>{v.x, v.y, v.z}; };
@@ -42,7 +42,7 @@ auto with_section(const Frames& f, std::size_t k, const PoseOf& pose_of, const A
   return act(contact::PairFace<double>(a, b, arm_a, arm_b, left, axis));
 }
 
-// Less what it was when a stage put the section up, where one did.
+// Subtracts the jump at installation, where a stage installed the section.
 inline void take_off_set(const State& s, std::size_t k, SpaceSectionJump& jump) {
   if (s.frame_turn.empty()) return;
   jump.in_plane.along -= s.frame_along[k];
@@ -62,7 +62,7 @@ inline void take_off_set(const State& s, std::size_t k, SpaceSectionJump& jump) 
                                  s.frame_right[k]);
 }
 
-// Of a state.
+// Pose of a block in a state.
 [[nodiscard]] inline contact::Pose<double> pose_in_space(const State& s, BlockId block) {
   const auto i = static_cast<std::size_t>(block);
   return {{s.ux[i], s.uy[i], s.uz[i]}, {s.qw[i], {s.qx[i], s.qy[i], s.qz[i]}}};

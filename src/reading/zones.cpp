@@ -1,5 +1,5 @@
-// Reads zones of a plane wall: energy (8.3), stresses in the wall's axes, passed limits, measures of a lintel.
-// Stress is linear in the turned frame of a zone and is then turned back. Where a lintel has no node line or no column
+// Reads zones of a plane wall: energy (8.3), stresses in the axes of the wall, exceeded limits, measures of a lintel.
+// Stress is linear in the rotated frame of a zone and is rotated back. Where a lintel has no node line or no column
 // of zones in its middle, both beside it count by half. See docs/theory/zones.md, "Measures of a lintel".
 #include "reading/zones.h"
 
@@ -39,7 +39,7 @@ double mean_of(const SolidBody& body, const std::vector<double>& values, int col
   return sum / (body.rows + 1);
 }
 
-// Turn of a column of nodes, from its lowest to its highest.
+// Rotation of a column of nodes, from the lowest to the highest.
 double turn_of(const Solids& m, const SolidBody& body, const State& s, int column) {
   const auto low = static_cast<std::size_t>(body.node(column, 0));
   const auto high = static_cast<std::size_t>(body.node(column, body.rows));
@@ -48,7 +48,7 @@ double turn_of(const Solids& m, const SolidBody& body, const State& s, int colum
                            height + s.node_uy[high] - s.node_uy[low]);
 }
 
-// Axial force in one column of zones, in their own turned axes.
+// Axial force in one column of zones, in their own rotated axes.
 double axial_of(const Solids& m, const SolidBody& body, const State& s, int column) {
   double force = 0;
   for (int j = 0; j < body.rows; ++j) {
@@ -126,7 +126,7 @@ LintelMeasures lintel_measures_in_plane(const Model& model, const State& s) {
 ShownColumns columns_of(const Model& model) {
   ShownColumns of{.lintel_of_zones = reading::first_lintel(model) != nullptr ||
                                      reading::first_lintel_in_space(model) != nullptr};
-  for (const Stage& stage : model.stages)  // the curve is that of the last push
+  for (const Stage& stage : model.stages)  // the curve belongs to the last push
     if (stage.spec.kind == StageKind::kPush)
       of.held_head = stage.spec.across == Freedom::kBlocked && dimension_of(model) == 2;
   return of;

@@ -1,4 +1,4 @@
-// What a state says of deformable blocks beyond their zones: energy, limits passed, the sag of a lintel.
+// Values of deformable blocks in a state beyond their zones: energy, exceeded limits, deflection of a lintel.
 // Called by dynamics/meters/residual.cpp and recorder.cpp.
 #pragma once
 
@@ -10,7 +10,7 @@ namespace wythe::reading {
 
 // Strain energy of all zones [J].
 [[nodiscard]] double strain_energy(const Model& model, const State& state);
-// Places where a zone's mean principal stress goes beyond its body's limits.
+// A place where a zone's mean principal stress exceeds the limits of its body.
 struct BeyondLimit {
   const std::string* body;  // its id
   bool tension;
@@ -19,7 +19,7 @@ struct BeyondLimit {
 };
 [[nodiscard]] std::vector<BeyondLimit> beyond_limits(const Model& model, const State& state);
 
-// Of the first lintel of zones; zero without one.
+// Measures of the first lintel of zones; zero without one.
 struct LintelMeasures {
   double deflection = 0;    // of the middle below the mean of the ends, at mid-depth [m]
   double end_rotation = 0;  // right end against left end, anticlockwise + [rad]

@@ -1,6 +1,6 @@
 // Reads zones of a wall in space: contacts as joints, energies, stresses, and the measures of a lintel by sections.
-// A lintel runs along its longer level direction, towards +x, or +z where it runs along z. So its left end does not
-// depend on how its corners are numbered.
+// A lintel has the direction of its longer horizontal side, towards +x, or +z where it runs along z. So its left end does
+// not depend on the numbers of its corners.
 #include "reading/zones_in_space.h"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ const HexahedronShape& shape_of(const SpaceSolids& m, std::size_t zone) {
   return m.shapes[m.zone_shape[zone]];
 }
 
-// Of a turn by less than half a one.
+// Rotation vector of a matrix, by less than half a turn.
 Rotation rotation_of(const double (&r)[3][3]) {
   const Vec3 twice{r[2][1] - r[1][2], r[0][2] - r[2][0], r[1][0] - r[0][1]};
   const double sine = 0.5 * length(twice), cosine = 0.5 * (r[0][0] + r[1][1] + r[2][2] - 1);
@@ -126,7 +126,7 @@ std::vector<BeyondLimit> beyond_limits_in_space(const Model& model, const State&
   return found;
 }
 
-// Stations of a lintel from its left end to its right one: along its longer level direction, towards +x, or +z.
+// Sections of a lintel from its left end to its right end, along its longer horizontal side, towards +x or +z.
 class LintelStations {
  public:
   LintelStations(const SpaceSolids& m, const SpaceSolidBody& body) : m_(m), body_(body) {
@@ -139,13 +139,13 @@ class LintelStations {
   }
   [[nodiscard]] int count() const { return body_.count[runs_along_c_ ? 2 : 0]; }
 
-  // Sag, mean through the section at a station.
+  // Deflection of a section, averaged over its nodes [m].
   [[nodiscard]] double sag(const State& s, int station) const {
     double sum = 0, n = 0;
     each_place(1, [&](int across, int up) { sum -= s.node_uy[node(station, up, across)], ++n; });
     return sum / n;
   }
-  // Turn of a section, from its lowest nodes to its highest, in the plane of the lintel and the vertical.
+  // Rotation of a section, from its lowest nodes to its highest, in the vertical plane of the lintel.
   [[nodiscard]] double turn(const State& s, int station) const {
     const int top = body_.count[1];
     double along = 0, high = 0;
@@ -157,7 +157,7 @@ class LintelStations {
     }
     return elementary::atan2(-along, high);
   }
-  // Axial force in one layer of zones across it.
+  // Axial force in one layer of zones normal to the lintel.
   [[nodiscard]] double axial(const State& s, int layer) const {
     const Vec3 up = m_.node[node(0, body_.count[1], 0)] - m_.node[node(0, 0, 0)],
                wide = m_.node[node(0, 0, others())] - m_.node[node(0, 0, 0)];
@@ -182,7 +182,7 @@ class LintelStations {
     const int i = is_reversed_ ? count() - station : station;
     return runs_along_c_ ? body_.node(across, up, i) : body_.node(i, up, across);
   }
-  // Of a section: its zones, or with `more` = 1 its nodes.
+  // Calls `act` for the zones of a section, or with `more` = 1 for its nodes.
   template <class Act>
   void each_place(int more, const Act& act) const {
     for (int across = 0; across < others() + more; ++across)

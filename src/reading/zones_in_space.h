@@ -9,16 +9,16 @@ namespace wythe::reading {
 
 // Contact c as a joint: side b is block n_block + n_support + body.
 [[nodiscard]] JointShape contact_in_space(const Model& model, int contact);
-// Displacement of a point of a contact's side.
+// Displacement of a point of a contact on its side of zones.
 [[nodiscard]] Vec3 side_moved(const Model& model, const State& state, int contact,
                               std::size_t point);
-// Turn and displacement of the rigid body of a contact; a support does not turn.
+// Rotation and displacement of the rigid body of a contact; a support does not rotate.
 struct RigidSide {
   Quaternion<double> q;
   Vec3 moved;
 };
 [[nodiscard]] RigidSide rigid_side(const Model& model, const State& state, int contact);
-// Body i: its mean displacement by mass, without a turn.
+// Body i: its mean displacement, weighted by mass, without a rotation.
 [[nodiscard]] BlockReading body_in_space(const Model& model, const State& state, int body);
 
 [[nodiscard]] const SpaceSolidBody* first_lintel_in_space(const Model& model);

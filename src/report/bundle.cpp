@@ -1,6 +1,6 @@
-// Packs a header and aligned arrays into deflated bytes, and reads the header of such bytes back.
-// Bytes that are read may come from anybody. Unpacking stops at the sizes that the header states, and more than a
-// browser takes is refused before it is unpacked. Arrays lie as in memory, so the build asks for little endian.
+// Packs a header and aligned arrays into deflated bytes, and reads the header of such bytes. The origin of bytes
+// that are read is unknown. So unpacking stops at the sizes that the header states, and data too large for a browser
+// are refused before they are unpacked. Arrays are stored as in memory, so the build requires little endian.
 #include "report/bundle.h"
 
 #include <fmt/format.h>
@@ -25,20 +25,20 @@ constexpr char kMark[8] = {'W', 'Y', 'T', 'H', 'E', 0, 0, 2};  // the last byte 
 constexpr std::size_t kHead = sizeof kMark + sizeof(std::uint32_t);
 constexpr std::size_t kAlign = 8;
 
-// Packed bytes, unpacked as far as somebody asks: a few of them may stand for any number.
+// Packed bytes that are unpacked only on demand, because a few of them may stand for very many.
 class Inflation {
  public:
   explicit Inflation(std::string_view packed) : inflater_(packed) {
     if (packed.size() > kMostPacked) refuse_data("are larger than a browser takes");
   }
 
-  // The next bytes, exactly as many.
+  // The next bytes, exactly `count` of them.
   std::string next(std::size_t count) {
     std::string out(count, '\0');
     if (inflater_.read(out) != count) refuse_data("are damaged");
     return out;
   }
-  // Whether exactly `count` bytes are left, sums of control included; none of them is kept.
+  // Whether exactly `count` bytes are left, including checksums; none of them is kept.
   bool ends_after(std::size_t count) {
     std::string chunk(1 << 18, '\0');
     while (count > chunk.size()) {
@@ -52,7 +52,7 @@ class Inflation {
  private:
   Inflater inflater_;
 };
-// Bytes of all arrays, as the header places them.
+// Size of all arrays in bytes, as the header places them.
 std::size_t bytes_of_arrays(const Json& arrays) {
   double end = 0;
   for (const auto& [name, array] : arrays.items()) {
@@ -114,7 +114,7 @@ void Bundle::add_rounded(const std::string& name, std::span<const double> values
 std::string Bundle::packed() const {
   Json whole = header;
   whole["arrays"] = table_;
-  // replace: a name that is not UTF-8 must not lose the page
+  // "replace", so that a name that is not UTF-8 does not lose the page
   std::string text = whole.dump(-1, ' ', false, Json::error_handler_t::replace);
   text.append((kAlign - (kHead + text.size()) % kAlign) % kAlign, ' ');
   const auto length = static_cast<std::uint32_t>(text.size());

@@ -1,4 +1,4 @@
-// The bytes a page is made of: a JSON header and typed arrays, deflated. Door to zlib.
+// The bytes of a page's data: a JSON header and typed arrays, deflated. Packs with zlib (deflate.h).
 //
 //   zlib( "WYTHE\0\0" version | header length, uint32 | header, UTF-8 | arrays )     little endian
 //
@@ -25,10 +25,10 @@ class Bundle {
   void add(const std::string& name, std::span<const float> values);
   void add(const std::string& name, std::span<const std::int32_t> values);
   void add(const std::string& name, std::span<const std::uint8_t> values);
-  // To 16 bits: off by at most half of (largest magnitude / 32767); NaN becomes 0.
+  // Rounds to 16 bits: the error is at most half of (largest magnitude / 32767); NaN becomes 0.
   void add_rounded(const std::string& name, std::span<const double> values);
-  // The same for each of `rows` equal parts by itself: small values of one row beside large ones of another
-  // stay exact.
+  // The same for each of `rows` equal parts separately, so that
+  // small values of one row stay exact beside large ones of another.
   void add_rounded(const std::string& name, std::span<const double> values, int rows);
   [[nodiscard]] std::string packed() const;
 
@@ -39,14 +39,14 @@ class Bundle {
   Json table_ = Json::object();
 };
 
-// [0, 1] to a byte, off by at most 1/510.
+// Converts [0, 1] to a byte; the error is at most 1/510.
 [[nodiscard]] std::uint8_t share_byte(double share);
 
-// Throws IoError: the data of a report are damaged, or what else is wrong with them; its cure.
+// Throws an IoError: the data of a report are damaged or have the fault `what`; with the cure.
 [[noreturn]] void refuse_data(const std::string& what);
 
-// The header alone. Throws IoError where the bytes are damaged, of another version, or stand for more than
-// they should; only the header is kept in memory.
+// Only the header. Throws IoError where the bytes are damaged, of another
+// version, or unpack to more than they should. Only the header is kept in memory.
 [[nodiscard]] Json header_of(std::string_view packed);
 
 }  // namespace wythe::report

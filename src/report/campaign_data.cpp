@@ -1,9 +1,9 @@
-// campaign_data(): what the page of a campaign shows. Statistics are those of statistics.json.
+// campaign_data(): the data for the page of a campaign. Statistics are those of statistics.json.
 //
-// Of more than kMostShown samples the page shows so many one by one, evenly spaced; its statistics are of all.
-// Curves go along in single precision; walls as the stored states of each sample, as far as
-// kMostWallNumbers allows: before a sample shows all of its states, every sample shows its last. Each sample
-// brings its own fields.
+// Of more than kMostShown samples the page shows this number one by one, evenly
+// spaced; its statistics use all. Curves are in single precision. Walls are the
+// stored states of each sample, within kMostWallNumbers. The last state of every
+// sample comes before further states of any. Each sample has its own fields.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ constexpr std::size_t kMostShown =
 
 using Shown = std::vector<const SampleRecord*>;
 
-// All, or kMostShown evenly spaced ones and the first of each failure mode that none of them has.
+// All samples, or kMostShown evenly spaced ones and the first one of each failure mode that none of them has.
 Shown shown_of(const std::vector<SampleRecord>& records) {
   Shown shown(std::min(records.size(), kMostShown));
   std::set<std::string> modes;
@@ -45,15 +45,15 @@ Shown shown_of(const std::vector<SampleRecord>& records) {
   if (shown.size() == records.size()) return shown;
   for (const SampleRecord& r : records)
     if (is_answered(r) && modes.insert(r.failure_mode.name).second) shown.push_back(&r);
-  std::sort(shown.begin(), shown.end());  // they stand in one array
+  std::sort(shown.begin(), shown.end());  // ascending, because they are in one array
   return shown;
 }
 
-// --- what was drawn ------------------------------------------------------------------------------
+// --- inputs --------------------------------------------------------------------------------------
 
 double shown(const InputColumn& column, double si) { return si * column.to_unit + column.offset; }
 
-// Density over the range of the samples, in the unit shown.
+// Density over the range of the samples, in the displayed unit.
 Json density_of(const Campaign& campaign, std::size_t k) {
   const InputColumn& column = campaign.samples.column[k];
   if (k >= campaign.study.variable.size() || campaign.samples.value.empty()) return nullptr;
@@ -73,7 +73,7 @@ Json density_of(const Campaign& campaign, std::size_t k) {
 }
 
 void add_inputs(Bundle& bundle, const Campaign& campaign) {
-  // a wall under several records was drawn once
+  // a wall under several records is drawn once
   std::vector<std::size_t> walls;
   for (std::size_t i = 0; i < campaign.samples.value.size(); ++i)
     if (case_of(campaign.study, static_cast<int>(i)).wall == static_cast<int>(walls.size()))
@@ -103,7 +103,7 @@ void add_inputs(Bundle& bundle, const Campaign& campaign) {
   bundle.add("input", std::span<const float>(values));  // (n_column, n_sample)
 }
 
-// --- what came out -------------------------------------------------------------------------------
+// --- results -------------------------------------------------------------------------------------
 
 Json sample_of(const SampleRecord& r, double read_modes_at) {
   Json json = {{"sample", r.sample},
@@ -143,7 +143,7 @@ void add_samples(Bundle& bundle, const Shown& shown, double read_modes_at) {
   bundle.add("curve.reaction_kN", std::span<const float>(reaction));
 }
 
-// Every shake that counts, for the figure of response against intensity.
+// Every shake that counts, for the figure of response over intensity.
 void add_shakes(Bundle& bundle, const Campaign& campaign) {
   Json list = Json::array();
   for (const SampleRecord& r : campaign.records) {
@@ -206,7 +206,7 @@ bool same_shape(const Model& a, const Model& b) {
          a.anatomy.outline_x == b.anatomy.outline_x && a.anatomy.outline_y == b.anatomy.outline_y;
 }
 
-// Numbers of the page that one sample's fields take.
+// Numbers in the page for one sample's fields.
 double field_numbers(const Model& model) {
   double numbers = 0;
   for (const DrawnField& field : model.anatomy.fields)
@@ -221,7 +221,7 @@ void add_walls(Bundle& bundle, const Campaign& campaign, const Shown& shown,
   FrameArrays arrays(false);
   Model first;
   int most = 0;
-  bool with_fields = false;  // at most half of the room is theirs
+  bool with_fields = false;  // fields use at most half of the space
   auto waiting = static_cast<int>(
       std::count_if(shown.begin(), shown.end(), [](auto* r) { return is_answered(*r); }));
   for (const SampleRecord* one : shown) {
@@ -241,8 +241,8 @@ void add_walls(Bundle& bundle, const Campaign& campaign, const Shown& shown,
       const double room = kMostWallNumbers - (with_fields ? of_fields : 0);
       most = static_cast<int>(room / state_numbers(first));
     }
-    if (arrays.count() >= most) break;  // no room for more
-    // a wall of another shape has no place among these frames
+    if (arrays.count() >= most) break;  // no space for more
+    // a wall of another shape does not fit these frames
     if (!same_shape(first, model)) continue;
     const int stored = static_cast<int>(states.size());
     const int kept = states_kept(stored, most - arrays.count(), waiting);
@@ -275,7 +275,7 @@ std::string campaign_data(const Campaign& campaign, const Statistics& statistics
   translate_messages(bundle.header["statistics"]);
   bundle.header["quantities"] = quantities_json();
   bundle.header["provenance"] = campaign.provenance;
-  bundle.header["model_file"] =  // pages are sent about: no folders of this machine
+  bundle.header["model_file"] =  // pages are passed on: no folders of this machine
       std::filesystem::path(campaign.study.model_file).filename().string();
   bundle.header["model_text"] = campaign.study.model_text;
   if (!campaign.study.until.empty()) {

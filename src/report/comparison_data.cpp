@@ -1,4 +1,4 @@
-// comparison_data(): what the page of options side by side shows, which is comparison.json; its headline.
+// comparison_data(): the data for the page of options side by side, as in comparison.json, and its headline.
 #include <algorithm>
 #include <filesystem>
 
@@ -16,9 +16,9 @@ namespace wythe {
 namespace report {
 namespace {
 
-constexpr std::size_t kSentences = 4;  // options that get one each; more are in the cards
+constexpr std::size_t kSentences = 4;  // options with a sentence each; more are in the cards
 
-// What is said in the language of the page, as markup.
+// A message in the language of the page, as markup.
 std::string words_of(const Json& words, const Texts& texts) {
   if (words.is_string()) return sentence(words.get<std::string>());
   return words.is_array() && texts.place() < words.size()
@@ -26,7 +26,7 @@ std::string words_of(const Json& words, const Texts& texts) {
              : "";
 }
 
-// The same without a capital and a full stop.
+// The same without capital and full stop.
 std::string plain(const Json& words, const Texts& texts) {
   return escaped((words.is_array() ? words.at(texts.place()) : words).get<std::string>());
 }
@@ -55,7 +55,7 @@ Card card_of(const Json& option, const Texts& texts) {
           means};
 }
 
-// Of a model against the one before: what it changes in the way that decides.
+// Cards for a model against the one before: its changes in the way of pushing that decides.
 std::vector<Card> cards_of(const Json& intervention, const Texts& texts) {
   std::vector<Card> cards;
   for (const Json& change : intervention.at("change")) {
@@ -80,7 +80,7 @@ std::vector<Card> cards_of(const Json& intervention, const Texts& texts) {
   return cards;
 }
 
-// Pages are sent about: of a folder only its own name.
+// Pages are passed on, so of a folder only its own name is kept.
 void drop_folders(Json& comparison) {
   const auto shorten = [](Json& of) {
     std::filesystem::path path(of.at("folder").get<std::string>());
@@ -88,7 +88,7 @@ void drop_folders(Json& comparison) {
     of["folder"] = path.filename().string();
   };
   if (comparison.contains("intervention"))
-    return;  // they lie inside the folder, and go by their ways
+    return;  // they are inside the folder, and named by their way of pushing
   shorten(comparison["base"]);
   for (Json& option : comparison["option"]) shorten(option);
 }
@@ -121,7 +121,7 @@ Headline comparison_headline(const Json& header, const Texts& texts) {
   std::vector<Card> cards;
   for (const Json& option : options) {
     cards.push_back(card_of(option, texts));
-    // what makes the differences doubtful stands above them; the rest is in the table
+    // reasons for doubt come first; the rest is in the table
     const double lost = option.at("lost"), pairs = option.at("pairs");
     if (pairs > 0 && lost > 0.1 * (pairs + lost))
       out.warning +=

@@ -1,4 +1,4 @@
-// The door to zlib.
+// The only access to zlib.
 #include "report/deflate.h"
 
 #include <zlib.h>
@@ -24,7 +24,7 @@ struct Inflater::Stream {
 };
 
 Inflater::Inflater(std::string_view packed) : stream_(std::make_unique<Stream>()) {
-  // zlib takes the input as const in effect only
+  // zlib does not change the input, although its type says so
   stream_->z.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));
   stream_->z.avail_in = static_cast<uInt>(packed.size());
   if (inflateInit(&stream_->z) != Z_OK)

@@ -1,5 +1,5 @@
-// Bytes packed as zlib does (RFC 1950), and unpacked bit by bit. The program has zlib for it; the engine for browsers stores the
-// bytes unpacked in that format (src/wasm/stored.cpp).
+// Packs bytes in the format of zlib (RFC 1950), and unpacks them piece by piece. The program uses
+// zlib; the engine for browsers stores the bytes unpacked in that format (src/wasm/stored.cpp).
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ namespace wythe::report {
 
 [[nodiscard]] std::string deflated(const std::string& bytes);
 
-// Takes `packed` as long as it lives; the caller keeps the bytes.
+// Uses `packed` as long as it lives; the caller keeps the bytes.
 class Inflater {
  public:
   explicit Inflater(std::string_view packed);
@@ -19,9 +19,9 @@ class Inflater {
   Inflater(const Inflater&) = delete;
   Inflater& operator=(const Inflater&) = delete;
 
-  // Fills `to` with the next bytes; how many, fewer than its size where the data end or are damaged.
+  // Fills `to` with the next bytes. Returns their number, less than its size where the data end or are damaged.
   std::size_t read(std::string& to);
-  // Whether the data came to their end, with the right sum of control.
+  // Whether the data are at their end, with a correct checksum.
   [[nodiscard]] bool ended() const;
 
  private:

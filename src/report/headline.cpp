@@ -16,7 +16,7 @@
 namespace wythe::report {
 namespace {
 
-// A member, or null where there is none: a page's data may come from anybody.
+// A member, or null where there is none, because the origin of a page's data is unknown.
 const Json& member(const Json& json, const char* key) {
   static const Json kNull;
   return json.is_object() && json.contains(key) ? json[key] : kNull;
@@ -29,24 +29,24 @@ std::string words_in(const Json& json, const char* key) {
   const Json& value = member(json, key);
   return value.is_string() ? value.get<std::string>() : "";
 }
-// What the engine says, in the page's language; one text is the same in all.
+// A text of the engine in the page's language; a plain text is the same in all.
 std::string text_in(const Texts& texts, const Json& json, const char* key) {
   const Json& said = member(json, key);
   return said.is_array() ? said.at(texts.place()).get<std::string>() : words_in(json, key);
 }
 std::string bold(const std::string& text) { return "<b>" + text + "</b>"; }
-// What makes the numbers doubtful; it comes before any of them. Mild: they may still be used.
+// A reason for doubt, before all numbers. Mild: the numbers may still be used.
 std::string caution(const std::string& text, const char* mild = "") {
   return "<strong class=\"caution" + std::string(mild) + "\">" + text + "</strong> ";
 }
-// What a code says of a run or campaign, where it was asked.
+// The result of a code's assessment of a run or campaign, if it was asked for.
 std::string assessed_in(const Texts& texts, const Json& summary) {
   const std::string words = text_in(texts, member(summary, "assessment"), "sentence");
   return words.empty() ? "" : " " + report::sentence(words);
 }
-constexpr double kFew = 0.05;    // share of lower bounds that hardly moves a mean
-constexpr double kGap = 0.01;    // of the energy ledger, beyond which its run is not believed
-constexpr int kListedParts = 3;  // of a wall, in a sentence; more are counted
+constexpr double kFew = 0.05;    // share of lower bounds that hardly changes a mean
+constexpr double kGap = 0.01;    // of the energy ledger; above it a run is not reliable
+constexpr int kListedParts = 3;  // parts of a wall in a sentence; more are counted
 
 // --- a run ---------------------------------------------------------------------------------------
 
@@ -90,7 +90,7 @@ class RunHeadline {
   [[nodiscard]] bool pushes_by_factor() const {
     return number_in(s_, "load_factor") > 0 && words_in(s_, "curve_of") != "push";
   }
-  // Forces were read, but none that the ground carried.
+  // Forces were read, but the ground carried none of them.
   [[nodiscard]] bool has_no_capacity() const {
     return !(peak() > 0) && !pushes_by_factor() && raw_peak() > 0;
   }
@@ -98,11 +98,11 @@ class RunHeadline {
     const Json& value = member(s_, key);
     return value.is_boolean() && value.get<bool>();
   }
-  // A lower bound, by the rule that the summary and the console follow.
+  // Whether the peak is a lower bound, by the rule of summary and console.
   [[nodiscard]] bool is_still_rising() const { return is("censored_peak"); }
-  // A push that ended early has shown no more than the beginning of a failure.
+  // A push that ended early shows only the beginning of a failure.
   [[nodiscard]] bool has_failed() const {
-    const double read_at = number_in(failure_mode(), "read_at_mm") * 1e-3;  // NaN: not read
+    const double read_at = number_in(failure_mode(), "read_at_mm") * 1e-3;  // NaN: not evaluated
     return words_in(s_, "status") == "collapsed" ||
            (!is("censored_80") && std::fabs(read_at) > 0 && !is_read_early(read_at, kReadModesAt));
   }
@@ -140,7 +140,7 @@ class RunHeadline {
       add(texts_.say("run.slid_off", {{"at", texts_.quantity(at, "mm")}}));
     return words;
   }
-  // Whether a slow push may have another displacement or mode.
+  // Whether a slow push might give another displacement or mode.
   [[nodiscard]] bool is_unknown(const char* of) const {
     return words_in(member(member(s_, "quasi_static"), of), "verdict") == "not known";
   }
@@ -189,7 +189,7 @@ class RunHeadline {
                        {"drift", drift("drift_percent_at_peak", " ", "run.drift")}}) +
            flat() + both_ways() + mode() + (is_still_rising() ? "" : ductility());
   }
-  // A flat curve has no one displacement at its peak.
+  // A flat curve has no unique displacement at its peak.
   [[nodiscard]] std::string flat() const {
     const Json& flat = member(s_, "flat_peak");
     if (member(flat, "says_little") != true || is_still_rising()) return "";
@@ -199,7 +199,7 @@ class RunHeadline {
                              {"to", texts_.quantity(number_in(flat, "to_mm"), "mm")},
                              {"share", texts_.number(100 * number_in(flat, "share"))}});
   }
-  // ", a tilt of 14°" where the ground was tilted.
+  // ", a tilt of 14°" if the ground was tilted.
   [[nodiscard]] std::string tilt() const {
     const double degrees = number_in(s_, "tilt_degrees");
     if (!(degrees > 0)) return "";
@@ -233,7 +233,7 @@ class RunHeadline {
             texts_.say("card.stiffness"),
             reason.empty() ? texts_.say("card.stiffness.means") : escaped(reason)};
   }
-  // A push to and fro: which direction is read, and what the other resists.
+  // A cyclic push: the direction of the results, and the resistance in the other one.
   [[nodiscard]] std::string both_ways() const {
     const Json& cyclic = member(s_, "cyclic");
     const std::string read_in = words_in(cyclic, "read_in");
@@ -260,7 +260,7 @@ class RunHeadline {
                               {"drift", drift("drift_percent_at_80", " ", "run.drift")}}) +
            dips(true) + dips(false) + threshold() + tested_drift();
   }
-  // The deepest fall that the wall made good, before its peak or after it: no end of its capacity.
+  // The deepest fall that the wall recovered from, before its peak or after it. It is not the end of its capacity.
   [[nodiscard]] std::string dips(bool before) const {
     const Json* deepest = nullptr;
     std::size_t count = 0;
@@ -316,7 +316,7 @@ class RunHeadline {
     const std::string words = text_in(member(header_, "mode"), "words");
     return words.empty() ? texts_.phrase(name) : words;
   }
-  // ": the piers rock"; of a wall of many parts their number, the table below says which.
+  // ": the piers rock"; for a wall of many parts their number, because the table below names them.
   [[nodiscard]] std::string meaning(const std::string& words) const {
     if (words.empty()) return "";
     int damaged = 0;
@@ -448,7 +448,7 @@ class CampaignHeadline {
     return words;
   }
   [[nodiscard]] int count(const char* key) const { return samples_.value(key, 0); }
-  // Most pushes ended before their peak: the forces are lower bounds.
+  // Whether most pushes ended before their peak, so that forces are lower bounds.
   [[nodiscard]] bool is_bound() const { return 2 * count("still_rising") > count("answered"); }
   [[nodiscard]] const Json& all(const char* response) const {
     return s_.at("table").at("all").at(response);
@@ -456,7 +456,7 @@ class CampaignHeadline {
   [[nodiscard]] double mean_80() const {
     return number_in(all("displacement_at_80_percent_mm"), "survival_mean");
   }
-  [[nodiscard]] int held() const {  // samples that still held 80 % where their push ended
+  [[nodiscard]] int held() const {  // samples that still carried 80 % at the end of their push
     return all("displacement_at_80_percent_mm").value("censored", 0);
   }
   [[nodiscard]] bool is_far_bound() const { return held() > kFew * count("answered"); }
@@ -530,8 +530,8 @@ class CampaignHeadline {
   const Json& s_;
   const Json& samples_;
   const Texts& texts_;
-  std::map<std::string, int> judgements_;  // of the samples that answered
-  int without_force_ = 0;                  // of them without a force in balance
+  std::map<std::string, int> judgements_;  // of the answered samples
+  int without_force_ = 0;                  // of them those without a force in balance
 };
 
 // --- a limit analysis ----------------------------------------------------------------------------
@@ -559,7 +559,7 @@ class LimitHeadline {
     if (loads.size() > 1 && load(extreme(false)) != load(extreme(true)))
       add(texts_.say("limit.bracket",
                      {{"low", bold(load(extreme(false)))}, {"high", bold(load(extreme(true)))}}));
-    else if (!loads.empty())  // where joints have no bond all strengths may give one load
+    else if (!loads.empty())  // where joints have no bond, all strengths may give one load
       add(texts_.say("limit.single", {{"load", bold(load(loads.front()))}}));
     if (passing() == 0) add(texts_.say("limit.none_passes"));
     if (const Json* part = worst_part(); part != nullptr) {
@@ -611,7 +611,7 @@ class LimitHeadline {
     return largest ? *std::max_element(loads.begin(), loads.end(), less)
                    : *std::min_element(loads.begin(), loads.end(), less);
   }
-  // Of the parts out of plane the one of least reserve, one without a demand last.
+  // The part out of plane with the least reserve; a part without a demand comes last.
   [[nodiscard]] const Json* worst_part() const {
     const Json* worst = nullptr;
     double least = std::numeric_limits<double>::infinity();
@@ -626,7 +626,7 @@ class LimitHeadline {
     }
     return worst;
   }
-  // Runs whose peak lies above their limit load; -1 where none was compared.
+  // Number of runs with a peak above their limit load; -1 where none was compared.
   [[nodiscard]] int passing() const {
     const Json& c = o_.at("comparison");
     if (!c.is_object() || c.at("bounds").empty()) return -1;

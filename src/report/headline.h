@@ -1,4 +1,4 @@
-// What a page says before any script runs: the answer in a sentence and the key numbers, as markup.
+// The part of a page that needs no script: the answer in a sentence and the key numbers, as markup.
 #pragma once
 
 #include <string>
@@ -9,17 +9,17 @@
 
 namespace wythe::report {
 
-// <header> with title, headline and warnings, then the cards, by the kind of the data.
+// <header> with title, headline and warnings, then the cards, depending on the kind of data.
 [[nodiscard]] std::string headline_of(const Json& header, const Texts& texts);
 
-// Of options side by side (comparison_data.cpp).
+// The headline of options side by side (comparison_data.cpp).
 struct Headline {
   std::string sentence, warning, cards;
 };
 [[nodiscard]] Headline comparison_headline(const Json& header, const Texts& texts);
-// Of a campaign over records (shaken_headline.cpp).
+// Whether it is a campaign over records (shaken_headline.cpp).
 [[nodiscard]] bool is_shaken(const Json& header);
-// Whether it is a run that was shaken.
+// Whether it is a run with a shake.
 [[nodiscard]] inline bool is_one_shake(const Json& header) {
   return header.at("kind") == "run" && header.at("summary").contains("shaking");
 }

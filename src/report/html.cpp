@@ -1,6 +1,6 @@
 // Escapes text for HTML and XML, and rounds numbers to significant digits.
-// Zeros that end the decimals are dropped, and a minus is written as a minus sign. Values, names and meanings of cards
-// must be markup already.
+// Final zeros of decimals are dropped, and a minus is written as a minus
+// sign. Values, names and meanings of cards must be markup already.
 #include "report/html.h"
 
 #include <fmt/format.h>
@@ -18,14 +18,14 @@ std::string with_power(double value, int digits) {
   static constexpr const char* kRaised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
   const std::string text = fmt::format("{:.{}e}", value, std::max(0, digits - 2));
   const std::size_t e = text.find('e');
-  std::string_view power = std::string_view(text).substr(e + 2);  // behind its sign
+  std::string_view power = std::string_view(text).substr(e + 2);  // without its sign
   while (power.size() > 1 && power.front() == '0') power.remove_prefix(1);
   std::string raised = text[e + 1] == '-' ? "⁻" : "";
   for (const char c : power) raised += kRaised[c - '0'];
   return text.substr(0, e) + "·10" + raised;
 }
 
-// The number large, its unit small: "49.4 kN/mm" fits a narrow card.
+// A large number with a small unit: "49.4 kN/mm" fits a narrow card.
 std::string with_small_unit(const std::string& value) {
   static const std::string kSpace = "\u202f";
   const std::size_t at = value.rfind(kSpace);
@@ -73,7 +73,7 @@ std::string rounded(double value, int digits) {
 std::string capital(std::string_view text) {
   std::string out(text);
   if (!out.empty()) out[0] = ascii_capital(out[0]);
-  // letters from U+00E0 to U+00FE but the sign of division: their capitals lie 32 lower
+  // letters from U+00E0 to U+00FE, except the division sign: their capitals are 32 lower
   const auto second = out.size() > 1 ? static_cast<unsigned char>(out[1]) : 0;
   if (out.starts_with('\xc3') && second >= 0xa0 && second <= 0xbe && second != 0xb7)
     out[1] = static_cast<char>(second - 0x20);

@@ -1,6 +1,6 @@
-// Text for pages and pictures: escaping, and numbers a reader can take in at a glance.
+// Text for pages and pictures: escaping, and numbers rounded for reading.
 //
-// Everything that comes from the user's files goes through escaped(): names are text, never markup.
+// All texts from the user's files go through escaped(): names are text, never markup.
 #pragma once
 
 #include <string>
@@ -11,18 +11,18 @@ namespace wythe::report {
 
 [[nodiscard]] std::string escaped(std::string_view text);
 
-// Significant digits without exponent where sensible: 163.42 -> "163", 0.003514 -> "0.00351",
-// 2.4e-7 -> "2.4·10⁻⁷"; not a number -> "–", infinite -> "unlimited". web/src/texts.ts has the same.
+// Significant digits, without exponent where possible: 163.42 -> "163", 0.003514 -> "0.00351",
+// 2.4e-7 -> "2.4·10⁻⁷"; NaN -> "–", infinite -> "unlimited". web/src/texts.ts does the same.
 [[nodiscard]] std::string rounded(double value, int digits = 3);
 // rounded() with a unit after a narrow space; no unit after a dash or a word.
 [[nodiscard]] std::string quantity(double value, std::string_view unit, int digits = 3);
 
 // Escaped, with a capital and a full stop.
 [[nodiscard]] std::string sentence(std::string_view text);
-// With a capital, also of an accented letter; as text.
+// With a capital letter, also an accented one; as text.
 [[nodiscard]] std::string capital(std::string_view text);
 
-// A number large, its name and what it means below it.
+// A large number, with its name and meaning below.
 struct Card {
   std::string value, name, means;
 };

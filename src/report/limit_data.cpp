@@ -1,4 +1,4 @@
-// limit_data(): what the page of a limit analysis shows. Its numbers are those of mechanisms.json.
+// limit_data(): the data for the page of a limit analysis. Its numbers are those of mechanisms.json.
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -15,7 +15,7 @@
 namespace wythe {
 namespace {
 
-// Pages are sent about: of the compared folder only its own name, in the notes too.
+// Pages are passed on, so of the compared folder only its own name is kept, also in notes.
 void drop_compared_folder(report::Json& opinion) {
   report::Json& comparison = opinion["comparison"];
   if (!comparison.is_object()) return;

@@ -1,4 +1,4 @@
-// A macro-block mechanism as a picture: the blocks at rest, the bodies moved, hinges and load.
+// A macro-block mechanism as a picture: the blocks at rest, the moved bodies, hinges and load.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 using namespace report;
 
-constexpr double kMostDrawn = 0.08;  // displacement drawn, of the wall's height
+constexpr double kMostDrawn = 0.08;  // largest displacement in the picture, over the wall's height
 
 std::string style() {
   return R"css(
@@ -53,7 +53,7 @@ MechanismCanvas canvas_of(const Model& model) {
           height + 2 * kMargin};
 }
 
-// The state that is seen well: up to `kMostDrawn` of the height, at most half the way.
+// The state for the picture: up to `kMostDrawn` of the height, and at most half of the path.
 const ChainState& shown_state(const Model& model, const Mechanism& m) {
   const auto& states = m.curve.states;
   const double wanted =

@@ -1,6 +1,6 @@
-// Lists what the user stated and what the model derived, as rows of key, value and unit. Each row has its factor
-// from SI to the unit shown. NaN is not stated and leaves no row, infinite is "unlimited". Origins are cut from
-// lines that materials::to_text() composes, so their wording is read here.
+// Lists the user's inputs and the values that the model derived, as rows of key, value and unit. Each row has
+// its factor from SI to the displayed unit. NaN means not given and leaves no row; infinite is "unlimited".
+// Origins are cut from lines that materials::to_text() composes, so this file depends on their wording.
 #include "report/model_inputs.h"
 
 #include <fmt/format.h>
@@ -21,8 +21,8 @@ namespace {
 
 constexpr double kDegree = 57.29577951308232;  // per radian
 
-// A row of the material table: SI value times factor is the value shown. Every key of a material that is
-// a number has its row (tests/unit/report/report_test.cpp compares them with the keys of the model file). Forces
+// A row of the material table: SI value times factor is the displayed value. Every number of a material
+// has its row (tests/unit/report/report_test.cpp compares them with the keys of the model file). Forces
 // are in kN and stresses in MPa, moduli of bars and layers in GPa; 1 kN/m is 1 N/mm, 1 MPa/mm is 1 GPa/m.
 struct MaterialRow {
   const char* key;
@@ -58,7 +58,7 @@ constexpr MaterialRow kMaterialRows[] = {
     {"tension_limit", "MPa", 1e-6, &JointMaterial::tension_limit},
     {"compression_limit", "MPa", 1e-6, &JointMaterial::compression_limit}};
 
-// JSON has no infinity: "unlimited" stands for it, null for what is not stated.
+// JSON has no infinity, so "unlimited" replaces it; null means not given.
 Json number(double value) {
   if (std::isinf(value)) return "unlimited";
   return value;
@@ -66,7 +66,7 @@ Json number(double value) {
 
 Json row(const char* key, double value, const char* unit) { return {key, number(value), unit}; }
 
-// One column a material; rows that no material states are left out.
+// One column for each material; rows that no material has are left out.
 Json materials_of(const std::map<std::string, JointMaterial>& materials) {
   Json names = Json::array(), rows = Json::array();
   for (const auto& [name, material] : materials) names.push_back(name);
@@ -79,7 +79,7 @@ Json materials_of(const std::map<std::string, JointMaterial>& materials) {
     }
     if (stated) rows.push_back({r.key, r.unit, cells});
   }
-  // the law of joints, in words; what is only a body has none
+  // the joint law in words; a material of a body has none
   const auto add_words = [&](const char* key, const auto& word) {
     Json cells = Json::array();
     bool stated = false;
@@ -105,8 +105,8 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text;
 }
 
-// A line of origin in parts: [table, key, value, kind, rule or typology, inputs, formula or title, source].
-// The words of the line are left out: the page has its own.
+// The parts of a line of origin: [table, key, value, kind, rule or typology, inputs, formula
+// or title, source]. Its connecting words are left out, because the page has its own.
 Json origin_row(const std::string& table, materials::Role role, const materials::Origin& origin) {
   using materials::Origin;
   const std::string by =
@@ -144,7 +144,7 @@ void add_origins(const std::string& table, materials::Role role,
       rows.push_back(origin_row(table, role, *origin));
 }
 
-// The law of a crack inside units, not of a joint.
+// Whether the law is that of a crack within units, not of a joint.
 bool is_unit_joint(const ModelSpec& spec, const std::string& name) {
   const auto names_it = [&](const auto& part) { return part.joints.unit_joint == name; };
   return name == "unit" || names_it(spec.wall) ||
@@ -152,7 +152,7 @@ bool is_unit_joint(const ModelSpec& spec, const std::string& name) {
          std::any_of(spec.region.begin(), spec.region.end(), names_it);
 }
 
-// Each a text, or one line and the notes that it stands for.
+// Each note is a text, or one line and the notes that it stands for.
 Json notes_of(const std::vector<Message>& notes) {
   Json rows = Json::array();
   for (const NoteGroup& group : grouped(notes))
@@ -188,7 +188,7 @@ Json origins_of(const ModelSpec& spec) {
   return rows;
 }
 
-// What tests say, the inputs of rules.
+// Results of tests, which are inputs of rules.
 Json masonry_rows(const MasonrySpec& m) {
   Json rows = Json::array();
   if (m.unit_type != UnitType::kUnstated)
@@ -217,7 +217,7 @@ Json masonry_rows(const MasonrySpec& m) {
   return rows;
 }
 
-// One number, or from the thinnest to the thickest masonry.
+// One number, or the range from the thinnest to the thickest masonry.
 Json thickness_row(const Model& model) {
   double least = model.anatomy.thickness, most = least;
   for (std::size_t b = 0; b < model.anatomy.block_role.size(); ++b) {
@@ -249,7 +249,7 @@ Json wall_rows(const ModelSpec& spec, const Model& model) {
   return rows;
 }
 
-// Foot of the storey that an opening counts from.
+// Foot of the storey from which an opening is measured.
 double foot_of(const ModelSpec& spec, const std::string& storey) {
   double foot = 0;
   for (const StoreySpec& s : spec.storey) {
@@ -292,7 +292,7 @@ Json openings_of(const ModelSpec& spec) {
   return list;
 }
 
-// The point, with z in space; the block or the beam.
+// The point, with z in space; or the block or the beam.
 std::string place_words(const PlaceSpec& at) {
   if (at.beam) return "beam";
   if (!at.block.empty()) return at.block;
@@ -300,7 +300,7 @@ std::string place_words(const PlaceSpec& at) {
                           : fmt::format("({:.4g} m, {:.4g} m, {:.4g} m)", at.x, at.y, at.z);
 }
 
-// What lies on the wall, ties it or holds it: [kind, name, where, rows].
+// Loads on the wall, ties and restraints: [kind, name, where, rows].
 class Carried {
  public:
   Json list = Json::array();
@@ -362,7 +362,7 @@ void add_floors_and_rings(const ModelSpec& spec, Carried& carried) {
     carried.number("bond_slip", l.bond.slip, "mm", 1e3);
   }
   for (const FloorSpec& f : spec.floor) {
-    const bool in_space = !std::isnan(f.from.z);  // along a line of its own
+    const bool in_space = !std::isnan(f.from.z);  // along its own line
     carried.add("floor", f.name,
                 in_space ? place_words(f.from) + " – " + place_words(f.to)
                          : level_words(f.storey, f.y) + stretch_words(f.x, f.width));
@@ -407,7 +407,7 @@ std::string direction_word(Direction direction) {
   return word.starts_with('-') ? "−" + word.substr(1) : word;
 }
 
-// Of the loads that the stage lays on blocks, downwards [N]; NaN where it lays none.
+// Weight of the loads that the stage puts on blocks [N]; NaN where there are none.
 double weight_of(const Stage& stage) {
   double weight = 0;
   for (const PointLoad& load : stage.loads) weight -= load.fy;

@@ -1,4 +1,4 @@
-// What went into a model, in tables: each row a key of the page's texts, a value and its unit.
+// The inputs of a model in tables: each row has a key of the page's texts, a value and its unit.
 #pragma once
 
 #include "report/bundle.h"

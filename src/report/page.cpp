@@ -1,4 +1,4 @@
-// report_page(): the built viewer (assets/viewer.html) with the headline and the data put in.
+// report_page(): inserts the headline and the data into the built viewer (assets/viewer.html).
 #include "core/check.h"
 #include "core/text.h"
 #include "report/assets.h"

@@ -1,11 +1,10 @@
-// run_data(): what the page of a run shows. Numbers are those of summary.json, its keys too.
+// run_data(): the data for the page of a run. Numbers and keys are those of summary.json.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
-#include "campaign/output_keys.h"
 #include "core/decimal_point.h"
 #include "dynamics/meters/residual.h"
 #include "judge/modes/wall_parts.h"
@@ -19,6 +18,7 @@
 #include "wythe/parts/mechanism.h"
 #include "wythe/parts/reading.h"
 #include "wythe/parts/report.h"
+#include "wythe/parts/responses.h"
 
 namespace wythe {
 namespace {
@@ -36,8 +36,8 @@ Json label_of(const Snapshot& s) {
                              : translated(Message{"length.asked", {{"mm", 1e3 * s.asked}}});
 }
 
-// A load that stands still while the wall falls has no frames of its path there: states of the fall, each
-// farther than the one before by this share, under the load that stands.
+// A wall that falls under a constant load has no frames of its path. Instead
+// it has states of the fall, each farther than the last one by this share.
 constexpr double kFarther = 1.12;
 
 std::vector<Frame> states_of_fall(const Result& result) {
@@ -76,19 +76,19 @@ std::vector<Frame> frames_of(const Result& result) {
   return frames;
 }
 
-// Works since the start of the push, so that the ledger of the pictures begins at zero.
+// Works since the start of the push, so that the ledger in the pictures begins at zero.
 Json energy_of(const Model& model, const std::vector<Frame>& frames) {
   Json rows = Json::array();
   for (const Frame& f : frames) {
     const EnergyLedger e = dynamics::energy_ledger(model, f.snapshot->state, 1);
     Json row = Json::object();
-    for (const study::EnergyTerm& term : study::kEnergyTerms) row[term.name] = e.*term.value;
+    for (const EnergyTerm& term : kEnergyTerms) row[term.name] = e.*term.value;
     rows.push_back(std::move(row));
   }
   return rows;
 }
 
-constexpr double kMostNumbers = 12e6;  // of all states: a hundred of 5 000 blocks, some 6 MB
+constexpr double kMostNumbers = 12e6;  // of all states: 6 MB for a hundred states of 5 000 blocks
 
 std::vector<Frame> frames_that_fit(const Model& model, const Result& result) {
   std::vector<Frame> all = frames_of(result), frames;
@@ -110,7 +110,7 @@ void add_frames(Bundle& bundle, const Model& model, const Result& result) {
     list.push_back({{"labels", f.labels},
                     {"displacement_mm", f.snapshot->displacement * 1e3},
                     {"reaction_kN", f.reaction * 1e-3}});
-    if (result.shaking.was_shaken && result.curve.empty())  // since the shaking began
+    if (result.shaking.was_shaken && result.curve.empty())  // since the beginning of the shaking
       list.back()["time_s"] = f.snapshot->state.time - result.snapshots.front().state.time;
   }
   bundle.header["frames"] = list;
@@ -128,7 +128,7 @@ void add_curve(Bundle& bundle, const std::vector<CurveRow>& curve, ShownColumns 
   }
 }
 
-// The history of the first point along the first record, and the base's.
+// The history of the first point along the first record, and that of the base.
 void add_shaking(Bundle& bundle, const Model& model, const Result& result) {
   const ShakeHistory& h = result.history;
   if (h.row.empty() || model.watched.empty() || result.shaking.record.empty()) return;
@@ -155,8 +155,8 @@ void add_shaking(Bundle& bundle, const Model& model, const Result& result) {
     bundle.add("shake." + name, std::span<const float>(values));
 }
 
-// Where piers, spandrels, nodes, toes stand, and what piers and spandrels carried: an array a quantity, all
-// elements of a state together.
+// The places of piers, spandrels, nodes and toes, and the forces of piers and
+// spandrels: one array for each quantity, with all elements of a state together.
 void add_parts(Bundle& bundle, const Model& model, const Result& result) {
   const study::WallParts parts = study::find_parts(model);
   Json list = Json::array();
@@ -166,7 +166,7 @@ void add_parts(Bundle& bundle, const Model& model, const Result& result) {
                     {"kind", kind},
                     {"storey", part->storey},
                     {"box", {part->box.x0, part->box.x1, part->box.y0, part->box.y1}}});
-  if (dimension_of(model) == 3) list.clear();  // drawn in the plane alone
+  if (dimension_of(model) == 3) list.clear();  // drawn only for walls in the plane
   bundle.header["wall"]["parts"] = list;
 
   const std::vector<ElementForces> elements = read_element_forces(model, result);
@@ -193,7 +193,7 @@ void add_parts(Bundle& bundle, const Model& model, const Result& result) {
     bundle.add("forces." + name, std::span<const float>(values));
 }
 
-// The sentence without what the modes in it mean, which stands further down.
+// The sentence without the meanings of its modes, which follow further down.
 Message brief(Message sentence) {
   if (sentence.code == "mode.between_modes") sentence.code = "mode.between_kinds";
   if (sentence.code == "mode.none_nearest") sentence.code = "mode.none_nearest_brief";
@@ -203,7 +203,7 @@ Message brief(Message sentence) {
   return sentence;
 }
 
-// A sentence for each frame: what it bore at most, where, and whether it yields.
+// A sentence for each frame: its largest use and place, and whether it yields.
 Json frames_translated(const Model& model, const Result& result) {
   Json list = Json::array();
   for (std::size_t k = 0; k < result.frame_uses.size(); ++k)
@@ -213,7 +213,7 @@ Json frames_translated(const Model& model, const Result& result) {
   return list;
 }
 
-// A sentence for each layer: what it bore at most and where, and whether fibres break.
+// A sentence for each layer: its largest use and place, and whether fibres break.
 Json layers_translated(const Model& model, const Result& result) {
   Json list = Json::array();
   for (std::size_t k = 0; k < result.layer_uses.size(); ++k)

@@ -1,4 +1,4 @@
-// The headline of a campaign over records: at which intensity each limit state is reached.
+// The headline of a campaign over records: the intensity at which each limit state is reached.
 #include <cmath>
 #include <limits>
 
@@ -9,9 +9,9 @@ namespace wythe::report {
 namespace {
 
 constexpr std::size_t kShakenSentences =
-    3;  // limit states that get one each; more are in the cards
+    3;  // limit states with a sentence each; more are in the cards
 
-// The same as headline.cpp has: a number that is there, or none.
+// The same as in headline.cpp: a number, or NaN.
 double number_at(const Json& json, const std::string& key) {
   const auto found = json.find(key);
   return found != json.end() && found->is_number() ? found->get<double>()
@@ -75,7 +75,7 @@ class ShakenHeadline {
   }
 
  private:
-  // A list of texts, each in every language where they differ (translation.h).
+  // The damping as a list of texts, each in every language where they differ (translation.h).
   [[nodiscard]] std::string damping() const {
     std::string words;
     if (!shaking_.contains("damping_of_shakes")) return words;

@@ -1,12 +1,12 @@
-// A wall in space as arrays of a page: bodies and joint faces once, how they move and crack in each state
-// (web/src/space.ts reads them).
+// A wall in space as arrays of a page: bodies and joint faces once,
+// their motion and cracks in each state (web/src/space.ts reads them).
 //
 //   space.vertex (3), face and corner lists of convex parts     at the start, seen from `middle`, so that
 //   space.outline (3) of each joint's face                       places far from the origin stay exact
 //   frame.moved, frame.turned (n_frame, n_body, 3)               zones follow the blocks, supports the zones
 //
-// A zone of a deformable block is shown as a body of its own, which moves and turns as its mean does, so that a
-// lintel is seen to bend.
+// A zone of a deformable block is a body of its own, which moves and turns
+// like the mean of the zone. So the picture shows how a lintel bends.
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
@@ -23,7 +23,7 @@ void put(std::vector<float>& to, const Vec3& v) {
 
 std::int32_t count_of(std::size_t n) { return static_cast<std::int32_t>(n); }
 
-// Half way between the ends of the bounds of all that moves.
+// The middle of the bounds of all moving bodies.
 Vec3 middle_of(const Model& model) {
   Vec3 low{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
   const auto widen = [&](const Vec3& v) {
@@ -37,12 +37,12 @@ Vec3 middle_of(const Model& model) {
   return 0.5 * (low + high);
 }
 
-// Lists within lists: where each begins, in the one below.
+// Nested lists: the first index of each one in the list below it.
 struct Parts {
   std::vector<std::int32_t> part_begin = {0}, vertex_begin = {0}, face_begin = {0},
                             corner_begin = {0};
   std::vector<float> vertex;
-  std::vector<std::int32_t> corner;  // numbers of vertices within their part
+  std::vector<std::int32_t> corner;  // indices of vertices within their part
 
   void add(const BodySpec& body, const Vec3& middle) {
     for (const Polyhedron& part : body.part) {
@@ -69,12 +69,12 @@ struct Parts {
   }
 };
 
-// Blocks, zones, supports: what the page knows as bodies.
+// Blocks, zones and supports: the bodies of the page.
 std::vector<BodySpec> bodies_shown(const Model& model) {
   const auto first = model.space.body.begin(), support = first + model.n_block;
   std::vector<BodySpec> bodies(first, support);
   for (std::size_t i = 0; i < bodies.size();
-       ++i)  // not drawn, as on the page of a wall in its plane
+       ++i)  // not drawn, as on the page of a wall in the plane
     if (model.anatomy.block_role[i] == BlockRole::kCutOut) bodies[i].part.clear();
   const SpaceSolids& s = model.space.solids;
   for (const SpaceSolidBody& of : s.bodies)
@@ -93,12 +93,12 @@ std::vector<BodySpec> bodies_shown(const Model& model) {
   return bodies;
 }
 
-// Of a block or support among them.
+// The number of a block or support among the bodies.
 BlockId shown_as(const Model& model, BlockId id) {
   return id < model.n_block ? id : id + model.space.solids.n_zone;
 }
 
-// The zone that has all four nodes of a contact's side.
+// The zone that contains all four nodes of a contact's side.
 std::int32_t zone_of(const SpaceSolids& s, std::size_t contact) {
   const SpaceSolidBody& body = s.bodies[static_cast<std::size_t>(s.contact_body[contact])];
   for (std::int32_t z = body.first_zone; z < body.first_zone + body.n_zone; ++z) {
@@ -151,7 +151,7 @@ void add_faces(Bundle& bundle, const Model& model, const Vec3& middle) {
   bundle.add("space.outline", std::span<const float>(outline));
 }
 
-// Which way the last stage drives the wall, and the blocks it drives: none of a load on all of them.
+// Direction of the last driving stage, and the blocks that it drives; none for a load on all of them.
 Json load_of(const Model& model) {
   for (auto stage = model.stages.rbegin(); stage != model.stages.rend(); ++stage) {
     const StageKind kind = stage->spec.kind;
@@ -165,7 +165,7 @@ Json load_of(const Model& model) {
   return nullptr;
 }
 
-// Ties, diaphragms and springs: their ends at the start, of a spring both where it holds its block; -1: the ground.
+// Ties, diaphragms and springs with their ends at the start. Both ends of a spring are where it holds its block; -1: the ground.
 Json links_of(const Model& model, const Vec3& middle) {
   const Links& l = model.links;
   const std::vector<LinkReading> rest = read_links(model, initial_state(model));
@@ -188,7 +188,7 @@ Json links_of(const Model& model, const Vec3& middle) {
   return list;
 }
 
-// As docs/theory/links.md has it: one that has yielded keeps a part of its elongation; a limit of 0 has no flow.
+// As in docs/theory/links.md: a yielded link keeps a part of its elongation. A link with limit 0 does not yield.
 std::uint8_t state_of(const Links& links, std::size_t k, const LinkReading& link) {
   constexpr double kYielded = 1e-6;  // of the elongation at the limit
   const double limit = link.plastic > 0 ? links.tension[k] : links.compression[k];

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kPanel = 480, kCaption = 26, kTallest = 620;  // [px]
 
-// The wall's own document, put into a panel that keeps its proportions.
+// The complete picture of the wall, put into a panel that keeps its proportions.
 std::string panel(const std::string& svg, double x, double height) {
   constexpr std::string_view tag = "<svg ";
   const std::size_t at = svg.find(tag);

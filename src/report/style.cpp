@@ -1,4 +1,4 @@
-// One style sheet for all pictures: rules name colours by variables, and dark mode changes the variables alone.
+// One style sheet for all pictures: rules name colours by variables, and dark mode only changes the variables.
 #include "report/style.h"
 
 namespace wythe::report {

@@ -1,5 +1,5 @@
 // SVG primitives: a canvas that maps the user's axes (y up) to pixels (y down) and collects shapes.
-// Shapes carry a class and no colour: colours are the style sheet's (report/style.h).
+// Shapes have a class and no colour, because colours are in the style sheet (report/style.h).
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace wythe::report {
 
-// A straight map: pixel = offset + factor * value.
+// A linear map: pixel = offset + factor * value.
 struct Axis {
   double offset = 0, factor = 1;
   [[nodiscard]] double operator()(double value) const { return offset + factor * value; }
@@ -31,7 +31,7 @@ struct Pixel {
 // "M.. L.. L.. Z", or left open.
 [[nodiscard]] std::string path_data(const std::vector<Pixel>& points, bool close);
 [[nodiscard]] std::string path(std::string_view data, std::string_view css_class);
-// Opening tag with the view box; `title` is what a screen reader says.
+// Opening tag with the view box; `title` is for screen readers.
 [[nodiscard]] std::string svg_begin(double width, double height, std::string_view css_class,
                                     std::string_view title);
 

@@ -1,5 +1,5 @@
-// Looks words up in assets/texts.json, which is parsed once. A text is escaped before values are put in.
-// An unknown key throws. Phrases joined by " + " are looked up one by one.
+// Looks up words in assets/texts.json, which is parsed once. A text is escaped before values
+// are inserted. An unknown key throws. Phrases joined by " + " are looked up one by one.
 #include "report/texts.h"
 
 #include <algorithm>
@@ -90,7 +90,7 @@ std::string Texts::quantity(double value, std::string_view unit, int digits) con
 
 std::string texts_for_page(const std::string& language) {
   const std::size_t own = Texts(language).place();
-  // `missing` texts of a row's languages are not in it
+  // of the languages in a row, `missing` have no text
   const auto only_own = [&](const Json& row, std::size_t missing) {
     Json out = Json::array();
     for (std::size_t k = 0; k + missing <= own; ++k)

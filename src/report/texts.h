@@ -1,5 +1,5 @@
-// What a page says, in the languages of assets/texts.json: the one table of words that the static
-// headline (C++) and the viewer (web/src/texts.ts) share.
+// The texts of a page in the languages of assets/texts.json: one table of
+// words for the static headline (C++) and the viewer (web/src/texts.ts).
 //
 //   texts    key -> one text a language, with {places} for values
 //   phrases  a word or name of the engine ("rocking", "bonded") -> other languages
@@ -20,17 +20,17 @@ class Texts {
   // Throws InputError where the language is not in the table.
   explicit Texts(const std::string& language);
 
-  // The text as markup, values of its places put in as they are: they must be markup already.
+  // The text as markup with values inserted unchanged, so they must be markup already.
   [[nodiscard]] std::string say(const std::string& key, Places places = {}) const;
-  // A word or name of the engine, as text; what is not in the table stays as it is. Sentences come as
-  // messages (report/translation.h).
+  // A word or name of the engine, as text; a word that is not in the table
+  // is unchanged. Sentences come as messages (report/translation.h).
   [[nodiscard]] std::string phrase(const std::string& english) const;
   // rounded() and quantity() of html.h with the language's decimal sign.
   [[nodiscard]] std::string number(double value, int digits = 3) const;
   [[nodiscard]] std::string quantity(double value, std::string_view unit, int digits = 3) const;
   // A number in digits with the language's decimal sign.
   [[nodiscard]] std::string localised(std::string number) const;
-  // Of the language in every row of the table.
+  // The index of the language in every row of the table.
   [[nodiscard]] std::size_t place() const { return language_; }
 
  private:
@@ -38,8 +38,8 @@ class Texts {
 };
 
 [[nodiscard]] std::vector<std::string> languages();
-// The table as JSON for an element of a page in `language`: each row has English first and the page's language at its
-// place, null between. Without the words of the studio, and without "<".
+// The table as JSON for an element of a page in `language`. Each row has English first and
+// the page's language at its index, null between. It has no words of the studio, and no "<".
 [[nodiscard]] std::string texts_for_page(const std::string& language);
 
 }  // namespace wythe::report

@@ -1,5 +1,5 @@
-// Puts a message into every language of the table, in the order of message_languages(), and one text where all agree.
-// Words of CODE.page go before those of CODE, also in messages that a message lists.
+// Translates a message into every language of the table, in the order of message_languages(), or into one text
+// where all agree. Words of CODE.page take precedence over those of CODE, also in messages within a message.
 #include "report/translation.h"
 
 #include "core/messages.h"
@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view kData = "_message";
 
-// `text` stands where the data are null.
+// `text` is used where the data are null.
 Json translated_json(const Json& data, const Json& text) {
   if (!data.is_array())
     return data.is_object() && text.is_string() ? translated(message_of(data.dump(), text)) : text;

@@ -1,5 +1,5 @@
-// The pages behind the sheet of a verdict: what each wall did, what ended each limit state, the spectra, where the
-// values of the masonry come from, and the program that ran.
+// The pages after the sheet of a verdict: each wall, the end of each limit state,
+// the spectra, the origin of the masonry's values, and the program that ran.
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace wythe::report {
 namespace {
 
-// Words of a way (materials/circolare.cpp) that phrases translate, longer ones first.
+// Words in the origin of a value (materials/circolare.cpp) that phrases translate, longer ones first.
 constexpr const char* kWordsOfWays[] = {"works add nothing beyond",
                                         "together not more than",
                                         "transverse connection",
@@ -51,7 +51,7 @@ class Appendix {
   }
 
  private:
-  // A table whose cells are markup; `sides` says of each column whether it stands at the left (l) or right (r).
+  // A table whose cells are markup; `sides` says for each column whether it is aligned left (l) or right (r).
   [[nodiscard]] static std::string table(const std::string& title,
                                          const std::vector<std::string>& heads,
                                          const std::string& rows, const std::string& sides) {
@@ -69,7 +69,7 @@ class Appendix {
     return (left ? "<td class=\"left\">" : "<td>") + text + "</td>";
   }
 
-  // --- what the walls did ------------------------------------------------------------------------------
+  // --- results of the walls ----------------------------------------------------------------------------
 
   // A row for each wall, a column for each way it was pushed.
   [[nodiscard]] std::string walls() const {
@@ -85,7 +85,7 @@ class Appendix {
     }
     return table(w_.say("assess.walls"), heads, rows, "l") + why_lost();
   }
-  // Each reason once, with the pushes that have it.
+  // Each reason once, with its pushes.
   [[nodiscard]] std::string why_lost() const {
     std::vector<std::pair<std::string, int>> reasons;
     for (const WayOfPushing& way : v_.ways)
@@ -120,7 +120,7 @@ class Appendix {
     return value + "<br><span class=\"soft\">" + escaped(w_.texts().phrase(wall.mode)) + "</span>";
   }
 
-  // What each part out of plane is worth, and by what.
+  // The result of each part out of plane, and its source.
   [[nodiscard]] std::string parts() const {
     if (v_.parts.checked.empty()) return "";
     const auto number = [&](double value, int digits = 3) {
@@ -166,7 +166,7 @@ class Appendix {
     return out + "<p class=\"small\">" + w_.say("local.lead") + "</p>\n" + said;
   }
 
-  // What may end each limit state side by side: the fall of the force, the drift of each pier, q*.
+  // Rules that may end each limit state, side by side: the fall of the force, the drift of each pier, q*.
   [[nodiscard]] std::string rules() const {
     std::string rows;
     for (const StateVerdict& of : v_.limit_states) {
@@ -187,9 +187,9 @@ class Appendix {
                  rows, "llrr");
   }
 
-  // --- what went in ------------------------------------------------------------------------------------
+  // --- inputs ------------------------------------------------------------------------------------------
 
-  // Each spectrum that is asked for.
+  // Each requested spectrum.
   [[nodiscard]] std::string spectra() const {
     std::string rows;
     for (const StateVerdict& of : v_.limit_states) {
@@ -241,7 +241,7 @@ class Appendix {
     return table(w_.say("input.carried"), {"", "", w_.say("input.where"), ""}, rows, "l");
   }
 
-  // Each number of the masonry with its way: table, coefficient, factor, or rule.
+  // Each number of the masonry with its origin: table, coefficient, factor, or rule.
   [[nodiscard]] std::string masonry() const {
     std::string rows;
     for (const Json& row : inputs_["masonry"])
@@ -253,7 +253,7 @@ class Appendix {
                  "lrl") +
            sources();
   }
-  // How a value came about: given; a formula of other values; or what was taken of a table, and by which factors.
+  // The origin of a value: given, a formula of other values, or a table value with its factors.
   [[nodiscard]] std::string way_of(const std::string& table, const std::string& key) const {
     for (const Json& row : inputs_["origins"]) {
       if (row[0] != table || row[1] != key) continue;
@@ -265,11 +265,11 @@ class Appendix {
     }
     return w_.say("origin.given");
   }
-  // Before the words that explain its symbols.
+  // The part before the words that explain its symbols.
   [[nodiscard]] static std::size_t end_of_formula(const std::string& formula) {
     return std::min(formula.find(" in MPa"), formula.find(", "));
   }
-  // The words of a way in the page's language: "mean 3.45 MPa x 1.3 (transverse_connection) / 1.20".
+  // The words of an origin in the page's language: "mean 3.45 MPa x 1.3 (transverse_connection) / 1.20".
   [[nodiscard]] std::string in_words(std::string way) const {
     std::replace(way.begin(), way.end(), '_', ' ');
     for (const char* word : kWordsOfWays) {
@@ -283,7 +283,7 @@ class Appendix {
       if (way[k] == '.' && is_digit(way[k - 1]) && is_digit(way[k + 1])) way.replace(k, 1, sign);
     return escaped(way);
   }
-  // Typologies that values were taken from, with their sources, each once.
+  // Typologies whose values were used, with their sources, each once.
   [[nodiscard]] std::string sources() const {
     std::vector<std::string> said;
     for (const Json& row : inputs_["origins"]) {

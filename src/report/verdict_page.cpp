@@ -1,5 +1,5 @@
-// verdict_page(): the page of `wythe assess`, plain HTML that needs no script. One sheet of A4: the sentence first, then
-// what the walls did, what that rests on and what is not modelled. The appendix follows (verdict_appendix.cpp).
+// verdict_page(): the page of `wythe assess`, plain HTML without scripts. One sheet of A4: the sentence first, then
+// the results of the walls, their basis and what is not modelled. The appendix follows (verdict_appendix.cpp).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -59,10 +59,10 @@ body{font-size:8.6pt;line-height:1.3}main{max-width:none;padding:0}.wide{overflo
 .appendix{break-before:page;border:0;margin:0}.appendix>h2:first-child{margin-top:0}tr,li,.card,figure{break-inside:avoid}h2{break-after:avoid}thead{display:table-header-group}}
 )css";
 
-// Letters of notes that the sheet has room for beside its pictures; where there are more all of them open the appendix.
+// Letters of notes that fit on the sheet beside its pictures; if there are more, all notes are moved to the appendix.
 constexpr std::size_t kLettersOnSheet = 2000;
 
-// Messages that say what is left out, not what is assumed.
+// Messages about effects that are left out, not about assumptions.
 bool is_left_out(const Message& note) {
   static constexpr std::string_view kLeftOut[] = {
       "assessment.note.out_of_plane", "assessment.note.scaled",
@@ -128,7 +128,7 @@ class VerdictPage {
     return "<header><h1>" + title() + "</h1>" + facts + kind + "</header>\n";
   }
 
-  // Met or not in a word, then the sentence.
+  // "met" or "not met", then the sentence.
   [[nodiscard]] std::string verdict() const {
     const char* key = "assess.undecided";
     if (v_.verdict == AssessmentVerdict::kHolds) key = "assess.holds";
@@ -149,7 +149,7 @@ class VerdictPage {
         v_.may_be_signed ? key + 7 : "unsigned", standing, words_.sentence_of(*said));
   }
 
-  // What the sentence does not say: the index, and what was asked by whom.
+  // Data beyond the sentence: the index, and the demand with its source.
   [[nodiscard]] std::string cards() const {
     std::string out;
     const auto card = [&](const std::string& value, const std::string& name) {
@@ -175,7 +175,7 @@ class VerdictPage {
     return "<section class=\"cards\">\n" + out + "</section>\n";
   }
 
-  // "LC2", where the program divided the strengths of the table; a note says it.
+  // The knowledge level, "LC2", if the program divided the strengths of the table; a note says so.
   [[nodiscard]] std::string knowledge_level() const {
     for (const Message& note : v_.notes)
       if (note.code == "assessment.note.divided")
@@ -199,14 +199,14 @@ class VerdictPage {
            part("assess.left_out", left_out_) + "</div>\n";
   }
 
-  // --- the wall and what each of them carries ----------------------------------------------------------
+  // --- the wall and the capacity of each wall ----------------------------------------------------------
 
   [[nodiscard]] std::string pictures() const {
     if (v_.ways.empty()) return "";
     return "<div class=\"pair\">\n" + wall() + figure() + "</div>\n";
   }
 
-  // The wall as it stands, with its piers by name; those whose drift ends a limit state are shaded.
+  // The wall as built with the names of its piers; piers whose drift ends a limit state are shaded.
   [[nodiscard]] std::string wall() const {
     const std::vector<study::Elevation> all = study::elevations_of(model_);
     const std::vector<study::WallParts> parts = study::find_parts(model_, all);
@@ -235,14 +235,14 @@ class VerdictPage {
     return "<figure>" + svg + "<figcaption>" + say(any ? "assess.picture.hit" : "assess.picture") +
            "</figcaption></figure>\n";
   }
-  // A wall in space counts where it stands along the push.
+  // Whether a wall in space counts: it must stand along the push.
   [[nodiscard]] bool is_judged(const study::Elevation& wall) const {
     if (dimension_of(model_) == 2) return true;
     const auto push = std::find_if(model_.stages.rbegin(), model_.stages.rend(),
                                    [](const Stage& s) { return s.spec.kind == StageKind::kPush; });
     return push != model_.stages.rend() && study::is_along(wall, push->drive());
   }
-  // Whether the drift of this pier ends near collapse, or the limit state that decides, in any wall.
+  // Whether the drift of this pier ends near collapse, or the deciding limit state, in any wall.
   [[nodiscard]] bool ends(const std::string& mark) const {
     const auto names_it = [&](const RuleOfWalls& rule) {
       return rule.decides > 0 &&
@@ -257,8 +257,8 @@ class VerdictPage {
     });
   }
 
-  // A strip of dots for each way: what its walls carry, against the demand. Places are shares of the width, so that
-  // words keep their size on a phone.
+  // A strip of dots for each way of pushing: the capacities of its walls, and the
+  // demand. Positions are shares of the width, so that words keep their size on a phone.
   [[nodiscard]] std::string figure() const {
     const double demand = std::isnan(v_.worst.demand) ? 0 : v_.worst.demand * kToG;
     double most = 1.15 * demand;
@@ -313,7 +313,7 @@ class VerdictPage {
           at(tick), anchor, words_.texts().number(tick));
     }
     const bool is_right =
-        demand > 0.6 * most;  // the demand's own words: the axis goes to the other end
+        demand > 0.6 * most;  // the label of the demand: the axis label goes to the other end
     out += fmt::format("<text class=\"small\" x=\"{}%\" y=\"31\" text-anchor=\"{}\">{}</text>",
                        is_right ? 0 : 100, is_right ? "start" : "end", say("assess.axis"));
     if (demand > 0)
@@ -335,7 +335,7 @@ class VerdictPage {
     return out;
   }
 
-  // Each limit state against its own spectrum, with its risk index.
+  // Each limit state with its own spectrum and its risk index.
   [[nodiscard]] std::string limit_states() const {
     if (v_.limit_states.empty()) return "";
     std::string rows;
@@ -357,7 +357,7 @@ class VerdictPage {
            "</th></tr></thead>\n" + rows + parts() + "</table></div>\n";
   }
 
-  // Parts out of plane, the one with the least reserve first; the appendix has all of them.
+  // Parts out of plane, the one with the least reserve first; the appendix contains all of them.
   [[nodiscard]] std::string parts() const {
     constexpr std::size_t kShown = 4;
     std::vector<const LocalCheck*> parts;
@@ -395,14 +395,14 @@ class VerdictPage {
     return part != nullptr && part->verdict == AssessmentVerdict::kFails;
   }
 
-  // A name is put only under what may be signed.
+  // Space for a signature, only if the verdict may be signed.
   [[nodiscard]] std::string signature() const {
     return "<div class=\"signature\"><span>" +
            say("assess.made", {{"program", escaped(program())}}) + "</span>" +
            (v_.may_be_signed ? "<span class=\"line\">" + say("sheet.signature") + "</span>" : "") +
            "</div>\n";
   }
-  // "wythe 0.1.0"; the appendix has the whole.
+  // "wythe 0.1.0"; the appendix has the full version.
   [[nodiscard]] std::string program() const { return v_.program.substr(0, v_.program.find(" (")); }
 
   const WallsVerdict& v_;

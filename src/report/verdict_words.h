@@ -41,7 +41,7 @@ class VerdictWords {
   [[nodiscard]] std::string state(LimitState state) const {
     return say("assessment." + std::string(word_of(kLimitStateWords, state)));
   }
-  // Forces along the wall towards one end; a vector of a wall in space stays as it is.
+  // Forces along the wall towards one end; a vector in space is unchanged.
   [[nodiscard]] std::string name_of(const WayOfPushing& way) const {
     const char* key = way.direction == "+x"   ? "assess.to_right"
                       : way.direction == "-x" ? "assess.to_left"
@@ -50,7 +50,7 @@ class VerdictWords {
            words(words_of_pattern(way.pattern));
   }
 
-  // Three decimals, so that numbers below each other compare.
+  // Three decimals, so that numbers in a column can be compared.
   [[nodiscard]] std::string fixed(double value, const char* unit = "") const {
     const std::string text = texts_.localised(fmt::format("{:.3f}", value));
     return *unit == 0 ? text : text + "\u202f" + unit;
@@ -72,7 +72,7 @@ class VerdictWords {
     return (c.at_least ? say("assess.at_least", {{"value", value}}) : value) +
            interval(c.with_tests, scale);
   }
-  // A part out of plane in a word.
+  // The result of a part out of plane in a word.
   [[nodiscard]] std::string met(const LocalCheck& part) const {
     switch (part.verdict) {
       case AssessmentVerdict::kHolds: return say("assess.met");
@@ -90,7 +90,7 @@ class VerdictWords {
   Texts texts_;
 };
 
-// The pages behind the sheet: each wall, each rule, what went in. `inputs` are those of model_inputs().
+// The pages after the sheet: each wall, each rule, the inputs. `inputs` are those of model_inputs().
 [[nodiscard]] std::string verdict_appendix(const VerdictWords& words, const WallsVerdict& verdict,
                                            const Json& inputs);
 

@@ -1,6 +1,6 @@
-// Lays out a wall's shapes and states in arrays, under the names that web/src/wall.ts reads. An array runs by the
-// number of block, joint or node. Numbers of states are rounded to 16 bits over all frames. A joint that became a
-// free contact has the opening -1 and is not drawn. A field stands in the unit of its key.
+// Writes a wall's shapes and states to arrays, under the names that web/src/wall.ts reads. An array is
+// indexed by block, joint or node. Numbers of states are rounded to 16 bits over all frames. A joint
+// that became a free contact has the opening -1 and is not drawn. A field has the unit of its key.
 #include "report/wall_arrays.h"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ void add_floats(Bundle& bundle, const std::string& name, const std::vector<doubl
   bundle.add(name, std::span<const float>(as<float>(values)));
 }
 
-// Words by the numbers that stand for them in an array.
+// Words for the numbers of an enum in an array.
 template <class E, std::size_t N>
 Json words_by_number(const Word<E> (&words)[N]) {
   Json list = Json::array();
@@ -44,7 +44,7 @@ const Stage* push_of(const Model& model) {
   return nullptr;
 }
 
-// One number of each entry of a list.
+// One number from each entry of a list.
 template <class Rows, class Value>
 void add_column(Bundle& bundle, const std::string& name, const Rows& rows, Value value) {
   std::vector<float> column;
@@ -53,7 +53,7 @@ void add_column(Bundle& bundle, const std::string& name, const Rows& rows, Value
   bundle.add(name, std::span<const float>(column));
 }
 
-// The nodes of zones, the rims of deformable blocks in them, and the zones' corners.
+// The nodes of zones, the outlines of deformable blocks by nodes, and the zones' corners.
 void add_nodes(Bundle& bundle, const Solids& s) {
   std::vector<std::int32_t> rim, corners;  // four a zone
   for (const SolidBody& body : s.bodies) rim.insert(rim.end(), body.rim.begin(), body.rim.end());
@@ -65,7 +65,7 @@ void add_nodes(Bundle& bundle, const Solids& s) {
   bundle.add("wall.zone", std::span<const std::int32_t>(corners));
 }
 
-// Deformable blocks follow the rigid ones, each with the nodes of its rim as its outline.
+// Deformable blocks follow the rigid ones, each with the nodes on its outline.
 void add_blocks(Bundle& bundle, const Model& model) {
   const Solids& s = model.solids;
   const State rest = initial_state(model);
@@ -92,7 +92,7 @@ void add_blocks(Bundle& bundle, const Model& model) {
   if (!s.bodies.empty()) add_nodes(bundle, s);
 }
 
-// Contacts of zones follow the joints: between a block and a deformable one, along an edge.
+// Contacts of zones follow the joints. They lie between a rigid block and a deformable one, along an edge.
 void add_joints(Bundle& bundle, const Model& model) {
   const Solids& s = model.solids;
   std::vector<JointShape> joints;
@@ -109,7 +109,7 @@ void add_joints(Bundle& bundle, const Model& model) {
   bundle.add("wall.kind", std::span<const std::uint8_t>(kind));
   add_column(bundle, "wall.half_x", joints, [](const auto& j) { return j.half.x; });
   add_column(bundle, "wall.half_y", joints, [](const auto& j) { return j.half.y; });
-  joints.resize(static_cast<std::size_t>(model.n_joint));  // contacts hang on nodes, not on arms
+  joints.resize(static_cast<std::size_t>(model.n_joint));  // contacts have nodes, not arms
   add_column(bundle, "wall.arm_a_x", joints, [](const auto& j) { return j.arm_a.x; });
   add_column(bundle, "wall.arm_a_y", joints, [](const auto& j) { return j.arm_a.y; });
   add_column(bundle, "wall.arm_b_x", joints, [](const auto& j) { return j.arm_b.x; });
@@ -121,7 +121,7 @@ void add_joints(Bundle& bundle, const Model& model) {
   add_floats(bundle, "wall.share_1", s.share_1);
 }
 
-// Ties, diaphragms and springs; their ends seen from the centroids, `along` from a to b at the start.
+// Ties, diaphragms and springs with their ends relative to the centroids; `along` is the direction from a to b at the start.
 Json links_of(const Model& model) {
   const Links& l = model.links;
   const State rest = initial_state(model);
@@ -143,7 +143,7 @@ Json links_of(const Model& model) {
   return list;
 }
 
-// Members of frames, and sections along them where they stand on their block.
+// Members of frames, and the places of their sections on their blocks.
 void add_members(Json& wall, const Model& model) {
   const Frames& f = model.frames;
   const State rest = initial_state(model);
@@ -227,13 +227,13 @@ void add_fields(Bundle& bundle, const ModelSpec& spec, const Model& model, int s
   for (const DrawnField& field : model.anatomy.fields) {
     const FieldTarget target = *field_target(field.path);
     const std::string si_unit = target.key->si_unit, unit = target.key->shown;
-    const double factor = unit_factor(unit, si_unit);  // SI value of one of them
+    const double factor = unit_factor(unit, si_unit);  // SI value of one unit
     std::vector<double> values = field.of_joint.empty() ? field.of_block : field.of_joint;
     for (double& value : values) value /= factor;
     double sum = 0, count = 0;
     for (const double value : values)
       if (!std::isnan(value)) sum += value, ++count;
-    // the value in the file has no part in what follows a formula
+    // a field with a formula does not use the value in the file
     const bool follows = !spec.field.at(field.name).formula.empty();
     add_floats(bundle, "wall.field_" + std::to_string(list.size()), values);
     list.push_back({{"name", field.name},
@@ -309,7 +309,7 @@ void FrameArrays::add(const Model& model, const State& state) {
       section_use_.push_back(section.use);
     }
   for (const JointReading& joint : wall.joints) {
-    // a joint between blocks that have left each other is no crack to be drawn: the page sees an opening of -1
+    // a joint between separated blocks is not drawn as a crack: the page gets an opening of -1
     const bool shown = !joint.handed_over;
     opening_.push_back(shown ? std::fmax(0.0, joint.opening) : -1.0);
     slip_.push_back(shown ? joint.slip : 0.0);

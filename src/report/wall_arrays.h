@@ -1,6 +1,6 @@
-// A wall and its states as arrays of a page (wall.* and frame.*; web/src/wall.ts reads them).
-// Deformable blocks follow the rigid ones and their contacts the joints, in every array of either. A wall in
-// space has space.* in place of most of wall.* (space_arrays.cpp).
+// A wall and its states as arrays of a page (wall.* and frame.*; web/src/wall.ts reads
+// them). Deformable blocks follow the rigid ones, and their contacts follow the joints, in
+// all arrays. A wall in space has space.* instead of most of wall.* (space_arrays.cpp).
 #pragma once
 
 #include <string>
@@ -12,23 +12,23 @@
 
 namespace wythe::report {
 
-// Shapes at the start: blocks, joints, supports, what is pushed. Header: "wall".
+// Shapes at the start: blocks, joints, supports, pushed blocks. Header: "wall".
 void add_wall(Bundle& bundle, const Model& model);
-// What varies within the wall: of each joint or block, in the unit it is shown in. Header: "wall.fields".
-// In a campaign each `sample` has its own.
+// Fields within the wall: values of each joint or block, in the displayed
+// unit. Header: "wall.fields". In a campaign each `sample` has its own.
 void add_fields(Bundle& bundle, const ModelSpec& spec, const Model& model, int sample = 0);
 
-// How many of a sample's states go along, the last ones: all of them where the last of every sample
-// that follows still has room, else the last alone.
+// How many of a sample's states are kept, counted from the last: all if
+// the last state of every later sample still fits, else only the last.
 [[nodiscard]] int states_kept(int states, int room, int samples_after);
 
-// Which states of a run go along where no more than `most` fit: all that are labelled, and of the others as
-// many as there is room for, evenly spread.
+// The states of a run that are kept, where only `most` fit: all
+// labelled ones, and others evenly spaced as far as there is space.
 [[nodiscard]] std::vector<bool> states_shown(const std::vector<bool>& labelled, int most);
-// Numbers of a page that one state takes, without forces of joints, which a run alone has.
+// Numbers in a page for one state, without forces of joints, which only a run has.
 [[nodiscard]] double state_numbers(const Model& model);
 
-// Bodies and joint faces of a wall in space. Header: "wall.space", to go into `wall`.
+// Bodies and joint faces of a wall in space. Header: "wall.space", to be put into `wall`.
 void add_space(Bundle& bundle, const Model& model, Json& wall);
 
 // States of a wall in space.
@@ -45,10 +45,10 @@ class SpaceFrames {
   std::vector<std::uint8_t> link_state_;  // the same: 0 holds, 1 slack or a gap, 2 yielded
 };
 
-// States in the order they are to be shown; every one has the same blocks and joints.
+// States in the order of display; all have the same blocks and joints.
 class FrameArrays {
  public:
-  // With forces: compression, shear and eccentricity of every joint as well, and what sections of frames carry.
+  // With forces: also compression, shear and eccentricity of every joint, and the forces of frame sections.
   explicit FrameArrays(bool with_forces) : with_forces_(with_forces) {}
   void add(const Model& model, const State& state);
   [[nodiscard]] int count() const { return count_; }
@@ -68,7 +68,7 @@ class FrameArrays {
   std::vector<double> section_normal_, section_shear_;  // (n_frame, n_section) of frames [N]
   std::vector<double> section_moment_, section_use_;    // [N m], share; signs as in FrameReading
   bool in_space_ = false;
-  SpaceFrames space_;  // in space these alone
+  SpaceFrames space_;  // used alone in space
 };
 
 }  // namespace wythe::report

@@ -1,4 +1,4 @@
-// The wall as it stands at a state: blocks, open, slipped and crushed joints, ground, push arrow.
+// The wall in a state: blocks, open, slipped and crushed joints, ground, push arrow.
 #pragma once
 
 #include <string>
@@ -19,7 +19,7 @@ struct WallPicture {
   double longest = 0;  // slip [m]
 };
 
-// A part of the wall that the picture names.
+// A named part of the wall in the picture.
 struct WallMark {
   double x0 = 0, x1 = 0, y0 = 0, y1 = 0;  // [m]
   std::string name;
@@ -29,17 +29,17 @@ struct WallMark {
 [[nodiscard]] WallPicture draw_wall(const Model& model, const State& state, double scale,
                                     const std::vector<WallMark>& marks = {});
 
-// Walls of a building as they stand, one beside the other, each as it is seen across its plane. The boxes of `marks`
-// are of find_parts(): one list for each wall.
+// Walls of a building at the start, side by side, each as it is seen across its
+// plane. The boxes of `marks` come from find_parts(): one list for each wall.
 [[nodiscard]] std::string draw_elevations(const Model& model,
                                           const std::vector<study::Elevation>& walls,
                                           const std::vector<std::vector<WallMark>>& marks);
 
-// A round magnification at which the largest displacement shows as some 5 % of the wall.
+// A round magnification with which the largest displacement is about 5 % of the wall.
 [[nodiscard]] double fitting_scale(const Model& model, const State& state);
 
-// Pushed blocks that one arrow stands for, and how long it is over the longest: each level of a
-// pattern, in thirds of the wall where all blocks are pushed, all of them without a pattern.
+// Pushed blocks with one common arrow, and its length relative to the longest. There is one for each level
+// of a pattern, for each third of the wall if all blocks are pushed, or a single one without a pattern.
 struct PushPart {
   std::vector<BlockId> blocks;
   double length = 1;

@@ -1,6 +1,6 @@
-// Draws the wall. From back to front: supports and ground, blocks by role (one path for each tint),
-// sound joints (one path for all), cracked joints (one line each, with its numbers as a tooltip),
-// crushed points, links, tops of storeys, push arrow, scale bar.
+// Draws the wall. From back to front: supports and ground, blocks by role (one path for
+// each tint), sound joints (one path for all), cracked joints (one line each, with its
+// numbers as a tooltip), crushed points, links, tops of storeys, push arrow, scale bar.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,8 +24,8 @@ namespace {
 constexpr double kWidth = 640;        // of the wall in the picture [px]
 constexpr double kTallest = 560;      // of the wall in the picture [px]
 constexpr double kMarginOfWall = 46;  // around it: arrow, ground, scale bar [px]
-constexpr double kVisible = 0.05e-3;  // openings and slips below are drawn as closed [m]
-constexpr double kCrushMark = 0.05;   // crushing from which a point is marked [-]
+constexpr double kVisible = 0.05e-3;  // smaller openings and slips are drawn as closed [m]
+constexpr double kCrushMark = 0.05;   // crushing above which a point is marked [-]
 constexpr int kTints = 4;
 
 struct Canvas {
@@ -43,7 +43,7 @@ struct Bounds {
   }
 };
 
-// Blocks that fell far away would shrink the wall to a dot: the view ends half a wall from it.
+// Blocks that fell far away would shrink the wall to a dot, so the view ends half a wall away from it.
 Bounds bounds_of(const Model& model, const State& state, double scale) {
   Bounds rest, now;
   const Anatomy& a = model.anatomy;
@@ -63,7 +63,7 @@ Bounds bounds_of(const Model& model, const State& state, double scale) {
 Canvas canvas_of(const Bounds& bounds) {
   const double wide = bounds.x1 - bounds.x0;
   const double high = bounds.y1 - bounds.y0;
-  const double pixels = std::min(kWidth / wide, kTallest / high);  // a metre
+  const double pixels = std::min(kWidth / wide, kTallest / high);  // for each metre
   Canvas canvas;
   canvas.width = kWidth + 2 * kMarginOfWall;
   canvas.height = high * pixels + 2 * kMarginOfWall;
@@ -73,7 +73,7 @@ Canvas canvas_of(const Bounds& bounds) {
   return canvas;
 }
 
-// A tint that differs between neighbours and is the same in every picture.
+// A tint that differs between neighbours and is the same in all pictures.
 int tint_of(const Model& model, BlockId block) {
   const auto u = static_cast<std::uint32_t>(block) * 2654435761u;
   const auto course = static_cast<std::uint32_t>(model.anatomy.block_course[block] + 1);
@@ -142,7 +142,7 @@ std::string draw_zones(const Model& model, const State& state, double scale, con
   return edges.empty() ? "" : path(edges, "zone");
 }
 
-// Fixed blocks, and a hatched line under every run of ground joints.
+// Fixed blocks, and a hatched line below each group of ground joints.
 std::string draw_supports(const Model& model, const Canvas& canvas) {
   const Anatomy& a = model.anatomy;
   std::string fixed;
@@ -166,7 +166,7 @@ std::string draw_supports(const Model& model, const Canvas& canvas) {
   return out;
 }
 
-// Where the masonry stood at the start; a blocks file may be any shape and has no such frame.
+// Outline of the masonry at the start. A blocks file may have any shape, so it has no such frame.
 std::string draw_rest(const Model& model, const Canvas& canvas) {
   const Anatomy& a = model.anatomy;
   if (a.courses == 0) return "";
@@ -176,7 +176,7 @@ std::string draw_rest(const Model& model, const Canvas& canvas) {
               "rest");
 }
 
-// Picks how a cracked joint shows and counts it; width grows with the root of the movement.
+// Chooses the style of a cracked joint and counts it; the width grows with the square root of the movement.
 const char* crack_class(const JointReading& joint, WallPicture& picture) {
   const double slip = std::fabs(joint.slip);
   if (std::max(joint.opening, slip) < kVisible || joint.damage < 0.999) {
@@ -193,7 +193,7 @@ std::string draw_crack(const JointReading& joint, Pixel from, Pixel to, WallPict
   const double movement = std::max({joint.opening, slip, 0.0});
   const std::string css = crack_class(joint, picture);
   const bool is_softening = joint.damage < 0.999;
-  // a joint that softens shows fainter the less of its strength is gone
+  // a softening joint is fainter, the less strength it has lost
   const double width = is_softening ? 0.5 + 0.7 * joint.damage
                                     : 1.1 + 2.9 * std::sqrt(std::min(1.0, movement / 5e-3));
   picture.widest = std::max(picture.widest, joint.opening);
@@ -208,15 +208,15 @@ std::string draw_crack(const JointReading& joint, Pixel from, Pixel to, WallPict
       rounded(joint.damage, 2));
 }
 
-// Both ends of a joint where the picture has them [m].
+// Both ends of a joint in the picture [m].
 using Ends = std::function<std::array<Vec3, 2>(const JointReading&)>;
 
-// Sound joints as mortar lines, cracked ones by what they did.
+// Sound joints as mortar lines, damaged ones by the kind of damage.
 std::string draw_joints(const WallReading& wall, const Ends& ends_of, const Canvas& canvas,
                         WallPicture& picture) {
   std::string mortar, split, cracks;
   for (const JointReading& joint : wall.joints) {
-    if (joint.handed_over) continue;  // between blocks that have left each other
+    if (joint.handed_over) continue;  // between separated blocks
     const auto ends = ends_of(joint);
     const Pixel from = canvas(ends[0]), to = canvas(ends[1]);
     if (joint.damage > 0.01)
@@ -236,7 +236,7 @@ std::string draw_crushed(const WallReading& wall, const Ends& ends_of, const Can
     for (const PointReading& point : wall.points_of(joint)) {
       if (joint.handed_over || !(point.crushing >= kCrushMark)) continue;
       const auto ends = ends_of(joint);
-      const double share = 0.5 + 0.46 * point.place;  // a little inside the end of the face
+      const double share = 0.5 + 0.46 * point.place;  // slightly inside the end of the face
       out += circle(canvas(ends[0] + share * (ends[1] - ends[0])),
                     2.6 + 2.4 * std::min(1.0, point.crushing), "crushed");
       ++picture.crushed;
@@ -245,7 +245,7 @@ std::string draw_crushed(const WallReading& wall, const Ends& ends_of, const Can
   return out;
 }
 
-// The stage whose push the picture shows: the present one, else the first that pushes.
+// The stage with the push in the picture: the present one, else the first push.
 const Stage* pushing_stage(const Model& model, const State& state) {
   const auto now = static_cast<std::size_t>(state.stage);
   if (now < model.stages.size() && !model.stages[now].driven.empty()) return &model.stages[now];
@@ -254,14 +254,14 @@ const Stage* pushing_stage(const Model& model, const State& state) {
   return nullptr;
 }
 
-// An arrow that ends where the pushed blocks begin, on the side the push comes from.
+// An arrow that ends at the pushed blocks, on the side from which the push comes.
 std::string draw_arrow(const Model& model, const State& state, double scale, const Canvas& canvas,
                        const Stage& stage, const PushPart& part) {
   Bounds box;
   for (BlockId b : part.blocks)
     for (const Vec3& p : outline_now(model, state, b, scale)) box.add(p);
   const double dx = stage.drive_x;
-  const double dy = -stage.drive_y;  // pixels run down
+  const double dy = -stage.drive_y;  // pixels count downwards
   const Pixel tip = canvas({dx > 0.5    ? box.x0
                             : dx < -0.5 ? box.x1
                                         : (box.x0 + box.x1) / 2,
@@ -286,7 +286,7 @@ std::string draw_arrows(const Model& model, const State& state, double scale,
   return out;
 }
 
-// A wall across as a coil between the point and a short upright, the neighbour's side.
+// A cross wall as a coil between the point and a short vertical line for the neighbour.
 std::string coil(Pixel end, double dx, double dy) {
   constexpr double kStep = 5, kHalf = 5;
   std::vector<Pixel> points{end};
@@ -299,7 +299,7 @@ std::string coil(Pixel end, double dx, double dy) {
   return path_data(points, false) + path_data({from, to}, false);
 }
 
-// Ties, diaphragms and springs with their forces as tooltips; what hangs slack is dashed.
+// Ties, diaphragms and springs with their forces as tooltips; slack ones are dashed.
 std::string draw_links(const Model& model, const State& state, double scale, const Canvas& canvas) {
   if (model.links.n == 0) return "";
   const Links& l = model.links;

@@ -1,5 +1,5 @@
 // Checks the moduli of a deformable block, and inverts its compliances to D (docs/theory/zones.md, "The material").
-// A block is orthotropic where youngs_modulus_across is stated. Plane strain takes the third direction out of the
+// A block is orthotropic where youngs_modulus_across is stated. Plane strain eliminates the third direction from the
 // compliances first. G enters D as stated; in an isotropic block it must agree with E and nu within 1 %.
 #include "solids/elasticity.h"
 
@@ -49,7 +49,7 @@ class Checker {
   }
 
   void check_isotropic() {
-    constexpr double kAgree = 0.01;  // E, G and nu are three numbers for two
+    constexpr double kAgree = 0.01;  // E, G and nu are three numbers for two constants
     const double derived = m_.youngs_modulus / (2 * m_.shear_modulus) - 1;
     const double nu = poisson_ratio_of(m_);
     if (!std::isnan(m_.poisson_ratio) &&
@@ -77,7 +77,7 @@ class Checker {
     if (nu < 0 || nu >= 0.5)
       return fault("poisson_ratio", fmt::format("{:g}", nu), "must be from 0 to below 0.5",
                    "write e.g. poisson_ratio = 0.4");
-    // the stiffness in space is positive where 1 - nu - 2 nu^2 E2/E1 > 0 with nu across = nu
+    // the stiffness in space is positive definite where 1 - nu - 2 nu^2 E2/E1 > 0, with nu across = nu
     const double ratio = across(m_) / m_.youngs_modulus;
     if (1 - nu - 2 * nu * nu * ratio <= 0)
       fault(
@@ -106,7 +106,7 @@ double poisson_ratio_of(const JointMaterial& body) {
 
 Elasticity elasticity_of(const JointMaterial& body, Plane plane) {
   const double e1 = body.youngs_modulus, e2 = across(body), nu = poisson_ratio_of(body);
-  // compliances; the third direction is across as well
+  // compliances; the third direction is across the grain too
   double s11 = 1 / e1, s12 = -nu / e1, s22 = 1 / e2;
   if (plane == Plane::kStrain) {
     const double s13 = -nu / e1, s23 = -nu / e2, s33 = 1 / e2;

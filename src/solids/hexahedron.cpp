@@ -1,4 +1,4 @@
-// Motion and forces of a hexahedron in a step (hexahedron.h): + - x / alone, so that bits are the same everywhere.
+// Motion and forces of a hexahedron in a step (hexahedron.h). Only + - x / are used, so that bits are the same everywhere.
 #include "solids/hexahedron.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ Vector<double> times_transposed(const Matrix& m, const Vector<double>& v) {
           m[0][2] * v.x + m[1][2] * v.y + m[2][2] * v.z};
 }
 
-// Cofactors of m, so that m' cofactors = determinant.
+// Cofactors of m; returns the determinant. m' cofactors = determinant times the unit matrix.
 double cofactors_of(const Matrix& m, Matrix& c) {
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
@@ -30,11 +30,11 @@ double cofactors_of(const Matrix& m, Matrix& c) {
   return m[0][0] * c[0][0] + m[0][1] * c[0][1] + m[0][2] * c[0][2];
 }
 
-// The turn R of f = R U: Newton's iteration r = (r + r^-T)/2, whose error is squared each time. At rest, where f is
-// 1, so is R to the bit.
+// Rotation R of f = R U by Newton's iteration r = (r + r^-T)/2, which squares the error each time. At rest, where f is
+// 1, R is exactly 1.
 void turn_of(const Matrix& f, Matrix& r) {
   constexpr int kMost = 30;
-  constexpr double kEnough = 1e-9;  // the next change would be half its square
+  constexpr double kEnough = 1e-9;  // the next correction would be half its square
   std::copy_n(&f[0][0], 9, &r[0][0]);
   for (int k = 0; k < kMost; ++k) {
     Matrix c;
@@ -60,7 +60,7 @@ HexahedronVectors corner_forces(const HexahedronShape& shape, const HexahedronVe
   for (std::size_t i = 0; i < 8; ++i)
     flat[3 * i] = d[i].x, flat[3 * i + 1] = d[i].y, flat[3 * i + 2] = d[i].z;
   std::fill_n(f, 24, 0.0);
-  // column by column (K is symmetric): sums in one order, side by side
+  // column by column (K is symmetric): sums in one order, several at once
   for (int j = 0; j < 24; ++j)
     for (int i = 0; i < 24; ++i) f[i] += shape.stiffness[j][i] * flat[j];
   HexahedronVectors force;

@@ -11,12 +11,12 @@ namespace {
 
 using Matrix3 = Eigen::Matrix3d;
 using Matrix24 = Eigen::Matrix<double, 24, 24>;
-using Shares = Eigen::Matrix<double, 8, 3>;  // a row for each corner
+using Shares = Eigen::Matrix<double, 8, 3>;  // derivatives of shape functions, one row a corner
 
 constexpr double kNatural[8][3] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1},
                                    {-1, -1, 1},  {1, -1, 1},  {1, 1, 1},  {-1, 1, 1}};
 
-// Slopes of the corners' shares along the natural coordinates.
+// Derivatives of the shape functions along the natural coordinates.
 Shares slopes_at(const double (&x)[3]) {
   Shares slope;
   for (int i = 0; i < 8; ++i)
@@ -47,7 +47,7 @@ Matrix3 jacobian_at(const Shares& place, const double (&x)[3]) {
   return place.transpose() * slopes_at(x);
 }
 
-// Strains xx, yy, zz, xy, yz, zx of displacements that go with the slopes, three columns a row of them.
+// Strains xx, yy, zz, xy, yz, zx per displacement: three columns for each row of derivatives.
 template <int n>
 Eigen::Matrix<double, 6, 3 * n> strains_of(const Eigen::Matrix<double, n, 3>& slope) {
   Eigen::Matrix<double, 6, 3 * n> b = Eigen::Matrix<double, 6, 3 * n>::Zero();
@@ -63,7 +63,7 @@ Eigen::Matrix<double, 6, 3 * n> strains_of(const Eigen::Matrix<double, n, 3>& sl
   return b;
 }
 
-// visit(natural place, weight): two points of Gauss along each direction.
+// visit(natural coordinates, weight) at two Gauss points along each direction.
 template <class Visit>
 void each_point(const Visit& visit) {
   const double g = 1 / std::sqrt(3.0);
@@ -89,7 +89,7 @@ Matrix24 stiffness_of(const Shares& place, const Elasticity6& elasticity) {
     const Matrix3 j = jacobian_at(place, x);
     const double det = j.determinant();
     const Shares slope = slopes_at(x) * j.inverse();
-    Matrix3 bubble = Matrix3::Zero();  // slopes of 1 - x^2, 1 - y^2, 1 - z^2
+    Matrix3 bubble = Matrix3::Zero();  // derivatives of 1 - x^2, 1 - y^2, 1 - z^2
     for (int c = 0; c < 3; ++c) bubble(c, c) = -2 * x[c];
     const Matrix3 bent = det_0 / det * bubble * inverse_0;
     const Eigen::Matrix<double, 6, 24> b = strains_of<8>(slope);
@@ -110,7 +110,7 @@ Elasticity6 elasticity_in_space(const JointMaterial& body, Vec3 grain) {
   const double e2 = is_orthotropic ? body.youngs_modulus_across : e1;
   const double across = e2 / (2 * (1 + nu));
   const double along = is_orthotropic ? body.shear_modulus : across;
-  Eigen::Matrix3d s;  // compliances along the grain and twice across
+  Eigen::Matrix3d s;  // compliances along the grain and in both directions across
   s << 1 / e1, -nu / e1, -nu / e1, -nu / e1, 1 / e2, -nu / e2, -nu / e1, -nu / e2, 1 / e2;
   Eigen::Matrix<double, 6, 6> own = Eigen::Matrix<double, 6, 6>::Zero();
   own.topLeftCorner<3, 3>() = s.inverse();
@@ -124,12 +124,12 @@ Elasticity6 elasticity_in_space(const JointMaterial& body, Vec3 grain) {
     Matrix3 q;
     q.row(0) = a, q.row(1) = b, q.row(2) = c;
     constexpr int kPair[6][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {2, 0}};
-    Eigen::Matrix<double, 6, 6> turn;  // strains in the body's axes of those in the wall's
+    Eigen::Matrix<double, 6, 6> turn;  // from strains in the wall's axes to strains in the body's
     for (int i = 0; i < 6; ++i)
       for (int j = 0; j < 6; ++j) {
         const auto [m, n] = kPair[i];
         const auto [r, t] = kPair[j];
-        // half a shear strain stands at each of its two places
+        // half of a shear strain stands at each of its two places in the tensor
         double sum = q(m, r) * q(n, t);
         if (r != t) sum = 0.5 * (sum + q(m, t) * q(n, r));
         turn(i, j) = i < 3 ? sum : 2 * sum;

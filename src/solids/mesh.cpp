@@ -1,6 +1,6 @@
-// Appends the nodes, zones and rim of one body to the arrays of all, and sums the zones' masses at the nodes.
-// All zones of a grid share one shape; a triangle has its own and repeats its last corner. join_nodes() comes after all
-// contacts. It lists where in the step's force array the forces on each node stand.
+// Appends nodes, zones and rim of one body to the arrays of all bodies, and adds the masses of zones to their nodes.
+// All zones of a grid share one shape; a triangle has its own and repeats its last corner. join_nodes() follows after all
+// contacts. It lists for each node where the step's force array holds its forces.
 #include "solids/mesh.h"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ void add_node(double x, double y, Solids& s) {
   ++s.n_node;
 }
 
-// A zone of the last shape.
+// Adds a zone with the last shape.
 void add_zone(const std::array<std::int32_t, 4>& corner, Solids& s) {
   const ZoneShape& shape = s.shapes.back();
   for (std::size_t k = 0; k < 4; ++k) {
@@ -57,7 +57,7 @@ void set_rim(SolidBody& body) {
   for (int j = body.rows; j > 0; --j) body.rim.push_back(body.node(0, j));
 }
 
-// Row of each node: place_of(k) for all k for which node_of(k) is that node.
+// One row for each node: place_of(k) for all k with node_of(k) equal to that node.
 template <class NodeOf, class PlaceOf>
 void list_by_node(int n_node, int count, const NodeOf& node_of, const PlaceOf& place_of,
                   std::vector<std::int32_t>& begin, std::vector<std::int32_t>& entry) {
@@ -115,7 +115,7 @@ SolidBody& add_triangles(const Triangles& mesh, const ZoneMaterial& material, So
 
 void join_nodes(Solids& s) {
   const auto at = [](int k, int n) { return static_cast<std::size_t>(k / n); };
-  // where the step writes the forces: corners 0 and 1 of all zones, then 2 and 3; p, then q
+  // places where the step writes forces: corners 0 and 1 of all zones, then 2 and 3; p, then q
   const auto zone_place = [&](int k) {
     return 2 * s.n_zone * ((k % 4) & 2) + k / 4 * 4 + k % 2 * 2;
   };

@@ -1,6 +1,6 @@
 // Sums the stiffness of a zone over four triangles with half the thickness each, (8.1) or (8.2).
-// Triangles without area are skipped, which makes a triangle of a quadrilateral with two equal corners. The highest
-// omega^2 is that of the zone alone on its own masses, as (8.7) takes it.
+// Triangles without area are skipped: a quadrilateral with two equal corners is thus a triangle. The highest
+// omega^2 is that of a single zone on its own masses, as (8.7) requires.
 #include "solids/shape.h"
 
 #include <Eigen/Dense>
@@ -45,7 +45,7 @@ Matrix8 stiffness_of(const Corners& c, ZoneKind kind, const ZoneMaterial& m) {
   Eigen::RowVector<double, 8> mean = Eigen::RowVector<double, 8>::Zero();
   for (const auto& triangle : kTriangle) {
     const double area = 0.5 * area_of(c, triangle);
-    if (area == 0) continue;  // of a triangle, half of the four have none
+    if (area == 0) continue;  // two of the four have no area in a triangle
     strain.push_back(strain_of(c, triangle));
     weight.push_back(area);
     all += area;
@@ -65,7 +65,7 @@ Matrix8 stiffness_of(const Corners& c, ZoneKind kind, const ZoneMaterial& m) {
   return 0.5 * (k + k.transpose());
 }
 
-// A third of each triangle's mass goes to each of its corners.
+// Each corner gets a third of the mass of each adjacent triangle.
 std::array<double, 4> mass_shares(const Corners& c) {
   std::array<double, 4> share{};
   double all = 0;
@@ -75,7 +75,7 @@ std::array<double, 4> mass_shares(const Corners& c) {
   return share;
 }
 
-// Highest omega^2 of one zone on its own masses; the last corner of a triangle moves with the third.
+// Highest omega^2 of a zone on its own masses; the last corner of a triangle moves with the third one.
 double highest_mode(const Corners& c, Matrix8 k, std::array<double, 4> share, double mass) {
   if (c.x[2] == c.x[3] && c.y[2] == c.y[3]) {
     k.middleRows<2>(4) += k.middleRows<2>(6);

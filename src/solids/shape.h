@@ -1,12 +1,12 @@
-// The stiffness of a quadrilateral zone, made of constant-strain triangles.
+// The stiffness of a quadrilateral zone, composed of constant-strain triangles.
 //
-//   4---3    two pairs of triangles, one for each diagonal, are laid over each other with half the
-//   |\ /|    thickness each, so that a zone is as stiff in the mirror as it is:
-//   | X |      cst     every triangle has its own strain: locks in bending
+//   4---3    two pairs of triangles, one for each diagonal, are superposed with half the
+//   |\ /|    thickness each, so that a zone and its mirror image are equally stiff:
+//   | X |      cst     each triangle has its own strain: locks in bending
 //   |/ \|      mixed   all four share the area mean of ex + ey (mixed discretisation)
 //   1---2
 //
-// A triangle is the quadrilateral whose last two corners coincide: one triangle of each pair is left,
+// A triangle is a quadrilateral whose last two corners coincide: one triangle of each pair remains,
 // and both kinds are the same.
 //
 // Marti, Cundall, Mixed discretization procedure for accurate modelling of plastic collapse, Int. J.
@@ -29,7 +29,7 @@ struct ZoneMaterial {
   double thickness = 0, density = 0;
 };
 
-// Everything the step needs of such a zone, with its own highest frequency.
+// All data of such a zone that the step needs, with its highest frequency.
 [[nodiscard]] ZoneShape make_shape(const Corners& corners, ZoneKind kind,
                                    const ZoneMaterial& material);
 

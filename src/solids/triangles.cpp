@@ -1,4 +1,4 @@
-// triangulate(): ear clipping with the best shaped ear first, then even division of every triangle.
+// triangulate(): ear clipping, the best shaped ear first, then even division of every triangle.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -27,7 +27,7 @@ double longest_side(const Outline& o, const Ear& t) {
   return longest;
 }
 
-// Height over longest side; what is left of the outline must not reach into the ear.
+// Height over longest side of an ear; 0 where another corner of the outline lies in it.
 double quality(const Outline& o, const Ear& ear, const std::vector<std::int32_t>& left) {
   const double area = twice_area(o, ear), side = longest_side(o, ear);
   if (!(area > 0)) return 0;
@@ -56,14 +56,14 @@ std::vector<Ear> cut_ears(const Outline& o) {
         best = k;
       }
     }
-    if (best == n) break;  // what is left has no area: corners on one line
+    if (best == n) break;  // the rest has no area: collinear corners
     ears.push_back({left[(best + n - 1) % n], left[best], left[(best + 1) % n]});
     left.erase(left.begin() + static_cast<std::ptrdiff_t>(best));
   }
   return ears;
 }
 
-// Numbers the nodes: corners first, then those along edges, then those inside.
+// Numbers the nodes: first corners, then those on edges, then those inside.
 class Divider {
  public:
   explicit Divider(const Outline& outline) : outline_(outline), n_(outline.parts) {
@@ -88,7 +88,7 @@ class Divider {
     return static_cast<std::int32_t>(mesh_.x.size()) - 1;
   }
 
-  // Node `part` of n on the edge from a to b; the edge's nodes are made once, from its lower corner.
+  // Node `part` of n on the edge from a to b. Nodes of an edge are created once, from its lower corner.
   std::int32_t on_edge(std::int32_t a, std::int32_t b, int part) {
     if (part == 0) return a;
     if (part == n_) return b;
@@ -104,7 +104,7 @@ class Divider {
     return found->second + part - 1;
   }
 
-  // Node i steps along the first side and j along the last, i + j <= n.
+  // Node i steps along the first side and j steps along the last, i + j <= n.
   std::int32_t in_ear(const Ear& ear, int i, int j) {
     if (j == 0) return on_edge(ear[0], ear[1], i);
     if (i == 0) return on_edge(ear[0], ear[2], j);
@@ -139,7 +139,7 @@ class Divider {
   const Outline& outline_;
   int n_;
   Triangles mesh_;
-  std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> edge_;  // first node inside an edge
+  std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> edge_;  // first node on an edge
   std::map<std::pair<int, int>, std::int32_t> inner_;
 };
 

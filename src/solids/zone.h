@@ -1,13 +1,13 @@
-// The force of one zone on its four corners, for any displacement: corotational and conservative.
+// The force of a zone on its four corners for any displacement: corotational and conservative.
 //
-// The zone turns with the mean of its deformation gradient F (at its middle):
+// The zone rotates with its deformation gradient F at the middle:
 //   tan theta = (Fyx - Fxy) / (Fxx + Fyy)
-//   d = R' x - X           displacement left in the turned frame, x and X seen from their means
+//   d = R' x - X           displacement in the rotated frame, x and X relative to their means
 //   E = 1/2 d' K d         strain energy
 //   f = -dE/dx = -R (K d - m/r g),  m = moment of K d about the mean,  g = r d theta/dx
 //
-// The last term is what turning the frame costs; with it the four forces have neither sum nor moment
-// in any state and work is exactly the change of E. One root, one division, no branch.
+// The last term belongs to the rotation of the frame. With it the four forces have neither sum nor moment
+// in any state, and their work is exactly the change of E. It needs one root, one division, no branch.
 #pragma once
 
 #include "core/real.h"
@@ -21,7 +21,7 @@ struct ZoneVectors {
   Real x[4], y[4];
 };
 
-// The frame and what the displacements are in it.
+// The rotating frame and the displacements in it.
 template <class Real>
 struct ZoneMotion {
   Real cos, sin, inv_r;
@@ -54,7 +54,7 @@ template <class Real>
   return m;
 }
 
-// K d: what holds the corners in the turned frame.
+// K d: corner forces in the rotated frame.
 template <class Real>
 [[nodiscard]] WYTHE_INLINE ZoneVectors<Real> corner_forces(const ZoneShape& shape,
                                                            const ZoneVectors<Real>& d) {
@@ -74,7 +74,7 @@ template <class Real>
   return f;
 }
 
-// Forces of the zone on its corners, in the wall's axes [N].
+// Forces of the zone on its corners in the axes of the wall [N].
 template <class Real>
 [[nodiscard]] WYTHE_INLINE ZoneVectors<Real> zone_force(const ZoneShape& shape,
                                                         const ZoneVectors<Real>& u) {
@@ -105,7 +105,7 @@ template <class Real>
   return 0.5 * twice;
 }
 
-// Mean stresses in the turned frame [Pa].
+// Mean stresses in the rotated frame [Pa].
 struct PlaneStress {
   double x, y, xy;
 };

@@ -1,6 +1,6 @@
-// Finds the coefficients of greatest likelihood (7.17) by Fisher scoring, on inputs of mean 0 and deviation 1. A step
-// that would lower the likelihood is halved. Intervals of slope and half come from its profile, the band from the
-// information. A slope beyond kSteepest, or a singular information, leaves is_finite() false, and no number is valid.
+// Finds the maximum likelihood coefficients (7.17) by Fisher scoring, on inputs of mean 0 and deviation 1. A step that
+// would lower the likelihood is halved. Intervals of slope and half come from the profile likelihood, the band from the
+// information matrix. With a slope beyond kSteepest or a singular matrix, is_finite() is false and no number is valid.
 #include "statistics/binary_fit.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace wythe::study {
 namespace {
 
-// A slope beyond is no answer: P goes from 5 to 95 % within 0.2 standard deviations of the input.
+// A steeper slope is no valid result: P would go from 5 to 95 % within 0.2 standard deviations of the input.
 constexpr double kSteepest = 30;
 constexpr double kChi95 = kNormal95 * kNormal95;
 
@@ -32,7 +32,7 @@ Point point_at(FragilityLaw law, double eta) {
   return {normal_cdf(eta), normal_cdf(-eta), std::exp(-eta * eta / 2) / kRootTwoPi};
 }
 
-// A whole event of probability 1e-300 costs as much as any: outcomes far off stay comparable.
+// The probability is at least 1e-300 here, so that logarithms of outcomes far off stay finite.
 double log_of(double p) { return std::log(std::max(p, 1e-300)); }
 
 double log_likelihood_of(const Point& at, double y) {
@@ -61,9 +61,9 @@ bool invert(std::array<std::array<double, 3>, 3> m, std::size_t p,
   return true;
 }
 
-// Where a profile of the likelihood has fallen from `best` by half the quantile of chi^2: `from` is the
-// estimate, `first` a step in the direction of the search, `last` its end. The root of the fall is nearly
-// straight, so that false position needs few steps.
+// The point where the profile likelihood has fallen from `best` by half the quantile of chi^2.
+// `from` is the estimate, `first` a step in the search direction, `last` the end of the
+// search. The square root of the fall is nearly linear, so false position needs few steps.
 double end_of_interval(const std::function<double(double)>& profile, double best, double from,
                        double first, double last) {
   const auto root = [&](double at) {
@@ -79,7 +79,7 @@ double end_of_interval(const std::function<double(double)>& profile, double best
   }
   for (int step = 0; step < 40 && std::fabs(outer - inner) > 1e-6 * std::fabs(first); ++step) {
     double middle = inner - at_inner * (outer - inner) / (at_outer - at_inner);
-    if (step % 3 == 2) middle = 0.5 * (inner + outer);  // no end is left behind
+    if (step % 3 == 2) middle = 0.5 * (inner + outer);  // bisection, so that neither end stays
     const double at = root(middle);
     if (std::fabs(at) < 1e-7) return middle;
     (at < 0 ? inner : outer) = middle;
@@ -161,7 +161,7 @@ void BinaryFit::maximise() {
       finite_ = true;
       return;
     }
-    for (double share = 1; share > 1e-6; share /= 2) {  // never downhill
+    for (double share = 1; share > 1e-6; share /= 2) {  // the likelihood never falls
       Vector next = b_;
       for (std::size_t r = 0; r < p_; ++r) next[r] += share * move[r];
       const double there = likelihood(next);
@@ -202,7 +202,7 @@ double BinaryFit::probability(std::size_t sample) const {
   return point_at(data_.law, eta(b_, sample)).p;
 }
 
-// The greatest likelihood of eta = offset + t d over t: Fisher scoring in one number, never downhill.
+// The maximum likelihood of eta = offset + t d over t, by Fisher scoring in one variable; the likelihood never falls.
 double BinaryFit::best_along(double t, const Line& line) const {
   double best = -kInfinity, step = 0;
   for (int tries = 0; tries < 60; ++tries) {
@@ -249,7 +249,7 @@ Estimate BinaryFit::half() const {
                                  place * place * covariance_[1][1]) /
                        std::fabs(b_[1]);
   const auto profile = [&](double at) { return best_with_half(at); };
-  // farther than six standard deviations from the samples is nowhere
+  // a point more than six standard deviations from the samples is not given
   const auto [low, high] = std::minmax_element(data_.x[0].begin(), data_.x[0].end());
   const auto shown = [&](double z) { return mean_[0] + scale_[0] * z; };
   const double step = std::min(1.96 * error, 1.0);
@@ -285,7 +285,7 @@ double BinaryFit::fit_p() const {
     ++bins.back().n, bins.back().expected += in_order[i].first,
         bins.back().seen += in_order[i].second;
   }
-  if (bins.size() > 1 && !bins.back().is_enough(0)) {  // the rest joins the group before
+  if (bins.size() > 1 && !bins.back().is_enough(0)) {  // the rest joins the last group
     const Bin rest = bins.back();
     bins.pop_back();
     bins.back().n += rest.n, bins.back().expected += rest.expected, bins.back().seen += rest.seen;

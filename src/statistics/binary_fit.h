@@ -17,21 +17,21 @@
 
 namespace wythe::study {
 
-// Outcomes: 0, 1, or 0.5 where it is not known which.
+// Outcomes: 0, 1, or 0.5 where the outcome is not known.
 struct BinaryData {
   FragilityLaw law = FragilityLaw::kLogistic;
   std::vector<Column>
-      x;  // one or two inputs, as the law takes them (their logarithms for lognormal)
+      x;  // one or two inputs in the form that the law takes (for lognormal, logarithms)
   Column y;
 };
 
 class BinaryFit {
  public:
   explicit BinaryFit(const BinaryData& data);
-  // False: no finite slope explains the outcomes best, since the inputs part them (separation).
+  // False if no finite slope fits best, because the inputs separate the outcomes.
   [[nodiscard]] bool is_finite() const { return finite_; }
   [[nodiscard]] double log_likelihood() const { return log_likelihood_; }
-  // Of slope k per unit of x[k], and of the intercept at x = 0.
+  // The slope k per unit of x[k], and the intercept at x = 0.
   [[nodiscard]] double slope(std::size_t k) const { return b_[k + 1] / scale_[k]; }
   [[nodiscard]] double intercept() const;
   // Wald interval of a slope.
@@ -40,14 +40,14 @@ class BinaryFit {
   [[nodiscard]] Estimate at(const std::vector<double>& x) const;
   [[nodiscard]] double probability(std::size_t sample) const;
 
-  // Of one input: intervals by profile likelihood, of the slope and of the x where P = 1/2. Infinite where
-  // the likelihood stays near its maximum as far as the search goes.
+  // For one input: profile likelihood intervals of the slope and of the x where P = 1/2. An
+  // end is infinite where the likelihood stays near its maximum as far as the search goes.
   [[nodiscard]] Interval profile_slope() const;
   [[nodiscard]] Estimate half() const;
 
-  // p of the likelihood ratio against no influence at all.
+  // p of the likelihood ratio test against no influence.
   [[nodiscard]] double influence_p() const;
-  // p of the test of Hosmer and Lemeshow over groups of like probability; NaN where there are too few.
+  // p of the test of Hosmer and Lemeshow over groups of similar probability; NaN with too few groups.
   [[nodiscard]] double fit_p() const;
 
  private:
@@ -69,7 +69,7 @@ class BinaryFit {
   bool finite_ = false;
 };
 
-// Whether one input parts the outcomes: all of one kind at or below a value, all others at or above it.
+// Whether one input separates the outcomes: all of one kind at or below a value, all others at or above it.
 [[nodiscard]] bool parts(const Column& x, const Column& y);
 // P(chi^2 > x) with whole degrees of freedom.
 [[nodiscard]] double chi_square_beyond(double x, int degrees);

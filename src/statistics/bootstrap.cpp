@@ -1,6 +1,6 @@
-// Draws replicates with a fixed seed, and makes percentile and BCa intervals of them (7.1). Replicates without a
-// number are dropped. Below kFewestForBootstrap samples there is neither. Of more than kMostResampled a part is
-// resampled, and its distances are reduced by the root of the ratio (7.1b).
+// Draws replicates with a fixed seed, and computes percentile and BCa intervals from them (7.1). Replicates
+// that are NaN are dropped. Below kFewestForBootstrap samples there is no interval. Of more than kMostResampled
+// samples a part is resampled, and its distances are reduced by the square root of the ratio (7.1b).
 #include "statistics/bootstrap.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint64_t kSeed = 0x57595448u;
 
-// Share of the replicates below the estimate, those equal to it counted half.
+// Share of the replicates below the estimate; equal ones count half.
 double share_below(const std::vector<double>& ascending, double value) {
   const auto [first, last] = std::equal_range(ascending.begin(), ascending.end(), value);
   const auto below = static_cast<double>(first - ascending.begin());
@@ -77,7 +77,7 @@ Estimate bca_interval(double value, std::vector<double> replicates, double accel
   Estimate estimate{value, {}};
   drop_unknown(replicates);
   if (replicates.empty()) return estimate;
-  // a share of 0 or 1 has no quantile: half a replicate away from it
+  // a share of 0 or 1 has no quantile, so half a replicate is added or removed
   const double edge = 0.5 / static_cast<double>(replicates.size());
   const double bias = normal_quantile(std::clamp(share_below(replicates, value), edge, 1 - edge));
   const auto level = [&](double z) {
@@ -116,7 +116,7 @@ Resampled::Resampled(std::size_t n, int most) : m_(static_cast<int>(n)) {
 }
 
 double Resampled::of_all(double end, double part, double all) const {
-  // where nothing is near (an end that the samples never reach) it stays as it is
+  // an end that is infinite or unknown stays as it is
   if (is_all() || !std::isfinite(end) || !std::isfinite(part) || !std::isfinite(all)) return end;
   return all + narrowed(end - part);
 }

@@ -1,4 +1,4 @@
-// Bootstrap: how far an estimate scatters, from the samples themselves.
+// Bootstrap: estimates the scatter of an estimate from the samples themselves.
 //
 // A replicate draws n samples out of n with replacement; it is stored as a count for each sample, so that a
 // statistic over sorted values needs no sorting again. Random bits are splitmix64 from a fixed seed: the same
@@ -17,7 +17,7 @@
 namespace wythe::study {
 
 inline constexpr int kReplicates = 2000;
-inline constexpr int kMostResampled = 2000;  // of more, so many stand for all
+inline constexpr int kMostResampled = 2000;  // of more samples, this number is resampled
 
 // Random numbers: splitmix64 (Steele, Lea and Flood 2014).
 class RandomBits {
@@ -45,24 +45,24 @@ using Statistic = std::function<double(const Counts& count)>;
 
 // Calls visit with the counts of each replicate in turn.
 void each_replicate(int n, const std::function<void(const Counts& count)>& visit);
-// Ascending values of the statistic over the replicates; NaN (undefined there) left out.
+// Ascending values of the statistic over the replicates, without NaN (where it is undefined).
 [[nodiscard]] std::vector<double> replicates(int n, const Statistic& statistic);
 
 // Efron's acceleration from the statistic with each sample left out in turn: their skewness.
 [[nodiscard]] double acceleration_of(const std::vector<double>& left_out);
-// 2.5 and 97.5 % of the replicates about an estimate, and the same bias-corrected and accelerated. Replicates
-// in any order, NaN among them.
+// Interval from the 2.5 and 97.5 % quantiles of the replicates, and the bias-corrected
+// and accelerated one. Replicates may be in any order and may include NaN.
 [[nodiscard]] Estimate percentile_interval(double value, std::vector<double> replicates);
 [[nodiscard]] Estimate bca_interval(double value, std::vector<double> replicates,
                                     double acceleration);
 
-// Of n samples, by a statistic; none below kFewestForBootstrap, and at most kMostResampled, which the caller sees to by Resampled.
+// The interval of a statistic of n samples; none below kFewestForBootstrap, at most kMostResampled (the caller uses Resampled).
 [[nodiscard]] Estimate percentile_bootstrap(int n, const Statistic& statistic);
-// The acceleration from the jackknife.
+// With the acceleration from the jackknife.
 [[nodiscard]] Estimate bca_bootstrap(int n, const Statistic& statistic);
 
-// Those of n samples that stand for all: themselves, or one at random of each of `most` equal parts (at random, since every kth point of a Sobol sequence lies in one half). An interval of m of n samples, drawn m at a
-// time, is wider by sqrt(n/m) than that of all; `of_all` takes that back:
+// The samples to resample: all n, or m of them, one at random from each of m equal parts. (At random, because every kth point of a
+// Sobol sequence lies in one half.) An interval from m of n samples is wider than that from all by sqrt(n/m); `of_all` corrects this:
 //   end = all + (end_m - part) sqrt(m/n)
 class Resampled {
  public:
@@ -76,9 +76,9 @@ class Resampled {
     for (const std::size_t i : place_) taken.push_back(all[i]);
     return taken;
   }
-  // How far a replicate scatters, as one of all samples.
+  // The scatter of a replicate, reduced to that of all samples.
   [[nodiscard]] double narrowed(double scatter) const { return shrink_ * scatter; }
-  // A replicate, or an end of its interval, that scatters about `part`, as one that scatters about `all`.
+  // Converts a replicate, or an end of its interval, from scatter about `part` to scatter about `all`.
   [[nodiscard]] double of_all(double end, double part, double all) const;
   [[nodiscard]] Estimate of_all(const Estimate& part, double all) const;
 

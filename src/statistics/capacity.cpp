@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kGrid = 100;  // steps of a mean curve
 
-// Rows that go farther than all before: reaction as a function of displacement.
+// Rows that go farther than all earlier rows: the reaction as a function of displacement.
 std::vector<CurveRow> forward_rows(const std::vector<CurveRow>& curve) {
   std::vector<CurveRow> rows;
   for (const CurveRow& row : curve)
@@ -19,7 +19,7 @@ std::vector<CurveRow> forward_rows(const std::vector<CurveRow>& curve) {
   return rows;
 }
 
-// Straight between rows; NaN beyond the last.
+// Linear between rows; NaN beyond the last row.
 double reaction_at(const std::vector<CurveRow>& rows, double displacement) {
   const auto above =
       std::lower_bound(rows.begin(), rows.end(), displacement,
@@ -58,7 +58,7 @@ struct CodeLimit {
   const char *element, *mechanism, *label;
   double near_collapse;
 };
-// Drifts of elements; near collapse, and three quarters of it for life safety.
+// Drift limits of elements: near collapse, and three quarters of it for life safety.
 constexpr CodeLimit kCodeLimits[] = {
     {"pier", "shear", "pier, shear", 0.005},
     {"pier", "rocking or flexure", "pier, rocking", 0.010},

@@ -1,4 +1,4 @@
-// compare_campaigns(): samples matched, pairs made, each response and the modes compared, then put in words.
+// compare_campaigns(): matches samples, forms pairs, compares each response and the modes, and writes sentences.
 #include "wythe/parts/comparison.h"
 
 #include <fmt/format.h>
@@ -20,12 +20,12 @@ namespace {
 
 using study::Column;
 
-constexpr double kManyLost = 0.1;   // share of lost pairs that is said before any number
-constexpr int kFewestForSigns = 6;  // pairs of which all of one sign are sure
+constexpr double kManyLost = 0.1;   // share of lost pairs that is reported before all numbers
+constexpr int kFewestForSigns = 6;  // pairs that are significant if all have one sign
 
 // --- equal samples -------------------------------------------------------------------------------
 
-// Places of the base's random inputs in another store's columns; -1: it has none of this name.
+// Positions of the base's random inputs in another store's columns; -1 where it has no such name.
 std::vector<int> places_in(const SampleTable& base, const SampleTable& other) {
   std::vector<int> places;
   for (const InputColumn& column : base.column) {
@@ -57,7 +57,7 @@ bool draws_fields(const StudySpec& study) {
                      [](const StudyField& field) { return !field.follows; });
 }
 
-// Fields are drawn from the study's seed and not kept as inputs.
+// Differences of fields, which are drawn from the study's seed and not stored as inputs.
 std::string other_fields(const StudySpec& base, const StudySpec& other) {
   if (base.seed == other.seed || (!draws_fields(base) && !draws_fields(other))) return "";
   return fmt::format("random fields are drawn from seed = {} in the base, {} here", base.seed,
@@ -94,7 +94,7 @@ void refuse_others(const std::vector<ComparedCampaign>& stores) {
 
 // --- what differs --------------------------------------------------------------------------------
 
-// The study's rows that are not the base's, in words; folders and names aside.
+// Rows of the study that differ from the base's, in words; without folders and names.
 std::vector<std::string> changes_of(const ComparedCampaign& base, const ComparedCampaign& option) {
   std::vector<std::string> out;
   const StudySpec &was = base.campaign.study, &is = option.campaign.study;
@@ -177,7 +177,7 @@ bool is_too_fast(const SampleRecord& r) {
   return r.quasi_static.judgement == "too fast" || r.quasi_static.judgement == "unknown";
 }
 
-// A force still rising where the push ended is a lower bound, and so is the displacement at it.
+// A force that still rises at the end of the push is a lower bound, and so is its displacement.
 Reading reading_of(const SampleRecord& record, const Quantity& quantity) {
   Reading reading = quantity.read(record.responses);
   const std::string name = quantity.name;
@@ -275,10 +275,10 @@ ModeTable modes_of(const Pairs& pairs, const Campaign& base, const Campaign& opt
 
 // --- in words ------------------------------------------------------------------------------------
 
-// Also where there is no interval: then nothing is shown.
+// True also without an interval, because nothing is shown then.
 bool holds_one(const Interval& interval) { return !(interval.low > 1 || interval.high < 1); }
 
-// Where the signs say other than the mean. Beside bounds both are of other pairs.
+// Notes signs that disagree with the mean. With bounds among the pairs, the two use different pairs.
 void note_signs(const PairedResponse& peak, std::vector<Message>& notes) {
   if (peak.bounds > 0) {
     if (peak.in_means > 0)
@@ -371,7 +371,7 @@ Message peak_in_words(const PairedResponse& peak) {
            {"pairs", peak.pairs}}};
 }
 
-// Which of the pairs fail in another way, as far as both sides have a name.
+// How many pairs fail in another mode, where both sides have a name.
 std::vector<Message> modes_in_words(const ModeTable& modes) {
   if (modes.unclear == modes.pairs) return {{"compare.modes_unclear"}};
   std::vector<Message> parts;

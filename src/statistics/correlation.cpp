@@ -1,6 +1,6 @@
-// Computes Pearson, Spearman and partial rank correlations with intervals (7.7), and variance ratios in bins (7.10).
-// A lower bound gets the mean of the ranks that it can have (7.9); Pearson and the bins take it as recorded. Values are
-// centred before they are squared. Collinear inputs give NaN.
+// Computes Pearson, Spearman and partial rank correlations with intervals (7.7), and variance ratios
+// in bins (7.10). A lower bound gets the mean of its possible ranks (7.9); Pearson and the bins use
+// its recorded value. Values are centred before they are squared. Collinear inputs give NaN.
 #include "statistics/correlation.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace wythe::study {
 namespace {
 
-// Indices of the values in ascending order, equal ones as they stand.
+// Indices of the values in ascending order; equal values keep their order.
 std::vector<int> order_of(const Column& values) {
   std::vector<int> order(values.size());
   std::iota(order.begin(), order.end(), 0);
@@ -24,7 +24,7 @@ std::vector<int> order_of(const Column& values) {
 
 using Matrix = std::vector<Column>;
 
-constexpr double kSingular = 1e-10;  // of entries of order 1: nothing but rounding is left
+constexpr double kSingular = 1e-10;  // for entries of order 1: the rest is rounding
 
 Matrix correlation_matrix(const std::vector<Column>& columns) {
   const std::size_t n = columns.size();
@@ -49,7 +49,7 @@ void eliminate(Matrix& a, Matrix& inverse, std::size_t pivot) {
   }
 }
 
-// Gauss-Jordan with row pivots; empty when singular. A handful of inputs: size does not matter.
+// Gauss-Jordan with row pivots; empty when singular. The inputs are few, so speed does not matter.
 Matrix inverse_of(Matrix a) {
   const std::size_t n = a.size();
   Matrix inverse(n, Column(n, 0));
@@ -73,7 +73,7 @@ double product(const Column& a, const Matrix& m, const Column& b) {
   return sum;
 }
 
-// Correlation of what the other columns leave of column k and of the last one.
+// Correlation of column k and the last column, after the effect of the other columns is removed.
 double partial_of(const Matrix& r, std::size_t k) {
   const std::size_t last = r.size() - 1;
   Matrix others;
@@ -95,7 +95,7 @@ double partial_of(const Matrix& r, std::size_t k) {
   return std::clamp(joint / std::sqrt(k_left * last_left), -1.0, 1.0);
 }
 
-// Sums of squares of one way of analysis of variance, weighted by count.
+// Sums of squares of a one-way analysis of variance, weighted by count.
 struct Variance {
   double n = 0, within = 0, between = 0;
   int bins = 0;  // that hold anything
@@ -148,8 +148,8 @@ Column ranks(const Column& values) {
   return rank;
 }
 
-// Every value has a mass of 1; a bound hands its own to those beyond it in equal parts (Efron), which
-// is what Kaplan and Meier's curve does.
+// Every value has a mass of 1. A bound distributes its mass equally to
+// the values beyond it (Efron), as in the curve of Kaplan and Meier.
 Column ranks(const std::vector<Reading>& readings) {
   std::vector<int> order(readings.size());
   std::iota(order.begin(), order.end(), 0);
@@ -159,7 +159,7 @@ Column ranks(const std::vector<Reading>& readings) {
   });
   const auto n = static_cast<double>(readings.size());
   Column rank(readings.size());
-  double below = 0, mass = 1;  // of all values passed; of each that is left
+  double below = 0, mass = 1;  // of all earlier values; of each remaining value
   for (std::size_t i = 0; i < order.size();) {
     const Reading& first = readings[order[i]];
     std::size_t end = i;
@@ -167,7 +167,7 @@ Column ranks(const std::vector<Reading>& readings) {
            readings[order[end]].censored == first.censored)
       ++end;
     const auto equal = static_cast<double>(end - i), left = static_cast<double>(order.size() - end);
-    const double here = first.censored ? n - below : equal * mass;  // what the true values share
+    const double here = first.censored ? n - below : equal * mass;  // the true values lie within it
     for (std::size_t k = i; k < end; ++k) rank[order[k]] = below + 0.5 * here + 0.5;
     if (!first.censored)
       below += equal * mass;
@@ -212,7 +212,7 @@ std::vector<Correlation> correlate(const std::vector<Column>& inputs,
   for (const Reading& r : readings) response.push_back(r.value);
   std::vector<Column> input_ranks;
   for (const Column& input : inputs) input_ranks.push_back(ranks(input));
-  // as many columns as samples leave nothing to correlate
+  // with as many columns as samples no correlation is left
   Column partial(inputs.size(), kUnset);
   if (n > controlled + 3) partial = partial_correlations(input_ranks, response_ranks);
   std::vector<Correlation> out(inputs.size());
@@ -244,8 +244,8 @@ FirstOrderIndex first_order_index(const Column& input, const Column& response) {
   const Variance own = analyse(bin, out.bins, y, Counts(n, 1));
   out.index.value = own.index();
   if (!std::isfinite(out.index.value) || n < kFewestForBootstrap) return out;
-  // To a replicate the samples are the truth, and its index estimates their ratio(), chance
-  // included: index - S scatters as the replicates' index - ratio().
+  // For a replicate the samples are the truth, and its index estimates their ratio()
+  // with chance included. So index - S scatters like the replicates' index - ratio().
   const Resampled part(response.size());
   const std::vector<int> bins = part.of(bin);
   const Column few = part.is_all() ? y : centred(part.of(response));

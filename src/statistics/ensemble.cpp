@@ -20,7 +20,7 @@ double middle_of(const std::vector<double>& ascending) {
 
 OfWalls of_walls(const std::vector<Reading>& readings) {
   OfWalls out;
-  std::vector<double> low, high;  // each number as a bound from below, and from above
+  std::vector<double> low, high;  // each value as a lower bound, and as an upper bound
   study::Moments logs;
   for (const Reading& r : readings) {
     if (!r.is_known()) continue;
@@ -34,7 +34,7 @@ OfWalls of_walls(const std::vector<Reading>& readings) {
   std::sort(low.begin(), low.end());
   std::sort(high.begin(), high.end());
   out.smallest = low.front();
-  // known where bounds do not move it: they may stand anywhere above their values
+  // known if bounds do not change it: the true values may be any larger ones
   out.at_least = middle_of(low);
   const double at_most = middle_of(high);
   out.median.value = at_most == out.at_least ? at_most : std::numeric_limits<double>::infinity();

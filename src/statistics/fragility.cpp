@@ -1,10 +1,10 @@
 // Fragility of the resistance: the probability that a force, a drift or a mode occurs, given an input.
 //
 //   events (a force, drifts of the code, every mode) x inputs ──► outcomes 0, 1, not known
-//     ──► may it be told? ──► logistic and lognormal fit (binary_fit.h), the better one as a curve
+//     ──► enough outcomes? ──► logistic and lognormal fit (binary_fit.h), the better one as a curve
 //
-// A sample whose push ended before a threshold may be on either side of it, and so may one of unclear mode:
-// it enters as half an event, and every interval is widened to hold the fits with all such samples on one side and on the other.
+// If a push ended before a threshold or the mode is unclear, the outcome is not known. Such a sample counts as
+// half an event. Every interval is widened to include the fits with all of them on one side and on the other.
 // Equations (7.14) to (7.18) of docs/theory/statistics.md.
 #include <fmt/format.h>
 
@@ -26,13 +26,13 @@ namespace wythe::study {
 namespace {
 
 constexpr int kFewestOfEither = 5;          // events, and samples without: for one slope
-constexpr int kFewestOfEitherForPair = 10;  // for two
+constexpr int kFewestOfEitherForPair = 10;  // the same for two slopes
 constexpr int kCurvePoints = 21;
-constexpr double kSameInput = 0.95;  // rank correlation from which two inputs can't be told apart
+constexpr double kSameInput = 0.95;  // rank correlation above which two inputs cannot be separated
 
 // --- events ----------------------------------------------------------------------------------------
 
-// What the threshold is compared with; a peak at the end of a push is a lower bound here.
+// The quantity for the threshold. A peak at the end of a push counts as a lower bound here.
 Reading reading_for(const FragilityEvent& event, const SampleRecord& record, double base_height) {
   const Responses& r = record.responses;
   if (event.response != "drift_at_80_percent") {
@@ -45,7 +45,7 @@ Reading reading_for(const FragilityEvent& event, const SampleRecord& record, dou
   return height > 0 ? Reading{r.displacement_at_80 / height, r.censored_80} : Reading{};
 }
 
-// 0, 1, 0.5 where it is not known; NaN where the sample has no such response.
+// 0 or 1, 0.5 where the outcome is not known; NaN where the sample has no such response.
 double outcome_of(const FragilityEvent& event, const SampleRecord& record, double base_height) {
   if (event.of_mode()) {
     const std::string& name = record.failure_mode.name;
@@ -57,7 +57,7 @@ double outcome_of(const FragilityEvent& event, const SampleRecord& record, doubl
   return reading.censored ? 0.5 : 0;
 }
 
-// Three digits, for a threshold that nobody asked for.
+// Rounds a threshold of the program's own choice to three digits.
 double rounded(double value) {
   if (!(value > 0)) return value;
   const double unit = std::pow(10.0, std::floor(std::log10(value)) - 2);
@@ -108,14 +108,14 @@ std::vector<FragilityEvent> events_of(const Answered& samples) {
     return a.response == b.response && a.mode == b.mode &&
            (a.of_mode() || std::fabs(a.threshold - b.threshold) <= 1e-9 * a.threshold);
   };
-  std::vector<FragilityEvent> once;  // one asked for may be one of the program's own
+  std::vector<FragilityEvent> once;  // a requested event may equal one of the program's own
   for (FragilityEvent& event : events)
     if (std::none_of(once.begin(), once.end(), [&](const auto& e) { return is_same(e, event); }))
       once.push_back(std::move(event));
   return once;
 }
 
-// --- what is told ----------------------------------------------------------------------------------
+// --- verdict ---------------------------------------------------------------------------------------
 
 // The samples of one event.
 struct Outcomes {
@@ -133,7 +133,7 @@ FragilityVerdict verdict_of(const Outcomes& o, int fewest) {
   return std::min(o.seen, o.missing()) < fewest ? FragilityVerdict::kRare : FragilityVerdict::kTold;
 }
 
-// The same outcomes with all that is not known on one side, and on the other; none where all is known.
+// The outcomes with all unknown ones as 0, and as 1; none where all are known.
 std::vector<Column> sides_of(const Column& y) {
   std::vector<Column> sides;
   if (std::find(y.begin(), y.end(), 0.5) == y.end()) return sides;
@@ -152,8 +152,8 @@ std::vector<BinaryFit> extremes_of(const BinaryData& data) {
 
 constexpr double kDoubt = 0.05;
 
-// What a test says, where it says the same of both extremes; NaN where that hangs on what is not known.
-// `p_of` gives the p of a fit, `slope_of` the slope it tests.
+// The p of a test, if both extremes agree with it; NaN where it depends on
+// unknown outcomes. `p_of` gives the p of a fit, `slope_of` the tested slope.
 template <class P, class Slope>
 double agreed(const BinaryFit& fit, const std::vector<BinaryFit>& others, const P& p_of,
               const Slope& slope_of) {
@@ -170,7 +170,7 @@ void widen(Interval& interval, const Interval& other) {
   interval.high = std::max(interval.high, other.high);
 }
 
-// Beyond the samples nothing is known: NaN.
+// Sets values beyond the samples to NaN.
 Estimate within(Estimate e, double low, double high) {
   const auto inside = [&](double x) { return x >= low && x <= high ? x : kUnset; };
   return {inside(e.value), {inside(e.interval.low), inside(e.interval.high)}};
@@ -215,7 +215,7 @@ std::vector<FragilityPoint> curve_of(const BinaryFit& fit, const std::vector<Bin
   return points;
 }
 
-// Between which values the outcomes change from one kind to the other.
+// The values between which the outcomes change from one kind to the other.
 void find_gap(const Column& x, const Column& y, FragilityOfInput& out) {
   double least[2] = {HUGE_VAL, HUGE_VAL}, most[2] = {-HUGE_VAL, -HUGE_VAL};
   Moments moments[2];
@@ -256,7 +256,7 @@ FragilityOfInput of_input(const Outcomes& outcomes, const InputColumn& column, c
     out.fit.insert(is_better ? out.fit.begin() : out.fit.end(), told(data, fit, others, low, high));
     if (is_better) out.point = curve_of(fit, others, law, low, high);
   }
-  if (out.fit.empty()) {  // not parted, but steeper than can be told
+  if (out.fit.empty()) {  // not separated, but too steep
     out.verdict = FragilityVerdict::kSeparated;
     find_gap(x, outcomes.y, out);
   }
@@ -299,15 +299,15 @@ FragilityOfPair of_pair(const Outcomes& outcomes, const FragilityOfInput& a, con
   }
   out.added_p = added_p(fit, x_a, x_b, outcomes.y);
   const bool adds = out.added_p < kDoubt;
-  std::size_t k = 0;  // of `all`, whose first are the sides
+  std::size_t k = 0;  // index into `all`, which begins with the sides
   for (const Column& y : sides_of(outcomes.y))
     if ((added_p(all[k++], x_a, x_b, y) < kDoubt) != adds) out.added_p = kUnset;
   out.fit_p = fit.fit_p();
   return out;
 }
 
-// Samples that repeat all inputs of an earlier one say nothing new: the engine repeats itself. With fields
-// equal inputs are still different walls.
+// Samples with the inputs of an earlier one add nothing, because a
+// run repeats exactly. With fields they are still different walls.
 Outcomes outcomes_of(const Answered& samples, const FragilityEvent& event, Fragility& out) {
   Outcomes o;
   std::set<std::vector<double>> known;

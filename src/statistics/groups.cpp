@@ -1,4 +1,4 @@
-// Groups of samples: the modes that occur, Table 3 of each group, shares, how sure the names are.
+// Groups of samples: the modes that occur, Table 3 of each group, shares, and the certainty of names.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ bool holds(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-// FM-1 ... FM-5 all where any of them occurs, other names by the alphabet, "unclear" last.
+// All of FM-1 ... FM-5 if any of them occurs, other names alphabetically, "unclear" last.
 std::vector<std::string> order_modes(const std::set<std::string>& found) {
   std::vector<std::string> modes;
   for (const std::string& name : paper_modes())
@@ -48,8 +48,8 @@ Group group_of(const Answered& samples, const std::string& name,
   return group;
 }
 
-// Mean and coefficient of variation of values, each taken count times: sums about the mean of all, which lose no
-// digits and need no division for each value.
+// Mean and coefficient of variation of values, each taken count times. Sums
+// about the mean of all lose no digits and need no division for each value.
 class Centred {
  public:
   explicit Centred(const Column& values) {
@@ -62,7 +62,7 @@ class Centred {
     double mean, cov;
   };
   [[nodiscard]] Pair of(const Counts& count) const {
-    constexpr std::size_t kTogether = 4;  // sums that do not wait for each other
+    constexpr std::size_t kTogether = 4;  // independent sums, for speed
     double first[kTogether] = {}, second[kTogether] = {};
     const std::size_t n = deviation_.size(), whole = n - n % kTogether;
     for (std::size_t i = 0; i < whole; i += kTogether)
@@ -77,7 +77,7 @@ class Centred {
     return from((first[0] + first[1]) + (first[2] + first[3]),
                 (second[0] + second[1]) + (second[2] + second[3]), static_cast<double>(n));
   }
-  // With value i left out.
+  // The sums without value i.
   [[nodiscard]] Pair without(std::size_t i) const {
     const double d = deviation_[i], n = static_cast<double>(deviation_.size());
     return from(-d, squares() - d * d, n - 1);
@@ -130,8 +130,8 @@ Replicated replicated(const std::vector<Reading>& readings, const Column& values
   return out;
 }
 
-// Of few readings: closed forms, since the bootstrap of few holds far less than it claims. A mean up to the end of the
-// pushes is that of the recorded values where all bounds lie at that end; elsewhere nothing is told of it.
+// Closed forms for few readings, because the bootstrap of few samples covers less than 95 %. The mean up to
+// the end of the pushes has an interval only if all bounds lie at that end; it is that of the recorded values.
 void put_few_intervals(const std::vector<Reading>& readings, bool can_be_censored, Summary& out) {
   Moments moments;
   bool at_the_end = true;
@@ -151,7 +151,7 @@ void put_few_intervals(const std::vector<Reading>& readings, bool can_be_censore
   if (k > 0) out.survival_median.interval = {readings[k - 1].value, high[high.size() - k]};
 }
 
-// Intervals of a part of the readings, as those of all: every value of `out` is there.
+// Intervals from the resampled part, converted to all readings. All values of `out` are set already.
 void put_intervals(const std::vector<Reading>& readings, bool can_be_censored, Summary& out) {
   const Resampled part(readings.size());
   const std::vector<Reading> taken = part.of(readings);
@@ -208,7 +208,7 @@ Summary summarise_one(std::vector<Reading> readings, bool can_be_censored) {
     put_intervals(readings, can_be_censored, out);
   else if (out.n >= kFewestForInterval)
     put_few_intervals(readings, can_be_censored, out);
-  if (out.censored == out.n)  // lower bounds alone scatter little and say nothing
+  if (out.censored == out.n)  // lower bounds alone scatter little and show nothing
     out.mean.interval = out.cov.interval = out.median.interval = out.survival_mean.interval = {};
   return out;
 }
@@ -218,13 +218,13 @@ Share share_of(const Group& group, int n) {
   return {group.name, group.modes, count, share_estimate(count, n)};
 }
 
-// Equal for readings that `what` says the same of.
+// The same name for readings with the same meaning.
 std::string name_of(const NameReading& reading) {
   return reading.threshold.empty() ? "state " + reading.state
                                    : fmt::format("{} x {}", reading.threshold, reading.factor);
 }
 
-// Items by what they are called, in the order in which the names first come.
+// Items by name, in the order of first occurrence.
 template <class Item>
 class ByName {
  public:

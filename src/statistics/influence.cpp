@@ -89,7 +89,7 @@ CorrelationTable correlation_table(const Answered& samples, const Group& group,
   for (int k : random) inputs.push_back(input_of(known.record, k));
   out.input = correlate(inputs, readings);
   if (is_censored(bounds_in(known, quantity), readings.size()))
-    for (Correlation& c : out.input) c.pearson = {};  // it would take bounds as values
+    for (Correlation& c : out.input) c.pearson = {};  // it would count bounds as values
   for (std::size_t i = 0; i < random.size(); ++i)
     out.input[i].input = samples.campaign.samples.column[random[i]].name;
   return out;

@@ -1,6 +1,6 @@
 // Evaluates the closed forms (7.2), (7.3), (7.7) and (7.24) to (7.28) of docs/theory/statistics.md.
-// Quantiles of F and chi-square come from scatter.cpp. Fewer than kFewestForInterval samples give NaN for a mean, a CoV
-// and a lognormal; shares have an interval from one sample on.
+// Quantiles of F and chi-square come from scatter.cpp. Below kFewestForInterval samples, a mean, a
+// CoV and a lognormal give NaN; shares have an interval from one sample on.
 #include "statistics/intervals.h"
 
 #include <algorithm>
@@ -67,7 +67,7 @@ Estimate wilson(int count, int n) {
   const double p = static_cast<double>(count) / n, z2 = kNormal95 * kNormal95;
   const double centre = (p + z2 / (2 * n)) / (1 + z2 / n);
   const double half = kNormal95 / (1 + z2 / n) * std::sqrt(p * (1 - p) / n + z2 / (4.0 * n * n));
-  // the end at 0 or 1 is exact, not what rounding leaves of it
+  // the end at 0 or 1 is exact, without rounding
   return {p, {count == 0 ? 0 : centre - half, count == n ? 1 : centre + half}};
 }
 

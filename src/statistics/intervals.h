@@ -1,8 +1,8 @@
 // Closed-form intervals of 95 %: shares (Clopper and Pearson, Wilson), means (Student), coefficients of variation
 // (Vangel), medians (order statistics), correlations (Fisher z).
 //
-// An interval by bootstrap of few samples holds the true value less often than it states. So below
-// kFewestForBootstrap there are closed forms alone; tests/verification/small_samples_test.cpp measures their
+// A bootstrap interval of few samples contains the true value less often than stated. So only closed
+// forms are used below kFewestForBootstrap; tests/verification/small_samples_test.cpp measures their
 // coverage. Called by the other files of statistics; docs/theory/statistics.md has the formulas.
 #pragma once
 
@@ -21,12 +21,12 @@ inline constexpr double kNormal95 = 1.959963984540054;  // quantile of 97.5 % of
 // below 1e-3 from 4 degrees of freedom on.
 [[nodiscard]] double student_95(int degrees);
 
-inline constexpr int kFewestForInterval = 5;  // fewer samples say nothing about their own scatter
+inline constexpr int kFewestForInterval = 5;  // with fewer samples their scatter is not known well
 inline constexpr int kFewestForBootstrap = 100;  // below, closed forms
 
-// A share of `count` in `n`: exact of few, Wilson's of many.
+// A share of `count` in `n`: the exact interval for few samples, Wilson's for many.
 [[nodiscard]] Estimate share_estimate(int count, int n);
-// Clopper and Pearson 1934: holds at least 95 % whatever the share.
+// Clopper and Pearson 1934: covers at least 95 % for any share.
 [[nodiscard]] Estimate exact_share(int count, int n);
 // Score interval of a share of `count` in `n`; (0, 1) when n = 0.
 [[nodiscard]] Estimate wilson(int count, int n);
@@ -48,22 +48,22 @@ class Moments {
 // r, 1 + r^2/2 for Spearman's (Bonett and Wright 2000).
 [[nodiscard]] Estimate fisher_z(double r, int n, int controlled, double spread);
 
-// Of a coefficient of variation of n normal values (Vangel 1996), none below kFewestForInterval.
+// The interval of a coefficient of variation of n normal values (Vangel 1996); none below kFewestForInterval.
 [[nodiscard]] Estimate vangel(double cov, int n);
-// Median and scatter of a lognormal law of which `observed` values were seen, its beta of greatest likelihood: Student
-// and chi-square of the logarithms. Lower bounds beside them add what they say to the fit and nothing to its certainty.
+// Intervals for median and scatter of a lognormal fit with `observed` observed values and the dispersion beta of maximum
+// likelihood: Student and chi-square of the logarithms. Lower bounds improve the fit, but do not count for its certainty.
 struct LognormalIntervals {
   Interval median, beta;
 };
 [[nodiscard]] LognormalIntervals lognormal_intervals(double median, double beta, int observed);
-// Of the share P = phi(ln(x / median) / hypot(beta, more)) below x of that law.
+// The interval of the share below x of that law, P = phi(ln(x / median) / hypot(beta, more)).
 [[nodiscard]] Interval lognormal_band(double x, double median, double beta, double more,
                                       int observed);
 
-// Largest k for which the k-th smallest and the k-th largest of n hold the median with 95 % (7.24); 0: none does.
+// The largest k for which the k-th smallest and the k-th largest of n contain the median with 95 % (7.24); 0 if none does.
 [[nodiscard]] int order_of_median(int n);
 
-// Value at share p of ascending values, straight between neighbours (Hyndman and Fan, type 7).
+// The value at share p of ascending values, linear between neighbours (Hyndman and Fan, type 7).
 [[nodiscard]] double quantile_of(const std::vector<double>& ascending, double p);
 
 }  // namespace wythe::study

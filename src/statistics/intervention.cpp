@@ -1,7 +1,7 @@
-// Before and after: what a model changes against the one before it, each way of pushing, against limits.
+// Before and after: compares each change of a model with the model before, for each way of pushing, and with limits.
 //
-// A change is the geometric mean of after / before over pairs of walls. It keeps within its limits where all of its
-// interval does. Bounds, lost pairs and too few pairs give no answer rather than a doubtful one.
+// A change is the geometric mean of after / before over pairs of walls. It is within its limits
+// if its whole interval is. With bounds, lost pairs or too few pairs there is no answer.
 // Called by write_models (api); theory: docs/theory/statistics.md, "Before and after".
 #include <algorithm>
 #include <cmath>
@@ -31,7 +31,7 @@ int severity(ChangeAnswer answer) {
   return 2;
 }
 
-// Ratios that a change may have: its interval, open where it is a bound itself.
+// Possible ratios of a change: its interval, without an end where the change itself is a bound.
 Interval reach_of(const Change& change) {
   const bool has_interval = !std::isnan(change.ratio.interval.low);
   const double low = has_interval ? change.ratio.interval.low : change.ratio.value;
@@ -48,7 +48,7 @@ ChangeAnswer answer_of(const Change& change, double least, double most) {
   return ChangeAnswer::kNotShown;
 }
 
-// How far a change is from its nearest limit, as a logarithm; negative beyond it.
+// Distance of a change from its nearest limit, as a logarithm; negative beyond the limit.
 double room_of(const Change& change, const CheckedChange& of) {
   const double below = std::log(change.ratio.value / of.least);
   return std::isnan(of.most) ? below : std::min(below, std::log(of.most / change.ratio.value));
@@ -132,7 +132,7 @@ Message words_of_change(const CheckedChange& of) {
            {"direction", direction}}};
 }
 
-// "FM-1 in 6, unclear in 2", most frequent first, of all ways together.
+// "FM-1 in 6, unclear in 2", the most frequent first, for all ways of pushing together.
 std::vector<Message> counts_of(const PairedComparison& all, const std::vector<std::size_t>& options,
                                int ModeShift::*side) {
   std::map<std::string, int> count;
@@ -181,7 +181,7 @@ const char* code_of(ChangeAnswer answer) {
   return "compare.models_not_known";
 }
 
-// Why pairs are lost, once each: walls that failed, fell or were refused.
+// Reasons for lost pairs, each once: walls that failed, fell or were refused.
 void note_lost(const OptionComparison& option, const std::string& base, Intervention& out) {
   for (const LostPair& lost : option.lost)
     for (const auto& [model, reason, status] :

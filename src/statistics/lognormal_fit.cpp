@@ -1,7 +1,7 @@
-// Finds the median and dispersion of greatest likelihood (15.2) by Newton's method, and their profile intervals (15.3).
-// First the ends of the brackets decide the verdict; without kTold there is no median, dispersion or interval.
-// Logarithms are scaled by the mean and deviation of those ends. A difference of Phi is taken from the nearer tail,
-// where its digits are.
+// Finds the maximum likelihood median and dispersion (15.2) by Newton's method, and their
+// profile intervals (15.3). First the ends of the brackets decide the verdict; without kTold
+// there is no median, dispersion or interval. Logarithms are scaled by the mean and deviation of
+// those ends. A difference of Phi is computed from the nearer tail, where no digits are lost.
 #include "statistics/lognormal_fit.h"
 
 #include <algorithm>
@@ -16,21 +16,21 @@ namespace {
 
 constexpr double kDeviance95 = 3.841458820694124;  // 95 % of chi-square with one degree
 constexpr int kSteps = 200;
-constexpr double kFar = 60;  // standard deviations of the brackets' ends: beyond, nothing is known
+constexpr double kFar = 60;  // standard deviations of the brackets' ends: the search stops there
 
 double density(double z) {
   return std::isinf(z) ? 0.0 : std::exp(-0.5 * z * z) * 0.39894228040143267794;
 }
-// z times the density, 0 far out
+// z times the density; 0 at infinity
 double leaning(double z) { return std::isinf(z) ? 0.0 : z * density(z); }
 
-// Phi(u) - Phi(l), from the tail that is nearer, where digits are.
+// Phi(u) - Phi(l), from the nearer tail, where no digits are lost.
 double between(double l, double u) {
   if (l > 0) return 0.5 * (std::erfc(l * M_SQRT1_2) - std::erfc(u * M_SQRT1_2));
   return 0.5 * (std::erfc(-u * M_SQRT1_2) - std::erfc(-l * M_SQRT1_2));
 }
 
-// The zero of a falling function above `low`.
+// The zero of a decreasing function above `low`.
 double zero_of_falling(const std::function<double(double)>& f, double low, double step) {
   double high = low + step;
   for (int k = 0; k < kSteps && f(high) > 0; ++k) low = high, high += (step *= 2);
@@ -42,7 +42,7 @@ double zero_of_falling(const std::function<double(double)>& f, double low, doubl
   return 0.5 * (low + high);
 }
 
-// Where a function that is positive at `from` and falls on the way `sign` becomes negative; infinite: nowhere near.
+// The point in direction `sign` where a function that is positive at `from` and decreases becomes negative; infinite if it is too far.
 double crossing(const std::function<double(double)>& f, double from, double sign) {
   double near = from, step = 0.1, far = from + sign * step;
   while (f(far) > 0) {
@@ -73,7 +73,7 @@ std::vector<Between> taken_together(std::vector<Between> data) {
   return out;
 }
 
-// Whether a finite median and dispersion are likeliest, as far as the brackets' ends tell.
+// Whether the maximum likelihood is at a finite median and dispersion, from the brackets' ends.
 LimitStateVerdict verdict_of(const std::vector<Between>& data) {
   double lowest_high = kInfinity, highest_low = 0;
   bool any_low = false, any_high = false;
@@ -103,7 +103,7 @@ LognormalFit::LognormalFit(std::vector<Between> data) : data_(taken_together(std
   for (const Between& d : data_)
     for (const double end : {d.low, d.high})
       if (std::isfinite(end)) squares += d.weight * (end - mean_) * (end - mean_);
-  scale_ = std::sqrt(squares / weight);  // not 0: two ends differ, or the brackets were separated
+  scale_ = std::sqrt(squares / weight);  // not 0: the brackets are not separated
   for (Between& d : data_) d.low = (d.low - mean_) / scale_, d.high = (d.high - mean_) / scale_;
   maximise();
 }
@@ -111,7 +111,7 @@ LognormalFit::LognormalFit(std::vector<Between> data) : data_(taken_together(std
 LognormalFit::Slope LognormalFit::slope(double a, double b) const {
   Slope s;
   for (const Between& d : data_) {
-    // b x + a, infinite ends as they are for any b
+    // a + b x, with infinite ends unchanged
     const double u = std::isinf(d.high) ? kInfinity : a + b * d.high;
     const double l = std::isinf(d.low) ? -kInfinity : a + b * d.low;
     const double p = between(l, u);
@@ -131,7 +131,7 @@ LognormalFit::Slope LognormalFit::slope(double a, double b) const {
 }
 
 void LognormalFit::maximise() {
-  // outcomes on one side alone may rise or fall with the intensity; at b = 0 the gradient tells
+  // with one-sided outcomes only, the trend may be rising or falling; the gradient at b = 0 decides
   const bool one_sided = std::all_of(data_.begin(), data_.end(), [](const Between& d) {
     return std::isinf(d.low) || std::isinf(d.high);
   });
@@ -185,7 +185,7 @@ double LognormalFit::best_with_place(double z) const {
 }
 
 double LognormalFit::best_with_b(double b) const {
-  // from the far left, where everything is too likely never to be reached; there the likelihood may be 0
+  // starts far to the left, where the likelihood rises or is 0
   double low = a_, high = a_, step = 1;
   const auto rises = [&](double a) {
     const Slope s = slope(a, b);

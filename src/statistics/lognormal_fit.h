@@ -1,11 +1,11 @@
-// A lognormal distribution of the intensity at which something first happens, known only to lie in brackets.
+// A lognormal distribution of the intensity at which an event first happens, from brackets of that intensity.
 //
 //   log L = sum_i w_i log[ Phi(ln(high_i / theta) / beta) - Phi(ln(low_i / theta) / beta) ]
 //
-// One bracket does for all procedures: (0, x] and (x, inf) are the outcomes of a stripe, and their sum is the
-// binomial likelihood; (low, high] is the end of an incremental analysis; (most, inf) one that was cut off
-// (Baker, Earthquake Spectra 31 (2015), eqs. 6 and 11). In a = -ln(theta) / beta and b = 1 / beta it is concave, so
-// Newton's method finds its only maximum. Equations: docs/theory/fragility.md.
+// Brackets describe all procedures. (0, x] and (x, inf) are the outcomes of a stripe, and their sum is
+// the binomial likelihood; (low, high] is the end of an incremental analysis; (most, inf) one that was
+// cut off (Baker, Earthquake Spectra 31 (2015), eqs. 6 and 11). In a = -ln(theta) / beta and b = 1 /
+// beta it is concave, so Newton's method finds its only maximum. Equations: docs/theory/fragility.md.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ struct Between {
 
 class LognormalFit {
  public:
-  // Equal brackets are taken together and sorted, so that their order changes no bit.
+  // Equal brackets are joined and sorted, so that their order changes no bit.
   explicit LognormalFit(std::vector<Between> data);
   // kTold, kNever, kAlways, kSeparated or kNoTrend.
   [[nodiscard]] LimitStateVerdict verdict() const { return verdict_; }
@@ -30,7 +30,7 @@ class LognormalFit {
   [[nodiscard]] double median() const;
   [[nodiscard]] double beta() const;
   [[nodiscard]] double log_likelihood() const { return likelihood_; }
-  // By profile likelihood, of independent brackets; 0 or infinite where the likelihood never falls far enough.
+  // Profile likelihood intervals for independent brackets; 0 or infinite where the likelihood never falls far enough.
   [[nodiscard]] Interval profile_median() const;
   [[nodiscard]] Interval profile_beta() const;
   // P at x, and its Wald interval on the scale of a + b ln x.

@@ -1,5 +1,5 @@
-// Which input to measure next, and Sobol indices where a surrogate predicts the response; neither where more than
-// one value in twenty is a lower bound.
+// The input to measure next, and Sobol indices where a surrogate predicts the
+// response. Neither is given where more than one value in twenty is a lower bound.
 //
 // Both estimate how much of a response's variance an input explains. The first uses the samples directly, by a
 // cubic of the input's ranks; an input that is correlated with others includes their share. The second needs
@@ -30,8 +30,8 @@ Column places_of(const Column& values) {
   return places;
 }
 
-// Least squares on columns of terms, each sample taken count times: solves the normal equations by
-// Cholesky's way. Empty where they are singular.
+// Least squares on columns of terms, each sample taken count times: solves the
+// normal equations by Cholesky factorisation. Empty where they are singular.
 class LeastSquares {
  public:
   LeastSquares(std::vector<Column> terms, Column response)
@@ -62,7 +62,7 @@ class LeastSquares {
     }
     return b;
   }
-  // Share of the variance that the terms explain; NaN where the response or the terms don't allow it.
+  // Share of the variance that the terms explain; NaN where it is not defined.
   [[nodiscard]] double explained(const Counts& count) const {
     const std::vector<double> b = solve(count);
     if (b.empty()) return kUnset;
@@ -89,7 +89,7 @@ Columns parts_of(const Resampled& part, const Columns& columns) {
   return taken;
 }
 
-// Less what chance explains (Ezekiel).
+// The explained share without the part of chance (Ezekiel).
 double corrected(double explained, int n, std::size_t terms) {
   return 1 - (1 - explained) * (n - 1) / (n - static_cast<double>(terms));
 }
@@ -159,8 +159,8 @@ int degree_for(std::size_t inputs, int n) {
   return std::max(degree, 1);
 }
 
-// Share of the variance predicted where a fifth of the samples, each in turn, is left out of the choice of
-// terms and of their fit.
+// Share of the variance predicted by cross-validation: each fifth of the
+// samples in turn is left out of the choice of terms and of their fit.
 double predicted_share(const Columns& u, const Column& y, int degree) {
   double error = 0, whole = 0;
   const auto n = static_cast<int>(y.size());
@@ -187,7 +187,7 @@ double predicted_share(const Columns& u, const Column& y, int degree) {
   return whole > 0 ? 1 - error / whole : kUnset;
 }
 
-// First-order and total share of each input: sums of squares of the terms that hold it alone, or at all.
+// First-order and total share of each input: sums of squares of the terms with this input alone, and with this input.
 std::vector<std::pair<double, double>> shares_of(const std::vector<Term>& terms,
                                                  const std::vector<double>& b) {
   std::vector<std::pair<double, double>> shares(terms.front().size(), {0, 0});
@@ -205,7 +205,7 @@ std::vector<std::pair<double, double>> shares_of(const std::vector<Term>& terms,
   return shares;
 }
 
-// What the surrogate does not predict may belong to any input, or not: the interval allows for both.
+// The variance that the surrogate does not predict may belong to any input, so the interval includes it on both sides.
 Estimate widened(double value, std::vector<double> replicates, double q2) {
   std::sort(replicates.begin(), replicates.end());
   const double left = 1 - q2;
@@ -283,7 +283,7 @@ Estimate variance_taken(const std::vector<double>& input, const std::vector<doub
   std::vector<double> ascending = replicate;
   std::erase_if(ascending, [](double v) { return std::isnan(v); });
   std::sort(ascending.begin(), ascending.end());
-  // to a replicate the samples are the truth, chance included, as in (7.10)
+  // for a replicate the samples are the truth, with chance included, as in (7.10)
   return {value,
           {value - (quantile_of(ascending, 0.975) - raw),
            value - (quantile_of(ascending, 0.025) - raw)}};

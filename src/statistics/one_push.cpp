@@ -1,6 +1,6 @@
-// Decides which cautions about one push's drift or mode are dropped for many walls, and gives the others a new
+// Decides which cautions about the drift or mode of one push are dropped for many walls, and gives the others a new
 // cure. They are dropped if pushes slow down at cracks: slow, adapting, with little damping, in the plane, without
-// free contacts. A push too fast for its force keeps its caution, since that error has one sign.
+// free contacts. A push too fast for its force keeps its caution, because that error always has the same sign.
 #include "statistics/one_push.h"
 
 #include <variant>
@@ -10,7 +10,7 @@
 namespace wythe::study {
 namespace {
 
-// The reason why one push cannot tell its drift or mode; nullptr of any other caution.
+// The reason why one push cannot give its drift or mode; null for any other caution.
 const Message* reason_of_one_push(const Message& caution) {
   if (caution.code != "assessment.caution.drift" && caution.code != "assessment.caution.mode")
     return nullptr;
@@ -24,7 +24,7 @@ bool may_wait(const Model& model) {
   return dimension_of(model) == 2 && model.solve.contacts != Contacts::kFree;
 }
 
-// The reason with the cure that many walls have: that of one push is to ask many walls.
+// The reason with the cure for many walls; the cure for one push is to run many walls.
 Message cured(Message why, const Message& cure) {
   const std::string code = why.code;
   if (code == "promise.threshold" || code == "promise.name") {

@@ -1,4 +1,4 @@
-// What one push cannot tell of its drift or its failure, and when the scatter of many pushes tells it.
+// Cautions about the drift or failure mode of a single push, and when the scatter of many pushes replaces them.
 #pragma once
 
 #include <vector>
@@ -8,15 +8,15 @@
 
 namespace wythe::study {
 
-// Whether pushes of this model are like those of docs/evidence/rate.md that adapted: a single one promised its
-// displacement in 7 of 13, and all 13 gave the answer of a slow push. Of 39 at one speed 13 went another way, 7 of 7
-// with more damping among them. All of these walls were in their plane, without free contacts.
+// Whether pushes of this model are like the adapting ones of docs/evidence/rate.md. There a single push was reliable
+// for its displacement in 7 of 13 walls, and all 13 gave the answer of a slow push. Of 39 walls at one speed, 13
+// differed, among them all 7 with more damping. All of these walls were in their plane, without free contacts.
 [[nodiscard]] bool waits_at_cracks(const Model& model);
-// Whether a caution is about what one push cannot tell, and many that wait can. Not where the push is not slow enough
-// for its force: that error has one sign, however many pushes there are.
+// Whether a caution is about a single push only, and many adapting pushes answer it. Not
+// for a push that is too fast for its force, because that error always has the same sign.
 [[nodiscard]] bool is_left_to_the_scatter(const Message& caution, bool waits);
-// Drops such cautions of a push of `model`. What is left of their kind is cured by another push, not by more walls: those
-// are here already.
+// Drops such cautions of a push of `model`. The remaining ones of their
+// kind need another push as a cure, because more walls are already there.
 void leave_to_the_scatter(const Model& model, std::vector<Message>& cautions);
 
 }  // namespace wythe::study

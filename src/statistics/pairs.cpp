@@ -1,6 +1,6 @@
-// Computes signs, median, means, scatter and gains of paired differences, option less base (7.11) to (7.13).
-// A lower bound leaves the difference open on its side, and open pairs count against a finding. Means of displacements
-// are cut at the smallest bound; other means leave pairs with bounds out. Too few pairs, or too many cut, give no mean.
+// Computes signs, median, means, scatter and gains of paired differences, option less base (7.11) to (7.13). A lower
+// bound leaves the difference open on its side, and open pairs count against a finding. Means of displacements are cut
+// at the smallest bound; other means leave out pairs with bounds. With too few pairs, or too many cut, there is no mean.
 #include "statistics/pairs.h"
 
 #include <algorithm>
@@ -17,8 +17,8 @@ namespace {
 constexpr double kLevel = 0.05;
 constexpr int kFewestForGain = 10;  // pairs to correlate with an input
 constexpr int kFewestBesideBounds =
-    5;                             // pairs without a bound that a mean may be of, beside others
-constexpr double kCut = 1.01;      // a value this many times the end of the means is cut by it
+    5;                             // fewest pairs without a bound for a mean, if others have one
+constexpr double kCut = 1.01;      // a value above this many times the end of the means is cut
 constexpr double kEqualTo = 1e-6;  // a smaller relative difference is none
 
 struct Sides {
@@ -77,15 +77,15 @@ void count_signs(PairedResponse& r) {
   }
 }
 
-// The smallest bound: no own value falls short of it, so all of min(value, it) is known.
+// Finds the smallest bound. No other bound is below it, so min(value, it) is known for all values.
 void cut_at_first_bound(PairedResponse& r) {
   for (const PairValue& pair : r.pair)
     for (const Reading* side : {&pair.base, &pair.option})
       if (side->censored && !(r.up_to <= side->value)) r.up_to = side->value;
 }
 
-// Whether a mean of these would say anything. Beside bounds, at least half of the pairs must be free of
-// them. A cut must leave most pairs as they are, and some scatter: else the mean is that of the cut.
+// Whether a mean is meaningful. If some pairs have bounds, at least half must have none. A cut
+// must leave most pairs unchanged, and some scatter, or the mean would be that of the cut.
 bool has_means(const PairedResponse& r, const Sides& sides) {
   const int n = static_cast<int>(sides.difference.size());
   if (std::isnan(r.up_to))
@@ -155,13 +155,13 @@ void take_scatter(PairedResponse& r, const Sides& sides) {
   if (spread > 0) r.worth = (base * base + option * option) / spread;
 }
 
-// Of ascending values, infinite ones too.
+// The median of ascending values, which may be infinite.
 double middle_of(const Column& ascending) {
   const std::size_t n = ascending.size();
   return n % 2 == 1 ? ascending[n / 2] : 0.5 * (ascending[n / 2 - 1] + ascending[n / 2]);
 }
 
-// The median and its order statistics, of the lower and of the upper ends.
+// The median and its order statistics, from the lower and the upper ends of the differences.
 void take_median(PairedResponse& r) {
   if (r.pairs == 0) return;
   Column low, high;
@@ -174,7 +174,7 @@ void take_median(PairedResponse& r) {
   r.median_bounds = {middle_of(low), middle_of(high)};
   int k = -1;
   while (fair_tail(k + 1, r.pairs) <= kLevel / 2) ++k;
-  if (k < 0) return;  // fewer than six
+  if (k < 0) return;  // fewer than six pairs
   r.median_interval = {low[static_cast<std::size_t>(k)],
                        high[static_cast<std::size_t>(r.pairs - 1 - k)]};
 }

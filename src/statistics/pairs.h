@@ -12,17 +12,17 @@ namespace wythe::study {
 [[nodiscard]] double fair_tail(int k, int n);
 // Two-sided sign test of `a` against `b`; `open` ones count for the smaller side.
 [[nodiscard]] double sign_test(int a, int b, int open = 0);
-// p-values as they stand among several tests (Holm); NaN stays.
+// p-values corrected for several tests (Holm); NaN stays.
 [[nodiscard]] std::vector<double> holm(const std::vector<double>& p);
 
-// A pair's difference lies between these.
+// The interval in which a pair's difference lies.
 [[nodiscard]] Interval difference_bounds(const PairValue& pair);
-// All numbers of a response but its gains; `cut`: means go up to the smallest bound, else they are of the
-// pairs without a bound. `lost` pairs enter share_larger_with_lost.
+// All numbers of a response except its gains. `cut`: means go up to the smallest bound;
+// else they use pairs without a bound. `lost` pairs count in share_larger_with_lost.
 [[nodiscard]] PairedResponse paired_response(std::vector<PairValue> pairs, bool cut, int lost);
-// Whether a pair is one of those that means are of, where there are means.
+// Whether a pair is used for means, where there are means.
 [[nodiscard]] bool enters_means(const PairedResponse& response, const PairValue& pair);
-// Differences as they enter the mean.
+// Differences as used for the mean.
 [[nodiscard]] Column differences(const PairedResponse& response);
 
 // `input` (n_input, n_pair) beside the differences.
@@ -30,10 +30,10 @@ namespace wythe::study {
                                                   const std::vector<std::string>& name,
                                                   const Column& difference);
 
-// Not unclear.
+// Whether a mode has a name, so is not unclear.
 [[nodiscard]] bool is_named(const std::string& mode);
 
-// Modes of pairs; `order`: names as they are listed.
+// Modes of pairs; `order`: names in the order of the list.
 [[nodiscard]] ModeTable mode_table(const std::vector<ChangedMode>& pairs,
                                    const std::vector<std::string>& order);
 

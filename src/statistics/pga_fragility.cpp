@@ -1,5 +1,5 @@
-// The assessment of a campaign: at which peak ground acceleration its samples reach each limit state
-// (docs/theory/assessment.md, "Fragility against PGA").
+// The assessment of a campaign: the peak ground acceleration at which its samples
+// reach each limit state (docs/theory/assessment.md, "Fragility against PGA").
 #include <algorithm>
 #include <cmath>
 
@@ -22,8 +22,8 @@ using study::Lognormal;
 
 constexpr int kGridOfPga = 60;  // points of a curve
 
-// The band of the curve: 2.5 and 97.5 % of what the replicates give, of few samples by the closed form; of `observed`
-// 0 none.
+// The band of the curve: 2.5 and 97.5 % quantiles of the replicates,
+// or a closed form for few samples. No band for 0 `observed`.
 Estimate probability(double x, const Lognormal& fit, const std::vector<Lognormal>& replicates,
                      double record_scatter, int observed) {
   const auto p = [&](const Lognormal& of) {
@@ -53,7 +53,7 @@ void fit_to(std::vector<Reading> readings, double stated_scatter, PgaFragility& 
     by = study::lognormal_replicates(readings, fit);
     out.median.interval = by.median, out.beta_capacity.interval = by.beta;
   }
-  // bounds beside few values: what they are worth is not tested where they are more than half
+  // for few values with more than half bounds the interval has not been tested, so there is none
   const int observed = by.fit.empty() && 2 * out.censored <= n ? n - out.censored : 0;
   if (observed > 0) {
     const auto of_few = study::lognormal_intervals(fit.median, fit.beta, observed);
@@ -69,19 +69,19 @@ void fit_to(std::vector<Reading> readings, double stated_scatter, PgaFragility& 
   if (out.demand > 0) out.at_demand = probability(out.demand, fit, by.fit, scatter, observed);
 }
 
-// Whether a sample with this key set has the mass, the shape and the spectrum of the base model.
+// Whether a sample with this key keeps the mass, the shape and the spectrum of the base model.
 bool keeps_mass_and_spectrum(const std::string& path) {
-  if (path.empty()) return true;  // a number of formulas alone
+  if (path.empty()) return true;  // used in formulas only
   const bool is_law = path.starts_with("material.") || path.starts_with("masonry.");
   if (is_law) return path.find("density") == std::string::npos;
-  // how a stage is driven, not what it loads
+  // the motion of a stage, not its loads
   if (!path.starts_with("stage.")) return false;
   constexpr const char* kDriving[] = {".velocity", ".damping", ".ramp", ".until"};
   return std::any_of(std::begin(kDriving), std::end(kDriving),
                      [&](const char* key) { return path.ends_with(key); });
 }
 
-// What samples have of their own that their assessment would have to follow; "": nothing.
+// A key of the samples that their assessment would have to follow; empty if none.
 std::string own_key(const StudySpec& study) {
   for (const VariableSpec& of : study.variable)
     if (!keeps_mass_and_spectrum(of.path)) return of.path;
@@ -92,7 +92,7 @@ std::string own_key(const StudySpec& study) {
   return "";
 }
 
-// Whether every sample keeps its wall, with each of its piers.
+// Whether every sample has a stored wall, with each of its piers.
 bool knows_walls(const Campaign& campaign, const Model& model) {
   const std::size_t piers = study::find_parts(model).piers.size();
   return std::all_of(campaign.records.begin(), campaign.records.end(), [&](const auto& record) {
@@ -106,8 +106,8 @@ Message barred(const Campaign& campaign, const Model& model) {
   return study::judged_push(model).barred;
 }
 
-// What stands before any number of the campaign as a whole. Where a sample does not keep the drift of each pier, and
-// there is more than one, the drift that counts is not known of it.
+// Cautions for all numbers of the campaign. A sample with several piers
+// and no stored drift of each pier does not show the drift that counts.
 std::vector<Message> cautions_of_samples(const Campaign& campaign, const ModelSpec& base,
                                          const Model& model) {
   std::vector<Message> say = study::cautions_of_masses(base, model);
@@ -118,8 +118,8 @@ std::vector<Message> cautions_of_samples(const Campaign& campaign, const ModelSp
   return say;
 }
 
-// Samples without an answer may all lie on one side: beyond the whole per cents in which probabilities are
-// told, they are said first.
+// Samples without an answer may all lie on one side. From this share on they can
+// change probabilities, which are given in whole per cents, so a caution comes first.
 constexpr double kMostLost = 0.01;
 
 Message lost_samples(const CampaignAssessment& a, const Message& why) {
@@ -128,7 +128,7 @@ Message lost_samples(const CampaignAssessment& a, const Message& why) {
   return {"assessment.caution.lost", {{"without", a.without_answer}, {"all", all}, {"why", why}}};
 }
 
-// A median that none of the samples showed: more than half of them are still standing at the last step.
+// A median that no sample showed, because more than half of them still stand at the last step.
 Message extrapolated(const CampaignAssessment& a) {
   for (const PgaFragility& f : a.fragility)
     if (f.is_checked && std::isfinite(f.median.value) && !f.point.empty() &&
@@ -198,7 +198,7 @@ CodeAssessment assess_sample(const SampleRecord& record, const ModelSpec& base,
 
 namespace {
 
-// Of each limit state, where there is a spectrum.
+// Adds the fragility of each limit state, where there is a spectrum.
 void add_fragility(std::vector<std::vector<Reading>> readings, CampaignAssessment& out) {
   for (std::size_t k = 0; k < readings.size(); ++k) {
     const auto state = static_cast<LimitState>(k);
@@ -213,7 +213,7 @@ void add_fragility(std::vector<std::vector<Reading>> readings, CampaignAssessmen
   }
 }
 
-// That of the sample in the middle, by the mass that takes part.
+// The mass and shape of the sample with the median participating mass.
 MassAndShape middle_of(std::vector<MassAndShape> masses) {
   std::stable_sort(masses.begin(), masses.end(), [](const MassAndShape& a, const MassAndShape& b) {
     return a.participating < b.participating;
@@ -221,7 +221,7 @@ MassAndShape middle_of(std::vector<MassAndShape> masses) {
   return masses[(masses.size() - 1) / 2];
 }
 
-// A bound has its place in a fragility, and what one run cannot tell the scatter of many may tell.
+// A bound is valid in a fragility, and the scatter of many runs replaces some cautions of one run.
 bool is_doubtful(const CodeAssessment& a, bool waits) {
   return std::any_of(a.cautions.begin(), a.cautions.end(), [&](const Message& caution) {
     return caution.code != "assessment.caution.bound" &&
@@ -246,7 +246,7 @@ CampaignAssessment assess_campaign(const Campaign& campaign, const ModelSpec& ba
   out.notes = cautions_of_samples(campaign, base, model);
   std::vector<Message> notes;
   const bool waits = study::waits_at_cracks(model);
-  Message why;  // the first sample without an answer has none
+  Message why;  // the first sample without an answer sets it
   std::vector<MassAndShape> masses;
   std::vector<std::vector<Reading>> readings(std::size(kLimitStateWords));
   for (const SampleRecord& record : campaign.records) {

@@ -1,4 +1,4 @@
-// How results converge as samples are added: running means (Fig. 8) and when they became precise.
+// Convergence of results as samples are added: running means (Fig. 8) and when they became precise.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -66,7 +66,7 @@ std::vector<RunningMean> running_means(const Answered& samples) {
       all_censored = all_censored && reading.censored;
       running.n.push_back(moments.n());
       running.mean.push_back(moments.student());
-      if (all_censored) running.mean.back().interval = {};  // lower bounds alone say nothing
+      if (all_censored) running.mean.back().interval = {};  // lower bounds alone show nothing
     }
     out.push_back(std::move(running));
   }

@@ -1,6 +1,6 @@
-// Splits a full table of walls by records into mean squares, and these into components with intervals (15.4).
-// A missing or unfinished cell refuses the table with its reason. Quantiles of F, t and chi-square are found here by
-// bisection of their tails; intervals.cpp takes them from here.
+// Splits a full table of walls by records into mean squares, and these into components with intervals
+// (15.4). If a cell is missing or unfinished, the table is refused with the reason. Quantiles of F, t
+// and chi-square are found by bisection of their tails; intervals.cpp uses them too.
 #include "statistics/scatter.h"
 
 #include <algorithm>
@@ -44,7 +44,7 @@ double beta_share(double a, double b, double x) {
                                    : 1 - front * beta_fraction(b, a, 1 - x) / b;
 }
 
-// Where a function that falls from 1 to 0 has this value.
+// The point where a function that decreases from 1 to 0 has this value.
 double where(const std::function<double(double)>& beyond, double probability) {
   double low = 0, high = 1;
   while (beyond(high) > probability) low = high, high *= 2;
@@ -58,7 +58,7 @@ double where(const std::function<double(double)>& beyond, double probability) {
 
 double root(double variance) { return variance > 0 ? std::sqrt(variance) : 0; }
 
-// A component of the mean square `of` with `degrees`, each of its values a mean over `size`; Tukey and Williams.
+// The component from the mean square `of` with `degrees`; each value is a mean over `size`. Interval by Tukey and Williams.
 Estimate component(double of, int degrees, double rest, int rest_degrees, int size) {
   const double sum = of * degrees;
   Estimate out;

@@ -16,13 +16,13 @@ struct Cell {
   int record = 0, wall = 0;  // 0-based
   double value = kUnset;     // logarithm; NaN: none
 };
-// `bracket` is the root of the mean square of what is not known of a value, 0: nothing. Every pair that
-// exists stands in `cells`, once.
+// `bracket`: root mean square of the uncertainty of a value;
+// 0 if there is none. `cells` holds every existing pair once.
 [[nodiscard]] Scatter scatter_of(const std::vector<Cell>& cells, double bracket);
 
-// Value that an F distribution exceeds with this probability.
+// The value that an F distribution exceeds with this probability.
 [[nodiscard]] double f_quantile_beyond(double probability, int degrees, int below);
-// Quantile of 97.5 % of Student's t; degrees need not be whole.
+// 97.5 % quantile of Student's t; the degrees may be fractional.
 [[nodiscard]] double student_97(double degrees);
 // The same of chi-square.
 [[nodiscard]] double chi_square_quantile_beyond(double probability, int degrees);

@@ -3,8 +3,8 @@
 //   shakes ──► brackets of each limit state ──► lognormal fit, intervals, scatter
 //          └─► response at each intensity
 //
-// Everything is summed in the order of records' names and of walls, so that the order of records in the study changes
-// no bit. Shakes that do not count (ShakeResult::counts) are listed, and count neither as survived nor as fallen.
+// All sums run in the order of record names and of walls, so the order of records in the study changes no
+// bit. Shakes that do not count (ShakeResult::counts) are listed, but neither as survived nor as collapsed.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -29,19 +29,19 @@ constexpr int kShakenCurvePoints = 41;
 constexpr double kMostLostReplicates = 0.05;  // of a bootstrap, without a fit
 constexpr std::uint64_t kSeedOfShakes = 0x46524147u;
 
-// A sample that was shaken, in the order in which all is summed.
+// A sample with shakes, in the order of the sums.
 struct Shaken {
   const SampleRecord* sample;
   SampleCase of;
-  int record_rank = 0;                     // by name; of records that are one motion the first's
+  int record_rank = 0;                     // by name; equal motions have the rank of the first
   std::vector<const ShakeResult*> shakes;  // by intensity
 };
 
-// Records under which a wall ends, at one intensity, in the same state to the last bit are one motion under several names.
+// Joins records that are one motion under several names: a wall ends in the same state to the last bit at one intensity.
 void join_equal_records(std::vector<Shaken>& samples) {
   using Key = std::tuple<int, double, std::string>;  // wall, intensity, state
   std::map<Key, int> seen;
-  std::map<int, int> first;  // of equal ranks
+  std::map<int, int> first;  // for equal ranks
   for (const Shaken& sample : samples)
     for (const ShakeResult* shake : sample.shakes) {
       if (shake->state_hash.empty()) continue;
@@ -82,7 +82,7 @@ std::vector<Shaken> shaken_of(const Campaign& campaign) {
   return out;
 }
 
-// A bracket, and where it would end if the shakes that were lost had reached the limit state, or not.
+// A bracket, and its ends if the lost shakes had reached the limit state, or had not.
 struct Found {
   Bracket bracket;
   double if_reached = kInfinity, if_not = 0;
@@ -133,7 +133,7 @@ const ShakeResult* shake_at(const Shaken& sample, double intensity) {
   return nullptr;
 }
 
-// Whether the sample fell below this intensity, so that it was not asked any more.
+// Whether the sample collapsed below this intensity, so that it was not tested any more.
 bool fell_below(const Shaken& sample, double intensity) {
   return std::any_of(sample.shakes.begin(), sample.shakes.end(), [&](const ShakeResult* shake) {
     return shake->counts() && shake->collapsed && shake->intensity < intensity;
@@ -167,7 +167,7 @@ std::vector<Between> betweens(const std::vector<Found>& found) {
   return data;
 }
 
-// The median with the lost shakes taken one way.
+// The median if the lost shakes reached the limit state, or did not.
 double median_if(const std::vector<Found>& found, bool reached) {
   std::vector<Between> data = betweens(found);
   for (const Found& f : found)
@@ -176,8 +176,8 @@ double median_if(const std::vector<Found>& found, bool reached) {
   return LognormalFit(data).median();
 }
 
-// Replicates of records, and of walls where there are several: each kind draws its own, and a sample counts as often as
-// its record, or its wall. Their variances add up, with Student's t (docs/theory/fragility.md, "How sure it is").
+// Replicates of records, and of walls if there are several. Each kind is drawn separately, and a sample counts as
+// often as its record or wall. Their variances add up, with Student's t (docs/theory/fragility.md, "How sure it is").
 class Replicates {
  public:
   Replicates(const std::vector<Found>& found, const std::vector<Shaken>& samples, bool crossed,
@@ -202,14 +202,14 @@ class Replicates {
     const Interval i = around([](const Pair& fit) { return fit.first; }, 0);
     return {std::exp(i.low), std::exp(i.high)};
   }
-  // The scatter of few is too small by about (1 - 1 / (degrees + 1)) of its square.
+  // The variance from few records or walls is too small by about 1 / (degrees + 1) of it, so it is corrected.
   [[nodiscard]] Interval beta() const {
     const double degrees = spread([](const Pair& fit) { return fit.first; }).degrees;
     const Interval i =
         around([](const Pair& fit) { return fit.second; }, -0.5 * std::log(1 - 1 / (degrees + 1)));
     return {std::exp(i.low), std::exp(i.high)};
   }
-  // Of the curve: the least and largest that median and dispersion of their intervals give.
+  // Interval of the curve: the smallest and largest value from the intervals of median and dispersion.
   [[nodiscard]] Interval at(double x) const {
     const Interval m = median(), b = beta();
     Interval p{1, 0};
@@ -254,7 +254,7 @@ class Replicates {
     for (std::size_t i = 0; i < place.size(); ++i)
       ++*place[static_cast<std::size_t>(bits.below(static_cast<int>(place.size())))];
   }
-  // Variance by records plus that by walls, each as of a sample, and its degrees of freedom (Satterthwaite).
+  // Sum of the variances by records and by walls, each for a sample, and its degrees of freedom (Satterthwaite).
   template <class Of>
   [[nodiscard]] Spread spread(const Of& of) const {
     Spread sum;
@@ -282,7 +282,7 @@ class Replicates {
   std::vector<Kind> kinds_;
 };
 
-// Whether each record stands in one bracket alone, so that brackets do not depend on each other.
+// Whether each record occurs in one bracket only, so that brackets are independent.
 bool are_independent(const std::vector<Found>& found, const std::vector<Shaken>& samples) {
   std::set<int> records;
   for (std::size_t i = 0; i < found.size(); ++i)
@@ -332,7 +332,7 @@ void fit(const ShakingSpec& shaking, const std::vector<Found>& found,
   }
 }
 
-// From the counts of stripes alone, each shake a sample of its own (Baker 2015, eq. 11).
+// Fit to the counts of stripes alone, with each shake as a sample of its own (Baker 2015, eq. 11).
 void fit_counts(LimitStateFragility& out) {
   std::vector<Between> data;
   for (const LimitStateCount& c : out.count) {
@@ -380,7 +380,7 @@ LimitStateFragility fragility_of(const ShakingSpec& shaking, const LimitStateSpe
   return out;
 }
 
-// A collapsed wall's drift counts as infinite.
+// The drift of a collapsed wall counts as infinite.
 IntensitySummary intensity_summary(const ShakingSpec& shaking, double intensity,
                                    const std::vector<Shaken>& samples) {
   IntensitySummary out;
@@ -402,7 +402,7 @@ IntensitySummary intensity_summary(const ShakingSpec& shaking, double intensity,
   }
   out.n = static_cast<int>(drift.size());
   std::sort(drift.begin(), drift.end());
-  // between a number and infinity there is no middle
+  // there is no mean of a number and infinity
   const auto share = [&](double p) {
     if (drift.empty()) return static_cast<double>(kUnset);
     const auto above =

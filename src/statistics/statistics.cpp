@@ -1,4 +1,4 @@
-// statistics_of(): the questions in order, each answered by a part (statistics_parts.h).
+// statistics_of(): calls the parts (statistics_parts.h) in order; each answers one question.
 #include "wythe/parts/statistics.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 using study::Answered;
 using study::Group;
 
-constexpr int kFewestForTable = 10;  // samples in a mode for a table of its correlations
+constexpr int kFewestForTable = 10;  // samples of a mode, for a table of its correlations
 
 // "kN/mm" -> "kN_per_mm"
 std::string unit_in_key(const std::string& unit) {
@@ -35,7 +35,7 @@ bool has_shake_that_counts(const SampleRecord& record) {
 
 void count_outcomes(const Campaign& campaign, Statistics& out) {
   for (const SampleRecord& record : campaign.records) {
-    if (record.status.empty()) continue;  // has not run
+    if (record.status.empty()) continue;  // it has not run
     ++out.run;
     ++out.status[record.status];
     if (record.has_curve() && !record.quasi_static.judgement.empty())
@@ -67,7 +67,7 @@ void describe_study(const Campaign& campaign, Statistics& out) {
   out.replicates = study::kReplicates;
 }
 
-// Where a study asked for other fractions, what it reached at 0.8 is a lower bound of it.
+// If a study has other fractions, the displacement reached at 0.8 is a lower bound.
 Reading at_half(const Responses& r) {
   for (const FallTo& fall : r.falls)
     if (std::fabs(fall.fraction - 0.5) < 1e-9) return {fall.displacement, fall.censored};

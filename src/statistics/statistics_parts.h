@@ -1,6 +1,6 @@
-// The parts of statistics_of(), one a question; statistics.cpp puts them in order.
+// The parts of statistics_of(), one for each question; statistics.cpp calls them in order.
 //
-// All read the answered samples only, in the order of their numbers.
+// All use only the answered samples, in the order of their numbers.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ struct Answered {
   [[nodiscard]] int n() const { return static_cast<int>(record.size()); }
 };
 [[nodiscard]] Answered answered_of(const Campaign& campaign);
-// What a model is fitted to many times over: all samples, or so many of more, one at random of each of equal parts.
+// Samples for a model that is fitted many times: all, or this number of them, one at random from each of equal parts.
 inline constexpr int kMostFitted = 10000;
 [[nodiscard]] Answered for_fits(const Answered& samples);
 
@@ -33,13 +33,13 @@ struct Group {
 // FM-1 + FM-2 (piers) and FM-3 + FM-4 (spandrel), where any such mode occurs.
 [[nodiscard]] std::vector<Group> unions_of(const Answered& samples);
 
-// Those of its samples that have a value; a peak that is no force in balance is none.
+// The samples of a group that have a value. A peak without a force in balance has none.
 [[nodiscard]] Group with_value(const Group& group, const Quantity& quantity);
 [[nodiscard]] std::vector<Reading> readings_of(const Group& group, const Quantity& quantity);
-// Lower bounds alone, or no value at all, show no influence of anything.
+// Whether a group has only lower bounds, or no value at all. Then no influence can be shown.
 [[nodiscard]] bool all_censored(const Group& group, const Quantity& quantity);
-// Lower bounds among the values; a peak at the end of a push is one. And whether they are too many, more than one in
-// twenty, for what takes each value as it is recorded.
+// The number of lower bounds among the values; a peak at the end of a push is one. Also
+// whether more than one in twenty is a bound, too many for methods that use recorded values.
 [[nodiscard]] int bounds_in(const Group& known, const Quantity& quantity);
 [[nodiscard]] bool is_censored(int bounds, std::size_t n);
 [[nodiscard]] const Quantity& quantity_named(const std::string& name);
@@ -48,22 +48,22 @@ struct Group {
 [[nodiscard]] std::vector<int> random_columns(const SampleTable& samples);
 [[nodiscard]] std::vector<double> input_of(const std::vector<const SampleRecord*>& records,
                                            int column);
-// Inputs with a rank correlation to it above kEntangled.
+// Inputs whose rank correlation with it exceeds kEntangled.
 [[nodiscard]] std::vector<std::string> entangled_with(const std::string& input,
                                                       const std::vector<InputCorrelation>& pairs);
-// A variable may move the load: its own height counts before the base model's [m].
+// A variable may move the load, so the sample's own height has priority over the base model's [m].
 [[nodiscard]] double height_of(const SampleRecord& record, double base_height);
 
-// groups.cpp: Table 3, shares, how firm the names are
+// groups.cpp: Table 3, shares, certainty of names
 [[nodiscard]] GroupSummary summarise(const Group& group);
 [[nodiscard]] std::vector<Share> shares_of(const Answered& samples);
 [[nodiscard]] std::vector<NameSensitivity> name_sensitivities(const Answered& samples);
 [[nodiscard]] std::vector<FlagCount> flag_counts(const Answered& samples);
-// running.cpp: how the answers settle
+// running.cpp: convergence of the results
 [[nodiscard]] std::vector<RunningMean> running_means(const Answered& samples);
 [[nodiscard]] std::vector<Precision> precisions(const Answered& samples,
                                                 const std::vector<RunningMean>& running);
-// influence.cpp: inputs against answers
+// influence.cpp: inputs against results
 [[nodiscard]] std::vector<InputSummary> input_summaries(const Campaign& campaign);
 [[nodiscard]] CorrelationTable correlation_table(const Answered& samples, const Group& group,
                                                  const Quantity& quantity);
@@ -75,14 +75,14 @@ struct Group {
 [[nodiscard]] std::vector<Exceedance> exceedances(const Answered& samples);
 // fragility.cpp: probability of an event given an input
 [[nodiscard]] std::vector<Fragility> fragilities(const Answered& samples);
-// measuring.cpp: what knowing an input is worth; indices by a surrogate
+// measuring.cpp: the value of knowing an input; indices by a surrogate
 [[nodiscard]] std::vector<Measuring> measurings(const Answered& samples);
-// Share of the response's variance that goes with the input; its replicates, NaN where there is none.
+// Share of the response's variance that the input explains; its replicates, NaN where there is none.
 [[nodiscard]] Estimate variance_taken(const std::vector<double>& input,
                                       const std::vector<double>& response,
                                       std::vector<double>& replicate);
 [[nodiscard]] std::vector<SurrogateIndices> surrogate_indices(const Answered& samples);
-// Of one response, inputs by column; names are not set.
+// For one response, with inputs by column; names are not set.
 [[nodiscard]] SurrogateIndices indices_of(const std::vector<std::vector<double>>& inputs,
                                           const std::vector<double>& response);
 

@@ -1,6 +1,6 @@
-// Least angle regression takes terms one by one: the residual moves along the line at equal angles to all terms taken until another is
-// as correlated with it. After each, least squares on the terms taken gives the leave-one-out error; the number of terms with the
-// smallest is kept. One orthogonal factorisation X = Q R grows with the terms and serves both.
+// Least angle regression adds terms one by one. The residual moves at equal angles to all terms added, until another
+// term has the same correlation. After each term, least squares on the terms gives the leave-one-out error, and the
+// number of terms with the smallest error is kept. One factorisation X = Q R grows with the terms and serves both.
 #include "statistics/surrogate.h"
 
 #include <Eigen/Dense>
@@ -50,12 +50,12 @@ class GrowingFit {
       : residual_(response.array() - response.mean()),
         leverage_(Vector::Constant(response.size(), 1.0 / static_cast<double>(response.size()))) {}
 
-  // A column with mean 0 and length 1, that stands for mean + length times it; false where those before give it.
+  // Adds a column with mean 0 and length 1, for mean + length times it; false where earlier columns give it.
   bool add(const Vector& column, double mean, double length) {
     constexpr double kSame = 1e-7;
     const Index k = static_cast<Index>(direction_.size());
     Vector q = column, r = Vector::Zero(k);
-    for (int round = 0; round < 2; ++round)  // once more for what rounding left
+    for (int round = 0; round < 2; ++round)  // a second time, against rounding
       for (Index j = 0; j < k; ++j) {
         const double share = direction_[static_cast<std::size_t>(j)].dot(q);
         r[j] += share;
@@ -95,7 +95,7 @@ class GrowingFit {
     return error * n / (n - p) * (1 + trace_ + 1 / n);
   }
 
-  // Direction at equal angles to all columns, each taken with its sign, and the cosine of that angle.
+  // The direction at equal angles to all columns with their signs, and the cosine of that angle.
   [[nodiscard]] std::pair<Vector, double> equiangular(const std::vector<double>& sign) const {
     const Eigen::Map<const Vector> s(sign.data(), static_cast<Index>(sign.size()));
     const Vector on_directions = inverse_.transpose() * s;

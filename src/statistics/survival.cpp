@@ -1,6 +1,6 @@
-// Walks readings in ascending order with falls and samples at risk: curve (7.4), interval (7.5) and mean (7.6).
-// The lognormal is fitted by expectation and maximisation. Readings must be in order, equal observed ones before
-// censored ones; weights by count then let a bootstrap use one order for all replicates.
+// Goes through readings in ascending order with falls and samples at risk: curve (7.4), interval (7.5) and
+// mean (7.6). The lognormal is fitted by expectation and maximisation. Readings must be sorted, equal
+// observed ones before censored ones. Weights by count then let a bootstrap use one order for all replicates.
 #include "statistics/survival.h"
 
 #include <algorithm>
@@ -38,13 +38,13 @@ Interval log_log_interval(double survival, double greenwood) {
   return {std::exp(log_s * spread), std::exp(log_s / spread)};
 }
 
-// E and E of the square of a standard normal beyond `a`.
+// Means of x and x^2 of a standard normal beyond `a`.
 struct Tail {
   double mean, square;
 };
 Tail beyond(double a) {
   const double left = normal_cdf(-a);
-  // far out the ratio tends to a itself: exact to 1e-6 there
+  // for large a the ratio tends to a, exact to 1e-6 here
   const double mill = left > 1e-280 ? std::exp(-a * a / 2) / 2.5066282746310002 / left : a + 1 / a;
   return {mill, 1 + a * mill};
 }
@@ -53,7 +53,7 @@ struct Normal {
   double mean, sigma;
 };
 
-// Logarithms of weighted readings: the observed as sums about their mean, the censored one by one.
+// Logarithms of weighted readings: the observed ones as sums about their mean, the censored ones one by one.
 struct Logs {
   double n = 0;  // observed and censored
   Moments observed;
@@ -76,7 +76,7 @@ Logs logs_of(const std::vector<Reading>& readings, const Counts& count) {
   return logs;
 }
 
-// One step of expectation and maximisation: censored values by what is expected of them beyond.
+// One step of expectation and maximisation: censored values are replaced by their expected values beyond the bound.
 Normal expected_step(const Logs& logs, Normal now) {
   const double sd = logs.observed.standard_deviation(), m = logs.observed.n();
   double sum = m * (logs.observed.mean() - now.mean) / now.sigma;
@@ -114,7 +114,7 @@ std::vector<ExceedancePoint> kaplan_meier(const std::vector<Reading>& readings) 
   std::vector<ExceedancePoint> points;
   double survival = 1, greenwood = 0;
   walk(readings, Counts(readings.size(), 1), [&](double value, int events, int at_risk) {
-    // counted, not multiplied, to the end: the last event leaves exactly nothing
+    // counted, not multiplied, so that the last event gives exactly 0
     survival = events == at_risk ? 0 : survival * (1 - static_cast<double>(events) / at_risk);
     if (events < at_risk) greenwood += events / (static_cast<double>(at_risk) * (at_risk - events));
     points.push_back({value, {survival, log_log_interval(survival, greenwood)}});
@@ -158,7 +158,7 @@ double survival_quantile(const std::vector<Reading>& readings, const Counts& cou
   double survival = 1, answer = std::numeric_limits<double>::infinity();
   walk(readings, count, [&](double value, int events, int at_risk) {
     survival = events == at_risk ? 0 : survival * (1 - static_cast<double>(events) / at_risk);
-    // half an event of rounding: 0.5 met exactly must count as met
+    // allows for rounding: 0.5 reached exactly must count
     if (survival <= 1 - p + 1e-12 && std::isinf(answer)) answer = value;
   });
   return answer;

@@ -1,7 +1,7 @@
-// Displacements of which some are only lower bounds: Kaplan-Meier and a censored lognormal.
+// Displacements that are partly lower bounds: Kaplan-Meier and a censored lognormal.
 //
-// A push that ends before the force has fallen says "farther than 50 mm". The largest such numbers
-// are not the capacity; leaving them out, or taking them as they stand, underrates the wall.
+// A push that ends before the force has fallen gives "farther than 50 mm". Using
+// such numbers as capacities, or leaving them out, underestimates the wall.
 // References: Kaplan and Meier (1958), Greenwood (1926); Klein and Moeschberger, Survival Analysis
 // (2003), eq. 4.3.2 (log-log interval); Dempster, Laird and Rubin (1977) for the fit.
 #pragma once
@@ -13,30 +13,30 @@
 
 namespace wythe::study {
 
-// Readings ascending; of equal values the observed stand before the censored.
+// Readings in ascending order; among equal values the observed ones come first.
 [[nodiscard]] std::vector<Reading> in_order(std::vector<Reading> readings);
 
-// Share that goes beyond each observed value, and its interval; readings in order.
+// Share that exceeds each observed value, and its interval; readings must be sorted.
 [[nodiscard]] std::vector<ExceedancePoint> kaplan_meier(const std::vector<Reading>& in_order);
-// Share that has fallen before x: (7.3) where nothing is unknown, Kaplan-Meier up to the last reading,
-// Wilson's of those still going on where none has fallen yet. Beyond the last reading only a lower
-// bound is known: those that fell, up to all; nothing where all are unknown.
+// Share that has fallen before x: (7.3) without unknown readings, else Kaplan-Meier up to the last
+// reading. Wilson's interval of the samples still at risk where none has fallen. Beyond the last
+// reading only a lower bound is known: the fallen ones, up to all. None where all are unknown.
 [[nodiscard]] Estimate share_before(const std::vector<Reading>& in_order, double x);
 
-// The same, weighted: what the bootstrap calls.
+// The same with weights, for the bootstrap.
 [[nodiscard]] double survival_mean(const std::vector<Reading>& in_order, const Counts& count);
-// Least value that a share p does not exceed; infinite when the curve never falls so far.
+// The smallest value that a share p does not exceed; infinite when the curve never falls so far.
 [[nodiscard]] double survival_quantile(const std::vector<Reading>& in_order, const Counts& count,
                                        double p);
 
-// Lognormal of greatest likelihood; NaN below two different observed values.
+// Maximum likelihood lognormal; NaN with less than two different observed values.
 struct Lognormal {
   double median = kUnset, beta = kUnset;  // [SI], standard deviation of the logarithm [-]
   [[nodiscard]] double exceedance(double x) const;
 };
 [[nodiscard]] Lognormal fit_lognormal(const std::vector<Reading>& readings, const Counts& count);
 
-// The fits of the replicates, and what 95 % of them hold.
+// The fits of the replicates, and the intervals that contain 95 % of them.
 struct LognormalReplicates {
   std::vector<Lognormal> fit;
   Interval median, beta;

@@ -35,7 +35,7 @@ std::string without_blanks(std::string_view text) {
   return out;
 }
 
-// Pieces between the word "and".
+// Splits at the word "and".
 std::vector<std::string> clauses_of(const std::string& rule) {
   std::vector<std::string> clauses;
   std::string padded = " " + rule + " ";
@@ -45,7 +45,7 @@ std::vector<std::string> clauses_of(const std::string& rule) {
   for (std::size_t at = padded.find(" and "); at != std::string::npos;
        at = padded.find(" and ", start)) {
     clauses.push_back(padded.substr(start, at - start));
-    start = at + 4;  // the blank after it may open the next word
+    start = at + 4;  // the blank after it may begin the next word
   }
   clauses.push_back(padded.substr(start));
   return clauses;
@@ -118,8 +118,8 @@ std::vector<Clause> parsed(const std::string& rule) {
   return clauses;
 }
 
-// NaN below five samples, and where all are censored: lower bounds alone say nothing. With some of them it is that of
-// the mean up to the end of the push (docs/theory/statistics.md, 7.6), which is said.
+// NaN below five samples, and where all are censored, because lower bounds alone show nothing. With some bounds
+// it belongs to the mean up to the end of the push (docs/theory/statistics.md, 7.6), and the text says so.
 struct HalfWidth {
   double relative = kUnset;
   int bounds = 0;

@@ -1,5 +1,5 @@
-// The verdict from many walls: each wall assessed like a single run, the worse direction of each wall, the pattern
-// that decides, and how sure the share of walls is (docs/theory/assessment.md, "The verdict from many walls").
+// The verdict from many walls. Assesses each wall like a single run, in its worse direction. Then finds the deciding
+// pattern and the certainty of the share of walls (docs/theory/assessment.md, "The verdict from many walls").
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -19,18 +19,18 @@ namespace wythe {
 namespace {
 
 constexpr double kHalf =
-    0.5;  // of the walls: codes judge one wall of mean strengths, the one in the middle
+    0.5;  // of the walls: codes judge one wall of mean strengths, which is the median one
 
-// Standard deviation of ln of the peaks of tested walls of one masonry, size and pressure (docs/theory/assessment.md):
-// a hundred equal walls know no more than one, and one tenth of what tests scatter is as good as equal.
+// Standard deviation of ln(peak) of tested walls of one masonry, size and pressure (docs/theory/assessment.md). A
+// hundred equal walls show no more than one. Walls count as equal if they scatter by a tenth of the tests or less.
 constexpr double kTestedScatter = 0.085, kAlike = 0.1;
 
 bool is_in_plane(const Model& model, const std::string& mode) {
   return dimension_of(model) == 2 || study::stays_in_plane(mode);
 }
 
-// What is known of a wall's capacity: it lies from low to high by its own curve, and from least to most at whichever
-// drift of tested walls its force falls; `seen` is what its pushes showed of it.
+// Bounds of a wall's capacity: `low` to `high` by its own curve, `least` to `most` if its
+// force falls at any drift of tested walls. `seen` is the capacity that its pushes showed.
 struct Range {
   Reading seen;
   double low = 0, high = kInfinity, least = 0, most = kInfinity;
@@ -42,7 +42,7 @@ Range range_of(const JudgedWall& wall, LimitState state) {
   const LimitStateCheck& check = *wall.assessment.at(state);
   out.low = out.seen.value;
   if (!out.seen.censored) out.high = out.seen.value;
-  out.least = std::fmin(out.low, check.tested_low);  // no NaN where one of them is none
+  out.least = std::fmin(out.low, check.tested_low);  // fmin ignores a NaN
   out.most = std::fmax(out.high, check.tested_high);
   return out;
 }
@@ -55,7 +55,7 @@ Range lesser(const Range& a, const Range& b) {
           std::fmin(a.least, b.least), std::fmin(a.most, b.most)};
 }
 
-// The interval of a median whose values lie anywhere from `low` to `high`.
+// The interval of a median of values that lie anywhere from `low` to `high`.
 Interval median_between(const std::vector<Range>& ranges, double Range::*low, double Range::*high) {
   std::vector<Reading> from, to;
   for (const Range& r : ranges) {
@@ -112,14 +112,14 @@ double demand_of_state(const AssessmentSpec& spec, LimitState state) {
   return spectrum.is_given() ? spectrum.peak_ground_acceleration() : kUnset;
 }
 
-// A rule of a code in words that hold for every wall.
+// A rule of a code in words that are the same for all walls.
 Message words_of_rule(const Criterion& criterion) {
   if (criterion.words.code != "assessment.q_limit") return criterion.words;
   return {"verdict.q_limit", {{"limit", criterion.value}}};
 }
 
-// One limit state of one pattern, all its directions. One that is lost in a way counts as lost, for that way may be
-// the worst, unless another way shows already that the limit state is not met.
+// One limit state of one pattern, with all its directions. A wall that is lost in one direction
+// counts as lost, because that one may be the worst, unless another direction already fails.
 class OfPattern {
  public:
   OfPattern(const AssessmentSpec& spec, const std::vector<WayOfPushing>& ways,
@@ -163,7 +163,7 @@ class OfPattern {
     return capacity;
   }
 
-  // The direction that is the worse one for most walls.
+  // The direction that is worse for most walls.
   void name_direction() {
     std::map<std::size_t, int> walls;
     for (const std::size_t way : out_.worst) ++walls[way];
@@ -173,7 +173,7 @@ class OfPattern {
     out_.direction = ways_[most].direction;
   }
 
-  // What may end the limit state, side by side: the fall of the force, the drift of each pier.
+  // Collects the rules that may end the limit state: the fall of the force, the drift of each pier.
   void collect_rules() {
     std::vector<std::vector<double>> at;
     for (std::size_t w = 0; w < out_.worst.size(); ++w) {
@@ -204,7 +204,7 @@ class OfPattern {
   StateVerdict out_;
 };
 
-// The worse verdict; then fewer walls that meet it; then less capacity over demand. What is not known goes last.
+// The worse verdict comes first, then fewer walls that meet it, then less capacity over demand. Unknown ones come last.
 bool is_worse(const StateVerdict& a, const StateVerdict& b) {
   if (a.verdict != b.verdict) return severity(a.verdict) > severity(b.verdict);
   const double pa = a.counts.probability().value, pb = b.counts.probability().value;
@@ -217,15 +217,15 @@ bool is_worse(const StateVerdict& a, const StateVerdict& b) {
 
 // --- parts that fall on their face
 
-// Whether a check says what a part is worth. One that rules found, with nothing known of what holds it, and that is not to
-// be signed says nothing, unless it fails.
+// Whether a check counts for a part. If rules found the part, and
+// a caution forbids signing the check, it counts only if it fails.
 bool is_counted(const PartsOutOfPlane& parts, const LocalCheck& part) {
   if (part.verdict == AssessmentVerdict::kFails) return true;
   return part.verdict == AssessmentVerdict::kHolds && (parts.are_named || part.may_be_signed);
 }
 
-// What parts leave of the verdict. A part that the file names and says how it is held is what it is. One that rules found
-// would fall if nothing held it: that takes away what the pushes show, and shows nothing else.
+// The effect of parts on the verdict. A part that the file names, with its holds, counts fully. A
+// part found by rules may be held in ways not known, so a failure only turns a pass into "not shown".
 AssessmentVerdict worth_of(const PartsOutOfPlane& parts) {
   AssessmentVerdict worst = AssessmentVerdict::kHolds;
   const auto take = [&](AssessmentVerdict verdict) {
@@ -351,7 +351,7 @@ class Verdict {
     return false;
   }
 
-  // The failure most often seen where each wall does worst; of equals the first by name.
+  // The failure most often seen in the worst direction of each wall; of equals, the first by name.
   void name_mode() {
     std::map<std::string, int> modes;
     for (std::size_t w = 0; w < out_.worst.worst.size(); ++w) {
@@ -362,9 +362,9 @@ class Verdict {
       if (walls > out_.mode_count) out_.mode = mode, out_.mode_count = walls;
   }
 
-  // --- what is said -----------------------------------------------------------------------------------
+  // --- cautions and notes -----------------------------------------------------------------------------
 
-  // What stands against single pushes: each kind once, with how many pushes it concerns.
+  // Cautions of single pushes: each kind once, with the number of pushes.
   void caution_of_pushes() {
     struct Kind {
       int pushes = 0;
@@ -383,7 +383,7 @@ class Verdict {
         ++all;
         if (wall.is_lost()) continue;
         for (const Message& caution : wall.assessment.cautions)
-          // a bound that is beyond the demand is an answer; one below it is counted as not shown
+          // a bound beyond the demand is enough, and one below it counts as not shown
           if (caution.code != "assessment.caution.bound") add(caution);
         if (!wall.is_in_plane)
           add({"verdict.not_in_plane", {{"mode", study::words_of_mode(wall.mode)}}});
@@ -428,7 +428,7 @@ class Verdict {
            {{"low_g", tests.low / kStandardGravity}, {"high_g", tests.high / kStandardGravity}}});
   }
 
-  // How many walls would decide; none where they are half and half, or where those not known hide it.
+  // How many walls would decide. None if the share is near one half, or if too many walls are not known.
   void caution_of_few(const WallCounts& counts) {
     const int enough = walls_to_decide(counts);
     if (enough > 0)
@@ -439,7 +439,7 @@ class Verdict {
       out_.cautions.push_back({"verdict.caution.close", {{"walls", kMostToDecide}}});
   }
 
-  // Walls that are all but equal are one wall, told many times.
+  // Walls that are nearly equal count as one wall that is repeated.
   void caution_of_alike() {
     for (const WayOfPushing& way : out_.ways) {
       if (way.pattern != out_.worst.pattern || way.direction != out_.worst.direction) continue;
@@ -455,7 +455,7 @@ class Verdict {
     }
   }
 
-  // What stands against parts out of plane: each kind once, with the parts that it concerns.
+  // Cautions about parts out of plane: each kind once, with its parts.
   void caution_of_parts() {
     const PartsOutOfPlane& parts = out_.parts;
     if (!parts.are_named) {
@@ -504,7 +504,7 @@ class Verdict {
     add_notes();
   }
 
-  // The verdict of the pushes and, before it where it is worse, that of the parts.
+  // The verdict of the pushes, after that of the parts if theirs is worse.
   [[nodiscard]] Message with_parts(Message of_pushes) const {
     const LocalCheck* least = out_.least_part();
     const bool fails = least != nullptr && least->verdict == AssessmentVerdict::kFails;
@@ -572,7 +572,7 @@ class Verdict {
              {"modes", out_.mode_count}}};
   }
 
-  // What tested walls say of drift, and what it does to the interval.
+  // Drifts of tested walls, and their effect on the interval.
   void note_tests() {
     if (out_.of_pushes == AssessmentVerdict::kNotKnown) return;
     const std::vector<DriftOfTests>* tests = nullptr;
@@ -604,7 +604,7 @@ class Verdict {
                            {"high_g", walls.high / kStandardGravity}}});
   }
 
-  // What was assumed of every wall, once; not what the many walls and ways answer.
+  // Assumptions for every wall, each once, without those that many walls and ways replace.
   void add_notes() {
     note_tests();
     for (const WayOfPushing& way : out_.ways)
@@ -616,7 +616,7 @@ class Verdict {
     note_parts();
   }
 
-  // What was not looked at out of plane, in the place of the note that nothing was.
+  // What was not checked out of plane, instead of the note that nothing was.
   void note_parts() {
     const PartsOutOfPlane& parts = out_.parts;
     if (parts.checked.empty() && parts.refused.empty() && parts.not_looked_at.empty()) return;
@@ -717,10 +717,10 @@ int most_walls(double width) {
 int walls_to_decide(const WallCounts& counts) {
   const auto of = [&](int part, int n) { return static_cast<double>(part) * n / counts.walls; };
   for (int n = counts.walls; n > 0 && n <= kMostToDecide; ++n) {
-    // rounded towards half
+    // rounded towards one half
     const int least = static_cast<int>(std::floor(of(counts.not_met, n)));
     const int most = static_cast<int>(std::ceil(of(counts.walls - counts.met, n)));
-    // an interval holds its share: one beyond half needs a share beyond it, and to find it takes long
+    // an interval contains its share, so only a share beyond one half can decide; the search is slow
     if ((least > kHalf * n && study::exact_share(least, n).interval.low > kHalf) ||
         (most < kHalf * n && study::exact_share(most, n).interval.high < kHalf))
       return n;
@@ -733,14 +733,14 @@ int next_walls(const WallCounts& counts, double width) {
   if (known == 0 || counts.walls >= most) return 0;
   const Estimate share = study::exact_share(counts.not_met, known);
   if (share.interval.width() < width) return 0;
-  // as many as would do if the share stayed
+  // the number that is enough if the share stays
   int n = known + 1;
   const auto width_at = [&](int walls) {
     const int k = static_cast<int>(std::lround(share.value * walls));
     return study::exact_share(k, walls).interval.width();
   };
   while (n < most && !(width_at(n) < width)) ++n;
-  // a store takes two more at the least
+  // a store grows by at least two samples
   return std::max(counts.walls + 2, std::min(most, counts.walls + n - known));
 }
 
@@ -759,7 +759,7 @@ std::vector<JudgedWall> judge_walls(const Campaign& campaign, const ModelSpec& b
     wall.assessment = assess_sample(record, base, model);
     study::leave_to_the_scatter(model, wall.assessment.cautions);
     if (!is_answered(record))
-      wall.lost = record.reason;  // a wall that was refused has no push to speak of
+      wall.lost = record.reason;  // a refused wall has no push to report on
     else if (wall.assessment.limit_states.empty())
       wall.lost = wall.assessment.reason;
     else

@@ -1,4 +1,4 @@
-// The dimension of a unit, and the SI unit of a dimension: named units such as N/m go before products of bases.
+// The dimension of a unit, and the SI unit of a dimension: named units such as N/m take precedence over products of bases.
 #include "units/dimension.h"
 
 #include <array>

@@ -1,4 +1,4 @@
-// Arithmetic of dimensions, for formulas over quantities: Pa m = N/m, N/m / Pa = m.
+// Arithmetic of dimensions for formulas with quantities: Pa m = N/m, N/m / Pa = m.
 //
 // A dimension is the exponents of the SI base units. Angles count as numbers here (rad = 1), so that
 // tan(friction_angle) and atan(...) need no units of their own.
@@ -15,10 +15,10 @@ class Dimension {
   Dimension() = default;  // of a plain number
 
   [[nodiscard]] bool is_number() const { return exponent_.empty(); }
-  // Whether every exponent is a whole number; only such a dimension has a unit.
+  // Whether every exponent is an integer; only such a dimension has a unit.
   [[nodiscard]] bool is_whole() const;
-  // "Pa", "N/m", "m2.s-1", "1": the SI unit, as parse_quantity() reads it. For a dimension that is
-  // not whole a text for messages only.
+  // "Pa", "N/m", "m2.s-1", "1": the SI unit, as parse_quantity() reads it. With fractional exponents
+  // it is a text for messages only.
   [[nodiscard]] std::string unit() const;
   // "a stress [Pa]", "a number"
   [[nodiscard]] std::string words() const;
@@ -37,13 +37,13 @@ class Dimension {
   std::map<std::string, double> exponent_;  // base unit -> exponent, never 0
 };
 
-// Dimension of "MPa", "GPa/m", "deg"; throws QuantityError where the unit is not known.
+// Dimension of "MPa", "GPa/m", "deg"; throws QuantityError for an unknown unit.
 [[nodiscard]] Dimension dimension_of(std::string_view unit);
 
-// The unit in SI base units, "1000000 m-1.kg.s-2", without the zero of a degC; "" when it is not known (units.cpp).
+// The unit in SI base units, "1000000 m-1.kg.s-2", without the offset of degC; "" for an unknown unit (units.cpp).
 [[nodiscard]] std::string unit_definition(std::string_view unit);
 
-// "a stress" for "Pa"; "" for a unit without a name of its own (units.cpp).
+// "a stress" for "Pa"; "" for a unit whose quantity has no name (units.cpp).
 [[nodiscard]] std::string quantity_name(std::string_view si_unit);
 
 }  // namespace wythe

@@ -1,5 +1,5 @@
-// What is wrong with the text of a quantity, in two clauses, so that a reader which knows the key
-// can put its own example in place of the cure.
+// What is wrong with the text of a quantity, as problem and cure. A reader that knows the key
+// can replace the cure by its own example.
 #pragma once
 
 #include <stdexcept>

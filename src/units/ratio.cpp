@@ -1,5 +1,5 @@
-// Products and quotients of sums of two doubles: T. J. Dekker, A floating-point technique for extending the available
-// precision, Numerische Mathematik 18 (1971), with the fused multiply-add in place of his splitting.
+// Products and quotients of sums of two doubles, after T. J. Dekker, A floating-point technique for extending the available
+// precision, Numerische Mathematik 18 (1971). A fused multiply-add replaces his splitting.
 #include "units/ratio.h"
 
 #include <cmath>
@@ -12,7 +12,7 @@
 namespace wythe {
 namespace {
 
-// For |low| <= |high|, or high = 0.
+// high + low with no overlap of their bits; requires |low| <= |high| or high = 0.
 Wide normalized(double high, double low) {
   const double sum = high + low;
   return {sum, low - (sum - high)};
@@ -58,7 +58,7 @@ Ratio ratio_of(std::string_view number) {
   Ratio out;
   out.over = {0, 0};
   bool in_fraction = false;
-  int zeros = 0;  // at the end so far: they go to the power of ten
+  int zeros = 0;  // since the last other digit: they become part of the power of ten
   for (; !number.empty() && (is_digit(number[0]) || number[0] == '.'); number.remove_prefix(1)) {
     if (number[0] == '.') {
       in_fraction = true;

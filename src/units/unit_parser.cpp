@@ -1,4 +1,4 @@
-// A scanner, a descent over its tokens, and the vocabulary as two sorted maps, made at the first use and then only read.
+// A scanner, a recursive-descent parser over its tokens, and the vocabulary as two sorted maps. The first use builds the maps.
 #include "units/unit_parser.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 namespace wythe {
 namespace {
 
-// Longer or deeper ones are no units, and would cost stack.
+// Longer or deeper texts are not units, and a deep one would overflow the stack.
 constexpr std::size_t kLongestText = 1000;
 constexpr int kDeepest = 20;
 constexpr int kLargestPower = 255;
@@ -72,13 +72,13 @@ Integer superscript_in(std::string_view text) {
     if (text.substr(out.size).starts_with(kSuperscripts[digit])) {
       out.value = std::min(10 * out.value + digit, kLargestPower + 1);
       out.size += kSuperscripts[digit].size();
-      digit = -1;  // to the next one
+      digit = -1;  // restarts the search for the next digit
     }
   if (negative) out.value = -out.value;
   return out.size > begin ? out : Integer();
 }
 
-// Size of "-1.5e3" at the beginning of a text.
+// Length of a decimal number such as "-1.5e3" at the beginning of a text.
 std::size_t decimal_size(std::string_view text) {
   const std::size_t sign = text.starts_with('+') || text.starts_with('-') ? 1 : 0;
   if (text.size() == sign || (!is_digit(text[sign]) && text[sign] != '.')) return 0;
@@ -107,7 +107,7 @@ struct Token {
 };
 using Kind = Token::Kind;
 
-// Cuts a unit's text at the longest token. Right behind a name stands no name and no decimal number: "m.5" is m times 5.
+// Cuts a unit's text into the longest tokens. No name or decimal number follows a name directly: "m.5" is m times 5.
 class Scanner {
  public:
   explicit Scanner(std::string_view text) : rest_(text) {}
@@ -143,7 +143,7 @@ class Scanner {
   Token cut(Kind kind, std::size_t size, int power = 0) {
     const Token out{kind, rest_.substr(0, size), power};
     rest_.remove_prefix(size);
-    // "m^2s" is refused, "m²s" is not
+    // "m^2s" is refused, "m²s" is accepted
     const bool keeps = kind == Kind::kPower && (out.text[0] == '^' || out.text[0] == '*');
     behind_name_ = keeps ? behind_name_ : kind == Kind::kName;
     return out;
@@ -155,7 +155,7 @@ class Scanner {
     return end - begin;
   }
 
-  // A name begins and ends with a letter, and may hold digits: "H2O". Beyond ASCII all is a letter but · and superscripts.
+  // A name begins and ends with a letter and may contain digits: "H2O". Beyond ASCII all characters but · and superscripts are letters.
   [[nodiscard]] std::size_t name_size() const {
     if (rest_[0] == '%' || rest_[0] == '\'' || rest_[0] == '"') return 1;
     std::size_t end = 0;
@@ -177,7 +177,7 @@ class Scanner {
 
 // --- units
 
-// a b^power, where it is a unit. It has no zero of its own: W/m^2/degC is per kelvin.
+// a b^power, where it is a unit. The product has no offset of its own: W/m^2/degC is per kelvin.
 std::optional<Unit> product(const Unit& a, const Unit& b, int power) {
   if (a.logarithm || b.logarithm || power < -kLargestPower || power > kLargestPower)
     return std::nullopt;
@@ -201,7 +201,7 @@ std::string plural_of(const std::string& name) {
   return name + (ends_in_one_of({"s", "x", "z", "ch", "sh"}) ? "es" : "s");
 }
 
-// Cuts the part before the mark off, without its blanks; all where the mark is missing.
+// Cuts off the part before the mark, without blanks; the whole text where the mark is missing.
 std::string_view cut_at(std::string_view& text, char mark) {
   const std::size_t end = std::min(text.find(mark), text.size());
   const std::string_view out = trimmed(text.substr(0, end));
@@ -216,7 +216,7 @@ class Vocabulary {
       if (std::string_view line = cut_at(lines, '\n'); !line.empty() && line[0] != '#') add(line);
   }
 
-  // A unit with its prefixes, of which one at most is a symbol: "kilometer", "kmeter", "km", and no "mkm".
+  // A unit with its prefixes, at most one of which is a symbol: "kilometer", "kmeter", "km", but not "mkm".
   [[nodiscard]] std::optional<Unit> find(std::string_view text) const {
     std::string name(text);
     for (std::size_t i = name.find(kNoBreak); i != std::string::npos; i = name.find(kNoBreak))
@@ -253,7 +253,7 @@ class Vocabulary {
 
   void add(std::string_view line);
 
-  std::map<std::string, Unit, std::less<>> names_;  // in capitals
+  std::map<std::string, Unit, std::less<>> names_;  // in capital letters
   std::map<std::string, Unit, std::less<>> symbols_;
   std::size_t bases_ = 0;
 };
@@ -272,7 +272,7 @@ class Parser {
  private:
   Token take() { return std::exchange(token_, scanner_.next()); }
 
-  // What may follow the first power of a product.
+  // Parses what follows the first power of a product.
   std::optional<Unit> product_of(std::optional<Unit> out) {
     while (out && token_.kind != Kind::kEnd && token_.kind != Kind::kClose) {
       const bool over = token_.kind == Kind::kOver;

@@ -1,13 +1,13 @@
 // Names, symbols and definitions are those of UDUNITS-2 (2.2.28, files udunits2-*.xml, copyright 2008, 2009 University
 // Corporation for Atmospheric Research; its notice is in debian/copyright). tests/unit/units/udunits_test.cpp compares
-// each of them with that library. Of our own is the symbol deg alone.
+// each of them with that library. Only the symbol deg was added.
 #include "units/unit_table.h"
 
 namespace wythe {
 
-// Symbols mind capitals, names do not. A name has a plural by the rules of English, or the one of
-// "foot/feet". "base" is a unit of SI, in the order of kBaseUnits. "K shifted" has its zero elsewhere than K: no factor
-// converts it. No factor converts a logarithm either. Two units stand as letter and as sign of Unicode: Ω and Å.
+// Symbols distinguish capitals, names do not. A name has the regular English plural, or the one after the slash in
+// "foot/feet". "base" is a unit of SI, in the order of kBaseUnits. "K shifted" has another zero than K, so no factor
+// converts it; nor does one convert a logarithm. Ω and Å stand twice, as letter and as Unicode sign.
 const std::string_view kUnitLines = R"table(
 # SI
 base                             | m        | meter metre

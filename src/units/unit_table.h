@@ -1,11 +1,11 @@
-// The vocabulary of units, as text: one unit a line, read by unit_parser.cpp at the first use.
+// The vocabulary of units as text, one unit a line; unit_parser.cpp reads it at the first use.
 #pragma once
 
 #include <string_view>
 
 namespace wythe {
 
-// Lines "definition | symbols | names". A definition names units of earlier lines alone.
+// Lines "definition | symbols | names". A definition uses only units of earlier lines.
 extern const std::string_view kUnitLines;
 
 }  // namespace wythe

@@ -1,4 +1,4 @@
-// Quantities to SI and back, with what is said of wrong ones. unit_parser.cpp knows the units.
+// Converts quantities to SI and back, and describes wrong ones. unit_parser.cpp knows the units.
 #include "wythe/parts/units.h"
 
 #include <algorithm>
@@ -78,8 +78,8 @@ std::string dimension_name(std::string_view si_unit) {
   return fmt::format("{} [{}]", name.empty() ? "a quantity" : name, si_unit);
 }
 
-// Multiplies by the factor so that decimal texts keep their bits: 310 mm is 310 / 1000 m, which is
-// the double nearest to 0.31, while 310 * 0.001 need not be.
+// Multiplies by the factor so that decimal texts keep their bits: 310 mm becomes 310 / 1000 m, the
+// double nearest to 0.31, while 310 * 0.001 may differ in the last bit.
 double scaled(double number, double factor) {
   const double divisor = std::round(1.0 / factor);
   const bool divides = factor < 1.0 && std::abs(divisor * factor - 1.0) < 1e-14;
@@ -99,10 +99,10 @@ std::optional<Split> split_quantity(std::string_view text) {
   return Split{found->value, std::string(trimmed(found->rest))};
 }
 
-// "1 200 mm" would be 1 x 200 mm and "3 m 4" 12 m: a slip of the hand, not a unit.
+// Whether the unit contains a number. "1 200 mm" would be 1 x 200 mm and "3 m 4" 12 m: typing errors, not units.
 bool holds_number(std::string_view unit) {
   const bool leads = !unit.empty() && is_digit(unit[0]) && !unit.starts_with("1/");
-  // behind a blank or a mark of arithmetic, of which some end with the byte 0x97 or 0xb7: "MPa/10", "MPa×10"
+  // after a blank or a mark of arithmetic, some of which end with the byte 0x97 or 0xb7: "MPa/10", "MPa×10"
   constexpr std::string_view kMarks = " /\x97\xb7";
   bool is_factor = false;
   for (std::size_t i = 1; i < unit.size(); ++i) {
@@ -113,7 +113,7 @@ bool holds_number(std::string_view unit) {
   return leads || is_factor;
 }
 
-// "1234.5 N" for "1.234,5 N", and both readings of "150,000 N".
+// Suggests "1234.5 N" for "1.234,5 N", and both possible readings of "150,000 N".
 std::string without_commas(std::string_view text) {
   const std::string whole(trimmed(text));
   const std::size_t end = std::min(whole.size(), whole.find_first_not_of("+-.,0123456789"));
@@ -144,8 +144,8 @@ void refuse_second_number(std::string_view text, std::string_view unit) {
                         "write one number without blanks, then its unit");
 }
 
-// Words that are units of the trade in America, as UDUNITS has them, and masonry's own users do not mean: a short ton of 2000 lb,
-// the grain of 65 mg.
+// Words that UDUNITS knows as American units but masonry engineers mean otherwise: a ton is the short ton of 2000 lb there,
+// gr the grain of 65 mg.
 struct DoubtfulWord {
   std::string_view word, meaning, cure;
 };
@@ -185,7 +185,7 @@ bool has_one_of(const std::string& unit, std::initializer_list<const char*> word
                      [&](const char* word) { return unit.find(word) != std::string::npos; });
 }
 
-// Angles have no dimension, so a slope would pass as an angle.
+// Refuses slopes as angles: an angle has no dimension, so a slope would pass unnoticed.
 void refuse_slopes(const std::string& unit, std::string_view si_unit) {
   if (si_unit == "rad" && !has_one_of(unit, {"rad", "deg", "°", "arc", "angular", "gon", "grad",
                                              "turn", "circle", "cycle", "revolution", "rotation"}))

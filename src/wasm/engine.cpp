@@ -8,7 +8,7 @@
 #include "wythe/c.h"
 #include "wythe/parts/model.h"
 
-// clang 14 calls the default constructors of these two vectors of State without making them. Here they are, under the names it calls.
+// clang 14 calls the default constructors of these two vectors of State without emitting them, so they are defined here.
 extern "C" {
 using Contacts = std::vector<wythe::FreeContact>;
 using HandOvers = std::vector<wythe::HandOver>;

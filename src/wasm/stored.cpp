@@ -1,5 +1,5 @@
-// Bytes in zlib's format, but not packed (blocks of RFC 1951 that are stored): browsers unpack the page's data as ever, and
-// no library is needed. Of packed bytes only such are read.
+// Bytes in the format of zlib without compression (stored blocks of RFC 1951). So browsers can
+// unpack the page's data as usual, and no library is needed. Only such blocks can be read back.
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
@@ -44,14 +44,14 @@ std::string deflated(const std::string& bytes) {
 
 struct Inflater::Stream {
   std::string_view rest;
-  std::size_t left = 0;  // in the block that is read
+  std::size_t left = 0;  // in the present block
   bool is_last = false, ended = false;
   std::uint32_t sum = 1;
 
   [[nodiscard]] std::uint32_t byte(std::size_t k) const {
     return static_cast<unsigned char>(rest[k]);
   }
-  // To a block with bytes in it; false at the end or where the bytes are no stored block.
+  // Moves to a block that has bytes; false at the end or where a block is not stored.
   bool begin_block() {
     while (left == 0) {
       if (is_last) {

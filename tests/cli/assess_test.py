@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""wythe assess as a user meets it: one model in, one verdict out; both ways, resumed, replayed, refused."""
+"""wythe assess from the command line: one verdict for one model; both directions, resumed, replayed, refused."""
 import csv
 import json
 import os

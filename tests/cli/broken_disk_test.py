@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Each call that changes a file fails once, in turn: of a campaign, a merge and a run. And a clock that jumps.
+"""Failures of the disk in a campaign, a merge and a run: each call that changes a file fails once, in turn. Also a clock that jumps.
 
 A library that is preloaded (tests/faults/broken_disk.c) counts the calls below the folder of results and lets one of them fail: by an error of the
 disk, by a disk that is full from there on, by the end of the process before it, or by a loss of power, which takes what was not
-synchronised. Whatever fails, the program says it in words of its own, or its
-results are whole; and the same command goes on afterwards to the bytes of an undisturbed one.
+synchronised. After any failure the program reports it in its own words, or its
+results are complete. The same command then continues to the bytes of an undisturbed one.
 
 Of each way to fail it takes every sixteenth call (of a run every eighth), each way beginning at another one. With WYTHE_LONG=1 (make test-long) it takes all.
 """

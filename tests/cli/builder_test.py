@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The builder in space from the command line: tables of a model file become walls, vaults and domes that run, and bad
-ones are refused by place, all at once."""
+"""The builder in space from the command line: tables of a model file become walls, vaults and domes that run. Faulty
+ones are refused with their places, all at once."""
 import json
 import os
 import pathlib

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The C interface: a C program compiled against the header alone, and what libwythe.so shows of itself."""
+"""The C interface: a C program compiled with only the header, and the symbols that libwythe.so exports."""
 import os
 import pathlib
 import subprocess

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Campaigns as a user meets them: killed, stopped, resumed, sharded, replayed, and faulty stores."""
+"""Campaigns from the command line: killed, stopped, resumed, sharded, replayed, and faulty stores."""
 import csv
 import json
 import os

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Checkpoints of `wythe run`: killed at any point and resumed, a run ends with the files and the hash of one that
-nobody disturbed; a checkpoint that can't be used is refused by name, and nothing is overwritten."""
+"""Checkpoints of `wythe run`: killed at any point and resumed, a run ends with the files and the hash of an undisturbed
+one. A checkpoint that cannot be used is refused with its name, and nothing is overwritten."""
 import json
 import os
 import re

@@ -1,4 +1,4 @@
-"""tools/check_layers sees every kind of file that holds code, and tools/check_sizes reports what is long."""
+"""tools/check_layers reads every kind of file with code, and tools/check_sizes reports long files and functions."""
 import os
 import pathlib
 import subprocess

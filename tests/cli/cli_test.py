@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The command line as a user meets it: files, columns, exit codes, messages, faults, interrupts."""
+"""The command line: files, columns, exit codes, messages, faults, interrupts."""
 import csv
 import json
 import os

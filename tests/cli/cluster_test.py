@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Campaigns as arrays of Slurm: the scripts, what is left to run, and a cluster of one node that runs them."""
+"""Campaigns as arrays of Slurm: the scripts, the remaining tasks, and a cluster of one node that runs them."""
 import json
 import os
 import pathlib

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Options side by side as a user meets them: run, killed, resumed, sharded, compared, refused."""
+"""Options side by side from the command line: run, killed, resumed, sharded, compared, refused."""
 import json
 import pathlib
 import re

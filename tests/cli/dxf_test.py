@@ -1,4 +1,4 @@
-"""Drawings (DXF) that another program wrote: read as it reads them, and refused by name where they cannot be.
+"""Drawings (DXF) from another program: read with the same result, or refused with the reason.
 
 Exit 77 where ezdxf or wythe is absent."""
 import json

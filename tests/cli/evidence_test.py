@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""tools/evidence: studies become pages that say who made them, keep what people wrote, and are refused one by one."""
+"""tools/evidence: studies become pages that name the program, and keep text that people wrote; a faulty study is refused alone."""
 import csv
 import importlib.machinery
 import importlib.util

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""wythe export: tables that say what the store and the files of a run say."""
+"""wythe export: its tables agree with the store and with the files of a run."""
 import csv
 import json
 import pathlib

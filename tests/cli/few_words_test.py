@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""No more words than there are things to say: notes of one kind in one line with a table, modes of many elements in
-one short line, and no WARNING beside a usable push."""
+"""Short console output: notes of one kind in one line with a table, modes of many elements in
+one line, and no WARNING beside a usable push."""
 import json
 import pathlib
 import re

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""tools/fuzz with a fuzzer that says what libFuzzer says: its counts, and that one which does nothing has failed."""
+"""tools/fuzz with a simulated libFuzzer: its counts, and a failure if the fuzzer does nothing."""
 import os
 import pathlib
 import subprocess

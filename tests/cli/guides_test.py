@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""README, tutorials, how-to's and the pages of the examples as a reader follows them: every command runs, and what it prints is what the page says.
+"""README, tutorials, how-to's and the pages of the examples: every command runs, and its output is that of the page.
 
 A page is followed from top to bottom in an empty folder. A fence of commands is run as a shell script. A comment above a fence says
 how the test treats it; a reader does not see it:
@@ -8,9 +8,9 @@ how the test treats it; a reader does not see it:
   <!-- test: adds house/model.toml -->          the fence is added to this file
   <!-- test: said -->                           the last commands printed these lines; their numbers within 2 %
   <!-- test: short --samples 2 -->              the runs, campaigns and comparisons of models below take these options too, because they take minutes
-  <!-- test: first wythe run ... -->            run this before, with the options of `short`: the page supposes its results
-  <!-- test: long -->                          run by make test-long alone, and what the next fence says it printed
-  <!-- test: long --samples 2 -->              the same; make test runs it with these options, and compares no lines with what is printed
+  <!-- test: first wythe run ... -->            run this before, with the options of `short`: the page needs its results
+  <!-- test: long -->                          run only by make test-long, with the output of the next fence
+  <!-- test: long --samples 2 -->              the same; make test runs it with these options, without a comparison of its output
   <!-- test: exit 3 -->                         the commands below end with this code
   <!-- test: needs pandas -->                   run where this Python module is installed
   <!-- test: not run: it needs a graphics card -->   with the reason

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""What surrounds the program: numbers and empty words on the command line, an environment meant for other programs,
-files that may not grow. It says in words what is wrong, dies of no signal, and leaves no half file behind."""
+"""The surroundings of the program: numbers and empty words on the command line, an environment for other programs,
+file size limits. The program reports the fault in words, ends without a signal, and leaves no incomplete file."""
 import os
 import pathlib
 import re

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Results that somebody has changed, as a user meets them: folders that are none, links within them, shards that
-may not be written, stores of impossible counts. Refused by their names, in plain words, in little memory."""
+"""Results that were changed: folders of other content, links within them, shards without write permission,
+stores with impossible counts. They are refused with their names, in plain words, in little memory."""
 import json
 import os
 import pathlib

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Hostile input as a user meets it: refused with file, cause and cure, in little memory, nothing written."""
+"""Hostile input on the command line: refused with file, cause and cure, in little memory, nothing written."""
 import json
 import os
 import pathlib

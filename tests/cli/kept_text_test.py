@@ -1,4 +1,4 @@
-"""Pages that tools write and people add to: what people wrote is kept, or the page is not written."""
+"""Pages by tools with text that people added: this text is kept, or the page is not written."""
 import os
 import pathlib
 import re

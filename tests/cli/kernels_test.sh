@@ -4,10 +4,10 @@
 # machines.
 status=77
 for set in avx2 avx512; do
-  object=$(find "$BUILD" -name "kernels_$set.cpp.o" | head -n 1)
-  [ -n "$object" ] || { echo "no $set kernels in this build"; continue; }
+  objects=$(find "$BUILD" -name "*kernels_$set.cpp.o" -not -path "*/watched/*")
+  [ -n "$objects" ] || { echo "no $set kernels in this build"; continue; }
   [ $status = 77 ] && status=0
-  shared=$(nm -C --defined-only "$object" | grep -E ' [WVu] ' | grep -v -e "$set" -e personality)
+  shared=$(echo "$objects" | xargs nm -C --defined-only | grep -E ' [WVu] ' | grep -v -e "$set" -e personality)
   [ -z "$shared" ] && continue
   echo "functions of the $set kernels that other files could be given:"
   echo "$shared"

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""wythe limit as a user meets it: files, columns, both directions, comparison with runs, refusals."""
+"""wythe limit from the command line: files, columns, both directions, comparison with runs, refusals."""
 import csv
 import json
 import os

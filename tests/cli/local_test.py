@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""wythe limit --assessment of parts out of plane: what is said, what must be refused, and what must not be signed."""
+"""wythe limit --assessment of parts out of plane: output, refusals, and results that must not be signed."""
 import json
 import pathlib
 import tempfile

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Materials by rule and typology, as a user meets them: the list, a run and its files, a stiff crack plane."""
+"""Materials by rule and typology, from the command line: the list, a run and its files, a stiff crack plane."""
 import json
 import pathlib
 import unittest

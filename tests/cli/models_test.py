@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Models before and after by one command: run both ways, compared, said in a sentence, resumed, refused, and not fooled."""
+"""Models before and after by one command: pushed both ways, compared, summarised in a sentence, resumed, and refused."""
 import json
 import pathlib
 import shutil

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The packaging in debian/: its control file, one version everywhere, and lists that name what is installed. Building the packages and
+"""The packaging in debian/: its control file, one version everywhere, and the lists of installed files. Building the packages and
 installing them in a new Debian: package_long_test.py (make test-long)."""
 import fnmatch
 import os

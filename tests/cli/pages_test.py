@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""README and the first tutorial as a reader follows them: their files and commands, and the numbers they state."""
+"""README and the first tutorial: their files and commands, and the numbers in them."""
 import csv
 import os
 import pathlib

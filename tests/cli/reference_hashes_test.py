@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Three walls end in the states they always ended in: no change of build, layout or speed moved a bit.
+"""Three walls end with unchanged state hashes, so no change of build, layout or speed changed a bit.
 
-They change only with the mechanics, and then the reason stands in CHANGELOG, "Numerical changes". They are the same with every set of
+They change only with the mechanics, and then CHANGELOG, "Numerical changes", gives the reason. They are the same with every set of
 kernels, and since elementary functions are our own (src/core/elementary.h), on every machine.
 """
 import json

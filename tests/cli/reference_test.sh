@@ -1,5 +1,5 @@
 #!/bin/sh
-# What docs/reference takes from the program's own descriptions and help is what they say (make docs).
+# The parts of docs/reference made from the program's descriptions and help are up to date (make docs).
 set -e
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

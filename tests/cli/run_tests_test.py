@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""tools/run_tests in a folder of its own: which tests a name means, how cases are counted, what begins first."""
+"""tools/run_tests in a folder of its own: the tests of a name, the count of cases, and the order of the start."""
 import json
 import os
 import pathlib

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What CI runs under sanitizers: its counts add up, silence fails, and each test that it names is there."""
+"""The tests of CI under sanitizers: their counts add up, missing output fails, and each named test exists."""
 import os
 import pathlib
 import re

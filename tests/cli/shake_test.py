@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Earthquakes from the command line: a record goes in, its check is told before the run, histories come out, and the
+"""Earthquakes from the command line: a record is checked before the run, histories are written, and the
 folder of a run can be run again."""
 import csv
 import json

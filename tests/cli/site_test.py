@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The site (make site): it builds without a warning, every link leads somewhere, every word is one; and the checks themselves fail on faults.
+"""The site (make site): it builds without a warning, with valid links and known words; and the checks themselves fail on faults.
 
 Skips, with the reason, where the packages of deps/site.txt are not installed.
 """

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Walls in space from the command line: a mesh goes in, the files of a run come out, and what is not to be had in
-space is refused by name."""
+"""Walls in space from the command line: a mesh gives the files of a run, and inputs without support in
+space are refused with their names."""
 import json
 import os
 import pathlib

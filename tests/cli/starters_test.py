@@ -1,4 +1,4 @@
-"""wythe new, and the examples: what is handed out to start from runs as it is."""
+"""wythe new, and the examples: each starter runs without changes."""
 import json
 import os
 import pathlib

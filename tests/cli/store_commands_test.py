@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What lies in a folder: wythe status tells who runs and what is left, wythe store check whether it is whole."""
+"""wythe status lists the running processes and the remaining samples of a folder; wythe store check finds damage."""
 import fcntl
 import os
 import re

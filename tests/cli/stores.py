@@ -1,4 +1,4 @@
-"""What tests do to the store of a campaign."""
+"""Changes that tests make to the store of a campaign."""
 import struct
 
 

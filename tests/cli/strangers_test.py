@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Files as others have them: each is read for what it is, or refused with the reason that is so (tests/data/strangers)."""
+"""Files from other programs and people: each is read correctly, or refused with the true reason (tests/data/strangers)."""
 import json
 import math
 import os

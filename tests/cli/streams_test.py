@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Standard streams that are closed or full: no result is damaged, nothing stops by itself, and what did not arrive is said."""
+"""Standard streams that are closed or full: no result is damaged, no run stops, and lost output is reported."""
 import os
 import pathlib
 import signal

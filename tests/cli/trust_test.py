@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What the program vouches for: peaks in balance, verdicts, load-controlled stages, cycles."""
+"""Results that the program confirms: peaks in balance, verdicts, load-controlled stages, cycles."""
 import csv
 import json
 import math

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Bias and scatter of the tested walls: the statistic against closed forms, who counts, and a page that is not stale."""
+"""Bias and scatter of the tested walls: the statistic against closed forms, the walls that count, and a page that is up to date."""
 import json
 import math
 import os

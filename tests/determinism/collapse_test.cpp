@@ -1,5 +1,5 @@
-// A collapse has the same bits on every instruction set, in every lane, on any number of threads and over every
-// cut, in the plane and in space: contacts that come and go are part of the state, and found without chance.
+// A collapse has the same bits for every instruction set, lane, number of threads and cut, in the plane
+// and in space. Contacts that come and go are part of the state, and the search for them is deterministic.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -89,7 +89,7 @@ TEST(Collapse, no_instruction_set_and_no_number_of_threads_changes_a_bit) {
   expect_collapsed(*first_in_space);
 }
 
-// Where there are dashpots, contacts are taken one by one, here by dashpots that resist nothing.
+// With dashpots, contacts are taken one by one. These dashpots have no resistance.
 TEST(Collapse, contacts_taken_one_by_one_have_the_bits_of_those_in_packs) {
   const Model model = compile(collapse(false));
   Dashpots none;

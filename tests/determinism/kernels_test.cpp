@@ -1,5 +1,5 @@
-// Every set of kernels gives the bits of the scalar one: each variant of the law, any number of
-// points, blocks that turn little and much, runs that do not fill the last pack.
+// Every set of kernels gives the bits of the scalar one: for each variant of the law, any number
+// of points, small and large rotations of blocks, and runs that do not fill the last pack.
 #include <gtest/gtest.h>
 
 #include <string>

@@ -1,4 +1,4 @@
-// One wall, any number of threads, any run: the same bits.
+// One wall gives the same bits on any number of threads, in every run.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The corpus of every fuzz target, and what the fuzzer found, through the same targets, without the fuzzer.
+// Runs the corpus of every fuzz target, with the findings of the fuzzer, through the targets without the fuzzer.
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Model and study files that are right, beside which one file is fed with anything.
+// Valid model and study files, which refer to the one file with fuzzed content.
 #pragma once
 
 #include <string>
@@ -44,7 +44,7 @@ file = "measured.csv"
 unit = "MPa"
 )";
 
-// A wall of the blocks in a file; of solids where `unit` is stated.
+// A wall from the blocks in a file; from solids where `unit` is given.
 inline std::string wall_of(const std::string& file, const std::string& more) {
   return "[wall]\nblocks = \"" + file + "\"\n" + more + "[wall.unit]\ndensity = \"2000 kg/m^3\"\n" +
          kJoint;

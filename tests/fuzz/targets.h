@@ -1,5 +1,5 @@
-// Readers fed with any bytes. Each answers, or refuses with an InputError or IoError in our own words; whatever else
-// happens is a finding.
+// Readers called with arbitrary bytes. Each must succeed, or refuse with
+// an InputError or IoError in our own words. Everything else is a finding.
 #pragma once
 
 #include <filesystem>
@@ -15,12 +15,12 @@ struct Target {
 };
 [[nodiscard]] const std::vector<Target>& targets();
 
-// Throws std::logic_error where the reader's refusal holds words of a library, and whatever else it threw.
+// Throws std::logic_error where the reader's refusal contains words of a library; other exceptions pass through.
 void feed(const Target& target, const std::string& bytes);
 
-// A folder of this process that goes away with it; in memory where the system has such a place.
+// A folder of this process that is removed with it; in memory if the system has such a place.
 [[nodiscard]] const std::filesystem::path& scratch();
-// Writes a file there; its path.
+// Writes a file there; returns its path.
 std::string put(const std::string& name, const std::string& bytes);
 
 // of text_targets.cpp, solid_targets.cpp, result_targets.cpp

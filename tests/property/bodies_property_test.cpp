@@ -1,5 +1,5 @@
-// Laws of bodies in space that no frame changes: moments turn as a tensor, joint faces keep their areas, and neither
-// depends on the order of the bodies. Tolerances are round-off of coordinates of metres.
+// Laws of bodies in space in any frame: moments of inertia turn as a tensor, joint faces keep their
+// areas, and the order of the bodies does not matter. Tolerances are round-off of coordinates in metres.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -83,7 +83,7 @@ RC_GTEST_PROP(Bodies, joint_faces_do_not_depend_on_the_order, ()) {
   for (std::size_t i = 0; i < a.size(); ++i) RC_ASSERT(std::abs(a[i] - b[i]) < 1e-14);
 }
 
-// What a face loses to a joint is what stays free.
+// The area of a face is the sum of its joint areas and its free area.
 RC_GTEST_PROP(Bodies, free_and_joint_areas_add_up_to_the_surface, ()) {
   const std::vector<BodySpec> stones = any_stones();
   FaultList faults;

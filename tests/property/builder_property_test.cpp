@@ -1,5 +1,5 @@
-// The builder in space against closed forms: volumes, areas of beds and joints, mirrored and turned plans, what ties
-// wythes, and what it refuses. Tolerances are round-off of coordinates of metres.
+// The builder in space against closed forms: volumes, areas of beds and joints, mirrored and turned
+// plans, connections between wythes, and refusals. Tolerances are round-off of coordinates in metres.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -162,8 +162,8 @@ TEST(Builder, an_opening_in_a_meeting_is_refused) {
   EXPECT_EQ(b.faults.all().front().path, "plan_wall.0.opening.0.x") << told(b.faults);
 }
 
-// Where walls are toothed no upright plane cuts one off from the other: each course that goes through lies on and
-// under blocks of the other wall.
+// At toothed walls no vertical plane separates them: each course
+// that goes through lies on and under blocks of the other wall.
 TEST(Builder, teeth_lie_on_the_other_wall_by_turns) {
   const Built b = build(plan({wall("a", {{0, 0}, {2.025, 0}}), wall("b", {{0, 0}, {0, 1.425}})}));
   std::map<int, double> bedded;  // by the upper course: area between the two walls

@@ -1,7 +1,7 @@
-// A Compiler that keeps its assembly gives the bits or the faults of a full compile, whatever changes.
+// A Compiler that keeps its assembly gives the bits or the faults of a full compile, for any change.
 //
-// A Change is a visitor of the description, so every key of a model is changed, and a new one without
-// a line here: each key alone in several ways, and many keys at random.
+// A Change is a visitor of the description. So every key of a model is changed, also a
+// new one without a line here: each key alone in several ways, and many keys at random.
 #include "model/compiler.h"
 
 #include <gtest/gtest.h>

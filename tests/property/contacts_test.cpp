@@ -1,5 +1,5 @@
-// Laws that free contacts may not break: forces are the slope of the energy, numbers and mirrors do not
-// matter, and the search finds all that touch.
+// Laws of free contacts: forces are the gradient of the energy, numbering
+// and mirroring do not matter, and the search finds all touching pairs.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -174,9 +174,9 @@ void run(Rig& rig, double steps) {
   rig.run(steps * rig.controls.dt);
 }
 
-// Of two faces as good that of the body with the smaller number is taken (docs/theory/contacts.md), and both differ
-// by the tilt between them squared and the depth over the length, some 1e-4: in an undamped pile that moves by 0.1 mm
-// a few per cent of the motion after 1500 steps.
+// If two faces are equally good, that of the body with the smaller number is taken
+// (docs/theory/contacts.md). The two differ by the tilt between them squared and the depth over the length,
+// some 1e-4. In an undamped pile that moves by 0.1 mm this is a few per cent of the motion after 1500 steps.
 TEST(FreeContact, numbers_of_blocks_do_not_matter) {
   Rig one(compile(pile())), other(compile(scenes::reversed(pile())));
   run(one, 1500);

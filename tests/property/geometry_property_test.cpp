@@ -1,5 +1,5 @@
-// Laws every generated wall obeys, whatever its bond, split, size and openings:
-//   nothing overlaps, nothing is missing (areas add up), every facing pair touches over all of its
+// Laws of every generated wall, for any bond, split, size and openings:
+//   nothing overlaps, nothing is missing (areas add up), every pair of facing units touches over all of its
 //   common length (lengths add up), head joints are staggered, a mirrored wall mirrors.
 // Tolerances are round-off: coordinates of metres, a few hundred to thousands of terms.
 #include <gtest/gtest.h>

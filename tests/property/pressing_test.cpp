@@ -1,5 +1,5 @@
-// Pairs that press, taken eight at a time (dynamics/passes/pressing.h): every width gives the same bits, and they are
-// those of two parts alone.
+// Pairs of parts that press, taken eight at a time (dynamics/passes/pressing.h):
+// every width gives the same bits as two parts alone.
 #include "dynamics/passes/pressing.h"
 
 #include <gtest/gtest.h>

@@ -54,7 +54,7 @@ struct End {
   std::set<std::string> cut_in;
 };
 
-// What a wall is in the middle of.
+// The features that a wall is using in this state.
 std::set<std::string> middle_of(const Model& model, const State& state, const RunRecord& record) {
   const StageSpec& stage = model.stages[static_cast<std::size_t>(state.stage)].spec;
   const char* kinds[] = {"gravity", "load", "push", "body force", "tilt", "hold", "shake", "cut"};
@@ -165,7 +165,7 @@ TEST(Restart, in_a_hold_after_a_push_gives_the_same_result) {
   expect_invisible(spec, kPiece, {"push", "hold"});
 }
 
-// How far a support went in the last step is in no state: the record tells it.
+// The last step of a support is in no state, because it follows from the record.
 TEST(Restart, a_support_that_shakes_what_lies_on_it_in_pieces_gives_the_same_result) {
   ModelSpec spec = scenes::in_space({scenes::box("floor", {-1, -0.2, -1}, {2, 0.2, 2}, true),
                                      scenes::box("a", {-0.2, 0, -0.15}, {0.4, 0.3, 0.3}),

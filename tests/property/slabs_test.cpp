@@ -1,5 +1,5 @@
-// Floor slabs of the builder against closed forms: volumes, areas of their joints, pockets, where they lie, plans turned
-// in the world, and what is refused. Tolerances are round-off of coordinates of metres.
+// Floor slabs of the builder against closed forms: volumes, areas of their joints, pockets,
+// positions, turned plans, and refusals. Tolerances are round-off of coordinates in metres.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,8 +1,8 @@
-// Laws of nature in space: turn, mirror, renumber the world or cut a face in two, and the answer follows.
+// Laws of nature in space: after turning, mirroring or renumbering the wall, or cutting a face in two, the result follows.
 //
-// Two leaves on a floor get their weight and are pushed askew until they crack and slide. Nothing but rounding
-// may differ. The vector form of local damping knows no axes, so it may stay on; it is not continuous where
-// a velocity is all but 0, which magnifies rounding. Tolerances are of the largest displacement or reaction.
+// Two leaves on a floor get their weight and are pushed obliquely until they crack and slide. Only rounding may
+// differ. The vector form of local damping does not depend on axes, so it may stay on. It is not continuous near
+// zero velocity, which magnifies rounding. Tolerances are relative to the largest displacement or reaction.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,9 +1,9 @@
-// read(write(spec)) = spec, to the bit, for specs whose every member is drawn.
+// read(write(spec)) = spec, to the bit, for specs with every member drawn at random.
 //
-// The generator is itself a visitor of the description, so a new key is drawn without a line here.
-// Values are drawn within the key's range, half of them decimal numbers as people write them, half
-// of any bits; optional members stay unset now and then. What stands between keys (kinds of stages,
-// one load a stage, a law without snap-back) is put right afterwards.
+// The generator is a visitor of the description, so a new key is drawn without a line here.
+// Values are drawn within the key's range. Half of them are decimal numbers as people write
+// them, half have random bits. Optional members are sometimes unset. Conditions between keys
+// (kinds of stages, one load in each stage, a law without snap-back) are restored afterwards.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -290,7 +290,7 @@ void make_valid(JointMaterial& material) {
   material.compressive_energy = 128000 * more;
 }
 
-// What stands between the keys of a spectrum: each kind has its own.
+// Keeps only the keys of the spectrum's kind.
 void make_valid(SpectrumSpec& s) {
   const SpectrumSpec drawn = s;
   s = {};

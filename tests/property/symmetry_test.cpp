@@ -1,10 +1,10 @@
-// Laws of nature: mirror, turn, renumber or rescale wall and load, and the answer follows.
+// Laws of nature: after mirroring, turning, renumbering or rescaling wall and load, the result follows.
 //
-// A wall of half units with a hole is loaded by gravity and pushed until it cracks. Nothing but
-// round-off may differ. Without damping it grows to 2e-13 of the peak over these 3000 steps;
-// the tolerance is 1e-10. Local damping is not continuous: where a velocity is
-// zero but for round-off its sign, and with it 0.8 of the force for a step, is left to chance. So the
-// damped answers are compared until cracks make more of that, with the spread measured there.
+// A wall of half units with a hole is loaded by gravity and pushed until it cracks. Only
+// round-off may differ. Without damping it grows to 2e-13 of the peak over these 3000
+// steps; the tolerance is 1e-10. Local damping is not continuous: where a velocity is zero
+// up to round-off, its sign is random, and with it 0.8 of the force for a step. So damped
+// results are compared only until cracks magnify this, with the spread measured there.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -41,7 +41,7 @@ struct Setting {
 
 const Setting kUndamped{.damping = 0};
 
-// What a push gives, by block name.
+// The results of a push, by block name.
 struct Answer {
   Model model;
   State state;

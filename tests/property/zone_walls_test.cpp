@@ -1,5 +1,5 @@
-// Deformable blocks among rigid ones: springs in series, even pressure through unmatched faces,
-// momenta, the energy ledger, mirror images and other orders of the blocks.
+// Deformable blocks among rigid ones: springs in series, uniform pressure through unmatched
+// faces, momenta, the energy ledger, mirror images, and other orders of the blocks.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// Deformable blocks of walls in space: momentum, pressure through faces that do not match, the bound of the step, the
-// same bits from threads, lanes and restarts, a lintel of zones beside a chain, and what is refused.
+// Deformable blocks of walls in space: momentum, pressure through unmatched faces, the limit of the
+// step, the same bits from threads, lanes and restarts, a lintel of zones against a chain, and refusals.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The types of answers (wythe.answers) are those of the engine and of the reference, and they help: a checker of types finds a slip."""
+"""The types of answers (wythe.answers) are those of the engine and of the reference, and a type checker finds mistakes with them."""
 import os
 import pathlib
 import re

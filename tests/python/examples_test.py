@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The lectures of examples/python, each with --quick; and what their figures have to say."""
+"""The lectures of examples/python, each with --quick; and the content of their figures."""
 import os
 import pathlib
 import re

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""wythe export --hdf5: h5py reads back what the CSV tables say, to the last digit."""
+"""wythe export --hdf5: h5py reads the values of the CSV tables, to the last digit."""
 import csv
 import json
 import os

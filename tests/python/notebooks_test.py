@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The notebooks of examples/python run from top to bottom in Jupyter's own kernel, and show what a reader should see."""
+"""The notebooks of examples/python run from top to bottom in Jupyter's own kernel, and show the expected output."""
 import json
 import os
 import pathlib

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""The Python package as its users meet it. Debian's interpreter; the module of the build folder, or the one
-that pip installed where WYTHE_PYTHONPATH is empty."""
+"""The Python package with Debian's interpreter: the module of the build folder, or the one
+that pip installed if WYTHE_PYTHONPATH is empty."""
 import ast
 import json
 import os

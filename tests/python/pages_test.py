@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Pages about Python as a reader follows them: the blocks of a page run one after another in one interpreter, in a
-folder with the examples at hand, and its commands run between them. tests/cli/guides_test.py leaves these pages to this test.
+"""Pages about Python: the blocks of a page run one after another in one interpreter, in a
+folder with the examples, and its commands run between them. tests/cli/guides_test.py leaves these pages to this test.
 """
 import importlib.util
 import os

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What answers say of themselves in Python: no NaN without a word, no bare None, cores that mean the same in every
+"""Answers that explain themselves in Python: no NaN or None without a reason, the same meaning of cores in every
 call, and a docstring and types for every name that help() shows."""
 import inspect
 import os

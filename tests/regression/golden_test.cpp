@@ -1,7 +1,7 @@
-// Did anything change? A few whole pushes against stored answers; changed only by tools/bless.
+// Complete pushes against stored results, to find any change; only tools/bless changes these.
 //
-// The hash must agree to the bit: the step and the law use no libm transcendental and no fused
-// multiply-add. The figures beside it say what moved when it does not.
+// The hash must agree to the bit: the step and the law use no libm transcendental
+// and no fused multiply-add. If it differs, the other figures show what changed.
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 

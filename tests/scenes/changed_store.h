@@ -1,4 +1,4 @@
-// A store that somebody has changed who knows of its checksums: what reads it has to stand without them.
+// A store changed by somebody who also updates its checksums, so readers have to find faults without them.
 #pragma once
 
 #include <string>

@@ -1,7 +1,7 @@
-// A wall moved by hand as rigid bodies, for the tests of failure modes.
+// A wall that a test moves as rigid bodies, for the tests of failure modes.
 //
-// Every block moves with the body its centroid lies in; the joints' largest openings and their slips
-// are those of the motion.
+// Every block moves with the body that contains its centroid. The
+// joints' largest openings and their slips are those of the motion.
 #pragma once
 
 #include <algorithm>
@@ -53,11 +53,11 @@ using Mechanism = std::function<Motion(double x, double y)>;
   return state;
 }
 
-// --- names of parts in the mirror
+// --- mirrored names of parts
 
 [[nodiscard]] inline std::string swapped_sides(std::string name) {
   const auto left = name.find("left"), right = name.find("right");
-  // the later first, so that the earlier place stays valid
+  // the later one first, so that the earlier position stays valid
   const auto change = [&](std::size_t at) {
     if (at == std::string::npos) return;
     const bool is_left = name.compare(at, 4, "left") == 0;
@@ -73,7 +73,7 @@ using Mechanism = std::function<Motion(double x, double y)>;
   return name;
 }
 
-// Toes and piers are named by side twice: "left toe of the left pier" mirrors to "right ... right".
+// Names of toes and piers contain a side twice: "left toe of the left pier" mirrors to "right ... right".
 [[nodiscard]] inline std::string mirror_name(const std::string& name) {
   const auto of = name.find(" of the ");
   if (of == std::string::npos) return swapped_sides(name);

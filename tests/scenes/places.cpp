@@ -1,4 +1,4 @@
-// The one file of the tests that knows absolute paths, so that a compiler cache serves the others to every checkout.
+// The only file of the tests with absolute paths, so that a compiler cache can serve the other files in every checkout.
 #include "scenes/places.h"
 
 namespace wythe {

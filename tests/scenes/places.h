@@ -1,4 +1,4 @@
-// Where the tests find the sources, and where they put what they write.
+// The folders of the tests: where the sources are, and where output goes.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// A wall stepped by hand: model, state, processor and controls together, without stages. The state may be
-// changed between steps; after a step its arrays are up to date.
+// A wall stepped by a test: model, state, processor and controls together, without
+// stages. The state may be changed between steps. After a step its arrays are up to date.
 //
 //   Rig rig(compile(spec));
 //   rig.state.gravity_y = -9.81;
@@ -37,7 +37,7 @@ class Rig {
   Rig(const Rig&) = delete;
   Rig& operator=(const Rig&) = delete;
 
-  // Gives the reaction.
+  // Returns the reaction.
   double step() {
     take_changes();
     go();
@@ -50,7 +50,7 @@ class Rig {
     for (std::int64_t k = 0; k < steps; ++k) go();
     store_state();
   }
-  // Throws when the unbalance does not fall below `ratio` within `limit` seconds.
+  // Throws if the unbalance does not fall below `ratio` within `limit` seconds.
   void settle(double ratio, double limit = 20) {
     take_changes();
     const double start = state.time;
@@ -61,7 +61,7 @@ class Rig {
     }
     store_state();
   }
-  // Blocks driven at `velocity` along the first push stage's direction; `ramp` seconds to get there.
+  // Drives blocks at `velocity` along the direction of the first push stage; the velocity is reached in `ramp` seconds.
   void drive(std::size_t stage, double velocity) {
     controls.push = &model.stages[stage];
     controls.drive_velocity = velocity;
@@ -75,7 +75,7 @@ class Rig {
     return dynamics::energy_ledger(model, state, controls.mass_scaling);
   }
   [[nodiscard]] const dynamics::WallView& view() const { return processor.view(0); }
-  // Of the last step: rows fx, fy, ma, mb of a joint; contact forces on a block.
+  // Results of the last step: rows fx, fy, ma, mb of a joint; contact forces on a block.
   [[nodiscard]] std::array<double, 4> force(std::size_t joint) const {
     const double* row = view().t.force + 4 * processor.layout().joint_place[joint];
     return {row[0], row[1], row[2], row[3]};
@@ -105,7 +105,7 @@ class Rig {
     dynamics::choose_driven(view(), driven_);
   }
 
-  State known_;  // as the processor has it
+  State known_;  // the state that the processor has
   std::vector<BlockId> driven_;
 };
 

@@ -1,4 +1,4 @@
-// A model run to its end, with all that it was.
+// A model run to its end, with its state and result.
 #pragma once
 
 #include "wythe/parts/model.h"

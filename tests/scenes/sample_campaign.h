@@ -1,4 +1,4 @@
-// A made-up campaign: curves drawn from formulas, so that every statistic has something to say.
+// An artificial campaign with curves from formulas, so that every statistic has a result.
 #pragma once
 
 #include "wythe/parts/campaign.h"

@@ -1,4 +1,4 @@
-// A hand-made run for tests of files and reports: no solver, every number known.
+// An artificial run for tests of files and reports: no solver, every number known.
 //
 //        +---------+
 //        | upper   |   slid 3 mm to the right, head up 1 mrad

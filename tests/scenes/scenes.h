@@ -1,4 +1,4 @@
-// Small walls shared by tests and benchmarks, built in code: no file is read but for tuff_wall().
+// Small walls shared by tests and benchmarks, built in code; only tuff_wall() reads a file.
 //
 //   rectangles + assembly()     blocks on the ground with one joint material
 //   block_on_ground, stack      one block, n blocks one on the other
@@ -21,7 +21,7 @@ inline constexpr double kPi = 3.14159265358979323846;
 
 // --- materials -----------------------------------------------------------------------------------
 
-// Strengths far out of reach: a linear spring in w and slip.
+// Strengths that are never reached: a linear spring in w and slip.
 [[nodiscard]] JointMaterial elastic_joint(double normal_stiffness, double shear_stiffness);
 // No tension, no cohesion, one friction angle, no crushing.
 [[nodiscard]] JointMaterial dry_joint(double normal_stiffness, double shear_stiffness,
@@ -44,9 +44,9 @@ inline constexpr double kPi = 3.14159265358979323846;
 // "b0" (lowest) ... "b<n-1>", each width x height.
 [[nodiscard]] ModelSpec stack(int n, double width, double height, const JointMaterial& joint,
                               double thickness, double density);
-// A grid of half units 0.155 m x 0.11 m, every joint of one material, with a hole of
-// `hole` columns x `hole` courses that begins at column `hole_at_column` and course
-// `hole_at_course`. Blocks are named "r<course>c<column>"; they stand on a fixed block "sill".
+// A grid of half units 0.155 m x 0.11 m with one joint material. It has a hole of `hole`
+// columns x `hole` courses, which begins at column `hole_at_column` and course
+// `hole_at_course`. Blocks are named "r<course>c<column>" and stand on a fixed block "sill".
 struct BondSize {
   int columns = 8, courses = 8;
   int hole_at_column = 3, hole_at_course = 3, hole = 2;
@@ -60,11 +60,11 @@ struct BondSize {
 // Bodies with one joint material, density 2000 kg/m^3 where none is given; no stage.
 [[nodiscard]] ModelSpec in_space(std::vector<BodySpec> bodies, const JointMaterial& joint,
                                  double density = 2000);
-// The blocks of an assembly in its plane as prisms of its thickness, with motion in that plane.
+// The blocks of a plane assembly as prisms with its thickness, which can move in that plane only.
 [[nodiscard]] ModelSpec prisms(const ModelSpec& plane);
 // A wall of bricks, with its openings and frames, along a line in plan: "w". A pressure acts on its top course.
 [[nodiscard]] ModelSpec along_a_line(ModelSpec plane, int wythes = 1);
-// Every body turned about the upright axis, and with it what the stages do.
+// Turns every body about the vertical axis, and the directions of the stages with it.
 [[nodiscard]] ModelSpec turned_about_y(ModelSpec spec, double angle);
 
 // --- walls from a WallSpec -----------------------------------------------------------------------
@@ -75,19 +75,19 @@ struct BondSize {
                                    double pier_load = 20e3);
 // The same with columns x courses half units and no opening.
 [[nodiscard]] ModelSpec plain_wall(int columns, int courses, double until, double velocity);
-// Two dry piers of five courses and a lintel of dry stones over them, with free contacts, pushed by `until` [m]
-// and let go: it comes down.
+// Two dry piers of five courses and a lintel of dry stones over them, with
+// free contacts. A push by `until` [m], then a release: the portal collapses.
 [[nodiscard]] ModelSpec falling_portal(double until);
 // examples/tuff_wall/model.toml under source_dir(), pushed to `until` [m].
 [[nodiscard]] ModelSpec tuff_wall(const std::string& source_dir, double until);
 
-// The same with a prestressed tie that yields, one to an anchor, a floor and a wall across.
+// The same with a prestressed tie that yields, a tie to an anchor, a floor and a cross wall.
 [[nodiscard]] ModelSpec tied(ModelSpec spec);
 // small_wall with a frame of soft bars in its window, which yields in the first tenth of a millimetre.
 [[nodiscard]] ModelSpec framed(ModelSpec spec);
 // small_wall, framed or not: its window is cut in a stage before the push.
 [[nodiscard]] ModelSpec cut_under_load(ModelSpec spec);
-// small_wall with weak fibres both ways, which come off and break in the first tenth of a millimetre.
+// small_wall with weak fibres in both directions, which detach and break in the first tenth of a millimetre.
 [[nodiscard]] ModelSpec layered(ModelSpec spec);
 
 // --- stages --------------------------------------------------------------------------------------
@@ -96,7 +96,7 @@ struct BondSize {
 [[nodiscard]] StageSpec push_stage(const std::string& block, Direction direction, double velocity,
                                    double until);
 
-// A whole sine of the base along +x, with damping of every kind.
+// One full sine period of the base along +x, with damping of every kind.
 [[nodiscard]] StageSpec shake_stage(double amplitude, double period);
 
 // --- changes to an assembly ----------------------------------------------------------------------
@@ -113,7 +113,7 @@ struct BondSize {
 
 // --- parts of a model ----------------------------------------------------------------------------
 
-// Adds a stage that holds one dead load and puts it in force; returns the stage's index.
+// Adds a stage with one dead load in full force; returns the stage's index.
 std::size_t add_load(Model& model, const PointLoad& load);
 [[nodiscard]] BlockId block_named(const Model& model, const std::string& id);
 

@@ -1,5 +1,5 @@
-// A study small enough for tests: 8 x 8 half units pushed by half a millimetre, 40 ms a sample; and
-// a folder that goes away.
+// A study small enough for tests: 8 x 8 half units pushed by half
+// a millimetre, 40 ms for each sample; and a temporary folder.
 #pragma once
 
 #include <filesystem>

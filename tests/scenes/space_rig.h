@@ -1,6 +1,6 @@
-// A wall in space stepped by hand, without stages, in any frame: in_frame() turns bodies and pushes;
-// gravity is what the state says. After run() and step() the state's arrays are up to date; after they were
-// changed by hand, put() hands them over.
+// A wall in space stepped by a test, without stages, in any frame: in_frame() turns
+// bodies and pushes; gravity is that of the state. After run() and step() the state's
+// arrays are up to date. After a change of them, put() passes them to the executor.
 #pragma once
 
 #include <cmath>
@@ -36,7 +36,7 @@ class SpaceRig {
     processor.access(0)->store_state(state);
     return reaction;
   }
-  // The same, with motion and history left where they are: many times faster.
+  // The same without copying motion and history to the state: many times faster.
   double advance() {
     processor.set(0, controls);
     processor.step();
@@ -48,7 +48,7 @@ class SpaceRig {
     for (std::int64_t k = 0; k < steps; ++k) advance();
     store_state();
   }
-  // The first push stage's blocks, along its direction.
+  // Drives the first push stage's blocks along its direction.
   void drive(std::size_t stage, double velocity) {
     controls.push = &model.stages[stage];
     controls.drive_velocity = velocity;
@@ -70,7 +70,7 @@ class SpaceRig {
   [[nodiscard]] Quaternion<double> turn(std::size_t i) const {
     return {state.qw[i], {state.qx[i], state.qy[i], state.qz[i]}};
   }
-  // Of a block seen in its own axes; of a moment I w.
+  // A vector of a block in the block's own axes; the moment I w.
   [[nodiscard]] Vec3 in_block(std::size_t i, Vec3 v) const {
     const Vector<double> b = turned_back(turn(i), Vector<double>{v.x, v.y, v.z});
     return {b.x, b.y, b.z};

@@ -1,5 +1,5 @@
-// All that a run answers, as text to the last bit (hexadecimal floats), so that two runs can be compared
-// whole. Left out: how many seconds it took.
+// All results of a run as text to the last bit (hexadecimal floats), so that
+// two runs can be compared completely. Only the time in seconds is left out.
 #pragma once
 
 #include <string>

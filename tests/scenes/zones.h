@@ -1,4 +1,4 @@
-// Deformable blocks on their own, without rigid ones: stepped by a Rig or solved at once.
+// Deformable blocks alone, without rigid ones: stepped by a Rig or solved directly.
 #pragma once
 
 #include <functional>
@@ -9,7 +9,7 @@
 
 namespace wythe::scenes {
 
-// Isotropic body with the key `poisson_ratio` left to E/2G - 1.
+// Isotropic body whose key `poisson_ratio` has its default E/2G - 1.
 [[nodiscard]] JointMaterial elastic_body(double youngs_modulus, double poisson_ratio,
                                          double density);
 // Spruce: stiff along x.
@@ -18,7 +18,7 @@ namespace wythe::scenes {
 [[nodiscard]] solids::ZoneMaterial zone_material(const JointMaterial& body, double thickness,
                                                  Plane plane = Plane::kStress);
 
-// A model without rigid blocks that holds these zones.
+// A model without rigid blocks that contains these zones.
 [[nodiscard]] Model free_solids(Solids solids);
 [[nodiscard]] Model free_grid(const solids::Grid& grid, ZoneKind kind, const JointMaterial& body,
                               double thickness, Plane plane = Plane::kStress);
@@ -32,11 +32,11 @@ struct NodeVectors {
 using Field = std::function<double(double x, double y)>;
 [[nodiscard]] NodeVectors field(const Solids& s, const Field& ux, const Field& uy);
 
-// Forces of the zones on their nodes, by the kernel's own arithmetic.
+// Forces of the zones on their nodes, computed by the kernel.
 [[nodiscard]] NodeVectors forces_of_zones(const Solids& s, const NodeVectors& u);
 [[nodiscard]] double energy_of_zones(const Solids& s, const NodeVectors& u);
-// Small displacements under `load` of the free nodes (a sparse factorisation of the zones'
-// stiffnesses, independent of the step).
+// Small displacements of the free nodes under `load`, from a sparse
+// factorisation of the zones' stiffnesses, independent of the step.
 [[nodiscard]] NodeVectors solved(const Solids& s, const NodeVectors& load);
 [[nodiscard]] double work(const NodeVectors& force, const NodeVectors& u);
 

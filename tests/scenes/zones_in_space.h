@@ -1,5 +1,5 @@
-// Deformable blocks in space for tests: a column of zones between a floor and a rigid cap, and the zones of any
-// model as a system of equations of their own.
+// Deformable blocks in space for tests: a column of zones between a floor and a
+// rigid cap, and the zones of any model as an independent system of equations.
 #pragma once
 
 #include <Eigen/Sparse>
@@ -39,7 +39,7 @@ struct Column {
   return spec;
 }
 
-// Stiffness of the zones on their nodes, linear about rest; three rows a node.
+// Stiffness of the zones on their nodes, linear about the start; three rows for each node.
 [[nodiscard]] inline Eigen::SparseMatrix<double> stiffness_of_zones(const SpaceSolids& s) {
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t zone = 0; zone < static_cast<std::size_t>(s.n_zone); ++zone) {
@@ -55,7 +55,7 @@ struct Column {
   return k;
 }
 
-// Displacements under `load`; `held` [3 n_node]: where they are given, in `u`.
+// Displacements under `load`. `held` [3 n_node] marks prescribed ones, whose values are in `u`.
 [[nodiscard]] inline Eigen::VectorXd solved_in_space(const SpaceSolids& s,
                                                      const Eigen::VectorXd& load,
                                                      const std::vector<bool>& held,

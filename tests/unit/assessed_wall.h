@@ -11,7 +11,7 @@
 
 namespace wythe::test {
 
-// Straight to the force `peak` at `yield`, flat to `fall`, then straight down to nothing at twice that.
+// Linear to the force `peak` at `yield`, flat to `fall`, then linear to zero at twice that displacement.
 struct Made {
   double peak = 20e3, yield = 2e-3, fall = 20e-3, until = 40e-3, height = 5;
 };
@@ -77,7 +77,7 @@ ground_acceleration = "1 m/s^2"
 ground = "B"
 )";
 
-// Samples like the made curve, their peaks from 10 to 30 kN.
+// Samples like this curve, with peaks from 10 to 30 kN.
 inline Campaign campaign_of(int n, double until = 40e-3) {
   Campaign campaign;
   for (int i = 0; i < n; ++i) {

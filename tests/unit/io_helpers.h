@@ -1,4 +1,4 @@
-// A model that is right, and helpers that spoil one line of it and return what is said about it.
+// A valid model, and helpers that change one line of it and return the message about it.
 #pragma once
 
 #include <cstdlib>
@@ -76,7 +76,7 @@ inline Texts faults_of(const std::string& text, const Texts& overrides = {}) {
   return out;
 }
 
-// The one fault of the model with one line changed.
+// The only fault of the model after one line is changed.
 inline std::string fault_of(const std::string& from, const std::string& to) {
   return joined(faults_of(with(kModel, from, to)), "\n");
 }

@@ -1,4 +1,4 @@
-// A study that uses everything, and what its faults say: study_input_test.cpp, study_faults_test.cpp.
+// A study that uses all keys, and the texts of its faults: study_input_test.cpp, study_faults_test.cpp.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace wythe::io_tests {
 
-// Line numbers below count from the first line of this text; the model stands at its end.
+// Line numbers below count from the first line of this text; the model is at its end.
 inline const std::string kStudy = R"toml([variable.ft_j]
 path = "material.joint.tensile_strength"
 distribution = "lognormal"

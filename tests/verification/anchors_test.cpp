@@ -140,7 +140,7 @@ Ran begun(const ModelSpec& spec) {
   return solved(spec, whole.steps - whole.stages.back().steps + 1);
 }
 
-// What is put up under load is anchored without force.
+// A frame that is put up under load has anchors without force.
 TEST(Anchors, begin_without_force_where_a_stage_puts_them_up) {
   const ModelSpec spec = without_push(anchored_wall());
   const Ran start = begun(spec), cut = solved(spec);

@@ -1,4 +1,4 @@
-// An arch under one pulse of its base, beside the equation of motion of its mechanism of four hinges (Oppenheim
+// An arch under one pulse of its base, against the equation of motion of its four-hinge mechanism (Oppenheim
 // 1992): the arch of De Lorenzis, DeJong, Ochsendorf 2007, seven voussoirs over 157.5 degrees, t / R = 0.15.
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ struct Stone {
   Vec2 centroid;
 };
 
-// Of the quadrilateral between joints k and k + 1, by its two triangles.
+// The quadrilateral between joints k and k + 1, from its two triangles.
 Stone stone(int k) {
   const std::array<Vec2, 4> corner = {inner(k), outer(k), outer(k + 1), inner(k + 1)};
   Stone whole{0, 0, {0, 0}};
@@ -173,7 +173,7 @@ double turn_of_no_return(const Mechanism& m, double sign) {
   return sign * low;
 }
 
-// Of the first swing: how far the middle stone gets to the left, and whether the arch comes back from it.
+// The first swing: how far the middle stone moves to the left, and whether the arch comes back.
 struct Swing {
   double furthest = 0, seconds = 0;
   bool falls = false;

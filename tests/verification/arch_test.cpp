@@ -1,5 +1,5 @@
-// Arches of the builder against what is known of them: the thinnest semicircle that stands, and the forces of a flat
-// arch; on supports that part.
+// Arches of the builder against known results: the thinnest stable
+// semicircle, and the forces of a flat arch; on spreading supports.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -85,7 +85,7 @@ StageSpec body_force() {
   return stage;
 }
 
-// Of `ratio` = thickness over mean radius. Friction is high, so that the arch can only turn about hinges.
+// A semicircle with `ratio` = thickness over mean radius. Friction is high, so the arch can only turn about hinges.
 ModelSpec semicircle(double ratio, int voussoirs) {
   ArchSpec arch;
   arch.kind = ArchKind::kRound;

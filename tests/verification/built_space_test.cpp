@@ -1,5 +1,5 @@
-// What the builder lays in space, run against closed forms: reactions, the least thrust of an arch, thicknesses at
-// which arches and domes fall.
+// Structures of the builder in space against closed forms: reactions, the
+// least thrust of an arch, and thicknesses at which arches and domes collapse.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Assemblies of COMPAS stand or fall as their source or statics says, and thrust no less than a line of thrust needs.
+// Assemblies of COMPAS stand or fall as their source or statics says. Their thrust is at least that of a line of thrust.
 #include <gtest/gtest.h>
 
 #include <algorithm>

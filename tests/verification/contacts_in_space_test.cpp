@@ -1,4 +1,4 @@
-// Free contacts in space: what two parts share, by cases with coordinates (LMGC90's tests of its contact detection
+// Free contacts in space: the common volume of two parts, by cases with coordinates (LMGC90's tests of contact
 // between polyhedra, cubes of half size 0.3 m); and blocks that slide off, topple, fall and come to rest.
 #include <gtest/gtest.h>
 
@@ -37,7 +37,7 @@ struct Cubes {
     for (int k = 0; k < 2; ++k)
       parts.add(box("cube", {-0.3, -0.3, -0.3}, {0.6, 0.6, 0.6}).part[0], {}, kBevel);
   }
-  // What they share where the second has its axes at `there`, and on which face.
+  // The common part if the axes of the second part are at `there`, and its face.
   [[nodiscard]] SpaceOverlap shared(const SpaceFrame& there) const {
     const SpacePart a = contact::part_of(parts, 0), b = contact::part_of(parts, 1);
     const SpaceFrame here = frame({0, 0, 0});

@@ -1,4 +1,4 @@
-// Free contacts in the plane against closed forms: what stands, topples, slides, falls and bounces.
+// Free contacts in the plane against closed forms: standing, toppling, sliding, falling and bouncing blocks.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Do fragilities find the law they were drawn from, do their intervals cover, does the test of fit reject as
-// often as it says, and do indices meet closed forms? Toy campaigns from fixed seeds, as in intervals_test.
+// Fragilities against the law of their samples, coverage of their intervals, the rejection rate of the test
+// of fit, and indices against closed forms. Artificial campaigns with fixed seeds, as in intervals_test.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -14,16 +14,16 @@ namespace wythe::verification {
 
 inline constexpr double kGravity = 9.81;
 
-//    o  held sideways, free to rise       The lower body turns by theta about its toe, the upper by phi the other
-//    /  h                                 way about its lower edge on the other face. One freedom: phi follows from
-//    \  h                                 the top's place. Masses of both are 1.
+//    o  head held sideways, free to rise  The lower body turns by theta about its toe, the upper one by phi the other
+//    /  h                                 way about its lower edge on the other face. One degree of freedom: phi follows
+//    \  h                                 from the place of the top. Both bodies have mass 1.
 struct HeldWall {
   double b, h;  // half of the thickness, height of one body
 
   struct Place {
     double x1, y1, a1, x2, y2, a2;
   };
-  // Bent to +x by theta >= 0.
+  // The position bent to +x by theta >= 0.
   [[nodiscard]] Place at(double theta) const {
     const double c = std::cos(theta), s = std::sin(theta);
     double phi = theta;
@@ -35,7 +35,7 @@ struct HeldWall {
     return {b - b * c + 0.5 * h * s,    b * s + 0.5 * h * c,        -theta,
             ax + b * cp - 0.5 * h * sp, ay + b * sp + 0.5 * h * cp, phi};
   }
-  // theta'' at this place and rate, under an acceleration of the base towards +x.
+  // theta'' in this position and at this rate, under an acceleration of the base towards +x.
   [[nodiscard]] double pull(double theta, double rate, double base) const {
     constexpr double d = 1e-5;
     const double at0 = std::fmax(theta, 2 * d), i2 = (4 * b * b + h * h) / 12;
@@ -53,7 +53,7 @@ struct HeldWall {
     const double grows = (mass(slope(at0 + d)) - mass(slope(at0 - d))) / (2 * d);
     return (-base * (v.x1 + v.x2) - kGravity * (v.y1 + v.y2) - 0.5 * grows * rate * rate) / mass(v);
   }
-  // Of the rate, what an impact leaves: moments of the impulses about the new mechanism vanish.
+  // The share of the rate that remains after an impact: moments of the impulses about the new mechanism vanish.
   [[nodiscard]] double kept() const {
     const double i2 = (4 * b * b + h * h) / 12, same = 0.5 * h * h + 2 * i2, lift = 10 * b * b;
     return (same - lift) / (same + lift);
@@ -61,7 +61,7 @@ struct HeldWall {
   [[nodiscard]] double uplift() const { return 4 * kGravity * b / h; }
 };
 
-// Largest way of the lower body's centre over b; 9 where the wall falls.
+// Largest displacement of the lower body's centre over b; 9 if the wall falls.
 inline double bent(const HeldWall& w, const GroundMotion& base, double seconds) {
   constexpr double h = 2e-4;
   double theta = 0, rate = 0, side = 0, most = 0;

@@ -1,9 +1,9 @@
-// Do intervals cover what they claim, and do estimators find what is known? Toy campaigns with known
-// answers, drawn again and again from a fixed seed.
+// Coverage of intervals and bias of estimators, from
+// artificial campaigns with known answers and a fixed seed.
 //
-// An interval of 95 % must hold the truth in 95 % of the campaigns. Over 1000 campaigns the share
-// found scatters with sqrt(0.95 0.05 / 1000) = 0.7 %; 2 % allows nearly three of these, or the
-// known shortfall of about 1 % of the bootstrap at 100 samples together with one.
+// An interval of 95 % must contain the true value in 95 % of the campaigns. Over 1000 campaigns the
+// observed share scatters by sqrt(0.95 0.05 / 1000) = 0.7 %. The tolerance of 2 % allows nearly three
+// of these, or the known shortfall of the bootstrap at 100 samples (about 1 %) and one of these.
 #include <gtest/gtest.h>
 
 #include <cmath>

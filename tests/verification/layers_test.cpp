@@ -1,5 +1,5 @@
-// Layers of fibres against closed forms (docs/theory/layers.md). A column of blocks is held by hand: where they are is
-// given, the nodes find their balance, and what the fibres carry is read.
+// Layers of fibres against closed forms (docs/theory/layers.md). The positions of a column of
+// blocks are prescribed, the nodes find their balance, and the force of the fibres is read.
 //
 //     |  b19 |  up by w       fibres run upwards on one face, breadth 0.1 m
 //     |  ... |
@@ -78,7 +78,7 @@ class Held {
   [[nodiscard]] std::vector<LayerReading> read() const {
     return read_layers(rig_.model, rig_.state);
   }
-  // Of all fibres from block `below` to the next one [N/m].
+  // Force of all fibres from block `below` to the next one [N/m].
   [[nodiscard]] double force(int below) const {
     const Layers& l = rig_.model.layers;
     const std::vector<LayerReading> nodes = read();

@@ -1,5 +1,5 @@
-// The energy ledger of undamped walls that slide to and fro while their pressure changes: what friction takes is booked
-// to second order in the time step (docs/theory/integration.md, 4.15).
+// The energy ledger of undamped walls that slide to and fro under a varying pressure: the work
+// of friction is exact to second order in the time step (docs/theory/integration.md, 4.15).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -45,7 +45,7 @@ EnergyLedger ledger(ModelSpec spec, double step_fraction) {
   EXPECT_EQ(result.status, SolveStatus::kCompleted) << result.reason;
   return result.energy;
 }
-// What the ledger misses, over what friction took.
+// The gap of the ledger, over the work of friction.
 double missed(const ModelSpec& spec, double step_fraction) {
   const EnergyLedger energy = ledger(spec, step_fraction);
   EXPECT_GT(energy.friction, 0.2 * (std::fabs(energy.loads) + energy.elastic));

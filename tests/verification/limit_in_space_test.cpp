@@ -1,4 +1,4 @@
-// Limit analysis of bodies in space: closed forms, the same walls in their plane, turned worlds, and what has no answer.
+// Limit analysis of bodies in space: closed forms, the same walls in their plane, turned walls, and cases without a solution.
 #include <gtest/gtest.h>
 
 #include <algorithm>

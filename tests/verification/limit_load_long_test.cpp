@@ -1,4 +1,4 @@
-// Limit analysis of a facade of thousands of blocks. LimitLoad.tuff_wall_within_ten_seconds is its stand-in of 825 blocks.
+// Limit analysis of a facade of thousands of blocks. LimitLoad.tuff_wall_within_ten_seconds is its short form with 825 blocks.
 #include <gtest/gtest.h>
 
 #include <ctime>

@@ -1,5 +1,5 @@
-// Parts of a wall that fall on their face, against calculations by hand: a strip about its foot with floors and ties, two
-// storeys, a parapet at its height, a strip that bends; and the same strips by limit analysis, in a plane and in space.
+// Parts of a wall that fall on their face, against calculations by hand: a strip about its foot with floors and ties,
+// two storeys, a parapet at its height, a strip that bends. The same strips by limit analysis, in a plane and in space.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -55,7 +55,7 @@ ModelSpec oscillator(const ViscousSpec& damping) {
   return spec;
 }
 
-// Of s^2 + w^2 (1 + share s T / (1 + s T)) = 0, by Newton from the undamped vibration.
+// Root of s^2 + w^2 (1 + share s T / (1 + s T)) = 0, by Newton's method from the undamped vibration.
 std::complex<double> root_of(const ViscousSpec& damping) {
   const MaxwellElement e = maxwell_element(damping.fraction, damping.frequency);
   std::complex<double> s(0, kOmega);

@@ -1,5 +1,5 @@
-// A wall as an office has it, against a calculation by hand: solid bricks in lime mortar, injected, with through bricks,
-// at LC1, under a floor (docs/theory/material_rules.md, "Values of Circolare 7/2019").
+// A wall in design practice against a calculation by hand: solid bricks in lime mortar, injected, with
+// through bricks, at LC1, under a floor (docs/theory/material_rules.md, "Values of Circolare 7/2019").
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// verify(): compares a number of the engine with its closed form and appends a row to
+// verify(): compares a number of the engine with its closed form. It appends a row to
 // fresh_dir()/verification.csv, from which tools/verification_table makes docs/evidence/verification.md.
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace wythe::verification {
 
-// What a case claims. `id` ("CF07a") numbers the cases: docs/evidence/verification.md lists them.
+// The claim of a case. `id` ("CF07a") numbers the cases: docs/evidence/verification.md lists them.
 struct Claim {
   std::string id, what, unit;
   double expected = 0;

@@ -1,5 +1,5 @@
-// Samples against what is known of them: strata, moments, probabilities cut, correlations, and the
-// order of integration errors (CF28 and the textbook formulas of each distribution).
+// Samples against known results: strata, moments, truncated probabilities, correlations, and
+// the order of integration errors (CF28 and the textbook formulas of each distribution).
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -476,7 +476,7 @@ ModelSpec stones_of_storeys(int storeys) {
   return spec;
 }
 
-// What a stone that does not slide drifts is elastic: m a / (k_s A), and twice that where the base starts at once.
+// The drift of a stone that does not slide is elastic: m a / (k_s A), and twice that if the base starts at once.
 TEST(Shaking, a_stiff_storey_on_a_shaken_base_has_no_drift) {
   const Shaken s = shaken(stones_of_storeys(1));
   ASSERT_EQ(s.result.status, SolveStatus::kCompleted) << s.result.reason;

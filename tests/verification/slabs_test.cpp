@@ -1,5 +1,5 @@
-// Floor slabs as rigid bodies against closed forms: how two walls share an eccentric load, when a slab slides, and the
-// force that pushes over two walls which it ties.
+// Floor slabs as rigid bodies against closed forms: the shares of two walls in an eccentric
+// load, the onset of sliding, and the overturning force of two walls tied by a slab.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -189,7 +189,7 @@ double slid_back(double acceleration) {
   return d * slips * slips / 6 + v * stays + d * stays * stays / 2 + end * end / (2 * holds);
 }
 
-// How far the slab lies behind its walls at the end, and how far these moved on the ground [m].
+// The displacement of the slab relative to its walls at the end, and that of the walls on the ground [m].
 struct Lag {
   double of_slab = 0, of_walls = 0;
 };

@@ -1,9 +1,9 @@
-// What 95 % intervals of few samples hold, measured at the numbers of samples for which they are printed. Each law is
-// drawn again and again from a fixed seed.
+// Coverage of 95 % intervals of few samples, at the numbers of samples for
+// which they are printed. Each law is drawn many times with a fixed seed.
 //
-// The bar: 92 % at every number of samples from five on, of values that are normal or lognormal, as forces and
-// displacements of walls are. Over 4000 draws a share of 92 % scatters with 0.43 %; three of these are allowed for.
-// What a bootstrap would hold there stands beside (docs/theory/statistics.md, "Few samples").
+// Required are 92 % at every number of samples from five on, for normal or lognormal values, like
+// forces and displacements of walls. Over 4000 draws a share of 92 % scatters by 0.43 %; three of
+// these are allowed. The coverage of a bootstrap is in docs/theory/statistics.md, "Few samples".
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -234,7 +234,7 @@ TEST(SmallSamples, indices_have_no_interval_of_few) {
   }
 }
 
-// What stood there before: told here, printed nowhere.
+// Coverage of bootstrap intervals of few samples, for comparison; no page prints them.
 TEST(SmallSamples, a_bootstrap_of_few_is_withheld) {
   const Law law = laws()[1];
   const auto mean = [](const Column& x, const Counts& c) {

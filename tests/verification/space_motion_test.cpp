@@ -1,4 +1,4 @@
-// Motion in space against closed forms: tops, tumbling bodies, frequencies and friction, in any frame.
+// Motion in space against closed forms: spinning tops, tumbling bodies, frequencies and friction, in any frame.
 #include <gtest/gtest.h>
 
 #include <algorithm>

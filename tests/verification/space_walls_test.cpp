@@ -1,5 +1,5 @@
-// Walls out of their plane against closed forms: a parapet and a wall held at foot and top under pressure, a dry
-// wall that is tilted, and the faces that two cubes share.
+// Walls out of their plane against closed forms: a parapet and a wall held at foot
+// and top under pressure, a tilted dry wall, and the common faces of two cubes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -177,8 +177,8 @@ double twist(double a, double t, double from = 0) {
   return sum * 2 * a * t / (n * n);
 }
 
-// Beside returns the side panels hinge at the inner corners and tear themselves off: in each course one joint of the
-// corner opens over the thickness, and between two courses the unit that runs through twists on a square of the next one.
+// Beside returns the side panels hinge at the inner corners and tear off. In each course one joint of the corner
+// opens over the thickness, and between two courses the unit that runs through twists on a square of the next one.
 double work_at_returns(const Panel& p) {
   if (p.returned == 0) return 0;
   constexpr int n = 400;

@@ -1,5 +1,5 @@
-// A one-way wall out of its plane under many records, beside the equation of two rocking bodies: distributions, since a thousandth of the
-// amplitude decides a single history.
+// A one-way wall out of its plane under many records, against the equation of two rocking bodies.
+// Distributions are compared, because a thousandth of the amplitude decides a single history.
 #include <gtest/gtest.h>
 
 #include <algorithm>

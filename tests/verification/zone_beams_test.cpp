@@ -2,8 +2,8 @@
 // the step against an independent static solution.
 //
 //     y ^   +--+--+--+--+--+--+--+      c = half the depth h, L the length; tractions of the exact
-//       |   |  |  |  |  |  |  |  |      plane solutions act on the ends, so that nothing but the
-//       +---+--+--+--+--+--+--+--+-> x  zones' own error is left
+//       |   |  |  |  |  |  |  |  |      plane solutions act on the ends, so that only the error of
+//       +---+--+--+--+--+--+--+--+-> x  the zones remains
 //
 // Exact solutions: Timoshenko, Goodier, Theory of Elasticity, articles 21 and 22.
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Deformable blocks in space as beams: stretch, bending about both axes, twist and shear against closed forms, alone
-// and in the engine between rigid blocks, with the order of convergence where a mesh is not exact.
+// Deformable blocks in space as beams: stretch, bending about both axes, twist and shear against closed forms.
+// Alone and in the engine between rigid blocks, with the order of convergence where a mesh is not exact.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// The committed page is what a fresh build makes; its size, its words, its packages.
+// The committed page equals a fresh build; its size, its words, its packages.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import fs from "node:fs";

@@ -1,4 +1,4 @@
-// Unit tests of the viewer's own parts, without a browser: decoding, numbers, ticks, thinning, poses.
+// Unit tests of the viewer's parts without a browser: decoding, numbers, ticks, thinning, poses.
 import assert from "node:assert/strict";
 import fs from "node:fs";
 import path from "node:path";

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Answers questions as the studio's worker does, from libwythe.so: one question a line, answers as lines of JSON.
+"""Answers requests like the studio's worker, with libwythe.so: one request in each line, answers as lines of JSON.
 
   engine.py BUILD/libwythe.so      {"id": 1, "task": "check", "texts": {"model": "..."}, "numbers": {}, "want": ["svg"], "tables": []}
 """

@@ -1,4 +1,4 @@
-// The engine as WebAssembly (build/wasm/package): the bits of the native program, its errors, and the package as npm installs it.
+// The engine as WebAssembly (build/wasm/package): bits equal to the native program, errors, and the package installed by npm.
 import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
 import fs from "node:fs";

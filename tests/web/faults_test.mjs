@@ -1,4 +1,4 @@
-// Campaigns and pages that lack something: the page says what, never nothing.
+// Campaigns and pages with missing data: the page reports what is missing and never shows nothing.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import fs from "node:fs";

@@ -1,5 +1,5 @@
-// What the tests of the viewer share: results made by the program once, a browser, a page that is
-// watched for errors and network requests.
+// Shared by the tests of the viewer: results of the program, made once;
+// a browser; a page that is checked for errors and network requests.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { createRequire } from "node:module";

@@ -1,6 +1,6 @@
-// The page of a limit analysis. Most data are made here, with the exact kinematics of three hinged
-// bodies, in the form of mechanisms.json; the wall is that of a real run. The last test is of the
-// command's own page.
+// The page of a limit analysis. Most data are made here in the form of
+// mechanisms.json, with the exact kinematics of three hinged bodies. The wall
+// is that of a real run. The last test uses the page that the command wrote.
 import assert from "node:assert/strict";
 import fs from "node:fs";
 import path from "node:path";

@@ -1,4 +1,4 @@
-// The page of a real run in a browser: what it draws, what moves, what it exports, how it prints.
+// The page of a real run in a browser: drawings, motion, exports, print.
 import assert from "node:assert/strict";
 import fs from "node:fs";
 import path from "node:path";

@@ -1,4 +1,4 @@
-// The page of a campaign over records: fragilities, response against intensity, scatter.
+// The page of a campaign over records: fragilities, response over intensity, scatter.
 import assert from "node:assert/strict";
 import fs from "node:fs";
 import path from "node:path";

@@ -1,5 +1,5 @@
-// The sheet that is handed over: one A4 page whatever is on it, and a verdict that says first what must not
-// be signed. Data of real runs, changed where a case is hard to run into.
+// The printed sheet: one A4 page for any content, and a verdict that begins with the
+// reasons not to sign it. Data of real runs, changed for cases that are hard to reach.
 import assert from "node:assert/strict";
 import fs from "node:fs";
 import path from "node:path";

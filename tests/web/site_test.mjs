@@ -1,5 +1,5 @@
-// The site (make site) in a browser, opened from a file: it asks nobody for anything, fits a phone, is dark where the system
-// is, and its search finds.
+// The site (make site) in a browser, opened from a file: it sends no requests,
+// fits a phone, follows the system's dark mode, and its search finds pages.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import path from "node:path";

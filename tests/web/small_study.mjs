@@ -1,5 +1,5 @@
-// A wall of two piers and a lintel, small enough for tests: 112 blocks, a second a sample;
-// the same with a deformable lintel; and studies whose pushes end early.
+// A wall of two piers and a lintel, small enough for tests: 112 blocks, a second for
+// each sample. Also with a deformable lintel, and in studies whose pushes end early.
 import fs from "node:fs";
 import path from "node:path";
 import { folder, run } from "./helpers.mjs";

@@ -1,5 +1,5 @@
-// Links in the view of a wall in space, and the mechanism of its limit analysis there: what is drawn, what is told, how it
-// prints.
+// Links in the view of a wall in space, and the mechanism
+// of its limit analysis there: drawings, texts, print.
 import assert from "node:assert/strict";
 import fs from "node:fs";
 import path from "node:path";

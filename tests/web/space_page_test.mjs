@@ -1,4 +1,4 @@
-// The page of a run in space: what it draws, what moves, what a section hides, what is picked, how it prints.
+// The page of a run in space: drawings, motion, sections, selection, print.
 import assert from "node:assert/strict";
 import fs from "node:fs";
 import path from "node:path";

@@ -1,5 +1,5 @@
-// The page of `wythe assess`: one sheet of A4 and an appendix of five pages at most, in both languages, on paper, on a
-// phone, without keys, dots for words, or English in Italian.
+// The page of `wythe assess`: one sheet of A4 and an appendix of at most five pages, in both
+// languages, on paper and on a phone. It shows no keys, no dots for words, and no English in Italian.
 import assert from "node:assert/strict";
 import fs from "node:fs";
 import path from "node:path";

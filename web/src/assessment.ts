@@ -1,4 +1,4 @@
-// What a code asks of the wall: verdict, capacity and demand over displacement, limit states with their
+// The assessment of a wall by a code: verdict, capacity and demand over displacement, limit states with their
 // clauses, the system of one degree of freedom, what is not modelled.
 import { h, svg, type Child } from "./dom";
 import { Figure, legend, swatch } from "./figure";
@@ -9,7 +9,7 @@ import { zip, type Curve } from "./run_trust";
 import { table } from "./tables";
 import { num, phrase, qty, say, sentence } from "./texts";
 
-const kGravity = 9.81; // what codes mean by g
+const kGravity = 9.81; // value of g in codes
 const bound = (check: { at_least: boolean }): string => (check.at_least ? "≥ " : "");
 const stateOf = (check: { state: string }): string => say(`assessment.${check.state}`);
 
@@ -24,7 +24,7 @@ export function assessmentSection(summary: Summary, curve: Curve): Child {
   ];
 }
 
-// Force over mass against displacement, of one degree of freedom, with the spectrum in the same axes.
+// Force over mass against displacement of the system with one degree of freedom, with the spectrum in the same axes.
 function figure(a: Judged, curve: Curve): Figure {
   const e = a.equivalent,
     gamma = e.participation_factor,

@@ -1,9 +1,9 @@
-// The bytes of a page, unpacked: JSON header and typed arrays (src/report/bundle.h has the layout).
+// Unpacks the bytes of a page: a JSON header and typed arrays (src/report/bundle.h has the layout).
 import type { PageHeader, Place } from "./headers/page";
 
 export type Numbers = Float32Array | Int32Array | Uint8Array | Float64Array;
 
-// The header is of the page's kind: main.ts asks for it, and hands the bundle to the pages of that kind.
+// The header type depends on the kind of page: main.ts checks the kind, and passes the bundle to its page.
 export class Bundle<Header extends PageHeader = PageHeader> {
   constructor(
     readonly header: Header,
@@ -15,7 +15,7 @@ export class Bundle<Header extends PageHeader = PageHeader> {
     return name in this.header.arrays;
   }
 
-  // Values of an array; rounded ones come back as numbers.
+  // The values of an array; rounded ones are converted back.
   array(name: string): Numbers {
     const place = this.header.arrays[name] as Place | undefined;
     if (!place) throw new Error(`the data lack ${name}`);
@@ -59,7 +59,7 @@ const kMark = "WYTHE\0\0";
 const kVersion = 2;
 const kHead = 12;
 
-// Throws an Error whose message says what is wrong with the bytes.
+// Throws an Error whose message names the fault of the bytes.
 export async function unpack(packed: Uint8Array<ArrayBuffer>): Promise<Bundle> {
   let bytes: ArrayBuffer;
   try {

@@ -1,5 +1,5 @@
-// The page of options side by side, in the order a reader asks: what differs, pair by pair, how they fail,
-// who gains, what was lost, what was compared.
+// The page of options side by side, in the order of a reader's questions:
+// differences, pairs, failure, which walls gain, lost pairs, and the inputs.
 import type { Bundle } from "./bundle";
 import { h, svg, type Child } from "./dom";
 import { Figure, hideTip, legend, showTip, swatch } from "./figure";
@@ -42,7 +42,7 @@ class Comparison {
   get base(): string {
     return this.header.comparison.base.name;
   }
-  // Quantities of which an option knows a mean difference, or the sign of some.
+  // Quantities with a mean difference of an option, or with the sign of some differences.
   known(option: Option): Quantity[] {
     return this.quantities.filter((q) => {
       const r = option.response[q.key];
@@ -62,7 +62,7 @@ interface Row {
   interval: Interval;
 }
 
-// Ratios of all responses as points with their intervals, an option beside the other.
+// Ratios of all responses as points with their intervals, the options side by side.
 function forest(c: Comparison): HTMLElement | null {
   const blocks = c.quantities
     .map((q) => ({
@@ -145,7 +145,7 @@ function share(r: PairedResponse): string {
   return `${r.larger} / ${r.pairs} (${num(100 * (low ?? 0), 2)} … ${num(100 * (high ?? 1), 2)}\u202f%)`;
 }
 
-// What means beside bounds are of.
+// Says which pairs the means use, if others have bounds.
 function boundsWords(r: PairedResponse, q: Quantity): string {
   if (r.in_means === 0) return say("compare.no_mean", { n: r.with_bounds });
   return r.up_to === null
@@ -297,7 +297,7 @@ class Pairs {
   }
 }
 
-// Which option and which response, where there is a choice.
+// Choices of option and response, where there are several.
 function pickers(c: Comparison, chosen: (o: Option, q: Quantity) => void): HTMLElement {
   const usable = c.options.filter((o) => o.pairs > 0);
   const option = h("select", { class: "pick-option" }, usable.map((o, k) => h("option", { value: k }, o.name)));

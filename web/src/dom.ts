@@ -1,4 +1,4 @@
-// Elements without markup: every string becomes text, so names from files can never be more.
+// Creates elements without parsing markup: every string becomes text, so names from files cannot inject markup.
 
 export type Child = Node | string | number | null | undefined | false | Child[];
 export type Attributes = Record<string, unknown>;
@@ -46,14 +46,14 @@ export function svg<K extends keyof SVGElementTagNameMap>(
   return element;
 }
 
-// Words for who has the page before them: paper has nothing to press.
+// Words only for the screen, because paper has nothing to click.
 export const onScreen = (...children: Child[]): HTMLElement => h("span", { class: "no-print" }, ...children);
 
 let count = 0;
 export const fresh = (prefix: string): string => `${prefix}-${++count}`;
 
-// Marks the sides of a scrolling element beyond which there is more (data-more of `frame`), and lets
-// the keyboard reach it where it scrolls and holds nothing that can be reached.
+// Marks the sides where a scrolling element has more content (data-more of `frame`).
+// Makes it reachable by the keyboard if it scrolls and contains nothing that is.
 export function hintMore(slide: HTMLElement, frame: HTMLElement): void {
   const reachable = slide.querySelector("a, button") !== null;
   const mark = (): void => {
@@ -69,8 +69,8 @@ export function hintMore(slide: HTMLElement, frame: HTMLElement): void {
   if (slide.firstElementChild) watch.observe(slide.firstElementChild);
 }
 
-// Work that can wait until the page has been painted, one piece after the other; data-ready says that none
-// is left.
+// Work that can wait until the page has been painted, one
+// piece after the other; data-ready says that all is done.
 const queue: (() => void)[] = [];
 export function later(work: () => void): void {
   delete document.documentElement.dataset.ready;
@@ -89,8 +89,8 @@ function next(): void {
   if (queue.length > 0) setTimeout(next, 0);
   else if (resting.size === 0) document.documentElement.dataset.ready = "yes";
 }
-// Work for when something has come to rest: when nothing has asked for it anew for a while.
-const kRest = 160; // longer than a step of what plays [ms]
+// Work to be done at rest: when it has not been requested again for a while.
+const kRest = 160; // longer than a step of an animation [ms]
 const resting = new Map<object, { work: () => void; timer: number }>();
 export function atRest(who: object, work: () => void): void {
   window.clearTimeout(resting.get(who)?.timer);
@@ -103,7 +103,7 @@ function rest(who: object): void {
   resting.delete(who);
   later(work);
 }
-// Before printing: all of it now.
+// Runs all of it now, before printing.
 export function finishLater(): void {
   for (const who of [...resting.keys()]) rest(who);
   while (queue.length > 0) queue.shift()!();

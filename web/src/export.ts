@@ -9,7 +9,7 @@ export function toCsv({ head, rows }: Sheet): string {
   const cell = (v: string | number | null): string => {
     if (v === null || (typeof v === "number" && !Number.isFinite(v))) return "";
     const text = typeof v === "number" ? String(Number(v.toPrecision(9))) : v;
-    // a leading = would be a formula to a spreadsheet
+    // a spreadsheet would run a text with a leading = as a formula
     const safe = typeof v === "string" && /^[=+\-@\t\r]/.test(text) ? `'${text}` : text;
     return /[",\n\r]/.test(safe) ? `"${safe.replace(/"/g, '""')}"` : safe;
   };
@@ -42,7 +42,7 @@ const kStyles = [
   "display",
 ];
 
-// The drawing as a document of its own: the page's colours written into it.
+// The drawing as a document of its own, with the page's colours in it.
 export function standalone(drawing: SVGSVGElement): string {
   const copy = drawing.cloneNode(true) as SVGSVGElement;
   const originals = [drawing, ...drawing.querySelectorAll("*")];

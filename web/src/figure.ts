@@ -1,4 +1,4 @@
-// A figure: title, drawing that follows the width, caption, and its export as SVG, PNG and CSV.
+// A figure: title, drawing that adapts to the width, caption, and export as SVG, PNG and CSV.
 import { fresh, h, later, svg, type Child } from "./dom";
 import { download, standalone, toCsv, toPng, type Sheet } from "./export";
 import { say } from "./texts";
@@ -13,7 +13,7 @@ export interface FigureSpec {
   wide?: boolean; // as wide as the page
 }
 
-// The place of a drawing knows its figure.
+// The element of a drawing has a reference to its figure.
 type Stage = Element & { figure?: Figure };
 
 const all = new Set<Figure>();
@@ -98,7 +98,7 @@ export class Figure {
   }
 }
 
-// Figures print as wide as their place on the page: all of it, a half, a third.
+// Sets the printed width of figures by their place on the page: full, a half, a third.
 export function prepareFiguresForPrint(): void {
   for (const figure of all)
     figure.print(figure.spec.wide ? 760 : figure.element.closest(".three") ? 280 : 400);
@@ -132,7 +132,7 @@ export function hideTip(): void {
   tip.hidden = true;
 }
 
-// Place of the pointer in the drawing's own pixels.
+// Position of the pointer in the drawing's own pixels.
 export function pointIn(drawing: SVGSVGElement, event: PointerEvent | MouseEvent): [number, number] {
   const box = drawing.getBoundingClientRect();
   const view = drawing.viewBox.baseVal;

@@ -1,4 +1,4 @@
-// What went in: wall, openings, materials, stages and settings, and what every run takes for granted.
+// Inputs: wall, openings, materials, stages and settings, and the assumptions of every run.
 import { h, type Child } from "./dom";
 import type { Carried, InputRow, ModelInputs, NoteGroup, Opening, OriginRow, Shown, Storey } from "./headers/inputs";
 import type { Opinion } from "./headers/limit";
@@ -23,7 +23,7 @@ const plain = [
   { head: "", left: true },
 ];
 
-// One row an opening: a facade has many.
+// One row for each opening, because a facade has many.
 function openings(list: Opening[]): Child {
   if (list.length === 0) return null;
   const sill = (o: Opening): string =>
@@ -74,7 +74,7 @@ function storeys(list: Storey[]): Child {
   );
 }
 
-// What lies on the wall, ties it or holds it: one row each.
+// Loads on the wall, ties and restraints, one row each.
 function carried(list: Carried[]): Child {
   if (list.length === 0) return null;
   return table(
@@ -92,14 +92,14 @@ function carried(list: Carried[]): Child {
   );
 }
 
-// Where values come from that the file does not give: a mark at each, and below the tables what it means.
+// Origins of values that the file does not give: a mark at each value, explained below the tables.
 
 const markOf = (rows: OriginRow[], table: string, key: string): Child => {
   const found = rows.find((r) => r[0] === table && r[1] === key && r[3] !== "given");
   return found ? h("sup", { class: "soft" }, ` ${say(`origin.mark.${found[3]}`)}`) : null;
 };
 
-// Four digits are enough to read: 0.0724637681 MPa is 0.07246 MPa.
+// Four digits are enough for reading: 0.0724637681 MPa is 0.07246 MPa.
 const brief = (text: string): string =>
   text.replace(/\d+\.\d{3,}(?:e[-+]?\d+)?/g, (n) => num(Number(n), 4));
 
@@ -133,7 +133,7 @@ function originNotes(rows: OriginRow[], anyRule: boolean): Child {
   );
 }
 
-// In two halves side by side: many rows of few words.
+// Two tables side by side, because there are many rows with few words.
 function masonryTables(rows: InputRow[], origins: OriginRow[]): Child {
   const half = Math.ceil(rows.length / 2);
   const part = (some: InputRow[], caption: string): HTMLElement =>
@@ -216,7 +216,7 @@ export function inputTables(inputs: ModelInputs, note: string): Child {
   ];
 }
 
-// What the method takes for granted, whatever the model; in space nothing keeps a wall in its plane.
+// Assumptions of the method for any model; in space nothing keeps a wall in its plane.
 export function assumptions(
   header: { wall?: WallHead; opinion?: Opinion },
   keys = [...(header.wall?.space || header.opinion?.local?.length ? [] : ["plane"]), "rigid", "contacts", "law", "quasi_static", "deterministic"],

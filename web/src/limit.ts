@@ -1,5 +1,5 @@
-// The page of a limit analysis: macro-block mechanisms (mechanism.ts), the limit loads of the blocks, the
-// verdict beside runs, and every number that entered.
+// The page of a limit analysis: macro-block mechanisms (mechanism.ts), the
+// limit loads of the blocks, the comparison with runs, and all inputs.
 import type { Bundle } from "./bundle";
 import { h, type Child } from "./dom";
 import { Figure } from "./figure";
@@ -18,7 +18,7 @@ import { readWall, type Frames, type Wall } from "./wall";
 const loadOf = (l: LimitLoad, theorem: "static" | "kinematic"): string =>
   `${theorem}_kN` in l ? qty(l[`${theorem}_kN`], "kN", 4) : `λ = ${num(l[theorem], 4)}`;
 
-// The collapse mechanism of the blocks as a frame: velocities times a small time.
+// The collapse mechanism of the blocks as a state: velocities times a small time.
 function collapse(wall: Wall, limits: LimitLoad[]): HTMLElement | null {
   const usable = limits.filter((l) => l.velocity_x?.length === wall.blocks);
   if (usable.length === 0) return null;
@@ -212,7 +212,7 @@ function verdict(opinion: Opinion): Child {
   ];
 }
 
-// Of a path its last part: pages are sent about, folders of a machine say nothing elsewhere.
+// The last part of a path: pages are passed on, and folders of a machine mean nothing elsewhere.
 const lastName = (path: string): string => path.replace(/[\\/]+$/, "").replace(/^([A-Za-z]:)?[\\/].*[\\/]/, "");
 
 function bracket(b: Bracket | null | undefined): Child {
@@ -235,7 +235,7 @@ function bracket(b: Bracket | null | undefined): Child {
   );
 }
 
-// Runs by the reason why they have no limit load of their own.
+// Runs without a limit load of their own, grouped by the reason.
 function withoutBound(list: { run: string; why: string }[]): Child {
   return [...new Set(list.map((r) => r.why))].map((why) =>
     h(
@@ -246,7 +246,7 @@ function withoutBound(list: { run: string; why: string }[]): Child {
   );
 }
 
-// What could not be answered, and what the program itself warns of.
+// Questions without an answer, and warnings of the program.
 function doubts(opinion: Opinion): Child {
   const words: Child[] = [
     ...(opinion.refused ?? []).map((r) => [
@@ -315,7 +315,7 @@ function numbers(opinion: Opinion): Child {
   ];
 }
 
-// Parts that fall on their face: the sentence of each, then what it rests on, a column a part.
+// Parts that fall on their face: the sentence of each, then its numbers, one column for each part.
 function local(opinion: Opinion): Child {
   const parts = opinion.local ?? [];
   if (parts.length === 0) return null;

@@ -1,5 +1,5 @@
-// The collapse mechanism of a limit analysis of a wall in space, in the same view as a run: velocities times small
-// times, as states that can be played.
+// The collapse mechanism of a limit analysis of a wall in space, in the same
+// view as a run: velocities times small times, as states that can be animated.
 import type { Bundle, Numbers } from "./bundle";
 import { h } from "./dom";
 import type { LimitHeader, LimitLoad } from "./headers/limit";
@@ -8,14 +8,14 @@ import { SpaceView } from "./spaceview";
 import { phrase, say } from "./texts";
 
 const kStates = 13;
-const kFarthest = 0.08; // of the wall's size, that its fastest block moves
+const kFarthest = 0.08; // displacement of the fastest block, over the wall's size
 
 interface Motion {
   moved: Float32Array; // velocities of bodies, three each
   turned: Float32Array; // their spins [1/m]
 }
 
-// Blocks as the page knows them: those of the model, then its supports, which stand still.
+// Motion of blocks in the page's order: blocks of the model, then its supports, which do not move.
 function motionOf(limit: LimitLoad, s: Solids): Motion {
   const moved = new Float32Array(3 * s.count),
     turned = new Float32Array(3 * s.count);
@@ -28,7 +28,7 @@ function motionOf(limit: LimitLoad, s: Solids): Motion {
 const cross = (a: Vec, b: Vec): Vec => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 const of = (v: Numbers, b: number): Vec => [v[3 * b], v[3 * b + 1], v[3 * b + 2]];
 
-// Of each joint the largest opening and slip of its corners, per unit velocity of the load.
+// For each joint the largest opening and slip of its corners, per unit velocity of the load.
 function jumps(s: Solids, m: Motion): { opening: Float32Array; slip: Float32Array } {
   const opening = new Float32Array(s.joints),
     slip = new Float32Array(s.joints);
@@ -54,7 +54,7 @@ function jumps(s: Solids, m: Motion): { opening: Float32Array; slip: Float32Arra
   return { opening, slip };
 }
 
-// States of all limit loads, one after the other, in the arrays that states of a run have.
+// States of all limit loads in sequence, in the same arrays as states of a run.
 function statesOf(bundle: Bundle, s: Solids, limits: LimitLoad[]): Bundle {
   const frames = limits.length * kStates,
     arrays: Record<string, Numbers> = {};
@@ -75,7 +75,7 @@ function statesOf(bundle: Bundle, s: Solids, limits: LimitLoad[]): Bundle {
       for (let j = 0; j < s.joints; ++j) {
         const at = s.joints * frame + j;
         for (const name of ["opening", "slip"] as const) (arrays[name] as Float32Array)[at] = jump[name][j] * size;
-        // a joint that takes part is a crack
+        // a joint in the mechanism is shown as a crack
         (arrays.damage as Float32Array)[at] = Math.max(jump.opening[j], jump.slip[j]) > 1e-4 * fastest && k > 0 ? 255 : 0;
       }
     }
@@ -88,7 +88,7 @@ function statesOf(bundle: Bundle, s: Solids, limits: LimitLoad[]): Bundle {
 
 export function collapseInSpace(bundle: Bundle<LimitHeader>, all: LimitLoad[]): HTMLElement | null {
   const solids = readSolids(bundle);
-  // deformable blocks count as rigid ones there, which this page does not draw
+  // limit analysis counts deformable blocks as rigid, and this page does not draw that
   const limits = solids ? all.filter((l) => l.velocity_z?.length === solids.free) : [];
   if (!solids || limits.length === 0) return null;
   const info = limits.flatMap((l) => Array.from({ length: kStates }, () => ({ label: phrase(l.name), displacement: NaN, reaction: NaN })));

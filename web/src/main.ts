@@ -1,5 +1,5 @@
-// The page: unpacks its data and builds what their kind asks for. What cannot be read is said; the
-// headline, which is in the page already, stays.
+// The page: unpacks its data and builds the sections for their kind.
+// Unreadable data are reported, and the static headline stays.
 import "./style.css";
 import { fromBase64, unpack, type Bundle } from "./bundle";
 import { later } from "./dom";

@@ -1,4 +1,4 @@
-// Macro-block mechanisms: bodies that turn about their hinges, and their curves over the runs' (Fig. 19).
+// Macro-block mechanisms: bodies that rotate about their hinges, and their curves with those of runs (Fig. 19).
 import { h, svg, type Child } from "./dom";
 import { Figure, hideTip, legend, pointIn, showTip, swatch } from "./figure";
 import type { Envelope, MechanismAssessment, Opinion, OpinionOnRuns } from "./headers/limit";
@@ -34,14 +34,14 @@ export interface Mechanism {
 }
 
 const css = (hypothesis: string): string => `hyp-${hypothesis}`;
-// Where a mechanism first shows, turned enough to be seen: in a chart that ends with the runs, or that
-// goes on to no force.
+// The first state shown, rotated enough to be visible: in a chart
+// that ends with the runs, or one that goes on to zero force.
 const kShown = 0.95,
   kShownAlone = 0.3;
 
 export const hypothesisLabel = (m: Mechanism): string => say(`hypothesis.${m.hypothesis}`);
 
-// Where a point of a body is in a state: it turns about the hinge before it, which has moved.
+// Position of a body's point in a state: the body rotates about the previous hinge, which has moved.
 function placed(m: Mechanism, state: number, body: number, [x, y]: Point): Point {
   const [hx, hy] = m.hinges_m[body === 2 ? 3 : body],
     [nx, ny] = m.curve.hinges_m[state][body === 2 ? 3 : body];
@@ -51,7 +51,7 @@ function placed(m: Mechanism, state: number, body: number, [x, y]: Point): Point
   return [nx + c * (x - hx) - s * (y - hy), ny + s * (x - hx) + c * (y - hy)];
 }
 
-// --- a mechanism that moves --------------------------------------------------------------------------
+// --- animated mechanism ------------------------------------------------------------------------------
 
 class MechanismView {
   readonly element: HTMLElement;
@@ -70,7 +70,7 @@ class MechanismView {
 
   constructor(
     all: Mechanism[],
-    private readonly far: number, // displacement to which the chart goes [mm]
+    private readonly far: number, // displacement at the end of the chart [mm]
     private readonly moved: (m: Mechanism, displacement: number) => void,
   ) {
     this.m = all[all.length - 1];
@@ -217,7 +217,7 @@ class MechanismView {
 
 // --- curves over the runs (Fig. 19) --------------------------------------------------------------------
 
-const kBeyond = 1.6; // of the displacement of the runs, to which the chart goes
+const kBeyond = 1.6; // of the displacement of the runs: end of the chart
 const kEnvelope = ["low", "percentile_5", "mean", "percentile_95", "high"] as const;
 
 class OverlayFigure {
@@ -274,15 +274,15 @@ class OverlayFigure {
       }),
     });
   }
-  // Of several runs; a single one is drawn itself.
+  // Envelope of several runs; a single one is drawn itself.
   private get envelope(): Envelope | undefined {
     return this.comparison?.runs! > 1 ? this.comparison!.envelopes?.[this.mode] : undefined;
   }
-  // The few runs that fell early would rule a band from the least to the greatest.
+  // With few runs that fell early, a band from the least to the largest value would mislead.
   private get hasBand(): boolean {
     return this.envelope?.percentile_5_kN !== undefined;
   }
-  // To where the curves of runs are seen well.
+  // Displacement up to which the curves of runs are well visible.
   get far(): number {
     const { envelope } = this,
       run = this.comparison?.curve;
@@ -293,7 +293,7 @@ class OverlayFigure {
   move(m: Mechanism, displacement: number): void {
     const inside = Math.max(this.far, this.at?.[1] ?? 0);
     this.at = [m, displacement];
-    // the chart follows a mark that leaves it, and comes back
+    // the chart grows for a mark that leaves it, and shrinks back
     if (Math.max(inside, displacement) > this.far) this.figure.redraw();
     this.mark();
   }

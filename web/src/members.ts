@@ -1,18 +1,18 @@
-// What frames carry, drawn along their members where the blocks stand now.
+// Forces of frames, drawn along their members in the present position of the blocks.
 //
 //        _______         use     colour of each segment, the larger of its two sections
-//      |\       /|       M       ordinates on the side that is stretched
-//     |__|-----|__|      N, V    positive on the left of the member's way: outside a frame round an opening
+//      |\       /|       M       ordinates on the tension side
+//     |__|-----|__|      N, V    positive on the left of the member's direction: outside a frame round an opening
 //
-// Ordinates stand at the sections, as frames.csv has them, with straight lines between. Their scale is that of the frame's
-// largest of all states, so that a diagram grows with the push.
+// Ordinates are at the sections, as in frames.csv, with straight lines between. Their scale
+// is that of the frame's largest value of all states, so that a diagram grows with the push.
 import { append, svg } from "./dom";
 import { fixed, qty } from "./texts";
 import { bodyCss, stepOf, type Pose, type Carried, type Frames, type MemberSection, type Wall } from "./wall";
 import type { Canvas } from "./wall2d";
 
 export const kUseSteps = [0.1, 0.25, 0.5, 0.75, 0.9, 1];
-// Unit of a page, and what one of it is in the data.
+// The unit of the page, and its value in the unit of the data.
 export const kUnitOf: Record<Carried, [string, number]> = {
   moment: ["kNm", 1e3],
   shear: ["kN", 1e3],
@@ -25,7 +25,7 @@ export interface Station {
   index: number; // of the section
   at: Place; // on the axis [px]
   tip: Place; // of the ordinate [px]
-  side: Place; // unit vector to where it points, of one on the axis to where a positive one would [px]
+  side: Place; // unit vector towards the ordinate; on the axis, towards a positive one [px]
   value: number; // in the unit of the page
 }
 
@@ -33,7 +33,7 @@ const kFrameRole = "frame";
 export const isFrameBlock = (wall: Wall, b: number): boolean => wall.role[b] === kFrameRole;
 type Numbered = ArrayLike<number>;
 
-// Sections of each member of a frame, in the order of its way.
+// Sections of each member of a frame, in the member's direction.
 export const alongMembers = (wall: Wall, frame: string): MemberSection[][] =>
   wall.members
     .map((member, m) =>
@@ -41,7 +41,7 @@ export const alongMembers = (wall: Wall, frame: string): MemberSection[][] =>
     )
     .filter((sections) => sections.length > 0);
 
-// The largest in a frame of all states, without sign, in the unit of the page.
+// The largest absolute value in a frame over all states, in the unit of the page.
 export function largestCarried(frames: Frames, frame: string, what: Carried): number {
   const mine = alongMembers(frames.wall, frame).flatMap((m) => m.map((s) => frames.wall.sections.indexOf(s)));
   let largest = 0;
@@ -52,7 +52,7 @@ export function largestCarried(frames: Frames, frame: string, what: Carried): nu
   return largest / kUnitOf[what][1];
 }
 
-// Where the sections of a member are and where their ordinates end; `long`: pixels of one of the page's units.
+// Positions of a member's sections and ends of their ordinates; `long`: pixels for one unit of the page.
 export function stationsOf(
   sections: MemberSection[],
   values: Numbered,
@@ -69,7 +69,7 @@ export function stationsOf(
       value = values[index] / kUnitOf[what][1];
     const turn = (x: number, y: number): Place => [pose.c[b] * x - pose.s[b] * y, pose.s[b] * x + pose.c[b] * y];
     const [ax, ay] = turn(...arm),
-      [lx, ly] = turn(-wy, wx); // left of the way
+      [lx, ly] = turn(-wy, wx); // left of the direction
     const at: Place = [canvas.X(pose.x[b] + ax), canvas.Y(pose.y[b] + ay)];
     const positive = what === "moment" ? -1 : 1,
       sign = positive * (value < 0 ? -1 : 1);
@@ -84,7 +84,7 @@ export function stationsOf(
 const point = ([x, y]: Place): string => `${x.toFixed(1)} ${y.toFixed(1)}`;
 const between = (a: Place, b: Place, share: number): Place => [a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])];
 
-// The fields between neighbouring ordinates by their sign: [of positive values, of negative ones].
+// The areas between neighbouring ordinates by sign: [positive values, negative values].
 function fieldsOf(stations: Station[]): [string, string] {
   const paths: [string, string] = ["", ""];
   const add = (value: number, corners: Place[]): void => {
@@ -125,13 +125,13 @@ interface Box {
 }
 const kLetter = 6.7, // of a label [px]
   kLine = 14,
-  kShown = 0.08, // of the state's largest, below which no number is written
-  kSame = 0.03; // values of a corner that are one
+  kShown = 0.08, // of the state's largest value; smaller ones get no number
+  kSame = 0.03; // relative difference of equal values at a corner
 
 const overlaps = (a: Box, b: Box): boolean => a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1;
 
-// Of each member its ends and its extremes, the largest first; of two in a corner that are the same, one. Of use the
-// largest of each member.
+// The values to label: ends and extremes of each member, the largest first. Equal
+// values at a corner are labelled once. `use` only has the largest of each member.
 function numbered(members: Station[][], what: Carried): Station[] {
   const wanted = members.flatMap((stations) => {
     const by = [...stations].sort((s, t) => s.value - t.value),
@@ -145,7 +145,7 @@ function numbered(members: Station[][], what: Carried): Station[] {
     const twin = kept.some(
       (k) => Math.hypot(k.at[0] - s.at[0], k.at[1] - s.at[1]) < 4 && Math.abs(size(k) - size(s)) <= kSame * size(k),
     );
-    // a value that stays along its member is one number
+    // a constant value along a member is labelled once
     const level = kept.some(
       (k) => members.some((m) => m.includes(k) && m.includes(s)) && Math.abs(k.value - s.value) <= kSame * size(k),
     );
@@ -154,7 +154,7 @@ function numbered(members: Station[][], what: Carried): Station[] {
   return kept;
 }
 
-// Points on lines that a number should not lie on, a few pixels from each other.
+// Points on lines that a label should avoid, a few pixels apart.
 function pointsOn(lines: Place[][]): Place[] {
   return lines.flatMap((line) =>
     line.slice(1).flatMap((to, k) => {
@@ -165,7 +165,7 @@ function pointsOn(lines: Place[][]): Place[] {
   );
 }
 
-// Beside the end of the ordinate, farther out rather than inside, off other numbers and, where it can be, off the lines.
+// Places a label beside the end of the ordinate, rather outside than inside, away from other labels and, if possible, from lines.
 function placeNumber(s: Station, wide: number, taken: Box[], lines: Place[], canvas: Canvas): Box | null {
   const [dx, dy] = s.side;
   let best: Box | null = null,
@@ -219,7 +219,7 @@ function drawNumbers(members: Station[][], what: Carried, pose: Pose, canvas: Ca
 
 // --- the drawing ---------------------------------------------------------------------------------------------
 
-// Segments by their use: each between its two sections.
+// Segments coloured by their use, each between its two sections.
 function drawUse(members: Station[][], pose: Pose, canvas: Canvas): SVGElement[] {
   const { sections } = pose.wall;
   return segmentsOf(pose.wall, members).map((b) => {
@@ -241,7 +241,7 @@ export const outlineOf = (pose: Pose, b: number, canvas: Canvas): string =>
 const segmentsOf = (wall: Wall, members: Station[][]): number[] =>
   [...new Set(members.flat().flatMap((s) => [wall.sections[s.index].a, wall.sections[s.index].b]))].filter((b) => b >= 0);
 
-// How a frame stands on the ground: held, or hinged.
+// The foot of a frame on the ground: fixed or hinged.
 function drawFoot({ a, hinged }: MemberSection, [x, y]: Place): SVGElement[] {
   if (a >= 0) return [];
   const top = y + (hinged ? 11 : 0);
@@ -253,7 +253,7 @@ function drawFoot({ a, hinged }: MemberSection, [x, y]: Place): SVGElement[] {
   return [foot, svg("path", { class: "foot", d: legs }), svg("circle", { class: "foot-hinge", cx: x.toFixed(1), cy: y.toFixed(1), r: 3 })];
 }
 
-// The members of one frame, with what they carry in a state; `reach`: pixels of the largest ordinate.
+// The members of one frame with their forces in a state; `reach`: pixels of the largest ordinate.
 export function drawMembers(
   wall: Wall,
   frames: Frames,

@@ -1,4 +1,4 @@
-// What every page has: sections with a list of links to them, the bar at the top, printing.
+// Parts of every page: sections with a list of links to them, the bar at the top, printing.
 import { finishLater, h, hintMore, type Child } from "./dom";
 import { prepareFiguresForPrint, restoreFigures } from "./figure";
 import { say } from "./texts";
@@ -7,8 +7,8 @@ export interface Section {
   id: string;
   title: string;
   content: Child;
-  paper?: boolean; // printed, never on a screen
-  first?: boolean; // a printed page of its own, in place of the headline; what follows is its appendix
+  paper?: boolean; // only for print
+  first?: boolean; // a first printed page instead of the headline; the rest is its appendix
 }
 
 function themeButton(): HTMLElement {
@@ -54,7 +54,7 @@ function watchPrinting(): void {
   });
 }
 
-// Puts the sections under the headline that is in the page already.
+// Puts the sections below the static headline.
 export function build(sections: Section[]): void {
   const main = document.getElementById("page")!;
   main.querySelector("noscript")?.remove();
@@ -97,7 +97,7 @@ export function build(sections: Section[]): void {
   markHere(nav);
 }
 
-// The link of the section in view.
+// Marks the link of the section in view.
 function markHere(nav: HTMLElement): void {
   if (typeof IntersectionObserver === "undefined") return;
   const links = new Map([...nav.querySelectorAll("a")].map((a) => [a.getAttribute("href")!.slice(1), a]));

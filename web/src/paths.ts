@@ -1,6 +1,6 @@
-// Lines and polygons of a drawing by the class that styles them, in pixels. At rest they become one SVG
-// path a class. While the drawing moves they are painted on a canvas instead: a browser takes 2 ms for
-// five thousand polygons there, where a path of all of them takes 40.
+// Lines and polygons of a drawing by style class, in pixels. At rest they become one SVG path
+// for each class. While the drawing moves they are painted on a canvas instead: a browser
+// takes 2 ms for five thousand polygons there, and 40 ms for one path of all of them.
 import { svg } from "./dom";
 
 type Place = [number, number];
@@ -9,7 +9,7 @@ interface Lines {
   closed: boolean;
   at: number[]; // x, y of every corner
   end: number[]; // of each line, in `at`
-  raw: string[]; // others, in SVG's own words
+  raw: string[]; // other SVG elements
 }
 
 const short = (v: number): number => Math.round(10 * v) / 10;
@@ -67,7 +67,7 @@ function wordsOf({ closed, at, end, raw }: Lines): string {
   return words.join("") + raw.join("");
 }
 
-const kUpright = 0.4; // of a side, from one end to the other [px]
+const kUpright = 0.4; // slope of a side that counts as straight, over its length [px]
 
 interface Style {
   fill: string;
@@ -78,13 +78,13 @@ interface Style {
   opacity: number;
 }
 
-// A canvas that knows how the page styles SVG.
+// A canvas that uses the page's SVG styles.
 export class Painter {
   readonly element = document.createElement("canvas");
   private readonly to = this.element.getContext("2d")!;
   private readonly styles = new Map<string, Style>();
 
-  // For drawings within `place`, of that size.
+  // For drawings within `place`, with its size.
   constructor(
     private readonly place: Element,
     width: number,
@@ -119,7 +119,7 @@ export class Painter {
     for (const d of lines.raw) to.stroke(new Path2D(d));
   }
 
-  // One by one: rectangles and convex polygons are filled fast, a thousand in one path are not.
+  // Fills polygons one by one: rectangles and convex polygons are fast, a path of a thousand polygons is not.
   private fill(lines: Lines): void {
     const { at, end } = lines,
       { to } = this;
@@ -130,7 +130,7 @@ export class Painter {
       to.fill();
     }
   }
-  // What hardly leans is filled as a rectangle; false: it leans.
+  // Fills a nearly upright polygon as a rectangle; false if it leans.
   private fillUpright(at: number[], i: number): boolean {
     const [xa, ya, xb, yb, xc, yc, xd, yd] = [at[i], at[i + 1], at[i + 2], at[i + 3], at[i + 4], at[i + 5], at[i + 6], at[i + 7]];
     const near = (a: number, b: number): boolean => Math.abs(a - b) < kUpright;

@@ -1,13 +1,13 @@
-// Time of a wall that moves: a slider over its states, and play. Where motion is welcome and `between` can draw
-// it, play runs evenly from state to state; else it steps.
+// The time of a moving wall: a slider over its states, and play. If animation is allowed
+// and `between` can draw it, play moves evenly from state to state; else it steps.
 import { h } from "./dom";
 import { say } from "./texts";
 
-const kState = 120; // how long play shows a state [ms]
+const kState = 120; // duration of a state in play [ms]
 
 export class Player {
   readonly element: HTMLElement;
-  first = 0; // of the states to choose from
+  first = 0; // of the selectable states
   last = 0;
   private readonly slider = h("input", { type: "range", min: 0, step: 1, "aria-label": say("wall.time") });
   private readonly button = h("button", { type: "button", class: "play", "aria-label": say("wall.play") }, "▶");
@@ -33,7 +33,7 @@ export class Player {
     this.slider.value = String(last);
     this.element.hidden = last <= first;
   }
-  // The nearest of the states to choose from.
+  // Selects the nearest of the selectable states.
   put(frame: number): number {
     const chosen = Math.min(Math.max(this.first, frame), this.last);
     this.slider.value = String(chosen);

@@ -1,4 +1,4 @@
-// A chart's frame in SVG: axes with ticks, grid and titles, and the marks drawn inside it.
+// The frame of a chart in SVG: axes with ticks, grid and titles, and the marks within it.
 import { append, fresh, svg, type Attributes, type Child } from "./dom";
 import { num } from "./texts";
 
@@ -16,7 +16,7 @@ export function ticks([low, high]: Range, wanted: number): number[] {
   return out.map((v) => (Math.abs(v) < 1e-12 * step ? 0 : Number(v.toPrecision(12))));
 }
 
-// A range that holds all finite values, with air as a share of its width.
+// A range with all finite values, and a margin as a share of its width.
 export function rangeOf(values: Iterable<number | null>, air = 0): Range {
   let low = Infinity,
     high = -Infinity;
@@ -30,7 +30,7 @@ export function rangeOf(values: Iterable<number | null>, air = 0): Range {
   return [low - air * (high - low), high + air * (high - low)];
 }
 
-// Points that keep a line within `tolerance` pixels of all of them (Douglas and Peucker).
+// The fewest points whose line stays within `tolerance` pixels of all points (Douglas and Peucker).
 export function thinned(points: Point[], tolerance: number): Point[] {
   if (points.length < 3) return points;
   const keep = new Uint8Array(points.length);
@@ -60,7 +60,7 @@ export function thinned(points: Point[], tolerance: number): Point[] {
   return points.filter((_, i) => keep[i]);
 }
 
-export const kLeft = 56; // room for the ticks and title of the y axis
+export const kLeft = 56; // space for the ticks and title of the y axis
 
 export interface PlotSpec {
   width: number;
@@ -69,7 +69,7 @@ export interface PlotSpec {
   y: Range;
   xLabel: string;
   yLabel: string;
-  title: string; // what a screen reader says
+  title: string; // for screen readers
   left?: number;
   right?: number;
   top?: number;
@@ -134,7 +134,7 @@ export class Plot {
     this.left + ((this.right - this.left) * (v - this.spec.x[0])) / (this.spec.x[1] - this.spec.x[0]);
   Y = (v: number): number =>
     this.bottom - ((this.bottom - this.top) * (v - this.spec.y[0])) / (this.spec.y[1] - this.spec.y[0]);
-  // Values under a pixel of the drawing.
+  // Values at a pixel of the drawing.
   xAt = (pixel: number): number =>
     this.spec.x[0] + ((pixel - this.left) / (this.right - this.left)) * (this.spec.x[1] - this.spec.x[0]);
   yAt = (pixel: number): number =>

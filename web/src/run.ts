@@ -1,4 +1,4 @@
-// The page of a run: curve and wall side by side, how it failed; energy and meters are in run_trust.ts.
+// The page of a run: curve and wall side by side, and the failure; energy and meters are in run_trust.ts.
 import { assessmentSection } from "./assessment";
 import type { Bundle } from "./bundle";
 import { append, h, onScreen, svg, type Child } from "./dom";
@@ -33,14 +33,14 @@ function readCurve(bundle: Bundle<RunHeader>): Curve {
   };
 }
 
-const kManyParts = 12, // of a wall, from which on only those are listed that show something
+const kManyParts = 12, // number of parts in a wall, above which only damaged ones are listed
   kOnPaper = 8, // measures in the printed appendix
-  kNear = 0.25; // from a threshold, as a share of it, and still near
+  kNear = 0.25; // distance from a threshold that counts as near, as a share of it
 
-// Words for a frame's labels: "peak", "20 mm", "end".
+// The text for a frame's labels: "peak", "20 mm", "end".
 const labelOf = (labels: Said[]): string => labels.map((l) => phrase(l)).join(", ");
 
-// Every sign of every part, and its measure.
+// Every sign of every part, with its measure.
 const evidenceOf = (mode: FailureMode): Measured[] =>
   mode.elements.flatMap((e) =>
     e.signs.map((s) => ({
@@ -51,7 +51,7 @@ const evidenceOf = (mode: FailureMode): Measured[] =>
     })),
   );
 
-// Position of the smallest.
+// Index of the smallest.
 function nearest(distances: number[]): number {
   let best = 0;
   distances.forEach((d, i) => {
@@ -164,7 +164,7 @@ class RunPage {
     return figure;
   }
 
-  // Every column of the curve, whatever they are.
+  // All columns of the curve.
   private curveSheet(): Sheet {
     const head = Object.keys(this.header.arrays)
       .filter((name) => name.startsWith("curve."))
@@ -239,7 +239,7 @@ class RunPage {
     return waysOf(this.s).length > 0;
   }
 
-  // From here on blocks have slid off each other: the curve means little.
+  // Marks where blocks have slid off each other: beyond, the curve means little.
   private drawValidity(plot: Plot): void {
     const lost = this.s.validity?.overlap_lost_at_mm;
     if (typeof lost !== "number") return;
@@ -277,7 +277,7 @@ class RunPage {
     this.s.events.forEach((e, i) => {
       let at: Point = [plot.X(e.displacement_mm!), plot.Y(this.byFactor ? 0 : e.reaction_kN!)];
       if (!Number.isFinite(at[0] + at[1])) return;
-      // marks at one place stack downwards, to the right of the curve
+      // marks at one place are shifted downwards, to the right of the curve
       if (Math.hypot(at[0] - before[0], at[1] - before[1]) < 18) at = [before[0] + 11, before[1] + 14];
       before = at;
       append(plot.over, [
@@ -307,8 +307,8 @@ class RunPage {
   private rowAt(displacement: number): number {
     return nearest(this.curve.displacement.map((d) => Math.abs(d - displacement)));
   }
-  // Of rows or states: the one at a displacement; where the push passes it several times, the one seen
-  // nearest to a place on the plot.
+  // The row or state at a displacement. If the push passes it
+  // several times, the one nearest to a place in the plot.
   private pointed(x: number[], y: number[], plot: Plot, [px, py]: Point): number {
     return nearest(
       x.map((d, i) =>
@@ -420,7 +420,7 @@ class RunPage {
     ];
   }
 
-  // What a part showed, and what was measured there against its threshold.
+  // The damage of a part, and its measures with their thresholds.
   private measures(rows: Measured[], word = say("failure.reached"), caption = ""): HTMLElement {
     const unit = (u: string): string => (u === "share" || u === "-" ? "" : u);
     return table(
@@ -460,8 +460,8 @@ class RunPage {
         : null,
     );
   }
-  // An appendix: the measures that could as well have fallen on the other side, nearest first. Paper has no room for
-  // those far from their thresholds.
+  // An appendix: the measures nearest to their thresholds, which could
+  // as well lie on the other side. Paper has no space for the others.
   private paperMeasures(): Child {
     const all = evidenceOf(this.s.failure_mode);
     const near = all

@@ -1,4 +1,4 @@
-// A push that turns back: the envelopes on the curve, and what each cycle says.
+// A cyclic push: the envelopes on the curve, and the results of each cycle.
 import { h, type Child } from "./dom";
 import type { Cycle, Direction, DriftCapacity, Summary } from "./headers/run";
 import type { Section } from "./page";
@@ -13,7 +13,7 @@ export interface Way {
   sign: number;
   readings: Direction;
 }
-// The two directions of a cyclic push; none of another.
+// The two directions of a cyclic push; empty for another push.
 export function waysOf(summary: Summary): Way[] {
   const c = summary.cyclic;
   return c
@@ -23,7 +23,7 @@ export function waysOf(summary: Summary): Way[] {
       ]
     : [];
 }
-// Of the fixed readings: 1 along the push, -1 against it.
+// Sense of the main responses: 1 along the push, -1 against it.
 export const signOf = (summary: Summary): number => (summary.cyclic?.read_in === "negative" ? -1 : 1);
 
 export function drawEnvelopes(plot: Plot, summary: Summary): void {
@@ -36,7 +36,7 @@ export function drawEnvelopes(plot: Plot, summary: Summary): void {
     );
 }
 
-// "12.1 / −11.8", with a dash for a side the cycle does not go to.
+// "12.1 / −11.8", with a dash for a side that the cycle does not reach.
 function bothSides(high: number | null, low: number | null): string {
   return high === null || low === null ? num(high ?? low) : `${num(high)} / ${num(low)}`;
 }
@@ -114,14 +114,14 @@ function capacityTable(ways: Way[]): Child {
   );
 }
 
-// The section of a cyclic push; empty for another.
+// The section of a cyclic push; empty for another push.
 export function cyclesSection(summary: Summary): Section {
   const section = { id: "cycles", title: say("section.cycles"), content: null as Child };
   const cyclic = summary.cyclic;
   if (!cyclic) return section;
   const rows = cyclic.cycles.map(cycleRow);
   const ways = waysOf(summary);
-  const knows = ways.every(({ readings }) => readings.drift_capacity); // not so in results of earlier programs
+  const knows = ways.every(({ readings }) => readings.drift_capacity); // absent in results of earlier programs
   const dips = knows ? ways.flatMap(dipsOf) : [];
   const marked = rows.some((r) => String(r[r.length - 1]).endsWith("*"));
   section.content = [

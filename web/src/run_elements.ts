@@ -1,4 +1,4 @@
-// What happened to each part of the wall, lit on its picture, and what a pier or spandrel carried.
+// The damage of each part of the wall, highlighted on its picture, and the forces of a pier or spandrel.
 import type { Bundle } from "./bundle";
 import { h, type Child } from "./dom";
 import { Figure } from "./figure";
@@ -10,9 +10,9 @@ import { fittingScale } from "./wall";
 import { canvasFor, drawParts, drawWall, type Canvas, type Look } from "./wall2d";
 import type { WallView } from "./wallview";
 
-const kManyParts = 12; // of a wall, from which on only those are listed that show something
+const kManyParts = 12; // number of parts in a wall, above which only damaged ones are listed
 
-// What a part shows: its signs that hold, gravest first.
+// The state of a part: its signs that hold, the most severe first.
 const stateOf = (element: Part): string =>
   element.signs
     .filter((s) => s.holds)
@@ -24,14 +24,14 @@ type Quantity = (typeof kQuantities)[number];
 
 export class ElementsView {
   readonly chart: Figure | null;
-  readonly map: Figure | null; // the wall at the last state, with numbers
+  readonly map: Figure | null; // the wall in the last state, with numbers
   private mapLook: Look | null = null;
   private mapCanvas: Canvas | null = null;
   private readonly names: string[];
   private readonly displacement: number[];
   private chosen = 0;
   private quantity: Quantity = "shear";
-  private kept = ""; // the part that stays lit
+  private kept = ""; // the part that stays highlighted
   private readonly which = h("select", { "aria-label": say("element.which") });
 
   constructor(
@@ -48,7 +48,7 @@ export class ElementsView {
     this.map?.element.classList.add("no-print");
   }
 
-  // Of a wall of many parts those that show something; the others are counted.
+  // In a wall of many parts, the damaged ones; the others are counted.
   list(): Child {
     const all = this.mode.elements;
     if (all.length === 0) return null;
@@ -89,7 +89,7 @@ export class ElementsView {
     return place;
   }
 
-  // Its number: a button that keeps the part lit.
+  // The number of a part: a button that keeps it highlighted.
   private markOf(element: Part): Child {
     if (!element.mark) return null;
     const button = h(
@@ -198,7 +198,7 @@ export class ElementsView {
   private at(column: string, row: number, element: number): number {
     return this.bundle.array(`forces.${column}`)[row * this.names.length + element];
   }
-  // The two lines of the quantity chosen: columns and words.
+  // The two lines of the chosen quantity: columns and words.
   private lines(): [string, string][] {
     if (this.quantity === "drift")
       return [

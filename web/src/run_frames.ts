@@ -1,5 +1,5 @@
-// What the frames of a run carry: N, V, M and use drawn on the wall round them, at every state, and in a table. Paper has
-// the three diagrams side by side.
+// The forces of frames in a run: N, V, M and use drawn on the wall, in
+// every state, and in a table. Paper has the three diagrams side by side.
 import type { Bundle } from "./bundle";
 import { append, fresh, h, svg, type Child } from "./dom";
 import { Figure, legend, swatch } from "./figure";
@@ -15,8 +15,8 @@ import { scaleWords, type FrameInfo, type WallView } from "./wallview";
 
 const kTallest = 460, // of a drawing [px]
   kReach = 56, // of the largest ordinate [px]
-  kBeside = 52, // beyond it, for a number
-  kBelow = 26, // feet, for how they stand
+  kBeside = 52, // space beyond it for a number
+  kBelow = 26, // space for the symbols of the feet
   kOnPaper: Carried[] = ["moment", "shear", "normal"];
 
 const quantity = (value: number, what: Carried): string =>
@@ -37,7 +37,7 @@ export class FramesView {
   private only = "";
   private frame: number;
 
-  // null: no frame, or no state of one.
+  // null: no frame, or no state with one.
   static of(bundle: Bundle<RunHeader>, view: WallView | null): Child {
     if (!view || view.spec.wall.members.length === 0 || view.spec.frames.count === 0) return null;
     if (!bundle.has("frame.section_use")) return null;
@@ -65,7 +65,7 @@ export class FramesView {
   private get names(): string[] {
     return [...new Set(this.wall.members.map((m) => m.frame))];
   }
-  // The state at which a section of the frame shown is used most.
+  // The state with the largest use in the chosen frame.
   private hardest(): number {
     const mine = this.mine().map((k) => k.index);
     let best = 0,
@@ -77,7 +77,7 @@ export class FramesView {
     }
     return best;
   }
-  // Sections of the frame shown, along its members.
+  // Sections of the chosen frame, along its members.
   private mine(): { index: number; member: number; place: number }[] {
     return alongMembers(this.wall, this.only)
       .flat()
@@ -130,7 +130,7 @@ export class FramesView {
       sheet: () => this.sheet(),
     });
   }
-  // Which frame, where there are several.
+  // The choice of a frame, if there are several.
   private chooser(): Child {
     if (this.names.length < 2) return null;
     const which = h(
@@ -167,7 +167,7 @@ export class FramesView {
 
   // --- drawing ---------------------------------------------------------------------------------------------
 
-  // The frame fills the drawing, with room for ordinates and numbers round it.
+  // The frame fills the drawing, with space for ordinates and labels around it.
   private canvasOf(width: number, tallest: number, reach: number): Canvas {
     const box = { x0: Infinity, x1: -Infinity, y0: Infinity, y1: -Infinity };
     const members = alongMembers(this.wall, this.only);
@@ -260,7 +260,7 @@ export class FramesView {
     const at = this.extreme(what, this.mine());
     return `${say(`frames.${what}`)} ${quantity(at.value, what)}, ${phrase(this.wall.members[at.member].words)}, ${this.placeWords(at)}`;
   }
-  // An end, or how far from the foot of a column, from the left end of a beam.
+  // An end, or the distance from the foot of a column or from the left end of a beam.
   private placeWords({ member, place }: { member: number; place: number }): string {
     const { way, length } = this.wall.members[member],
       upright = Math.abs(way[1]) > Math.abs(way[0]);
@@ -270,7 +270,7 @@ export class FramesView {
     if (from > (1 - 1e-6) * length) return say(`element.${ends[1]}`);
     return qty(from, "m");
   }
-  // The largest in size, with its sign, of some sections.
+  // The largest absolute value of some sections, with its sign.
   private extreme(
     what: Carried,
     of: { index: number; member: number; place: number }[],
@@ -305,7 +305,7 @@ export class FramesView {
     );
     return h("div", {}, list, h("p", { class: "soft small" }, say("frames.places")));
   }
-  // As frames.csv, of the states that the page has.
+  // The columns of frames.csv, for the states in the page.
   private sheet(): { head: string[]; rows: (string | number)[][] } {
     const order = ["normal", "shear", "moment", "use"] as const;
     return {

@@ -1,4 +1,4 @@
-// What the layers of a run bore: a sentence for each.
+// Results of the layers in a run: a sentence for each.
 import { h, type Child } from "./dom";
 import type { RunHeader } from "./headers/run";
 import { say, sentence } from "./texts";

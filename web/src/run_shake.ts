@@ -1,4 +1,4 @@
-// A shaken wall: how a point moved over time, the loops of base shear, points and records.
+// A wall under an earthquake: the motion of a point over time, the loops of base shear, points and records.
 import type { Bundle } from "./bundle";
 import { h, svg, type Child } from "./dom";
 import { Figure } from "./figure";
@@ -26,7 +26,7 @@ class ShakeView {
   private column(name: string): number[] {
     return Array.from(this.bundle.array(`shake.${name}`));
   }
-  // Thinned for drawing: of each run of rows the extremes stay.
+  // Reduces points for drawing: the extremes of each group of rows are kept.
   private line(y: number[]): Point[] {
     const points = zip(this.time, y);
     const run = Math.ceil((2 * points.length) / kMostPoints);
@@ -119,7 +119,7 @@ class ShakeView {
     return plot.svg;
   }
 
-  // A strip for each storey, the uppermost above, on one scale.
+  // One strip for each storey, the uppermost at the top, with one scale.
   storeys(): Figure | null {
     const names = (this.s.storeys ?? []).map((storey) => String(storey.name));
     if (names.length === 0 || !(`shake.storey_0_percent` in this.bundle.header.arrays)) return null;
@@ -248,12 +248,12 @@ class ShakeView {
   }
 }
 
-// The chart that stands beside the wall where nothing pushed it.
+// The chart beside a wall that was not pushed.
 export function shakeHistory(bundle: Bundle<RunHeader>): HTMLElement {
   return new ShakeView(bundle).history().element;
 }
 
-// The section of a shaken wall; empty for another.
+// The section of a shaken wall; empty for another wall.
 export function shakeSection(bundle: Bundle<RunHeader>): Section {
   const section = { id: "shake", title: say("section.shake.numbers"), content: null as Child };
   if (!isShaken(bundle)) return section;

@@ -1,4 +1,4 @@
-// Why the answer of a run may be trusted: where its energy went, how nearly static it was.
+// Reasons to trust a run: its energy ledger, and how nearly static it was.
 import { h, type Child } from "./dom";
 import { Figure, legend, swatch } from "./figure";
 import type { QuasiStatic, RunHeader, Summary } from "./headers/run";
@@ -18,7 +18,7 @@ export interface Curve {
 }
 export const zip = (x: number[], y: number[]): Point[] => x.map((v, i) => [v, y[i]]);
 
-const kGap = 0.01; // of the ledger, beyond which its run is not believed (as in headline.cpp)
+const kGap = 0.01; // of the ledger; above it a run is not reliable (as in headline.cpp)
 
 // --- energy --------------------------------------------------------------------------------------
 
@@ -46,10 +46,10 @@ export function energySection(header: RunHeader): Child {
     rows.map((r) => r),
     say("energy.table"),
   );
-  // a shake goes to and fro: over its displacement works are no picture
+  // the displacement of a shake oscillates, so works are drawn over time
   const overTime = frames.some((f) => typeof f.time_s === "number");
   if (frames.length < 3 || overTime) return [h("p", { class: "soft" }, say("energy.lead")), list];
-  // dissipated since the start of the push, stored as it is above the start
+  // dissipated since the start of the push; stored relative to the start
   const from = ledger[0];
   const series = kParts.map((part) => ledger.map((l) => Math.max(0, l[part] - from[part])));
   const x = frames.map((f) => f.displacement_mm);
@@ -99,7 +99,7 @@ export function energySection(header: RunHeader): Child {
 
 // --- trust ---------------------------------------------------------------------------------------
 
-// Where the force was slow enough: what else a slow push would show, or may not.
+// For a force that was slow enough: whether a slow push would give the same displacement or mode.
 function promise(of: "displacement" | "mode", q: QuasiStatic): Child {
   const said = q[of];
   if (q.judgement !== "slow enough" || !said || said.verdict === "no push") return null;
@@ -109,7 +109,7 @@ function promise(of: "displacement" | "mode", q: QuasiStatic): Child {
 
 export function trustSection(summary: Summary, curve: Curve): Child {
   const q = summary.quasi_static;
-  // what a measure says stands beneath its name
+  // the meaning of a measure is below its name
   const named = (words: string, means: string): Child => [words, h("span", { class: "pm" }, means)];
   const list = table(
     [{ head: say("trust.measure"), left: true }, { head: say("mean") }, { head: say("largest") }],
@@ -161,7 +161,7 @@ export function trustSection(summary: Summary, curve: Curve): Child {
 }
 
 function ratioFigure(summary: Summary, c: Curve): Figure {
-  // the start, where the work done is next to nothing, says nothing about the ratios
+  // ratios near the start, where little work is done, mean nothing
   const counts = c.displacement.map((d) => Math.abs(d) >= 0.1 * (summary.displacement_at_peak_mm ?? 0));
   const positive = [
     ...c.unbalance.filter((v, i) => counts[i] && v > 0),

@@ -1,6 +1,6 @@
-// The sheet that is handed over: one A4 page before all others, on a screen too where the model names a
-// project or a code. Verdict first; what there is no room for is counted, and stands in the appendix. Only texts of the
-// user's own that are longer than a line may be cut, in the head.
+// The printed sheet: one A4 page before all others, also on a screen if the model names a
+// project or a code. It begins with the verdict. Items without space are counted, and are
+// in the appendix. Only the user's own texts longer than a line may be cut, in the header.
 import { h, later, svg, type Child } from "./dom";
 import { legend, swatch } from "./figure";
 import type { Assessment } from "./headers/assessment";
@@ -17,11 +17,11 @@ import type { View } from "./wallview";
 
 const kListed = 5, // key numbers
   kRoom = 620, // letters of materials, and of stages; more are counted
-  kRoomOfNotes = 1900, // letters of the verdict and of what is not modelled
+  kRoomOfNotes = 1900, // letters of the verdict and of the effects that are not modelled
   kLeastNotes = 650,
   kFewWords = 1300, // letters
-  kShort = 60, // letters of what is never cut
-  kGapShown = 1e-4; // of the energy ledger; less is said to be this
+  kShort = 60, // letters of texts that are never cut
+  kGapShown = 1e-4; // of the energy ledger; a smaller gap is given as less than this
 
 export interface SheetSource {
   header: RunHeader;
@@ -34,7 +34,7 @@ export interface SheetSource {
 //   reserve: a slower push may move them;  yes
 export type Standing = "none" | "no" | "bound" | "reserve" | "yes";
 export interface Doubts {
-  grave: boolean; // what the headline warns of
+  grave: boolean; // with a warning in the headline
   mild: boolean;
 }
 export function standingOf(s: Summary, { grave, mild }: Doubts): { standing: Standing; first: string } {
@@ -48,7 +48,7 @@ export function standingOf(s: Summary, { grave, mild }: Doubts): { standing: Sta
   if (grave || (s.status && s.status !== "completed" && !fell)) return said("no", "no");
   if (a && !a.limit_states) return said("no", "no_assessment");
   if (a && !a.may_be_signed) return said("no", "no");
-  // what a code judges is known, or it would not be signed
+  // the result of a code is known, or the sheet would not be signed
   if (!a && !fell && !(s.load_factor > 0)) {
     if (s.censored_peak) return said("bound", "bound.force");
     if (s.censored_80) return said("bound", "bound.displacement");
@@ -61,14 +61,14 @@ function judged(a: Assessment | undefined): string {
   return key && state ? say(`sheet.${key}`, { state: capital(say(`assessment.${state}`)) }) : "";
 }
 
-// What the page already says, in its static head.
+// The answer in the page's static headline.
 const answer = (): Element | null => document.querySelector("#headline .answer");
 export const doubts = (): Doubts => {
   const all = [...(answer()?.querySelectorAll(".caution") ?? [])];
   return { grave: all.some((e) => !e.classList.contains("mild")), mild: all.length > 0 };
 };
 
-// What a page says of its run or of its campaign.
+// The data of a run or a campaign for its sheet.
 interface Handed {
   project?: Project;
   assessment?: unknown;
@@ -84,7 +84,7 @@ const saidOf = (header: Titled): Handed => header.summary ?? header.statistics ?
 export function sheetSection(source: SheetSource): Section {
   return sheetOf(source.header, (onPaper) => sheet(source, onPaper));
 }
-// On a screen only where somebody is named or a code is asked.
+// On a screen only if a project or a code is named.
 export function sheetOf(header: Titled, draw: (onPaper: boolean) => HTMLElement): Section {
   const place = h("div", {}),
     asked = Boolean(saidOf(header).project || saidOf(header).assessment);
@@ -97,7 +97,7 @@ export function sheetOf(header: Titled, draw: (onPaper: boolean) => HTMLElement)
 function sheet(source: SheetSource, onPaper: boolean): HTMLElement {
   const s = source.header.summary,
     { standing, first } = standingOf(s, doubts());
-  // paper has room for one above the other where few words are said
+  // with few words, paper has space for one above the other
   const words = (answer()?.textContent ?? "") + Object.values(s.project ?? {}).join(" ");
   const wide = onPaper && !s.assessment?.limit_states && words.length < kFewWords;
   return h(
@@ -116,7 +116,7 @@ function sheet(source: SheetSource, onPaper: boolean): HTMLElement {
 const titleOf = (header: Titled): string =>
   saidOf(header).project?.title || header.title || say(`untitled.${header.kind}`);
 
-// What the head of the sheet may have cut.
+// The texts of the sheet's header that may have been cut.
 export function projectSection(header: Titled): Section {
   const rows: [string, string][] = [[say("sheet.title"), titleOf(header)]];
   for (const [key, text] of factsOf(header)) rows.push([say(`sheet.${key}`), text]);
@@ -181,7 +181,7 @@ export function verdict(fine: boolean, first: string): Child {
   );
 }
 
-// The code's own "not to be signed", where that is said already.
+// Removes the code's own "not to be signed", if the sheet says so already.
 function leaveOutUnsigned(node: Node): void {
   const start = say("sheet.unsigned"),
     text = node.textContent ?? "",
@@ -226,7 +226,7 @@ function pictures({ header, curve, view }: SheetSource, wide: boolean): Child {
   return shown.length > 0 ? h("div", { class: wide ? "a4-pictures wide" : "a4-pictures" }, shown) : null;
 }
 
-// The state at which the failure was read, else the last.
+// The state for which the failure mode was evaluated, else the last.
 function frameShown(header: RunHeader): number {
   const frames = header.frames,
     at = header.summary.failure_mode?.read_at_mm;
@@ -296,7 +296,7 @@ function drawCurve(s: Summary, c: Curve, wide: boolean): SVGSVGElement {
   drawEnvelopes(plot, s);
   if (!byFactor && s.peak_reaction_kN! > 0)
     plot.dot(sign * s.displacement_at_peak_mm!, sign * s.peak_reaction_kN!, 4.5, "peak");
-  // words of limit states at the foot, of the demand at the top: the two may lie at one place
+  // labels of limit states at the bottom, of the demand at the top, because they may be at one place
   const upright = (at: number, css: string, words: string, high = false): void => {
     const px = plot.X(at);
     plot.add(svg("line", { class: css, x1: px, x2: px, y1: plot.top, y2: plot.bottom }));
@@ -309,7 +309,7 @@ function drawCurve(s: Summary, c: Curve, wide: boolean): SVGSVGElement {
   return plot.svg;
 }
 
-// --- what a code says ----------------------------------------------------------------------------
+// --- assessment ----------------------------------------------------------------------------------
 
 function limitStates(a: Assessment | undefined): Child {
   if (!a?.limit_states) return null;
@@ -354,7 +354,7 @@ function limitStates(a: Assessment | undefined): Child {
 
 // --- assumptions ---------------------------------------------------------------------------------
 
-// As many as there is room for [letters]; the others are counted.
+// As many items as fit [letters]; the others are counted.
 export function listed(items: Child[], room = kRoom): Child {
   const all = items.map((item) => h("li", {}, item)),
     shown = all.filter((li) => (room -= li.textContent!.length) >= 0),
@@ -432,7 +432,7 @@ export function notModelledList(a: Noted | undefined, inSpace = false, most = kR
   return h("ul", { "data-notes": items[0].length >= own.length ? "all" : "some" }, items);
 }
 
-// A name is put only under what may be signed.
+// Space for a signature, only if the sheet may be signed.
 export function foot(made: string, s: Handed, standing: Standing): Child {
   const author = s.project?.author;
   return h(

@@ -1,6 +1,6 @@
-// A wall in space: bodies and the faces between them, where they are in a state, how they are looked at, and
-// what a ray meets. The same kinematics as src/reading/places.cpp: a body turns about its centroid and moves.
-// All places are seen from the middle of what moves (header.wall.space.middle).
+// A wall in space: bodies and the faces between them, their poses in a state, the camera, and
+// picking by rays. The same kinematics as src/reading/places.cpp: a body turns about its centroid
+// and moves. All places are relative to the middle of the moving bodies (header.wall.space.middle).
 import type { Bundle, Numbers } from "./bundle";
 import type { Crack } from "./wall";
 
@@ -12,7 +12,7 @@ export interface Load {
   driven: number[]; // bodies; none: all of them
 }
 
-// A tie, a strip of a floor or a spring; a: -1 is the ground. Of a spring `along` is the way its block is held.
+// A tie, a strip of a floor or a spring; a: -1 is the ground. For a spring `along` is the direction in which its block is held.
 export interface SolidLink {
   name: string;
   kind: "tie" | "diaphragm" | "spring" | "anchor" | "dowel" | "wedge";
@@ -24,7 +24,7 @@ export interface SolidLink {
 }
 export const kLinkStates = ["holds", "slack", "yielded"] as const;
 
-// Lists within lists, one after the other: parts of a body, vertices and faces of a part, corners of a face.
+// Nested lists, one after the other: parts of a body, vertices and faces of a part, corners of a face.
 export interface Solids {
   count: number; // bodies
   free: number; // supports follow
@@ -41,15 +41,15 @@ export interface Solids {
   vertexBegin: Numbers;
   faceBegin: Numbers;
   cornerBegin: Numbers;
-  corner: Numbers; // numbers of vertices within their part
+  corner: Numbers; // indices of vertices within their part
   vertex: Numbers;
   jointA: Numbers; // bodies
   jointB: Numbers;
   kind: string[]; // "bed", "head", ...
   outlineBegin: Numbers; // of each joint's polygon
   outline: Numbers;
-  area: Float32Array; // of it [m²]
-  low: Vec; // bounds of what moves
+  area: Float32Array; // of the polygon [m²]
+  low: Vec; // bounds of the moving bodies
   high: Vec;
 }
 
@@ -109,13 +109,13 @@ function measure(s: Solids): void {
     s.area[j] = Math.hypot(...sum);
   }
 }
-// A vertex, seen from its body's centroid.
+// A vertex relative to its body's centroid.
 export const armOf = (s: Solids, body: number, v: number): Vec => [
   s.vertex[3 * v] - s.centroid[3 * body],
   s.vertex[3 * v + 1] - s.centroid[3 * body + 1],
   s.vertex[3 * v + 2] - s.centroid[3 * body + 2],
 ];
-// Of what is to be seen: all that moves, and of supports what is not far beyond.
+// Bounds of the view: all moving bodies, and the part of supports near them.
 export function boundsOf(s: Solids): [Vec, Vec] {
   const far = 0.15 * sizeOf(s),
     low: Vec = [...s.low],
@@ -129,7 +129,7 @@ export function boundsOf(s: Solids): [Vec, Vec] {
 }
 export const sizeOf = (s: Solids): number => Math.hypot(...s.high.map((h, k) => h - s.low[k]));
 
-// A body's own name without what numbers it: "front3.2" and "front4.1" are of "front".
+// A body's name without its number: "front3.2" and "front4.1" belong to "front".
 export const groupOf = (name: string): string => /^[^\d]*/.exec(name)![0].replace(/[\s._#:/(-]+$/, "");
 
 // --- states ------------------------------------------------------------------------------------------
@@ -137,13 +137,13 @@ export const groupOf = (name: string): string => /^[^\d]*/.exec(name)![0].replac
 export interface SolidState {
   moved: Numbers; // (n_body, 3) [m]
   turned: Numbers; // vectors of rotation [rad]
-  opening: Numbers; // (n_joint), largest of its points [m]
+  opening: Numbers; // (n_joint), largest of a joint's points [m]
   slip: Numbers;
-  stress: Numbers; // mean across it, tension + [Pa]
+  stress: Numbers; // mean over the joint, tension + [Pa]
   damage: Numbers; // 0-255
   crushing: Numbers;
-  linkForce: Numbers; // (n_link) tension + [N]; of pages without links none
-  linkState: Numbers; // places in kLinkStates
+  linkForce: Numbers; // (n_link) tension + [N]; empty in pages without links
+  linkState: Numbers; // indices into kLinkStates
 }
 
 export class SolidStates {
@@ -186,7 +186,7 @@ export class SolidStates {
 }
 
 const kRounds = [1, 2, 5, 10, 20, 50, 100];
-// A round magnification at which the largest displacement shows as some 5 % of the wall.
+// A round magnification with which the largest displacement is about 5 % of the wall.
 export function fittingSize(states: SolidStates, frame: number): number {
   if (states.count === 0) return 1;
   const { moved } = states.at(frame);
@@ -196,8 +196,8 @@ export function fittingSize(states: SolidStates, frame: number): number {
   return kRounds.filter((s) => s === 1 || largest * s <= 0.05 * sizeOf(states.solids)).pop()!;
 }
 
-const kVisible = 0.05; // openings and slips below are closed [mm]
-// How a joint shows among the cracks, as in the plane.
+const kVisible = 0.05; // smaller openings and slips count as closed [mm]
+// The kind of crack of a joint, as in the plane.
 export function crackOfFace(state: SolidState, j: number): Crack {
   const damage = state.damage[j] / 255;
   if (damage <= 0.012) return "sound";
@@ -209,7 +209,7 @@ export function crackOfFace(state: SolidState, j: number): Crack {
 }
 
 const kQuarter = Math.PI / 2;
-// Where all bodies are: eight numbers each, the centroid, one unused, the turn as a quaternion x y z w.
+// Poses of all bodies, eight numbers each: the centroid, one unused, the turn as a quaternion x y z w.
 export class Poses {
   readonly data: Float32Array;
   constructor(
@@ -218,7 +218,7 @@ export class Poses {
   ) {
     this.data = new Float32Array(room);
   }
-  // Between two stored states, where `at` is no whole number, bodies move evenly.
+  // Between two stored states (`at` is not an integer) bodies move linearly.
   set(at: number, scale: number): this {
     const { solids, count } = this.states;
     const frame = Math.min(Math.floor(at), Math.max(0, count - 1)),
@@ -238,11 +238,11 @@ export class Poses {
         const dx = b.turned[i] - x,
           dy = b.turned[i + 1] - y,
           dz = b.turned[i + 2] - z;
-        // beyond half a turn a vector begins anew on the other side
+        // beyond half a turn, a rotation vector has the opposite direction
         if (dx * dx + dy * dy + dz * dz < Math.PI * Math.PI) (x += share * dx), (y += share * dy), (z += share * dz);
       }
       const angle = Math.sqrt(x * x + y * y + z * z);
-      // magnified rotations stay rotations up to a quarter turn; beyond, blocks would spin
+      // up to a quarter turn rotations are magnified; beyond, blocks would spin
       const turn = angle > kQuarter ? angle : Math.min(kQuarter, angle * scale);
       const sine = angle > 0 ? Math.sin(turn / 2) / angle : 0;
       data[k + 4] = sine * x;
@@ -252,7 +252,7 @@ export class Poses {
     }
     return this;
   }
-  // Where the point of a body is that started at `from`.
+  // Place of a body's point that started at `from`.
   place(body: number, from: Numbers, i: number): Vec {
     const { centroid } = this.states.solids,
       c = 3 * body;
@@ -269,7 +269,7 @@ export class Poses {
     const [tx, ty, tz] = this.rotated(body, x, y, z, 1);
     return [data[k] + tx, data[k + 1] + ty, data[k + 2] + tz];
   }
-  // A direction taken along (sense 1) or brought back (-1).
+  // A direction rotated with the body (sense 1) or back (-1).
   rotated(body: number, x: number, y: number, z: number, sense: number): Vec {
     const { data } = this,
       k = 8 * body;
@@ -282,7 +282,7 @@ export class Poses {
       cz = qx * y - qy * x + w * z;
     return [x + 2 * (qy * cz - qz * cy), y + 2 * (qz * cx - qx * cz), z + 2 * (qx * cy - qy * cx)];
   }
-  // Both ends of a link; an end in the ground stays.
+  // Both ends of a link; an end in the ground does not move.
   link(l: SolidLink): [Vec, Vec] {
     const end = (body: number, from: Vec): Vec => (body < 0 ? from : this.carriedFrom(body, from));
     return [end(l.a, l.from), end(l.b, l.to)];
@@ -298,16 +298,16 @@ export class Poses {
 
 // --- looking -----------------------------------------------------------------------------------------
 
-// Parallel light from a point of view: no perspective, so that lengths across the view are true.
+// A parallel projection, without perspective, so that lengths across the view are true.
 export class Camera {
   turn = 0; // about the vertical; 0: from +z, x to the right
   tilt = 0; // upwards
   target: Vec = [0, 0, 0];
-  zoom = 1; // pixels a metre
+  zoom = 1; // pixels for each metre
   width = 1;
   height = 1;
 
-  // To the right, up, and towards the eye.
+  // Axes of the view: to the right, up, and towards the eye.
   axes(): [Vec, Vec, Vec] {
     const [s, c] = [Math.sin(this.turn), Math.cos(this.turn)],
       [st, ct] = [Math.sin(this.tilt), Math.cos(this.tilt)];
@@ -317,13 +317,13 @@ export class Camera {
       [ct * s, st, ct * c],
     ];
   }
-  // Pixels from the left and the top, and metres towards the eye.
+  // Projects a place: pixels from the left and the top, and metres towards the eye.
   see(p: Vec): Vec {
     const [right, up, toward] = this.axes();
     const v: Vec = [p[0] - this.target[0], p[1] - this.target[1], p[2] - this.target[2]];
     return [this.width / 2 + this.zoom * dot(v, right), this.height / 2 - this.zoom * dot(v, up), dot(v, toward)];
   }
-  // The place in the plane of the target that is seen at a pixel.
+  // The place at a pixel, in the plane of the target.
   at(x: number, y: number): Vec {
     const [right, up] = this.axes();
     const r = (x - this.width / 2) / this.zoom,
@@ -334,7 +334,7 @@ export class Camera {
     const [right, up] = this.axes();
     for (let k = 0; k < 3; ++k) this.target[k] += (-x * right[k] + y * up[k]) / this.zoom;
   }
-  // All between two corners of a box, with air around.
+  // Fits a box into the view, with a margin.
   fit(low: Vec, high: Vec, air = 0.08): void {
     const [right, up] = this.axes();
     this.target = [0, 1, 2].map((k) => (low[k] + high[k]) / 2) as Vec;
@@ -343,7 +343,7 @@ export class Camera {
   }
 }
 
-// Hides what lies beyond a plane across an axis: where sense · (place − at) > 0.
+// Hides everything beyond a plane across an axis: sense · (place − at) > 0.
 export interface Cut {
   axis: number;
   at: number;
@@ -352,11 +352,11 @@ export interface Cut {
 export const isCutAway = (cut: Cut | null, p: Vec): boolean =>
   cut !== null && cut.sense * (p[cut.axis] - cut.at) > 0;
 
-// --- what a ray meets --------------------------------------------------------------------------------
+// --- picking by rays ---------------------------------------------------------------------------------
 
-// Planes of the faces of every part, seen from the body's centroid: outward normal and distance.
+// Planes of the faces of every part, relative to the body's centroid: outward normal and distance.
 export class Planes {
-  readonly of: Float32Array; // four numbers a face
+  readonly of: Float32Array; // four numbers for each face
   constructor(readonly solids: Solids) {
     const s = solids;
     this.of = new Float32Array(4 * (s.cornerBegin.length - 1));
@@ -364,7 +364,7 @@ export class Planes {
       for (let part = s.partBegin[b]; part < s.partBegin[b + 1]; ++part)
         for (let f = s.faceBegin[part]; f < s.faceBegin[part + 1]; ++f) this.set(b, part, f);
   }
-  // By the sum over all corners: three of them may lie on a line.
+  // The normal comes from the sum over all corners, because three of them may lie on a line.
   private set(body: number, part: number, f: number): void {
     const s = this.solids,
       n: Vec = [0, 0, 0];
@@ -381,7 +381,7 @@ export class Planes {
     this.of[4 * f + 3] = dot(corner(from), n) / size;
   }
 
-  // How far along a ray, from `from` to `to` at most, it enters a body; Infinity: it misses.
+  // Distance along a ray, between `begin` and `end`, at which it enters a body; Infinity if it misses.
   enters(body: number, poses: Poses, from: Vec, way: Vec, begin: number, end: number): number {
     const s = this.solids,
       k = 8 * body,
@@ -430,7 +430,7 @@ export class Planes {
     return found;
   }
 
-  // Free bodies wholly beyond a cut.
+  // Number of free bodies completely beyond a cut.
   hidden(poses: Poses, cut: Cut | null): number {
     const s = this.solids;
     let n = 0;
@@ -447,13 +447,13 @@ export class Planes {
   }
 }
 
-// --- a cut through it --------------------------------------------------------------------------------
+// --- sections by a cut -------------------------------------------------------------------------------
 
-// How far the centroid of a body lies beyond a cut.
+// Distance of a body's centroid beyond a cut.
 const beyondBy = (poses: Poses, body: number, cut: Cut): number =>
   cut.sense * (poses.data[8 * body + cut.axis] - cut.at);
 
-// False where both bodies of a joint lie wholly on one side of a cut.
+// False if both bodies of a joint lie completely on one side of a cut.
 export function mayCross(s: Solids, poses: Poses, j: number, cut: Cut): boolean {
   const a = s.jointA[j],
     b = s.jointB[j],
@@ -462,7 +462,7 @@ export function mayCross(s: Solids, poses: Poses, j: number, cut: Cut): boolean 
   return far * near < 0 || Math.abs(far) <= s.reach[a] || Math.abs(near) <= s.reach[b];
 }
 
-// Where a polygon crosses a cut: both ends, or null.
+// The two points where a polygon crosses a cut, or null.
 export function crossing(corners: Vec[], cut: Cut): [Vec, Vec] | null {
   const ends: Vec[] = [];
   for (let i = 0; i < corners.length; ++i) {
@@ -477,8 +477,8 @@ export function crossing(corners: Vec[], cut: Cut): [Vec, Vec] | null {
   return ends.length === 2 ? [ends[0], ends[1]] : null;
 }
 
-// A line along which a face of a part crosses a cut, and the middle of all of that part's: with it a triangle
-// of what closes it.
+// A line where a face of a part crosses a cut, and the middle of all
+// lines of that part: together one triangle of the closing surface.
 export interface SectionLine {
   body: number;
   line: [Vec, Vec];

@@ -1,5 +1,5 @@
-// A wall in space on WebGL: shapes lie on the card once, a state is a texture of poses, so a body costs nothing
-// of the page's own time but its pose. Blocks are one draw, their edges one, cracked faces two.
+// A wall in space with WebGL: shapes are on the graphics card once, and a state is a texture of poses.
+// So a body costs the page only its pose. Blocks are one draw call, their edges one, cracked faces two.
 import {
   BufferAttribute,
   BufferGeometry,
@@ -38,7 +38,7 @@ function texture(data: Float32Array | Uint8Array, texels: number): DataTexture {
 }
 const roomFor = (texels: number): number => 4 * kRow * Math.max(1, Math.ceil(texels / kRow));
 
-// What all shaders share: the pose of a body, and where a place is seen.
+// Code for all shaders: the pose of a body, and the projection of a place.
 const kCommon = `
 precision highp float;
 precision highp int;
@@ -110,8 +110,8 @@ void main() {
 #endif
   colour = ink;
 }`;
-// What follows comes as rows of a texture, not as instances: software renderers draw each instance by itself, a
-// hundred times slower.
+// The following shaders read their items as rows of a texture, not as instances,
+// because software renderers draw each instance separately, a hundred times slower.
 const kRows = `
 uniform sampler2D rows;
 vec4 row(int i) { return texelFetch(rows, texel(i), 0); }
@@ -126,7 +126,7 @@ void main() {
   tint = colour_of(of.w);
   gl_Position = seen(world, 0.0);
 }`;
-// What closes a body that a cut opens, triangle by triangle.
+// The surface that closes a body opened by a cut, triangle by triangle.
 const kCap = `${kCommon}${kRows}
 void main() {
   int item = gl_VertexID / 3;
@@ -134,7 +134,7 @@ void main() {
   tint = colour_of(row(3 * item).w);
   gl_Position = seen(world, 0.0);
 }`;
-// A line as wide as it should be, in pixels: WebGL's own are one.
+// A line of given width in pixels, because WebGL only has lines of one pixel.
 const kStrip = (read: string): string => `${kCommon}${kCorners}${kRows}
 uniform float lift, zoom;
 void main() {
@@ -158,7 +158,7 @@ const kSection = kStrip(`vec4 from = row(2 * item), to = row(2 * item + 1);
   vec3 p = from.xyz, q = to.xyz;
   float wide = to.w;
   tint = colour_of(from.w);`);
-// What lies in the plane of a cut stays.
+// Parts in the plane of a cut are kept.
 const kTinted = `
 precision highp float;
 uniform vec4 cut;
@@ -178,7 +178,7 @@ function material(vertex: string, fragment: string, uniforms: Uniforms, side: Si
   return new RawShaderMaterial({ vertexShader: vertex, fragmentShader: fragment, uniforms, side, glslVersion: GLSL3 });
 }
 
-// Vertices of all bodies, once for their triangles and edges.
+// Vertices of all bodies, shared by their triangles and edges.
 function shapesOf(s: Solids): { blocks: BufferGeometry; edges: BufferGeometry } {
   const n = s.vertexBegin[s.vertexBegin.length - 1],
     place = new Float32Array(3 * n),
@@ -200,7 +200,7 @@ function shapesOf(s: Solids): { blocks: BufferGeometry; edges: BufferGeometry } 
         for (let i = from; i < end; ++i) {
           const p = s.corner[i],
             q = s.corner[i + 1 < end ? i + 1 : from];
-          if (p < q) lines.push(first + p, first + q); // of both faces at an edge one runs it so
+          if (p < q) lines.push(first + p, first + q); // each edge once: one of its two faces has p < q
         }
       }
     }
@@ -216,7 +216,7 @@ function shapesOf(s: Solids): { blocks: BufferGeometry; edges: BufferGeometry } 
   return { blocks: of(triangles), edges: of(lines) };
 }
 
-// Corners of all joints' polygons, seen from the centroids of both bodies, which are named beside.
+// Corners of all joints' polygons, relative to the centroids of both bodies, with the bodies' numbers.
 function cornersOf(s: Solids): DataTexture {
   const n = s.outlineBegin[s.joints],
     data = new Float32Array(roomFor(2 * n));
@@ -229,7 +229,7 @@ function cornersOf(s: Solids): DataTexture {
   return texture(data, 2 * n);
 }
 
-// Items of `texels` rows each, drawn with so many vertices each.
+// Items with `texels` texels each, drawn with a fixed number of vertices.
 class Rows {
   readonly mesh: Mesh;
   data = new Float32Array();
@@ -369,7 +369,7 @@ export class GlPicture implements Picture {
     }
   }
 
-  // Faces that show something: their rims as strips, their areas as sheets between the blocks.
+  // Faces with something to show: their rims as strips, their areas as sheets between the blocks.
   private mark({ count, joints, look }: Marks): void {
     const { outlineBegin } = this.solids;
     let corners = 0;
@@ -402,7 +402,7 @@ export class GlPicture implements Picture {
     this.sheets.show(t / 4);
   }
 
-  // What a cut opens: the bodies it goes through, closed and outlined, and cracks it crosses.
+  // The section by a cut: bodies that it crosses, closed and outlined, and cracks.
   private section(scene: Scene): void {
     const { cut, tints } = scene,
       opened = cut ? sectionsOf(this.solids, scene.poses, cut) : [],
@@ -424,9 +424,9 @@ export class GlPicture implements Picture {
 }
 const scaleOf = (): number => Math.min(2, window.devicePixelRatio || 1);
 
-const kFewBodies = 500; // that a software renderer smooths in time
+const kFewBodies = 500; // that a software renderer can smooth in time
 
-// null where the browser offers no WebGL.
+// null if the browser has no WebGL.
 export function glPicture(solids: Solids): GlPicture | null {
   const contextOf = (more: WebGLContextAttributes): [HTMLCanvasElement, WebGL2RenderingContext | null] => {
     const canvas = document.createElement("canvas");

@@ -1,5 +1,5 @@
-// What a picture of a wall in space shows, and two things painted on a plain canvas: the whole picture where
-// the browser offers no WebGL, and, above either, the axes, the load and the body that was picked.
+// The content of a picture of a wall in space, and two things painted on a plain canvas. One is the whole
+// picture if the browser has no WebGL; the other, above either, has the axes, the load and the picked body.
 import {
   crossing,
   isCutAway,
@@ -16,7 +16,7 @@ import {
 
 export type Rgb = [number, number, number]; // 0-255
 
-// Joints that show something: red, green, blue and half the width in 255ths of 8 pixels, four numbers each.
+// Joints with something to show: red, green, blue and half the width in 255ths of 8 pixels, four numbers each.
 export interface Marks {
   count: number;
   joints: Int32Array;
@@ -32,11 +32,11 @@ export interface Scene {
   camera: Camera;
   poses: Poses;
   tints: Uint8Array; // of the bodies, four numbers each
-  marks: Marks; // new whenever it or `tints` is another
+  marks: Marks; // a new object whenever it or `tints` changes
   cut: Cut | null;
-  clear: boolean; // blocks are seen through
-  farthest: number; // that anything has moved in the picture [m]
-  links: LinkMark[]; // of each link
+  clear: boolean; // blocks are transparent
+  farthest: number; // largest displacement in the picture [m]
+  links: LinkMark[]; // one for each link
   palette: { paper: Rgb; edge: Rgb; ink: Rgb; load: Rgb };
 }
 export interface Picture {
@@ -47,9 +47,9 @@ export interface Picture {
 export const cssOf = (rgb: ArrayLike<number>, light = 1): string =>
   `rgb(${[0, 1, 2].map((k) => Math.min(255, Math.round(rgb[k] * light))).join(" ")})`;
 
-export const kCapLight = 0.84; // of what a cut opens
-const kThin = 12; // look of an outline
-// Outlines of the bodies a cut goes through, and cracks it crosses.
+export const kCapLight = 0.84; // of surfaces in a section
+const kThin = 12; // style of an outline
+// Outlines of the bodies that a cut crosses, and its cracks.
 export function sectionLines(
   solids: Solids,
   { poses, marks, palette }: Scene,
@@ -76,7 +76,7 @@ function polygonOf(solids: Solids, poses: Poses, j: number): Vec[] {
 const lightOf = (n: Vec, toward: Vec): number =>
   0.62 + 0.3 * Math.max(0, n[0] * toward[0] + n[1] * toward[1] + n[2] * toward[2]) + 0.14 * n[1];
 
-// The part of a polygon that a cut leaves.
+// The part of a polygon that remains after a cut.
 function kept(corners: Vec[], cut: Cut): Vec[] {
   const out: Vec[] = [];
   corners.forEach((p, i) => {
@@ -89,8 +89,8 @@ function kept(corners: Vec[], cut: Cut): Vec[] {
   return out;
 }
 
-// Bodies from the farthest to the nearest, by their centroids: where bodies differ much in size that may be
-// wrong, so supports come first as long as the eye is above.
+// Bodies from the farthest to the nearest, by their centroids. This may be wrong for
+// bodies of very different size, so supports come first as long as the eye is above.
 export class PaintedPicture implements Picture {
   readonly element = document.createElement("canvas");
   constructor(
@@ -110,7 +110,7 @@ export class PaintedPicture implements Picture {
     const order = Array.from(depth.keys()).sort((a, b) => depth[a] - depth[b]);
     const rank = new Int32Array(order.length);
     order.forEach((b, i) => (rank[b] = i));
-    const marksOf = new Map<number, number[]>(); // of the body that is painted last
+    const marksOf = new Map<number, number[]>(); // by the body that is painted last
     for (let m = 0; m < scene.marks.count; ++m) {
       const j = scene.marks.joints[m],
         a = this.solids.jointA[j],
@@ -119,7 +119,7 @@ export class PaintedPicture implements Picture {
       marksOf.set(last, [...(marksOf.get(last) ?? []), m]);
     }
     const sections = scene.cut ? sectionsOf(this.solids, poses, scene.cut) : [],
-      opened = new Map<number, Vec[][]>(); // triangles of what closes them
+      opened = new Map<number, Vec[][]>(); // triangles of the closing surfaces
     if (scene.cut && scene.cut.sense * camera.axes()[2][scene.cut.axis] > 0)
       for (const { body, line, centre } of sections)
         opened.set(body, [...(opened.get(body) ?? []), [...line, centre]]);
@@ -152,7 +152,7 @@ export class PaintedPicture implements Picture {
     to.globalAlpha = 1;
   }
 
-  // Of a rim what neither of its bodies hides.
+  // Draws the part of a rim that neither of its bodies hides.
   private mark(to: CanvasRenderingContext2D, scene: Scene, m: number): void {
     const s = this.solids,
       { camera, poses, cut } = scene,
@@ -222,7 +222,7 @@ function arrow(to: CanvasRenderingContext2D, x: number, y: number, dx: number, d
   to.stroke();
 }
 
-// Axes at the lower left, an arrow of the load, a length to measure by.
+// Axes at the lower left, an arrow for the load, and a scale bar.
 export function drawOver(to: CanvasRenderingContext2D, solids: Solids, scene: Scene, length: { metres: number; words: string }): void {
   const { camera, poses, palette } = scene;
   drawLinks(to, solids, scene);
@@ -261,7 +261,7 @@ export function drawOver(to: CanvasRenderingContext2D, solids: Solids, scene: Sc
   if (solids.load) loadArrow(to, solids, camera, poses, cssOf(palette.load));
 }
 
-// Links are seen through blocks, as a plan shows them; a spring is a coil from its block to the ground.
+// Links are visible through blocks, as in a plan; a spring is a coil from its block to the ground.
 function drawLinks(to: CanvasRenderingContext2D, solids: Solids, { camera, poses, cut, links, palette }: Scene): void {
   solids.links.forEach((link, k) => {
     const [p, q] = poses.link(link);
@@ -295,7 +295,7 @@ function coilOf(camera: Camera, from: Vec, along: Vec): [number, number][] {
   return [at(0, 0), ...[5, -5, 5, -5, 5].map((off, k) => at(6 * (k + 1), off)), at(36, 0), at(36, -9), at(36, 9)];
 }
 
-// At the middle of what it drives, outside of it.
+// The arrow is at the middle of the driven bodies, outside of them.
 function loadArrow(to: CanvasRenderingContext2D, s: Solids, camera: Camera, poses: Poses, colour: string): void {
   const { direction, driven } = s.load!,
     bodies = driven.length > 0 ? driven : Array.from({ length: s.free }, (_, b) => b);

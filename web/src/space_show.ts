@@ -1,5 +1,5 @@
-// What a wall in space shows of a state: a look of each joint, a tint of each body, and their legend. Colours are
-// those of the page's style, by class.
+// The display of a state of a wall in space: a style for each joint, a tint for
+// each body, and their legend. Colours are those of the page's style, by class.
 import { h } from "./dom";
 import { legend, swatch } from "./figure";
 import { crackOfFace, groupOf, kLinkStates, type SolidState, type SolidStates } from "./space";
@@ -12,11 +12,11 @@ export type OfFaces = (typeof kFaces)[number];
 export const kBodies = ["stone", "moved", "turned", "damage", "material", "group"] as const;
 export type OfBodies = (typeof kBodies)[number];
 const kStones = ["stone0", "stone1", "stone2", "stone3"];
-const kGroups = 7; // that have a colour of their own
+const kGroups = 7; // that have their own colour
 const kLinkColours = { holds: "curve", slack: "soft", yielded: "open" }; // of the page's style
-const kWider = [0.2, 1, 3, 10]; // openings and slips from which on a crack is drawn thicker [mm]
+const kWider = [0.2, 1, 3, 10]; // openings and slips above which a crack is drawn thicker [mm]
 
-// Colours and widths as the page's style has them, by class.
+// Colours and widths of the page's style, by class.
 export class Styles {
   private readonly known = new Map<string, { fill: Rgb; stroke: Rgb; width: number }>();
   private readonly colours = new Map<string, Rgb>();
@@ -42,7 +42,7 @@ export class Styles {
     }
     return colour;
   }
-  // Whatever a browser writes of a colour, it paints it.
+  // Converts any colour notation of a browser by painting it.
   private rgb(colour: string): Rgb {
     if (colour === "none" || colour === "") return [128, 128, 128];
     this.dot.fillStyle = colour;
@@ -66,7 +66,7 @@ export class Shown {
     this.groups = classes(solids.names.map(groupOf));
   }
 
-  // The looks that joints may have, and which of them joint j of a state has; -1: none.
+  // The possible styles of joints, and the style of joint j in a state; -1: none.
   private marker(state: SolidState): { looks: string[]; of: (j: number) => number } {
     const steps = (css: string): string[] => [1, 2, 3, 4, 5, 6].map((step) => `${css} r${step}`);
     if (this.faces === "cracks") {
@@ -117,7 +117,7 @@ export class Shown {
     }
     return { count, joints, look };
   }
-  // Of each link; the style of the plane's, and what has yielded in the colour of open cracks.
+  // For each link the style as in the plane; yielded ones have the colour of open cracks.
   links(state: SolidState, styles: Styles): LinkMark[] {
     return this.states.solids.links.map((link, k) => {
       const how = kLinkStates[state.linkState[k]],
@@ -160,7 +160,7 @@ export class Shown {
         return (b) => kStones[((Math.imul(b, 2654435761) >>> 13) + b) % 4];
     }
   }
-  // Of each body the largest damage of its joints.
+  // For each body the largest damage of its joints.
   private worstOf(state: SolidState): Float32Array {
     const { solids } = this.states,
       worst = new Float32Array(solids.count);
@@ -247,7 +247,7 @@ export class Shown {
   }
 }
 
-// Names by how many there are of each; those beyond the last colour share one.
+// Names, the most frequent first; names beyond the last colour share it.
 function classes(names: string[]): { names: string[]; of: Int32Array } {
   const counts = new Map<string, number>();
   for (const name of names) counts.set(name, (counts.get(name) ?? 0) + 1);

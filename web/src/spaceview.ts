@@ -1,5 +1,5 @@
-// A wall in space with its controls: how it is looked at, what blocks and joints show, a cut, magnification,
-// time and play, a body that was picked.
+// A wall in space with its controls: camera, display of blocks and
+// joints, a cut, magnification, time and play, and a picked body.
 import type { Bundle } from "./bundle";
 import { h, later } from "./dom";
 import { download, toCsv, type Sheet } from "./export";
@@ -34,7 +34,7 @@ export interface SpaceViewSpec {
   tallest?: number;
 }
 
-// The wall of a page, in its plane or in space; null: it has none.
+// The view of a page's wall, in its plane or in space; null if it has none.
 export function viewOf(
   bundle: Bundle,
   spec: Omit<SpaceViewSpec, "states">,
@@ -46,7 +46,7 @@ export function viewOf(
 }
 
 const kCutSteps = 200;
-const kMostLinks = 8; // whose forces are told
+const kMostLinks = 8; // with their forces in words
 const kViews: Record<string, [number, number]> = {
   front: [0, 0],
   side: [Math.PI / 2, 0],
@@ -54,7 +54,7 @@ const kViews: Record<string, [number, number]> = {
   oblique: [0.6, 0.42],
 };
 
-// A mechanism has neither a displacement nor a force.
+// A mechanism has no displacement and no force.
 const wordsOf = (info: FrameInfo): string[] =>
   [info.label, Number.isFinite(info.displacement) ? qty(info.displacement, "mm") : "", Number.isFinite(info.reaction) ? qty(info.reaction, "kN") : ""].filter((w) => w !== "");
 
@@ -77,7 +77,7 @@ export class SpaceView implements View {
   private readonly poses: Poses;
   private readonly drawn: Picture;
   private styles = new Styles();
-  private scene: Scene | null = null; // as it was drawn last; null: what it shows has changed
+  private scene: Scene | null = null; // as last drawn; null if its content has changed
   private readonly shown: Shown;
   private scale: number;
   private cut: Cut | null = null;
@@ -136,7 +136,7 @@ export class SpaceView implements View {
     this.player.choose(first, last);
   }
 
-  // While it plays only places change, until the next stored state.
+  // While it plays, only places change until the next stored state.
   private move(at: number): void {
     const frame = Math.floor(at);
     if (frame !== this.look.frame || !this.scene) {
@@ -161,7 +161,7 @@ export class SpaceView implements View {
   private fitAll(): void {
     this.camera.fit(...boundsOf(this.spec.states.solids));
   }
-  // One of the standard views; the oblique one from the side to which the wall moves.
+  // One of the standard views; the oblique one is from the side to which the wall moves.
   private stand(name: string): void {
     [this.camera.turn, this.camera.tilt] = kViews[name];
     if (name === "oblique" && this.wayOut() < 0) this.camera.turn += Math.PI;
@@ -198,7 +198,7 @@ export class SpaceView implements View {
     drawOver(to, this.spec.states.solids, scene, { metres, words: metres < 0.1 ? qty(1e3 * metres, "mm") : qty(metres, "m") });
   }
 
-  // --- what is shown -------------------------------------------------------------------------------
+  // --- display -------------------------------------------------------------------------------------
 
   private compose(frame: number, styles: Styles): Scene {
     const state = this.spec.states.at(frame);
@@ -229,7 +229,7 @@ export class SpaceView implements View {
     this.picked.replaceChildren(...(this.lit >= 0 ? this.bodyLines(this.lit).map((l) => h("span", {}, l)) : []));
     this.links.replaceChildren(...this.linkLines().map((l) => h("span", {}, l)));
   }
-  // The force and state of each link, those that have yielded first; of many the first few.
+  // Force and state of each link, yielded ones first; of many only the first few.
   private linkLines(): string[] {
     const { solids } = this.spec.states,
       state = this.spec.states.at(this.look.frame);
@@ -362,7 +362,7 @@ export class SpaceView implements View {
     };
     const update = (sense?: number): void => {
       const axis = "xyz".indexOf(which.value);
-      // at first what is nearer to the eye goes
+      // at first the part nearer to the eye is removed
       const toward = this.camera.axes()[2][axis] < 0 ? -1 : 1;
       this.cut = which.value === "" ? null : { axis, at: place(axis), sense: sense ?? this.cut?.sense ?? toward };
       tell();
@@ -386,7 +386,7 @@ export class SpaceView implements View {
     );
   }
 
-  // A body by its name, for who does not point.
+  // A search field for the name of a body, for use without the pointer.
   private finder(): HTMLElement {
     const { names } = this.spec.states.solids;
     const list = h("datalist", { id: `${this.spec.id}-names` });
@@ -455,7 +455,7 @@ export class SpaceView implements View {
 
   // --- pictures ------------------------------------------------------------------------------------
 
-  // What is drawn now, with what lies above, on a canvas of its own.
+  // The present drawing with its overlay, on a canvas of its own.
   private copyOf(scene: Scene, width: number, height: number): HTMLCanvasElement {
     const canvas = h("canvas", {}),
       to = beginCanvas(canvas, width, height);
@@ -464,7 +464,7 @@ export class SpaceView implements View {
     this.above(to, scene);
     return canvas;
   }
-  // A figure for paper, with what it shows beneath, in light colours whatever the page has.
+  // A figure for paper with its legend, in light colours for any theme.
   picture(frame: number, width: number, tallest: number): HTMLElement {
     const root = document.documentElement,
       theme = root.dataset.theme,

@@ -1,4 +1,4 @@
-// Tables: plain ones, and ones whose columns sort.
+// Tables: plain ones, and ones with sortable columns.
 import { h, hintMore, type Child } from "./dom";
 import { say } from "./texts";
 
@@ -12,18 +12,18 @@ export interface Cell {
   sort?: number | string | null;
   title?: string;
 }
-const kLong = 8; // rows from which on a table may run over two pages
-// Letters of a cell of words that stay on one line on a narrow screen: more of a long text.
+const kLong = 8; // rows above which a table may break over two pages
+// Letters of a text cell that stay on one line on a narrow screen; more for a long text.
 const roomFor = (letters: number): number => (letters > 80 ? 34 : Math.min(letters, 18));
 export type Row = (Cell | Child)[];
-// A row that stays above the others however they are sorted: all samples above their groups.
+// A row that stays at the top in any order: all samples above their groups.
 const pinned = new WeakSet<Row>();
 export function pin(row: Row): Row {
   pinned.add(row);
   return row;
 }
 
-// The table in a card that shows when it is cut.
+// The table in a card that shows when the table is cut off.
 function framed(table: HTMLElement, rows: number, label: string): HTMLElement {
   const slide = h("div", { class: "slide", role: "group", "aria-label": label }, table);
   const frame = h("div", { class: rows > kLong ? "scroll long" : "scroll" }, slide);
@@ -81,7 +81,7 @@ const sortKey = (c: Cell | Child): number | string | null =>
       ? c
       : null;
 
-// Buttons in the heads sort the rows; a second press turns the order.
+// Buttons in the headers sort the rows; a second press reverses the order.
 export function sortable(columns: Column[], rows: Row[], caption: string): HTMLElement {
   const body = h("tbody");
   let by = -1,

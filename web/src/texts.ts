@@ -1,5 +1,5 @@
 // Words and numbers in the page's language. The table is src/report/assets/texts.json, which the
-// engine reads too (src/report/texts.h); what the engine says comes in all languages with the data.
+// engine reads too (src/report/texts.h). Texts of the engine come in all languages with the data.
 import table from "../../src/report/assets/texts.json";
 
 type Row = string[];
@@ -21,7 +21,7 @@ export const knows = (key: string): boolean => key in texts;
 
 const localised = (number: string): string => number.replace(".", table.decimal[language]);
 
-// Significant digits, without exponent where sensible: rounded() of src/report/html.h.
+// Significant digits, without exponent where possible: rounded() of src/report/html.h.
 export function num(value: number | null | undefined, digits = 3): string {
   if (value === null || value === undefined || Number.isNaN(value)) return "–";
   if (!Number.isFinite(value)) return say("unlimited");
@@ -39,7 +39,7 @@ export function num(value: number | null | undefined, digits = 3): string {
   return localised(sign + text);
 }
 
-// A number of so many decimals: correlations.
+// A number with a fixed count of decimals, for correlations.
 export const fixed = (value: number | null, decimals = 2): string =>
   value === null ? "–" : num(Number(value.toFixed(decimals)), 4);
 
@@ -48,7 +48,7 @@ export function qty(value: number | null | undefined, unit: string, digits = 3):
   return !Number.isFinite(value ?? NaN) || unit === "" ? text : `${text}\u202f${unit}`;
 }
 
-// One system of units on a page: kN, MPa, mm. What files say in others is shown in these, with a factor.
+// One system of units on a page: kN, MPa, mm. Values of files in other units are converted with a factor.
 const kUnits: Record<string, [string, number]> = {
   N: ["kN", 1e-3],
   Pa: ["MPa", 1e-6],
@@ -69,7 +69,7 @@ const kUnits: Record<string, [string, number]> = {
 };
 export const pageUnit = (unit: string): [string, number] => kUnits[unit] ?? [unit, 1];
 
-// Signs as print has them: 3 × 4, −0.3, 10 → 12, 5 % with a narrow space.
+// Typographic signs: 3 × 4, −0.3, 10 → 12, 5 % with a narrow space.
 const typeset = (text: string): string =>
   text
     .replace(/ x (?=[\d.])/g, " × ")
@@ -77,8 +77,8 @@ const typeset = (text: string): string =>
     .replace(/(^|[ (])-(?=\d)/g, "$1−")
     .replace(/(\d) %/g, "$1\u202f%");
 
-// What the engine says: a list of texts, one a language (src/report/translation.h); or one word or name, which
-// `phrases` translates.
+// A text of the engine: a list with one text for each language
+// (src/report/translation.h), or one word or name, which `phrases` translates.
 export type Said = string | string[];
 
 // Names of the parts of this page's wall.

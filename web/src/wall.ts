@@ -1,60 +1,60 @@
-// A wall and its states: shapes at the start, where blocks and joints are in a frame. The same
-// kinematics as src/reading/places.cpp: a block turns about its centroid and moves. The last `bodies`
-// of the blocks are deformable: their corners are nodes of zones, and the last `contacts` of the
-// joints are their edges.
+// A wall and its states: shapes at the start, places of blocks and joints in a
+// frame. The same kinematics as src/reading/places.cpp: a block turns about its
+// centroid and moves. The last `bodies` of the blocks are deformable, with nodes
+// of zones as corners, and the last `contacts` of the joints are their edges.
 import type { Bundle, Numbers } from "./bundle";
 import type { Said } from "./texts";
 
-// What deformable blocks are made of.
+// The nodes and zones of deformable blocks.
 export interface Mesh {
   rigid: number; // blocks before the deformable ones
   joints: number; // joints before the contacts
-  rim: Numbers; // node of each corner of the deformable blocks, one after the other
+  rim: Numbers; // node of each corner of the deformable blocks, one block after the other
   nodeX: Numbers;
   nodeY: Numbers;
   zone: Numbers; // four nodes each
-  contactP: Numbers; // nodes of the edge; the contact is between two shares of it
+  contactP: Numbers; // nodes of the edge; the contact lies between two shares of it
   contactQ: Numbers;
   share0: Numbers;
   share1: Numbers;
 }
 
-// A property that differs from place to place: of each joint or block, NaN where it has none.
+// A property that varies within the wall: for each joint or block, NaN where it has none.
 export interface Field {
   name: string;
   path: string;
   unit: string;
-  mean: number; // as the model states it; of one that follows a formula, of this wall
+  mean: number; // as in the model; for a field by formula, the mean in this wall
   follows?: boolean;
-  note?: Said; // what a cut leaves of its scatter
+  note?: Said; // the scatter that remains after truncation
   sample?: number; // of a campaign
   onBlocks: boolean;
   values: Numbers;
   steps: number[]; // bounds of its colours
 }
 
-// A pier, spandrel, sill, node, connection or toe, where it was built: [x0, x1, y0, y1].
+// A pier, spandrel, sill, node, connection or toe, at the start: [x0, x1, y0, y1].
 export interface Part {
   name: string;
   mark: string;
   kind: string;
   storey: number;
   box: [number, number, number, number];
-  blocks: number[]; // whose centroids lie in it
+  blocks: number[]; // with centroids in it
 }
 
-// A tie, diaphragm or spring; `along` from end a to end b at the start, of a spring a unit vector.
+// A tie, diaphragm or spring; `along` is the direction from end a to end b at the start, for a spring a unit vector.
 export interface Link {
   name: string;
   kind: "tie" | "diaphragm" | "spring" | "anchor" | "dowel" | "wedge";
-  a: number; // block, -1: a point that does not move
+  a: number; // block; -1: a fixed point
   b: number;
   arm_a: [number, number];
   arm_b: [number, number];
   along: [number, number];
 }
 
-// A straight part of a frame, and the sections along it: at `place` on its way, on block b [m].
+// A straight part of a frame, and its sections: at `place` along it, on block b [m].
 export interface Member {
   frame: string;
   words: Said;
@@ -86,7 +86,7 @@ export interface Wall {
   joints: number;
   pairs: number;
   push: [number, number] | null;
-  driven: Numbers | null; // in parts, an arrow each: up to `end`, `length` over the longest
+  driven: Numbers | null; // in parts, with an arrow each: up to `end`, `length` relative to the longest
   pushed: { end: number; length: number }[];
   outlineBegin: Numbers;
   outlineX: Numbers;
@@ -130,8 +130,8 @@ function readMesh(bundle: Bundle): Mesh | null {
   };
 }
 
-// Six steps of equal width from the least value to the greatest.
-// In a campaign those of all samples, one sample after the other.
+// Six steps of equal width from the smallest value to the largest. In
+// a campaign: over the fields of all samples, which follow each other.
 function readFields(bundle: Bundle): Field[] {
   return (bundle.header.wall!.fields ?? []).map((field, i): Field => {
     const values = bundle.array(`wall.field_${i}`);
@@ -143,11 +143,11 @@ function readFields(bundle: Bundle): Field[] {
   });
 }
 
-// Data written before the words went along with the numbers.
+// Roles for data of earlier programs, which had none.
 const kRolesBefore = ["masonry", "lintel", "plate", "beam"],
   kKindsBefore = ["bed", "head", "split", "foundation", "lintel_chain", "lintel_bond", "plate", "beam", "other"];
 
-// With the blocks that lie in each; none in data of before.
+// Parts with their blocks; empty in data of earlier programs.
 function readParts(list: Omit<Part, "blocks">[] | undefined, x: Numbers, y: Numbers): Part[] {
   return (list ?? []).map((part) => {
     const [x0, x1, y0, y1] = part.box;
@@ -157,7 +157,7 @@ function readParts(list: Omit<Part, "blocks">[] | undefined, x: Numbers, y: Numb
   });
 }
 
-// null: the page has none, or one in space.
+// null: the page has no wall, or one in space.
 export function readWall(bundle: Bundle): Wall | null {
   const head = bundle.header.wall;
   if (!head || head.space) return null;
@@ -213,7 +213,7 @@ export function readWall(bundle: Bundle): Wall | null {
 export const kCarried = ["moment", "shear", "normal", "use"] as const;
 export type Carried = (typeof kCarried)[number];
 
-// Values of every frame one after the other: (n_frame, n_block) and (n_frame, n_joint).
+// Values of every frame, one after the other: (n_frame, n_block) and (n_frame, n_joint).
 export class Frames {
   readonly count: number;
   private readonly arrays: Record<string, Numbers> = {};
@@ -248,8 +248,8 @@ export class Frames {
     this.hasZoneStress = "zone_greater" in this.arrays && this.arrays.zone_greater.length > 0;
     if (this.count > 0) this.makeRoom();
   }
-  // Blocks that fell must be seen: the view grows to where the last frame has them, by no more than the wall's
-  // own size, or a single one far away would shrink it to a dot.
+  // Fallen blocks must be visible: the view grows to their places in the last frame. It grows by
+  // no more than the wall's own size, or a single block far away would shrink the wall to a dot.
   private makeRoom(): void {
     const { wall } = this,
       { bounds } = wall,
@@ -291,7 +291,7 @@ export class Frames {
       linkForce: "link_force" in this.arrays ? this.slice("link_force", frame, this.wall.links.length) : null,
     };
   }
-  // What the sections of frames carry in a state: [N], [N], [N m], share of what they bear.
+  // Forces of frame sections in a state: [N], [N], [N m], use.
   carried(what: Carried, frame: number): Numbers {
     return this.slice(`section_${what}`, frame, this.wall.sections.length);
   }
@@ -333,7 +333,7 @@ export class Pose {
     this.s = new Float64Array(n);
     for (let b = 0; b < n; ++b) {
       const theta = frame.theta[b];
-      // magnified rotations stay rotations up to a quarter turn; beyond, blocks would spin
+      // up to a quarter turn rotations are magnified; beyond, blocks would spin
       const turn =
         Math.abs(theta) > kQuarter ? theta : Math.min(kQuarter, Math.max(-kQuarter, theta * scale));
       this.c[b] = Math.cos(turn);
@@ -342,7 +342,7 @@ export class Pose {
       this.y[b] = wall.centroidY[b] + scale * frame.uy[b];
     }
   }
-  // Where corner i of the outlines is now; it belongs to block b.
+  // Present place of corner i of the outlines, which belongs to block b.
   corner(b: number, i: number): [number, number] {
     const mesh = this.wall.mesh;
     if (mesh && b >= mesh.rigid) return this.node(mesh, mesh.rim[i - this.wall.outlineBegin[mesh.rigid]]);
@@ -350,7 +350,7 @@ export class Pose {
       ay = this.wall.outlineY[i] - this.wall.centroidY[b];
     return [this.x[b] + this.c[b] * ax - this.s[b] * ay, this.y[b] + this.s[b] * ax + this.c[b] * ay];
   }
-  // Both ends of a link; of a spring both where it holds its block.
+  // Both ends of a link; for a spring both are where it holds its block.
   link(l: Link): [[number, number], [number, number]] {
     const of = (b: number, [x, y]: [number, number]): [number, number] => [
       this.x[b] + this.c[b] * x - this.s[b] * y,
@@ -395,14 +395,14 @@ export class Pose {
   }
 }
 
-// Masonry that a stage cuts out of the wall: no view shows it.
+// Whether a stage cuts this masonry out of the wall; no view shows it.
 export const isCutOut = (wall: Wall, b: number): boolean => wall.role[b] === "cut_out";
 
-// Style of a block that is no masonry, else "".
+// Style of a block that is not masonry, else "".
 export const bodyCss = (role: string): string =>
   role === "lintel" || role === "sill" ? "timber" : role === "masonry" ? "" : "plate";
 
-// A round magnification at which the largest displacement shows as some 5 % of the wall.
+// A round magnification with which the largest displacement is about 5 % of the wall.
 export function fittingScale(wall: Wall, frames: Frames, frame = frames.count - 1): number {
   if (frames.count === 0) return 1;
   const { ux, uy } = frames.at(frame);
@@ -416,7 +416,7 @@ type FieldMeasure = `field ${number}`; // number of a field
 export type Measure = "cracks" | "opening" | "slip" | "damage" | "crushing" | "stress" | FieldMeasure;
 type Scalar = Exclude<Measure, "cracks" | "stress" | FieldMeasure>;
 export const isField = (measure: Measure): measure is FieldMeasure => measure.startsWith("field ");
-// A campaign's wall takes the fields of this sample.
+// Shows the fields of this sample on a campaign's wall.
 export function takeFields(wall: Wall, sample: number): void {
   wall.fields = wall.allFields.filter((f) => f.sample === sample);
 }
@@ -449,7 +449,7 @@ export function valueOf(frame: Frame, j: number, measure: Scalar): number {
       return frame.crushing[j] / 255;
   }
 }
-// 0: below the first bound; k: above the k-th.
+// Index of a colour step: 0 below the first bound; k above the k-th.
 export function stepOf(value: number, bounds: number[]): number {
   let k = 0;
   while (k < bounds.length && value >= bounds[k]) ++k;
@@ -461,13 +461,13 @@ export function jointStress(wall: Wall, frame: Frame, j: number): number {
   const area = 2 * Math.hypot(wall.halfX[j], wall.halfY[j]) * wall.blockThickness[wall.jointB[j]];
   return area > 0 ? (-1e-6 * frame.compression[j]) / area : 0;
 }
-// The principal stress of a zone that is larger in size, tension positive [MPa].
+// The principal stress of a zone with the larger absolute value, tension positive [MPa].
 export function zoneStress(frame: Frame, z: number): number {
   if (!frame.greater || !frame.smaller) return 0;
   const [a, b] = [frame.greater[z], frame.smaller[z]];
   return 1e-6 * (Math.abs(a) > Math.abs(b) ? a : b);
 }
-// Bounds of the colour steps of stress [MPa], by the largest of all frames.
+// Bounds of the colour steps of stress [MPa], from the largest value of all frames.
 export function stressSteps(wall: Wall, frames: Frames): number[] {
   let largest = 0;
   for (let f = 0; f < frames.count; ++f) {
@@ -478,7 +478,7 @@ export function stressSteps(wall: Wall, frames: Frames): number[] {
   }
   return roundSteps(largest);
 }
-// 1, 2, 5 times powers of ten, the last within reach of the largest.
+// 1, 2, 5 times powers of ten, up to about the largest.
 export function roundSteps(largest: number, most = 6): number[] {
   const round = [1, 2, 5].flatMap((m) => Array.from({ length: 19 }, (_, i) => m * 10 ** (i - 9)));
   return round
@@ -487,13 +487,13 @@ export function roundSteps(largest: number, most = 6): number[] {
     .slice(-most);
 }
 
-// Forces between blocks: through the point where each acts, along it, with its share of the largest.
+// Forces between blocks: point of action, direction, and share of the largest.
 export interface Force {
   from: [number, number];
   to: [number, number];
   share: number;
 }
-const kLeast = 0.03; // of the largest force, below which none is drawn
+const kLeast = 0.03; // of the largest force; smaller ones are not drawn
 export function forcesOf(wall: Wall, frame: Frame, pose: Pose): Force[] {
   const { compression, shear, eccentricity } = frame;
   if (!compression || !shear || !eccentricity) return [];
@@ -505,7 +505,7 @@ export function forcesOf(wall: Wall, frame: Frame, pose: Pose): Force[] {
     const half = Math.hypot(wall.halfX[j], wall.halfY[j]);
     const tx = wall.halfX[j] / half,
       ty = wall.halfY[j] / half; // n is on the left of t
-    // of side a on side b: pressed along n, and against the shear that b hands on to a along t
+    // of side a on side b: compression along n, and the shear force along t
     const fx = -ty * compression[j] - tx * shear[j],
       fy = tx * compression[j] - ty * shear[j];
     const [x, y] = pose.joint(j, eccentricity[j]);
@@ -517,8 +517,8 @@ export function forcesOf(wall: Wall, frame: Frame, pose: Pose): Force[] {
   });
 }
 
-const kVisible = 0.05; // openings and slips below are closed [mm]
-// How a joint shows among the cracks.
+const kVisible = 0.05; // smaller openings and slips count as closed [mm]
+// The kind of crack of a joint.
 export type Crack = "sound" | "softening" | "closed" | "open" | "slip";
 export function crackOf(frame: Frame, j: number): Crack {
   const damage = frame.damage[j] / 255;

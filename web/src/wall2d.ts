@@ -1,5 +1,5 @@
-// The wall in its plane, as SVG: ground, blocks by tint, joints by what they show, forces, push.
-// Shapes of one look are one path (paths.ts).
+// The wall in its plane, as SVG: ground, blocks by tint, joints by their
+// damage, forces, push. Shapes of one style form one path (paths.ts).
 import { append, svg } from "./dom";
 import { Paths, type Painter } from "./paths";
 import { qty, say } from "./texts";
@@ -30,17 +30,17 @@ export interface Look {
   measure: Measure;
   forces: boolean;
   numbers: boolean; // of piers and spandrels
-  lit: string; // name of the part that is lit, "": none
+  lit: string; // name of the highlighted part, "": none
   stressSteps: number[]; // bounds of the colours of stress [MPa]
 }
-// Style of a stress: what is drawn for tension is t, for compression c.
+// Style of a stress: class t for tension, c for compression.
 export const stressCss = (stress: number, steps: number[]): string =>
   `${stress > 0 ? "t" : "c"} r${stepOf(Math.abs(stress), steps)}`;
 
 const kMargin = 34,
   kTints = 4;
 
-// A tint that differs between neighbours and is the same in every picture.
+// A tint that differs between neighbours and is the same in all pictures.
 const tintOf = (b: number): number => ((Math.imul(b, 2654435761) >>> 13) + b) % kTints;
 
 export interface Canvas {
@@ -51,7 +51,7 @@ export interface Canvas {
   k: number;
 }
 
-// Room for the wall and for what leans out of it at the last frames.
+// Space for the wall and for parts that lean out of it in the last frames.
 export function canvasFor(wall: Wall, width: number, tallest = 560): Canvas {
   const { x0, x1, y0, y1 } = wall.bounds;
   const reachX = 0.05 * (x1 - x0),
@@ -73,7 +73,7 @@ function drawBlocks(wall: Wall, pose: Pose, paths: Paths): void {
   }
 }
 
-// Blocks that a field colours.
+// Blocks coloured by a field.
 function drawBlockField(wall: Wall, pose: Pose, look: Look, paths: Paths): void {
   if (!isField(look.measure)) return;
   const { onBlocks, values, steps } = fieldOf(wall, look.measure);
@@ -121,7 +121,7 @@ function drawGround(wall: Wall, canvas: Canvas, paths: Paths): void {
   }
 }
 
-// A joint whose blocks have left each other (wall_arrays.cpp).
+// Whether the blocks of a joint are separated (wall_arrays.cpp).
 const gaveWay = (frame: Frame, j: number): boolean => frame.opening[j] < 0;
 
 function drawJoints(wall: Wall, frames: Frames, pose: Pose, look: Look, paths: Paths): void {
@@ -184,7 +184,7 @@ function drawCrushed(wall: Wall, frames: Frames, pose: Pose, look: Look): SVGEle
   return marks;
 }
 
-// The force of side a on side b in every joint; the thicker, the larger.
+// The force of side a on side b in every joint, with a line width by its size.
 function drawForces(wall: Wall, pose: Pose, canvas: Canvas): SVGElement[] {
   const bins = 6;
   const paths: string[][] = Array.from({ length: bins }, () => []);
@@ -205,7 +205,7 @@ function drawForces(wall: Wall, pose: Pose, canvas: Canvas): SVGElement[] {
     .filter((p) => p.getAttribute("data-marks") !== "0");
 }
 
-// An arrow for each part of the pushed blocks.
+// One arrow for each part of the pushed blocks.
 function drawArrows(wall: Wall, pose: Pose, canvas: Canvas): (SVGElement | null)[] {
   const { pushed, driven } = wall;
   return pushed.map(({ end, length }, i) =>
@@ -213,7 +213,7 @@ function drawArrows(wall: Wall, pose: Pose, canvas: Canvas): (SVGElement | null)
   );
 }
 
-// It ends where the blocks begin.
+// The arrow ends at the edge of the blocks.
 function drawArrow(wall: Wall, driven: number[], length: number, pose: Pose, canvas: Canvas): SVGElement | null {
   if (!wall.push || driven.length === 0) return null;
   let x0 = Infinity,
@@ -241,7 +241,7 @@ function drawArrow(wall: Wall, driven: number[], length: number, pose: Pose, can
   });
 }
 
-// Where the middle of a part is now: as far as its blocks have gone, in the mean.
+// Present middle of a part: the mean displacement of its blocks moves it.
 function middleOf(part: Part, pose: Pose): [number, number] {
   const { wall, scale, frame } = pose,
     [x0, x1, y0, y1] = part.box;
@@ -258,8 +258,8 @@ function middleOf(part: Part, pose: Pose): [number, number] {
   return [(x0 + x1) / 2 + k * ux, (y0 + y1) / 2 + k * uy];
 }
 
-// Numbers of piers and spandrels, and the part that is lit: a layer of its own, so that pointing at a
-// table need not draw the wall again.
+// Numbers of piers and spandrels, and the highlighted part. They form a
+// layer of their own, so that pointing at a table does not redraw the wall.
 export function drawParts(wall: Wall, frames: Frames, look: Look, canvas: Canvas): SVGGElement {
   const pose = new Pose(wall, frames.at(look.frame), look.scale);
   const layer = svg("g", { class: "parts" });
@@ -296,7 +296,7 @@ export function drawParts(wall: Wall, frames: Frames, look: Look, canvas: Canvas
   return layer;
 }
 
-// A wall across as a coil between the point and a short upright, the neighbour's side; dx, dy in pixels.
+// A cross wall as a coil between the point and a short vertical line for the neighbour; dx, dy in pixels.
 function coil(x: number, y: number, dx: number, dy: number): string {
   const at = (along: number, off: number): string =>
     `${(x + along * dx - off * dy).toFixed(1)} ${(y + along * dy + off * dx).toFixed(1)}`;
@@ -304,7 +304,7 @@ function coil(x: number, y: number, dx: number, dy: number): string {
   return `M${at(0, 0)}L${turns.join("L")}L${at(30, 0)}M${at(30, -9)}L${at(30, 9)}`;
 }
 
-// Ties, diaphragms and springs, each with its force to point at; a tie that hangs slack is dashed.
+// Ties, diaphragms and springs, with their forces as tooltips; a slack tie is dashed.
 function drawLinks(wall: Wall, pose: Pose, canvas: Canvas): SVGElement[] {
   const force = pose.frame.linkForce;
   return wall.links.map((link, k) => {
@@ -379,7 +379,7 @@ const kOrder = [
   "mortar",
 ];
 
-// With a painter what is many goes on its canvas, and the drawing is the rest, which lies above it.
+// With a painter, blocks and joints go to its canvas, and the drawing above it only has the rest.
 export function drawWall(
   wall: Wall,
   frames: Frames,
@@ -421,7 +421,7 @@ export function drawWall(
   return picture;
 }
 
-// The zone under a place in the drawing; -1 where there is none.
+// The zone at a place in the drawing; -1 if there is none.
 export function zoneAt(
   wall: Wall,
   frames: Frames,
@@ -447,7 +447,7 @@ export function zoneAt(
   return -1;
 }
 
-// The joint nearest to a place in the drawing, within a few pixels; -1 where there is none.
+// The joint nearest to a place in the drawing, within a few pixels; -1 if there is none.
 export function jointAt(
   wall: Wall,
   frames: Frames,

@@ -1,5 +1,5 @@
-// The wall in space: blocks as prisms of their thickness, joints as sheets coloured by what they show.
-// Drawn only when something changes; turned by pointer, wheel and arrow keys.
+// The wall in space: blocks as prisms with their thickness, joints as sheets coloured by
+// their damage. Drawn only when something changes; rotated by pointer, wheel and arrow keys.
 import {
   AmbientLight,
   BufferAttribute,
@@ -49,12 +49,12 @@ export interface Scene {
 const css = (name: string): Color =>
   new Color(getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim() || "#888");
 
-// Corner indices of a prism's faces: both fronts and the sides; fronts of any simple polygon.
+// Corner indices of a prism's faces: both fronts and the sides; a front may be any simple polygon.
 interface Prisms {
   geometry: BufferGeometry;
   block: Int32Array;
   corner: Int32Array;
-  side: Int8Array; // of every vertex
+  side: Int8Array; // of each vertex
   edges: BufferGeometry;
   edgeVertex: Int32Array; // vertices that the outline repeats
 }
@@ -122,7 +122,7 @@ class WallScene implements Scene {
   private tilt = 0.22;
   private near: number;
   private look: Look | null = null;
-  private sheetCount = 0; // vertices of what is drawn on the face
+  private sheetCount = 0; // vertices of the drawings on the face
 
   constructor(
     private readonly wall: Wall,
@@ -225,7 +225,7 @@ class WallScene implements Scene {
     geometry.computeVertexNormals();
   }
 
-  // Only joints that show something, as strips on the face that is seen.
+  // Only joints with something to show, as strips on the visible face.
   private placeJoints(pose: Pose, look: Look): void {
     const frame = this.frames.at(look.frame),
       thin = 0.0032 * Math.max(this.wall.length, this.wall.height),
@@ -317,7 +317,7 @@ class WallScene implements Scene {
       place,
     );
   }
-  // On the face that is seen; what is lifted more lies above.
+  // A quadrilateral on the visible face; a larger `lift` is drawn above.
   private quad(corners: [number, number][], colour: Color, place: { depth: number; lift: number }): void {
     const position = this.sheets.getAttribute("position") as BufferAttribute,
       colours = this.sheets.getAttribute("color") as BufferAttribute;
@@ -404,7 +404,7 @@ class WallScene implements Scene {
   }
 }
 
-// null where the browser offers no WebGL.
+// null if the browser has no WebGL.
 export function makeScene(wall: Wall, frames: Frames): Scene | null {
   try {
     const canvas = document.createElement("canvas");

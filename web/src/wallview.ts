@@ -1,4 +1,4 @@
-// The wall with its controls: 2D or 3D, what the joints show, magnification, time and play.
+// The wall with its controls: 2D or 3D, display of joints, magnification, time and play.
 import { atRest, h, later, svg } from "./dom";
 import { download, standalone, toCsv, toPng } from "./export";
 import { hideTip, legend, pointIn, showTip, swatch } from "./figure";
@@ -36,13 +36,13 @@ export interface WallViewSpec {
   tallest?: number;
 }
 
-// What a page needs of a wall, in the plane or in space.
+// The functions of a wall's view that pages use, in the plane or in space.
 export interface View {
   readonly element: HTMLElement;
   readonly look: { readonly frame: number };
   readonly spec: { readonly info: FrameInfo[] };
   show(frame: number, quiet?: boolean): void;
-  choose(first: number, last: number): void; // of all states those to step through
+  choose(first: number, last: number): void; // the states to step through
   picture(frame: number, width: number, tallest: number): HTMLElement; // for paper
 }
 
@@ -61,7 +61,7 @@ export class WallView implements View {
   private canvas!: Canvas;
   private width = 0;
   private painter: Painter | null = null; // while the wall moves
-  private explained = ""; // what the legend is of
+  private explained = ""; // the content of the present legend
   private scene: Scene | null = null;
   private solid = false;
 
@@ -104,7 +104,7 @@ export class WallView implements View {
     if (this.solid) this.scene?.resize(width, this.canvas.height);
     this.redraw();
   }
-  // These frames alone are to be stepped through: the states of one sample, in time.
+  // Steps only through these frames: the states of one sample, in time.
   choose(first: number, last: number): void {
     this.player.choose(first, last);
   }
@@ -113,7 +113,7 @@ export class WallView implements View {
     this.redraw(true);
     if (!quiet) this.spec.onFrame?.(this.look.frame);
   }
-  // Lights a part of the wall; "": none.
+  // Highlights a part of the wall; "": none.
   light(name: string): void {
     if (this.look.lit === name) return;
     this.look.lit = name;
@@ -123,7 +123,7 @@ export class WallView implements View {
     const layer = this.stage.querySelector("svg.wall g.parts");
     layer?.replaceWith(drawParts(this.spec.wall, this.spec.frames, this.look, this.canvas));
   }
-  // While it moves it is painted; the drawing whose parts can be pointed at and exported follows at rest.
+  // While it moves, it is painted on a canvas; at rest, an SVG drawing follows, whose parts can be pointed at and exported.
   redraw(moves = false): void {
     if (this.width === 0 || this.spec.frames.count === 0) return;
     const info = this.spec.info[this.look.frame];
@@ -146,7 +146,7 @@ export class WallView implements View {
     atRest(this, () => this.settle());
   }
   private settle(): void {
-    this.painter = null; // the theme may be another when it moves again
+    this.painter = null; // the theme may have changed when it moves again
     if (!this.solid) this.stage.replaceChildren(drawWall(this.spec.wall, this.spec.frames, this.look, this.canvas));
   }
   private explain(): void {
@@ -155,7 +155,7 @@ export class WallView implements View {
     this.explained = what;
     this.key.replaceChildren(this.legend());
   }
-  // A figure for paper, with what it shows beneath.
+  // A figure for paper, with its legend below.
   picture(frame: number, width: number, tallest: number): HTMLElement {
     const scale = fittingScale(this.spec.wall, this.spec.frames, frame),
       info = this.spec.info[frame];
@@ -173,7 +173,7 @@ export class WallView implements View {
     const drawing = (): SVGSVGElement => drawWall(this.spec.wall, this.spec.frames, this.look, this.canvas);
     const shown = (work: (d: SVGSVGElement) => void): void => {
       if (this.painter) this.settle();
-      // styles are those of the page: the drawing has to be in it
+      // the page's styles apply only to drawings within it
       const d = this.stage.querySelector<SVGSVGElement>("svg.wall") ?? drawing();
       work(d);
     };
@@ -343,7 +343,7 @@ export class WallView implements View {
     return legend([...items, ...extra]);
   }
 
-  // The steps from the least value in the wall to the greatest, and the mean as stated.
+  // The steps from the smallest value in the wall to the largest, and the given mean.
   private fieldLegend(field: Field, extra: [SVGSVGElement, string][]): HTMLElement {
     const { steps, unit } = field,
       known = Array.from(field.values).filter((v) => !Number.isNaN(v));
@@ -359,7 +359,7 @@ export class WallView implements View {
     return h("div", { class: "field-key" }, h("b", {}, unit), legend([...items, ...extra]), h("p", { class: "soft small" }, words));
   }
 
-  // Two rows of the same steps, and what is coloured.
+  // Two rows with the same steps, and the names of their quantities.
   private stressLegend(): HTMLElement {
     const { stressSteps: bounds } = this.look,
       { frames } = this.spec;

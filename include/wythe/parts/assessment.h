@@ -1,9 +1,9 @@
-// The assessment of a pushed wall by a code: what an earthquake asks of it, and what it has.
+// Assessment of a pushed wall by a code: the demand of an earthquake against the capacity of the wall.
 //
 //   curve ──► limit states (force drop, drift) ──► bilinear curve ──► one degree of freedom (N2)
 //   [assessment.spectrum] ──► elastic spectrum ──► demand, and the acceleration of each limit state
 //
-// Equations, clauses and what is not in them: docs/theory/assessment.md. SI units; NaN: not known.
+// Equations, clauses and limits: docs/theory/assessment.md. All numbers are SI; NaN means not known.
 #pragma once
 
 #include <functional>
@@ -18,7 +18,7 @@
 
 namespace wythe {
 
-inline constexpr double kStandardGravity = 9.81;  // what codes mean by g [m/s^2]
+inline constexpr double kStandardGravity = 9.81;  // the value of g in codes [m/s^2]
 
 // --- words of [assessment] ---------------------------------------------------------------------------
 
@@ -40,34 +40,34 @@ inline constexpr Word<LimitState> kLimitStateWords[] = {
 
 // --- demand ------------------------------------------------------------------------------------------
 
-// Elastic response spectrum of accelerations, horizontal.
+// Elastic response spectrum Se(T) of horizontal accelerations: parametric (EN 1998-1, NTC 2018) or a table.
 struct ElasticSpectrum {
   SpectrumKind kind = SpectrumKind::kNone;
-  double ground_acceleration = kUnset;           // ag on rock; of a table that at period 0 [m/s^2]
+  double ground_acceleration = kUnset;           // ag on rock; of a table Se(0) [m/s^2]
   double soil = 1, topography = 1;               // S or SS, ST [-]
-  double eta = 1;                                // of the damping [-]
+  double eta = 1;                                // damping correction factor [-]
   double amplification = 2.5;                    // of the plateau over ag S [-]
   double TB = kUnset, TC = kUnset, TD = kUnset;  // corner periods [s]
   std::vector<double> periods, accelerations;    // table
-  // Se(T) [m/s^2]. NaN beyond the end of a table, and where there is no spectrum.
+  // Se(T) [m/s^2]. NaN beyond the end of a table, and where no spectrum is given.
   [[nodiscard]] double acceleration(double period) const;
   [[nodiscard]] double displacement(double period) const;  // Se T^2 / (4 pi^2) [m]
   [[nodiscard]] double peak_ground_acceleration() const;   // Se(0) [m/s^2]
   [[nodiscard]] bool is_given() const { return kind != SpectrumKind::kNone; }
 };
-[[nodiscard]] ElasticSpectrum spectrum_of(const SpectrumSpec& spec);
-// The spectrum that a limit state is compared with: its own, else that of the asked one.
+[[nodiscard]] ElasticSpectrum spectrum_of(const SpectrumSpec& spec);  // of a spec without faults
+// The spectrum for a limit state: its own, else that of the limit state which the model asks for.
 [[nodiscard]] const SpectrumSpec& spectrum_for(const AssessmentSpec& spec, LimitState state);
-// Whether the spectrum is of this limit state's own return period, so that its verdict counts.
+// Whether the spectrum belongs to the return period of this limit state; only then does the verdict count.
 [[nodiscard]] bool is_checked(const AssessmentSpec& spec, LimitState state);
-// What keys lack or hold that can't be; paths are the keys of [assessment.spectrum] and [assessment]. The
-// functions below take specs without faults.
+// Missing and inadmissible keys; paths are those of [assessment.spectrum] and [assessment]. The functions
+// below require specs without faults.
 [[nodiscard]] std::vector<Fault> faults_of(const SpectrumSpec& spec);
 [[nodiscard]] std::vector<Fault> faults_of(const AssessmentSpec& spec);
 
 // --- one degree of freedom ---------------------------------------------------------------------------
 
-// Elastic, perfectly plastic: F* up to d* yield with the slope k.
+// Elastic-perfectly plastic system: F* = k* d* up to dy*, then F* = Fy*.
 struct EquivalentSystem {
   double mass = kUnset;           // m* [kg]
   double participation = kUnset;  // Gamma: d = Gamma d*, F = Gamma F* [-]
@@ -81,13 +81,13 @@ struct SpectralDemand {
   double q = kUnset;             // q* = Se m* / Fy* [-]
   double displacement = kUnset;  // d*max [m]
 };
-// N2, EN 1998-1 Annex B.5, of the spectrum times `scale`.
+// Demand by the N2 method (EN 1998-1, Annex B.5) under the spectrum times `scale`.
 [[nodiscard]] SpectralDemand demand_of(const EquivalentSystem& system,
                                        const ElasticSpectrum& spectrum, double scale = 1);
-// The scale at which that demand is d*: the inverse of demand_of, in closed form.
+// The scale of the spectrum at which the demand equals d* = `displacement` [m]: demand_of() inverted in closed form.
 [[nodiscard]] double scale_for(const EquivalentSystem& system, const ElasticSpectrum& spectrum,
                                double displacement);
-// The scale at which q* is q.
+// The scale of the spectrum at which q* equals q.
 [[nodiscard]] double scale_for_q(const EquivalentSystem& system, const ElasticSpectrum& spectrum,
                                  double q);
 
@@ -97,92 +97,92 @@ struct MassAndShape {
   double blocks = 0, loads = 0, added = 0;  // mass by where it comes from [kg]
   double participating = 0;                 // m* = sum m Phi [kg]
   double participation = 0;                 // Gamma = m* / sum m Phi^2 [-]
-  bool is_linear = false;                   // Phi grows with height; else as the wall was bent
-  double read_at = kUnset;                  // displacement of that state [m]
+  bool is_linear = false;                   // Phi grows with height; else Phi is that of a state
+  double read_at = kUnset;                  // displacement of the state that gave Phi [m]
   [[nodiscard]] double total() const { return blocks + loads + added; }
 };
-// Phi as the wall stood when its control displacement was `displacement`, straight between the states
-// read; `read_at` is NaN where they do not reach so far.
+// Phi of the state whose control displacement was `displacement` [m], interpolated linearly between stored
+// states. `read_at` is NaN where the states end earlier.
 [[nodiscard]] MassAndShape mass_and_shape(const PushedWall& wall, double displacement);
-// Phi grows with height, 1 where the curve's displacement is of.
+// Phi proportional to height, 1 at the control point of the curve's displacement.
 [[nodiscard]] MassAndShape mass_and_linear_shape(const AssessmentSpec& spec, const Model& model);
 
 // --- limit states ------------------------------------------------------------------------------------
 
-// One rule of a code that ends a limit state.
+// One rule of a code that may end a limit state.
 struct Criterion {
   std::string name;       // "force drop", "storey drift", "share of near collapse", "yield", "q*"
-  Message words;          // for a reader
-  std::string clause;     // where it stands in the code
-  bool verified = false;  // checked against the printed clause
-  double value = kUnset;  // of the rule, in `unit`
+  Message words;          // the rule in words
+  std::string clause;     // its clause in the code
+  bool verified = false;  // checked against the printed text of the clause
+  double value = kUnset;  // limit that the rule sets, in `unit`
   std::string unit;
   double displacement =
-      kUnset;            // of the control point where it is met; the last, where it isn't [m]
-  bool reached = false;  // within the push
+      kUnset;            // of the control point where the rule is met; else its last one [m]
+  bool reached = false;  // the rule was met during the push
 };
 enum class AssessmentVerdict { kHolds, kFails, kNotShown, kNoDemand, kNotKnown };
 inline constexpr Word<AssessmentVerdict> kAssessmentVerdictWords[] = {
     {"holds", AssessmentVerdict::kHolds},
     {"fails", AssessmentVerdict::kFails},
-    {"not shown", AssessmentVerdict::kNotShown},  // a lower bound that is below the demand
+    {"not shown", AssessmentVerdict::kNotShown},  // the capacity is a lower bound below the demand
     {"no demand", AssessmentVerdict::kNoDemand},  // no spectrum is given
     {"not known", AssessmentVerdict::kNotKnown}};
 
 struct LimitStateCheck {
   LimitState state = LimitState::kNearCollapse;
-  bool is_asked = false;    // `limit_state` of the model
+  bool is_asked = false;    // the one that `limit_state` of the model names
   bool is_checked = false;  // it has a spectrum of its own, and a verdict
   AssessmentVerdict verdict = AssessmentVerdict::kNoDemand;
   double demand_acceleration = kUnset;  // peak ground acceleration of its spectrum [m/s^2]
   double demand_displacement = kUnset;  // of the control point [m]
   double q = kUnset;                    // q* of its demand [-]
   std::vector<Criterion> criteria = {};
-  std::string governing = {};         // name of the criterion that decides
+  std::string governing = {};         // name of the criterion that is reached first
   double displacement = kUnset;       // capacity of the control point [m]
-  double drift = kUnset;              // over its height [-]
-  double ratio = kUnset;              // capacity over demand, displacements [-]
-  double scale = kUnset;              // of the spectrum at which the limit state is reached [-]
-  double acceleration = kUnset;       // peak ground acceleration then, soil included [m/s^2]
-  double rock_acceleration = kUnset;  // the same over S ST [m/s^2]
-  bool at_least = false;              // the push ended before: all of these are lower bounds
-  // `acceleration` if the force fell where it did in tested walls that failed alike: at the least and the largest drift
-  // of nine in ten. Infinite: beyond the push. NaN: no tests, or no number [m/s^2].
+  double drift = kUnset;              // displacement over height of the control point [-]
+  double ratio = kUnset;              // displacement capacity over demand [-]
+  double scale = kUnset;              // of the spectrum that just reaches the limit state [-]
+  double acceleration = kUnset;       // peak ground acceleration at that scale, with soil [m/s^2]
+  double rock_acceleration = kUnset;  // the same on rock: over S ST [m/s^2]
+  bool at_least = false;              // the push ended earlier: all capacities are lower bounds
+  // `acceleration` if the force dropped at the least and at the largest drift of tested walls with the same mechanism
+  // (nine in ten lie between). Infinite: beyond the push. NaN: no tests, or no number [m/s^2].
   double tested_low = kUnset, tested_high = kUnset;
 };
 
-// Drifts at which tested walls had lost a fifth of their force, by how they failed.
+// Drifts at which tested walls had lost a fifth of their force, by mechanism.
 struct DriftOfTests {
   std::string mechanism;  // "shear", "flexure"
   bool stone = false;     // stone walls; else brick and block
   int walls = 0;
-  double low = kUnset, high = kUnset;  // nine in ten lie between [-]
+  double low = kUnset, high = kUnset;  // nine walls of ten lie between [-]
 };
 
 struct CodeAssessment {
   AssessmentVerdict verdict = AssessmentVerdict::kNotKnown;
-  bool may_be_signed = false;     // nothing stands in `cautions`
-  std::vector<Message> cautions;  // why the numbers are not to be signed; said before them
-  Message reason;                 // why there are no numbers; empty: there are
+  bool may_be_signed = false;     // `cautions` is empty
+  std::vector<Message> cautions;  // why the numbers must not be signed; printed before them
+  Message reason;                 // why there are no numbers; empty where there are
   Message sentence;               // cautions and verdict, for a reader
-  std::vector<Message> notes;     // what was assumed and what is not modelled
+  std::vector<Message> notes;     // assumptions, and effects that are not modelled
   AssessmentSpec spec;
   MassAndShape mass;
-  Bilinear bilinear;  // of the curve up to near collapse; its ultimate is that displacement
+  Bilinear bilinear;  // of the curve up to near collapse, which is its ultimate displacement
   EquivalentSystem system;
   ElasticSpectrum spectrum;
   SpectralDemand demand;
   double demand_displacement = kUnset;  // Gamma d*max, of the control point [m]
   std::vector<LimitStateCheck> limit_states;
-  std::vector<DriftOfTests> tests;  // behind tested_low and tested_high
-  [[nodiscard]] const LimitStateCheck* asked() const;
-  [[nodiscard]] const LimitStateCheck* at(LimitState state) const;  // null: not looked at
-  // The limit state whose verdict is that of the wall: of those checked the one with the least reserve, one that fails
-  // before a lower bound; where none is, the asked one.
+  std::vector<DriftOfTests> tests;                     // source of tested_low and tested_high
+  [[nodiscard]] const LimitStateCheck* asked() const;  // null: not checked
+  [[nodiscard]] const LimitStateCheck* at(LimitState state) const;  // null where it was not checked
+  // The limit state whose verdict counts for the wall. Of those checked it is the one with the least reserve, where a
+  // failed check precedes a lower bound. Without a checked one it is the limit state that the model asks for.
   [[nodiscard]] const LimitStateCheck* deciding() const;
 };
 
-// What is judged of a push: of a run or of a stored sample.
+// All that an assessment reads of one push, of a run or of a stored sample.
 struct JudgedPush {
   SolveStatus status = SolveStatus::kCompleted;
   StageKind curve_of = StageKind::kPush;
@@ -191,25 +191,25 @@ struct JudgedPush {
   const std::vector<CurveRow>& curve;
   const Responses& responses;
   std::string judgement = {};           // RateVerdict::judgement
-  SlowPushVerdict displacement = {};    // that of a slow push
-  SlowPushVerdict mode = {};            // the same
+  SlowPushVerdict displacement = {};    // whether a slower push would tell the same displacement
+  SlowPushVerdict mode = {};            // whether a slower push would tell the same failure mode
   double overlap_lost = kUnset;         // Validity::overlap_lost [m]
   std::vector<RisePoint> rise = {};     // Result::rise
   std::vector<DriftPoint> drifts = {};  // ascending; empty: displacement over load height
   bool storeys_known = false;           // drifts are of storeys
-  std::vector<PierDrift> piers = {};    // where they are known they stand for the storeys
+  std::vector<PierDrift> piers = {};    // of piers; where known they replace `drifts`
   double pier_slenderness = kUnset;     // least H0 / D of the piers [-]
-  std::string mechanism = {};           // "shear", "flexure", "": not known
-  double mechanism_from = 0;            // displacement of the state that shows it [m]
+  std::string mechanism = {};           // "shear", "flexure"; "" where not known
+  double mechanism_from = 0;            // displacement of the first state that shows it [m]
   std::vector<DriftOfTests> tests = {};
-  Message barred = {};                 // why the model's stages allow no answer; empty: they do
-  std::vector<Message> cautions = {};  // of the model itself: why numbers are not to be signed
-  // Strengths that the file does not state, so that nobody has divided them by the confidence factor.
+  Message barred = {};                 // why the model's stages allow no assessment; empty: they do
+  std::vector<Message> cautions = {};  // of the model itself: why its numbers must not be signed
+  // Strengths that the program chose, since the file does not state them: the confidence factor has not divided them.
   std::vector<Message> undivided = {};
-  // The knowledge level by which the program divided the typology's strengths, "LC1"; "": it did not.
+  // The knowledge level, such as "LC1", by which the program divided the typology's strengths; "" where it did not.
   std::string knowledge_level = {};
 };
-// Mass and shape at a displacement; called with that of the bilinear curve's yield.
+// Mass and shape of the wall at a displacement; the assessment calls it with the yield displacement of the bilinear curve.
 using ShapeReader = std::function<MassAndShape(double displacement)>;
 [[nodiscard]] CodeAssessment assess(const AssessmentSpec& spec, const JudgedPush& push,
                                     const ShapeReader& shape);
@@ -217,22 +217,22 @@ using ShapeReader = std::function<MassAndShape(double displacement)>;
 // --- a campaign
 
 struct CampaignAssessment;  // wythe/parts/statistics.h
-// Why none of its numbers is to be signed: the first of its notes, as far as they are cautions.
+// Why none of its numbers must be signed: the cautions at the head of its notes.
 [[nodiscard]] std::vector<Message> cautions_of(const CampaignAssessment& assessment);
-// These, then what was found or why nothing was, for a reader.
+// The cautions, then the result or the reason why there is none.
 [[nodiscard]] Message sentence_of(const CampaignAssessment& assessment);
 
 [[nodiscard]] inline bool is_asked(const AssessmentSpec& spec) { return !spec.code.empty(); }
-// What the assessment reads of the states of a run, once; with the masses that `spec` asks to count.
+// Reads from the states of a run what an assessment needs, once; it counts the masses that `spec` asks for.
 [[nodiscard]] PushedWall read_pushed_wall(const ModelSpec& spec, const Model& model,
                                           const Result& result);
-// Of a run, with what its model file asks for; from Result::pushed where that was read.
+// Assesses a run as its model file asks; uses Result::pushed where it has been read.
 [[nodiscard]] CodeAssessment assess_run(const ModelSpec& spec, const Model& model,
                                         const Result& result);
 
 // --- ways of pushing (docs/theory/assessment.md, "The verdict from many walls") --------------------------
 
-// A direction and a pattern of forces that the verdict asks for, and the settings that make a model push so.
+// A direction and a load pattern that the verdict asks for, with the settings that make a model push in this way.
 struct PushWay {
   std::string direction;  // "+x", "[1, 0, -1]"
   std::string pattern;    // word of Pattern, or "at": at the place that the file names
@@ -240,16 +240,16 @@ struct PushWay {
       {};  // "path=value", as for --set; none: the model as it stands
 };
 struct PushWays {
-  std::vector<PushWay> ways;      // the model's own first
-  std::vector<Message> cautions;  // what codes ask for and this model does not allow
+  std::vector<PushWay> ways;      // the one of the model itself first
+  std::vector<Message> cautions;  // what codes ask for but the model does not allow
   std::vector<Message> notes;
 };
-// The way a model pushes now.
+// The way in which a model pushes as it stands.
 [[nodiscard]] PushWay way_of(const ModelSpec& spec);
-// Those that the verdict asks for: both directions, in two patterns where they differ. Throws InputError where the
-// model has nothing to judge or nothing to judge it by; its faults name keys, not lines.
+// All ways that the verdict needs: both directions, and two patterns where these differ. Throws InputError where the
+// model has no push or no [assessment] to judge it by; the faults name keys, not lines.
 [[nodiscard]] PushWays ways_of(const ModelSpec& spec, const Model& model);
-// In words: "forces by mass times height".
+// A pattern in words: "forces by mass times height".
 [[nodiscard]] Message words_of_pattern(const std::string& pattern);
 
 }  // namespace wythe

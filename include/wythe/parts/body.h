@@ -1,4 +1,4 @@
-// Blocks in space: what a file or a builder gives of them.
+// Blocks in space as a file or the builder describes them.
 //
 //   file or builder ──► BodySpec ──► geometry (mass, inertia, joint faces) ──► Model::space
 #pragma once
@@ -18,16 +18,16 @@ struct Polyhedron {
   std::vector<std::vector<std::int32_t>> face;  // corners, anticlockwise seen from outside
 };
 
-// One block: one convex part, or several that move as one (their inner faces touch).
+// One block of one convex part, or of several that move as one; their inner faces touch.
 struct BodySpec {
   std::string id;
   std::vector<Polyhedron> part;
   std::string material = "masonry";  // names a material with a density, else wall.unit.density
-  bool fixed = false;                // a support: never moves but by a stage that drives it
-  ZoneSpec zone = {};                // deformable where zone.zones > 0: one part, a hexahedron
-  std::string role;      // word of BlockRole (model.h); "": masonry, or as its id and material say
-  std::string cut = {};  // name of the stage that cuts it out; "": it stays
-  std::string put_in = {};  // name of the stage that puts it in; "": it stands from the first on
+  bool fixed = false;                // a support: only a stage that drives it can move it
+  ZoneSpec zone = {};                // deformable where zone.zones > 0: a single hexahedron
+  std::string role;         // word of BlockRole (model.h); "": masonry, or by id and material
+  std::string cut = {};     // name of the stage that removes it; "": it stays
+  std::string put_in = {};  // name of the stage that inserts it; "": it stands from the start
 };
 
 }  // namespace wythe

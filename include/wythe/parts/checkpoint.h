@@ -1,5 +1,5 @@
-// The checkpoint of a run: one file in the folder of its results, from which the run goes on after
-// whatever ended it. `wythe run --checkpoint` writes it, `wythe run --resume` reads it.
+// The checkpoint of a run: one file in the folder of its results, from which an interrupted run
+// continues. `wythe run --checkpoint` writes it, `wythe run --resume` reads it.
 #pragma once
 
 #include <cstdint>
@@ -13,13 +13,13 @@ namespace wythe {
 
 inline constexpr const char* kCheckpointFile = "checkpoint.wythe";
 
-// What the run was asked for.
+// The inputs and options of the run.
 struct RunOrder {
-  std::string model_file;  // as it was named; the text below stands for it
+  std::string model_file;  // name as given; `model_text` has its content
   std::string model_text;  // write_model() of the spec, overrides applied
   std::string blocks;      // content of the blocks file; "" where there is none
   std::string language;    // of the report
-  double every = 0;        // between checkpoints, by the clock on the wall [s]
+  double every = 0;        // time between checkpoints [s of wall-clock time]
 };
 [[nodiscard]] RunOrder order_of(const ModelSpec& spec, const std::string& model_file);
 
@@ -31,11 +31,11 @@ struct Checkpoint {
   RunRecord record = {};
 };
 
-// The whole file; docs/reference/results.md, "checkpoint.wythe".
+// Bytes of the whole file; format: docs/reference/results.md, "checkpoint.wythe".
 [[nodiscard]] std::string checkpoint_bytes(const RunOrder& order, const Model& model,
                                            const State& state, const RunRecord& record);
-// Reads the checkpoint in `folder`. Throws InputError where there is none, or where it is a link, no
-// file, cut short, damaged, of another program, or of another model than it says.
+// Reads the checkpoint in `folder`. Throws InputError where there is none, or it is a link or no regular file; where it is
+// truncated or damaged; and where it belongs to another program version, or to another model than it states.
 [[nodiscard]] Checkpoint read_checkpoint(const std::string& folder);
 
 }  // namespace wythe

@@ -1,9 +1,9 @@
-// Options side by side: stores whose samples drew the same inputs, compared sample by sample.
+// Compares options: stores whose samples drew the same inputs are compared sample by sample.
 //
 //   Campaign base, options --compare_campaigns()--> PairedComparison --> comparison.json (io.h), page (report.h)
 //
-// A pair is one sample that answered in the base and in the option. The two walls of a pair differ by the
-// option alone, so their differences scatter far less than the walls do. A sample that answered on one
+// A pair is one sample that answered in the base and in the option. The two walls of a pair differ only in
+// the option, so their differences scatter far less than the walls do. A sample that answered on one side
 // side only, or on none, is a lost pair: counted and listed, never left out silently. Intervals are 95 %.
 // Estimators: docs/theory/statistics.md, "Pairs".
 #pragma once
@@ -18,54 +18,54 @@
 
 namespace wythe {
 
-// A store and what it is called.
+// A store with its name for the reader.
 struct ComparedCampaign {
   std::string name, folder;
   Campaign campaign;
 };
 
-// One number of a pair; a bound where the push of that side ended too early.
+// One number of a pair. It is a bound where the push of that side ended too early.
 struct PairValue {
   int sample = 0;
   Reading base, option;
 };
 
-// How a difference goes with one random input: who gains.
+// How the difference of a response depends on one random input: which walls gain.
 struct GainAgainstInput {
   std::string input;
   int n = 0;
-  Estimate spearman;                       // Fisher
+  Estimate spearman;                       // interval by Fisher's z
   double p = kUnset, p_adjusted = kUnset;  // of no correlation; Holm over the inputs
   Estimate slope;  // difference per standard deviation of the input, Student
-  Estimate low_third, middle_third, high_third;  // mean difference there
+  Estimate low_third, middle_third, high_third;  // mean difference in the thirds of the input
 };
 
-// Option less base, of one of quantities(). SI.
+// Differences option - base of one response of quantities() [SI].
 struct PairedResponse {
   std::string quantity;
   int pairs = 0;          // with a value on both sides
-  int without_value = 0;  // answered on both sides, but one or both have no such number
-  int bounds = 0;         // of `pairs`: one or both are lower bounds
-  int in_means = 0;  // of `pairs`: those that all means, ratios and gains are of; 0: there are none
-  int larger = 0, smaller = 0, equal = 0, undecided = 0;  // of `pairs`, bounds taken as such
-  // Where a displacement was not reached, means take every value up to here only: the smallest of the
-  // bounds, which no sample's own value can fall short of. NaN: nothing is cut. There is no mean where
-  // that would cut most pairs or leave no scatter.
+  int without_value = 0;  // answered on both sides, but at least one lacks this number
+  int bounds = 0;         // of `pairs`: at least one value is a lower bound
+  int in_means = 0;       // number of `pairs` in all means, ratios and gains; 0: there are none
+  int larger = 0, smaller = 0, equal = 0, undecided = 0;  // of `pairs`; bounds count as bounds
+  // Where a displacement was not reached, means limit every value to this one: the smallest bound, which
+  // each sample is known to reach. NaN: no value is limited. There is no mean where this would limit most
+  // pairs or leave no scatter.
   double up_to = kUnset;
-  Estimate base, option, difference;  // means (Student); from five pairs on with intervals
-  Interval difference_bootstrap;      // of the same mean, BCa: another view where tails are heavy
+  Estimate base, option, difference;  // means (Student); intervals from five pairs on
+  Interval difference_bootstrap;      // BCa interval of the mean difference, for heavy tails
   Estimate ratio;  // geometric mean of option / base; NaN unless all are positive
   double standard_deviation = kUnset;  // of the differences
-  Interval median_bounds;              // of the median difference, which bounds may leave open
+  Interval median_bounds;              // of the median difference; infinite where open
   Interval median_interval;            // order statistics (sign test); infinite where open
-  Estimate share_larger;            // larger / pairs; the interval lets the undecided go either way
-  Interval share_larger_with_lost;  // if every lost pair went one way, or the other
-  double sign_test_p = kUnset;      // undecided pairs against the finding
+  Estimate share_larger;            // larger / pairs; the interval counts the undecided either way
+  Interval share_larger_with_lost;  // if every undecided or lost pair went one way, or the other
+  double sign_test_p = kUnset;      // undecided pairs count against the finding
   Estimate cov_base, cov_option, cov_ratio;  // percentile bootstrap over pairs
   double correlation = kUnset;               // of the two sides
-  double worth = kUnset;  // samples without pairing that give as narrow an interval, for each pair
-  int slow_enough = 0;    // pairs both of whose pushes were slow enough
-  Estimate difference_slow_enough;     // mean difference of those
+  double worth = kUnset;  // (s_a^2 + s_b^2) / s_d^2: unpaired samples that a pair replaces
+  int slow_enough = 0;    // pairs in which both pushes were slow enough
+  Estimate difference_slow_enough;     // their mean difference
   std::vector<GainAgainstInput> gain;  // by each random input
   std::vector<PairValue> pair;
 };
@@ -73,8 +73,8 @@ struct PairedResponse {
 struct ModeShift {
   std::string mode;
   int base = 0, option = 0;   // pairs with this mode there
-  int came = 0, went = 0;     // pairs that have it in the option only, in the base only
-  Estimate share_difference;  // (Agresti and Min)
+  int came = 0, went = 0;     // pairs with this mode in the option only, in the base only
+  Estimate share_difference;  // interval by Agresti and Min
   double p = kUnset, p_adjusted = kUnset;  // exact McNemar; Holm over the modes
 };
 struct ChangedMode {
@@ -84,16 +84,16 @@ struct ChangedMode {
 struct ModeTable {
   std::vector<std::string> modes;
   std::vector<std::vector<int>> count;  // (base mode, option mode)
-  int pairs = 0;                        // all
-  int unclear = 0;         // of them: unclear on a side or both; what changes is of the others
+  int pairs = 0;                        // all pairs
+  int unclear = 0;         // of them: unclear on at least one side; the other counts exclude these
   int read_apart = 0;      // of the others: read at displacements that differ by more than 1 %
-  int changed_apart = 0;   // of these: of another mode
+  int changed_apart = 0;   // of these: the mode differs
   Estimate share_changed;  // Wilson
   std::vector<ChangedMode> changed;
   std::vector<ModeShift> shift;
   std::vector<ModeShift>
-      group_shift;    // of FM-1 + FM-2 (piers) and FM-3 + FM-4 (spandrel) taken as one
-  double p = kUnset;  // of equal shares: the smallest p_adjusted
+      group_shift;    // FM-1 + FM-2 (piers) and FM-3 + FM-4 (spandrel) as one mode each
+  double p = kUnset;  // of equal shares of modes: the smallest p_adjusted
 };
 
 struct LostPair {
@@ -105,124 +105,124 @@ struct LostPair {
 
 struct OptionComparison {
   std::string name, folder;
-  PushLabel push;                    // of models: which way it was pushed
-  std::string base_folder;           // and its base then
-  std::vector<std::string> changes;  // what its study and model say and the base's do not
+  PushLabel push;                    // of models: the way of pushing
+  std::string base_folder;           // the folder of the base in that way
+  std::vector<std::string> changes;  // what its study and model state beyond the base's
   int pairs = 0;
   int not_run = 0;  // samples that neither side has run
   std::vector<LostPair> lost;
   int base_alone = 0, option_alone = 0;     // lost pairs that only this side answered
   int not_slow_enough = 0;                  // pairs with a push that was not slow enough
   int too_fast = 0;                         // of them, "too fast" or not known how fast
-  int rising_base = 0, rising_option = 0;   // pairs whose force was still rising there
+  int rising_base = 0, rising_option = 0;   // pairs whose force was still rising on that side
   int same_bits = 0;                        // pairs with the same state hash
-  double steps_base = 0, steps_option = 0;  // mean of the pairs: what the option costs
+  double steps_base = 0, steps_option = 0;  // means over the pairs, for the cost of the option
   std::vector<PairedResponse> response;     // (quantities())
   ModeTable modes;
-  std::vector<Message> notes;  // what to know before any number
+  std::vector<Message> notes;  // cautions to read before any number
   Message headline;            // the difference in one sentence
 };
 
 // --- before and after (docs/theory/statistics.md, "Before and after") ---------------------------------------
 
-// Whether a change keeps within its limits. Not shown: its interval reaches over a limit.
+// Whether a change keeps within its limits. Not shown: its interval crosses a limit.
 enum class ChangeAnswer { kYes, kNo, kNotShown, kNotKnown };
 inline constexpr Word<ChangeAnswer> kChangeAnswerWords[] = {{"yes", ChangeAnswer::kYes},
                                                             {"no", ChangeAnswer::kNo},
                                                             {"not shown", ChangeAnswer::kNotShown},
                                                             {"not known", ChangeAnswer::kNotKnown}};
-// By which share stiffness may change, and strength and displacement capacity may fall [-]. None of the defaults was
-// verified against the text of a code. NaN: the default.
+// Shares by which stiffness may change, and strength and displacement capacity may fall [-]; NaN: the default. The
+// defaults were not verified against the text of a code.
 struct ChangeLimits {
   double stiffness = kUnset, strength = kUnset, displacement = kUnset;
 };
 inline constexpr ChangeLimits kUsualLimits{.stiffness = 0.15, .strength = 0, .displacement = 0};
 
-// After over before, pushed one way.
+// Ratio after / before of a response, for one way of pushing.
 struct Change {
   PushLabel push;
   int pairs = 0;
   Estimate ratio;  // geometric mean of pairs (Student); of one pair without an interval
-  bool at_least = false, at_most = false;  // only one side holds bounds: `ratio` is one, too
+  bool at_least = false, at_most = false;  // only one side has bounds, so `ratio` is a bound
   bool is_same = false;                    // all pairs are equal
   ChangeAnswer answer = ChangeAnswer::kNotKnown;
-  Message why;  // it is not known; empty: it is
+  Message why;  // why the answer is not known; empty where it is
 };
 struct CheckedChange {
   std::string quantity;     // initial_stiffness, peak_reaction, displacement_at_80_percent
-  double least = 0;         // ratios that the limits allow
-  double most = kUnset;     // NaN: any
+  double least = 0;         // range of the ratio that the limits allow
+  double most = kUnset;     // NaN: no upper limit
   bool is_default = false;  // the limit is that of kUsualLimits
   std::vector<Change> way = {};
-  ChangeAnswer answer = ChangeAnswer::kNotKnown;  // of all ways
-  std::size_t worst = 0;                          // the way that has it, farthest from the limits
+  ChangeAnswer answer = ChangeAnswer::kNotKnown;  // over all ways
+  std::size_t worst = 0;                          // the way that decides, farthest off the limits
   Message what = {}, said = {};                   // quantity and answer, in words
 };
-// PGA that a model carries [m/s^2], of the way that decides (WallsVerdict).
+// PGA capacity of a model [m/s^2], of the decisive way of pushing (WallsVerdict).
 struct ModelCapacity {
   Estimate pga;
   bool at_least = false;
 };
-// A model against the one before it, pushed all ways.
+// A model compared with the one before it, over all ways of pushing.
 struct Intervention {
   std::string name;
-  std::vector<std::size_t> option = {};  // of PairedComparison::option, one a way of pushing
+  std::vector<std::size_t> option = {};  // into PairedComparison::option, one a way of pushing
   std::vector<CheckedChange> change = {};
   ChangeAnswer answer = ChangeAnswer::kNotKnown;
   ModelCapacity before = {}, after = {};  // NaN: the models have no [assessment]
-  std::vector<Message> cautions = {};     // why not to rely on it, before any number
-  Message sentence = {};                  // cautions and changes
+  std::vector<Message> cautions = {};     // why not to rely on it; printed before any number
+  Message sentence = {};                  // cautions, then changes
   std::vector<Message> notes = {};
 };
 
 struct PairedComparison {
   std::string study, provenance;  // of the base
   std::string base_name, base_folder;
-  int samples = 0;                         // drawn in all stores alike
-  std::vector<InputColumn> input;          // random ones
+  int samples = 0;                         // drawn alike in all stores
+  std::vector<InputColumn> input;          // the random inputs
   std::vector<std::vector<double>> value;  // (samples, input) [SI]
   std::vector<OptionComparison> option;
   std::vector<Message> notes;
-  std::vector<Intervention> intervention;  // of models alone
+  std::vector<Intervention> intervention;  // for models only
 };
 
-// The first is the base. Throws InputError with the first difference of each store whose samples drew
-// other inputs than the base's, and where two are the same store. Cost: about a second an option.
+// Compares the stores with the first one, the base. Throws InputError where samples drew other inputs than the
+// base's (with the first difference of each store), and where two stores are the same. Cost: a second an option.
 [[nodiscard]] PairedComparison compare_campaigns(const std::vector<ComparedCampaign>& stores);
 
-// The same walls pushed one way: the campaign of the model before, then of those after it.
+// Campaigns of the same walls pushed in one way: the model before first, then those after it.
 struct ComparedWay {
   PushLabel push;
   std::vector<ComparedCampaign> stores;
 };
 struct ComparedModels {
-  std::vector<std::string> name;  // of the models, the one before first
+  std::vector<std::string> name;  // of the models; the model before comes first
   std::vector<ComparedWay> way;
-  std::vector<ModelCapacity> capacity;  // of each model; none without [assessment]
+  std::vector<ModelCapacity> capacity;  // of each model; empty without [assessment]
   std::vector<int>
-      other_draws;  // models whose places in the wall drew other numbers than the base's
+      other_draws;  // models whose fields drew other numbers than the base's at the same places
   ChangeLimits limits;
 };
-// Models in all their ways: each way an option of its own, beside the base pushed that way, and what each model changes.
+// Compares models over all ways of pushing. Each way is an option with its own base; each model gets an Intervention.
 [[nodiscard]] PairedComparison compare_models(const ComparedModels& models);
-// The change of one response in so many pairs, of which `lost` did not answer, against `least` and `most`.
+// The change of one response over its pairs and `lost` unanswered ones, judged against the limits `least` and `most`.
 [[nodiscard]] Change change_of(const PairedResponse& response, int lost, double least, double most);
 
-// What `wythe compare` of model files is asked for.
+// Request of `wythe compare` for model files.
 struct AskedModels {
-  std::vector<std::string> files;           // the one before first
-  std::vector<std::string> overrides = {};  // --set, of all
+  std::vector<std::string> files;           // the model before comes first
+  std::vector<std::string> overrides = {};  // texts of --set, for all models
   int walls = 8, seed = 0;
 };
-// A study for each model: its walls, and its push the other way as the only [[variant]]; one wall where nothing scatters.
-// Throws InputError with every fault of the models, and where they are not comparable: what differs, and where it stands.
+// One study for each model: its walls, and the opposite push as the only [[variant]]; one wall where nothing scatters. Throws
+// InputError with every fault of the models, and where models are not comparable: with the difference and its place.
 [[nodiscard]] std::vector<StudySpec> studies_of_models(const AskedModels& asked);
-// Whether PGA is told of models: they have an [assessment] with a spectrum.
+// Whether PGA can be given for models: they have an [assessment] with a spectrum.
 [[nodiscard]] inline bool says_pga(const AssessmentSpec& spec) {
   return is_asked(spec) && spec.spectrum.kind != SpectrumKind::kNone;
 }
 
-// What a difference of drawn inputs is; "" where the samples of both that there are drew the same.
+// Describes the first difference between drawn inputs; "" where the samples present on both sides drew the same.
 [[nodiscard]] std::string other_inputs(const SampleTable& base, const SampleTable& other);
 
 }  // namespace wythe

@@ -1,7 +1,7 @@
-// The joint material: what a user states about one kind of joint (docs/theory/joint_law.md).
+// The joint material: the parameters of the joint law that a user states for one kind of joint (docs/theory/joint_law.md).
 //
-// Read by src/contact (the law itself, a template over the scalar type) and by every writer.
-// All physical parameters start as NaN; check_joint_material() refuses what is missing.
+// src/contact, the law as a template over the scalar type, and all writers read it.
+// All physical parameters start as NaN; check_joint_material() refuses missing ones.
 #pragma once
 
 #include <cmath>
@@ -25,64 +25,64 @@ inline constexpr Word<Softening> kSofteningWords[] = {{"bilinear", Softening::kB
                                                       {"polynomial", Softening::kPolynomial},
                                                       {"petersson", Softening::kPetersson}};
 // How tension damage d_t and shear damage d_s combine: d = d_t + d_s - d_t d_s, max(d_t, d_s), or
-// max(1 - secant/kn, d_s) acting on shear (stiffness damage, weakens shear earlier).
+// max(1 - secant/kn, d_s) acting on shear alone (stiffness damage, which weakens shear earlier).
 enum class Coupling { kUnion, kMaximum, kStiffness };
 inline constexpr Word<Coupling> kCouplingWords[] = {{"union", Coupling::kUnion},
                                                     {"maximum", Coupling::kMaximum},
                                                     {"stiffness", Coupling::kStiffness}};
-// Unloading from an open joint: to the origin, or elastic to a tension set.
+// Path of unloading from an open joint: towards the origin, or with elastic stiffness to a tension set w_t.
 enum class Unloading { kSecant, kElastic };
 inline constexpr Word<Unloading> kUnloadingWords[] = {{"secant", Unloading::kSecant},
                                                       {"elastic", Unloading::kElastic}};
 
 struct JointMaterial {
-  double normal_stiffness = kUnset;         // kn [Pa/m], stress per opening
-  double shear_stiffness = kUnset;          // ks [Pa/m]
+  double normal_stiffness = kUnset;         // kn [Pa/m], normal stress per opening
+  double shear_stiffness = kUnset;          // ks [Pa/m], shear stress per slip
   double tensile_strength = kUnset;         // ft [Pa], 0 for a dry joint
   double cohesion = kUnset;                 // c [Pa]
   double friction_angle = kUnset;           // phi0 [rad]
   double residual_friction_angle = kUnset;  // phi_res [rad]
   double residual_cohesion = kUnset;        // c_res [Pa]
-  double mode_1_energy = kUnset;            // GI [N/m], whole area; needed when ft > 0
+  double mode_1_energy = kUnset;            // GI [N/m], whole area of the curve; needed when ft > 0
   double mode_2_energy = kUnset;  // GII [N/m], work above the residual; needed when t0 > tr
   // b [m]: GII grows by b with each Pa of pressure, GII = mode_2_energy + b sn; unset: it does not.
   double mode_2_energy_per_pressure = kUnset;
   double compressive_strength = kUnset;  // fc [Pa], kUnlimited allowed
-  double compressive_energy = kUnset;    // Gc [N/m], whole area; needed when fc is finite
-  // Any of the next three makes crushing follow q, the path of normal and shear displacement together.
+  double compressive_energy = kUnset;    // Gc [N/m], area as of GI; needed when fc is finite
+  // If any of the next three is given, crushing follows q, the combined path of normal and shear displacement.
   double compression_cap = kUnset;         // Css [-]: sigma^2 + Css tau^2 <= F(q)^2; unset: no cap
   double hardening_displacement = kUnset;  // kappa_p [m], F rises from fc/3 to fc; unset: none
-  double dilatancy_angle = kUnset;     // psi [rad], lift over slip under no pressure; unset: none
-  double dilatancy_slip = kUnset;      // slip after which it has faded [m]; unset: it does not
-  double dilatancy_pressure = kUnset;  // pressure under which it is gone [Pa]; unset: none
-  // Of a bed: share of its bond that head joints have which name no material of their own [-]; unset: all.
+  double dilatancy_angle = kUnset;         // psi [rad], lift per slip without pressure; unset: none
+  double dilatancy_slip = kUnset;          // slip at which dilatancy has faded [m]; unset: it stays
+  double dilatancy_pressure = kUnset;      // pressure at which dilatancy is zero [Pa]; unset: none
+  // Of a bed material: share of its bond for head joints that name no material of their own [-]; unset: 1.
   double head_joint_bond = kUnset;
   Softening softening = Softening::kBilinear;
   Coupling coupling = Coupling::kUnion;
   Unloading unloading = Unloading::kSecant;
-  // For a material that is also a body (timber lintel, plate): density [kg/m^3] and moduli [Pa].
+  // For a material that is also a body (timber lintel, plate): density [kg/m^3] and elastic moduli [Pa].
   double density = kUnset;
   double youngs_modulus = kUnset;  // along the body (the grain)
   double shear_modulus = kUnset;
   double youngs_modulus_across = kUnset;  // unset: isotropic
   double poisson_ratio = kUnset;          // unset: E/2G - 1
-  // Principal stresses of a zone beyond which the run reports an event; the zone stays elastic [Pa].
+  // Principal stresses of a zone above which the run reports an event; the zone itself stays elastic [Pa].
   double tension_limit = kUnset, compression_limit = kUnset;
-  // Where values come from that were not given: "cohesion 0.21 MPa: typical of ..." (io.h, origin_of).
+  // Sources of values that the file does not give: "cohesion 0.21 MPa: typical of ..." (read by materials/origin.h).
   std::vector<std::string> origin = {};
 };
 
-// One sentence a fault: missing or inadmissible parameters and snap-back (a softening branch
-// steeper than the elastic one, which no displacement path can follow), each with its numbers.
+// A missing or inadmissible parameter, or snap-back: a softening branch steeper than the elastic
+// one, which no displacement path can follow. Each fault gives its numbers.
 struct MaterialFault {
   std::string key;      // e.g. "mode_1_energy"
   std::string value;    // "0.1 N/m", empty when missing
-  std::string problem;  // with the other numbers
+  std::string problem;  // in one clause, with the other numbers involved
   std::string cure;
 };
 [[nodiscard]] std::vector<MaterialFault> check_joint_material(const JointMaterial& material);
 
-// One row of a prescribed path and the answer of a single joint to it (wythe contact).
+// One row of a prescribed path, and the response of a single joint to it (`wythe contact`).
 struct ContactPathRow {
   double opening = 0;  // w [m], + opens
   double slip = 0;     // [m]
@@ -96,7 +96,7 @@ struct ContactAnswer {
   double crushing = 0;        // h [-]
   double dissipated = 0;      // [N/m], since the start of the path
 };
-// Drives one joint along `path` (straight between rows, in substeps that resolve the law).
+// Response of one joint along `path`, straight between rows and divided into substeps that resolve the law.
 [[nodiscard]] std::vector<ContactAnswer> drive_contact(const JointMaterial& material,
                                                        const std::vector<ContactPathRow>& path);
 

@@ -1,6 +1,6 @@
-// The curve of a push: one row a window, and what every file, store and page calls its columns.
+// The curve of a push, one row a window, and the names of its columns in every file, store and page.
 //
-// A column is a member of CurveRow, which the Recorder (src/dynamics/stages/recorder.cpp) fills, and its line in
+// A column is a member of CurveRow, which the Recorder (src/dynamics/stages/recorder.cpp) fills, and a line of
 // kCurveColumns. From there it reaches force_displacement.csv, the store, the page of a run and the
 // table of docs/reference/results.md (make docs).
 #pragma once
@@ -12,7 +12,7 @@
 
 namespace wythe {
 
-// Averaged over its window. SI.
+// Averages over one window [SI].
 struct CurveRow {
   double time = 0;
   double displacement = 0;  // starts at 0
@@ -31,10 +31,10 @@ struct CurveRow {
 };
 
 enum class ColumnOf { kAnyWall, kLintelOfZones, kHeldHead };
-// What a wall has beside what every wall has.
+// Features of a wall that add columns to those of every wall.
 struct ShownColumns {
   bool lintel_of_zones = false;
-  bool held_head = false;  // a push holds its blocks across: `across = "blocked"`
+  bool held_head = false;  // a push holds its blocks crosswise: `across = "blocked"`
   bool operator==(const ShownColumns&) const = default;
 };
 
@@ -45,11 +45,11 @@ struct CurveColumn {
   const char* unit;    // shown
   double to_unit;      // shown = SI * to_unit
   ColumnOf of;
-  const char* over;     // what of its window it is
+  const char* over;     // which value of its window: mean, end, ...
   const char* meaning;  // for docs/reference/results.md
 };
 
-// The order is that of the CSV; its first seven are promised to other programs.
+// In the order of the CSV. Other programs rely on the first seven.
 // clang-format off
 inline constexpr CurveColumn kCurveColumns[] = {
   {&CurveRow::time, "time_s", "time_s", "s", 1, ColumnOf::kAnyWall, "end of window",
@@ -90,7 +90,7 @@ inline constexpr CurveColumn kCurveColumns[] = {
 static_assert(sizeof(CurveRow) == std::size(kCurveColumns) * sizeof(double),
               "every member of a row has its line in kCurveColumns");
 
-// Those that a wall's curve shows.
+// The columns that a wall's curve shows.
 [[nodiscard]] inline std::vector<CurveColumn> columns_shown(ShownColumns of) {
   const auto is_shown = [&](const CurveColumn& column) {
     if (column.of == ColumnOf::kLintelOfZones) return of.lintel_of_zones;

@@ -1,15 +1,15 @@
-// What each pier and spandrel carried and how far it was distorted, while the wall was pushed.
+// Internal forces and distortion of each pier and spandrel during a push.
 //
-//        | N                 The force of what lies beyond an end on the element, about the middle of the end
-//     V  v   M               as it was built, in the wall's axes:
-//   -----+-----  head, 2       pier      beyond: above. N pressed +, V + towards +x, M anticlockwise +
-//    |       |                 spandrel  beyond: on the right. N pressed +, V + upwards, M anticlockwise +
-//    | pier  |               Both ends have the same sense, so that V is the same at both and M at the foot is
-//   -----+-----  foot, 1     that at the head less V times the height, but for weight and inertia between.
+//        | N                 Force of the masonry beyond an end on the element, about the middle of that end
+//     V  v   M               as built, in the axes of the wall:
+//   -----+-----  head, 2       pier      beyond: above. N compression +, V towards +x +, M anticlockwise +
+//    |       |                 spandrel  beyond: on the right. N compression +, V upwards +, M anticlockwise +
+//    | pier  |               Both ends have the same sense. So V is equal at both, and M at the foot is
+//   -----+-----  foot, 1     M at the head less V times the height, up to weight and inertia between them.
 //
-// The ends of a pier are those of its clear height, where nothing holds it on either side: the higher
-// sill and the lower head beside it. Hence the V of a storey's piers sum to its shear, and their N to the
-// weight above. The ends of a spandrel are the jambs of its opening.
+// A pier ends where its clear height does, free on both sides: at the higher sill and the lower head beside
+// it. So V of the piers of a storey sums to the storey shear, and N to the
+// weight above. A spandrel ends at the jambs of its opening.
 #pragma once
 
 #include <array>
@@ -26,7 +26,7 @@ struct ElementEnd {
   double axial = 0;   // compression [N]
   double shear = 0;   // [N]
   double moment = 0;  // [N m]
-  double turn = 0;    // of the masonry beyond it, anticlockwise [rad]
+  double turn = 0;    // rotation of the masonry beyond it, anticlockwise [rad]
 };
 
 struct ElementForces {
@@ -34,15 +34,15 @@ struct ElementForces {
   int storey = 0;
   double length = 0;  // between its ends [m]
   Vec3 along = {1, 0,
-                0};  // to the right of who looks at its wall: drift and V of a pier are along it
+                0};  // to the right of a viewer of the wall: direction of a pier's drift and V
   struct Row {
     double displacement = 0;        // of the push [m]
     std::array<ElementEnd, 2> end;  // foot and head of a pier, left and right end of a spandrel
-    double drift = 0;               // across the element, of end 2 against end 1, over its length
-    double distortion = 0;          // the drift less what its ends turned, in the mean: 0 where it
-                                    // moved as one rigid piece with what lies beyond
+    double drift = 0;               // displacement of end 2 against end 1 over the length [-]
+    double distortion = 0;          // drift less the mean rotation of both ends [-]: 0 where the
+                                    // element moved as one rigid body with the masonry beyond
   };
-  std::vector<Row> rows = {};  // the start of the push and Result::readings, in that order
+  std::vector<Row> rows = {};  // at the start of the push, then of each of Result::readings
 };
 
 // Piers, then spandrels, in the order of FailureMode::elements.

@@ -1,6 +1,6 @@
-// Errors, by their cause (docs/architecture.md): a wrong input -> InputError with every fault at
-// once; a problem of the machine or file system -> IoError; a failure of the computation ->
-// SolveStatus inside Result, never thrown.
+// Errors by cause (docs/architecture.md). Wrong input: InputError with all faults at
+// once. A problem of the machine or file system: IoError. A failure of the computation:
+// SolveStatus in Result, never an exception.
 #pragma once
 
 #include <stdexcept>
@@ -10,7 +10,7 @@
 
 namespace wythe {
 
-// One thing wrong with the input: where it stands, what was read, what is allowed, what to do.
+// One fault of the input: its place, the value read, the problem and the cure.
 struct Fault {
   std::string file;     // file name, or "--set" for an override
   std::string path;     // dotted key path, e.g. "wall.opening.0.width"
@@ -23,7 +23,7 @@ struct Fault {
 // "model.toml:12: wall.length = -3 m: must be positive; write e.g. length = \"5.10 m\""
 [[nodiscard]] std::string to_string(const Fault& fault);
 
-// All faults of one input; what() lists them one a line. Exit code 2.
+// All faults of one input; what() lists them, one a line. Programs exit with code 2.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(std::vector<Fault> faults);
@@ -33,13 +33,13 @@ class InputError : public std::runtime_error {
   std::vector<Fault> faults_;
 };
 
-// A problem of the machine or file system: missing file, unwritable folder, disk full. Exit code 4.
+// A problem of the machine or file system: missing file, unwritable folder, full disk. Programs exit with code 4.
 class IoError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-// Collects faults while a spec is read and checked, and throws them together.
+// Collects faults while a spec is read and checked, then throws them together.
 class FaultList {
  public:
   void add(Fault fault) { faults_.push_back(std::move(fault)); }

@@ -1,4 +1,4 @@
-// What is to be known of the random fields of a model (wythe/parts/field.h): the scatter that bounds leave them.
+// Notes on the random fields of a model (wythe/parts/field.h), such as the scatter that remains within bounds.
 #pragma once
 
 #include <vector>
@@ -8,12 +8,12 @@
 
 namespace wythe {
 
-// The coefficient of variation that its bounds leave a field; `cov` is of the distribution before they cut it.
-// NaN of one that follows others.
+// Coefficient of variation of a field after truncation [-]; `cov` is that of the distribution before.
+// NaN for a field that follows others.
 [[nodiscard]] double cov_of(const FieldSpec& field);
 
-// One for each field whose scatter a cut makes smaller by more than one per cent of it, and for each that takes the place
-// of a strength of [scatter] and leaves the energies alone that would follow.
+// A note for each field whose cov truncation changes by more than 1 %. Also one for each field that replaces a strength
+// of [scatter] without the fracture energies that would follow it.
 [[nodiscard]] std::vector<Message> notes_of_fields(const ModelSpec& spec);
 
 }  // namespace wythe

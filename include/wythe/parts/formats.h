@@ -7,13 +7,13 @@
 
 namespace wythe {
 
-// Writes results.h5 of the results in `folder` into `out`, which is there and empty: the tables of
-// write_export(), a group each, a dataset a column. Throws as write_export().
+// Writes results.h5 of the results in `folder` into `out`, an existing empty folder: each table of
+// write_export() is a group, each column a dataset. Throws as write_export() does.
 Exported write_export_hdf5(const std::string& folder, const std::string& out);
 
-// The blocks as they stand in this state, as a COMPAS assembly: a mesh a block in metres with z up, the supports
-// marked, an edge for each joint between two of them. Blocks of a plane wall have its thickness, half on each side
-// of the plane. What reads COMPAS files here (wall.blocks) reads it again.
+// The blocks of a state as a COMPAS assembly: one mesh a block [m, z up], supports marked, and one edge for each
+// joint between two blocks. Blocks of a plane wall extend by half the thickness on each side of
+// the plane. The reader of COMPAS files (wall.blocks) accepts the result.
 [[nodiscard]] std::string compas_json(const Model& model, const State& state);
 
 }  // namespace wythe

@@ -1,4 +1,4 @@
-// Files in and out: model TOML, blocks JSON, contact law and path, the files of `wythe run`.
+// Reads and writes files: model TOML, blocks JSON, contact law and path, and the files of `wythe run`.
 #pragma once
 
 #include <cstdint>
@@ -24,77 +24,79 @@ struct AskedWalls;        // verdict.h
 struct WallsVerdict;
 class InputError;  // error.h
 
-// `overrides` are the "path=value" texts of --set. The value is TOML, quotes may be left out; members
-// of a list are given by name or by index: stage.push.velocity=1 mm/s, stage.2.velocity=1 mm/s.
-// `blocks` is the content of the blocks file, `records` those of record files by their name in the model; where
-// there is none the file itself is read.
-// Throws IoError when the file can't be read, InputError with every fault otherwise.
+// Reads a model file. `overrides` are the "path=value" texts of --set. The value is TOML, quotes are optional; a
+// member of a list is given by name or by index: stage.push.velocity=1 mm/s, stage.2.velocity=1 mm/s.
+// `blocks` is the content of the blocks file, `records` maps names of record files to their content. A file that is
+// not among them is read from disk.
+// Throws IoError when a file can't be read, InputError with every fault otherwise.
 [[nodiscard]] ModelSpec read_model(const std::string& path,
                                    const std::vector<std::string>& overrides = {});
 [[nodiscard]] ModelSpec parse_model(const std::string& toml_text, const std::string& file_name,
                                     const std::vector<std::string>& overrides = {},
                                     const std::string& blocks = "",
                                     const std::map<std::string, std::string>& records = {});
-// compile() of a spec that was read from `toml_text` with `overrides`; its faults name file and line.
+// compile() of a spec that was read from `toml_text` with `overrides`; faults get their file and line.
 [[nodiscard]] Model compile_model(const ModelSpec& spec, const std::string& toml_text,
                                   const std::string& file_name,
                                   const std::vector<std::string>& overrides = {});
-// Reads and compiles a model file; the spec is also written to `spec` unless that is null.
+// Reads and compiles a model file; the spec is stored in `spec` unless that is null.
 [[nodiscard]] Model read_and_compile(const std::string& path,
                                      const std::vector<std::string>& overrides = {},
                                      ModelSpec* spec = nullptr);
-// Throws the faults of such a spec, each with file and line of its key.
+// Throws the faults of `error`, each with the file and line of its key.
 [[noreturn]] void throw_with_lines(const InputError& error, const ModelSpec& spec,
                                    const std::string& toml_text, const std::string& file_name,
                                    const std::vector<std::string>& overrides = {});
-// Every key with its value, defaults included; parse_model(write_model(s)) == s.
+// The model as TOML with every value, defaults included; parse_model(write_model(s)) == s.
 [[nodiscard]] std::string write_model(const ModelSpec& spec);
-// Identifies a spec: hash of the text of write_model and of its blocks.
+// Hash of a spec: of the text of write_model and of its blocks.
 [[nodiscard]] std::uint64_t spec_hash(const ModelSpec& spec);
-// What `wythe materials NAME` prints: a typical material or a rule with values, source, range and scatter;
-// "": the list of both. Throws InputError where the name is neither.
+// The text of `wythe materials NAME`: a typical material or a rule with values, source, range and scatter.
+// "" lists both. Throws InputError where the name is neither.
 [[nodiscard]] std::string materials_text(const std::string& name);
 // Markdown table of all keys: unit, range, default, meaning.
 [[nodiscard]] std::string reference_page();
-// The same keys as a JSON list, for programs that build models: {path, kind, unit, allowed, default, example,
-// meaning}. In a path [] stands for the members of a list and <name> for a name.
+// The same keys as a JSON list, for programs that make models: {path, kind, unit, allowed, default, example,
+// meaning}. In a path [] stands for a member of a list and <name> for a name.
 [[nodiscard]] std::string keys_json();
 // Markdown table of the curve's columns (curve.h), for docs/reference/results.md.
 [[nodiscard]] std::string curve_table();
-// Both into docs/reference; the table between the comments that mark it.
+// Markdown table of the responses (responses.h), for docs/reference/results.md.
+[[nodiscard]] std::string responses_table();
+// Writes all into docs/reference; the tables between the comments that mark them.
 void write_reference(const std::string& folder);
 
-// Study files (docs/reference/study.md). `overrides` that begin with study., variable., dependent. or
-// correlation. change the study, all others its base model. The base model and files of measured
-// values are read too, so that the StudySpec needs no other file. Throws as read_model does.
+// Reads a study file (docs/reference/study.md). `overrides` that begin with study., variable., dependent. or
+// correlation. change the study, all others its base model. It also reads the base model and files of
+// measured values, so that the StudySpec needs no other file. Throws as read_model() does.
 [[nodiscard]] StudySpec read_study(const std::string& path,
                                    const std::vector<std::string>& overrides = {});
 [[nodiscard]] StudySpec parse_study(const std::string& toml_text, const std::string& file_name,
                                     const std::vector<std::string>& overrides = {});
-// The study as one text, with base model and measured values; parse_study(write_study(s), s.file) == s.
+// The study with base model and measured values as one text; parse_study(write_study(s), s.file) == s.
 [[nodiscard]] std::string write_study(const StudySpec& study);
 // Whether a file is a study rather than a model: it has a [study] table.
 [[nodiscard]] bool is_study(const std::string& path);
-// The study of `wythe assess`: so many walls of a model file, drawn by its [scatter] and fields, and each way
-// of ways_of() as a [[variant]] of the first one. Throws InputError with every fault of the model, and where
+// The study of `wythe assess`: `asked` walls of a model, drawn by its [scatter] and fields. Each way of
+// ways_of() is a [[variant]] of the first one. Throws InputError with every fault of the model, and where
 // nothing scatters.
 [[nodiscard]] StudySpec assess_study(const AskedWalls& asked);
-// Makes a sample's model: base model, the study's settings and states, then the sample's settings.
+// Builds the model of a sample: base model, settings and states of the study, then settings of the sample.
 [[nodiscard]] ModelBuilder model_builder(const StudySpec& study);
 
-// LAW.toml of `wythe contact`: one [material.<any>] table (usually joint).
+// Reads LAW.toml of `wythe contact`: one table [material.NAME].
 [[nodiscard]] JointMaterial read_law(const std::string& path);
 [[nodiscard]] JointMaterial parse_law(const std::string& toml_text, const std::string& file_name);
 [[nodiscard]] std::vector<ContactPathRow> read_contact_path(const std::string& path);
-// As check_answer_file() for that answer.
+// check_answer_file() with the mark of that answer.
 void check_contact_answer(const std::string& path, const std::vector<std::string>& inputs);
 void write_contact_answer(const std::string& path, const std::vector<ContactPathRow>& rows,
                           const std::vector<ContactAnswer>& answers);
 
-// Replaces the earlier results in a folder, all of them or none. New files are written to path(), a
-// hidden folder inside; commit() moves them up and removes the old files whose names `is_replaced`
-// accepts. If the program is killed at any time, the folder holds old results only, or new ones only;
-// finish_replacement() then moves the rest. One program at a time: IoError where another one writes.
+// Replaces the earlier results in a folder, all of them or none. New files go to path(), a hidden
+// subfolder; commit() moves them up and removes old files whose names `is_replaced`
+// accepts. If the program is killed, the folder holds only old results or only new ones;
+// finish_replacement() then moves the rest. IoError where another program writes at the same time.
 class Replacement {
  public:
   using Names = std::function<bool(const std::string& name)>;
@@ -104,9 +106,9 @@ class Replacement {
   Replacement& operator=(const Replacement&) = delete;
   [[nodiscard]] const std::string& folder() const { return folder_; }
   [[nodiscard]] const std::string& path() const { return path_; }
-  // `at` is called at each point on the way, for tests: "results written", "results ready", ...
+  // Calls `at` after each stage, for tests: "results written", "results ready", ...
   void commit(const std::function<void(const char* point)>& at = {});
-  // Puts one file into the folder at once: if the program is killed, the old one or the new one is there.
+  // Writes one file into the folder at once: a killed program leaves the old file or the new one.
   void put(const std::string& name, const std::string& bytes,
            const std::function<void(const char* point)>& at = {});
 
@@ -115,37 +117,37 @@ class Replacement {
   Names is_replaced_;
   int lock_ = -1;
 };
-// Finishes the commit of a program that was killed; does nothing where there is none.
+// Completes the commit() of a program that was killed; does nothing where there is none.
 void finish_replacement(const std::string& folder);
 
-// Whose results a folder holds: a hidden file beside them names the model's file and the hash of its spec.
+// Origin of the results in a folder: a hidden file holds the model's file and the hash of its spec.
 struct Origin {
-  std::string file;  // of the model, or the folder of its campaign; "": none, asks nothing
+  std::string file;             // of the model, or the folder of its campaign; "": no check
   std::uint64_t spec_hash = 0;  // 0: not known
-  bool replaces = false;        // results of another model too
+  bool replaces = false;        // may replace results of another model
 };
-// Throws InputError where `folder` holds results of another model or campaign: of another file, and with another
-// hash.
+// Throws InputError where `folder` holds results of another model or campaign (both file and hash differ), or results
+// without a record of their origin.
 void check_origin(const std::string& folder, const Origin& origin);
-// The same for the files of `wythe limit`, which lie alone in a folder or beside those of a run.
+// check_origin() for the files of `wythe limit`, which may lie beside those of a run.
 void check_limit_folder(const std::string& folder, const Origin& origin);
-[[nodiscard]] bool is_file_of_limit(const std::string& name);
-// Of a comparison of these campaigns.
+[[nodiscard]] bool is_file_of_limit(const std::string& name);  // names of its files
+// The origin of a comparison of these campaigns.
 [[nodiscard]] Origin origin_of(const std::vector<std::string>& folders, bool replaces);
 void write_origin(const std::string& folder, const Origin& origin);
-// The Replacement for the files of `wythe run` and `replay` in `folder` (made if absent), with their origin. Throws
-// InputError where the folder holds anything else, results of another model, or the model itself; IoError where it can't be written.
+// The Replacement for the files of `wythe run` and `replay` in `folder` (made if absent), with their origin. Throws InputError where
+// the folder holds other files, results of another model, or the model itself; IoError where it can't be written.
 [[nodiscard]] std::unique_ptr<Replacement> replace_run(const std::string& folder,
                                                        const Origin& origin = {},
                                                        bool resumes = false);
-// Writes the files of a run into `folder` (made if absent), all but report.html; removes nothing.
+// Writes the files of a run into `folder` (made if absent), except report.html; removes nothing.
 void write_run(const std::string& folder, const ModelSpec& spec, const Model& model,
                const Result& result);
-// summary.json of a run; keys: docs/reference/results.md.
-// What a shake did to the wall, in one sentence; empty where nothing shook it.
+// What a shake did to the wall, in one sentence.
+// Empty where no stage shook it.
 [[nodiscard]] Message shaken_sentence(const Model& model, const Result& result);
 [[nodiscard]] std::string summary_json(const Model& model, const Result& result);
-// The same with `project` and `assessment`, where the model file asks for them.
+// summary.json of a run (keys: docs/reference/results.md), with `project` and `assessment` where the model has them.
 [[nodiscard]] std::string summary_json(const ModelSpec& spec, const Model& model,
                                        const Result& result);
 // samples.csv of a campaign; columns: docs/reference/store.md.
@@ -160,33 +162,33 @@ void write_run(const std::string& folder, const ModelSpec& spec, const Model& mo
 // mechanisms.json and mechanism_<name>.csv of `wythe limit`; keys: docs/reference/limit.md.
 [[nodiscard]] std::string mechanisms_json(const Model& model, const SecondOpinion& opinion);
 [[nodiscard]] std::string mechanism_csv(const CapacityCurve& curve);
-// The run, or the samples that answered, in a folder of `wythe run` or `wythe campaign`. Throws
-// InputError when it holds neither, IoError when its files are damaged.
+// Reads the run, or the answered samples, from a folder of `wythe run` or `wythe campaign`. Throws
+// InputError where it holds neither, IoError where its files are damaged.
 [[nodiscard]] std::vector<ComparedRun> read_compared_runs(const std::string& folder);
-// A run or a campaign as CSV tables and columns.json (docs/howto/export.md).
+// Counts of an export: CSV tables of a run or a campaign with columns.json (docs/howto/export.md).
 struct Exported {
-  int samples = 0, missing = 0;       // written; of the study, not run
-  std::int64_t rows = 0, states = 0;  // of all curves; stored states
+  int samples = 0, missing = 0;       // samples written; samples of the study that did not run
+  std::int64_t rows = 0, states = 0;  // rows of all curves; stored states
 };
-// Writes the tables of the results in `folder` into `out`, which is there and empty. Throws InputError where
+// Writes the tables of the results in `folder` into `out`, an existing empty folder. Throws InputError where
 // there are no results, IoError where they are damaged.
 Exported write_export(const std::string& folder, const std::string& out);
-// The Replacement for these tables (made if absent). Throws InputError where it holds anything else, or tables of
-// other results than those of `origin`.
+// The Replacement for exported tables (made if absent). Throws InputError where the folder holds other files, or tables of
+// results of another origin.
 [[nodiscard]] std::unique_ptr<Replacement> replace_export(const std::string& out,
                                                           const Origin& origin = {});
-// Content of a file of packed data, e.g. report.data; throws InputError where it can be none, and IoError.
+// Reads a file of packed data, such as report.data. Throws InputError where it is no such file, IoError as read_file().
 [[nodiscard]] std::string read_data(const std::string& path);
-// Writes a whole file at once or throws IoError; never leaves half a file, never follows a link.
+// Writes a whole file at once, never half a file and never through a link. Throws IoError.
 void write_text(const std::string& path, const std::string& text);
-// For a command that writes one file: throws InputError where `path` is one of its `inputs`, or a file that does
-// not begin as an earlier answer of it does, with `mark` in its first lines. Nothing there is fine, an empty file too.
+// Check before a command writes one file. Throws InputError where `path` is one of its `inputs`, or a file without `mark`
+// in its first lines, which is no earlier answer. No file and an empty file are accepted.
 void check_answer_file(const std::string& path, const std::vector<std::string>& inputs,
                        const std::string& mark);
-// Throws InputError when `folder` holds results of another kind, since their report would be lost.
+// Throws InputError when `folder` holds results of the other kind, whose report would be lost.
 enum class FolderFor { kRun, kCampaign };
 void check_folder(const std::string& folder, FolderFor use);
-// Makes `folder` and checks that results can be written into it; throws IoError.
+// Makes `folder` and checks that it is writable; throws IoError.
 void prepare_folder(const std::string& folder);
 
 }  // namespace wythe

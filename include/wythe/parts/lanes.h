@@ -1,10 +1,10 @@
-// How many walls of a campaign a core steps side by side.
+// Number of walls of a campaign that a core steps side by side.
 #pragma once
 
 namespace wythe {
 
-// Of `walls` that the core is given. The environment variables WYTHE_SIMD and WYTHE_LANES choose others than this
-// processor's best; throws InputError where the machine does not have them.
+// Lanes for a core with `walls` walls: at most `walls`. The environment variables WYTHE_SIMD and WYTHE_LANES override this
+// processor's best choice; throws InputError where the machine does not have them.
 [[nodiscard]] int lanes_for(int walls);
 
 }  // namespace wythe

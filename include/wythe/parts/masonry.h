@@ -1,6 +1,6 @@
-// What tests say about units, mortar and masonry: the inputs of the rules for materials.
+// Test results of units, mortar and masonry: the inputs of the rules for materials.
 //
-// Read by src/materials, which derives joint laws from it (docs/theory/material_rules.md).
+// src/materials derives joint laws from them (docs/theory/material_rules.md).
 #pragma once
 
 #include <limits>
@@ -11,7 +11,7 @@
 
 namespace wythe {
 
-// Kinds of unit; tests give ratios for most of them.
+// Kinds of unit; for most of them tests give ratios of properties.
 enum class UnitType {
   kUnstated,
   kClay,
@@ -35,29 +35,29 @@ inline constexpr Word<UnitType> kUnitTypeWords[] = {
     {"tuff", UnitType::kTuff},
     {"stone", UnitType::kStone}};
 
-// Mean values of tests [SI]; NaN where there are none.
+// Mean values of tests [SI]; NaN where not tested.
 struct MasonrySpec {
   static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   UnitType unit_type = UnitType::kUnstated;
   double unit_strength = kNone;               // fb, normalised, gross section [Pa]
   double mortar_strength = kNone;             // fmo [Pa]
   double masonry_strength = kNone;            // fm, across the bed joints [Pa]
-  double vertical_stress = kNone;             // mean, in the wall under its loads [Pa]
-  double initial_shear_strength = kNone;      // fv0 of triplets [Pa]
-  double diagonal_shear_strength = kNone;     // tau0, of panels that crack along a diagonal [Pa]
-  double friction_tan = kNone;                // mu of triplets
+  double vertical_stress = kNone;             // mean compression of the wall under its loads [Pa]
+  double initial_shear_strength = kNone;      // fv0 from triplet tests [Pa]
+  double diagonal_shear_strength = kNone;     // tau0 of panels that crack diagonally [Pa]
+  double friction_tan = kNone;                // mu from triplet tests [-]
   double youngs_modulus = kNone;              // E of masonry, across the bed joints [Pa]
   double shear_modulus = kNone;               // G of masonry [Pa]
-  double weight = kNone;                      // of a volume of masonry [N/m^3]
+  double weight = kNone;                      // of masonry per volume [N/m^3]
   double density = kNone;                     // of the masonry [kg/m^3]
   double unit_youngs_modulus = kNone;         // Eu [Pa]
   double mortar_youngs_modulus = kNone;       // Em [Pa]
   double interface_normal_stiffness = kNone;  // kn_i between elastic units, as published [Pa/m]
   double interface_shear_stiffness = kNone;   // ks_i [Pa/m]
   double joint_thickness = kNone;             // of a bed joint [m]
-  double course_height = kNone;               // unit and bed joint [m]
-  double unit_length = kNone;                 // unit and head joint [m]
-  std::vector<std::string> origin = {};       // where values come from that were not given
+  double course_height = kNone;               // height of unit plus bed joint [m]
+  double unit_length = kNone;                 // length of unit plus head joint [m]
+  std::vector<std::string> origin = {};       // sources of values that were not given
 };
 
 }  // namespace wythe

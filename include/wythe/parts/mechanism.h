@@ -1,4 +1,4 @@
-// How the wall as a whole moves, in one short sentence: docs/theory/failure_modes.md, "Mechanism".
+// The mechanism of the whole wall in one short sentence: docs/theory/failure_modes.md, "Mechanism".
 //
 //   "soft storey 1: the piers fail in shear"      "the wall slides on its foundation"
 //   "weak spandrels, and the piers rock"          "unclear: the piers rock; or one pier fails in shear"
@@ -15,14 +15,14 @@ namespace wythe {
 struct WallMechanism {
   std::string name = "none";  // "base sliding", "piers in shear", "weak spandrels, rocking piers",
                               // ..., "partial", "none", "unclear"
-  std::vector<int> storeys = {};              // whose piers move so; empty: not a matter of storeys
-  std::vector<std::string> candidates = {};   // of "unclear": the two nearest
-  std::map<std::string, double> scores = {};  // 0 to 1, together 1
-  Message sentence = {};                      // empty where there is no state to read
+  std::vector<int> storeys = {};              // whose piers move so; empty: not of single storeys
+  std::vector<std::string> candidates = {};   // of "unclear": the two most likely
+  std::map<std::string, double> scores = {};  // 0 to 1, their sum is 1
+  Message sentence = {};                      // empty where no state was read
 };
 
 [[nodiscard]] WallMechanism mechanism_from_state(const Model& model, const State& state);
-// From the state that name_failure_mode() reads, with the same rules and doubts.
+// Reads the mechanism from the state that name_failure_mode() reads, by the same rules and doubts.
 [[nodiscard]] WallMechanism read_mechanism(const Model& model, const Result& result,
                                            double read_at = kReadModesAt);
 

@@ -1,11 +1,11 @@
-// What the engine has to say, as data: a code and its arguments. Words for every code stand in one
-// table, in each language: src/core/messages.json.
+// Messages of the engine as data: a code and its arguments. One table holds the text of every code
+// in each language: src/core/messages.json.
 //
 //   Message{"stage.not_settled", {{"stage", "gravity"}, {"ratio", 0.02}, ...}}
 //   text_of(it)        stage "gravity" did not settle: unbalance ratio 0.02 ...
 //   text_of(it, "it")  la fase “gravity” non ha raggiunto la quiete: ...
 //
-// Ask the code what happened, never the text.
+// Programs test the code, never the text.
 #pragma once
 
 #include <concepts>
@@ -20,8 +20,8 @@ namespace wythe {
 
 struct Message;
 
-// A number in the unit its name ends with (displacement_mm), a name as it is (of a block, a stage, a
-// key), or other messages.
+// An argument: a number in the unit that its name ends with (displacement_mm), the name of a block, stage or
+// key, or other messages.
 struct Argument {
   std::string name;
   std::variant<double, std::string, std::vector<Message>> value;
@@ -36,20 +36,20 @@ struct Argument {
 };
 
 struct Message {
-  std::string code = {};  // "": nothing is said
+  std::string code = {};  // "": no message
   std::vector<Argument> arguments = {};
   [[nodiscard]] bool empty() const { return code.empty(); }
-  // The number of that name; NaN where there is none.
+  // The argument of that name as a number; NaN where there is none.
   [[nodiscard]] double number(std::string_view called) const;
 };
 [[nodiscard]] bool operator==(const Message& a, const Message& b);
 [[nodiscard]] bool operator==(const Argument& a, const Argument& b);
 
-// Words that stand as they are in every language: a user's own.
+// A text that is the same in every language, such as a user's own.
 [[nodiscard]] Message as_text(std::string text);
 
-// In words; languages are those of report_languages() (report.h), any other reads as English. A code
-// that the table has not stands for itself.
+// The text of a message; languages are those of report_languages() (report.h), any other gives English. A code
+// without an entry in the table gives the code.
 [[nodiscard]] std::string text_of(const Message& message, std::string_view language = "en");
 [[nodiscard]] std::vector<std::string> texts_of(const std::vector<Message>& messages,
                                                 std::string_view language = "en");

@@ -1,9 +1,9 @@
-// The compiled wall: flat arrays, one group per stage of the computation that reads them.
+// The compiled wall: flat arrays, grouped by the pass of the computation that reads them.
 //
-//   WallSpec --compile()--> Model (const)  +  State (mutable, exactly what a restart needs)
+//   ModelSpec --compile()--> Model (const)  +  State (mutable, exactly what a restart needs)
 //
 // Block  : centroid, mass, polar inertia; moves by (ux, uy, theta).
-// Joint  : a face pair. Side a may be the ground. At the start both faces coincide:
+// Joint  : a pair of faces. Side a may be the ground. Both faces coincide at the start:
 //
 //              b                 t  along the face,   half = e = half the face vector (along t)
 //        ------------> t         n  on the left of t, from a to b
@@ -36,7 +36,7 @@ using JointId = std::int32_t;
 using PointId = std::int32_t;  // joint * n_face_point + k
 inline constexpr BlockId kGroundBlock = -1;
 
-// The numbers of roles and kinds stand in VTU files (docs/reference/results.md): they never change.
+// VTU files hold the numbers of roles and kinds (docs/reference/results.md), so these never change.
 enum class BlockRole : std::uint8_t {
   kMasonry = 0,
   kLintel = 1,
@@ -78,7 +78,7 @@ inline constexpr Word<JointKind> kJointKindWords[] = {{"bed", JointKind::kBed},
                                                       {"other", JointKind::kOther},
                                                       {"frame", JointKind::kFrame},
                                                       {"coat", JointKind::kCoat}};
-// Codes of the messages that name them to a reader.
+// Codes of the messages that give their names.
 inline constexpr Word<JointKind> kJointKindCodes[] = {{"joint.bed", JointKind::kBed},
                                                       {"joint.head", JointKind::kHead},
                                                       {"joint.unit", JointKind::kSplit},
@@ -91,7 +91,7 @@ inline constexpr Word<JointKind> kJointKindCodes[] = {{"joint.bed", JointKind::k
                                                       {"joint.frame", JointKind::kFrame},
                                                       {"joint.coat", JointKind::kCoat}};
 
-// A dead load that keeps its direction and follows a point of a block.
+// A dead load of constant direction at a point of a block.
 struct PointLoad {
   BlockId block = 0;
   double arm_x = 0, arm_y = 0;  // from the centroid, in the block's own axes [m]
@@ -99,7 +99,7 @@ struct PointLoad {
   double arm_z = 0, fz = 0;     // in space
 };
 
-// A point of a block whose motion is told over time.
+// A point of a block whose motion is recorded over time ([[history]]).
 struct WatchedPoint {
   std::string name;
   BlockId block = 0;
@@ -107,7 +107,7 @@ struct WatchedPoint {
   double height = 0;  // above the lowest point of the wall [m]
 };
 
-// Viscous elements at closed contacts of a shaken wall, and what they mean for the step (docs/theory/dynamics.md).
+// Viscous elements at closed contacts of a wall under a record (docs/theory/dynamics.md).
 //
 //           +----/\/\/\----+                 the contact itself: k
 //           |              |
@@ -115,10 +115,10 @@ struct WatchedPoint {
 //           |              |
 //           +-/\/\/--[ ]---+                 a Maxwell element: spring share k, relaxation time
 struct Dashpots {
-  // Of joints, one row each: stress per rate [Pa s/m]; empty: none.
+  // Of joints, one row each: stress per rate of opening or slip [Pa s/m]; empty: none.
   std::vector<double> normal, shear;
   double rate = 0;  // bound on the highest eigenvalue of M^-1 C [1/s]
-  // Of free contacts, whose stiffness k [N/m] and mass m between them come and go:
+  // Of free contacts, with the current stiffness k [N/m] and mass m between the bodies:
   // c = proportional k + 2 impact sqrt(k m).
   double proportional = 0;  // [s]
   double impact = 0;        // fraction of critical damping [-]
@@ -128,36 +128,36 @@ struct Dashpots {
   [[nodiscard]] bool any() const { return !normal.empty() || spring_share > 0; }
 };
 
-// One stage, ready to run: blocks, newtons, metres and seconds in place of words.
+// A stage ready to run, in block numbers and SI units.
 struct Stage {
-  StageSpec spec;  // with all defaults written in
+  StageSpec spec;  // with all defaults filled in
   std::vector<PointLoad> loads;
   std::vector<BlockId> driven;
-  // Force on each driven block over their mean force: all 1 without a pattern. Their weighted mean
-  // displacement is what the push prescribes.
+  // Force on each driven block over their mean force; all 1 without a pattern. The push prescribes the
+  // displacement of the driven blocks, averaged with these weights.
   std::vector<double> driven_share;
-  BlockId control = -1;             // whose displacement the push follows; -1: the driven mean
+  BlockId control = -1;             // its displacement controls the push; -1: the driven mean's
   double drive_x = 0, drive_y = 0;  // unit vector of the push
   double drive_z = 0;               // in space
   double load_height = 0;           // height of the driven blocks' mean centroid [m]
-  // From the centroid of the one driven block, the head, to the line of the push, in the head's own axes [m];
-  // unset: through the centroids (docs/theory/integration.md, "The point of contraflexure").
+  // Distance of the line of the push from the centroid of the only driven block, the head, in the axes of the head [m];
+  // unset: the line passes through the centroids (docs/theory/integration.md, "The point of contraflexure").
   double drive_arm = kUnset;
-  // A shake: the motion of the base by its components; along the drive, how the driven blocks or supports
-  // move against it; inertia that weights do not tell of (floors, plates).
+  // A shake: components of the motion of the base; along the drive, the motion of driven blocks or supports
+  // against it; inertia that no weight represents (floors, plates).
   std::vector<GroundMotion> base;
   GroundMotion driven_motion;
-  std::vector<PointLoad> carried;  // block, and in fx the mass [kg]
+  std::vector<PointLoad> carried;  // its fx holds the mass [kg]
   Dashpots dashpots;
 
   [[nodiscard]] Vec3 drive() const { return {drive_x, drive_y, drive_z}; }
 };
 
-// Names and positions, for pictures, failure modes and reports; the step never reads them.
+// Names and positions for pictures, failure modes and reports; no pass of the step reads them.
 struct Anatomy {
   std::vector<std::string> block_id;
   std::vector<BlockRole> block_role;
-  std::vector<int> block_course;             // -1 where it has no meaning
+  std::vector<int> block_course;             // -1 where a course has no meaning
   std::vector<double> block_thickness;       // [m]
   std::vector<int> outline_begin;            // (n_block + 1) into outline_x, outline_y
   std::vector<double> outline_x, outline_y;  // in the wall's axes at the start [m]
@@ -172,8 +172,8 @@ struct Anatomy {
   int courses = 0;
   int masonry_blocks_before_lintels = 0;
   int lost_joints = 0;
-  std::vector<DrawnField> fields;  // what varies within the wall
-  std::vector<Message> notes;      // what the builder fitted or left out
+  std::vector<DrawnField> fields;  // fields of the wall
+  std::vector<Message> notes;      // what the builder adjusted or omitted
 };
 
 // One deformable block: columns x rows zones, counted from the lower left, or triangles.
@@ -183,29 +183,29 @@ struct SolidBody {
   double x0 = 0, y0 = 0, x1 = 0, y1 = 0;  // bounds [m]
   int columns = 0, rows = 0;              // 0 for triangles
   int first_node = 0, n_node = 0, first_zone = 0, n_zone = 0;
-  std::vector<std::int32_t> rim;  // nodes of its outline, anticlockwise, each once
+  std::vector<std::int32_t> rim;  // nodes of its outline, anticlockwise, each listed once
   double tension_limit = kUnset, compression_limit = kUnset;  // [Pa]
   [[nodiscard]] int node(int i, int j) const { return first_node + j * (columns + 1) + i; }
   [[nodiscard]] int zone(int i, int j) const { return first_zone + j * columns + i; }
 };
 
-// The deformable blocks: nodes, zones between them, and their contacts with rigid blocks.
+// Deformable blocks in the plane: nodes, the zones between them, and their contacts with rigid blocks.
 //
 //        q           p-q  an edge of a zone; a contact is the overlap of one edge with one face of a
-//   a    |           rigid block a (the ground: block n_block, at rest). Its two points are the ends
-//   =====o 1         of the overlap, half the area each; on the edge they are shared linearly:
+//   a    |           rigid block a (or the ground: block n_block, at rest). Its two points are the ends
+//   =====o 1         of the overlap, half the area each. Their positions on the edge are linear:
 //        |           point k is (1 - share_k) p + share_k q.
 //   =====o 0         n from a to the zone, on the left of t.
 //        p
 struct Solids {
   int n_node = 0, n_zone = 0, n_contact = 0;
 
-  // read by the pass over zones (one row per zone)
+  // read by the pass over zones (one row a zone)
   std::array<std::vector<std::int32_t>, 4> corner;  // nodes, anticlockwise
   std::vector<std::int32_t> zone_shape;             // into shapes; equal for all of a body
   std::vector<ZoneShape> shapes;
 
-  // read by the pass over their contacts (one row per contact, sorted by material)
+  // read by the pass over zone contacts (one row a contact, sorted by material)
   std::vector<BlockId> contact_block;                        // n_block on the ground
   std::vector<std::int32_t> contact_p, contact_q;            // nodes of the edge
   std::vector<double> share_0, share_1;                      // [-]
@@ -214,8 +214,8 @@ struct Solids {
   std::vector<double> contact_area;                          // [m^2]
   std::vector<std::int32_t> contact_material;                // into Model::materials
 
-  // read by the pass over nodes (one row per node); an entry is the place of the force of a zone's corner or of
-  // a contact's end, as join_nodes (src/solids/mesh.cpp) numbers them
+  // read by the pass over nodes (one row a node). An entry is the index of the force at a zone's corner or at
+  // a contact's end, in the numbering of join_nodes (src/solids/mesh.cpp).
   std::vector<std::int32_t> zone_begin, zone_entry;        // CSR
   std::vector<std::int32_t> contact_begin, contact_entry;  // CSR
   std::vector<double> node_x, node_y;                      // at the start [m]
@@ -226,82 +226,82 @@ struct Solids {
 };
 
 // A bar between two points: of two blocks, or of the ground (a) and a block (b).
-// An anchor of a frame is two links: it is pulled out (anchor) and sheared off (dowel).
+// An anchor of a frame is two links: kAnchor resists pull-out, kDowel shear.
 enum class LinkKind { kTie, kDiaphragm, kSpring, kAnchor, kDowel, kWedge };
 inline constexpr Word<LinkKind> kLinkKindWords[] = {
     {"tie", LinkKind::kTie},       {"diaphragm", LinkKind::kDiaphragm},
     {"spring", LinkKind::kSpring}, {"anchor", LinkKind::kAnchor},
     {"dowel", LinkKind::kDowel},   {"wedge", LinkKind::kWedge}};
 
-// Ties, diaphragms and springs (docs/theory/links.md), anchors and wedges of frames (docs/theory/frames.md), one row
-// per link.
+// Ties, diaphragms and springs (docs/theory/links.md), anchors and wedges of frames (docs/theory/frames.md); one row
+// a link.
 struct Links {
   int n = 0;
   std::vector<BlockId> a, b;  // a is kGroundBlock at an anchor
   std::vector<double> arm_a_x, arm_a_y, arm_b_x,
-      arm_b_y;                           // ends seen from the centroids [m]; 0 of the ground
+      arm_b_y;                           // ends from the centroids [m]; 0 on the ground
   std::vector<double> arm_a_z, arm_b_z;  // the same; 0 in the plane
   std::vector<double> span_x, span_y,
       span_z;                       // from a to b at the start [m]; of a spring a unit vector
-  std::vector<double> follows;      // 1: its line turns with its ends; 0: keeps its direction
+  std::vector<double> follows;      // 1: its line turns with its ends; 0: constant direction
   std::vector<double> stiffness;    // [N/m]
-  std::vector<double> tension;      // force at which it yields, 0: hangs slack [N]
-  std::vector<double> compression;  // the same when pressed, as a positive number [N]
-  std::vector<double> prestress;    // force drawn in along with the stage set_by [N]
-  std::vector<double> jack;         // force of a wedge, driven in by the stage that puts it up [N]
-  std::vector<std::string> name;    // different from each other
+  std::vector<double> tension;      // yield force in tension, 0: hangs slack [N]
+  std::vector<double> compression;  // yield force in compression, positive [N]
+  std::vector<double> prestress;    // force that shortens the link during stage set_by [N]
+  std::vector<double> jack;         // force of a wedge, applied by the stage that installs it [N]
+  std::vector<std::string> name;    // unique
   std::vector<LinkKind> kind;
-  int set_by = -1;  // the stage whose smooth start draws them taut; -1: none is prestressed
+  int set_by = -1;  // stage whose ramp applies prestress; -1: none is prestressed
 };
 
-// One straight part of a frame, from corner to corner along its way.
+// One straight part of a frame, from corner to corner.
 struct FrameMember {
   int frame = 0;                            // into Frames::name
   Message words;                            // "left column"
   double length = 0;                        // [m]
-  double x0 = 0, y0 = 0;                    // where it begins in its plane, as built [m]
+  double x0 = 0, y0 = 0;                    // its beginning in the plane of the frame, as built [m]
   double direction_x = 0, direction_y = 0;  // unit vector there
-  // of its section, all pieces together
+  // of the section, all its pieces together
   double area = 0, shear_area = 0;                // [m^2]
   double second_moment = 0, plastic_modulus = 0;  // [m^4], [m^3]
   double youngs_modulus = 0, yield_strength = 0;  // [Pa]
   double fibre = 0;                               // I / Wpl: of the outer fibres from the axis [m]
 };
 
-// Frames as chains of rigid segments (docs/theory/frames.md), one row per link: the section of three fibres between two
+// Frames as chains of rigid segments (docs/theory/frames.md); one row a link, a section of three fibres between two
 // segments, or between the ground (a) and a foot.
 struct Frames {
   int n = 0;
   std::vector<BlockId> a, b;  // a is kGroundBlock at a foot
   std::vector<double> arm_a_x, arm_a_y, arm_b_x,
-      arm_b_y;                                            // the section seen from the centroids [m]
+      arm_b_y;                                            // section from the centroids [m]
   std::vector<double> axis_x, axis_y;                     // along the member, from a to b
-  std::vector<double> rest_x, rest_y;                     // b's start against a's (gaps) [m]
+  std::vector<double> rest_x, rest_y;                     // initial offset of b from a (gaps) [m]
   std::vector<double> outer_stiffness, middle_stiffness;  // of one outer fibre, of the middle [N/m]
   std::vector<double> shear_stiffness;                    // [N/m]
   std::vector<double> fibre;                              // of the outer ones from the axis [m]
   std::vector<double> outer_yield, middle_yield;          // [N]
 
-  // in space beside these: the third components; what is left of the member's way, and across its plane
+  // in space in addition: third components; unit vector to the left of the member; normal to the frame's plane
   std::vector<double> arm_a_z, arm_b_z, axis_z, rest_z;
   std::vector<Vec3> left;
-  std::vector<double> aside_stiffness;                  // in shear across the plane [N/m]
-  std::vector<double> lean_stiffness, twist_stiffness;  // about the left, about the axis [N m]
+  std::vector<double> aside_stiffness;                  // shear stiffness normal to the plane [N/m]
+  std::vector<double> lean_stiffness, twist_stiffness;  // about `left`; about the axis [N m]
 
-  // read by results alone
+  // read by results only
   std::vector<std::int32_t> member;  // into members
-  std::vector<double> place;         // along its member [m]
-  std::vector<double> length;        // whose curvature it has [m]
+  std::vector<double> place;         // distance along its member [m]
+  std::vector<double> length;        // length of member that the section represents [m]
   std::vector<FrameMember> members;
-  std::vector<std::string> name;  // of frames, different from each other
+  std::vector<std::string> name;  // of frames, unique
 
-  // Blocks that do not start where their outlines are drawn, by the gap to the masonry.
+  // Blocks that start away from their drawn outlines, by the gap to the masonry.
   std::vector<BlockId> moved;
   std::vector<double> moved_x, moved_y, moved_z;  // [m]; z in space alone
 };
 
-// What stands when, where stages cut openings and put up what goes into them (docs/theory/cutting.md): block i stands in
-// the stages from[i] to until[i] - 1, a joint or a section as long as what it joins. Empty: all stands always.
+// Which blocks stand in which stage, where stages cut openings and insert parts (docs/theory/cutting.md). Block i stands in
+// the stages from[i] to until[i] - 1, a joint or section as long as both its sides. Empty: all stand in all stages.
 struct Standing {
   std::vector<std::int32_t> from, until;  // (n_block)
   [[nodiscard]] bool any() const { return !from.empty(); }
@@ -313,41 +313,41 @@ struct Standing {
   [[nodiscard]] bool joins(BlockId a, BlockId b, int stage) const {
     return holds(a, stage) && holds(b, stage);
   }
-  // Whether what is between them is put up by this stage.
+  // Whether this stage installs what connects a and b.
   [[nodiscard]] bool begins(BlockId a, BlockId b, int stage) const {
     return stage > 0 && joins(a, b, stage) && !joins(a, b, stage - 1);
   }
 };
 
-// Layers of fibres on the masonry (docs/theory/layers.md): strands, and on each a chain of nodes, one row per node in
-// the order of its strand. A node is bonded to its block and slips on it; fibres pull between it and the next node.
+// Layers of fibres on the masonry (docs/theory/layers.md): strands, each a chain of nodes; one row a node in the
+// order of the strands. A node is bonded to its block and may slip; fibres connect it with the next node.
 //
-//     o===o===o===|=o===o===o     fibres; where they cross a joint, both nodes are on different blocks
-//     '   '   '   | '   '   '     bond, each over the length of its node
+//     o===o===o===|=o===o===o     fibres; across a joint the two nodes are on different blocks
+//     '   '   '   | '   '   '     bond, over the length of each node
 //    -- block ----|--- block ---
 struct Layers {
   int n = 0;
   std::vector<BlockId> a,
-      b;  // block of the node and of the next one; of the last of a strand its own
+      b;  // blocks of the node and of the next one; equal at a strand's end
   std::vector<double> arm_a_x, arm_a_y, arm_b_x,
-      arm_b_y;                            // both nodes seen from the centroids [m]
+      arm_b_y;                            // both nodes from the centroids [m]
   std::vector<double> span_x, span_y;     // from the node to the next at the start [m]
-  std::vector<double> stiffness;          // of the fibres between both [N/m]; 0 after the last
-  std::vector<double> strength;           // at which they break [N]
-  std::vector<double> bond_energy;        // to detach the node [J]
+  std::vector<double> stiffness;          // of the fibres between them [N/m]; 0 after the last
+  std::vector<double> strength;           // tensile strength of the fibres [N]
+  std::vector<double> bond_energy;        // energy that detaches the node [J]
   std::vector<double> bond_rate;          // B [1/m]
-  std::vector<std::int32_t> crossing;     // into cross_a where they cross a joint, else -1
+  std::vector<std::int32_t> crossing;     // into cross_a where the fibres cross a joint, else -1
   std::vector<BlockId> cross_a, cross_b;  // (n_crossing)
 
-  // read by results alone
-  std::vector<std::int32_t> layer, strand;  // into name; of each layer from 0
-  std::vector<double> length;               // of bond [m]
+  // read by results only
+  std::vector<std::int32_t> layer, strand;  // into name; number in its layer, from 0
+  std::vector<double> length;               // bonded length [m]
   std::vector<double> x, y;                 // of the node at the start [m]
-  std::vector<std::string> name;            // of layers, different from each other
+  std::vector<std::string> name;            // of layers, unique
 };
 
-// One deformable block in space: zones along its three directions a, b, c, of which b is the one nearest to y. Corner
-// i of the block, numbered as a zone's, is the end of a, b and c whose bits are those of a zone's corner.
+// One deformable block in space: zones along its directions a, b, c; b is the one nearest to y. Its corner i
+// lies at the same ends of a, b and c as corner i of a zone.
 struct SpaceSolidBody {
   BodySpec body;
   Vec3 centroid;  // at the start [m]
@@ -363,33 +363,33 @@ struct SpaceSolidBody {
   }
 };
 
-// The deformable blocks of a wall in space (docs/theory/zones.md, "Zones in space"): nodes, zones between them, and
+// Deformable blocks in space (docs/theory/zones.md, "Zones in space"): nodes, the zones between them, and
 // their contacts with rigid blocks and supports.
 //
 // A contact is the overlap of one side of a zone, with nodes p0 to p3, and one face of a rigid block a. Its points
-// stand at centre + r1 t1 + r2 t2 on the face, n from a to the zone; on the side they are the sum of share_k p_k.
-// The points' r1, r2 and shares of the area follow those of the joints in Space, as their history does.
+// are centre + r1 t1 + r2 t2 on the face, with n from a to the zone; on the side they are the sum of share_k p_k.
+// Their r1, r2, shares of the area and history follow those of the joints (Space, State).
 struct SpaceSolids {
   int n_node = 0, n_zone = 0, n_contact = 0;
 
-  // read by the pass over zones (one row per zone)
-  std::vector<std::int32_t> corner;      // nodes, eight a zone
+  // read by the pass over zones (one row a zone)
+  std::vector<std::int32_t> corner;      // nodes, eight for each zone
   std::vector<std::int32_t> zone_shape;  // into shapes
   std::vector<HexahedronShape> shapes;
 
-  // read by the pass over their contacts (one row per contact)
+  // read by the pass over zone contacts (one row a contact)
   std::vector<BlockId> contact_block;      // a block, or support n_block + i
   std::vector<std::int32_t> contact_body;  // into bodies
-  std::vector<std::int32_t> contact_node;  // four a contact
+  std::vector<std::int32_t> contact_node;  // four for each contact
   std::vector<std::int32_t>
       point_begin;                 // CSR (n_contact + 1) into the points, from Model::n_point() on
-  std::vector<double> node_share;  // four a point
-  std::vector<Vec3> contact_arm;   // centre seen from a's centroid [m]
+  std::vector<double> node_share;  // four for each point
+  std::vector<Vec3> contact_arm;   // centre from a's centroid [m]
   std::vector<Vec3> contact_tangent, contact_normal;  // t1, n
   std::vector<double> contact_area;                   // [m^2]
   std::vector<std::int32_t> contact_material;         // into Model::materials
 
-  // read by the pass over nodes (one row per node)
+  // read by the pass over nodes (one row a node)
   std::vector<std::int32_t> zone_begin, zone_entry;        // CSR; entry: 8 zone + corner
   std::vector<std::int32_t> contact_begin, contact_entry;  // the same; 4 contact + k
   std::vector<double> node_mass, node_gravity_mass;        // inertia; mass for the weight [kg]
@@ -399,30 +399,30 @@ struct SpaceSolids {
   std::vector<SpaceSolidBody> bodies;
 };
 
-// Walls in space: what the plane's arrays of the Model do not hold (docs/theory/space.md). Empty in a plane
-// wall; in space the plane's arms, faces and points are.
+// Arrays of walls in space that have no counterpart in the plane (docs/theory/space.md). Empty in a plane
+// wall; in space the plane's arrays of arms, faces and points are empty.
 //
 //        n                t1, t2 and n = t1 x t2 are right-handed; n points from a to b.
-//        |   t2           Block b of a joint is free; a is free, or support a - n_block.
-//     +--|--/------+      Point k of joint j stands at centre + r1_k t1 + r2_k t2, with
+//        |   t2           Block b of a joint is free; a is free or support a - n_block.
+//     +--|--/------+      Point k of joint j is centre + r1_k t1 + r2_k t2 and carries
 //    /   | /   .  /       the area share_k * area_j.
 //   /    o-----> t1
 //  +------------+
 struct Space {
   int n_support = 0;
 
-  // read by the pass over joint faces (one row per joint, sorted by law, support and number of points)
+  // read by the pass over joint faces (one row a joint, sorted by law, support and number of points)
   std::vector<Vec3> arm_a, arm_b;          // face centre seen from the centroids [m]
   std::vector<Vec3> tangent, normal;       // t1, n at the start
   std::vector<std::int32_t> point_begin;   // CSR (n_joint + 1) into the next three
   std::vector<double> point_r1, point_r2;  // [m]
-  std::vector<double> point_share;         // of the face's area; of each face they sum to 1
+  std::vector<double> point_share;         // share of the face's area; sums to 1 on each face
 
-  // read by the pass over blocks (one row per block)
+  // read by the pass over blocks (one row a block)
   std::vector<Vec3> axis_1, axis_2, axis_3;  // principal axes at the start, right-handed
   std::vector<Vec3> inertia;                 // about them [kg m^2]
-  std::vector<Vec3> centroid;                // at the start [m]; the supports' follow
-  // names and shapes, for pictures and reports; bodies are the blocks, then the supports
+  std::vector<Vec3> centroid;                // at the start, blocks then supports [m]
+  // names and shapes for pictures and reports; blocks first, then supports
   std::vector<BodySpec> body;
   std::vector<std::vector<Vec3>>
       face;  // outline of each joint at the start, anticlockwise about n [m]
@@ -433,7 +433,7 @@ struct Space {
 struct Model {
   int n_block = 0, n_joint = 0, n_pair = 0, n_face_point = 2;
 
-  // read by forces (one row per joint)
+  // read by forces (one row a joint)
   std::vector<BlockId> joint_a, joint_b;       // a is kGroundBlock on the ground
   std::vector<std::int32_t> joint_material;    // into materials
   std::vector<double> arm_a_x, arm_a_y;        // [m] (n_joint)
@@ -444,10 +444,10 @@ struct Model {
   std::vector<double> area;                    // [m^2] (n_joint)
   std::vector<double> point_xi, point_weight;  // (n_face_point), weights sum to 1
 
-  // read by gather and integrate (one row per block)
+  // read by gather and integrate (one row a block)
   std::vector<std::int32_t> block_begin;       // CSR (n_block + 1) into block_entry
   std::vector<std::int32_t> block_entry;       // 2 joint + side (0: block is a, 1: block is b);
-                                               // of each block first those of side a
+                                               // entries of side a come first
   std::vector<double> mass;                    // inertia [kg] (n_block)
   std::vector<double> gravity_mass;            // mass for the weight [kg] (n_block); 0 for plates,
                                                // whose weight is part of their load
@@ -461,24 +461,24 @@ struct Model {
   Layers layers;      // of fibres on the masonry
   Standing standing;  // where stages cut openings
   Space space;        // walls in space
-  FreeShapes free;    // what free contacts see; empty without them
+  FreeShapes free;    // shapes for free contacts; empty without them
 
   // read once per run
   double omega_max = 0;        // bound on the highest circular frequency [1/s]
-  BlockId stiffest_block = 0;  // where the bound is reached
+  BlockId stiffest_block = 0;  // block at which the bound is reached
   double weight = 0;           // of all moving blocks [N]
   std::vector<JointMaterial> materials;
   std::vector<std::string> material_names;
-  std::vector<std::int32_t> stated_material;  // of each, see stated(); empty without fields
+  std::vector<std::int32_t> stated_material;  // of each material (stated()); empty without fields
   std::vector<Stage> stages;
   std::vector<WatchedPoint> watched;  // the first is the control point of a shake
   SolveSpec solve;
   OutputSpec output;
   Anatomy anatomy;
   std::uint64_t spec_hash = 0;
-  std::uint64_t topology = 0;  // walls with the same can be stepped side by side (model/fields.h)
+  std::uint64_t topology = 0;  // equal: walls can be stepped side by side (model/fields.h)
 
-  // The material as stated that this one was drawn from: itself, but for a joint's own in a field.
+  // The stated material from which a field drew this one; the material itself where no field acts on it.
   [[nodiscard]] std::int32_t stated(std::int32_t material) const {
     return stated_material.empty() ? material : stated_material[static_cast<std::size_t>(material)];
   }
@@ -486,15 +486,15 @@ struct Model {
   [[nodiscard]] int n_point() const {
     return in_space() ? space.point_begin.back() : n_joint * n_face_point;
   }
-  // With the points of zone contacts, which follow those of the joints.
+  // Points with a history: those of joints, then those of zone contacts.
   [[nodiscard]] int n_history() const {
     const auto& in_space = space.solids.point_begin;
     return in_space.empty() ? n_point() + 2 * solids.n_contact : in_space.back();
   }
 };
 
-// Exactly what a restart needs: a run that is saved and restored gives the same bits. What its curve needs
-// beside it is a RunRecord (recording.h).
+// All that a restart needs: a run that is saved and restored gives the same bits. A RunRecord (recording.h)
+// holds what its curve needs besides.
 struct State {
   // written by integrate (n_block)
   std::vector<double> ux, uy, theta;  // [m], [m], [rad]
@@ -513,82 +513,82 @@ struct State {
   std::vector<double> tension_set;   // w_t [m], elastic unloading only
   std::vector<double> crush_path;    // q [m]; empty where no law of the wall has a cap
 
-  // written by the pass over dashpots: stresses of Maxwell elements, compression -; empty where no stage has any
-  // (n_history; the second shear, along t2, in space alone)
+  // written by the pass over dashpots: stresses of Maxwell elements, compression negative; empty where no stage has any
+  // (n_history); maxwell_shear_2, along t2, in space only
   std::vector<double> maxwell_normal, maxwell_shear, maxwell_shear_2;  // [Pa]
 
-  // in space alone: the third displacement and velocity, the turn since the start as a unit quaternion,
-  // the angular momentum about the centroid, in the wall's axes (n_block)
+  // in space only: third displacement and velocity, rotation since the start as a unit quaternion, angular
+  // momentum about the centroid, in the axes of the wall (n_block)
   std::vector<double> uz, vz;          // [m], [m/s]
   std::vector<double> qw, qx, qy, qz;  // [-]
   std::vector<double> lx, ly, lz;      // at the half step [kg m^2/s]
   std::vector<double> plastic_slip_2;  // along t2; plastic_slip is along t1 [m] (n_history)
   std::vector<double> support_x, support_y,
-      support_z;                         // how far a support was driven [m] (n_support)
+      support_z;                         // displacement of driven supports [m] (n_support)
   std::vector<double> node_uz, node_vz;  // of nodes of zones [m], [m/s] (n_node)
 
   // written by the pass over links (n_link)
   std::vector<double> link_force;    // tension + [N]
-  std::vector<double> link_plastic;  // elongation that stays [m]
-  std::vector<double> link_drawn;    // elongation drawn in by prestress so far [m]
+  std::vector<double> link_plastic;  // plastic elongation [m]
+  std::vector<double> link_drawn;    // shortening by prestress so far [m]
 
-  // written by the pass over frames (n_frame_link): elongation of a fibre that stays; left of the member's way, in
-  // the axis, right of it [m]
+  // written by the pass over frames (n_frame_link): plastic elongation of a fibre, to the left of the member's axis, on
+  // it, to the right of it [m]
   std::vector<double> frame_left, frame_middle, frame_right;
-  // how far sections had gone along and across, and turned, when a stage put them up: without force (n_frame_link, or
-  // empty) [m], [m], [rad]
+  // relative displacement along and across, and rotation, of each section when a stage installed it without force
+  // (n_frame_link, or empty) [m], [m], [rad]
   std::vector<double> frame_along, frame_across, frame_turn;
-  // in space beside these: across the frame's plane, about the left of the member's way, about its axis
+  // in space in addition: the offset normal to the frame's plane, about `left`, about the axis
   std::vector<double> frame_aside, frame_lean, frame_twist;
 
-  // where a stage cuts an opening: what went left this on its neighbours; it fades (n_block, or empty) [N], [N m]
+  // force and moment on neighbours of blocks that a stage cut out; they fade (n_block, or empty) [N], [N m]
   std::vector<double> release_x, release_y, release_m;
-  // in space the rest of it; release_m is about z
+  // in space the other components; release_m is about z
   std::vector<double> release_z, release_mx, release_my;
 
   // written by the pass over layers (n_layer_node)
   std::vector<double> layer_slip;     // of a node on its block, along the strand [m]
-  std::vector<double> layer_reached;  // largest slip so far, without sign [m]
+  std::vector<double> layer_reached;  // largest |slip| so far [m]
   std::vector<double> layer_broken;   // 1: the fibres to the next node are broken
 
-  // written by the pass over free contacts, sorted by bodies, parts and features; empty without them
+  // written by the pass over free contacts, sorted by bodies, parts and features; empty without free contacts
   std::vector<FreeContact> free_contacts;
   std::vector<HandOver> hand_overs;
-  std::vector<double> handed_over;  // 1: a joint that gave way to free contact (n_joint)
+  std::vector<double> handed_over;  // 1: released joint, replaced by a free contact (n_joint)
 
   // written by drive
   int stage = 0;                        // index into Model::stages
-  std::int64_t step = 0;                // in all
+  std::int64_t step = 0;                // since the start of the run
   double time = 0;                      // [s]
   double stage_time = 0;                // [s]
-  double gravity_x = 0, gravity_y = 0;  // acceleration now in force [m/s^2]
+  double gravity_x = 0, gravity_y = 0;  // current acceleration [m/s^2]
   double gravity_z = 0;                 // in space
   double body_factor = 0;               // lambda of the body force, or the angle of a tilt
-  double load_factor = 0;               // largest one reached in balance
-  double balance = 1;                   // unbalance ratio, last sampled by the servo
-  std::vector<double> load_scale;       // share of each stage's loads in force (n_stage)
+  double load_factor = 0;               // largest load factor in balance
+  double balance = 1;                   // unbalance ratio at the last sample of the servo
+  std::vector<double> load_scale;       // current factor of each stage's loads (n_stage)
   double drive_displacement = 0;        // prescribed displacement along the push [m]
   double travelled = 0;                 // length of the driven path so far [m]
-  double control_start = 0;             // where a push's control block stood at its start [m]
-  double control_moved = 0;             // how far it has moved since [m]
-  double control_furthest = 0;          // the furthest of that [m]
+  double control_start = 0;             // position of a push's control block at its start [m]
+  double control_moved = 0;             // its displacement since then [m]
+  double control_furthest = 0;          // the largest value of that [m]
   double turn_time = 0;                 // stage time of the last start or turn of a push [s]
   double pace = 0;                      // of a push: 0 is `velocity`, 1 is `fast_velocity`
-  int target = 0;                       // next of a cyclic stage
-  std::int64_t stage_first_step = 0;    // step before the stage's first
+  int target = 0;                       // index of the next one, in a cyclic stage
+  std::int64_t stage_first_step = 0;    // number of the step before the stage's first
   double last_growth = 0;               // stage time when a load factor last grew [s]
-  double moved_then = 0;                // how far the furthest block had moved by then [m]
+  double moved_then = 0;                // displacement of the furthest block at that time [m]
 
   // energy ledger, since the start [J]
   double work_loads = 0, work_drive = 0, work_damping = 0;
   double dissipated_friction = 0, dissipated_fracture = 0, dissipated_crushing = 0;
-  double lost_in_hand_over = 0;  // taken by hand-overs of contacts
+  double lost_in_hand_over = 0;  // removed by hand-overs of contacts
 };
 
-// Builds the model; throws InputError with every fault found.
+// Compiles the model; throws InputError with every fault found.
 [[nodiscard]] Model compile(const ModelSpec& spec);
-[[nodiscard]] State initial_state(const Model& model);
-// 64-bit hash of every bit of the mechanical state (blocks and joints), as 16 hex digits.
+[[nodiscard]] State initial_state(const Model& model);  // at rest; frames displaced by their gaps
+// 64-bit hash of all bits of the mechanical state (blocks and joints), as 16 hex digits.
 [[nodiscard]] std::string state_hash(const State& state);
 
 }  // namespace wythe

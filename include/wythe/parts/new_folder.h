@@ -1,4 +1,4 @@
-// A folder for results that may not come.
+// A folder for results that may never be written.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +7,7 @@
 
 namespace wythe {
 
-// Removes the folder at the end where it was not there at the beginning and nothing came into it.
+// Removes the folder in its destructor, where it did not exist before and is still empty.
 class NewFolder {
  public:
   explicit NewFolder(std::string path) : path_(std::move(path)) {
@@ -16,7 +16,7 @@ class NewFolder {
   }
   ~NewFolder() {
     std::error_code error;
-    if (is_new_) std::filesystem::remove(path_, error);  // which fails where something is in it
+    if (is_new_) std::filesystem::remove(path_, error);  // fails where the folder is not empty
   }
   NewFolder(const NewFolder&) = delete;
   NewFolder& operator=(const NewFolder&) = delete;

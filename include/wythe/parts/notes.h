@@ -1,4 +1,4 @@
-// Notes of one kind as one line: a facade of twenty openings has forty sizes that were fitted to its courses.
+// Summarises notes of one kind in one line: a facade of twenty openings has forty sizes that were fitted to its courses.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,7 @@ struct NoteGroup {
   std::vector<Message> members = {};  // empty where `line` is a note alone
 };
 
-// In the order of the first of each kind; up to three of a kind stay as they are.
+// Groups in the order of their first note. Up to three notes of a kind stay single.
 [[nodiscard]] std::vector<NoteGroup> grouped(const std::vector<Message>& notes);
 
 }  // namespace wythe

@@ -1,4 +1,4 @@
-// Which source and which compiler made this program; printed by --version and kept in every result.
+// The source and the compiler of this program; --version prints it and every result keeps it.
 #pragma once
 
 namespace wythe {

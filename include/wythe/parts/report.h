@@ -1,9 +1,9 @@
-// report.html: one self-contained page for a run, a campaign or a limit analysis; and SVG pictures.
+// report.html: one self-contained page of a run, a campaign or a limit analysis; also SVG pictures.
 //
 //   Result, Campaign, ... --*_data()--> bytes --report_page()--> report.html
 //
-// The bytes hold all the page shows (a JSON header and arrays, compressed) and no words of a
-// language; a run keeps them beside its files as report.data, so that its page can be made again.
+// The bytes hold all that the page shows (a JSON header and arrays, compressed), without words of any
+// language. A run stores them as report.data beside its files, so that its page can be made again.
 #pragma once
 
 #include <functional>
@@ -22,41 +22,41 @@ namespace wythe {
 struct PairedComparison;  // comparison.h
 struct WallsVerdict;      // verdict.h
 
-// Deformed, cracked wall at a snapshot as an SVG document; `scale` magnifies displacements.
+// A snapshot of the deformed, cracked wall as an SVG document; `scale` magnifies displacements.
 [[nodiscard]] std::string wall_svg(const Model& model, const State& state, double scale);
-// States of one wall side by side with their displacements, as an SVG document; `scale` 0: fitting.
+// States of one wall side by side with their displacements, as an SVG document; `scale` 0: chosen to fit.
 [[nodiscard]] std::string states_svg(const Model& model, const std::vector<Snapshot>& states,
                                      double scale, const std::string& title);
-// A mechanism before and after: bodies, hinges, load, as an SVG document.
+// A mechanism before and after its motion, with hinges and load, as an SVG document.
 [[nodiscard]] std::string mechanism_svg(const Model& model, const Mechanism& mechanism);
 
-// Snapshots and frames, curve, numbers and inputs of a run.
+// Data of a run's page: snapshots and frames, curve, numbers and inputs.
 [[nodiscard]] std::string run_data(const ModelSpec& spec, const Model& model, const Result& result);
 
-// How the walls of a campaign's samples are drawn; without them its page has no walls.
+// Functions that draw the walls of a campaign's samples; without them the page has no walls.
 struct SampleWalls {
   ModelBuilder build;  // of the study
   // Stored states of a sample (1-based), with its model.
   std::function<std::vector<Snapshot>(int, const Model&)> states;
 };
-// Data of any campaign, an empty one too. Cost: compiles one model for each sample's wall.
+// Data of a campaign's page; the campaign may be empty. Cost: one compilation of a model for each sample's wall.
 [[nodiscard]] std::string campaign_data(const Campaign& campaign, const Statistics& statistics,
                                         const SampleWalls& walls = {});
 
-// Of a limit analysis; `mechanisms_json` is the text of its mechanisms.json.
+// Data of the page of a limit analysis; `mechanisms_json` is the text of its mechanisms.json.
 [[nodiscard]] std::string limit_data(const ModelSpec& spec, const Model& model,
                                      const std::string& mechanisms_json);
 
-// Options side by side.
+// Data of the page of a comparison.
 [[nodiscard]] std::string comparison_data(const PairedComparison& comparison);
 
-// The page of `wythe assess`: one sheet of A4 for who signs, then the tables it rests on.
+// The page of `wythe assess`: one A4 sheet for the signature, then the tables behind it.
 [[nodiscard]] std::string verdict_page(const WallsVerdict& verdict, const ModelSpec& spec,
                                        const Model& model, const std::string& language = "en");
 
-// The page made from these bytes. Throws IoError where they are damaged or of another version, InputError
-// where the language is none of report_languages().
+// Makes the page from these bytes. Throws IoError where they are damaged or of another version, InputError
+// where the language is not one of report_languages().
 [[nodiscard]] std::string report_page(const std::string& data, const std::string& language = "en");
-[[nodiscard]] std::vector<std::string> report_languages();
+[[nodiscard]] std::vector<std::string> report_languages();  // codes such as "en" and "de"
 
 }  // namespace wythe

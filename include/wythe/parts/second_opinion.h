@@ -1,4 +1,4 @@
-// What limit analysis says of a model: mechanisms and limit loads, each answered or refused with its reason.
+// Limit analysis of a model: each requested mechanism and limit load is answered or refused with its reason.
 #pragma once
 
 #include <atomic>
@@ -17,24 +17,24 @@ struct OpinionAsked {
       only;  // "infinite", "macro_block_1", "macro_block_2", "lp", "parts"; empty: all
   bool assessment = false;  // of each mechanism, after Circolare 7/2019
   bool parts =
-      false;  // the caller adds checks of parts (local_check.h), so nothing else need answer
+      false;  // the caller adds checks of parts (local_check.h), so other analyses may fail
 };
-// Throws InputError where `only` holds another word; `option` names it there.
+// Throws InputError where `only` holds an unknown word; the fault names `option`.
 void check_asked(const OpinionAsked& asked, const std::string& option = "--only");
 
-// Whether parts that fall on their face are asked for.
+// Whether checks of parts out of plane are requested.
 [[nodiscard]] bool asks_for_parts(const OpinionAsked& asked);
 
-// How many limit loads there will be, and how long they take on a usual machine [s].
+// Number of limit loads, and their time on a usual machine [s].
 struct OpinionCost {
   int limit_loads = 0;
   double seconds = 0;
 };
 [[nodiscard]] OpinionCost cost_of(const Model& model, const OpinionAsked& asked);
 
-// `progress` is called a few times a second with what is computed and the share done of all limit loads [0, 1].
-// Once `stop` is set, what is left is refused in these words. Throws InputError with every reason where
-// nothing could be answered, LimitStopped where it was stopped before the first answer.
+// Runs the analyses. `progress` gets the current one and the share done of all limit loads [0, 1] a few times a second.
+// Once `stop` is set, the remaining analyses are refused in these words. Throws InputError with all reasons where no
+// analysis succeeded, LimitStopped where it was stopped before the first result.
 [[nodiscard]] SecondOpinion second_opinion(
     const Model& model, const OpinionAsked& asked = {}, const std::atomic<bool>* stop = nullptr,
     const std::function<void(const Message& what, double share)>& progress = {});

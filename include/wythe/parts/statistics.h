@@ -1,10 +1,10 @@
-// Statistics of the samples of a campaign: strengths, displacements, failure modes, with intervals.
+// Statistics of a campaign's samples: strengths, displacements and failure modes, with intervals.
 //
 //   Campaign --statistics_of()--> Statistics --> statistics.json (io.h), report.html (report.h)
 //   --until "relative_interval(peak_reaction) < 1 % and interval(share) < 0.1" --precise_enough()
 //
-// Every interval is a 95 % interval; the same campaign gives the same bits. Estimators, their sources
-// and their bias: docs/theory/statistics.md. NaN: no answer (too few samples). An infinite
+// Every interval is a 95 % interval; equal campaigns give equal bits. Estimators, their sources
+// and their bias: docs/theory/statistics.md. NaN: not known (too few samples). An infinite
 // displacement lies beyond the end of the push.
 #pragma once
 
@@ -28,14 +28,14 @@ struct Estimate {
   Interval interval;
 };
 
-// A response read from one curve. A censored value is a lower bound, since the push ended too early.
+// A response of one curve. A censored value is a lower bound, since the push ended too early.
 struct Reading {
   double value = kUnset;
   bool censored = false;
   [[nodiscard]] bool is_known() const { return value == value; }  // not NaN
 };
 
-// A response that statistics are made for; shown = SI * to_unit.
+// A response with statistics; shown = SI * to_unit.
 struct Quantity {
   const char* name;  // "peak_reaction", as in until rules
   const char* code;  // of its message: "peak force"
@@ -44,23 +44,23 @@ struct Quantity {
   bool can_be_censored;
   Reading (*read)(const Responses&);
 };
-// peak_reaction, displacement_at_peak, displacement_at_80_percent, displacement_max,
-// initial_stiffness, displacement_at_50_percent, collapse_displacement, first_fall_80_percent: the order of every `quantity` and `response` array below.
+// All quantities: peak_reaction, displacement_at_peak, displacement_at_80_percent, displacement_max, initial_stiffness,
+// displacement_at_50_percent, collapse_displacement, first_fall_80_percent. Arrays `quantity` and `response` have this order.
 [[nodiscard]] const std::vector<Quantity>& quantities();
-// "peak_reaction_kN": what files call it.
+// The name in files, "peak_reaction_kN".
 [[nodiscard]] std::string key_of(const Quantity& quantity);
 
-// One cell of Table 3. Censored values enter mean, cov, min, max and median as they were recorded;
+// Statistics of one quantity in one group. Mean, cov, min, max and median take censored values as they are;
 // survival_* treat them as lower bounds (Kaplan-Meier), the mean up to the largest recorded value.
 struct Summary {
   int n = 0, censored = 0,
-      without_value = 0;  // samples with a value; of them censored; without a value, not in n
+      without_value = 0;  // n: samples with a value; of them censored; samples without a value
   double min = kUnset, max = kUnset, standard_deviation = kUnset;
   Estimate mean, cov, median;                            // BCa, BCa and percentile bootstrap
   Estimate survival_mean, survival_median;               // percentile bootstrap
-  double percentile_5 = kUnset, percentile_95 = kUnset;  // Kaplan-Meier where censored
+  double percentile_5 = kUnset, percentile_95 = kUnset;  // Kaplan-Meier with censored values
 };
-// "all", one failure mode, or modes taken together ("FM-1 + FM-2").
+// "all", one failure mode, or several modes together ("FM-1 + FM-2").
 struct GroupSummary {
   std::string name;
   std::vector<std::string> modes;
@@ -74,33 +74,33 @@ struct Share {
   Estimate share;  // Wilson interval
 };
 
-// One number over a few walls. The interval of the median is that of order statistics: it holds the median of
-// all such walls with at least 95 %, whatever their distribution (docs/theory/statistics.md); from six walls on.
-// A wall whose number is a lower bound counts as that below, and as unlimited above.
+// One number over a few walls. The interval of the median comes from order statistics: it contains the median of all
+// such walls with at least 95 %, whatever their distribution (docs/theory/statistics.md); it needs six walls.
+// A lower bound counts at its value for the lower end, and as infinite for the upper end.
 struct OfWalls {
   int n = 0, bounds = 0;
   Estimate median;                             // infinite where too many are bounds
-  double at_least = kUnset;                    // the median with each bound at its own value
-  double smallest = kUnset, largest = kUnset;  // the largest that is known
-  double log_scatter = kUnset;                 // standard deviation of ln, where none is a bound
+  double at_least = kUnset;                    // the median with each bound at its value
+  double smallest = kUnset, largest = kUnset;  // known values only
+  double log_scatter = kUnset;                 // standard deviation of ln; NaN with bounds
 };
 [[nodiscard]] OfWalls of_walls(const std::vector<Reading>& readings);
 
-// Walls of one model that differ by what scatters within them: what `wythe run --walls` states.
+// Walls of one model with random fields, summarised as `wythe run --walls` does.
 struct WallEnsemble {
   OfWalls peak_reaction, displacement_at_peak, displacement_at_80;
-  std::vector<double> left;       // shares of the peak at which d(r) was read
-  std::vector<OfWalls> capacity;  // d(r), by them
+  std::vector<double> left;       // shares r of the peak for d(r)
+  std::vector<OfWalls> capacity;  // d(r) for each of `left`
   std::vector<Share> mode;        // most frequent first
 };
 
-// In how many samples another reading of the same push gives another failure mode.
+// Share of samples that get another failure mode from another reading of the same push.
 struct NameSensitivity {
   NameReading reading;  // its `name` is empty
   int n = 0, differs = 0;
   Estimate share;  // Wilson
 };
-// In how many samples a severity flag is raised.
+// Share of samples with a raised severity flag.
 struct FlagCount {
   Evidence flag;  // its `value` is 0
   int n = 0, raised = 0;
@@ -112,13 +112,13 @@ struct RunningMean {
   std::vector<int> n;
   std::vector<Estimate> mean;
 };
-// When a precision that was asked for was reached. Relative half-widths for means, half-widths for shares.
+// When a requested precision was reached: relative half-width for means, half-width for shares.
 struct Precision {
   std::string what;   // key of a quantity, or "share"
   double target = 0;  // 0.01: +- 1 %, or a share +- 0.05
-  int first_met = 0;  // sample size, at least kFewestSamples; 0: not met
-  int held_from = 0;  // sample size from which on it stayed met; 0: it is not met now
-  int expected = 0;   // size at which it should be met, as the width falls with 1/sqrt(n); 0: it is
+  int first_met = 0;  // sample size that first met it, >= kFewestSamples; 0: none
+  int held_from = 0;  // sample size from which on it is met; 0: not met now
+  int expected = 0;   // size that should meet it, with width ~ 1/sqrt(n); 0: met
   double now = kUnset;
 };
 
@@ -127,8 +127,8 @@ struct Correlation {
   int n = 0;
   Estimate pearson, spearman, partial_rank;  // Fisher z intervals
 };
-// Correlation of every random input with one response (its key) in one group. Inside a mode it is
-// conditioned on the outcome, so it does not measure a cause.
+// Correlation of every random input with one response (its key) in one group. Within a failure mode it is
+// conditioned on the outcome, so it does not show a cause.
 struct CorrelationTable {
   std::string group, quantity;
   int censored = 0;
@@ -155,7 +155,7 @@ struct ModeAgainstInput {
   std::vector<ModeBin> bin;
 };
 
-// Mean of the curves at common displacements (Fig. 21); a curve counts up to its last row.
+// Mean of the curves at common displacements; each curve counts up to its last row.
 struct CurvePoint {
   double displacement = 0, drift = 0;  // [m], [-]
   int n = 0;
@@ -167,19 +167,19 @@ struct MeanCurve {
   std::vector<CurvePoint> point;
 };
 
-// A drift limit of the code against the samples: P(drift at 0.8 of the peak < limit).
+// A drift limit of a code against the samples: P(drift at 0.8 of the peak < limit).
 struct DriftLimit {
   std::string element, mechanism, state, clause;
-  std::string label;           // "pier, shear": of a line in a figure
+  std::string label;           // "pier, shear": name of its line in a figure
   double limit = 0;            // [-]
-  int below = 0, unknown = 0;  // reached it; push ended before the limit
-  // Wilson; Kaplan-Meier and Greenwood where some are unknown. Beyond the farthest push the share is
-  // only known to be at least `share.value`; NaN where all are unknown.
+  int below = 0, unknown = 0;  // reached it; push ended before it
+  // Wilson; Kaplan-Meier and Greenwood where some are unknown. Beyond the farthest push `share.value` is a
+  // lower bound; NaN where all are unknown.
   Estimate share;
   bool is_lower_bound = false;
 };
 
-// P(X > x), censored values taken as lower bounds, and the lognormal distribution fitted to it.
+// P(X > x), with censored values as lower bounds, and the lognormal distribution fitted to it.
 struct ExceedancePoint {
   double value = 0;  // [SI]
   Estimate probability;
@@ -189,10 +189,10 @@ struct Exceedance {
   int n = 0, censored = 0;
   std::vector<ExceedancePoint> point;
   Estimate median, beta;   // lognormal, maximum likelihood, percentile bootstrap [SI], [-]
-  double misfit = kUnset;  // largest gap between the fit and the samples' own curve [-]
+  double misfit = kUnset;  // largest distance of fit and empirical curve [-]
 };
 
-// An event that a sample shows or not: a response is greater than a threshold, or a mode occurs.
+// An event of a sample: a response exceeds a threshold, or a failure mode occurs.
 struct FragilityEvent {
   std::string response;       // of `quantities()`, "drift_at_80_percent", or "failure_mode"
   std::string mode;           // of "failure_mode"
@@ -201,17 +201,17 @@ struct FragilityEvent {
   double to_unit = 1;
   [[nodiscard]] bool of_mode() const { return response == "failure_mode"; }
 };
-// What can be told of an event by an input.
+// Whether the probability of an event can be given as a function of an input, or why not.
 enum class FragilityVerdict {
   kTold,
   kFewSamples,  // fewer than kFewestSamples
   kNever,       // no sample shows the event
-  kAlways,      // every sample does
-  kRare,        // too few do, or too few don't, for a slope
+  kAlways,      // every sample shows it
+  kRare,        // too few samples show it, or do not, for a slope
   kConstant,    // the input does not vary
-  kTwoValues,   // it has two values: nothing is known between them
-  kSeparated,   // it parts the samples: no finite slope
-  kCollinear    // two inputs say the same
+  kTwoValues,   // it has two values, so nothing is known between them
+  kSeparated,   // it separates the samples: no finite slope
+  kCollinear    // the two inputs are collinear
 };
 inline constexpr Word<FragilityVerdict> kFragilityVerdictWords[] = {
     {"told", FragilityVerdict::kTold},
@@ -227,56 +227,56 @@ enum class FragilityLaw { kLogistic, kLognormal };
 inline constexpr Word<FragilityLaw> kFragilityLawWords[] = {
     {"logistic", FragilityLaw::kLogistic}, {"lognormal", FragilityLaw::kLognormal}};
 
-// One law fitted to one event and one input (shown units). Slope of log-odds per unit, or 1/beta with the
-// sign of the trend; `half` is the input where P = 1/2, NaN where that lies outside the samples.
+// One model fitted to one event and one input (shown units). The slope is that of the log-odds, or 1/beta with the
+// sign of the trend. `half` is the input with P = 1/2, NaN where it lies outside the samples.
 struct FragilityFit {
   FragilityLaw law = FragilityLaw::kLogistic;
   Estimate slope, half;  // profile likelihood
   double log_likelihood = kUnset;
-  double influence_p = kUnset;  // likelihood ratio against no influence
+  double influence_p = kUnset;  // likelihood ratio test against no influence
   double fit_p = kUnset;        // Hosmer and Lemeshow; NaN: too few groups
 };
 struct FragilityPoint {
-  double x = 0;  // of the input, as shown
+  double x = 0;  // value of the input, as shown
   Estimate probability;
 };
 struct FragilityOfInput {
   std::string input, unit;
   FragilityVerdict verdict = FragilityVerdict::kTold;
-  double parted_low = kUnset, parted_high = kUnset;  // between which it parts the samples, as shown
-  std::vector<FragilityFit> fit;       // the better one first; lognormal only of a positive input
-  std::vector<FragilityPoint> point;   // of the better one, within the samples
+  double parted_low = kUnset, parted_high = kUnset;  // gap in which it separates them, as shown
+  std::vector<FragilityFit> fit;       // better one first; lognormal for positive inputs only
+  std::vector<FragilityPoint> point;   // curve of the better one, within the samples
   std::vector<std::string> entangled;  // inputs with a rank correlation above kEntangled
 };
-// Logistic in two inputs: log-odds = intercept + slope_a a + slope_b b, as shown. Wald intervals.
+// Logistic regression on two inputs: log-odds = intercept + slope_a a + slope_b b, shown units. Wald intervals.
 struct FragilityOfPair {
   std::string a, b;
   FragilityVerdict verdict = FragilityVerdict::kTold;
   double intercept = kUnset;
   Estimate slope_a, slope_b;
-  double added_p = kUnset;  // likelihood ratio against the better one of the two alone
+  double added_p = kUnset;  // likelihood ratio test against the better single input
   double fit_p = kUnset;
 };
 struct Fragility {
   FragilityEvent event;
   int n = 0, seen = 0,
-      unknown = 0;              // samples; with the event; whose push ended before the threshold
-  int repeated = 0;             // left out: all their inputs are those of an earlier sample
-  int doubtful = 0;             // of n, whose push was not slow enough
-  Estimate share;               // of the known, Wilson; of all, widened, where some are unknown
-  std::vector<int> sample;      // those told of, and whether each shows the event:
+      unknown = 0;              // samples; with the event; push ended before the threshold
+  int repeated = 0;             // left out: inputs equal those of an earlier sample
+  int doubtful = 0;             // of n: the push was not slow enough
+  Estimate share;               // Wilson, of the known; widened where some are unknown
+  std::vector<int> sample;      // the samples, and whether each shows the event:
   std::vector<double> outcome;  // 0, 1, 0.5 not known
   std::vector<FragilityOfInput> input;
   std::vector<FragilityOfPair> pair;
 };
 
-// How far a response would be known better if an input were known: a cubic of its ranks.
+// How much the scatter of a response would shrink if an input were known: regression on a cubic of its ranks.
 struct Measuring {
   std::string quantity, input;
   int n = 0, censored = 0;
-  Estimate variance;        // share of the variance that goes
-  Estimate width;           // share of the interval that goes, 1 - sqrt(1 - variance)
-  double is_best = kUnset;  // share of the replicates in which no other input takes more
+  Estimate variance;        // share of the variance removed
+  Estimate width;           // share of the interval removed, 1 - sqrt(1 - variance)
+  double is_best = kUnset;  // share of replicates in which this input removes most
 };
 
 enum class IndexVerdict { kTold, kFewSamples, kCorrelated, kCensored, kDiscrete, kUnexplained };
@@ -287,7 +287,7 @@ inline constexpr Word<IndexVerdict> kIndexVerdictWords[] = {
     {"censored", IndexVerdict::kCensored},
     {"discrete", IndexVerdict::kDiscrete},
     {"unexplained", IndexVerdict::kUnexplained}};
-// Sobol indices of one response from a polynomial surrogate, if that predicts samples it has not seen.
+// Sobol indices of one response from a polynomial surrogate, if it predicts unseen samples.
 struct SurrogateIndices {
   struct Of {
     std::string input;
@@ -296,7 +296,7 @@ struct SurrogateIndices {
   std::string quantity;
   IndexVerdict verdict = IndexVerdict::kTold;
   int n = 0, terms = 0;
-  double q2 = kUnset;  // share of the variance predicted, cross-validated
+  double q2 = kUnset;  // cross-validated share of the predicted variance
   std::vector<Of> input;
 };
 inline constexpr double kLeastQ2 = 0.8;
@@ -312,99 +312,99 @@ struct InputCorrelation {
   std::string a, b;
   double rank = kUnset;
 };
-// All pairs, the strongest first.
+// Rank correlations of all pairs, the strongest first.
 [[nodiscard]] std::vector<InputCorrelation> input_correlations(const SampleTable& samples);
-// Above this rank correlation two inputs share their influence on a response.
+// Rank correlation above which the influence of two inputs on a response can't be separated.
 inline constexpr double kEntangled = 0.1;
-// Fewest samples an until rule may stop at, and of which a fragility is told.
+// Fewest samples at which an until rule may stop, and of a fragility.
 inline constexpr int kFewestSamples = 20;
 
-// A sample without results, and why.
+// A sample without results, and the reason.
 struct Unanswered {
   int sample = 0;
   std::string status;
   Message reason;
 };
 
-// At which peak ground acceleration the samples reach a limit state (docs/theory/assessment.md, A.13).
+// Peak ground acceleration at which the samples reach a limit state (docs/theory/assessment.md, A.13).
 struct PgaFragility {
   std::string limit_state;             // word of LimitState
-  bool is_checked = false;             // the one that the spectrum belongs to
+  bool is_checked = false;             // the limit state to which the spectrum belongs
   int n = 0, censored = 0;             // samples with an acceleration; of them lower bounds
   Estimate median, beta_capacity;      // lognormal [m/s^2], [-]; percentile bootstrap
-  double beta = kUnset;                // with the records' scatter [-]
-  double demand = kUnset;              // acceleration of the spectrum, of the checked one [m/s^2]
-  Estimate at_demand;                  // probability that the limit state is reached there
-  std::vector<ExceedancePoint> point;  // share of the samples that carry more, Kaplan-Meier
+  double beta = kUnset;                // total, with the scatter of records [-]
+  double demand = kUnset;              // of the spectrum, for the checked limit state [m/s^2]
+  Estimate at_demand;                  // probability of the limit state at `demand`
+  std::vector<ExceedancePoint> point;  // share of samples with a larger capacity, Kaplan-Meier
   std::vector<FragilityPoint> curve;   // probability against acceleration [m/s^2]
 };
 struct CampaignAssessment {
   AssessmentSpec spec;  // of the base model
-  // Of the sample in the middle by its participating mass; where none answers, of the base model with a
+  // Of the sample with the median participating mass; where no sample answers, of the base model with a
   // linear shape.
   MassAndShape mass;
   int answered = 0, without_answer = 0;  // samples that ran
-  int doubtful = 0;                      // of those answered: not to be signed, but for bounds
-  Message reason;                        // why there are no numbers; empty: there may be
+  int doubtful = 0;                      // of those answered: must not be signed, bounds aside
+  Message reason;                        // why there are no numbers; empty where there may be
   std::vector<Message> notes;
-  std::vector<PgaFragility> fragility;  // of each limit state; empty without a spectrum
+  std::vector<PgaFragility> fragility;  // for each limit state; empty without a spectrum
 };
-// Of one sample that ran; `model` is that of `base`, the study's base model.
+// Assessment of one sample that ran; `model` is that of `base`, the base model of the study.
 [[nodiscard]] CodeAssessment assess_sample(const SampleRecord& record, const ModelSpec& base,
                                            const Model& model);
-// Of all samples that ran.
+// Assessment of all samples that ran.
 [[nodiscard]] CampaignAssessment assess_campaign(const Campaign& campaign, const ModelSpec& base,
                                                  const Model& model);
 
 // --- samples under records (docs/theory/fragility.md) ---------------------------------------------
 
-// A shake that does not count, neither as stood nor as fell.
+// A shake that counts neither as stood nor as fell.
 struct LostShake {
-  int sample = 0;  // as the store counts
+  int sample = 0;  // counted from 1, as in the store
   double intensity = kUnset;
   std::string status;
   Message reason;
 };
 
-// Between which intensities a sample first reached a limit state: not at `low`, at `high`. low = 0: at the
-// lowest already; high infinite: at none up to `low`.
+// Intensities between which a sample first reached a limit state: not at `low`, but at `high`. low = 0: already at
+// the lowest; high infinite: at none up to `low`.
 struct Bracket {
   int sample = 0;
   int wall = 0, record = 0;  // 0-based
   double low = 0, high = 0;  // [SI]
-  bool is_known = true;      // false: the shakes that would decide do not count, and it is left out
-  bool came_back = false;    // at a higher intensity the limit state is not reached
+  bool is_known = true;      // false: decisive shakes do not count; the sample is left out
+  bool came_back = false;    // a higher intensity did not reach it again
 };
 
-// What can be told of a limit state.
+// Whether a fragility curve of a limit state can be given, or why not.
 enum class LimitStateVerdict {
   kTold,
   kFewRecords,  // fewer than kFewestRecords
   kNever,       // no sample reached it
-  kAlways,      // every sample did at its lowest intensity
-  kSeparated,   // one intensity parts all that did from all that did not: no dispersion
-  kNoTrend      // it is reached no more often at higher intensities
+  kAlways,      // every sample reached it at its lowest intensity
+  kSeparated,   // one intensity separates the samples: no dispersion
+  kNoTrend      // not reached more often at higher intensities
 };
 inline constexpr Word<LimitStateVerdict> kLimitStateVerdictWords[] = {
     {"told", LimitStateVerdict::kTold},           {"few records", LimitStateVerdict::kFewRecords},
     {"never", LimitStateVerdict::kNever},         {"always", LimitStateVerdict::kAlways},
     {"separated", LimitStateVerdict::kSeparated}, {"no trend", LimitStateVerdict::kNoTrend}};
-inline constexpr int kFewestRecords = 7;  // of which a median and a dispersion are told
+inline constexpr int kFewestRecords = 7;  // fewest records for a median and a dispersion
 
-// At one intensity: how many samples reached it there, by their shakes at this intensity alone.
+// Samples that reached a limit state at one intensity, from shakes at this intensity alone.
 struct LimitStateCount {
   double intensity = 0;  // [SI]
   int n = 0, reached = 0, lost = 0;
   Estimate share;  // Wilson, as if the samples were independent
 };
 
-// What the scatter of a logarithm comes from: records, walls, and what both do together.
+// Whether the scatter of a logarithm can be divided among records, walls and the rest, or why not.
 enum class ScatterVerdict {
   kTold,
   kOneKind,     // fewer than kFewestForScatter records or walls
-  kNotCrossed,  // not every wall met every record
+  kNotCrossed,  // not every wall was shaken by every record
   kNotReached,  // not every sample has a value
-  kWide,        // the brackets are wider than the scatter that is left
+  kWide,        // brackets are wider than the remaining scatter
 };
 inline constexpr Word<ScatterVerdict> kScatterVerdictWords[] = {
     {"told", ScatterVerdict::kTold},
@@ -413,13 +413,13 @@ inline constexpr Word<ScatterVerdict> kScatterVerdictWords[] = {
     {"not reached", ScatterVerdict::kNotReached},
     {"wide brackets", ScatterVerdict::kWide}};
 inline constexpr int kFewestForScatter = 3;
-// Standard deviations of ln; each as an estimate of a two-way layout without repetition. A lower end of 0: it
-// may be nothing.
+// Standard deviations of ln, from a two-way layout without repetition. A lower end of 0 means that the part
+// may be zero.
 struct Scatter {
   ScatterVerdict verdict = ScatterVerdict::kTold;
   int records = 0, walls = 0;
   Estimate record, wall, rest;
-  double bracket = kUnset;  // what halving the bracket leaves, root of the mean square
+  double bracket = kUnset;  // rms of the uncertainty within brackets
 };
 
 struct LimitStateFragility {
@@ -430,13 +430,13 @@ struct LimitStateFragility {
   std::vector<LimitStateCount> count;  // by intensity
   // Lognormal: P = Phi(ln(x / median) / beta), by maximum likelihood [SI], [-].
   Estimate median, beta;
-  bool by_bootstrap = false;  // of records and walls; else by profile likelihood
+  bool by_bootstrap = false;  // over records and walls; else profile likelihood
   double log_likelihood = kUnset;
   double count_median = kUnset, count_beta = kUnset;  // from the counts alone (Baker 2015)
-  // The median if every sample left out had reached it where its run was lost, and if none had.
+  // The median if every left-out sample had reached the limit state where its run was lost, and if none had.
   double median_if_reached = kUnset, median_if_not = kUnset;
-  std::vector<FragilityPoint> curve;  // within the intensities that ran [SI]
-  Scatter scatter;                    // of ln of the intensity where it is reached
+  std::vector<FragilityPoint> curve;  // within the intensities of the shakes [SI]
+  Scatter scatter;                    // of ln of the intensity that reaches the limit state
 };
 
 // Response at one intensity, over all samples that count there.
@@ -444,13 +444,13 @@ struct IntensitySummary {
   double intensity = 0;  // [SI]
   int n = 0, collapsed = 0, lost = 0;
   double drift_16 = kUnset, drift_50 = kUnset,
-         drift_84 = kUnset;  // peak; infinite where more collapsed
+         drift_84 = kUnset;  // peak drift; infinite where more collapsed
   Scatter scatter;           // of ln of the peak drift
 };
 
 struct ShakingStatistics {
-  ShakingSpec shaking;           // as the study asks
-  std::vector<Message> damping;  // of the shaken stages: what damps them
+  ShakingSpec shaking;           // as the study states it
+  std::vector<Message> damping;  // of the shaken stages: their damping
   int records = 0, walls = 0, samples = 0;
   int shakes = 0, stood = 0, collapsed = 0;
   std::vector<LostShake> lost;
@@ -458,29 +458,29 @@ struct ShakingStatistics {
   std::vector<LimitStateFragility> fragility;
   [[nodiscard]] bool is_told() const { return shakes > 0; }
 };
-// Whether a shake that counts reached it.
+// Whether a shake that counts reached the limit state.
 [[nodiscard]] bool reaches(const LimitStateSpec& limit, const ShakeResult& shake);
-// Of the samples that ran.
+// Statistics of all shakes of the samples that ran.
 [[nodiscard]] ShakingStatistics shaking_statistics(const Campaign& campaign);
 
 struct Statistics {
   std::string study, design;
   std::uint64_t seed = 0;
   int asked = 0, run = 0, answered = 0;  // samples drawn, run, with a usable curve
-  int still_rising = 0;                  // answered, the peak at the end of the push: a lower bound
-  int named_earlier = 0;                 // answered, the push ended before read_modes_at
-  int collapsed_before_push = 0;         // and have no results for this reason
-  double load_height = 0;                // of the base model; drifts take each sample's own [m]
-  double read_modes_at = kUnset;         // where modes are to be read [m]
-  int replicates = 0;                    // of every bootstrap
+  int still_rising = 0;                  // answered, but the peak ends the push: a lower bound
+  int named_earlier = 0;                 // answered, but the push ended before read_modes_at
+  int collapsed_before_push = 0;         // these have no results
+  double load_height = 0;                // of the base model; drifts use each sample's own [m]
+  double read_modes_at = kUnset;         // displacement at which modes are read [m]
+  int replicates = 0;                    // of each bootstrap
   std::map<std::string, int> status;     // of the samples that ran
   std::map<std::string, int> judgement;  // of the samples with a curve: RateVerdict::judgement
   std::vector<Unanswered> unanswered;
-  std::vector<std::string> modes;  // FM-1 ... FM-5 where any occurs, other names, "unclear"
+  std::vector<std::string> modes;  // FM-1 ... FM-5 where they occur, other names, "unclear"
   std::vector<InputSummary> input;
   std::vector<InputCorrelation> input_correlation;
-  std::vector<GroupSummary> group;  // all, modes taken together, then one by one
-  std::vector<Share> share;         // modes, then modes taken together
+  std::vector<GroupSummary> group;  // all, then combined modes, then single ones
+  std::vector<Share> share;         // modes, then combined modes
   WallEnsemble walls;               // medians and d(r) over all of them
   std::vector<NameSensitivity> name_sensitivity;
   std::vector<FlagCount> flag;
@@ -493,29 +493,29 @@ struct Statistics {
   std::vector<DriftLimit> drift_limit;
   std::vector<Exceedance> exceedance;
   std::vector<Fragility> fragility;
-  std::vector<Measuring> measuring;  // by response, the best first
+  std::vector<Measuring> measuring;  // by response, largest reduction first
   std::vector<SurrogateIndices> surrogate_indices;
   ShakingStatistics shaking;      // where the samples were shaken
-  CampaignAssessment assessment;  // where the model asks for one; set by assess_campaign()
-  ProjectSpec project;            // of the base model; set by who has it
+  CampaignAssessment assessment;  // set by assess_campaign()
+  ProjectSpec project;            // of the base model; set by the caller
 };
 
-// A sample counts when its push was completed or ended by collapse and left a curve; all others are
-// in `unanswered`. Any campaign will do, an empty one too. Cost: a few seconds for 250 samples.
+// Statistics of a campaign, which may be empty. A sample counts when its push was completed or ended by collapse and left a
+// curve; the others are in `unanswered`. Cost: a few seconds for 250 samples.
 [[nodiscard]] WallEnsemble ensemble_of(const Campaign& campaign);
 [[nodiscard]] Statistics statistics_of(const Campaign& campaign);
 
-// Whether this sample counts in the statistics: it ended, and a force in balance was found.
+// Whether a sample counts in the statistics: its run ended, and it has a force in balance.
 [[nodiscard]] bool is_answered(const SampleRecord& record);
-// Of an answered sample: its largest reaction is the last, so that the wall may resist more.
+// Whether the largest reaction of an answered sample is its last, so that the wall may resist more.
 [[nodiscard]] bool is_still_rising(const SampleRecord& record);
 
-// Throws InputError with every fault of a malformed rule and its cure; "" is no rule.
+// Throws InputError with every fault of a malformed until rule and its cure; "" is no rule.
 void check_rule(const std::string& rule);
-// The same of an event of a study: "peak_reaction > 150 kN", "drift_at_80_percent > 0.5 %".
+// Parses an event of a study: "peak_reaction > 150 kN", "drift_at_80_percent > 0.5 %". Throws as check_rule().
 [[nodiscard]] FragilityEvent fragility_event(const std::string& text);
-// True when every clause of the rule holds and kFewestSamples have answered; `measures` (optional)
-// says where each clause stands. "" is never met. Cheap: called after every sample.
+// Whether every clause of the rule holds and kFewestSamples have answered; `measures` (optional)
+// gets the state of each clause. "" is never met. Cheap: called after every sample.
 [[nodiscard]] bool precise_enough(const std::string& rule, const Campaign& campaign,
                                   Message* measures = nullptr);
 

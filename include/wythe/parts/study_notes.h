@@ -1,4 +1,4 @@
-// What is to be known of the values of a study: those that no masonry has, of its base model and of its samples.
+// Notes on the values of a study, of its base model and its samples, that no masonry has.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace wythe {
 
-// The notes on values that a model has (wythe/parts/model.h), of the base model with each input at the median of its samples;
-// and on inputs that scatter by their own mean and more, such as cov = 20 for 20 %.
+// Notes on the values of the base model with each input at its sample median (src/model/densities.h). Also notes on inputs whose
+// scatter reaches their mean, such as cov = 20 in place of 20 %.
 [[nodiscard]] std::vector<Message> notes_of_values(const StudySpec& study,
                                                    const SampleTable& samples,
                                                    const ModelBuilder& build);

@@ -1,10 +1,10 @@
-// Whether a run may be believed: how walls that failed like it compare with their tests, and in what it
-// differs from all of them.
+// Whether a run is credible: how predictions for walls with its kind of failure compare with tests, and how it
+// differs from all tested walls.
 //
 //   Model + Result --compare_with_tests()--> kind of failure, bias and scatter of its tests, reasons
 //
-// The table behind it (src/judge/modes/tested_walls.h) is written by tools/validation from the tests
-// themselves; the page is docs/evidence/validation.md.
+// tools/validation writes the table behind it (src/judge/modes/tested_walls.h) from the tests;
+// docs/evidence/validation.md describes it.
 #pragma once
 
 #include <string>
@@ -17,34 +17,34 @@
 
 namespace wythe {
 
-// What tests say of the drift up to which walls of a kind keep 80 % of their peak [-], and how the program's own drift
-// compares with the tests of that kind.
+// Drift up to which tested walls of a kind keep 80 % of their peak [-], and how the program's own drifts compare with
+// these tests.
 struct TestedDrift {
   bool stone = false;                                   // stone walls; else brick and block
-  int walls = 0;                                        // 0: nothing is known of the kind
-  double median = kUnset, low = kUnset, high = kUnset;  // nine walls of ten lie between
-  int own_walls = 0;                                    // 0: never compared
+  int walls = 0;                                        // 0: no tests of this kind
+  double median = kUnset, low = kUnset, high = kUnset;  // nine walls of ten are in low to high
+  int own_walls = 0;                                    // compared with the program; 0: none
   double own_ratio = kUnset,
-         own_factor = kUnset;  // predicted over measured: middle, and exp(sd of ln)
+         own_factor = kUnset;  // predicted over measured: middle, and exp(sd of ln) [-]
 };
 
 struct TestedRange {
-  std::string kind;  // "shear", "sliding", "rocking"; "" where the run has no peak or no such kind
+  std::string kind;  // "shear", "sliding", "rocking"; "": no peak or another kind
   int walls = 0;     // tested walls of that kind
-  // Predicted over measured peak: bias with its 95 % interval, relative scatter of the model about it.
+  // Predicted over measured peak: bias with its 95 % interval, and relative scatter of the model about it [-].
   double bias = kUnset, bias_low = kUnset, bias_high = kUnset, scatter = kUnset;
-  // In what the run leaves the range of the tests, or why their bias is no good news; empty: it is inside.
+  // Where the run leaves the range of the tests, or why their bias does not reassure; empty: it is inside.
   std::vector<Message> notes;
   TestedDrift drift;
 };
 
-// All notes as one; empty where there is none.
+// All notes as one message; empty where there is none.
 [[nodiscard]] Message note_of(const TestedRange& range);
-// What the drift of this run is worth; empty where nothing is known.
+// How reliable the drift of this run is; empty where nothing is known.
 [[nodiscard]] Message drift_note_of(const TestedRange& range);
 [[nodiscard]] TestedRange compare_with_tests(const Model& model, const Result& result);
 
-// The kind of a failure mode's name, "shear + rocking" is shear; "" for a name of none.
+// The kind of failure in a mode's name: "shear + rocking" gives "shear"; "" where there is none.
 [[nodiscard]] std::string kind_of_mode(const std::string& name);
 
 }  // namespace wythe

@@ -1,4 +1,4 @@
-// Names and values that users wrote: they may contain any characters.
+// Texts that users wrote, such as names and values; they may contain any characters.
 #pragma once
 
 #include <cstddef>
@@ -8,17 +8,17 @@
 
 namespace wythe {
 
-// The text with control characters and bytes that are no UTF-8 written out (\x1b, \n). A text longer than `most` bytes is cut, and
-// its length is stated.
+// The text with control characters and invalid UTF-8 as escapes (\x1b, \n). A text longer than `most` bytes is truncated, and
+// the result states its length.
 [[nodiscard]] std::string readable(const std::string& text, std::size_t most = 100'000);
 
-// The same for a text of several lines: their ends stay.
+// As readable() for a text of several lines: line breaks stay.
 [[nodiscard]] std::string readable_lines(const std::string& text);
 
-// "did you mean run?" of a word that is near one of the names; else which there are.
+// "did you mean run?" where a name is near the word; otherwise the list of names.
 [[nodiscard]] std::string meant_name(std::string_view word, const std::vector<std::string>& names);
 
-// Capitals of ASCII made small; other bytes stay.
+// ASCII capitals as small letters; other bytes stay.
 [[nodiscard]] std::string small_letters(std::string_view text);
 
 }  // namespace wythe

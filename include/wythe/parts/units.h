@@ -1,4 +1,4 @@
-// Reading and writing of quantities with units. Inside the program all numbers are SI.
+// Reads and writes quantities with units. Inside the program all numbers are SI.
 #pragma once
 
 #include <string>

@@ -1,9 +1,9 @@
-// Vectors and rotations: one vocabulary for figures in a plane and for walls, flat or in space.
+// Vectors and rotations for figures in a plane and for walls in the plane or in space.
 //
 //   Vec2      a figure in its own plane: outlines while a wall is built, chains of macro-blocks
 //   Vec3      a place, a displacement or a direction in the wall's axes: x along it, y up, z out of its
 //             plane; z is 0 in a plane wall
-//   Rotation  a turn about an axis
+//   Rotation  a rotation about an axis
 #pragma once
 
 #include <cmath>
@@ -33,13 +33,13 @@ struct Vec3 {
 }
 [[nodiscard]] inline double length(Vec3 a) { return std::sqrt(dot(a, a)); }
 
-// A turn about the axis `by`, by its length [rad], anticlockwise seen from the axis' tip. In a plane
-// wall by.z is the angle and the rest is 0.
+// Rotation about the axis `by` through the angle |by| [rad], anticlockwise seen from the tip. In a plane
+// wall by.z is the angle and the other components are 0.
 struct Rotation {
   Vec3 by;
 };
-// Where an arm v that starts at `about` ends once it is turned: about + R v, with the matrix of Rodrigues'
-// formula R v = v cos + (k x v) sin + k (k . v) (1 - cos) about the unit axis k.
+// New place of the tip of an arm v that starts at `about`: about + R v by Rodrigues' formula,
+// R v = v cos + (k x v) sin + k (k . v) (1 - cos), with the unit axis k.
 [[nodiscard]] Vec3 turned(Vec3 v, const Rotation& rotation, Vec3 about = {});
 
 }  // namespace wythe

@@ -1,7 +1,7 @@
 // The content of a model file: the wall, its materials, the stages of the test and the settings.
 //
-// Plain data in SI units. src/io/keys/describe.h describes every member once; reading, writing, --set,
-// error messages and the reference page follow from it. Physical values start as NaN (kUnset).
+// Plain data in SI units. src/io/keys/describe.h describes every member once; reader, writer, --set,
+// error messages and reference page are derived from it. Physical values start as NaN (kUnset).
 #pragma once
 
 #include <array>
@@ -29,27 +29,27 @@ inline constexpr Word<Bond> kBondWords[] = {{"running", Bond::kRunning},
 enum class Split { kMiddle, kAtJoints, kNone };
 inline constexpr Word<Split> kSplitWords[] = {
     {"middle", Split::kMiddle}, {"at_joints", Split::kAtJoints}, {"none", Split::kNone}};
-// What to do where units or courses do not fit evenly into the wall or an opening.
+// How to fit units or courses that do not divide a wall or an opening evenly.
 enum class Fit { kWhole, kCut };
 inline constexpr Word<Fit> kFitWords[] = {{"whole", Fit::kWhole}, {"cut", Fit::kCut}};
 enum class Freedom { kFree, kBlocked };
 inline constexpr Word<Freedom> kFreedomWords[] = {{"free", Freedom::kFree},
                                                   {"blocked", Freedom::kBlocked}};
 
-// A lintel of rigid segments joined by springs, or one deformable block of zones.
+// A lintel as rigid segments joined by springs, or as one deformable block of zones.
 enum class LintelModel { kSegments, kZones };
 inline constexpr Word<LintelModel> kLintelModelWords[] = {{"segments", LintelModel::kSegments},
                                                           {"zones", LintelModel::kZones}};
-// The last two are for walls in space alone.
+// The last two are for walls in space only.
 enum class Direction { kPlusX, kMinusX, kPlusY, kMinusY, kPlusZ, kMinusZ };
 inline constexpr Word<Direction> kDirectionWords[] = {
     {"+x", Direction::kPlusX},  {"-x", Direction::kMinusX}, {"+y", Direction::kPlusY},
     {"-y", Direction::kMinusY}, {"+z", Direction::kPlusZ},  {"-z", Direction::kMinusZ}};
 
-// Where a push acts: the blocks whose outline holds the point (x, y), widened to `courses` courses;
-// or every block whose centroid lies in the box (x, y, width, height); or one block by id; or the beam.
-// In space a point or box has z and depth too, and an id may end with * for all that begin so; or all blocks
-// of a role.
+// Where a push acts: on the blocks whose outline contains the point (x, y), widened to `courses` courses;
+// on all blocks whose centroid lies in the box (x, y, width, height); on one block by id; or on the beam.
+// In space points and boxes also have z and depth. An id that ends with * selects all ids that begin so, and a role all
+// blocks of that role.
 struct PlaceSpec {
   double x = kUnset, y = kUnset, z = kUnset;               // [m]
   double width = kUnset, height = kUnset, depth = kUnset;  // [m]
@@ -60,7 +60,7 @@ struct PlaceSpec {
 };
 
 struct LintelSpec {
-  std::string kind;            // "": no lintel; "timber", "stone", ...: only a label
+  std::string kind;            // "": no lintel; "timber", "stone", ... are labels only
   double depth = kUnset;       // structural depth [m]; occupies the nearest whole number of courses
   double bearing = kUnset;     // length of support on each side [m]
   std::string material;        // key in `material`: density, youngs_modulus, shear_modulus
@@ -74,7 +74,7 @@ struct LintelSpec {
   Plane plane = Plane::kStress;
 };
 
-// An arch of voussoirs over an opening, in the place of a lintel (docs/theory/conventions.md).
+// An arch of voussoirs over an opening, in place of a lintel (docs/theory/conventions.md).
 enum class ArchKind { kNone, kFlat, kSegmental, kRound };
 inline constexpr Word<ArchKind> kArchKindWords[] = {
     {"flat", ArchKind::kFlat}, {"segmental", ArchKind::kSegmental}, {"round", ArchKind::kRound}};
@@ -82,17 +82,17 @@ struct ArchSpec {
   ArchKind kind = ArchKind::kNone;
   double rise = kUnset;       // of the intrados above the springing [m]; segmental
   double depth = kUnset;      // of the voussoirs, from intrados to extrados [m]
-  double skewback = kUnset;   // angle of the end joints from upright [rad]; flat
-  int voussoirs = 0;          // 0: as many as units of a course fit
+  double skewback = kUnset;   // angle of the end joints from the vertical [rad]; flat
+  int voussoirs = 0;          // 0: as many as units of a course fit in
   std::string joint = "";     // joint material between voussoirs; "": joint
   std::string material = "";  // of the voussoirs, for their density; "": the masonry's
 };
 
-// A stone or a chain below an opening, as a lintel above it.
+// A sill below an opening: a stone or a chain of segments, as a lintel is above it.
 struct SillSpec {
   std::string kind;         // "": no sill; a label, as LintelSpec::kind
   double depth = kUnset;    // structural depth [m]; occupies the nearest whole number of courses
-  double bearing = kUnset;  // how far it reaches into the masonry on each side [m]
+  double bearing = kUnset;  // length in the masonry on each side [m]
   std::string material;     // key in `material`: density, youngs_modulus, shear_modulus
   std::string joint = "joint";  // joint material between sill and masonry
 };
@@ -111,12 +111,12 @@ struct OpeningSpec {
       "";  // name of the stage that cuts it out of standing masonry; "": built with the wall
 };
 
-// Thickness of the mortar, for units given by their own size.
+// Thickness of mortar, for units given by their bare size.
 struct MortarSpec {
   double bed = kUnset, head = kUnset;  // [m]
 };
 
-// The size of units as they were built, where the model draws them larger; as `length` and `height` of UnitSpec.
+// The size of units as built, where the model draws them larger; members as in UnitSpec.
 struct RealUnitSpec {
   double length = kUnset, height = kUnset;  // [m]; unset: as drawn
 };
@@ -132,14 +132,14 @@ struct UnitSpec {
   RealUnitSpec real = {};
 };
 
-// Names of the joint materials of masonry; "": those of the wall, and there joint, joint, unit.
+// Names of the joint materials of masonry; "": those of the wall, whose own defaults are joint, joint, unit.
 struct MasonryJoints {
   std::string joint = "";       // of bed joints
   std::string head_joint = "";  // of head joints; "": joint
   std::string unit_joint = "";  // of crack planes inside units; "": unit
 };
 
-// One storey of a building, from the ground up. What it leaves unset is the wall's.
+// One storey of a building, from the ground up. Unset values are those of the wall.
 struct StoreySpec {
   std::string name;
   double height = kUnset;     // [m]
@@ -161,7 +161,7 @@ struct RegionSpec {
   MasonryJoints joints = {};
   double density = kUnset;  // [kg/m^3]
   double thickness =
-      kUnset;  // out of the plane: a niche, a pilaster, a wall across as a flange [m]
+      kUnset;  // out of plane: thickness of a niche, a pilaster or a transverse wall (flange) [m]
 };
 
 // A beam of concrete, timber or steel within the masonry at one level, as a chain of rigid segments
@@ -169,9 +169,9 @@ struct RegionSpec {
 struct RingBeamSpec {
   std::string name;
   std::string storey;           // its top lies at this storey's top
-  double y = kUnset;            // or the height of its foot above the wall's base [m]
+  double y = kUnset;            // or height of its underside above the wall's base [m]
   double x = kUnset;            // left end [m]; unset: along the whole wall
-  double width = kUnset;        // how much of the wall's length it takes [m]
+  double width = kUnset;        // length along the wall [m]
   double height = kUnset;       // of its section [m]; occupies the nearest whole number of courses
   double thickness = kUnset;    // of its section [m]; unset: the wall's
   std::string material;         // key in `material`: density, youngs_modulus, shear_modulus
@@ -179,51 +179,51 @@ struct RingBeamSpec {
   std::string top_joint = "";   // of what lies on it; "": joint
 };
 
-// The section of a frame's member in numbers, where no profile names it; of one piece.
+// The cross-section of a frame's member in numbers, where no profile names it; of a single piece.
 struct SectionSpec {
   double height = kUnset, width = kUnset;     // in the wall's plane, across it [m]
   double area = kUnset, shear_area = kUnset;  // [m^2]
   double second_moment = kUnset;              // I [m^4]
   double plastic_modulus = kUnset;            // Wpl [m^3]
   double mass = kUnset;                       // [kg/m]
-  // across the wall's plane, of frames in space [m^4]
+  // for bending out of the wall's plane and torsion, of frames in space [m^4]
   double weak_second_moment = kUnset, torsion_constant = kUnset;
 };
 
-// Where a frame's columns end: held by the ground, hinged on it, on a base beam, or resting on what is below.
+// Supports of a frame's columns: clamped to the ground, hinged to it, on a base beam, or resting on the blocks below.
 enum class FrameFeet { kNone, kFixed, kHinged, kBaseBeam, kResting };
 inline constexpr Word<FrameFeet> kFrameFeetWords[] = {{"fixed", FrameFeet::kFixed},
                                                       {"hinged", FrameFeet::kHinged},
                                                       {"base_beam", FrameFeet::kBaseBeam},
                                                       {"resting", FrameFeet::kResting}};
 
-// Anchors that hold a frame to the masonry beside it, spread along its members (docs/theory/frames.md, "Anchors").
+// Anchors between a frame and the masonry beside it, spread along its members (docs/theory/frames.md, "Anchors").
 struct AnchorSpec {
   double spacing = kUnset;                  // along a member [m]
-  double depth = kUnset;                    // how far behind its face the masonry holds it [m]
-  double tension = kUnset, shear = kUnset;  // strength of one [N]
-  double slip = 1e-3;                       // at these strengths, from no force on [m]
+  double depth = kUnset;                    // embedment behind the face of the masonry [m]
+  double tension = kUnset, shear = kUnset;  // strength of one anchor [N]
+  double slip = 1e-3;                       // at these strengths, from zero force [m]
 };
-// Wedges or jacks that press a frame's beam against the masonry above while it is put up.
+// Wedges or jacks that press the beam of a frame against the masonry above during installation.
 struct WedgeSpec {
   double force = kUnset;    // of all together [N]
   double spacing = kUnset;  // along the beam [m]
 };
-// The opening that a frame in space stands in, in the frame's plane [m].
+// The opening in which a frame in space stands, in the frame's plane [m].
 struct HoleSpec {
   double x = kUnset, y = kUnset, width = kUnset, height = kUnset;
 };
-// A frame of columns and beams, round an opening or along a line, as a chain of rigid segments joined by
+// A frame of columns and beams, around an opening or along a line, as a chain of rigid segments joined by
 // elastic-plastic sections (docs/theory/frames.md).
 struct FrameSpec {
   std::string name;
-  std::string round;                        // name of the opening that it stands in
-  std::vector<std::array<double, 2>> line;  // or its axis, from corner to corner [m]
+  std::string round;                        // name of its opening
+  std::vector<std::array<double, 2>> line;  // or its axis, corner by corner [m]
   FrameFeet feet = FrameFeet::kNone;
   std::string profile;       // name of a rolled section; "": section
-  int count = 1;             // of them side by side
-  SectionSpec section;       // in the place of a profile
-  std::string beam_profile;  // of level members; "" and no beam_section: as the columns
+  int count = 1;             // number of profiles side by side
+  SectionSpec section;       // in place of a profile
+  std::string beam_profile;  // of beams; "" without beam_section: as columns
   int beam_count = 0;        // 0: as the columns
   SectionSpec beam_section;
   std::string grade;               // of steel: S235, S275, S355; "": the next three
@@ -236,32 +236,32 @@ struct FrameSpec {
       "";  // name of the stage that puts it up; "": that which cuts its opening, or the first
   AnchorSpec anchors;
   WedgeSpec wedges;
-  // In space: the wall of the builder in whose middle plane it stands; or the place in the file's axes where that
-  // plane has x = y = 0 [m], its turn in plan from x [rad], and the opening that it stands in.
+  // In space: the wall of the builder in whose middle plane it stands. Or its plane in the file's axes: the origin
+  // (x = y = 0 there) [m] and the rotation in plan from x [rad], with the opening in it.
   std::string wall;
   double x = kUnset, y = kUnset, z = kUnset, turn = 0;
   HoleSpec hole;
 };
 
-// The fibres of a layer; of one face.
+// The fibres of a layer on one face.
 struct LayerFibreSpec {
   double horizontal = 0,
-         vertical = 0;             // area of the fibres that run so, per metre across them [m^2/m]
-  double youngs_modulus = kUnset;  // [Pa]
-  double strength = kUnset;        // in tension [Pa]; or
+         vertical = 0;                // area of the fibres so directed per metre of width [m^2/m]
+  double youngs_modulus = kUnset;     // [Pa]
+  double strength = kUnset;           // in tension [Pa]; or
   double strain_at_rupture = kUnset;  // [-]
 };
-// How a layer holds on to the masonry, as it slips along it (docs/theory/layers.md).
+// Bond of a layer to the masonry, which slips along it (docs/theory/layers.md).
 struct LayerBondSpec {
-  double energy = kUnset;  // to detach it by slip [N/m]
-  double slip = kUnset;    // at the greatest bond stress [m]
+  double energy = kUnset;  // energy to detach it by slip [N/m]
+  double slip = kUnset;    // slip at the largest bond stress [m]
 };
-// The mortar of a layer, where it bears more than the bond of its fibres (docs/theory/layers.md, "The mortar").
+// The mortar of a layer, where it carries more than the bond of its fibres (docs/theory/layers.md, "The mortar").
 struct LayerMortarSpec {
   double thickness = kUnset;       // of one face [m]
   double youngs_modulus = kUnset;  // [Pa]
   std::string
-      joint;  // name of the joint material with its strengths, which cracks where a joint of the masonry does
+      joint;  // joint material with its strengths; it cracks where a joint of the masonry does
   double density = 0;  // [kg/m^3]
 };
 // Fibres in mortar on the faces of the masonry: reinforced plaster, textile mortars, nets.
@@ -275,35 +275,35 @@ struct LayerSpec {
   LayerMortarSpec mortar;
 };
 
-// What a floor or roof does to the wall at one level (docs/theory/integration.md, "Floors").
+// Actions of a floor or roof on the wall at one level (docs/theory/integration.md, "Floors").
 struct FloorSpec {
   std::string name;
-  std::string storey;          // on whose top it lies
+  std::string storey;          // at whose top it bears
   double y = kUnset;           // or the height of its bearing above the wall's base [m]
   double x = kUnset;           // left end [m]; unset: along the whole wall
   double width = kUnset;       // [m]
   double load = kUnset;        // vertical line load, downwards [N/m]
-  std::vector<double> joists;  // x of point loads [m], which share load * width; empty: a line
+  std::vector<double> joists;  // x of point loads that share load * width [m]; empty: a line
   double bearing = kUnset;     // depth of the bearing, from the inner face [m]
   double thrust = 0;           // horizontal force of a roof on the wall, +x to the right [N]
-  double mass = 0;             // that moves with the wall as inertia [kg/m]
-  PlaceSpec from, to;  // in space: the ends of the line it lies on, in the place of y, x, width
-  std::vector<std::string> origin = {};  // how load and mass came about, where they were not given
+  double mass = 0;             // additional mass, inertia alone [kg/m]
+  PlaceSpec from, to;          // in space: ends of its line, in place of y, x, width
+  std::vector<std::string> origin = {};  // sources of load and mass that were not given
 };
 
-// A tie: a bar that only pulls, between two points of the wall, or from one to a rigid anchor.
+// A tie: a bar that resists tension only, between two points of the wall or from one to a rigid anchor.
 struct TieSpec {
   std::string name;
   PlaceSpec from, to;
-  bool anchored = false;                // `to` is a point that does not move
+  bool anchored = false;                // `to` is a fixed point
   double area = kUnset;                 // of its section [m^2]
   double youngs_modulus = kUnset;       // [Pa]
   double yield_strength = kUnlimited;   // [Pa]
-  double anchor_strength = kUnlimited;  // force at which an anchor gives way, plastic [N]
+  double anchor_strength = kUnlimited;  // force at which an anchor yields [N]
   double prestress = 0;                 // [Pa]
 };
 
-// What a floor does for the points it connects.
+// How a floor connects its points.
 enum class DiaphragmKind { kElastic, kRigid };
 inline constexpr Word<DiaphragmKind> kDiaphragmKindWords[] = {{"elastic", DiaphragmKind::kElastic},
                                                               {"rigid", DiaphragmKind::kRigid}};
@@ -311,23 +311,23 @@ struct DiaphragmSpec {
   std::string name;
   DiaphragmKind kind = DiaphragmKind::kElastic;
   std::string storey;         // at whose top it lies
-  double y = kUnset;          // or its height [m]
+  double y = kUnset;          // or its height above the wall's base [m]
   std::vector<double> x;      // of the connected points [m], at least two
   std::vector<double> z;      // in space: theirs too [m]
-  double stiffness = kUnset;  // axial, E A of the strip that acts [N]; elastic
+  double stiffness = kUnset;  // axial stiffness E A of its acting strip [N]; elastic
 };
 
-// A wall across, or a neighbour: a spring to the ground at one point, with limits.
+// A transverse wall or a neighbour: a spring to the ground at one point, with limits.
 struct SpringSpec {
   std::string name;
   PlaceSpec at;
-  Direction direction = Direction::kPlusX;  // that the point is held in, both ways
+  Direction direction = Direction::kPlusX;  // along which the point is held, both ways
   double stiffness = kUnset;                // [N/m]
   double strength = kUnlimited;             // [N], plastic beyond
-  bool pushes_only = false;                 // holds nothing that moves away: a gap opens
+  bool pushes_only = false;                 // no force for displacements away from it: a gap opens
 };
 
-// Rigid beam over the whole wall top, for tests loaded through one.
+// Rigid beam on the whole wall top, for tests that load through one.
 struct BeamSpec {
   double height = kUnset;  // [m]; unset: no beam
   double density = 0;      // [kg/m^3]
@@ -335,7 +335,7 @@ struct BeamSpec {
   std::string joint = "joint";  // joint material between beam and masonry
 };
 
-// From x on, up to the next step, the wall stands on ground at height y.
+// A step of the foundation: from x to the next step the ground is at height y.
 struct FoundationStep {
   double x = kUnset, y = kUnset;  // [m]
 };
@@ -347,8 +347,8 @@ struct WallSpec {
   Bond bond = Bond::kRunning;
   Fit fit = Fit::kWhole;
   std::string blocks;  // path of a blocks file; then length, height, bond, unit sizes are not used
-  std::string up;  // axis of a file in space that points up, "y" or "z"; "": as its format has it
-  std::vector<std::string> supports;  // blocks of such a file that stand still, by id; * at the end
+  std::string up;      // of a file in space: axis that points up, "y" or "z"; "": by its format
+  std::vector<std::string> supports;  // fixed blocks of such a file, by id; * at the end
   UnitSpec unit;
   std::vector<OpeningSpec> opening;
   BeamSpec beam;
@@ -356,7 +356,7 @@ struct WallSpec {
   std::vector<FoundationStep> foundation = {};  // from left to right; empty: level ground at 0
 };
 
-// For blocks files: the joint between two block materials ("ground" is the support).
+// For blocks files: the joint material between two block materials ("ground" is the support).
 struct ContactRule {
   std::vector<std::string> between;  // two block material names
   std::string material;              // joint material
@@ -374,8 +374,8 @@ inline constexpr Word<Manner> kMannerWords[] = {{"pressure", Manner::kPressure},
                                                 {"spreader", Manner::kSpreader},
                                                 {"each", Manner::kEach}};
 
-// How the force of a push is shared between blocks (docs/theory/integration.md, "The pattern of a push").
-// kArea, in space alone: the free faces that look against the push, as a pressure on them would.
+// How blocks share the force of a push (docs/theory/integration.md, "The pattern of a push").
+// kArea, in space only: by the free faces towards the push, as a pressure on them would be shared.
 enum class Pattern { kNone, kGiven, kMassHeight, kUniform, kMass, kArea };
 inline constexpr Word<Pattern> kPatternWords[] = {{"given", Pattern::kGiven},
                                                   {"mass_height", Pattern::kMassHeight},
@@ -383,7 +383,7 @@ inline constexpr Word<Pattern> kPatternWords[] = {{"given", Pattern::kGiven},
                                                   {"mass", Pattern::kMass},
                                                   {"area", Pattern::kArea}};
 
-// Unit of the numbers of a record.
+// Unit of a record's numbers.
 enum class RecordUnit { kNone, kGravity, kMetres, kCentimetres };
 inline constexpr Word<RecordUnit> kRecordUnitWords[] = {{"g", RecordUnit::kGravity},
                                                         {"m/s2", RecordUnit::kMetres},
@@ -393,11 +393,11 @@ inline constexpr Word<PulseShape> kPulseShapeWords[] = {{"half_cycle", PulseShap
                                                         {"cycle", PulseShape::kCycle},
                                                         {"ricker", PulseShape::kRicker}};
 
-// One component of an earthquake: an acceleration over time from a file, from lists or of a pulse
+// One component of an earthquake: an acceleration over time, from a file, from lists, or of a pulse
 // (docs/theory/dynamics.md).
 struct RecordSpec {
   std::string file;    // CSV or AT2, relative to the model file
-  std::string column;  // of a CSV: its head or number; "": the second, or the only
+  std::string column;  // of a CSV: header or number; ""; the second or only column
   RecordUnit unit = RecordUnit::kNone;
   double step = kUnset;               // of numbers without times [s]
   std::vector<double> times;          // [s]
@@ -406,12 +406,12 @@ struct RecordSpec {
   double amplitude = kUnset;  // of a pulse [m/s^2]
   double period = kUnset;     // of a pulse [s]
   Direction direction = Direction::kPlusX;
-  PlaceSpec at;      // supports or blocks that move so; unset: the base
-  std::string hash;  // of the numbers of a file, as a run writes it; "": not compared
-  std::vector<double> read_times, read_accelerations;  // of the file [s], [m/s^2]; not keys
+  PlaceSpec at;      // supports or blocks with this motion; unset: the base
+  std::string hash;  // of a file's numbers, written by a run; "": not compared
+  std::vector<double> read_times, read_accelerations;  // read from the file [s], [m/s^2]; not keys
 };
 
-// All components of a shake by one factor: as given, or so that the first one gets a stated peak or spectral
+// Scale of a shake, one factor for all components: as given, or so that the first component gets a stated peak or spectral
 // acceleration.
 struct ScaleSpec {
   double factor = kUnset;
@@ -428,19 +428,19 @@ struct ViscousSpec {
   double frequency = kUnset;  // [Hz]
 };
 
-// A point whose motion is told over time.
+// A point whose motion is recorded over time.
 struct HistorySpec {
   std::string name;
   PlaceSpec at;
 };
 
-// A push without a velocity goes at the second while the wall is near balance, and waits at the first where it
-// cracks (docs/theory/integration.md) [m/s].
+// Velocities of a push that states none [m/s]: the first where the wall cracks, the second while it is near balance
+// (docs/theory/integration.md).
 inline constexpr double kWaitingVelocity = 0.1e-3, kAdaptedVelocity = 5e-3;
 
 struct StageSpec {
   std::string name;
-  StageKind kind = StageKind::kGravity;  // inferred from the keys present
+  StageKind kind = StageKind::kGravity;  // derived from the keys that are present
   double ramp = kUnset;     // duration of the smooth start [s]; unset: documented default
   double damping = kUnset;  // local damping of this stage; unset: solve.damping
   // load
@@ -451,30 +451,30 @@ struct StageSpec {
   std::string plate_joint = "foundation";  // joint material under a plate
   // push
   PlaceSpec at;
-  Pattern pattern = Pattern::kNone;  // forces at several levels in the place of `at`
+  Pattern pattern = Pattern::kNone;  // forces at several levels, in place of `at`
   std::vector<double> levels;        // their heights [m]
   std::vector<double> shares;        // kGiven: of the force, one a level
-  PlaceSpec control;                 // whose displacement the push follows; unset: the driven mean
-  // Height above the wall's foot where the moment of the push is nil, over the wall's height: the line along
-  // which the push acts; unset: through the centroids of what is pushed.
+  PlaceSpec control;                 // its displacement is controlled; unset: the driven mean
+  // Height of the zero of the push's moment above the wall's foot, over the height of the wall: the push acts along that
+  // line; unset: through the centroids of the pushed blocks.
   double contraflexure = kUnset;
   Direction direction = Direction::kPlusX;
   double velocity = kUnset;       // [m/s]
   double fast_velocity = kUnset;  // while the wall is near balance [m/s]; unset: one velocity
   double fast_below = 1e-4;       // unbalance ratio below which the wall is near balance
   double until = kUnset;          // [m]
-  std::vector<double> along;      // in space: any direction, in the place of `direction`
-  PlaceSpec on;                   // in space: blocks whose faces the pressure acts on; unset: all
-  std::string face;               // in space: where those faces look, a word of Direction; "": up
+  std::vector<double> along;      // in space: any direction, in place of `direction`
+  PlaceSpec on;                   // in space: blocks under the pressure; unset: all
+  std::string face;               // in space: direction of those faces, a word of Direction; "": up
   double force = kUnset;          // in space: load at the point `at` [N]
   double line_load = kUnset;      // in space: load along the line `from` - `to` [N/m]
-  PlaceSpec from, to;             //
-  std::vector<double> targets;    // cyclic: displacements along `direction`, in turn [m]
-  // cyclic, by a protocol (model/protocol.h): how far each level goes, as lengths or as drifts, and how often
+  PlaceSpec from, to;
+  std::vector<double> targets;  // cyclic: displacements along `direction`, in turn [m]
+  // cyclic, by a protocol (model/protocol.h): amplitude of each level as a length or a drift, and number of its cycles
   std::vector<double> amplitudes;  // [m]
-  std::vector<double> drifts;      // over the height of the rows' drift [-]
-  std::vector<double> cycles;  // one number for all levels, or one a level; empty: one cycle each
-  double stop_below = 0;       // stop when the reaction falls below this share of the peak
+  std::vector<double> drifts;      // over the height that the rows' drift uses [-]
+  std::vector<double> cycles;      // one number for all levels, or one for each; empty: one cycle
+  double stop_below = 0;           // share of the peak: stop when the reaction stays below it
   Freedom rotation = Freedom::kFree;
   Freedom across = Freedom::kFree;  // motion across the push direction
   // body force: horizontal force lambda W_i on every block, growing at `rate` up to `factor`
@@ -485,57 +485,57 @@ struct StageSpec {
   double tilt_until = kUnset;  // [rad]
   // hold
   double duration = kUnset;  // [s]
-  bool release = false;      // lets go of what a push before it holds
+  bool release = false;      // releases what a previous push holds
   // load
-  bool floors = false;  // sets every [[floor]] on the wall; without such a stage gravity does
+  bool floors = false;  // applies every [[floor]]; without such a stage gravity does
   // shake
   std::vector<RecordSpec> record;
   ScaleSpec scale;
   double free_vibration = 0;    // after the record [s]
   double interval = kUnset;     // between rows of the history [s]
-  ViscousSpec mass_damping;     // on the motion against the base
-  ViscousSpec joint_damping;    // of closed points, in proportion to their stiffness
+  ViscousSpec mass_damping;     // on the velocity relative to the base
+  ViscousSpec joint_damping;    // of closed points, proportional to their stiffness
   double restitution = kUnset;  // of a block that falls flat on another; unset: elastic
-  // Of closed contacts, largest at its frequency: a spring and a dashpot in series beside them.
+  // Of closed contacts, largest at its frequency: a spring and a dashpot in series, parallel to the contact.
   ViscousSpec maxwell_damping;
 };
 
-// Where the contact points of a face stand and what area each takes (model/quadrature.h).
+// Positions of a face's contact points and their shares of its area (model/quadrature.h).
 enum class PointRule { kDefault, kCorners, kTrapezoid, kLobatto, kGauss };
 inline constexpr Word<PointRule> kPointRuleWords[] = {{"corners", PointRule::kCorners},
                                                       {"trapezoid", PointRule::kTrapezoid},
                                                       {"lobatto", PointRule::kLobatto},
                                                       {"gauss", PointRule::kGauss}};
 
-// Local damping in space: of each component in the wall's axes, as in the paper, or of force and moment as
-// vectors, which knows no axes (docs/theory/space.md).
+// Local damping in space: of each component in the axes of the wall, as in the paper; or of force and moment as
+// vectors, which does not depend on axes (docs/theory/space.md).
 enum class DampingForm { kVector, kComponents };
 inline constexpr Word<DampingForm> kDampingFormWords[] = {{"vector", DampingForm::kVector},
                                                           {"components", DampingForm::kComponents}};
 
 struct SolveSpec {
   PointRule point_rule = PointRule::kDefault;
-  int points_per_face = 0;      // 0: as the rule has it; both unstated: lobatto, 3
-  double step_fraction = 0.95;  // of the longest stable step, damping included
-  double damping = 0.8;         // local damping
+  int points_per_face = 0;                          // 0: by the rule; without both: lobatto, 3
+  double step_fraction = 0.95;                      // of the largest stable step, damping included
+  double damping = 0.8;                             // local damping
   DampingForm damping_form = DampingForm::kVector;  // in space alone
   double gravity = 9.81;                            // [m/s^2]
-  double settle_ratio = 1e-5;       // a stage has settled below this unbalance ratio
-  double settle_limit = 20;         // give up settling after this time [s]
-  double mass_scaling = 1;          // density scaling of the gravity and load stages
-  bool raise_light_inertia = true;  // of lintels, plates, beams that would shorten the time step
-  double collapse_displacement = kUnset;  // [m]; unset: the smallest block height; unlimited where
-                                          // contacts are free
+  double settle_ratio = 1e-5;             // unbalance ratio below which a stage has settled
+  double settle_limit = 20;               // longest time for settling [s]
+  double mass_scaling = 1;                // density scaling of the gravity and load stages
+  bool raise_light_inertia = true;        // of lintels, plates, beams that would shorten the step
+  double collapse_displacement = kUnset;  // [m]; unset: the smallest block height; unlimited
+                                          // with free contacts
   Contacts contacts = Contacts::kJoints;
-  double ground = kUnset;  // height of level ground that blocks fall on, for free contacts [m]
+  double ground = kUnset;  // height of level ground for falling blocks, with free contacts [m]
 };
 
-// Heads and who answers for the sheet that is handed over.
+// Headings and the engineer responsible, for the printed sheet.
 struct ProjectSpec {
   std::string title, client, author, date, place;
 };
 
-// The demand of an earthquake as a spectrum: by a code's parameters, or as a table.
+// The demand of an earthquake as a spectrum: by the parameters of a code, or as a table.
 enum class SpectrumKind { kNone, kEn1998, kNtc2018, kTable };
 inline constexpr Word<SpectrumKind> kSpectrumKindWords[] = {{"en1998", SpectrumKind::kEn1998},
                                                             {"ntc2018", SpectrumKind::kNtc2018},
@@ -552,57 +552,57 @@ struct SpectrumSpec {
   std::vector<double> periods;          // table [s]
   std::vector<double> accelerations;    // table [m/s^2]
 };
-// The spectra of limit states that have one of their own; none: that of `AssessmentSpec::spectrum`.
+// Spectra of single limit states; one that is missing is AssessmentSpec::spectrum.
 struct SpectraSpec {
   SpectrumSpec operational, damage_limitation, life_safety, near_collapse;
 };
-// What holds a part of a wall back at one height: a tie through the wall, a floor that is anchored.
+// What holds a part of a wall at one height: a through-tie or an anchored floor.
 struct HoldSpec {
   std::string name;
   double height = kUnset;  // above the wall's base [m]
-  double force = kUnset;   // with which it holds at most [N]
-  double travel = kUnset;  // how far it goes along before it lets go [m]; unset: not known
+  double force = kUnset;   // largest holding force [N]
+  double travel = kUnset;  // displacement at which it fails [m]; unset: not known
 };
-// Teeth of a part with walls across: units of either lie on each other, course by course.
+// Toothing of a part with transverse walls: units of both lie on each other, course by course.
 struct TeethSpec {
-  int corners = 0;           // how many walls across
-  double length = kUnset;    // of the teeth along the part: the thickness of a wall across [m]
-  double course = kUnset;    // height between the faces that slide [m]
+  int corners = 0;           // number of transverse walls
+  double length = kUnset;    // of the teeth along the part: thickness of a transverse wall [m]
+  double course = kUnset;    // height between sliding faces [m]
   double friction = kUnset;  // tangent of the angle [-]
 };
 enum class Fall { kOutwards, kInwards };
 inline constexpr Word<Fall> kFallWords[] = {{"outwards", Fall::kOutwards},
                                             {"inwards", Fall::kInwards}};
-// A part of a wall that may fall on its face, as one rigid strip about a line at its foot, or, where its head is held,
-// as two about a line between (docs/theory/local_mechanisms.md).
+// A part of a wall that may fall out of plane: one rigid strip that rotates about a line at its foot. Where its head is
+// held, there are two strips with a further line between them (docs/theory/local_mechanisms.md).
 struct PartSpec {
   std::string name;
   double foot = kUnset, head = kUnset;   // above the wall's base [m]
   double left = kUnset, right = kUnset;  // ends along the wall [m]
   Fall falls = Fall::kOutwards;
   bool head_held = false;
-  double lean = 0;          // out of plumb, towards the fall [rad]
-  double inset = kUnset;    // of the line it turns about, from the face [m]; unset: by crushing
+  double lean = 0;          // initial inclination towards the fall [rad]
+  double inset = kUnset;    // rotation line from the face [m]; unset: by crushing
   double bearing = kUnset;  // depth of its floors' bearings [m]; unset: their own
   std::vector<HoldSpec> hold;
   TeethSpec teeth;
 };
-// The building that a part belongs to, for the spectrum at its height.
+// The building of a part, for the spectrum at its height.
 struct BuildingSpec {
   double height = kUnset;  // [m]; unset: of the wall
-  double period = kUnset;  // first one, T1 [s]; unset: by its height
+  double period = kUnset;  // T1 [s]; unset: by its height
   int storeys = 0;         // 0: those of the model
 };
-// What a run or campaign is asked for beside its curve (docs/theory/assessment.md).
+// What a run or campaign is asked besides its curve (docs/theory/assessment.md).
 struct AssessmentSpec {
   std::string code;       // "": none; circolare_2019, en1998_3
-  SpectrumSpec spectrum;  // of `limit_state`
-  SpectraSpec spectra;    // of others, or in its place
+  SpectrumSpec spectrum;  // for `limit_state`
+  SpectraSpec spectra;    // for other limit states, or in its place
   std::string limit_state = "life_safety";
-  double confidence_factor = kUnset;  // of the knowledge level; unset: 1, and said
-  double masonry_share = 1;           // of the building's mass and force that this wall stands for
-  double added_mass = 0;              // that the wall carries in an earthquake, but not here [kg]
-  double added_height = kUnset;       // where that mass acts [m]; unset: at the control point
+  double confidence_factor = kUnset;  // of the knowledge level; unset: 1, with a caution
+  double masonry_share = 1;           // share of the building's mass and force for this wall
+  double added_mass = 0;              // in an earthquake, beside blocks and loads [kg]
+  double added_height = kUnset;       // height of that mass [m]; unset: at the control point
   double record_scatter = kUnset;     // beta of records, for fragility [-]
   BuildingSpec building;
   std::vector<PartSpec> part;  // that may fall out of the wall's plane
@@ -614,12 +614,12 @@ struct OutputSpec {
   std::vector<double> states = {};  // displacements at which a state is written [m]
 };
 
-// One block of a blocks file, already read (src/io): a simple polygon, any orientation.
+// One block of a blocks file as read by src/io: a simple polygon of either orientation.
 struct BlockSpec {
   std::string id;
   std::vector<std::array<double, 2>> polygon;  // [m]
   std::string material = "masonry";  // names a material with a density, else wall.unit.density
-  bool fixed = false;                // a support: never moves
+  bool fixed = false;                // a fixed support
   bool beam = false;                 // the loading beam: at = { beam = true } and beam_load find it
   ZoneSpec zone = {};                // deformable where zone.zones > 0
 };
@@ -638,10 +638,10 @@ struct ModelSpec {
   std::vector<TieSpec> tie;
   std::vector<DiaphragmSpec> diaphragm;
   std::vector<SpringSpec> spring;
-  MasonrySpec masonry;  // inputs of rules
+  MasonrySpec masonry;  // inputs of material rules
   std::map<std::string, JointMaterial> material;
-  std::map<std::string, FieldSpec> field;  // what varies within the wall (study.h, draw_fields)
-  // Whether a field is drawn, and does not only follow others by its formula.
+  std::map<std::string, FieldSpec> field;  // variation within the wall (study.h, draw_fields)
+  // Whether a field is drawn, rather than following others by its formula.
   [[nodiscard]] bool draws_fields() const {
     for (const auto& one : field)
       if (one.second.formula.empty()) return true;

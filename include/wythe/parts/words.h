@@ -1,6 +1,6 @@
-// Words of enumerations: what files, stores, pages and messages call a value. The table stands beside
-// the enumeration, in any order. src/api/word_tables.cpp checks it when it is compiled: every enumerator once, no word twice.
-// So an enumerator may be added or moved, and nothing that is stored gets another name.
+// Words of enumerations: the name of a value in files, stores, pages and messages. The table stands beside
+// the enumeration, in any order. src/api/word_tables.cpp checks at compile time that each enumerator has one unique word.
+// So enumerators can be added or moved without renaming anything that is stored.
 //
 //   enum class Fit { kWhole, kCut };
 //   inline constexpr Word<Fit> kFitWords[] = {{"whole", Fit::kWhole}, {"cut", Fit::kCut}};
@@ -20,7 +20,7 @@ struct Word {
   E value;
 };
 
-// Whether `value` is an enumerator: compilers write it by its name, any other value as "(E)7".
+// Whether `value` is an enumerator. Compilers write an enumerator by its name, any other value as "(E)7".
 template <auto value>
 [[nodiscard]] consteval bool is_enumerator() {
   const std::string_view text = __PRETTY_FUNCTION__;
@@ -28,7 +28,7 @@ template <auto value>
   return text[text.find(kBefore) + kBefore.size()] != '(';
 }
 
-// How many enumerators an enumeration has, of values from 0 to 63.
+// Number of enumerators of an enumeration with values from 0 to 63.
 template <class E>
 [[nodiscard]] consteval std::size_t count_enumerators() {
   return []<std::size_t... value>(std::index_sequence<value...>) {
@@ -37,7 +37,7 @@ template <class E>
   (std::make_index_sequence<64>{});
 }
 
-// Whether a table names each enumerator once, but for `unnamed` of them, and no two alike.
+// Whether a table names each enumerator once, except `unnamed` of them, with different words.
 template <class E, std::size_t N>
 [[nodiscard]] consteval bool names_all(const Word<E> (&words)[N], std::size_t unnamed = 0) {
   for (std::size_t i = 0; i < N; ++i)
@@ -48,7 +48,7 @@ template <class E, std::size_t N>
   return N + unnamed == count_enumerators<E>();
 }
 
-// The word of a value; "" of one that has none.
+// The word of a value; "" where it has none.
 template <class E, std::size_t N>
 [[nodiscard]] constexpr const char* word_of(const Word<E> (&words)[N], E value) {
   for (const Word<E>& word : words)
@@ -56,7 +56,7 @@ template <class E, std::size_t N>
   return "";
 }
 
-// The value that a word names, if any.
+// The value that a word names; nothing for an unknown word.
 template <class E, std::size_t N>
 [[nodiscard]] constexpr std::optional<E> value_of(const Word<E> (&words)[N],
                                                   std::string_view text) {

@@ -1,15 +1,15 @@
-// A zone of a deformable block, as the step sees it. The kernels of the step know this and no other part of the model,
-// so that a new key or column does not compile them again.
+// A zone of a deformable block as the step sees it. The kernels of the step include no other part of the model,
+// so that a new key or column does not recompile them.
 #pragma once
 
 namespace wythe {
 
-// Data that zones of one shape and material have in common (src/solids). A triangle is a zone whose
+// Data that zones of one shape and material share (src/solids). A triangle is a zone whose
 // last two corners are one node.
 struct ZoneShape {
   double x[4] = {}, y[4] = {};            // corners seen from their mean, anticlockwise [m]
-  double grad_x[4] = {}, grad_y[4] = {};  // gradient of each corner's share, in the middle [1/m]
-  double stiffness[8][8] = {};            // corner forces per displacement [N/m], thickness in it;
+  double grad_x[4] = {}, grad_y[4] = {};  // of each corner's shape function, in the middle [1/m]
+  double stiffness[8][8] = {};            // corner forces per displacement, with thickness [N/m];
                                           // order x1 y1 x2 y2 ...
   double elasticity[3][3] = {};           // mean stresses x, y, xy per strain [Pa]
   double share[4] = {};                   // of the mass, at each corner [-]

@@ -1,4 +1,4 @@
-// How a deformable block is divided into zones, in its plane or in space.
+// Division of a deformable block into zones, in the plane or in space.
 #pragma once
 
 #include "wythe/parts/contact_law.h"
@@ -6,8 +6,8 @@
 
 namespace wythe {
 
-// Zones: both pairs of constant-strain triangles of a quadrilateral laid over each other, with half
-// the weight each; mixed gives them one common volumetric strain.
+// Zones of a quadrilateral: both pairs of its constant-strain triangles are superposed with half
+// the weight each. kMixed gives them one common volumetric strain.
 enum class ZoneKind { kMixed, kCst };
 inline constexpr Word<ZoneKind> kZoneKindWords[] = {{"mixed", ZoneKind::kMixed},
                                                     {"cst", ZoneKind::kCst}};
@@ -15,9 +15,9 @@ enum class Plane { kStress, kStrain };
 inline constexpr Word<Plane> kPlaneWords[] = {{"stress", Plane::kStress},
                                               {"strain", Plane::kStrain}};
 
-// How a deformable block is divided into zones; kind and plane condition are those of blocks in their plane.
+// Division of a deformable block into zones; `kind` and the plane condition apply to blocks in the plane.
 struct ZoneSpec {
-  int zones = 0;           // through the depth, in space the height; 0: the block is rigid
+  int zones = 0;           // number over the depth, in space over the height; 0: rigid
   double length = kUnset;  // of a zone [m]; unset: as long as deep
   ZoneKind kind = ZoneKind::kMixed;
   Plane plane = Plane::kStress;

@@ -1,6 +1,6 @@
-// Checks the pairs of a study one by one, then whether their matrix is positive definite; a refusal names the
-// nearest matrix that is. A stated rank correlation becomes the linear one of the normal variables behind it. If
-// values of a variable repeat, few_values.h says which rank correlation is possible.
+// Checks the pairs of a study one by one, then whether their matrix is positive definite. A refusal names
+// the nearest matrix that is. A given rank correlation is converted to the linear correlation of the normal
+// variables behind it. If values of a variable repeat, few_values.h says which rank correlation is possible.
 #include "campaign/draws/copula.h"
 
 #include <fmt/format.h>
@@ -25,7 +25,7 @@ std::size_t variable_named(const StudySpec& study, const std::string& name) {
   return static_cast<std::size_t>(found - study.variable.begin());
 }
 
-// The normal variables behind a pair whose rank correlation is stated.
+// The correlation of the normal variables behind a pair with a given rank correlation.
 RankReached correlation_behind(const StudySpec& study, const CorrelationSpec& pair) {
   return gaussian_of_rank(pair.value,
                           shares_of_values(study.variable[variable_named(study, pair.a)]),
@@ -36,7 +36,7 @@ class PairCheck {
  public:
   PairCheck(const StudySpec& study, FaultList& faults) : study_(study), faults_(faults) {}
 
-  // True when every pair may go into a matrix.
+  // True when every pair is valid for the matrix.
   bool run() {
     for (std::size_t i = 0; i < study_.correlation.size(); ++i) check(i);
     return good_;
@@ -62,7 +62,7 @@ class PairCheck {
       check_reach(i, pair);
   }
 
-  // Between few values not every rank correlation exists.
+  // With few values, not every rank correlation is possible.
   void check_reach(std::size_t i, const CorrelationSpec& pair) {
     const double within = correlation_behind(study_, pair).within;
     if (std::fabs(within) >= std::fabs(pair.value)) return;
@@ -104,7 +104,7 @@ const CorrelationSpec* pair_of(const StudySpec& study, const std::string& a, con
   return nullptr;
 }
 
-// The rank correlation of two variables whose normal ones correlate by `rho`.
+// The rank correlation of two variables, from the correlation `rho` of the normal variables behind them.
 double rank_given_by(const StudySpec& study, const std::string& a, const std::string& b,
                      double rho) {
   return rank_of_gaussian(rho, shares_of_values(study.variable[variable_named(study, a)]),

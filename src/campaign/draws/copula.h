@@ -13,7 +13,7 @@ struct Copula {
   std::vector<std::size_t> variable;
   CorrelationMatrix matrix{0};
 };
-// Every pair must name two variables. `all`: the variables in no pair too, correlated with none.
+// Every pair must name two variables. `all` includes variables in no pair, which are correlated with none.
 [[nodiscard]] Copula copula_of(const StudySpec& study, bool all = false);
 
 // The linear correlation of two jointly normal variables from Spearman's rank correlation: rho = 2 sin(pi rank / 6).

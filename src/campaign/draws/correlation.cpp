@@ -13,8 +13,8 @@
 namespace wythe {
 namespace {
 
-// Of nearest_positive_definite(), times n: rounding every entry to three digits, ranks or not, moves
-// an eigenvalue by at most 5.3e-4 (n - 1).
+// Used by nearest_positive_definite(), times n. Rounding every entry to
+// three digits, ranks or not, moves an eigenvalue by at most 5.3e-4 (n - 1).
 constexpr double kLeastEigenvalue = 6e-4;
 constexpr std::size_t kFewestPerColumn = 3;  // samples that make_uncorrelated() needs for each
 
@@ -46,7 +46,7 @@ std::vector<std::size_t> order_of(const std::vector<double>& values) {
   return order;
 }
 
-// The values of `column`, put where `scores` has the same ranks.
+// The values of `column`, reordered so that they have the ranks of `scores`.
 std::vector<double> arranged(std::vector<double> column, const std::vector<double>& scores) {
   std::sort(column.begin(), column.end());
   const std::vector<std::size_t> order = order_of(scores);
@@ -55,7 +55,7 @@ std::vector<double> arranged(std::vector<double> column, const std::vector<doubl
   return out;
 }
 
-// Each column less its projections on those before it, with mean 0 and mean square 1.
+// Each column minus its projections on the earlier columns, with mean 0 and mean square 1.
 void make_uncorrelated(Columns& z) {
   const auto n = static_cast<double>(z.front().size());
   const auto product = [&](const std::vector<double>& a, const std::vector<double>& b) {
@@ -73,8 +73,8 @@ void make_uncorrelated(Columns& z) {
   }
 }
 
-// Puts the values of each column in the order of the uncorrelated ones; three times, which leaves rank
-// correlations of at most 0.004 in 250 samples.
+// Reorders the values of each column like the uncorrelated columns, three
+// times. This leaves rank correlations of at most 0.004 in 250 samples.
 void remove_chance_correlations(Columns& u) {
   for (int round = 0; round < 3; ++round) {
     Columns order = u;

@@ -21,11 +21,11 @@ struct CorrelationMatrix {
 // from zero for its entries to be rounded to three digits: alternating projections, Higham 2002.
 [[nodiscard]] CorrelationMatrix nearest_positive_definite(const CorrelationMatrix& matrix);
 
-// Ties the columns together by a Gaussian copula with this matrix, x = Phi(L Phi^-1(u)). A Latin
-// hypercube keeps its strata: each column keeps its values and takes only the ranks of x (Stein
-// 1987), and what chance put between the ranks is taken out first (after Iman and Conover 1982), so
-// that the columns are as uncorrelated as the matrix says. Column j then depends on those before
-// it. With the other designs the columns become x.
+// Correlates the columns by a Gaussian copula with this matrix, x = Phi(L Phi^-1(u)).
+// A Latin hypercube keeps its strata: each column keeps its values and takes only the
+// ranks of x (Stein 1987). Chance correlations of the ranks are removed first (after
+// Iman and Conover 1982), so that the correlations are those of the matrix. Column j
+// then depends on the earlier ones. With the other designs the columns become x.
 void impose_correlation(Columns& u, const CorrelationMatrix& matrix, Design design);
 
 }  // namespace wythe

@@ -1,6 +1,6 @@
-// Reads each formula, orders the dependents depth first so that each follows those it uses, and derives units in that
-// order. A dependent with a unit of its own must agree with it; any other takes that of its formula, which must have
-// whole powers. A formula at fault causes no further faults of units in those that use it.
+// Parses each formula, orders the dependents depth first so that each comes after those it uses, and derives
+// units in that order. A dependent with its own unit must agree with it. Any other takes the unit of its formula,
+// which must have integer powers. A formula with a fault causes no further faults of units in those that use it.
 #include "campaign/draws/dependents.h"
 
 #include <algorithm>
@@ -49,7 +49,7 @@ void Dependents::parse_formulas(FaultList& faults) {
     }
 }
 
-// Depth first: an item is placed after all it uses; one that is met again on the way is a cycle.
+// Depth first: an item is placed after all items that it uses. Meeting an item again on the way means a cycle.
 void Dependents::order_from(std::size_t item, std::vector<Mark>& mark,
                             std::vector<std::size_t>& way, FaultList& faults) {
   if (mark[item] == Mark::kDone) return;
@@ -83,7 +83,7 @@ void Dependents::derive_units(FaultList& faults) {
   const auto learn = [&](const InputSpec& input) {
     try {
       if (!input.si_unit.empty()) known[input.name] = dimension_of(input.si_unit);
-    } catch (const QuantityError&) {  // a fault of its own, at its unit
+    } catch (const QuantityError&) {  // reported with its unit
     }
   };
   for (const VariableSpec& variable : study_->variable) learn(variable);
@@ -98,7 +98,7 @@ void Dependents::derive_unit(std::size_t item, std::map<std::string, Dimension>&
   si_unit_[item] = spec.si_unit;
   if (!formula) return;
   for (const std::string& name : formula->inputs())
-    if (!known.contains(name)) return;  // follows from another fault
+    if (!known.contains(name)) return;  // another fault is the cause
   try {
     const Dimension found = formula->dimension(known);
     if (spec.si_unit.empty()) {

@@ -13,9 +13,9 @@ namespace wythe {
 
 class Dependents {
  public:
-  // Reads every formula, orders them so that each follows those it uses, and derives their units.
-  // What is wrong (a formula that can't be read, a cycle, units that clash) goes to `faults`; then
-  // nothing may be evaluated.
+  // Parses every formula, orders them so that each comes after those it uses,
+  // and derives their units. Faults (a formula that cannot be parsed, a cycle,
+  // units that clash) go to `faults`; with any fault nothing may be evaluated.
   Dependents(const StudySpec& study, FaultList& faults);
 
   // SI unit of each dependent, by its number in the study; "" where it has none because of a fault.
@@ -46,7 +46,7 @@ class Dependents {
   std::vector<std::string> si_unit_;
 };
 
-// The inputs as columns, units derived: variables in their order, then dependents.
+// The inputs as columns with derived units: variables in their order, then dependents.
 [[nodiscard]] std::vector<InputColumn> columns_of(const StudySpec& study,
                                                   const Dependents& dependents);
 

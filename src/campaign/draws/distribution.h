@@ -1,5 +1,5 @@
-// The parameters that state a random variable, one line each; the study file, the store and the checks follow from
-// them. How a kind of distribution uses them: margin.cpp.
+// The parameters that define a random variable, one in each line. The study file, the store
+// and the checks use this list. margin.cpp says how a kind of distribution uses them.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace wythe::study {
 
-// kMiddle, kBound and kCut are values of the variable, kSpread a difference of two, kNumber has no unit; both
-// of these must be positive. kCut truncates any kind.
+// kMiddle, kBound and kCut are values of the variable, kSpread is a difference of two
+// values, kNumber has no unit. The last two must be positive. kCut truncates any kind.
 enum class ParameterIs { kMiddle, kBound, kSpread, kNumber, kCut };
 
 struct VariableParameter {
@@ -40,8 +40,8 @@ inline constexpr VariableParameter kVariableParameters[] = {
     {"lower", &VariableSpec::lower, ParameterIs::kCut},
     {"upper", &VariableSpec::upper, ParameterIs::kCut}};
 
-// The sets of parameters a kind is stated by, one of which must be given; "spread" stands for cov or
-// standard_deviation.
+// The sets of parameters that define a kind; one of them must
+// be given. "spread" stands for cov or standard_deviation.
 struct DistributionForms {
   const char* words;  // "a normal"
   std::vector<std::vector<std::string>> forms;

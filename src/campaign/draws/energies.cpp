@@ -17,15 +17,15 @@ namespace {
 
 constexpr double kAbove = 1.05;  // of the least energy without snap-back
 
-// "max(GI0/ft0 ft, 1.05 G ft^2/kn + spent)", G the steepest slope of the branch. `spent`: a formula of what the
-// energy has lost before the branch begins, or gained (below 0) [N/m].
+// "max(GI0/ft0 ft, 1.05 G ft^2/kn + spent)", with G the steepest slope of the branch. `spent`
+// is a formula of the energy lost before the branch begins, or gained (below 0) [N/m].
 std::string above_least(const std::string& proportional, const std::string& drop, double stiffness,
                         double steepest, const std::string& spent = "") {
   return fmt::format("max({}, {:.17g} * ({}) ^ 2 / {:.17g} Pa/m{})", proportional,
                      kAbove * steepest, drop, stiffness, spent);
 }
 
-// The drop from peak to residual shear with cohesion `c` in the place of the mean, of which friction has a share.
+// The drop from peak to residual shear, with cohesion `c` instead of the mean, of which friction is a share.
 std::string drop_of(const std::string& c, const JointMaterial& m, const std::string& friction) {
   const double kept = m.cohesion > 0 ? m.residual_cohesion / m.cohesion : 0;
   return fmt::format("{:.17g} * {} + {}", 1 - kept, c, friction);
@@ -57,7 +57,7 @@ std::string slip_energy(const std::string& proportional, const std::string& c,
 
 std::string crushing_energy(const std::string& proportional, const std::string& fc,
                             const JointMaterial& m) {
-  constexpr double kStraight = 0.5;  // G of a straight branch
+  constexpr double kStraight = 0.5;  // G of a linear branch
   const double hardening = contact::hardening_energy(m) / m.compressive_strength;
   return above_least(proportional, fc, contact::crushing_stiffness(m), kStraight,
                      hardening > 0 ? fmt::format(" + {:.17g} m * ({})", hardening, fc) : "");

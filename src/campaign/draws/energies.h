@@ -1,6 +1,6 @@
-// Formulas of the energies that go with drawn strengths and never make a joint snap back (docs/theory/fields.md,
-// "Scatter of a masonry"): each is `proportional`, or 1.05 times the least that the law can follow. Strengths are
-// formulas too; `m` holds the means that they scatter about.
+// Formulas of energies that follow drawn strengths and never make a joint snap back
+// (docs/theory/fields.md, "Scatter of a masonry"). Each is `proportional`, or 1.05 times the
+// least energy that the law can follow. Strengths are formulas too; `m` holds their means.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@ namespace wythe::study {
 
 [[nodiscard]] std::string tension_energy(const std::string& proportional, const std::string& ft,
                                          const JointMaterial& m);
-// Without pressure, and under that at which the drop from peak to residual shear is greatest. `crushing`: factor on
-// the compressive strength, which bounds that pressure; "": it does not scatter.
+// The slip energy for zero pressure, and for the pressure with the greatest drop from peak to residual shear.
+// `crushing`: factor on the compressive strength, which limits that pressure; empty: it does not scatter.
 [[nodiscard]] std::string slip_energy(const std::string& proportional, const std::string& c,
                                       const JointMaterial& m, const std::string& crushing = "");
 [[nodiscard]] std::string crushing_energy(const std::string& proportional, const std::string& fc,

@@ -41,7 +41,7 @@ double variance_of(const std::vector<double>& shares) {
   return (1 - cubes) / 12;
 }
 
-// d Cov / d t at rho = sin t, of two step functions or of one and a continuous variable (no steps).
+// d Cov / d t at rho = sin t, of two step functions, or of one and a continuous variable (which has no steps).
 double rate(double t, const std::vector<Step>& a, const std::vector<Step>& b) {
   const double r = elementary::sin(t), c = elementary::cos(t);
   double sum = 0;
@@ -62,7 +62,7 @@ double rate(double t, const std::vector<Step>& a, const std::vector<Step>& b) {
   return sum;
 }
 
-// The covariance of the ranks of two variables, at least one of few values, by the correlation sin t behind them.
+// The covariance of the ranks of two variables, at least one of them with few values, as a function of t with rho = sin t.
 class Ranks {
  public:
   static constexpr int kPieces = 512;
@@ -78,7 +78,7 @@ class Ranks {
 
   [[nodiscard]] double way() const { return way_; }    // sign of the correlation
   [[nodiscard]] double unit() const { return unit_; }  // covariance of a rank correlation of 1
-  // What the covariance grows by between t = from and from + length, by Simpson's rule.
+  // Increase of the covariance from t = from to from + length, by Simpson's rule.
   [[nodiscard]] double growth(double from, double length) const {
     const auto f = [&](double t) { return rate(way_ * std::min(t, 0.5 * kPi - 1e-9), a_, b_); };
     return length / 6 * (f(from) + 4 * f(from + 0.5 * length) + f(from + length));
@@ -93,7 +93,7 @@ class Ranks {
 
 std::vector<double> shares_of_values(const VariableSpec& v) {
   constexpr std::size_t kMany =
-      60;  // so many equal shares leave a rank correlation as it is, but for 3e-4 of it
+      60;  // so many equal shares change a rank correlation by only 3e-4 of it
   if (v.distribution != DistributionKind::kEmpirical) return {};
   std::map<double, double> count;
   double all = 0;

@@ -1,5 +1,5 @@
-// Rank correlation of variables that have few values: measured ones that are drawn with replacement. Equal values share
-// a rank, so a Gaussian copula correlates them less than continuous variables, and not every rank correlation exists.
+// Rank correlation of variables with few values: measured values that are drawn with replacement. Equal values share a
+// rank. So a Gaussian copula correlates them less than continuous variables, and not every rank correlation is possible.
 #pragma once
 
 #include <vector>
@@ -8,17 +8,17 @@
 
 namespace wythe {
 
-// The share of each value of a variable, in their order; empty: as good as continuous.
+// The share of each value of a variable, in ascending order; empty where it counts as continuous.
 [[nodiscard]] std::vector<double> shares_of_values(const VariableSpec& variable);
 
-// The linear correlation of two normal variables behind two with these shares, whose ranks correlate by `rank`. `within`: what
-// can be reached; where `rank` lies beyond, `within` is the largest (or the least) and `rho` that of full dependence.
+// The linear correlation of the normal variables behind two variables with these shares and the rank correlation `rank`.
+// `within` is the rank correlation reached: `rank`, or the largest possible one, for which `rho` is that of full dependence.
 struct RankReached {
   double rho, within;
 };
 [[nodiscard]] RankReached gaussian_of_rank(double rank, const std::vector<double>& a,
                                            const std::vector<double>& b);
-// Its inverse: the rank correlation that a linear correlation `rho` behind them gives.
+// The inverse: the rank correlation from the linear correlation `rho` of the normal variables.
 [[nodiscard]] double rank_of_gaussian(double rho, const std::vector<double>& a,
                                       const std::vector<double>& b);
 

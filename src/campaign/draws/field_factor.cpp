@@ -14,7 +14,7 @@
 namespace wythe {
 namespace {
 
-// Values that differ by no more than `same` become one, the least of them; which one each is.
+// Joins values that differ by no more than `same` to the smallest of them; also returns the index of each.
 std::vector<std::size_t> gather(const std::vector<double>& values, double same,
                                 std::vector<double>& distinct) {
   std::vector<std::size_t> order(values.size()), of(values.size());
@@ -154,7 +154,7 @@ std::vector<double> FieldGrid::draw(const std::vector<double>& w) const {
       for (std::size_t k = 0; k < along_.rank; ++k) z[i] += along_.at(i, k) * w[k];
     return z;
   }
-  // V = W Fy^T (rank of x, rows), then Z = Fx V at the places alone
+  // V = W Fy^T (rank of x, rows), then Z = Fx V only at the places
   const std::size_t ranks = across_.rank, rows = y_.size();
   std::vector<double> v(along_.rank * rows, 0.0);
   for (std::size_t k = 0; k < along_.rank; ++k)

@@ -42,7 +42,7 @@ using geometry::Assembly;
 
 constexpr double kSame = 1e-6;       // places nearer than this are one [m]
 constexpr double kMostWork = 4e9;    // operations to draw: some seconds
-constexpr double kShortest = 0.2;    // of a half unit: there exp(-5) of correlation is left
+constexpr double kShortest = 0.2;    // of a half unit: there the correlation is exp(-5)
 constexpr double kMostScatter = 10;  // cov
 constexpr double kFarthest = 100;    // times the wall: its ends are correlated by 0.99
 
@@ -55,7 +55,7 @@ struct Field {
   [[nodiscard]] bool follows() const { return !spec->formula.empty(); }
 };
 
-// What a field asks of a wall, in its plane or in space.
+// The size of a wall that a field needs, in its plane or in space.
 struct FieldWall {
   double half_unit = kUnset,
          course = kUnset;  // [m]; in space the side of a cube of the usual block's volume
@@ -140,7 +140,7 @@ class Checker {
         is_set(s.upper) || !s.correlation.empty())
       refuse(field, "formula", s.formula, "and a scatter of its own are both given",
              "leave one out: what follows a formula varies as the fields in it");
-    // what it names is checked when it is evaluated, beside the fields it may name
+    // its names are checked when it is evaluated, together with the fields that it may use
   }
 
   void check_scatter(const Field& field) {
@@ -266,7 +266,7 @@ class Checker {
   std::set<std::string> paths_;
 };
 
-// Fields that are correlated with each other, directly or through others, in the order of their names.
+// Groups of fields that are correlated, directly or through others, in the order of their names.
 std::vector<std::vector<Field*>> groups_of(std::vector<Field>& fields) {
   std::vector<std::size_t> group(fields.size());
   std::iota(group.begin(), group.end(), std::size_t{0});
@@ -334,7 +334,7 @@ class Waves {
     if (spec_.in_place) place_ = keys_of(places);
   }
 
-  // At the places of all fields, one after the other.
+  // The numbers at the places of all fields, one field after the other.
   [[nodiscard]] std::vector<double> draw(int seed, const std::string& name) const {
     if (grid_) return grid_->draw(normal_numbers(seed, name, grid_->numbers()));
     const std::vector<double> w = spec_.in_place ? normal_numbers_at(seed, name, place_)
@@ -349,8 +349,8 @@ class Waves {
     if (spec_.by == FieldBy::kCourse) return p.course;
     return spec_.by == FieldBy::kUnit ? p.unit : p.entity;
   }
-  // Where each label stands: the number of a course; else the lowest, then leftmost of its joints or blocks, in
-  // hundredths of a millimetre.
+  // A key for each label: the number of a course, else the lowest and
+  // then leftmost of its joints or blocks, in hundredths of a millimetre.
   [[nodiscard]] std::vector<PlaceKey> keys_of(const std::vector<FieldPlace>& places) const {
     constexpr double kStep = 1e-5;  // [m]
     constexpr std::int64_t kNone = std::numeric_limits<std::int64_t>::max();
@@ -366,7 +366,7 @@ class Waves {
     return keys;
   }
   const FieldSpec& spec_;
-  std::vector<PlaceKey> place_;  // of each label, where they draw in place
+  std::vector<PlaceKey> place_;  // of each label, where fields draw by place
   std::vector<int> label_;
   std::size_t numbers_ = 0;
   std::optional<FieldGrid> grid_;
@@ -408,8 +408,8 @@ double mean_of(const Margin& margin, int power = 1) {
   return sum / kNodes.weights;
 }
 
-// The field's distribution with mean 1. What is cut off would shift the mean: the distribution that is cut
-// has another one, the root of `miss`, so that the bounds stay where they were put.
+// The field's distribution with mean 1. Truncation would shift the mean, so the distribution
+// before truncation gets another mean, the root of `miss`. The bounds stay where they are.
 Margin unit_margin(const Field& field, FaultList& faults) {
   const FieldSpec& s = *field.spec;
   Margin margin(margin_of(s, 1));
@@ -442,7 +442,7 @@ Margin unit_margin(const Field& field, FaultList& faults) {
 void draw_group(const std::vector<Field*>& group, FaultList& faults) {
   const CorrelationMatrix matrix = matrix_of(group);
   if (!is_positive_definite(matrix)) return refuse_matrix(group, matrix, faults);
-  // rows of the group's matrix in terms of its fields' own streams, each of those before it
+  // rows of the group's matrix: the share of each earlier field's stream
   std::vector<std::vector<double>> share(group.size(), std::vector<double>(group.size(), 0.0));
   for (std::size_t i = 0; i < group.size(); ++i)
     for (std::size_t k = 0; k <= i; ++k) {
@@ -545,7 +545,7 @@ void draw_fields(ModelSpec& spec) {
   check_size(spec, elsewhere);
   if (!elsewhere.empty()) return;
   const std::optional<FieldWall> wall = spec.body.empty() ? plane_wall(spec) : space_wall(spec);
-  if (!wall) return;  // said where it is compiled
+  if (!wall) return;  // reported when the model is compiled
   FaultList faults;
   study::add_scatter(
       spec,

@@ -17,7 +17,7 @@ namespace {
 using Kind = FormulaNode::Kind;
 using Dimensions = std::map<std::string, Dimension>;
 
-// atan(x) of a formula is an angle, log(x) a number: their operand must be a number.
+// atan(x) of a formula gives an angle, log(x) a number; the operand must be a number.
 void need_number(const char* function, const Dimension& dimension) {
   if (dimension.is_number()) return;
   throw FormulaError(fmt::format("{} of {}", function, dimension.words()),
@@ -112,7 +112,7 @@ Dimension Formula::dimension_at(std::size_t node, const Dimensions& of) const {
   return {};
 }
 
-// A quantity may be raised to a constant only: the unit of x^y would change from sample to sample.
+// The exponent of a quantity must be constant, because the unit of x^y would change from sample to sample.
 Dimension Formula::power_dimension(const FormulaNode& node, const Dimension& base,
                                    const Dimensions& of) const {
   const Dimension exponent = dimension_at(node.of[1], of);
@@ -127,7 +127,7 @@ Dimension Formula::power_dimension(const FormulaNode& node, const Dimension& bas
   return base.power(constant);
 }
 
-// The value of a node without inputs; NaN when it has some.
+// The value of a node without inputs; NaN for a node with inputs.
 double Formula::exponent_at(std::size_t node) const {
   const FormulaNode& n = node_[node];
   if (n.kind == Kind::kInput) return std::numeric_limits<double>::quiet_NaN();

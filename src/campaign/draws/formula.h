@@ -20,7 +20,7 @@
 
 namespace wythe {
 
-// What is wrong with a formula, and what to write instead.
+// The fault of a formula, and what to write instead.
 class FormulaError : public std::invalid_argument {
  public:
   FormulaError(const std::string& problem, std::string cure)
@@ -48,11 +48,11 @@ class Formula {
 
   // Names it uses, each once, in the order of `known`.
   [[nodiscard]] const std::vector<std::string>& inputs() const { return inputs_; }
-  // The formula with names replaced by texts of their own.
+  // The text of the formula with names replaced by given texts.
   [[nodiscard]] std::string replaced(const std::map<std::string, std::string>& by) const;
-  // Dimension of its value for inputs of these dimensions; throws FormulaError where they clash.
+  // Dimension of the value for inputs with these dimensions. Throws FormulaError where dimensions clash.
   [[nodiscard]] Dimension dimension(const std::map<std::string, Dimension>& of) const;
-  // Its value [SI] for the values of inputs(), in that order. NaN where it has none.
+  // The value [SI] for the values of inputs(), in that order. NaN where it does not exist.
   [[nodiscard]] double value(std::span<const double> inputs) const;
 
  private:
@@ -69,7 +69,7 @@ class Formula {
   std::size_t root_ = 0;
 };
 
-// Names that can't be an input's because formulas use them.
+// Names of functions, which an input cannot have.
 [[nodiscard]] bool is_function_name(const std::string& name);
 
 }  // namespace wythe

@@ -1,6 +1,6 @@
-// Recursive descent, one function for each level of the grammar. Powers group from the right: 2^3^2 is 2^(3^2), and
-// -2^2 is -(2^2). A number takes the unit behind it directly, by the same conversion as every quantity of a file.
-// Length and nesting are bounded, since each level costs stack.
+// Recursive descent, one function for each level of the grammar. Powers group from the right: 2^3^2 is
+// 2^(3^2), and -2^2 is -(2^2). A number takes the unit behind it directly, with the same conversion as
+// every quantity of a file. Length and nesting have limits, because each level costs stack.
 #include "campaign/draws/formula_parser.h"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ std::size_t function_named(std::string_view name) {
   return static_cast<std::size_t>(found - std::begin(kFunctions));
 }
 
-// Longer or deeper ones are a slip, and would cost stack.
+// Longer or deeper formulas are mistakes, and would cost too much stack.
 constexpr int kDeepest = 100;                  // nested parentheses and powers
 constexpr std::size_t kLongestFormula = 2000;  // characters
 
@@ -123,7 +123,7 @@ std::size_t FormulaParser::number() {
   node[out].number = found->value;
   if (unit.empty()) return out;
   node[out].dimension = dimension_of(unit);
-  // through the same door as every quantity: 310 mm has the bits of 0.31 m
+  // parsed like every quantity: 310 mm has the bits of 0.31 m
   node[out].number = parse_quantity(digits + ' ' + unit, node[out].dimension.unit());
   return out;
 }

@@ -22,7 +22,7 @@ constexpr int kA = 8, kB = 7, kC = 16, kD = 29;
 
 }  // namespace
 
-// The last pair is moved to the side of the state space that has the full period.
+// Moves the last pair to the part of the state space that has the full period.
 Generator::Generator(std::uint32_t seed) {
   std::array<std::uint32_t, 4 * (kPairs + 1)> word{};
   word[0] = seed;
@@ -87,7 +87,7 @@ std::vector<double> normal_numbers(int seed, const std::string& name, std::size_
 
 namespace {
 
-// The mixer of SplitMix64: neighbouring places have nothing in common.
+// The mixing function of SplitMix64: neighbouring places give unrelated values.
 std::uint64_t mixed(std::uint64_t x) {
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9U;
   x = (x ^ (x >> 27)) * 0x94d049bb133111ebU;

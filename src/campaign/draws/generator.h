@@ -1,5 +1,5 @@
-// The random numbers of studies and fields: dSFMT-19937 in its version 1.2 (Saito and Matsumoto 2008), the generator of
-// OpenTURNS 1.20, so that a seed keeps the samples it has always had. One object a stream, with the same bits everywhere.
+// The random numbers of studies and fields: dSFMT-19937, version 1.2 (Saito and Matsumoto 2008), the generator of
+// OpenTURNS 1.20, so that old seeds keep their samples. One object for each stream, with the same bits on all machines.
 #pragma once
 
 #include <algorithm>
@@ -13,9 +13,9 @@
 
 namespace wythe {
 
-// The seed that stands for a hash.
+// The seed made from a hash.
 [[nodiscard]] std::uint32_t folded(const Hash& hash);
-// u as a share that every quantile is finite for, in [2^-54, 1 - 2^-53].
+// Limits u to [2^-54, 1 - 2^-53], where every quantile is finite.
 [[nodiscard]] inline double inside(double u) { return std::clamp(u, 0x1p-54, 1 - 0x1p-53); }
 
 class Generator {
@@ -24,7 +24,7 @@ class Generator {
 
   // Uniform in [0, 1), a multiple of 2^-52.
   double uniform();
-  // A whole number below `n`, n > 0.
+  // An integer from 0 to `n` - 1, n > 0.
   std::uint64_t below(std::uint64_t n) { return next() % n; }
 
  private:
@@ -44,7 +44,7 @@ class Generator {
 // `count` independent standard normal numbers of the stream `name` of a seed.
 [[nodiscard]] std::vector<double> normal_numbers(int seed, const std::string& name,
                                                  std::size_t count);
-// One for each place, of the seed, the name and that place alone.
+// One number for each place, which depends only on the seed, the name and that place.
 using PlaceKey = std::array<std::int64_t, 3>;
 [[nodiscard]] std::vector<double> normal_numbers_at(int seed, const std::string& name,
                                                     const std::vector<PlaceKey>& places);

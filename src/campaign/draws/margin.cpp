@@ -1,5 +1,5 @@
-// Distributions by their closed forms, with the same bits everywhere. Boost gives the incomplete
-// beta function, which calls libm (a value drawn from a beta may differ by an ulp between machines), and finds roots.
+// Distributions by their closed forms, with the same bits on all machines. Boost finds roots and gives the
+// incomplete beta function. That one calls libm, so a value drawn from a beta may differ by an ulp between machines.
 #include "campaign/draws/margin.h"
 
 #include <algorithm>
@@ -179,7 +179,7 @@ Distribution make_weibull(const VariableSpec& s) {
   return weibull(above / elementary::exp(log_gamma_1p(1 / shape)), shape, location);
 }
 
-// Each kind: what it takes, and how it is made; measured values have no formula.
+// For each kind: its parameters, and how it is made. Measured values have no formula.
 struct KindRow {
   DistributionKind kind;
   study::DistributionForms takes;

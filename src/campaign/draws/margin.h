@@ -9,14 +9,14 @@
 
 namespace wythe {
 
-// As stated, without truncation; empty functions for measured values.
+// The distribution without truncation; the functions are empty for measured values.
 struct Distribution {
   std::function<double(double x)> below, above;  // shares on either side of x
   std::function<double(double x)> density;       // [1/SI]
   std::function<double(double u)> quantile;      // value with the share u below it, 0 < u < 1 [SI]
 };
 
-// Where f changes its sign between low and high, to the last bits (Alefeld, Potra and Shi 1995, algorithm 748).
+// A zero of f between low and high, where f changes sign, to the last bits (Alefeld, Potra and Shi 1995, algorithm 748).
 [[nodiscard]] double root_between(const std::function<double(double)>& f, double low, double high);
 
 // One variable's distribution; `spec` must have passed its check (check_variable in study_check.h).
@@ -29,9 +29,9 @@ class Margin {
   [[nodiscard]] double quantile(double u) const;
   // Density of the truncated distribution [1/SI]; 0 everywhere for measured values.
   [[nodiscard]] double density(double x) const;
-  // Share of the distribution as stated that lies outside `lower` and `upper`.
+  // Share of the distribution without truncation that lies outside `lower` and `upper`.
   [[nodiscard]] double cut_off() const { return below_ + above_; }
-  // Share that is left, never below 0.
+  // The remaining share, never below 0.
   [[nodiscard]] double kept() const;
 
  private:

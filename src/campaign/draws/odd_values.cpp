@@ -1,4 +1,4 @@
-// notes_of_values of a study: the notes of its model with each input at its median, and odd scatter.
+// notes_of_values of a study: the notes of its model with each input at its median, and notes on unusual scatter.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -23,7 +23,7 @@ double median_of(const SampleTable& samples, std::size_t column) {
   return *middle;
 }
 
-// The notes of the base model with each input at its median. Where these medians don't go together each is put in alone.
+// The notes of the base model with each input at its median. If there are none, each input is also set alone.
 std::vector<Message> notes_of_medians(const SampleTable& samples, const ModelBuilder& build) {
   SampleTable medians;
   medians.column = samples.column;
@@ -35,7 +35,7 @@ std::vector<Message> notes_of_medians(const SampleTable& samples, const ModelBui
     try {
       return notes_of_values(build(some));
     } catch (const InputError&) {
-      return {};  // refused, and told so
+      return {};  // the refusal is reported elsewhere
     }
   };
   std::vector<Message> notes = notes_with(settings);
@@ -47,21 +47,21 @@ std::vector<Message> notes_of_medians(const SampleTable& samples, const ModelBui
   for (const std::string& one : settings)
     for (Message& note : notes_with({one}))
       if (is_of(note, one)) notes.push_back(std::move(note));
-  for (Message& note : notes_with({}))  // of what no input sets
+  for (Message& note : notes_with({}))  // values that no input sets
     if (std::none_of(settings.begin(), settings.end(),
                      [&](const std::string& one) { return is_of(note, one); }))
       notes.push_back(std::move(note));
   return notes;
 }
 
-// Whether standard deviations are given, and how large they are.
+// Notes a standard deviation that is unusually large or small.
 void note_scatter(const VariableSpec& variable, std::vector<Message>& notes) {
   const std::string table = "variable." + variable.name + ".";
   if (is_scatter_odd(variable.cov)) notes.push_back(note_of_scatter(table + "cov", variable.cov));
   if (is_scatter_odd(variable.log_standard_deviation))
     notes.push_back(
         note_of_scatter(table + "log_standard_deviation", variable.log_standard_deviation));
-  // a number of formulas may lie about zero
+  // a variable used only in formulas may have mean zero
   const double share = variable.standard_deviation / std::fabs(variable.mean);
   constexpr double kLeast = 1e-3;
   if (!variable.path.empty() && (is_scatter_odd(share) || share < kLeast))

@@ -1,4 +1,4 @@
-// case_of, count_samples, intensity_setting: a sample as a wall under a record.
+// case_of, count_samples, intensity_setting: the wall and the record of a sample.
 #include "campaign/draws/records.h"
 
 #include <fmt/format.h>

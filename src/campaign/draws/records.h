@@ -5,7 +5,7 @@
 
 namespace wythe {
 
-// Of a study that asks for shakes.
+// For a study with shakes.
 [[nodiscard]] double first_intensity(const ShakingSpec& shaking, const StudyRecord& record);
 
 }  // namespace wythe

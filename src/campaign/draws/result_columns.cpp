@@ -1,20 +1,20 @@
-// Collects the titles of columns in small letters: from output keys, from directions of a cyclic push, and from a
-// list of those that no key gives. Columns of study.fractions hold a number and are known by their pattern. A new
-// column that no key gives belongs in that list.
+// Collects the titles of columns in small letters: from output keys, from directions of a
+// cyclic push, and from a list of titles that no key gives. A new column without a key belongs
+// in that list. Columns of study.fractions contain a number, so they are matched by a pattern.
 #include "campaign/draws/result_columns.h"
 
 #include <algorithm>
 #include <set>
 #include <string_view>
 
-#include "campaign/output_keys.h"
 #include "wythe/parts/campaign.h"
+#include "wythe/parts/responses.h"
 
 namespace wythe::study {
 namespace {
 
-// Those that no answer key gives: of the sample itself, of a cyclic push, of shakes (src/io/export/samples_csv.cpp,
-// shakes_csv.cpp). tests/unit/io/study_input_test.cpp compares them with the heads that are written.
+// Titles without an output key: of the sample itself, of a cyclic push, of shakes (src/io/export/samples_csv.cpp,
+// shakes_csv.cpp). tests/unit/io/study_input_test.cpp compares them with the headers that are written.
 constexpr const char* kMoreColumns[] = {"sample",
                                         "wall",
                                         "record",
@@ -50,7 +50,7 @@ std::set<std::string> all_columns() {
     each_direction_column([&](const std::string& title, auto) { all.insert(without_case(title)); },
                           side, {});
   const auto add = [&](const OutputKey& key, const auto&) {
-    std::string summary = key.summary;  // an exported table names it so
+    std::string summary = key.summary;  // an exported table uses this name
     std::replace(summary.begin(), summary.end(), '.', '_');
     all.insert(without_case(*key.column != '\0' ? key.column : summary));
   };

@@ -1,5 +1,5 @@
-// Names of columns that results have, which an input may not take: samples.csv, exported tables and the view
-// `samples` of the store would have two columns of one name.
+// Names of result columns, which an input may not have. If it did, samples.csv, exported
+// tables and the view `samples` of the store would have two columns of one name.
 #pragma once
 
 #include <fmt/format.h>
@@ -31,7 +31,7 @@ void each_direction_column(Visitor&& visit, const std::string& side, const Direc
   visit("dips_" + side, static_cast<double>(d.dips.size()));
 }
 
-// Small letters: SQLite, and some programs that read tables, tell no case.
+// Small letters, because SQLite and some programs for tables ignore case.
 [[nodiscard]] std::string without_case(std::string title);
 
 // Whether results have a column of this title, in any case.

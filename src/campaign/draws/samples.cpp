@@ -1,5 +1,5 @@
-// draw_samples: design -> copula -> quantiles -> formulas; settings of a sample, of its fields too, and its
-// refusal.
+// draw_samples: design -> copula -> quantiles -> formulas. Also
+// the settings of a sample and of its fields, and its refusal.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -59,13 +59,13 @@ Columns design_of(const StudySpec& study, int batch) {
   return u;
 }
 
-// The reason of a refusal has to fit in a table: "0.28274333882308139 rad" -> "0.282743 rad".
+// Shortens numbers so that the reason of a refusal fits in a table: "0.28274333882308139 rad" -> "0.282743 rad".
 std::string shortened(const std::string& value) {
   const auto number = leading_number(value);
   return number ? fmt::format("{:.6g}{}", number->value, number->rest) : value;
 }
 
-// Each drawn wall once for each record that it meets.
+// Repeats each drawn wall for each of its records.
 void meet_records(const StudySpec& study, SampleTable& table) {
   const auto samples = static_cast<std::size_t>(count_samples(study));
   if (study.variable.empty()) table.value.resize(samples);
@@ -112,7 +112,7 @@ std::vector<std::string> settings_of(const SampleTable& samples, int sample) {
   for (std::size_t j = 0; j < samples.column.size(); ++j) {
     const InputColumn& column = samples.column[j];
     if (column.path.empty()) continue;
-    // inf would read as "unlimited": what a formula can't give is no value
+    // an infinite result is no value, and "inf" would be parsed as "unlimited"
     const std::string number = std::isfinite(row[j]) ? fmt::format("{:.17g}", row[j]) : "nan";
     out.push_back(column.si_unit == "1"
                       ? fmt::format("{}={}", column.path, number)
@@ -162,7 +162,7 @@ std::vector<Fault> refusal_of(const SampleTable& samples, int sample, const Mode
 }
 
 std::vector<std::vector<Fault>> refusals_of(const SampleTable& samples, const ModelBuilder& build) {
-  std::optional<Compiler> first;  // of the first sample that can be built
+  std::optional<Compiler> first;  // from the first sample that can be built
   const auto compile_beside = [&](const ModelSpec& spec) {
     if (!first) first.emplace(spec);
     (void)first->compile(spec);
@@ -188,14 +188,14 @@ int field_seed_of(const StudySpec& study, int sample) {
   Hash hash;
   hash.add("fields");
   hash.add(&study.seed, sizeof study.seed);
-  // i is added, so that no two samples of a study share a seed
+  // i is added last, so that no two samples of a study share a seed
   constexpr std::uint64_t kSeeds = 0x80000000U;
   return static_cast<int>((hash.value() + static_cast<std::uint64_t>(sample)) % kSeeds);
 }
 
 namespace {
 
-// Dependents that follow fields joint by joint, as formulas over these fields, sample by sample.
+// Dependents that follow fields joint by joint: as formulas of these fields, for each sample.
 class Followers {
  public:
   explicit Followers(const StudySpec& study) : study_(study) {
@@ -223,7 +223,7 @@ class Followers {
   }
 
  private:
-  // Whether `name` is a variable that is the mean of a field over the joints of `target`.
+  // Whether `name` is a variable that gives the mean of a field over the joints of `target`.
   [[nodiscard]] bool is_field(const std::string& name, const FieldTarget& target) const {
     return std::any_of(study_.field.begin(), study_.field.end(), [&](const StudyField& f) {
       const auto its = field_target(f.path);
@@ -256,7 +256,7 @@ class Followers {
     }
     return formula_[d].replaced(by);
   }
-  // "(0.000029 m)"; of a unit like "m2.s-1" a product of powers.
+  // "(0.000029 m)"; for a unit like "m2.s-1" a product of powers.
   static std::string amount_of(const std::string& name, const SampleTable& samples,
                                const std::vector<double>& row) {
     const auto column = std::find_if(samples.column.begin(), samples.column.end(),

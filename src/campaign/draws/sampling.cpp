@@ -1,5 +1,5 @@
-// Every column is drawn from a seed of its own, made of the study's seed, the batch, the design and the variable's name,
-// so that a variable added to a study leaves the others' samples as they were.
+// Every column has its own seed, made from the study's seed, the batch, the design and the
+// variable's name. So a variable added to a study does not change the samples of the others.
 #include "campaign/draws/sampling.h"
 
 #include <boost/random/sobol.hpp>
@@ -21,7 +21,7 @@ Generator generator_of(const DesignRequest& request, const std::string& name) {
   return Generator(folded(hash));
 }
 
-// Strata in an order by chance, then a place in each.
+// Strata in random order, with a random place in each.
 std::vector<double> stratified(std::size_t samples, Generator generator) {
   std::vector<std::size_t> stratum(samples);
   std::iota(stratum.begin(), stratum.end(), std::size_t{0});
@@ -40,8 +40,8 @@ std::vector<double> independent(std::size_t samples, Generator generator) {
   return u;
 }
 
-// Exclusive or of the leading 52 binary digits with those of a random number: the digital shift keeps
-// the points of a net one in each elementary box, which a shift modulo 1 would not.
+// Exclusive or of the leading 52 binary digits with those of a random number. This digital
+// shift keeps one point of a net in each elementary box, which a shift modulo 1 would not.
 std::vector<double> shifted(const std::vector<std::uint64_t>& points, Generator generator) {
   const auto mask = static_cast<std::uint64_t>(generator.uniform() * 0x1p52);
   std::vector<double> u;
@@ -50,8 +50,8 @@ std::vector<double> shifted(const std::vector<std::uint64_t>& points, Generator 
   return u;
 }
 
-// (n_variable, n_sample): 52 digits of the sequence of Joe and Kuo (2008) from its first point, the origin, which Boost
-// leaves out.
+// (n_variable, n_sample): 52 digits of the sequence of Joe and
+// Kuo (2008), starting with the origin, which Boost leaves out.
 std::vector<std::vector<std::uint64_t>> sobol_points(std::size_t variables, std::size_t samples) {
   std::vector<std::vector<std::uint64_t>> points(variables, std::vector<std::uint64_t>(samples, 0));
   boost::random::sobol sequence(variables);

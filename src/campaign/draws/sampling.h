@@ -21,8 +21,8 @@ struct DesignRequest {
   std::uint64_t seed = 0;
   int batch = 0;
 };
-// One column for each name, from a stream of its own: a column never depends on the others, but for
-// the place of a Sobol dimension, which goes by the order of names.
+// One column for each name, from its own stream. So a column does not depend on the
+// others, except for the dimension of a Sobol sequence, which follows the order of names.
 //   Latin hypercube  one sample in each of n equal strata, at random in it (McKay et al. 1979)
 //   Monte Carlo      independent
 //   Sobol            the first n points of the sequence, digitally shifted by the seed

@@ -1,7 +1,7 @@
-// From a kind of masonry to fields: strengths scatter, energies and residual cohesions follow them by formulas.
-// Sources of the coefficients of variation: docs/theory/fields.md, "Scatter of a masonry". A field that the model
-// states is kept. A lognormal strength stays between 0.2 and 2.5 times its mean, and below what a compression cap
-// leaves of a cohesion.
+// From a kind of masonry to fields: strengths scatter, and energies and residual cohesions
+// follow them by formulas. Sources of the coefficients of variation: docs/theory/fields.md,
+// "Scatter of a masonry". Fields that the model defines are kept. A lognormal strength stays
+// between 0.2 and 2.5 times its mean, and a cohesion below the limit of a compression cap.
 #include "campaign/draws/scatter.h"
 
 #include <fmt/format.h>
@@ -21,8 +21,8 @@
 namespace wythe::study {
 namespace {
 
-// Coefficients of variation from unit to unit of one wall; sources and what is weak in them:
-// docs/theory/fields.md, "Scatter of a masonry".
+// Coefficients of variation from unit to unit within a wall. Sources
+// and their weak points: docs/theory/fields.md, "Scatter of a masonry".
 struct ScatterKind {
   const char* name;
   double joint_tension, joint_cohesion, unit_tension;
@@ -31,12 +31,12 @@ constexpr ScatterKind kKinds[] = {{"clay_brick", 0.30, 0.25, 0.20},
                                   {"calcium_silicate", 0.30, 0.25, 0.18},
                                   {"stone", 0.40, 0.30, 0.25},
                                   {"tuff", 0.30, 0.25, 0.22}};
-constexpr double kTie = 0.7;    // of a joint's cohesion and its tensile strength
+constexpr double kTie = 0.7;    // correlation of a joint's cohesion and its tensile strength
 constexpr double kLower = 0.2;  // of a lognormal, times the mean
 constexpr double kUpper = 2.5;
 constexpr double kUnitEnergy = 0.7;  // GI of units goes with ft^0.7 (docs/theory/material_rules.md)
-constexpr double kLeastRoom = 1.05;  // under the cap, times the mean: a scatter has room
-constexpr double kBelowCap = 0.95;   // of the cohesion that a compression cap allows
+constexpr double kLeastRoom = 1.05;  // limit of the cap over the mean, from which cohesion scatters
+constexpr double kBelowCap = 0.95;   // of the largest cohesion that a compression cap allows
 
 class Scatter {
  public:
@@ -94,14 +94,14 @@ class Scatter {
   }
   [[nodiscard]] static bool scatters(double mean) { return mean > 0 && std::isfinite(mean); }
 
-  // Whether another field has the key: then that one holds.
+  // Whether another field sets the key; it then takes precedence.
   [[nodiscard]] bool has_own(const std::string& name, const std::string& path) const {
     return std::any_of(spec_.field.begin(), spec_.field.end(), [&](const auto& field) {
       return field.first != name && field.second.path == path;
     });
   }
 
-  // The field of one key, "scatter_joint_tensile_strength"; none where the model has its own.
+  // The field for one key, "scatter_joint_tensile_strength"; null where the model has its own field.
   FieldSpec* field(const std::string& role, const std::string& name, const char* key) {
     const std::string own = fmt::format("{}{}_{}", kScatterPrefix, role, key);
     const std::string path = fmt::format("material.{}.{}", name, key);
@@ -115,7 +115,7 @@ class Scatter {
                         double cov, DistributionKind distribution, double upper) {
     if (!(cov > 0)) return "";
     FieldSpec* f = field(role, name, key);
-    if (f == nullptr || !f->formula.empty()) return "";  // the model's own formula holds
+    if (f == nullptr || !f->formula.empty()) return "";  // the model's own formula is kept
     const bool says_scatter = !std::isnan(f->cov);       // the model changes this field
     if (!says_scatter) {
       f->cov = cov;
@@ -157,7 +157,7 @@ class Scatter {
                       fmt::format("{:.17g} m * {}", m.mode_2_energy / m.cohesion, c));
   }
 
-  // GII, and the residual cohesion, with the cohesion that `c` says.
+  // Makes GII and the residual cohesion follow the cohesion field `c`.
   void follow_cohesion(const std::string& role, const std::string& name, const JointMaterial& m,
                        const std::string& c, const std::string& proportional) {
     if (scatters(m.residual_cohesion))
@@ -167,7 +167,7 @@ class Scatter {
       follows(role, name, "mode_2_energy", slip_energy(proportional, c, m));
   }
 
-  // What a compression cap leaves of a cohesion, as a multiple of its mean.
+  // The largest cohesion under a compression cap, as a multiple of its mean.
   static double most_cohesion(const JointMaterial& m) {
     if (!(m.compression_cap > 0)) return kUpper;
     const double most =
@@ -251,14 +251,14 @@ std::vector<Message> notes_of_scatter(const ModelSpec& spec) {
 
 namespace {
 
-constexpr double kFewer = 0.5, kMore = 2.5;  // times what tests scatter: far from it
+constexpr double kFewer = 0.5, kMore = 2.5;  // times the scatter of tests: limits of "unusual"
 
-// Coefficient of variation within a wall that a model states for a key.
+// Coefficient of variation within a wall that the model gives for a key.
 double stated_scatter(const ModelSpec& spec, const std::string& path) {
   for (const auto& [name, field] : spec.field) {
     if (field.path != path) continue;
     if (!std::isnan(field.cov)) return field.cov;
-    double sum = 0, squares = 0;  // of a formula, or between two ends: as it was drawn
+    double sum = 0, squares = 0;  // for a formula or between bounds, from the values drawn
     for (const double x : field.drawn) sum += x, squares += x * x;
     const double n = static_cast<double>(field.drawn.size()), mean = sum / n;
     return mean > 0 ? std::sqrt(std::fmax(0, squares / n - mean * mean)) / mean : 0;

@@ -76,7 +76,7 @@ class VariableCheck {
     faults_.add({.file = file_, .path = path, .value = value, .problem = problem, .cure = cure});
   }
 
-  // Which parameters stand there: none too many, and all of one form.
+  // Checks the parameters given: all of one form, and none too many.
   void check_form() {
     Names given;
     for (const VariableParameter& p : kVariableParameters)
@@ -160,7 +160,7 @@ class VariableCheck {
     if (spec_.distribution == DistributionKind::kBeta && is_set(spec_.mean)) check_beta_moments();
   }
 
-  // A beta distribution between low and high can't be wider than all its weight at both ends.
+  // The variance of a beta distribution is largest with all its weight at both ends.
   void check_beta_moments() {
     if (spec_.mean <= spec_.low || spec_.mean >= spec_.high) {
       refuse("mean", shown_value(spec_, spec_.mean), "must lie between low and high", "");
@@ -189,7 +189,7 @@ class VariableCheck {
         refuse(is_set(spec_.lower) ? "lower" : "upper",
                shown_value(spec_, is_set(spec_.lower) ? spec_.lower : spec_.upper),
                "the truncation leaves nothing of the distribution", "widen lower and upper");
-    } catch (const std::exception& error) {  // moments no Weibull distribution has, and the like
+    } catch (const std::exception& error) {  // for example moments that no Weibull distribution has
       refuse("", "", fmt::format("no such distribution: {}", error.what()), "");
     }
   }
@@ -201,7 +201,7 @@ class VariableCheck {
   bool good_ = true;
 };
 
-// --- the whole -----------------------------------------------------------------------------------
+// --- the study as a whole -------------------------------------------------------------------------
 
 bool is_word(const std::string& name) {
   const auto good = [](char c) {
@@ -251,7 +251,7 @@ class StudyCheck {
                        [](const StudyField& field) { return !field.follows; });
   }
 
-  // A field and a variable of one name are one thing: the scatter within a wall and between walls.
+  // A field and a variable of one name belong together: scatter within a wall and scatter between walls.
   void check_fields() {
     for (const StudyField& field : study_.field)
       for (const VariableSpec& variable : study_.variable)
@@ -262,7 +262,7 @@ class StudyCheck {
                  "leave path out, or give the field another name");
   }
 
-  // A single wall that nothing makes differ: one sample says all of it.
+  // Whether all samples would be the same wall, so that one sample is enough.
   [[nodiscard]] bool is_one_wall() const {
     return study_.batch == std::vector<int>{1} && study_.variable.empty();
   }
@@ -282,7 +282,7 @@ class StudyCheck {
         refuse("study.fractions", fmt::format("{:g}", fraction),
                "must be more than 0 and less than 1, a share of the peak",
                "write e.g. fractions = [0.8, 0.5]");
-    std::set<std::string> shares;  // as the columns of samples.csv name them
+    std::set<std::string> shares;  // titles as in samples.csv
     for (const double fraction : study_.fractions)
       if (!shares.insert(fmt::format("{:g}", 100 * fraction)).second)
         refuse("study.fractions", fmt::format("{:g}", fraction), "stands there twice",
@@ -302,7 +302,7 @@ class StudyCheck {
              "write design = \"latin_hypercube\"");
   }
 
-  // What belongs to pushes says nothing of a shake.
+  // Refuses settings of pushes in a study of shakes.
   void check_shaking() {
     const ShakingSpec& shaking = study_.shaking;
     if (!shaking.is_asked()) return;
@@ -330,7 +330,7 @@ class StudyCheck {
           "write as many samples as records at least, or pairing = \"each\"");
   }
 
-  // What a damaged store may lack too.
+  // Checks records and intensities, which a damaged store may lack.
   void check_intensities() {
     const ShakingSpec& shaking = study_.shaking;
     if (shaking.record.empty())
@@ -356,7 +356,7 @@ class StudyCheck {
       refuse("shaking.halvings", std::to_string(shaking.halvings), "must be from 0 to 20", "");
   }
 
-  // A variable that sets no key must stand in a formula.
+  // A variable without a key of the model must occur in a formula.
   void check_use() {
     std::set<std::string> used;
     std::vector<std::string> known;
@@ -407,9 +407,9 @@ class StudyCheck {
              "leave one of the two");
   }
 
-  // Each input is a column of the results, named after it and its unit.
+  // Each input becomes a column of the results, with its name and unit.
   void check_columns(const Dependents& dependents) {
-    std::map<std::string, std::string> taken;  // title in small letters -> what it is of
+    std::map<std::string, std::string> taken;  // title in small letters -> its origin
     for (const InputColumn& column : columns_of(study_, dependents)) {
       const std::string place = (column.is_random ? "variable." : "dependent.") + column.name;
       const std::string title = column_title(column);
@@ -456,7 +456,7 @@ std::vector<Message> notes_of(const StudySpec& study, const ModelSpec& base) {
     if (stage.kind != StageKind::kPush) continue;
     if (!std::isnan(stage.until)) end = std::max(end, stage.until);
     if (!stage.drifts.empty())
-      return notes_of_fields(base);  // of a height that only the built wall has
+      return notes_of_fields(base);  // their height is known only when the wall is built
     for (const double target : targets_of(stage, 0)) end = std::max(end, std::fabs(target));
   }
   std::vector<Message> notes = notes_of_fields(base);

@@ -2,8 +2,8 @@
 //
 //   study ─ base compiles ─ samples drawn ─► store ─► jobs × { take ► lanes ► write } ─► outcome
 //
-// Nothing is written before every check has passed. Samples are handed out in order; the stop rule
-// looks at the samples 1 .. k that are all done, so it stops at the same k for any number of jobs.
+// Nothing is written before every check has passed. Samples are started in order. The stop rule
+// uses the samples 1 .. k that are all done, so it stops at the same k for any number of jobs.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -51,7 +51,7 @@ void check_options(const StudySpec& asked, const CampaignOptions& options) {
             .cure = "run without --shard, or drop --until"});
 }
 
-// What all workers share; members after `mutex_` are touched under it only.
+// Data that all workers share. Members after `mutex_` are used only while it is locked.
 class Runner {
  public:
   Runner(CampaignPlan plan, Store& store, const ModelBuilder& build, const CampaignOptions& options,
@@ -65,7 +65,7 @@ class Runner {
         store_(store) {
     campaign_.study = plan_.spec;
     campaign_.samples = plan_.samples;
-    store_.database().execute("PRAGMA busy_timeout = 60000");  // hours of work outwait a query
+    store_.database().execute("PRAGMA busy_timeout = 60000");  // ms: waits for queries of others
     queue_samples();
     take_up_rule();
   }
@@ -105,7 +105,7 @@ class Runner {
     }
   }
 
-  // The rule counts from the samples that were there when it was first asked; then on.
+  // Applies the stop rule from the samples that existed when it was first given, then after each new one.
   void take_up_rule() {
     const std::string& rule = plan_.spec.until;
     const bool same = store_.value("until") == rule && !store_.value("until_from").empty();
@@ -128,7 +128,7 @@ class Runner {
     judge();
   }
 
-  // Adds the samples that close the row 1 .. k, one by one, until the rule holds.
+  // Adds the samples that complete the sequence 1 .. k, one by one, until the rule holds.
   void judge() {
     for (auto next = waiting_.begin(); !met_ && next != waiting_.end(); next = waiting_.begin()) {
       const int k = static_cast<int>(campaign_.records.size()) + 1;
@@ -190,7 +190,7 @@ class Runner {
 
   const CampaignPlan plan_;
   const ModelBuilder& build_;
-  const Compiler compiler_;  // of the base model: samples share its assembly
+  const Compiler compiler_;  // of the base model, whose assembly samples share
   const CampaignOptions& options_;
   const std::function<void(const CampaignProgress&)>& progress_;
   FolderLock& lock_;
@@ -206,7 +206,7 @@ class Runner {
   bool met_ = false;
   Message until_state_;
   Campaign campaign_;                    // samples 1 .. k, for the rule
-  std::map<int, SampleRecord> waiting_;  // done beyond them
+  std::map<int, SampleRecord> waiting_;  // done, but beyond k
 };
 
 }  // namespace
@@ -216,7 +216,7 @@ CampaignOutcome run_campaign(const StudySpec& asked, const ModelBuilder& build,
                              const std::string& folder, const CampaignOptions& options,
                              const std::function<void(const CampaignProgress&)>& progress) {
   study::check_options(asked, options);
-  check_output(study::store_path(folder).string());  // a link is no store of this folder
+  check_output(study::store_path(folder).string());  // a link is not a store of this folder
   const bool there = study::holds_store(folder);
   if (there && !options.resume)
     study::refuse({.file = folder,

@@ -57,9 +57,9 @@ Campaign read_campaign(const std::string& folder,
   study::Store store = opened(folder);
   const Campaign campaign = without_records(store);
   const int last = std::min(campaign.samples.n_sample(), study::last_counted(store));
-  static_cast<void>(store.done());  // refuses samples that no part below would reach
+  static_cast<void>(store.done());  // refuses samples outside the parts below
   for (int first = 1; first <= last; first += kAtOnce) {
-    study::Store part(folder, study::Store::Access::kRead);  // each counts the memory it takes
+    study::Store part(folder, study::Store::Access::kRead);  // each counts its own memory
     for (const SampleRecord& record :
          part.records(campaign.samples, first, std::min(last, first + kAtOnce - 1)))
       take(campaign, record);
@@ -84,12 +84,12 @@ Campaign read_answers(const std::string& folder) {
       record.events = {};
       record.energy = {};
       FailureMode& mode = record.failure_mode;
-      // an assessment asks how each pier fails, whether in its plane, and whether the name is firm
+      // an assessment needs the failure of each pier, whether it is in plane, and whether the name is firm
       std::erase_if(mode.evidence, [](const Evidence& e) { return !study::tells_of_planes(e); });
       mode.evidence.shrink_to_fit();
       if (!record.pushed.is_read()) mode.elements = {}, mode.scores = {};
       record.provenance = {};
-      campaign.records.push_back(record);  // a copy has no room to spare in its lists
+      campaign.records.push_back(record);  // a copy has no spare capacity
     }
   return campaign;
 }
@@ -135,7 +135,7 @@ std::vector<Snapshot> StoredStates::of(int sample, const Model& model) {
     const std::string folder = content_->folder;
     content_.reset(new Content{folder, opened(folder)});
   }
-  content_->store.database().give_back();  // one sample at a time
+  content_->store.database().give_back();  // releases the count after each sample
   return content_->store.states(sample, model);
 }
 

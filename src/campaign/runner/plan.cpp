@@ -1,6 +1,6 @@
-// To be continued, a store must be undamaged and of the same study and shard. Then its design may grow by batches
-// of two samples or more. All samples are drawn anew, and only those beyond the stored ones are added. Where this
-// version would draw the stored ones otherwise, they stay and a note says so.
+// Only an undamaged store of the same study and shard can be continued. Its design may then grow by
+// batches of two samples or more. All samples are drawn again, and only those beyond the stored ones
+// are added. If this version would draw other values for stored samples, they stay and a note says so.
 #include "campaign/runner/plan.h"
 
 #include <fmt/format.h>

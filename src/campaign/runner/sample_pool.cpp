@@ -1,6 +1,6 @@
-// Each worker steps its walls in a LaneSolver and fills a place as soon as a wall ends. A sample that needs another
-// run gets it before a new sample is taken. The time of the worker's core is divided equally among its walls. The
-// first worker that fails halts the others, and its exception is thrown again when all have ended.
+// Each worker steps its walls in a LaneSolver and adds a wall as soon as another ends. A sample that needs
+// another run comes before new samples. The core time of a worker is divided equally among its walls. The
+// first worker that fails stops the others, and its exception is thrown again when all have ended.
 #include "campaign/runner/sample_pool.h"
 
 #include <time.h>
@@ -20,7 +20,7 @@
 namespace wythe::study {
 namespace {
 
-// Seconds of its core that a thread took since it was last asked.
+// Seconds of core time that a thread used since the last call.
 class CoreTime {
  public:
   CoreTime() { static_cast<void>(seconds()); }
@@ -62,13 +62,13 @@ class Pool {
     }
   }
 
-  // As many samples at once as fit side by side; the next one takes the place of each that ends.
+  // Solves as many samples at once as fit side by side, and starts the next one when one ends.
   void solve_side_by_side() {
     SolveOptions how;
     how.read_modes_at = read_modes_at(task_.samples.spec);
     how.threads = 1;
     how.stop = &task_.halt;
-    // a run reports a few times a second: the user's stop reaches every worker through the halt
+    // a run reports progress a few times a second, so each worker notices the user's stop
     how.progress = [this](const Progress&) { task_.poll(); };
     std::map<int, std::unique_ptr<SampleJob>> under_way;
     CoreTime spent;

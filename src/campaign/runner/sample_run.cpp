@@ -1,12 +1,13 @@
-// An unstable result is run once more with half the step; under a record each intensity has this one retry.
-// Settings that give no model make a refused sample, and the campaign goes on. record_of() takes from a run what
-// the store keeps. A sample that was only shaken has shakes instead of responses.
+// An unstable sample is run once more with half the time step; under a record each intensity has this one
+// retry. Settings that give no valid model make a refused sample, and the campaign continues. record_of()
+// collects the data of a run for the store. A sample with shakes only has shakes instead of responses.
 #include "campaign/runner/sample_run.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "campaign/runner/shakes.h"
+#include "dynamics/stages/wall_run.h"
 #include "wythe/parts/assessment.h"
 #include "wythe/parts/error.h"
 #include "wythe/parts/failure_mode.h"
@@ -15,10 +16,10 @@ namespace wythe {
 namespace study {
 namespace {
 
-constexpr double kSame = 1e-9;      // displacements that are one [m]
+constexpr double kSame = 1e-9;      // displacements closer than this are equal [m]
 constexpr double kRetryStep = 0.5;  // of the step that was unstable
 
-// The states wanted, the one the modes are read at among them, in order and each once.
+// The displacements of requested states, including that of the failure mode, ascending and each once.
 std::vector<double> state_displacements(const StudySpec& spec) {
   std::vector<double> all = spec.states;
   if (!std::isnan(spec.read_modes_at)) all.push_back(spec.read_modes_at);
@@ -76,13 +77,13 @@ void SampleJob::build_model() {
   state_ = initial_state(run_.model);
 }
 
-// The intensity is the last of the settings.
+// The intensity is the last one of the settings.
 void SampleJob::set_intensity(double intensity) {
   intensity_ = intensity;
   run_.settings.back() = intensity_setting(task_.spec.shaking, intensity);
 }
 
-// What comes after the shakes that are done, of a study that asks for shakes.
+// The next intensity after the shakes that are done, for a study with shakes.
 std::optional<double> SampleJob::next() const {
   const ShakingSpec& shaking = task_.spec.shaking;
   if (!shaking.is_asked() || !std::isnan(task_.only)) return std::nullopt;
@@ -195,7 +196,7 @@ std::vector<Snapshot> asked_states(const StudySpec& spec, const Result& result) 
 namespace study {
 namespace {
 Result solve_alone(const Model& model, State& state, const SolveOptions& how) {
-  return solve(model, state, how);
+  return dynamics::run_stages(model, state, how);
 }
 }  // namespace
 }  // namespace study

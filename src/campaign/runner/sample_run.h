@@ -17,7 +17,7 @@ struct SampleTask {
   const SampleTable& samples;
   const ModelBuilder& build;
   const Compiler* compiler = nullptr;  // of the base model, for many samples; nullptr: compile()
-  double only = kUnset;                // the one intensity wanted of a sample under a record [SI]
+  double only = kUnset;                // the only intensity to run for a sample under a record [SI]
 };
 
 // A sample under way, so that several can be solved side by side:
@@ -37,12 +37,12 @@ class SampleJob {
   [[nodiscard]] const Model& model() const { return run_.model; }
   [[nodiscard]] State& state() { return state_; }
   void take(Result result) { run_.result = std::move(result); }
-  // Adds to its time: of a core, where many samples share one; on the clock, where it runs alone.
+  // Adds to its time: core time where several samples share a core, else clock time.
   void took(double seconds) { run_.wall_seconds += seconds; }
-  // True when there is more to run: the model now has half the step, since the result was unstable for the first
-  // time, or its record another intensity.
+  // True if there is another run: with half the time step after a
+  // first unstable result, or with the next intensity of its record.
   [[nodiscard]] bool wants_another();
-  // Names the failure mode; call once.
+  // Evaluates the failure mode; call once.
   [[nodiscard]] SampleRun finish();
 
  private:
@@ -54,20 +54,20 @@ class SampleJob {
   SampleTask task_;
   int sample_;
   double intensity_ = kUnset;  // of the shake under way
-  bool retried_ = false;       // the shake under way
+  bool retried_ = false;       // whether the present shake was retried
   SampleRun run_;
   State state_;
 };
 
-// Where the modes of a study are read, as asked or by default [m].
+// Displacement at which a study evaluates failure modes, given or by default [m].
 [[nodiscard]] double read_modes_at(const StudySpec& spec);
 
-// Stands for solve() so that a test can play an unstable one.
+// A replacement for solve(), with which tests simulate an unstable run.
 using Solver = std::function<Result(const Model&, State&, const SolveOptions&)>;
 [[nodiscard]] SampleRun run_task(const SampleTask& task, int sample, const Solver& solver,
                                  const SolveOptions& options);
 [[nodiscard]] SampleRecord record_of(const SampleRun& run, const SampleTable& samples, int sample);
-// The states a study asks for; where the push ended before the last of them, its end too.
+// The states that a study asks for, and the end if the push ended before the last of them.
 [[nodiscard]] std::vector<Snapshot> asked_states(const StudySpec& spec, const Result& result);
 
 }  // namespace wythe::study

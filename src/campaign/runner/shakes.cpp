@@ -48,14 +48,14 @@ std::optional<double> next_intensity(const ShakingSpec& shaking, const StudyReco
     if (done.size() < levels.size()) return levels[done.size()];
     return std::nullopt;
   }
-  // upwards until it falls, then between the highest that stood below and the lowest that fell
+  // increasing up to the first collapse, then between the highest survived and the lowest collapsed intensity
   double low = 0, high = std::numeric_limits<double>::infinity();
   int halved = 0;
   for (const ShakeResult& shake : done) {
     const bool halves = std::isfinite(high);
     halved += halves ? 1 : 0;
     if (!shake.counts()) {
-      if (halves) return std::nullopt;  // it would be asked for again
+      if (halves) return std::nullopt;  // the next one would be the same
       continue;
     }
     (shake.collapsed ? high : low) = shake.intensity;
@@ -68,8 +68,8 @@ std::optional<double> next_intensity(const ShakingSpec& shaking, const StudyReco
 
 namespace {
 
-// What ended otherwise than its status says. A wall that lost blocks fell; one that fell before the study's shake, that still
-// moves, or whose joints have slid off each other has neither stood nor fallen.
+// Corrects results that their status does not show. A wall that lost blocks counts as collapsed. Three kinds of result
+// count as neither: a wall that fell before the study's shake, still moves, or has joints that slid off their faces.
 void judge_end(const ShakingSpec& shaking, const Model& model, const Result& result,
                ShakeResult& out) {
   const auto says_nothing = [&](Message why) {

@@ -1,4 +1,4 @@
-// The shakes of one sample: the next intensity, and the result of each.
+// The shakes of a sample: its next intensity, and the result of each shake.
 #pragma once
 
 #include <optional>
@@ -8,16 +8,16 @@
 
 namespace wythe::study {
 
-// The intensity after those that are done; none: the sample has ended. It depends on the answers alone.
+// The intensity after the shakes that are done; none if the sample has ended. It depends only on their results.
 [[nodiscard]] std::optional<double> next_intensity(const ShakingSpec& shaking,
                                                    const StudyRecord& record,
                                                    const std::vector<ShakeResult>& done);
-// What a run answered that was shaken; `shaking` is the study's.
+// The result of a run with a shake; `shaking` is that of the study.
 [[nodiscard]] ShakeResult shake_answer(const ShakingSpec& shaking, double intensity,
                                        const Model& model, const Result& result);
-// Refuses limits of drift for a control point that has no height to measure it by.
+// Refuses drift limits for a control point without a height.
 void check_control_point(const ShakingSpec& shaking, const Model& model);
-// Hash and status of a sample from those of its shakes.
+// Sets hash and status of a sample from those of its shakes.
 void sum_up(const std::vector<ShakeResult>& shakes, SampleRecord& record);
 
 }  // namespace wythe::study

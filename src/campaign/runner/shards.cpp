@@ -1,5 +1,5 @@
-// All shards of a campaign at once: first every store that is there is compared with the study, then the missing ones
-// are made and the small ones grow.
+// All shards of a campaign at once: first every existing store is compared
+// with the study, then missing stores are created and small ones grow.
 //
 //   check_shards ─► the largest design there, grown to what is asked ─► make_shards: create | grow | leave
 #include "wythe/parts/shards.h"
@@ -79,7 +79,7 @@ class ShardCheck {
            .problem = fmt::format("is {}, would be {}", is, shard),
            .cure = "name another folder, or write as many tasks as there are shards"});
   }
-  // What all shards say alike is said once, of the first.
+  // Faults that are the same in all shards are reported once, for the first shard.
   void add(Fault fault) {
     if (said_.emplace(fault.path, fault.value, fault.problem).second)
       faults_.push_back(std::move(fault));
@@ -91,7 +91,7 @@ class ShardCheck {
     return fmt::format("{}", fmt::join(batch, " + "));
   }
 
-  // A store that grows must be nobody else's.
+  // A store that grows must not be in use by another process.
   std::vector<int> check_growth(std::vector<int> batch) {
     for (const Found& found : found_) {
       if (found.folder == stores_.joined || total(found.batch) == total(batch)) continue;

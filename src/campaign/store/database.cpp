@@ -1,7 +1,7 @@
-// Checks around SQLite, since a store may come from anybody: each value is read by its type, and no cell is
-// larger than memory allows. Reading a store makes or removes no file beside it (open_mode). Files are checked
-// before and after opening. If another program changed them, the mode is chosen again. A new file gets its name
-// when complete.
+// Protects the program from stores of unknown origin: each value is read by its type, and no
+// cell may be larger than memory allows. Reading creates or removes no file beside the store
+// (open_mode). The files are checked before and after opening; if another program changed
+// them, the mode is chosen again. A new file gets its final name only when it is complete.
 #include "campaign/store/database.h"
 
 #include <fcntl.h>
@@ -29,7 +29,7 @@ namespace {
 
 constexpr int kPatience = 2000;  // for another program's lock [ms]
 
-// What to say and what to do about an SQLite result code.
+// Text and cure for an SQLite result code.
 std::string advice(int code) {
   switch (code & 0xff) {
     case SQLITE_BUSY:
@@ -78,7 +78,7 @@ std::string address(const std::string& file, const std::string& how) {
     else
       escaped += c;
   }
-  return "file://" + escaped + how;  // an empty host: //tmp/x would name one
+  return "file://" + escaped + how;  // with an empty host, because //tmp/x would name one
 }
 
 bool is_there(const std::string& file) {
@@ -86,11 +86,11 @@ bool is_there(const std::string& file) {
   return ::stat(file.c_str(), &found) == 0 && found.st_size > 0;
 }
 
-// How a store is read without a trace: nothing beside it is made, recovered or removed.
-//   no -wal        as it lies there
-//   -wal and -shm  with the locks of who writes; of one that was killed the index is made in memory. Where SQLite
-//                  can't (SQLITE_PROTOCOL: nothing but the head of the journal was written), as without -shm
-//   -wal alone     nobody has it open: without locks, the index in memory
+// How to open a store so that no file beside it is created, recovered or removed:
+//   no -wal        without locks
+//   -wal and -shm  with the locks of the writer; if the writer was killed, the index is made in memory. Where SQLite
+//                  cannot do that (SQLITE_PROTOCOL: only the head of the journal was written), as without -shm
+//   -wal alone     no program has it open: without locks, the index in memory
 std::string open_mode(const std::string& file, bool index_is_good = true) {
   if (!is_there(file + "-wal") && !is_there(file + "-shm")) return "?immutable=1";
   if (is_there(file + "-shm") && index_is_good)
@@ -98,8 +98,8 @@ std::string open_mode(const std::string& file, bool index_is_good = true) {
   return std::string("?mode=ro&vfs=") + read_only_vfs_without_locks();
 }
 
-// Of a program that was stopped while it wrote, or that writes: the file by itself is half of each. An emptied one
-// begins with zeros.
+// A journal means that a program writes, or was stopped while it wrote, so
+// the file itself may be half written. An emptied journal begins with zeros.
 bool has_rollback_journal(const std::string& file) {
   const int opened = ::open((file + "-journal").c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   char first = 0;
@@ -111,8 +111,8 @@ bool has_rollback_journal(const std::string& file) {
 }  // namespace
 
 void Statement::Finalize::operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
-// A reader that has the store open keeps SQLite from emptying the journal when the last writer ends: what is stored is
-// put into the file itself first, so that the file is the whole campaign.
+// If a reader has the store open, SQLite does not empty the journal when the last writer
+// ends. So the data are first written into the file, which then contains the whole campaign.
 void Database::Close::operator()(sqlite3* handle) const {
   if (sqlite3_db_readonly(handle, "main") == 0) {
     sqlite3_busy_timeout(handle, kPatience);
@@ -169,7 +169,7 @@ void Statement::reset() {
   parameter_ = 0;
 }
 
-// The next column's position, once its value is of one of these types or NULL.
+// Advances to the next column and returns its position, if its value has one of these types or is NULL.
 int Statement::take(const std::string& wanted, int type, int other_type) {
   const int at = column_++, found = sqlite3_column_type(statement_.get(), at);
   if (found != SQLITE_NULL && found != type && found != other_type)
@@ -288,13 +288,13 @@ Database::Database(const std::filesystem::path& file, Access access) : name_(fil
     open_to_read();
     return;
   }
-  // nobody uses one connection from two threads at once: its lock took a tenth of a merge
+  // two threads never use one connection at once, and its lock took a tenth of a merge
   if (const int code = open("", SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE); code != SQLITE_OK)
     refuse(code);
 }
 
 int Database::open(const std::string& how, int flags) {
-  constexpr std::size_t kLongestPath = 500;  // SQLite takes 512, the ending of a journal included
+  constexpr std::size_t kLongestPath = 500;  // SQLite allows 512, with the suffix of a journal
   if (const std::size_t length = std::filesystem::absolute(name_).string().size();
       length > kLongestPath)
     throw IoError(
@@ -307,14 +307,14 @@ int Database::open(const std::string& how, int flags) {
   handle_.reset(handle);
   if (code != SQLITE_OK) return code;
   sqlite3_busy_timeout(handle, kPatience);
-  // a store may come from anybody: no cell beyond what memory takes, no function called by its schema
+  // the origin of a store is unknown: limits the size of cells, and forbids functions in its schema
   sqlite3_limit(handle, SQLITE_LIMIT_LENGTH, kMostPacked);
   sqlite3_db_config(handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
   sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
   return code;
 }
 
-// Another program may begin or end between two looks at the files; then the way is chosen anew.
+// Another program may start or end between two checks of the files; then the mode is chosen again.
 void Database::open_to_read() {
   constexpr int kTries = 50, kJournalTries = 10;
   constexpr std::chrono::milliseconds kPause(20);
@@ -365,7 +365,7 @@ bool Database::is_outdated() const {
   return is_immutable_ && (written_ != last_written() || is_there(name_ + "-wal"));
 }
 
-// Read as it lay there, without a lock: what does not fit may be another program's doing.
+// The file was read without a lock, so a mismatch may be caused by another program.
 void Database::refuse_if_written() const {
   if (is_immutable_ && written_ != last_written())
     throw IoError(name_ + ": another program wrote to it while it was read; repeat the command");
@@ -442,21 +442,21 @@ void NewDatabase::refuse(const std::string& reason) const {
 }
 
 void NewDatabase::put_in_place() {
-  database_.reset();  // what is in the journal goes into the file, and reaches the disk
+  database_.reset();  // writes the journal into the file and to the disk
   const auto refuse_with = [&](const std::string& reason) {
     remove_leftovers();
     refuse(reason);
   };
   if (is_there(fresh_ + "-wal")) refuse_with("its journal could not be closed");
   std::error_code error;
-  for (const char* of_sqlite : {"-wal", "-shm", "-journal"})  // of a file that is no more
+  for (const char* of_sqlite : {"-wal", "-shm", "-journal"})  // left over from an earlier file
     std::filesystem::remove(name_ + of_sqlite, error);
   if (::rename(fresh_.c_str(), name_.c_str()) != 0) refuse_with(std::strerror(errno));
   const std::string folder = std::filesystem::path(name_).parent_path().string();
   const int opened =
       ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (opened < 0) return;
-  ::fsync(opened);  // its new name; some file systems know no such thing
+  ::fsync(opened);  // its new name; some file systems cannot do this
   ::close(opened);
 }
 

@@ -1,5 +1,5 @@
-// The door to SQLite: a connection, prepared statements, transactions. Every failure is an IoError
-// that names the file, what is wrong and the cure.
+// The only access to SQLite: a connection, prepared statements, transactions.
+// Every failure is an IoError that names the file, the fault and the cure.
 #pragma once
 
 #include <concepts>
@@ -23,7 +23,7 @@ class Hash;
 
 namespace wythe::study {
 
-// The disk, or another program, refused; what the file holds may be whole.
+// A failure of the disk or a conflict with another program; the data of the file may be valid.
 class DiskError : public IoError {
  public:
   DiskError(std::string reason, const std::string& what)
@@ -34,7 +34,7 @@ class DiskError : public IoError {
   std::string reason_;
 };
 
-// What to do about a store that is not what was written.
+// The cure for a store that is damaged.
 inline constexpr const char* kCureOfDamage =
     "restore it from a copy, or remove it and start the same campaign (or this one shard) again: "
     "it draws the same samples";
@@ -55,7 +55,7 @@ class Statement {
   void bind(std::string_view text);
   void bind(Bytes bytes);
   void bind_null();
-  // A whole row of another statement, value by value.
+  // Binds a whole row of another statement, value by value.
   void bind_row(Statement& row);
   template <std::integral I>
   void bind(I value) {
@@ -66,7 +66,7 @@ class Statement {
 
   // Runs to the next row: false when there is none.
   bool step();
-  // Ready for the next binds.
+  // Resets the statement for the next binds.
   void reset();
   template <class... Values>
   void run(const Values&... values) {
@@ -76,23 +76,23 @@ class Statement {
   }
 
   [[nodiscard]] int columns() const;
-  // The next column of the row; NULL reads as NaN, 0 or "". A value of another type is damage.
+  // The next column of the row; NULL gives NaN, 0 or "". A value of another type is damage.
   [[nodiscard]] double number();
   [[nodiscard]] std::int64_t integer();
   [[nodiscard]] std::string text();
   [[nodiscard]] std::string_view bytes();  // until the next step
-  // A whole number within these bounds, NULL is none; a number that is not infinite, NULL is none.
+  // An integer within these bounds, with NULL as damage; and a finite number, with NULL as damage.
   [[nodiscard]] std::int64_t integer(std::int64_t least, std::int64_t most);
   [[nodiscard]] double finite();
-  // Of the row, by the place of the column: to the bit the other's; its name; its value for a message; packed bytes, or
-  // nothing where it holds something else.
+  // Accessors by column position: equality to the bit with another row, the
+  // name, the value for a message, and packed bytes (empty for another type).
   [[nodiscard]] bool equals(Statement& other, int at);
   [[nodiscard]] std::string column(int at) const;
   [[nodiscard]] std::string shown(int at);
   [[nodiscard]] std::string_view packed_at(int at);
-  // The whole row into a hash: each value with its type and all its bits.
+  // Adds the whole row to a hash: each value with its type and all its bits.
   void add_row(Hash& hash);
-  // What else is wrong with the row: IoError that names the file, table and sample.
+  // Reports another fault of the row: throws IoError with file, table and sample.
   [[noreturn]] void damaged(const std::string& what);
 
  private:
@@ -110,8 +110,8 @@ class Statement {
 
 class Database {
  public:
-  // A reader makes, recovers and removes nothing, neither the file nor what SQLite keeps beside it (-wal, -shm), and
-  // sees what is committed, also while a campaign writes there or after it was killed.
+  // A reader creates, recovers and removes nothing, neither the file nor the files beside it (-wal,
+  // -shm). It sees all committed data, also while a campaign writes there or after it was killed.
   enum class Access { kRead, kWrite };
   Database(const std::filesystem::path& file, Access access);
 
@@ -119,15 +119,15 @@ class Database {
   [[nodiscard]] std::int64_t integer(const std::string& sql);
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] sqlite3* handle() { return handle_.get(); }
-  // Counts what is about to be unpacked from this file; throws where all of it is more than memory holds.
+  // Counts bytes that are about to be unpacked from this file; throws if all of them exceed the memory.
   void take(double bytes);
-  // For a reader that stays open: another program has written since, which this connection may not see.
+  // For a reader that stays open: whether another program has written data that this connection may not see.
   [[nodiscard]] bool is_outdated() const;
-  // What was taken so far is no longer held.
+  // The bytes counted so far are free again.
   void give_back() { taken_ = 0; }
   // Throws the last failure of SQLite as an IoError.
   [[noreturn]] void refuse(int code);
-  // Throws an IoError: the file holds something impossible, so it is damaged.
+  // Throws an IoError: the file contains impossible data, so it is damaged.
   [[noreturn]] void damaged(const std::string& what) const;
 
  private:
@@ -140,14 +140,14 @@ class Database {
   void refuse_if_written() const;
 
   std::string name_;
-  bool is_immutable_ = false;  // read as it lies there
+  bool is_immutable_ = false;  // opened without locks
   std::int64_t written_ = 0;
   double taken_ = 0;                                        // bytes
-  double most_ = std::numeric_limits<double>::quiet_NaN();  // that may be taken; asked for once
+  double most_ = std::numeric_limits<double>::quiet_NaN();  // the largest allowed number; set once
   std::unique_ptr<sqlite3, Close> handle_;
 };
 
-// All or nothing: rolled back unless commit() was reached.
+// A transaction: rolled back unless commit() is called.
 class Transaction {
  public:
   explicit Transaction(Database& database);
@@ -161,18 +161,18 @@ class Transaction {
   bool open_ = true;
 };
 
-// A database that is made beside its place, FILE.new, and put there when it is whole: who is stopped before leaves none.
+// A database that is created beside its place as FILE.new, and moved there when complete. A stopped program leaves none.
 class NewDatabase {
  public:
-  // Throws as a Database that is opened to write.
+  // Throws like a Database that is opened for writing.
   explicit NewDatabase(const std::filesystem::path& file);
   ~NewDatabase();
   NewDatabase(const NewDatabase&) = delete;
   NewDatabase& operator=(const NewDatabase&) = delete;
   [[nodiscard]] Database& database() { return *database_; }
-  // Once, at the end. Throws DiskError.
+  // Call once, at the end. Throws DiskError.
   void put_in_place();
-  // DiskError of the file in its place.
+  // Throws a DiskError about the file in its place.
   [[noreturn]] void refuse(const std::string& reason) const;
 
  private:

@@ -23,15 +23,15 @@ struct SampleDigest {
   std::int64_t record = 0, states = 0;
 };
 
-// Of the samples of one store; its statements are prepared once.
+// The digests of the samples of one store; its statements are prepared once.
 class SampleDigests {
  public:
   explicit SampleDigests(Database& database);
   [[nodiscard]] std::int64_t record(int sample);
   [[nodiscard]] std::int64_t states(int sample);
-  // To be called in the transaction that stores the sample, after its last row.
+  // Called in the transaction that stores the sample, after its last row.
   void write(int sample);
-  // IoError where the rows are not those that were stored. A sample that is not stored has no states.
+  // Throws IoError where rows differ from the stored ones. A sample that is not stored has no states.
   void check_record(int sample);
   void check_states(int sample);
 
@@ -51,13 +51,13 @@ class SampleDigests {
   std::optional<Statement> insert_;  // only of a store that is written
 };
 
-// Writes both digests of the study anew: in the transaction that changed its rows.
+// Writes both digests of the study again, in the transaction that changed its rows.
 void write_study_digests(Database& database);
-// IoError where table study or input is not what was stored; where sample_input is not.
+// Throws IoError if table study or input was changed, or sample_input was.
 void check_study_digest(Database& database);
 void check_inputs_digest(Database& database);
 
-// What is read between stands as it was at one moment, also while a campaign writes.
+// All reads within its lifetime see the same state of the store, also while a campaign writes.
 class ReadTransaction {
  public:
   explicit ReadTransaction(Database& database);

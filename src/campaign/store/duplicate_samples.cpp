@@ -11,7 +11,7 @@
 namespace wythe::study {
 namespace {
 
-// What has to be equal of a table's columns.
+// The columns of a table that must be equal.
 std::string compared_columns(Database& database, const std::string& table) {
   Statement columns(database, fmt::format("SELECT name FROM pragma_table_info('{}')", table));
   std::string list;

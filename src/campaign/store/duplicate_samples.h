@@ -1,4 +1,4 @@
-// Compares a sample that two stores hold: equal to the bit in every table, or where they differ.
+// Compares a sample that two stores contain: finds whether all tables are equal to the bit, or the first difference.
 #pragma once
 
 #include <optional>
@@ -10,12 +10,12 @@
 
 namespace wythe::study {
 
-// All that a sample left but the time it took, by which program it was run, and the checksums over both.
+// All rows of a sample, except its run time, the program that ran it, and the checksums over both.
 class SampleRows {
  public:
   explicit SampleRows(const std::string& folder);
-  // The first difference in words, "table event, place (row 2): ... here, ... there"; nothing where all is equal. Packed
-  // arrays are compared by what they hold: two versions of zstd may pack the same numbers in other bytes.
+  // The first difference in words, "table event, place (row 2): ... here, ... there"; none where all is equal.
+  // Packed arrays are compared by content, because two versions of zstd may pack the same numbers differently.
   [[nodiscard]] static std::optional<std::string> difference(SampleRows& here, SampleRows& there,
                                                              int sample);
   struct Run {

@@ -1,6 +1,6 @@
-// The lock is flock() on the file; its text only tells others who holds it and with how many workers. The holder
-// removes the file at the end. So a process with a lock checks that the path still leads to the file it opened, or
-// else tries again. A reader asks for a shared lock: if that is refused, another process writes.
+// The lock is flock() on the file; its text only tells others who holds it and with how many workers. The
+// holder removes the file at the end. So a process with a lock checks that the path still leads to its
+// file, and else tries again. A reader asks for a shared lock: if that is refused, another process writes.
 #include "campaign/store/folder_lock.h"
 
 #include <fcntl.h>
@@ -42,7 +42,7 @@ std::string holder(int descriptor) {
   return line.empty() ? "unknown" : std::string(trimmed(line));
 }
 
-// The file at `path` is still the one that was opened: its last holder may have removed it.
+// Whether `path` is still the opened file; its last holder may have removed it.
 bool is_current(const std::string& path, int descriptor) {
   struct stat at_path {
   }, opened{};
@@ -77,7 +77,7 @@ FolderLock::FolderLock(const std::string& folder)
   }
   const std::string who = fmt::format("process {} on {}\n", ::getpid(), host_name());
   if (::ftruncate(descriptor_, 0) != 0 || ::pwrite(descriptor_, who.data(), who.size(), 0) < 0) {
-    // the name of the holder is a courtesy; a full disk shows where it matters
+    // the text is only information, and a full disk is reported elsewhere
   }
 }
 
@@ -90,13 +90,13 @@ void FolderLock::tell_workers(int workers) {
   const std::string line = fmt::format("{} workers\n", workers);
   const off_t end = ::lseek(descriptor_, 0, SEEK_END);
   if (::pwrite(descriptor_, line.data(), line.size(), end) < 0) {
-    // a courtesy too
+    // only information, too
   }
 }
 
 namespace {
 
-// What a lock that is held says; "": none is.
+// The text of a lock that is held; empty if none is.
 template <class Read>
 auto of_held(const std::string& folder, const Read& read) {
   const std::string path = (std::filesystem::path(folder) / kLockName).string();

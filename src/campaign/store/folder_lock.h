@@ -1,5 +1,5 @@
-// One campaign at a time in a folder: campaign.lock, held while a run or a merge writes there. The system releases
-// it when the program ends, in whatever way.
+// Only one campaign at a time may write in a folder: a run or a merge holds
+// campaign.lock meanwhile. The system releases it when the program ends for any reason.
 #pragma once
 
 #include <string>
@@ -8,12 +8,12 @@ namespace wythe::study {
 
 class FolderLock {
  public:
-  // Throws IoError that says which program holds it.
+  // Throws an IoError that names the program which holds it.
   explicit FolderLock(const std::string& folder);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
-  // Says in the file how many workers run samples, for whoever asks how far the campaign is.
+  // Writes the number of workers into the file, for programs that show the progress of the campaign.
   void tell_workers(int workers);
 
  private:
@@ -21,9 +21,9 @@ class FolderLock {
   int descriptor_ = -1;
 };
 
-// "process 17 on node3", which writes there now; "": none.
+// The program that writes there now, as in "process 17 on node3"; empty if none.
 [[nodiscard]] std::string lock_holder(const std::string& folder);
-// How many workers it said; 0: none, or nobody writes there.
+// The number of workers in that file; 0 if there is none, or nobody writes there.
 [[nodiscard]] int lock_workers(const std::string& folder);
 
 }  // namespace wythe::study

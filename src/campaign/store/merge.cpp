@@ -23,7 +23,7 @@ namespace wythe {
 namespace study {
 namespace {
 
-// A store that was read through before a byte of it is copied; or why it is not taken.
+// A store that has been read completely before any of it is copied, or the reason why it is refused.
 struct Checked {
   std::string folder;
   StudySpec spec;
@@ -34,7 +34,7 @@ struct Checked {
   std::exception_ptr refused;
 };
 
-// `first`: a store that was checked before, whose draws this one may share; NULL: none.
+// `first`: a store that was checked before, whose samples this one may share; null if none.
 Checked checked(const std::string& folder, const Checked* first) {
   Checked out;
   out.folder = folder;
@@ -58,7 +58,7 @@ Checked checked(const std::string& folder, const Checked* first) {
 
 class Comparison {
  public:
-  // Reads them through, several at a time; the first alone, since the others are compared with it.
+  // Reads the stores, several at a time. The first one is read alone, because the others are compared with it.
   void add(const std::vector<std::string>& folders) {
     const Checked first = checked(folders.front(), nullptr);
     add(first);
@@ -128,9 +128,9 @@ class Comparison {
       spec_.batch = store.spec.batch, samples_ = store.samples;
   }
 
-  // Samples that two stores hold must answer the same.
+  // Samples that two stores contain must have equal results.
   void add_answers(const Checked& store) {
-    std::map<std::string, std::vector<int>> twice;  // by the folder that had them before
+    std::map<std::string, std::vector<int>> twice;  // by the folder that contained them first
     for (const int sample : store.done) {
       const auto [there, is_new] = folder_of_.emplace(sample, store.folder);
       if (!is_new) twice[there->second].push_back(sample);
@@ -169,11 +169,11 @@ class Comparison {
   StudySpec spec_;
   SampleTable samples_;
   StoreHead head_;
-  std::map<int, std::string> folder_of_;  // of each sample the first that holds it
+  std::map<int, std::string> folder_of_;  // for each sample the first folder with it
   std::vector<Fault> faults_;
 };
 
-// A shard's rows, sample by sample.
+// Reads the rows of a shard, sample by sample.
 class Source {
  public:
   explicit Source(const std::string& folder) : store_(folder, Store::Access::kRead) {
@@ -191,11 +191,11 @@ class Source {
   std::vector<Statement> rows_;  // of each of result_tables()
 };
 
-// Whether any was copied: samples that are not in `out` yet, in the order of their numbers, so that each page of it is written once.
+// Copies samples that are not in `out`, in the order of their numbers, so that each page is written once. Returns whether any was copied.
 bool copy_samples(Store& out, const std::vector<std::string>& folders) {
   constexpr std::size_t kTogether = 256;  // samples of a transaction
   const std::set<int> there = out.done();
-  std::deque<Source> sources;  // their statements keep where they are
+  std::deque<Source> sources;  // a deque, because statements must keep their address
   std::map<int, std::size_t> source_of;
   for (const std::string& folder : folders) {
     Source& source = sources.emplace_back(folder);
@@ -257,7 +257,7 @@ void merge_campaigns(const std::vector<std::string>& folders, const std::string&
         store,
         {folders.begin() + static_cast<std::ptrdiff_t>(i),
          folders.begin() + static_cast<std::ptrdiff_t>(std::min(i + kMostOpen, folders.size()))});
-  // samples beyond those at which a rule was met were asked for: all count, until --resume asks a rule anew
+  // samples beyond the end of a rule were requested, so all count until --resume gives a rule again
   if (is_more)
     for (const char* key : {"until_met_at", "until_from"})
       if (!store.value(key).empty()) store.set_value(key, "");

@@ -1,5 +1,5 @@
-// Each array is one zstd frame with a checksum. Before memory is taken, the size in the frame's head must be that of
-// the numbers wanted, since a store may come from anybody. packed_content() unpacks in parts and keeps none of them.
+// Each array is one zstd frame with a checksum. The size in the head of the frame is checked before memory is
+// allocated, because the origin of a store is unknown. packed_content() unpacks in parts and keeps none of them.
 #include "campaign/store/packing.h"
 
 #include <zstd.h>

@@ -1,6 +1,6 @@
-// Copies of the system's file functions with two calls changed: open neither writes nor creates, and delete removes
-// nothing. This holds for the store and its journals alone; other files, such as temporary ones, are opened as
-// asked.
+// Copies of the system's file functions with two changes: open neither writes
+// nor creates, and delete removes nothing. This applies only to the store and
+// its journals. Other files, such as temporary ones, are opened as requested.
 #include "campaign/store/read_only_vfs.h"
 
 #include <sqlite3.h>
@@ -8,12 +8,12 @@
 namespace wythe::study {
 namespace {
 
-// SQLite opens the journal of a store for writing, and makes it, also where the store itself is only read.
+// SQLite opens the journal of a store for writing, and creates it, even if the store itself is only read.
 constexpr int kOfStore = SQLITE_OPEN_MAIN_DB | SQLITE_OPEN_MAIN_JOURNAL | SQLITE_OPEN_WAL;
 constexpr int kToWrite =
     SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_DELETEONCLOSE | SQLITE_OPEN_EXCLUSIVE;
 
-// One of the system's with two doors shut; its other calls are as they were.
+// One of the system's VFS with these two changes.
 struct Shut {
   sqlite3_vfs vfs{};
   sqlite3_vfs* system = nullptr;
@@ -29,7 +29,7 @@ struct Shut {
   }
   static int open(sqlite3_vfs* self, const char* file, sqlite3_file* opened, int flags, int* out) {
     if ((flags & kOfStore) != 0) flags = (flags & ~kToWrite) | SQLITE_OPEN_READONLY;
-    sqlite3_vfs* system = reinterpret_cast<Shut*>(self)->system;  // its first member is vfs
+    sqlite3_vfs* system = reinterpret_cast<Shut*>(self)->system;  // vfs is its first member
     return system->xOpen(system, file, opened, flags, out);
   }
 };

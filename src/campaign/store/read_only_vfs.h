@@ -1,11 +1,11 @@
-// File functions for SQLite that can't write, create or remove a store, nor the files beside it.
+// File functions for SQLite that cannot write, create or remove a store or the files beside it.
 #pragma once
 
 namespace wythe::study {
 
-// With the system's locks, for a store that another program may write to; the name of the VFS.
+// The name of the VFS with the system's locks, for a store that another program may write to.
 [[nodiscard]] const char* read_only_vfs();
-// Without locks, for one that nobody has open.
+// The name of the VFS without locks, for a store that no program has open.
 [[nodiscard]] const char* read_only_vfs_without_locks();
 
 }  // namespace wythe::study

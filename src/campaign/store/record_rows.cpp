@@ -1,6 +1,6 @@
-// From the nested members of a record to flat lists of rows, and back. A sign names its element by its place in the
-// list; rows of one pier follow each other. A sample without an answer keeps only its shakes. Arrays go column
-// after column, and those of a curve are read by name: a column that a store lacks is NaN.
+// Converts the nested members of a record to flat lists of rows, and back. A sign refers to its element by its
+// position in the list; rows of one pier are consecutive. A sample without an answer keeps only its shakes. Arrays
+// are stored column after column. Those of a curve are read by name, and a column that a store lacks is NaN.
 #include "campaign/store/record_rows.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// How the store holds a SampleRecord: every column of every table is named here once, and from these lists come the
-// schema, writing and reading (store.cpp).
+// How the store represents a SampleRecord. Every column of every table is named
+// here once. The schema, writing and reading (store.cpp) use these lists.
 //
 //   each_column(v, record)    v(name, member) for the columns of `sample`
 //   each_output(v, record)    its columns that are NULL where the sample has no answer
@@ -10,9 +10,9 @@
 
 #include <string>
 
-#include "campaign/output_keys.h"
 #include "model/fields.h"
 #include "wythe/parts/campaign.h"
+#include "wythe/parts/responses.h"
 
 namespace wythe::study {
 
@@ -81,7 +81,7 @@ void each_shake_column(Visitor& c, Shake& s) {
   c("state_hash", s.state_hash);
 }
 
-// Signs lie in a table of their own, with the position of their element.
+// Signs have their own table, with the position of their element.
 struct SignRow {
   std::int64_t of_element = 0;
   ElementSign sign;
@@ -91,7 +91,7 @@ struct ScoreRow {
   double score = 0;
 };
 
-// A state of the pushed wall, and a pier's drift there.
+// A state of the pushed wall, and the drift of a pier in it.
 struct MovedRow {
   MovedMass mass;
   double storey_drift = kUnset;
@@ -101,7 +101,7 @@ struct PierRow {
   DriftPoint at;
 };
 
-// The lists of a record, flattened to rows; maps and nested lists become rows of their own.
+// The lists of a record as rows; maps and nested lists become lists of their own.
 struct RecordLists {
   std::vector<FallTo> falls;
   std::vector<ScoreRow> scores;
@@ -154,7 +154,7 @@ void each_list(Visitor& v) {
     c("displacement_first_m", s.sign.displacement_first);
   });
   v.list("reading", &RecordLists::readings, [](auto& c, auto& r) {
-    std::string what = text_of(r.what());  // for queries; it follows from the others
+    std::string what = text_of(r.what());  // for queries only; it follows from the others
     c("what", what);
     c("failure_mode", r.name);
     c("state", r.state);
@@ -194,15 +194,15 @@ void each_list(Visitor& v) {
   });
 }
 
-// A packed curve: one column after the other, each over all rows, by the names beside it. A column whose
-// name is not there reads as kUnset, a name that is no column here is passed over.
+// A packed curve: one column after the other, each over all rows, identified by name.
+// A column without a name in the store is kUnset, and unknown names are ignored.
 [[nodiscard]] std::string curve_column_names();
 [[nodiscard]] std::vector<double> curve_columns(const std::vector<CurveRow>& curve);
 [[nodiscard]] std::vector<CurveRow> curve_rows(const std::vector<double>& columns,
                                                const std::vector<std::string>& names);
 
-// The stored arrays of a state, one after the other, and back: as long as those of `rest`, the first
-// state of the same model, whose velocities it has.
+// The stored arrays of a state, one after the other, and back. `rest` is the
+// first state of the same model, which gives their lengths and the velocities.
 [[nodiscard]] std::vector<double> state_arrays(const State& state);
 [[nodiscard]] State state_at_rest(const std::vector<double>& arrays, const State& rest);
 

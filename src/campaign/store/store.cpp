@@ -1,6 +1,6 @@
-// Each write is one transaction: a new study with its samples, one answered sample, added samples, or one value.
-// Reading trusts nothing: digests, order and ranges are checked, and any mismatch is reported as damage. Binder and
-// Taker visit the same lists of record_rows.h, so that writing and reading have one order of columns.
+// Each write is one transaction: a new study with its samples, one sample, added samples, or one value.
+// Reading checks everything: digests, order and ranges; any mismatch is reported as damage. Binder and
+// Taker visit the same lists of record_rows.h, so writing and reading use the same order of columns.
 #include "campaign/store/store.h"
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// In the place of a first sample.
+// Used as first sample: stands for all samples.
 constexpr int kWhole = std::numeric_limits<int>::min();
 
 // Binds the members of a record in order.
@@ -49,7 +49,7 @@ struct Binder {
 // Takes the columns of a row in order.
 struct Taker {
   Statement& statement;
-  bool bounded = false;  // no answer is infinite
+  bool bounded = false;  // results may not be infinite
   void operator()(const char* name, double& member) {
     static const std::set<std::string> kRatios = {"unbalance_ratio_mean",
                                                   "unbalance_ratio_max",
@@ -95,7 +95,7 @@ struct ListWriter {
   }
 };
 
-// They stand in the table: a store whose tables are declared otherwise is refused before.
+// The columns exist, because a store with other tables was refused before.
 std::string list_of(const ColumnNames& names) {
   std::string list;
   for (const auto& [name, type] : names.columns) list += ", " + name;
@@ -127,7 +127,7 @@ struct ListReader {
   }
 };
 
-// Every sample has a value for each of the columns; NULL is one that came out as no number.
+// Every sample has a value in each column. NULL stands for a formula without a finite result.
 std::vector<std::vector<double>> load_inputs(Database& database, std::size_t columns) {
   std::vector<std::vector<double>> inputs;
   Statement select(database,
@@ -204,7 +204,7 @@ void write_columns(Database& database, const SampleTable& samples) {
   }
 }
 
-// File names alone: a store is passed on, its study needs no other file.
+// Only file names: a store may be moved, and its study needs no other file.
 StudySpec without_folders(StudySpec spec) {
   for (std::string* file : {&spec.file, &spec.model_file})
     *file = fs::path(*file).filename().string();
@@ -443,7 +443,7 @@ void Store::add_samples(const SampleTable& samples, int first, const StudySpec& 
 }
 
 namespace {
-// The stage that states are of: the last that has a curve. What stands in a state hangs on it.
+// The stage to which stored states belong: the last one with a curve. It decides which blocks stand.
 int stage_of_states(const Model& model) {
   const auto has_curve = [](const Stage& stage) {
     const StageKind kind = stage.spec.kind;
@@ -478,7 +478,7 @@ std::vector<Snapshot> Store::states(int sample, const Model& model) {
     s.label = select.text();
     s.displacement = select.finite();
     s.reaction = select.finite();
-    static_cast<void>(select.integer(blocks, blocks));  // those of its wall
+    static_cast<void>(select.integer(blocks, blocks));  // checks the number of blocks of its wall
     static_cast<void>(select.integer(points, points));
     database_.take(static_cast<double>(2 * numbers * sizeof(double)));
     const std::vector<double> arrays =
@@ -496,7 +496,7 @@ std::vector<SampleRecord> Store::records(int last) { return records(samples(), k
 
 std::vector<SampleRecord> Store::records(const SampleTable& table, int first, int last) {
   const ReadTransaction moment(database_);
-  // of the whole the lists too: a row of a sample that is none is damage
+  // for all samples the lists are checked too: a row without a sample is damage
   const bool whole = first == kWhole && last == std::numeric_limits<int>::max();
   const std::string where =
       first == kWhole ? "" : fmt::format("WHERE sample BETWEEN {} AND {}", first, last);
@@ -522,7 +522,7 @@ std::vector<SampleRecord> Store::records(const SampleTable& table, int first, in
     if (!is_outcome(record.status))
       select.damaged(fmt::format("no sample ends as \"{}\"", record.status));
     check_shakes(database_, record, lists[record.sample].shakes);
-    if (!record.answered()) {  // nor are there other lists of what it did
+    if (!record.answered()) {  // then it has no other lists
       put_lists(std::move(lists[record.sample]), record);
       continue;
     }

@@ -23,33 +23,33 @@
 
 namespace wythe::study {
 
-// Raised whenever a table, a column or the view `samples` changes: a test holds the checksum of all declarations beside
-// it. A store of another version is refused.
+// To be increased whenever a table, a column or the view `samples` changes; a test
+// contains the checksum of all declarations. A store of another version is refused.
 inline constexpr int kSchemaVersion = 1;
 inline constexpr const char* kStoreName = "campaign.db";
 
 [[nodiscard]] std::filesystem::path store_path(const std::string& folder);
-// Something of that name is there, whether it can be read or not: stores come into their place whole.
+// Whether a file of that name exists, readable or not. A store is moved to its place only when it is complete.
 [[nodiscard]] bool holds_store(const std::string& folder);
 
-// What is said once about a campaign beside its study and samples.
+// Data that a campaign has once, beside its study and samples.
 struct StoreHead {
   std::string shard = "1/1";
   std::string provenance;
   double load_height = 0;  // [m]
 };
 
-// "2/4" as 2 and 4; nothing where it is no shard.
+// "2/4" as 2 and 4; none where it is no shard.
 struct Shard {
   int number = 1, of = 1;
 };
 [[nodiscard]] std::optional<Shard> shard_of(const std::string& text);
-// Inputs of one sample, bit for bit but for the kind of zero; not a number is equal to itself.
+// Whether the inputs of two samples are equal bit for bit. The two zeros count as equal, and NaN equals itself.
 [[nodiscard]] bool same_inputs(const std::vector<double>& a, const std::vector<double>& b);
-// Of the push, or of the last stage [m]: drifts of every sample refer to it.
+// Load height of the push, or of the last stage [m]; the drifts of all samples refer to it.
 [[nodiscard]] double load_height_of(const Model& model);
 
-// A sample ready to be written; packing it needs no lock.
+// A sample ready to be written. It is packed without a lock.
 struct PackedState {
   std::string label, bytes;
   double displacement = 0, reaction = 0;
@@ -69,31 +69,31 @@ class Store {
   Store(const std::string& folder, Access access);
 
   [[nodiscard]] StudySpec study();
-  // Throws IoError where they are not those that were drawn.
+  // Throws IoError where they differ from those that were drawn.
   [[nodiscard]] SampleTable samples();
   [[nodiscard]] StoreHead head();
   [[nodiscard]] std::set<int> done();
   [[nodiscard]] std::vector<SampleRecord> records(int last);  // samples 1 .. last
-  // Samples first .. last alone, `table` being samples(): a store may be larger than memory.
+  // Only samples first .. last, with samples() as `table`, because a store may be larger than memory.
   [[nodiscard]] std::vector<SampleRecord> records(const SampleTable& table, int first, int last);
-  // Of one sample, whose wall this is; IoError where they are not states of it.
+  // The states of one sample with this wall; throws IoError where they do not fit it.
   [[nodiscard]] std::vector<Snapshot> states(int sample, const Model& model);
   [[nodiscard]] std::string value(const std::string& key);
-  // A value that counts samples; 0 where it is empty.
+  // A value that is a number of samples; 0 where it is empty.
   [[nodiscard]] int number_of_sample(const std::string& key);
 
   void set_value(const std::string& key, const std::string& value);
   void add_samples(const SampleTable& samples, int first, const StudySpec& spec);
   void write(const PackedSample& sample);
-  // Reads every page and every row but the states, and compares all with their checksums (digest.h);
-  // IoError where one is damaged. A few samples at a time. `drawn`: what another
-  // store of the same study drew, where this one says that it drew the same (inputs_digest()); then of its own
-  // table only the rows of samples that ran are read.
+  // Reads every page and every row except the states, a few samples at a time, and
+  // compares all with their checksums (digest.h). Throws IoError where one is damaged.
+  // `drawn`: the samples of another store of the same study with the same
+  // inputs_digest(). Then only the inputs of samples that ran are read from this store.
   void check_whole(const SampleTable* drawn = nullptr);
   [[nodiscard]] std::string inputs_digest();  // as stored
   // Throws IoError where a table has rows of a sample that is not stored.
   void check_no_other_sample();
-  // The same of the states of every sample that is stored.
+  // The same check for the states of every stored sample.
   void check_states();
   [[nodiscard]] Database& database() { return database_; }
 
@@ -112,19 +112,19 @@ class Store {
   std::map<std::string, Statement> prepared_;
 };
 
-// How a sample, or a shake of one, that is stored has ended.
+// Whether `status` is a possible end of a stored sample or shake.
 [[nodiscard]] bool is_outcome(const std::string& status);
-// Shakes that count have numbers, and end as a run does.
+// Shakes that count must have numbers, and an end like a run.
 void check_shakes(Database& database, const SampleRecord& record,
                   const std::vector<ShakeResult>& shakes);
 struct RecordLists;
-// What an answered sample says must be numbers and places that there are.
+// The results of an answered sample must be finite numbers, and its references must exist.
 void check_answer(Database& database, const SampleRecord& record, const RecordLists& lists);
 
-// Makes the file and what a campaign begins with.
+// Creates the file with the initial data of a campaign.
 void create_store(const std::string& folder, const StudySpec& spec, const SampleTable& samples,
                   const StoreHead& head);
-// The last sample that counts: where an until rule was met, or all.
+// The last sample that counts: the one that met the stop rule, or the last of all.
 [[nodiscard]] int last_counted(Store& store);
 
 }  // namespace wythe::study

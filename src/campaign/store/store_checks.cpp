@@ -19,11 +19,11 @@
 namespace wythe::study {
 namespace {
 
-// Words that say how slow a push was; empty where there was none.
+// Possible judgements of the push rate; empty without a push.
 constexpr std::string_view kJudgements[] = {"slow enough", "usable",  "too fast",
                                             "unknown",     "no push", ""};
 
-// The peaks are rows of the curve. A load that grows has none of them: its peak is a multiple of the weight.
+// Peaks must be rows of the curve. This does not hold for a load that grows: its peak is a multiple of the weight.
 template <class Refuse>
 void check_peaks(const Refuse& refuse, const SampleRecord& record) {
   const Responses& r = record.responses;
@@ -42,7 +42,7 @@ void check_peaks(const Refuse& refuse, const SampleRecord& record) {
     refuse("peak_reaction_N and displacement_at_peak_m are no row of its curve");
 }
 
-// Its states go on, and each pier was read at the same of them, up to the last: an assessment goes by them.
+// The states of a pushed wall must ascend, and each pier needs a drift at the same states up to the last (for an assessment).
 template <class Refuse>
 void check_pushed_wall(const Refuse& refuse, const RecordLists& lists) {
   double before = 0;
@@ -118,8 +118,8 @@ void Store::check_version() {
   check_tables();
 }
 
-// Tables that only hold rows, and nothing that computes: a view or a computed column would answer without end, a trigger
-// write. Those of this version stand there word for word.
+// Only tables with rows are allowed. A foreign view or computed column could run without end,
+// and a trigger could write. The declarations must be those of this version, word for word.
 void Store::check_tables() {
   std::map<std::string, std::string> due = declared_tables();
   const std::map<std::string, std::string> all = due;
@@ -158,7 +158,7 @@ void Store::check_view() {
     database_.damaged("the view samples is not declared as wythe declares it for these inputs");
 }
 
-// What the study draws is what the table `input` says of it.
+// The inputs of the study must agree with the table `input`.
 void Store::check_columns_of(const StudySpec& spec, const SampleTable& table) {
   const auto refuse = [&](std::size_t i, const char* what) {
     database_.damaged(
@@ -237,7 +237,7 @@ void Store::check_inputs_of(const SampleTable& drawn) {
   }
 }
 
-// A row of a sample that is not stored belongs to none.
+// A row of a sample that is not stored is damage.
 void Store::check_no_other_sample() {
   for (const std::string& table : result_tables()) {
     Statement other(database_,

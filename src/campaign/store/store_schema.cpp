@@ -1,6 +1,6 @@
-// Tables of answers are made from record_rows.h, so a member that is listed there has its column. Each list of a record
-// is a table with key (sample, position). The view `samples` has the titles and units of samples.csv. It ends with the
-// sample at which the campaign's stop rule was met.
+// Tables of results are made from record_rows.h, so each member listed there has its column.
+// Each list of a record is a table with key (sample, position). The view `samples` has the
+// titles and units of samples.csv. It ends with the sample that met the campaign's stop rule.
 #include "campaign/store/store_schema.h"
 
 #include <fmt/format.h>
@@ -102,7 +102,7 @@ std::string samples_view_sql(const SampleTable& samples) {
   }
   std::string listed = ",\n status";
   const auto add = [&](const OutputKey& key, const auto& value) {
-    if (key.listed == Listed::kNowhere) return;
+    if (key.listed == OutputKey::kNowhere) return;
     if constexpr (std::is_same_v<decltype(value), const double&>)
       listed += fmt::format(", {} * {:g} AS {}", key.stored, key.to_unit, key.column);
     else

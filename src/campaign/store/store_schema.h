@@ -15,13 +15,13 @@ inline constexpr std::int64_t kApplication = 0x77797468;  // "wyth", PRAGMA appl
 [[nodiscard]] std::string schema_sql();
 // The declaration of each table as SQLite keeps it, by its name.
 [[nodiscard]] const std::map<std::string, std::string>& declared_tables();
-// Tables that hold what samples answered.
+// Tables with the results of samples.
 [[nodiscard]] std::vector<std::string> result_tables();
 // The view `samples`: inputs and responses in the units of samples.csv, one row a sample.
 [[nodiscard]] std::string samples_view_sql(const SampleTable& samples);
 [[nodiscard]] std::string insert_sql(const std::string& table, int columns);
 
-// Collects the names a list of record_rows.h gives its members.
+// Collects the names of the members in a list of record_rows.h.
 struct ColumnNames {
   std::vector<std::pair<std::string, const char*>> columns;
   void operator()(const char* name, const double&) { columns.emplace_back(name, "REAL"); }
@@ -34,7 +34,7 @@ struct ColumnNames {
   }
 };
 
-// Those of `sample` after the number, in the order of record_rows.h.
+// The columns of `sample` after its number, in the order of record_rows.h.
 [[nodiscard]] ColumnNames record_columns();
 
 }  // namespace wythe::study

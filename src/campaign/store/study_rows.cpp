@@ -1,6 +1,6 @@
-// Templates list the keys of a study, its variables, shaking and records; RowWriter and RowReader visit them, so
-// writing and reading agree. Models are compared without comments and blank lines, settings by what they do to the
-// model. A new key counts as a change of the study unless may_change() names it.
+// Templates list the keys of a study, its variables, shaking and records. RowWriter and RowReader visit
+// them, so writing and reading agree. Models are compared without comments and blank lines, and settings
+// by their effect on the model. A new key counts as a change of the study unless may_change() names it.
 #include "campaign/store/study_rows.h"
 
 #include <fmt/format.h>
@@ -46,7 +46,7 @@ Number number_in(const std::string& key, const std::string& text) {
   return number->value;
 }
 
-// Members to rows; what is not set leaves no row.
+// Writes members as rows; a member that is not set has no row.
 class RowWriter {
  public:
   RowWriter(Rows& rows, std::string above) : rows_(rows), above_(std::move(above)) {}
@@ -183,7 +183,7 @@ constexpr LimitKey kLimitKeys[] = {
     {"uplift", &LimitStateSpec::uplift},
     {"slip", &LimitStateSpec::slip}};
 
-// One line each, since they may change on resume: name, then a tab before each limit; collapse has none.
+// One line for each limit state, because limit states may change on resume: name, then a tab before each limit. Collapse has none.
 std::string limit_states_text(const std::vector<LimitStateSpec>& states) {
   std::vector<std::string> lines;
   for (const LimitStateSpec& state : states) {
@@ -267,7 +267,7 @@ bool may_change(const std::string& key) {
   return kFree.contains(key);
 }
 
-// A model's lines as TOML means them: without comments, blanks around, and empty lines.
+// The lines of a model that have a meaning in TOML: without comments, surrounding blanks and empty lines.
 std::vector<std::string> meaningful_lines(const std::string& text) {
   std::vector<std::string> lines;
   for (const std::string& line : lines_of(text)) {
@@ -315,7 +315,7 @@ std::map<std::string, std::string> in_effect(const std::vector<std::string>& set
   for (const std::string& line : settings) {
     const std::size_t equals = std::min(line.find('='), line.size());
     const std::string path(trimmed(line.substr(0, equals)));
-    // a whole table takes the place of what was set in it
+    // a whole table replaces the settings within it
     std::erase_if(last, [&](const auto& set) { return set.first.starts_with(path + '.'); });
     last[path] = trimmed(line.substr(std::min(equals + 1, line.size())));
   }

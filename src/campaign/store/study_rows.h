@@ -1,5 +1,5 @@
-// A StudySpec as rows of key and value, as the store keeps it, and back; and what changed between
-// two. Values are exact: shortest texts that read back to the same bits, SI.
+// Converts a StudySpec to rows of key and value for the store, and back. Also finds changes between
+// two studies. Values are exact: the shortest texts that read back to the same bits, in SI units.
 #pragma once
 
 #include <map>
@@ -19,17 +19,17 @@ using Rows = std::vector<std::pair<std::string, std::string>>;
 // The value of a key, "" where there is none.
 [[nodiscard]] std::string value_of(const Rows& rows, const std::string& key);
 
-// Settings by path, of one path the last: what they do to the model.
+// Settings by path. Of several with one path the last one counts, as for the model.
 [[nodiscard]] std::map<std::string, std::string> in_effect(
     const std::vector<std::string>& settings);
 
-// One fault for everything that makes other samples or other answers: key, was, is. Name, note,
-// file names, the stop rule and the number of samples may change. `then` says when or where it was so.
+// One fault for each change that leads to other samples or other results: key, old value, new value. Name, note,
+// file names, the stop rule and the number of samples may change. `then` says when or where the old value was used.
 [[nodiscard]] std::vector<Fault> changes(const StudySpec& was, const StudySpec& is,
                                          const std::string& store,
                                          const std::string& then = "when the campaign began");
 
-// A checksum of the same: two studies have one where changes() finds nothing between them.
+// A checksum of the same data: it is equal for two studies if changes() finds no difference.
 [[nodiscard]] std::string identity_of(const StudySpec& spec);
 
 }  // namespace wythe::study

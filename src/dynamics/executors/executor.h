@@ -1,6 +1,6 @@
-// Where walls are stepped, and how a pass runs over them: one wall in chunks and threads or walls in SIMD
-// lanes (processor.h). The step itself is written once, as
-// a list of passes (step(), processor.cpp); an executor knows no mechanics.
+// An executor holds walls and runs each pass of a step over them. It takes either one
+// wall, in chunks and threads, or several walls in SIMD lanes (processor.h). The step
+// itself is a list of passes, step() in processor.cpp. An executor contains no mechanics.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace wythe::dynamics {
 
-// One wall as those see it who look at it between steps.
+// One wall, as code that looks at it between steps sees it.
 class WallAccess {
  public:
   WallAccess() = default;
@@ -18,16 +18,16 @@ class WallAccess {
   WallAccess(const WallAccess&) = delete;
   WallAccess& operator=(const WallAccess&) = delete;
 
-  // Sum of the unbalanced forces on free blocks over that of the contact forces, 1-norm; 0 where nothing
-  // acts.
+  // Sum of the unbalanced forces on free blocks, divided by the sum
+  // of the contact forces (1-norm). It is 0 where no force acts.
   [[nodiscard]] virtual double unbalance_ratio() const = 0;
   // 1/2 m v^2 + 1/2 I omega^2 at the half step [J].
   [[nodiscard]] virtual double kinetic_energy(double mass_scaling) const = 0;
-  // Sum of the ground's forces against the direction, + resists [N].
+  // Sum of the ground's forces against the direction [N], positive where the ground resists.
   [[nodiscard]] virtual double base_shear(const Vec3& along) const = 0;
   // First block whose motion is not finite or faster than 100 m/s, or -1; n_block + i for node i.
   [[nodiscard]] virtual BlockId runaway_block() const = 0;
-  // The block (n_block + i: node i) that has moved furthest.
+  // The block that has moved furthest (n_block + i stands for node i).
   [[nodiscard]] virtual Furthest furthest_block() const = 0;
   // How far block i has moved along a direction [m].
   [[nodiscard]] virtual double moved(BlockId i, const Vec3& along) const = 0;
@@ -35,11 +35,11 @@ class WallAccess {
   virtual void choose_driven(const std::vector<BlockId>& blocks) = 0;
   // Copies motion and history from the lane into the state's arrays.
   virtual void store_state(State& state) const = 0;
-  // Loads what was changed in the state.
+  // Loads the state again after it was changed outside.
   virtual void reload_wall(State&) {}
 };
 
-// Of free contacts in the last step: pairs of parts that are near, those of them that may touch; searches so far.
+// Numbers of free contacts in the last step: pairs that are near, pairs that may touch, and searches so far.
 struct FreeCounts {
   int near = 0, awake = 0, searches = 0;
 };
@@ -53,15 +53,15 @@ class Executor {
 
   // How many walls it takes; a lane is one of them.
   [[nodiscard]] virtual int lanes() const = 0;
-  // Stands for all walls that fit it.
+  // The model that stands for all walls that fit together.
   [[nodiscard]] virtual const Model& model() const = 0;
-  // A wall takes a lane, or loads again what was changed in its state. Model and state have to live until
-  // unload_wall().
+  // Loads a wall into a lane, or loads a state that was
+  // changed. Model and state have to live until unload_wall().
   virtual void load_wall(int lane, const Model& model, State& state) = 0;
-  // Stores the lane into the state's arrays; the lane stands still from then on.
+  // Stores the lane into the state's arrays. The lane is idle afterwards.
   virtual void unload_wall(int lane) = 0;
   [[nodiscard]] virtual std::unique_ptr<WallAccess> access(int lane) = 0;
-  // What the next step takes of a lane; where it is not set, the lane stands still.
+  // Controls of the next step of a lane. A lane without controls does not move.
   virtual void set(int lane, const Controls& controls) = 0;
   // Contact force on the driven blocks against the push, in the last step [N].
   [[nodiscard]] virtual double reaction(int lane) const = 0;
@@ -71,19 +71,19 @@ class Executor {
   void step();
 
  protected:
-  virtual void begin_step() = 0;    // dead loads follow their blocks; what the step brings along
-  virtual void run(Pass pass) = 0;  // a pass over all its chunks
-  virtual void update_free_contacts() {}  // contacts that come and go
+  virtual void begin_step() = 0;    // dead loads, links, frames, layers; numbers that a step brings
+  virtual void run(Pass pass) = 0;  // one pass over all its chunks
+  virtual void update_free_contacts() {}  // finds contacts and adds their forces
   virtual void apply_dashpots() {}        // dashpots of shaken walls
-  virtual void drive() = 0;               // the driven blocks, wall by wall
-  virtual void end_step() = 0;            // works into the walls' ledgers, clocks
+  virtual void drive() = 0;               // moves the driven blocks, wall by wall
+  virtual void end_step() = 0;            // adds works to the ledgers, advances clocks
 };
 
-// This processor for walls in their plane or in space; several threads for one wall only.
+// The executor for walls in their plane or in space. Several threads are possible for one wall only.
 [[nodiscard]] std::unique_ptr<Executor> processor_for(const Model& model, int lanes,
                                                       int threads = 1);
 
-// True where the walls can be stepped side by side: one topology, and joints that stay what they are.
+// True where walls can be stepped side by side: one topology, no free contacts, no masonry cut out or put up.
 [[nodiscard]] inline bool fit_together(const Model& a, const Model& b) {
   return a.topology == b.topology && !a.free.any() && !b.free.any() && !a.standing.any() &&
          !b.standing.any();

@@ -9,7 +9,7 @@
 
 namespace wythe::dynamics {
 
-// The sums of a chunk's works, of Real k.
+// Loads the sums of a chunk's works for Real number k.
 template <class Access, class Real>
 WYTHE_INLINE void load_work(Access access, const double* works, int k, JointWork<Real>& work) {
   const auto term = [&](int q) { return works + q * kGroup * access.walls(); };
@@ -60,7 +60,7 @@ void run_pass(const Numbers& t, const Chunk& chunk, double* works) {
 
 template <class Access>
 struct PassesOf {
-  // Points at the two ends of a face, three points, and any number, one by one; a face on the ground is rare.
+  // Two points at the ends of a face, three points, or any number. Faces on the ground are rare: one kernel.
   static void joints(const Tables& t, const Chunk& chunk, double* works) {
     contact::with_variant(chunk.choice, [&](auto chosen) {
       using V = decltype(chosen);
@@ -78,9 +78,12 @@ struct PassesOf {
 };
 
 template <class Real>
+using ManyWalls = WallLanes<Real, Lanes<Real>::width>;
+
+template <class Real>
 [[nodiscard]] constexpr Kernels kernels_of(const char* name) {
   using One = EntityLanes<Real>;
-  using Many = WallLanes<Real, Lanes<Real>::width>;
+  using Many = ManyWalls<Real>;
   return {name,
           Lanes<Real>::width,
           {PassesOf<One>::joints, run_pass<Zones<One>>, PassesOf<One>::edges, run_pass<Blocks<One>>,

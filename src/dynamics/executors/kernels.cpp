@@ -11,7 +11,7 @@
 namespace wythe::dynamics {
 namespace {
 
-// Sets that this build and this processor have (cmake/kernels.cmake), narrowest first.
+// The sets that this build and this processor support (cmake/kernels.cmake), narrowest first.
 std::vector<const Kernels*> available() {
   std::vector<const Kernels*> sets{&scalar_kernels()};
 #if defined(WYTHE_SSE2_KERNELS)
@@ -26,7 +26,7 @@ std::vector<const Kernels*> available() {
   return sets;
 }
 
-// Those up to the one WYTHE_SIMD asks for.
+// The sets up to the one that WYTHE_SIMD names.
 std::vector<const Kernels*> choose() {
   std::vector<const Kernels*> sets = available();
   const char* forced = std::getenv("WYTHE_SIMD");

@@ -1,9 +1,9 @@
 // The loops of the step, compiled once for each instruction set, and the choice between the sets.
 //
-// A kernel runs one pass (passes/*.h) over one chunk: of neighbours in one wall, in groups of kGroup, or
-// of walls side by side, `width` of them. All give the same bits: works are summed in kGroup lanes of
-// entities by everybody. WYTHE_SIMD=scalar|sse2|avx2|avx512 in the environment forces a set (tests);
-// otherwise it is the widest that this build and the processor have.
+// A kernel runs one pass (passes/*.h) over one chunk: over groups of kGroup neighbours of one
+// wall, or over `width` walls side by side. All sets give the same bits, because each sums works
+// in kGroup lanes of entities. WYTHE_SIMD=scalar|sse2|avx2|avx512 in the environment forces a
+// set (for tests). Otherwise the widest set that this build and the processor support is used.
 #pragma once
 
 #include <vector>
@@ -23,10 +23,10 @@ struct Kernels {
 };
 
 [[nodiscard]] const Kernels& scalar_kernels();
-// The set in use: WYTHE_SIMD, else the widest this processor has. Throws InputError where the
-// environment asks for a set that is unknown, or that this build or this processor lacks.
+// The set in use: the one that WYTHE_SIMD names, else the widest. Throws InputError where
+// WYTHE_SIMD names a set that is unknown, or that this build or this processor lacks.
 [[nodiscard]] const Kernels& kernels_in_use();
-// All that this build and this processor have, narrowest first.
+// All sets that this build and this processor support, narrowest first.
 [[nodiscard]] const std::vector<const Kernels*>& kernels_here();
 
 [[nodiscard]] const Kernels& sse2_kernels();

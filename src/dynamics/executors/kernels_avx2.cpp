@@ -4,6 +4,8 @@
 
 namespace wythe::dynamics {
 
+extern template struct PassesOf<ManyWalls<Pack<xsimd::avx2>>>;  // lane_kernels_avx2.cpp
+
 const Kernels& avx2_kernels() {
   static constexpr Kernels kSet = kernels_of<Pack<xsimd::avx2>>("avx2");
   return kSet;

@@ -4,6 +4,8 @@
 
 namespace wythe::dynamics {
 
+extern template struct PassesOf<ManyWalls<Pack<xsimd::avx512f>>>;  // lane_kernels_avx512.cpp
+
 const Kernels& avx512_kernels() {
   static constexpr Kernels kSet = kernels_of<Pack<xsimd::avx512f>>("avx512");
   return kSet;

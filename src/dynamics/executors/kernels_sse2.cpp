@@ -3,6 +3,8 @@
 
 namespace wythe::dynamics {
 
+extern template struct PassesOf<ManyWalls<Pack<xsimd::sse2>>>;  // lane_kernels_sse2.cpp
+
 const Kernels& sse2_kernels() {
   static constexpr Kernels kSet = kernels_of<Pack<xsimd::sse2>>("sse2");
   return kSet;

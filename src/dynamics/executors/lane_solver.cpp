@@ -1,6 +1,6 @@
-// Each wall comes with a step of its own. When walls came or ended, those that fit the first are moved into as few
-// lanes as hold them. Lanes that would be no more than half full cost more than walls alone, so they are given up.
-// Where no walls share lanes, one after the other is stepped to its end.
+// Each wall begins with a step of its own. When walls came or ended, walls that fit the first are
+// moved into as few lanes as possible. Lanes that are no more than half full cost more than walls
+// alone, so they are given up. Without shared lanes, walls run to their end one after the other.
 #include "dynamics/executors/lane_solver.h"
 
 #include <fmt/core.h>
@@ -58,7 +58,7 @@ bool LaneSolver::fits(const RunningWall& wall) const {
   return together_ && fit_together(wall.model, together_->model());
 }
 
-// Takes the wall out of where it is stepped now and into `lane` (-1: a step of its own).
+// Moves the wall from its present place into `lane` (-1: a step of its own).
 void LaneSolver::settle_in(RunningWall& wall, int lane) {
   if (lane >= 0) {
     if (wall.alone) wall.alone->unload_wall(0);
@@ -76,12 +76,12 @@ void LaneSolver::settle_in(RunningWall& wall, int lane) {
 int LaneSolver::lanes_for(int fitting) const {
   int lanes = 1;
   while (lanes < fitting) lanes *= 2;
-  // few walls in wide lanes cost more than each alone, its joints in packs of the same width: 4 walls in 8
-  // lanes 1.2 times that, 5 of 8 0.97; 2 walls in 4 lanes 1.2 times, 3 of 4 0.8 (measured with wythe_bench)
+  // Few walls in wide lanes cost more than walls alone, whose joints fill packs of the same width. Measured with
+  // wythe_bench: 4 walls in 8 lanes cost 1.2 times that, 5 in 8 lanes 0.97; 2 in 4 lanes 1.2, 3 in 4 lanes 0.8.
   return lanes < std::min(width_, kernels_in_use().width) ? 1 : lanes;
 }
 
-// As few lanes as hold the walls that are running, and every wall that fits in one of them.
+// Opens as few lanes as the running walls need, and moves every wall that fits into one of them.
 void LaneSolver::arrange() {
   changed_ = false;
   const Model& first = together_ && !walls_.empty() ? together_->model() : walls_.front()->model;
@@ -97,7 +97,7 @@ void LaneSolver::arrange() {
       }
     if (lanes < 2) {
       together_.reset();
-      if (fitting == 0 && running() > 1) arrange();  // those left may fit each other
+      if (fitting == 0 && running() > 1) arrange();  // the remaining walls may fit each other
       return;
     }
     together_ = processor_for(together_->model(), lanes);
@@ -126,7 +126,7 @@ void LaneSolver::step() {
     wall->alone->set(0, controls);
     wall->alone->step();
     wall->run->after_step(wall->alone->reaction(0));
-    if (!together_) return;  // walls that share nothing take their turns one after the other
+    if (!together_) return;  // walls that share nothing run one after the other
   }
   together_->step();
   for (const auto& wall : walls_)

@@ -6,9 +6,9 @@
 //     LaneSolver::Ended ended = solver.next();     // steps all until one ends
 //   }
 //
-// When half of the lanes stay empty each wall goes on in a step of its
-// own (its joints in the lanes of the packs). A wall that does not fit the others (fit_together) is
-// stepped alone beside them. No wall's bits depend on any of this (docs/theory/determinism.md).
+// When half of the lanes are empty, each wall goes on in a step of its own (its joints
+// fill the lanes of packs). A wall that does not fit the others (fit_together) is
+// stepped alone beside them. No wall's bits depend on this (docs/theory/determinism.md).
 #pragma once
 
 #include <memory>
@@ -19,8 +19,8 @@
 
 namespace wythe::dynamics {
 
-// Walls worth stepping side by side: the width of the widest pack in use; WYTHE_LANES=1|2|4|8 in the
-// environment forces another (tests). Throws InputError where it says something else.
+// How many walls should be stepped side by side: the width of the widest pack in use. WYTHE_LANES=1|2|4|8
+// in the environment forces a number (for tests). Throws InputError for any other value.
 [[nodiscard]] int lanes_in_use();
 
 class LaneSolver {

@@ -1,4 +1,4 @@
-// The scalar kernel for pairs that press, and the choice between those there are.
+// The scalar kernel for pairs of parts that press on each other, and the choice between the sets.
 #include <algorithm>
 
 #include "contact/convex_contact.h"

@@ -1,6 +1,6 @@
-// Executor::step() is the order of a time step. Around its passes stands what is done wall by wall: dead loads, links,
-// dashpots, drive and ledger. Each chunk keeps its own sums of work, and the ledger adds them in the order of chunks.
-// So no bit depends on threads (docs/theory/determinism.md). A lane without a wall holds one at rest.
+// Executor::step() is the order of a time step. Before and after its passes come dead loads, links, dashpots,
+// drive and ledger, wall by wall. Each chunk keeps its own sums of work, and the ledger adds them in the order of
+// chunks. So no bit depends on threads (docs/theory/determinism.md). A lane without a wall holds a wall at rest.
 #include "dynamics/executors/processor.h"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ void Executor::step() {
 
 namespace {
 
-// Of a set, the widest that fills no more than the lanes.
+// The widest set that is no wider than the number of lanes.
 const Kernels& kernels_for(int lanes, const Kernels& most) {
   const Kernels* widest = &scalar_kernels();
   for (const Kernels* set : kernels_here())
@@ -80,8 +80,8 @@ constexpr Terms terms_of(Pass pass) {
   }
 }
 
-// What a stage cuts out leaves its neighbours as it was carried off: its forces on them fade (docs/theory/cutting.md).
-// When the stage has ended nothing of them is left.
+// When masonry is cut out, its last forces go on acting on its neighbours and fade
+// (docs/theory/cutting.md). When the stage has ended, nothing of them is left.
 void release(const Model& model, const State& state, const WallView& wall) {
   const double share = 1 - state.load_scale[static_cast<std::size_t>(state.stage)];
   for (int i = 0; i < model.n_block; ++i) {
@@ -93,7 +93,7 @@ void release(const Model& model, const State& state, const WallView& wall) {
   }
 }
 
-// Dead loads of all stages, in their order, on their blocks as they are turned now.
+// Adds the dead loads of all stages, in their order, to their blocks in the present pose.
 void place_loads(const Model& model, const State& state, const WallView& wall,
                  const FreeContacts<PlaneBodies>* free) {
   for (const Stage& stage : model.stages) {
@@ -116,7 +116,7 @@ void place_loads(const Model& model, const State& state, const WallView& wall,
     add_carried(mass, state.gravity_x, state.gravity_y + model.solve.gravity, wall);
 }
 
-// Links and layers pull, and frames bend, where the blocks are now; what they take goes into the ledger.
+// Adds the forces of links, layers and frames in the present pose. Their works go into the ledger.
 void take_links(const Model& model, State& state, const WallView& wall) {
   if (wall.layers > 0) {
     const LayerWork work = add_layer_forces(wall);

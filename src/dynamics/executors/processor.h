@@ -1,5 +1,5 @@
-// Walls on this processor: one wall, its neighbours in the lanes of packs and its chunks shared by
-// threads; or walls side by side, one a lane.
+// Walls on this processor. Either one wall, with its neighbours in the lanes of
+// packs and its chunks shared by threads, or walls side by side, one in each lane.
 //
 //   Processor one(model, 1, threads);
 //   one.load_wall(0, model, state);
@@ -25,7 +25,7 @@ class PlaneBodies;
 
 class Processor final : public Executor {
  public:
-  // Lanes 1, 2, 4 or 8; several threads for one wall only.
+  // `lanes`: 1, 2, 4 or 8. Several threads are possible for one wall only.
   Processor(const Model& model, int lanes, int threads = 1,
             const Kernels& kernels = kernels_in_use());
   ~Processor() override;
@@ -43,7 +43,7 @@ class Processor final : public Executor {
   [[nodiscard]] const Layout& layout() const { return layout_; }
   [[nodiscard]] const State& state(int lane) const { return *wall_[at(lane)].state; }
   [[nodiscard]] const WallView& view(int lane) const { return wall_[at(lane)].view; }
-  // Motion, history and free contacts of the wall in a lane, into a state's own arrays.
+  // Copies motion, history and free contacts of the wall in a lane into the arrays of a state.
   void store_state(int lane, State& state) const;
   [[nodiscard]] FreeCounts free_counts() const override;
 
@@ -56,7 +56,7 @@ class Processor final : public Executor {
     WallView view;
     DashpotState dashpot_state;
   };
-  // As many walls as one pack takes, with memory of their own.
+  // As many walls as one pack holds, with their own memory.
   struct Bank {
     Memory memory;
     Tables tables;
@@ -81,7 +81,7 @@ class Processor final : public Executor {
   const State rest_;
   std::vector<Wall> wall_;
   std::vector<Bank> bank_;
-  std::unique_ptr<FreeContacts<PlaneBodies>> free_;  // of one wall alone
+  std::unique_ptr<FreeContacts<PlaneBodies>> free_;  // only for one wall alone
   Workers workers_;
 };
 

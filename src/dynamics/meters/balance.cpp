@@ -1,7 +1,7 @@
-// Balance is asked of a stretch of rows (4.11a): reaction and base shear that vibrate against each other are equal
-// twice in a period. The rate is judged at the largest force in balance (4.12), of driven supports in the worst fifth
-// of their way (4.12a). A meter that is no number stays one and never passes; a ledger that does not close makes it
-// "unknown".
+// A row is in balance if a stretch of rows around it is (4.11a). Reaction and base shear
+// that vibrate against each other would be equal twice in a period. The rate is judged at
+// the largest force in balance (4.12), for driven supports in the worst fifth of the path
+// (4.12a). A NaN stays a NaN and never passes. A ledger that does not close gives "unknown".
 #include "dynamics/meters/balance.h"
 
 #include <algorithm>
@@ -47,7 +47,7 @@ double force_beyond(const Curve& curve, double peak) {
   return most / peak - 1;
 }
 
-// Where the two differ by half of the wall's own force, the stiffness read there grew by 18 % with the velocity.
+// The limit is half of the wall's own force: there the stiffness that was read grew by 18 % with the velocity.
 bool outruns(const Curve& curve, double peak) {
   for (std::size_t i = 1; i < curve.size(); ++i) {
     if (std::fabs(curve[i].reaction - curve[i].base_shear) > kOutrun * peak) return true;
@@ -86,11 +86,11 @@ constexpr double kSpent =
     1e-3;  // of the drive's work, to break and crush: what a jolt can take from the wall
 constexpr double kApproach = 0.8;  // of the displacement at the peak: where the way to it begins
 
-// The larger of two, and not a number where either is none: a comparison with it holds never, and std::max
-// then drops it.
+// The larger of two numbers, NaN where either is NaN.
+// Comparisons with NaN are false, so std::max could drop it.
 double larger(double a, double b) { return std::isnan(a) || a > b ? a : b; }
 
-// Middle of all; not a number where any is none, which no order could place.
+// Median; NaN where any value is NaN, because NaN has no place in the order.
 double median(std::vector<double> of) {
   if (of.empty()) return 0;
   if (std::any_of(of.begin(), of.end(), [](double x) { return std::isnan(x); })) return kUnset;
@@ -99,8 +99,8 @@ double median(std::vector<double> of) {
   return *middle;
 }
 
-// Share of the drive's work that damping takes, median over the rows of the last fifth of the way to
-// the peak: a crack that snaps there releases energy at any rate, and stands in a row or two only.
+// Share of the drive's work that damping takes: the median over the rows from 80 to 100 % of the displacement
+// at the peak. A crack that snaps there releases energy at any rate, but fills only a row or two.
 double damping_on_the_way(const Curve& curve, std::size_t peak) {
   std::vector<double> share;
   for (std::size_t i = peak; i >= 1; --i) {
@@ -144,7 +144,7 @@ Message reason_of(const RateVerdict& q) {
   return share("meter.damping", q.damping_share);
 }
 
-// Nothing is said for a run whose curve or meters hold what is no number.
+// A curve or meters with NaN or infinity get no verdict.
 bool is_finite(const CurveRow& row) {
   for (const double value :
        {row.time, row.displacement, row.reaction, row.base_shear, row.unbalance_ratio,
@@ -163,7 +163,7 @@ RateVerdict not_known(const char* why) {
   return q;
 }
 
-// Judgement and sentence from the meters.
+// Sets judgement and verdict text from the meters.
 void judge(RateVerdict& q) {
   const double drag = larger(q.shear_gap, q.damping_share);
   q.lift = kScatter + larger(kLift * drag, q.beyond);
@@ -193,10 +193,10 @@ bool is_finite(const EnergyLedger& e) {
   return true;
 }
 
-// Every entry is a number, and what they miss is little.
+// True where all entries are finite and the gap of the ledger is small.
 bool is_balanced(const EnergyLedger& e) { return is_finite(e) && e.gap_ratio <= kLedger; }
 
-// What is said where it is not; `code` where numbers tell how much is missing.
+// The message for a ledger that is not balanced; `code` is used where the gap is a number.
 Message energy_missing(const EnergyLedger& e, const char* code = "rate.energy_missing") {
   if (!is_finite(e)) return {"rate.unknown", {{"why", Message{"balance.no_number"}}}};
   return {code, {{"gap_percent", 100 * e.gap_ratio}}};
@@ -210,13 +210,13 @@ RateVerdict of_a_load(const Result& result) {
   return q;
 }
 
-// Supports that are driven, over the worst fifth of their way: in balance what they feel is what the other supports
-// feel, whichever way it goes. The force that a slow drive needs lies between both, so the gap counts once; a snap
-// stands in a row or two of a fifth, which the median passes over.
+// Driven supports, judged over the worst fifth of their path. In balance their force equals that
+// of the other supports, in either direction. The force of a slow drive lies between both, so
+// the gap counts once. A snap fills only a row or two of a fifth, and the median ignores them.
 RateVerdict of_supports(const Curve& curve) {
   constexpr int kParts = 5;
   RateVerdict q;
-  double largest = 0;  // force that both feel: a jolt at the start is felt by one side alone
+  double largest = 0;  // force that both sides feel: a jolt at the start is felt by one side alone
   for (const CurveRow& row : curve)
     if (row.reaction * row.base_shear > 0)
       largest = std::max(largest, std::min(std::fabs(row.reaction), std::fabs(row.base_shear)));
@@ -269,7 +269,7 @@ RateVerdict of_supports(const Curve& curve) {
   return q;
 }
 
-// The one of two verdicts that trusts a run less.
+// The stricter of two verdicts.
 const RateVerdict& worse(const RateVerdict& a, const RateVerdict& b) {
   const auto rank = [](const RateVerdict& q) {
     return q.judgement == "slow enough" ? 0 : q.judgement == "usable" ? 1 : 2;
@@ -278,8 +278,8 @@ const RateVerdict& worse(const RateVerdict& a, const RateVerdict& b) {
   return !(a.lift < b.lift) ? a : b;
 }
 
-// A jolt at the start breaks bond that a slow push would keep, and the calm curve after it does not tell. Where
-// nothing broke, in a wall of dry joints, the force does not remember the jolt; but it is not slow.
+// A jolt at the start breaks bond that a slow push would keep, and the calm curve after it does not show this.
+// In a wall of dry joints nothing breaks, so the force is right all the same; but the push was not slow.
 void judge_outrun(const EnergyLedger& energy, double work, RateVerdict& q) {
   const Message outran = share("meter.outran", kOutrun);
   if (energy.fracture + energy.crushing > kSpent * work) {
@@ -292,7 +292,7 @@ void judge_outrun(const EnergyLedger& energy, double work, RateVerdict& q) {
   }
 }
 
-// Of a push, at the largest force in balance.
+// Judges a push at its largest force in balance.
 RateVerdict of_a_push(const Curve& curve, const EnergyLedger& energy) {
   RateVerdict q;
   const auto peak = largest_in_balance(curve);
@@ -329,7 +329,7 @@ RateVerdict judge_quasi_static(const Result& result, bool supports) {
   } else if (curve.size() >= kFewestRows && supports) {
     q = of_supports(curve);
     if (largest_in_balance(curve))
-      q = worse(q, of_a_push(curve, result.energy));  // a capacity is read there
+      q = worse(q, of_a_push(curve, result.energy));  // its capacity is read from the curve
   } else if (curve.size() >= kFewestRows) {
     q = of_a_push(curve, result.energy);
   }
@@ -346,7 +346,7 @@ Message warning_of(const Result& result) {
   if (result.curve_of == StageKind::kPush && result.load_factor > 0)
     return {"doubt.held_factor", {{"factor", result.load_factor}}};
   const RateVerdict& q = result.quasi_static;
-  // a usable push says in its verdict how far its force may be off: no warning beside it
+  // the verdict of a usable push says how far its force may be off, so it needs no warning
   if (q.judgement != "slow enough" && q.judgement != "usable" && q.judgement != "no push")
     return q.verdict;
   if (!dynamics::is_balanced(result.energy)) {

@@ -19,9 +19,9 @@ inline constexpr double kBalanceOver =
 inline constexpr double kUnbalance =
     0.003;  // unbalanced forces / contact forces: more rejects a peak
 
-// Rows within kBalanceOver of a row's displacement (half on either side), and its neighbours at least.
+// Rows within kBalanceOver of a row's displacement (half on either side), at least the rows beside it.
 struct Stretch {
-  std::size_t first = 0, last = 0;  // both in it
+  std::size_t first = 0, last = 0;  // both included
 };
 [[nodiscard]] Stretch stretch_around(const std::vector<CurveRow>& curve, std::size_t row);
 
@@ -29,16 +29,16 @@ struct Stretch {
 [[nodiscard]] std::optional<std::size_t> largest_in_balance(const std::vector<CurveRow>& curve,
                                                             double sense = 1);
 
-// By how much the largest force that was applied and reached the ground exceeds `peak`, as a share of it: a
-// row out of balance that the wall may carry. Above kKnown the peak is only where the push began.
+// How far the largest force that was applied and reached the ground exceeds `peak`, as a share of `peak`. The
+// wall may carry it, although that row is out of balance. Above kKnown, `peak` only says where the push began.
 inline constexpr double kKnown = 0.25;
 [[nodiscard]] double force_beyond(const std::vector<CurveRow>& curve, double peak);
 
-// The force of a row that was applied and reached the ground: the smaller of both.
+// The force of a row that was applied and reached the ground: the smaller of reaction and base shear.
 [[nodiscard]] double passed_on(const CurveRow& row);
 
-// Whether a push outran the wall: whether reaction and base shear differ by more than kOutrun of the peak before
-// the wall's own force, their mean, is twice that. The rise is a jolt then.
+// Whether a push outran the wall: reaction and base shear differ by more than kOutrun of the
+// peak before the wall's own force (their mean) is twice that. The force then rises from a jolt.
 inline constexpr double kOutrun = 0.15;
 [[nodiscard]] bool outruns(const std::vector<CurveRow>& curve, double peak);
 
@@ -54,9 +54,9 @@ inline constexpr double kOutrun = 0.15;
   return !push.driven.empty() && push.driven.front() >= model.n_block;
 }
 
-// The verdict on the rate, from curve, responses and energy of a run. `supports`: the curve is of supports that a
-// stage drives. They may give way to the wall as well as press on it, and no peak sums their way up: the whole
-// way is judged (docs/theory/integration.md, 4.12a).
+// The verdict on the push rate, from curve, responses and energy of a run. `supports`: a
+// stage drives supports. They may move away from the wall as well as press on it, so no peak
+// represents the path. The whole path is judged then (docs/theory/integration.md, 4.12a).
 [[nodiscard]] RateVerdict judge_quasi_static(const Result& result, bool supports = false);
 
 }  // namespace wythe::dynamics

@@ -1,6 +1,6 @@
-// Reads the envelope of each direction as a push of one way; the direction with the larger peak gives the responses.
-// Turns of the displacement bound excursions, and two half ones that follow each other in opposite senses are one full
-// cycle. Definitions: docs/reference/results.md, "Cyclic pushes".
+// Evaluates the envelope of each direction like a push that never turns back. The direction with the
+// larger peak gives the responses. Excursions lie between turns of the displacement. Two successive half
+// cycles of opposite sense form one full cycle. Definitions: docs/reference/results.md, "Cyclic pushes".
 #include "dynamics/meters/cyclic.h"
 
 #include <algorithm>
@@ -17,13 +17,13 @@ namespace {
 
 using Curve = std::vector<CurveRow>;
 
-constexpr double kTurn = 1e-3;          // of the range: a way back that counts as a turn
-constexpr double kBack = 0.05;          // of an excursion: this near zero is back at zero
-constexpr double kSame = 0.02;          // displacements of cycles that are one
-constexpr std::size_t kFewestRows = 4;  // of a way out or back, for a damping ratio
+constexpr double kTurn = 1e-3;          // of the range: shortest way back that counts as a turn
+constexpr double kBack = 0.05;          // of an excursion: a displacement below it counts as zero
+constexpr double kSame = 0.02;          // largest difference of amplitudes within one cycle
+constexpr std::size_t kFewestRows = 4;  // on the way out and back, to give a damping ratio
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-// The shortest way back that counts [m].
+// The shortest way back that counts as a turn [m].
 double turn_of(const Curve& curve) {
   double low = 0, high = 0;
   for (const CurveRow& row : curve) {
@@ -33,7 +33,7 @@ double turn_of(const Curve& curve) {
   return kTurn * (high - low);
 }
 
-// Rows where the displacement turns, the first and the farthest of the last way among them.
+// Rows where the displacement turns, with the first row and the farthest row after the last turn.
 std::vector<std::size_t> turns_of(const Curve& curve) {
   const double turn = turn_of(curve);
   std::vector<std::size_t> turns = {0};
@@ -66,10 +66,10 @@ CurveRow mirrored(CurveRow row, int sense) {
 
 // --- cycles
 
-// From the turn before over the extreme to the turn after it, seen along its own sense.
+// From one turn over the extreme to the next turn, seen along its own sense.
 struct Excursion {
   int sense = 1;
-  std::size_t before = 0, extreme = 0, after = 0;  // rows; after = extreme: never turned back
+  std::size_t before = 0, extreme = 0, after = 0;  // rows; after = extreme: no turn
   double begin = 0, end = 0, amplitude = 0;        // [m]
   [[nodiscard]] bool turned_back() const { return after > extreme; }
   [[nodiscard]] bool is_half() const {
@@ -98,7 +98,7 @@ std::vector<Excursion> excursions_of(const Curve& curve) {
   return all;
 }
 
-// Largest force in a sense of any row on the excursion's own side of zero.
+// Largest force in a sense, in the rows on the excursion's own side of zero.
 double largest_force(const Curve& curve, const Excursion& e, int sense) {
   double largest = 0;
   for (std::size_t i = e.before + 1; i <= e.after; ++i)
@@ -106,7 +106,7 @@ double largest_force(const Curve& curve, const Excursion& e, int sense) {
   return largest;
 }
 
-// The same, and whether a row in balance had as much but for kBalance: else it may be a rebound.
+// That force, and whether a row in balance reached it within kBalance. If not, it may be a rebound.
 struct Force {
   double value = 0;
   bool in_balance = true;
@@ -122,7 +122,7 @@ Force force_of(const Curve& curve, const Excursion& e, int sense) {
   return {any, any == 0};
 }
 
-// Where the force first comes to zero on the way back, between the middles of two windows.
+// Displacement at which the force first falls to zero on the way back, interpolated between middles of windows.
 double residual_of(const Curve& curve, const Excursion& e) {
   const auto middle = [&](std::size_t i) {
     return 0.5 * (curve[i].displacement + curve[i - 1].displacement);
@@ -137,7 +137,7 @@ double residual_of(const Curve& curve, const Excursion& e) {
   return kNone;
 }
 
-// Work of `force` along the excursion, beyond the displacement to which it came back.
+// Work of `force` along the excursion, without the part below the displacement to which it came back.
 template <class Force>
 double loop_work(const Curve& curve, const Excursion& e, const Force& force) {
   const double level = std::max(e.begin, e.end);
@@ -165,17 +165,17 @@ Cycle cycle_of(const Curve& curve, const Excursion& e) {
   if (!e.turned_back()) return c;
   c.dissipated = loop_work(curve, e, [](const CurveRow& r) { return r.reaction; });
   c.drag = loop_work(curve, e, [](const CurveRow& r) { return r.reaction - r.base_shear; });
-  // The box of all its rows bounds it by 2 / pi.
+  // The box around all its rows limits xi to 2 / pi.
   const double either = std::max(largest_force(curve, e, 1), largest_force(curve, e, -1));
   if (e.is_half() && e.is_resolved() && either > 0)
     c.damping_ratio = c.dissipated / (std::numbers::pi * either * e.amplitude);
   return c;
 }
 
-// Two halves as one loop. E_so is the larger of the mean of F d / 2 in the two directions and the
-// triangle under the diagonal of the loop's box, (F+ - F-) (d+ - d-) / 8: the same where the directions are
-// alike. So xi goes over into that of half a cycle where one direction is small, and no loop has more
-// than a slider's 2 / pi.
+// Joins two half cycles to one loop. E_so is the larger of two areas: the mean of F d / 2 of
+// both directions, and the triangle under the diagonal of the loop's box,
+// (F+ - F-) (d+ - d-) / 8. Both are equal where the directions are alike. So xi approaches that
+// of a half cycle where one direction is small. No loop exceeds 2 / pi, the value of a slider.
 Cycle joined(const Curve& curve, const Excursion& first, const Excursion& second) {
   const Excursion &up = first.sense > 0 ? first : second, &down = &up == &first ? second : first;
   Cycle c = cycle_of(curve, up);
@@ -258,7 +258,7 @@ DirectionReadings direction_of(const Responses& r, const Curve& envelope) {
   return d;
 }
 
-// Both envelopes read as pushes. Only the one on whose side the wall collapsed has come to its end.
+// Responses of both envelopes. Only the side on which the wall collapsed has reached its end.
 struct BothWays {
   Curve along, against;
   Responses forth, back;
@@ -266,10 +266,10 @@ struct BothWays {
   int sense = 1;
 };
 
-// One direction. The way out is known finer than by its rows, of use where it leads to most of the peak.
+// Responses of one direction. `rise`, finer than rows, is used for the first direction if it reaches most of the peak.
 Responses evaluate_side(const Curve& envelope, ResponseOptions options, bool is_first) {
-  constexpr double kMost = 0.6;   // the bilinear curve's secant needs no more
-  constexpr double kBegin = 0.1;  // nor the stiffness less
+  constexpr double kMost = 0.6;   // the bilinear curve's secant needs 0.6 of the peak
+  constexpr double kBegin = 0.1;  // the stiffness needs the curve from 0.1 of the peak
   const std::vector<RisePoint> rise = std::exchange(options.rise, {});
   Responses by_rows = evaluate_one_way(envelope, options);
   const bool reaches = std::any_of(rise.begin(), rise.end(), [&](const RisePoint& point) {
@@ -279,7 +279,7 @@ Responses evaluate_side(const Curve& envelope, ResponseOptions options, bool is_
     options.rise = rise;
     return evaluate_one_way(envelope, options);
   }
-  // A wall that comes from the other side may pass zero under force: then it has no rise from there.
+  // A wall that comes back from the other side may pass zero under force. Then it has no rise from zero.
   const double begins = envelope.size() > 1 ? envelope[1].reaction / by_rows.peak_reaction : 0;
   if (!is_first && begins > kBegin) by_rows.initial_stiffness = kNone;
   if (!is_first && begins > kMost)
@@ -297,8 +297,8 @@ BothWays evaluate_both(const Curve& curve, const ResponseOptions& options) {
   standing.collapse = {};
   b.forth = evaluate_side(b.along, b.collapsed_along ? options : standing, first_along);
   b.back = evaluate_side(b.against, b.collapsed_along ? standing : options, !first_along);
-  // A direction whose strength is not known counts with its largest row: if that is the larger, the
-  // wall's strength is not known.
+  // A direction whose strength is not known counts with its largest row.
+  // If that row is the larger one, the strength of the wall is not known.
   const auto strength = [](const Responses& r) {
     return std::isnan(r.peak_reaction) ? r.peak_raw : r.peak_reaction;
   };
@@ -321,7 +321,7 @@ Curve envelope_of(const Curve& curve, int sense) {
   Curve envelope = {mirrored(curve.front(), sense)};
   double record = std::max(0.0, envelope.front().displacement);
   for (std::size_t i = 1; i < curve.size();) {
-    // one excursion beyond the record
+    // one excursion beyond the farthest displacement so far
     Curve rows;
     for (; i < curve.size() && sense * curve[i].displacement > record; ++i) {
       rows.push_back(mirrored(curve[i], sense));
@@ -355,7 +355,7 @@ Responses evaluate_cyclic(const Curve& curve, const ResponseOptions& options) {
   r.cyclic.cycles = cycles_of(curve);
   for (std::size_t i = 1; i < curve.size(); ++i)
     r.cyclic.work += curve[i].reaction * (curve[i].displacement - curve[i - 1].displacement);
-  // The wall is gone in both directions, wherever it went.
+  // A collapsed wall is lost in both directions, whichever side it fell to.
   if (!options.collapse.empty())
     r.collapse = (both.collapsed_along ? both.forth : both.back).collapse;
   return r;

@@ -1,4 +1,4 @@
-// A push that turns back: its envelope in each direction, and what each of its cycles says.
+// A push that turns back: its envelope in each direction, and the results of each cycle.
 //
 //   force ^      ____ envelope: rows that go farther than all before, along +
 //         |   __/|
@@ -13,16 +13,16 @@
 
 namespace wythe::dynamics {
 
-// A push whose displacement turns back by more than a thousandth of its range, or goes below zero.
-// Body forces and tilts, whose rows have a load factor, are none.
+// True for a push whose displacement turns back by more than a thousandth of its range,
+// or goes below zero. False for body forces and tilts, whose rows have a load factor.
 [[nodiscard]] bool is_cyclic(const std::vector<CurveRow>& curve);
 
-// Rows that go farther than all before in a sense (1, -1), as of a push along it. Where a later
-// excursion comes back with less force than the last one ended with, the envelope is straight from
-// there to where the force is regained, or else to the largest one beyond.
+// The rows that go farther than all earlier ones in a sense (1, -1), like a push along it.
+// A later excursion may come back with less force than the last one ended with. Then the
+// envelope is straight until the force is regained, or up to the largest force beyond.
 [[nodiscard]] std::vector<CurveRow> envelope_of(const std::vector<CurveRow>& curve, int sense);
 
-// All of Responses for a cyclic curve.
+// All responses of a cyclic curve.
 [[nodiscard]] Responses evaluate_cyclic(const std::vector<CurveRow>& curve,
                                         const ResponseOptions& options);
 

@@ -1,5 +1,5 @@
-// Takes the use of every section in each row of the curve (docs/theory/frames.md, 20.8) and keeps the largest of its
-// frame. Where a frame first yielded is read from the event that the recorder wrote.
+// Computes the use of every section in each row of the curve (docs/theory/frames.md, 20.8) and keeps
+// the largest of each frame. The event that the recorder wrote says where a frame first yielded.
 #include "dynamics/meters/frame_uses.h"
 
 #include <cmath>

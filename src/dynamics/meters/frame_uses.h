@@ -1,4 +1,4 @@
-// What each frame bore over the curve: its largest use, and where and when it first yielded.
+// The largest use of each frame over the curve, and where and when it first yielded.
 #pragma once
 
 #include <vector>

@@ -1,6 +1,6 @@
-// Of a state: nodes follow each other strand by strand. A length is detached where 95 % of the energy of its bond is
-// spent; a strand is broken with its first broken node. Of a run: the largest use of all rows, and what is detached and
-// broken in the last one.
+// Rows of a state: nodes are numbered strand by strand. A length is detached where 95 % of the
+// bond's energy is spent. A strand is broken when one of its nodes is broken. Results of a run:
+// the largest use over all rows, and the detached length and broken strands of the last row.
 #include "dynamics/meters/layer_uses.h"
 
 #include <cmath>
@@ -35,7 +35,7 @@ std::vector<LayerRow> evaluate_layer_rows(const Model& model, const State& state
   std::vector<double> length(rows.size(), 0.0);
   std::vector<int> strands(rows.size(), 0), broken(rows.size(), 0);
   const std::vector<LayerReading> nodes = read_layers(model, state);
-  int last_broken = -1;  // strand of the layer at hand
+  int last_broken = -1;  // the last strand of this layer counted as broken
   for (std::size_t k = 0; k < nodes.size(); ++k) {
     const auto layer = static_cast<std::size_t>(l.layer[k]);
     LayerRow& row = rows[layer];

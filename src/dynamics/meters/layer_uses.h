@@ -1,4 +1,4 @@
-// What each layer bore over the curve: its largest use and where, when fibres broke, how much came off.
+// Each layer over the curve: its largest use and where, when fibres broke, and how much is detached.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace wythe::dynamics {
 
-// Of a state, one for each layer.
+// Results for a state, one row for each layer.
 [[nodiscard]] std::vector<LayerRow> evaluate_layer_rows(const Model& model, const State& state);
 [[nodiscard]] std::vector<LayerUse> evaluate_layer_uses(const Model& model, const Result& result);
 

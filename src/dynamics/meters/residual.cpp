@@ -1,7 +1,7 @@
-// Sums elastic energy from the readings of a state. The ledger sets it and kinetic energy against the works that the
-// steps added up (docs/theory/integration.md, "Energy ledger"). Velocities stand half a step before displacements, so
-// the two energies belong to different moments. Where nothing happened the gap ratio is 0; a gap that is no number
-// stays one.
+// Sums the elastic energy over the points of a state. The ledger compares it and kinetic
+// energy with the works that the steps added up (docs/theory/integration.md, "Energy
+// ledger"). Velocities stand half a step before displacements, so the two energies belong to
+// different times. Where no work was done, the gap ratio is 0. A gap that is NaN stays NaN.
 #include "dynamics/meters/residual.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace {
 // Recoverable energy of a point per area [J/m^2].
 double recoverable(const JointMaterial& m, const PointReading& point) {
   const double sigma = point.normal_stress, tau = point.shear_stress;
-  // secant: recoverable along the line to the origin; elastic unloading: along kn
+  // secant: recoverable along the line to the origin; elastic unloading: recoverable along kn
   const bool secant = sigma > 0 && m.unloading == Unloading::kSecant;
   const double normal = secant ? 0.5 * sigma * (point.opening + point.crushed)
                                : 0.5 * sigma * sigma / m.normal_stiffness;
@@ -48,7 +48,7 @@ double kinetic_in_space(const Model& m, const State& s) {
   return energy;
 }
 
-// At the half step, without mass scaling [J].
+// Kinetic energy at the half step, without mass scaling [J].
 double kinetic_energy(const Model& m, const State& s) {
   double energy = 0;
   if (!s.lx.empty()) return kinetic_in_space(m, s);
@@ -95,7 +95,7 @@ EnergyLedger energy_ledger(const Model& model, const State& s, double mass_scali
           e.damping - e.hand_over;
   const double scale = std::fabs(e.loads) + std::fabs(e.drive) + e.elastic;
   const bool nothing_happened = scale == 0 && std::isfinite(e.gap);
-  e.gap_ratio = nothing_happened ? 0.0 : std::fabs(e.gap) / scale;  // not a number stays one
+  e.gap_ratio = nothing_happened ? 0.0 : std::fabs(e.gap) / scale;  // NaN stays NaN
   return e;
 }
 

@@ -1,5 +1,5 @@
-// The numbers by which solver, tests and report judge a state. Those of a wall under way (unbalance,
-// kinetic energy, base shear, the block that runs away) are in passes/sums.h.
+// The numbers by which solver, tests and report judge a state. Those of a running
+// wall (unbalance, kinetic energy, base shear, runaway block) are in passes/sums.h.
 #pragma once
 
 #include "wythe/parts/result.h"
@@ -8,7 +8,7 @@ namespace wythe::dynamics {
 
 // Recoverable energy in the joints [J].
 [[nodiscard]] double elastic_energy(const Model& model, const State& state);
-// Where work went since the start; gap is what the ledger misses.
+// Work since the start by kind; gap is the part that the ledger misses.
 [[nodiscard]] EnergyLedger energy_ledger(const Model& model, const State& state,
                                          double mass_scaling);
 // Largest |ux| of the blocks whose centroids lie within 1 % of the height below the highest [m].

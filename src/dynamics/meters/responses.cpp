@@ -1,7 +1,7 @@
-// Finds the peak among rows in balance, then falls after it and dips before it, stiffness, works, bilinear curve and
-// drifts. A fall needs reaction and base shear both below, since in a rebound one of them dips alone
-// (docs/theory/drift.md). Stiffness is read off `rise` where it is known, finer than rows. Without a peak all that
-// needs one is NaN.
+// Finds the peak among rows in balance, then falls after it, dips before it, stiffness, works,
+// bilinear curve and drifts. At a fall both reaction and base shear are below the level, because
+// a rebound lowers only one of them (docs/theory/drift.md). Stiffness comes from `rise` where it
+// is known, because it is finer than rows. Without a peak, all numbers that need one are NaN.
 #include "dynamics/meters/responses.h"
 
 #include <algorithm>
@@ -38,7 +38,7 @@ double rising_crossing(const std::vector<RisePoint>& rise, double force) {
   return rise.empty() ? 0.0 : rise.back().displacement;
 }
 
-// The rising branch where only rows are known.
+// The rising branch from rows, where nothing finer is known.
 std::vector<RisePoint> rise_of(const Curve& curve) {
   std::vector<RisePoint> rise;
   for (std::size_t i = 1; i < curve.size(); ++i)
@@ -46,8 +46,8 @@ std::vector<RisePoint> rise_of(const Curve& curve) {
   return rise;
 }
 
-// Slope of the straight line through the points from 10 to 30 % of the peak that is nearest to them, each
-// with the weight of its window; with fewer than three of them the secant.
+// Slope of the straight line that fits the points from 10 to 30 % of the peak best,
+// weighted by their windows. With fewer than three points, the secant is used.
 double initial_stiffness_of(const std::vector<RisePoint>& rise, double peak) {
   double w = 0, x = 0, y = 0, xx = 0, xy = 0, before = 0;
   int count = 0;
@@ -76,18 +76,18 @@ std::size_t raw_peak_row(const Curve& curve) {
   return peak;
 }
 
-// What a row still carries: a rebound lets the reaction or the base shear dip alone, a wall that has lost
-// its strength lets both.
+// The force that a row still carries. A rebound lowers the reaction
+// or the base shear alone; a wall that lost its strength lowers both.
 double carried(const CurveRow& row) { return std::max(row.reaction, row.base_shear); }
 
-// A point of the curve: at `displacement`, `reaction`, between row - 1 and row.
+// A point of the curve between row - 1 and row.
 struct Place {
   std::size_t row = 0;
   double displacement = 0, reaction = 0;
   bool censored = true;
 };
 
-// What a row holds for certain: a rebound lifts one of the two alone.
+// The force that a row carries for certain: a rebound raises only one of the two.
 double held(const CurveRow& row) { return std::min(row.reaction, row.base_shear); }
 
 // Falls to one reaction after the peak.
@@ -96,17 +96,17 @@ struct Falls {
   std::vector<Dip> dips;
 };
 
-// From row `begin`, the first that carries less, or not less, than `reaction`; the curve's size where none does.
+// First row from `begin` on that carries less (or not less) than `reaction`; the curve's size where there is none.
 std::size_t next_row(const Curve& curve, std::size_t begin, double reaction, bool less) {
   while (begin < curve.size() && (carried(curve[begin]) < reaction) != less) ++begin;
   return begin;
 }
 
-// A stretch of the curve below one reaction: from its fall to where the force is back for at least as long
-// as it was away. What comes back for less is the same fall.
+// A stretch of the curve below one reaction: from its fall to the return of the force. The force
+// must be back for at least as long as it was away. A shorter return belongs to the same fall.
 struct Below {
   Place fell;
-  double until = 0;  // [m], back there, or the curve's end
+  double until = 0;  // displacement where the force is back, or the curve's end [m]
   bool came_back = false;
   std::size_t back = 0;  // first row that carries the reaction again
 };
@@ -127,13 +127,13 @@ Below below_from(const Curve& curve, std::size_t fell, double reaction) {
         next < curve.size() ? crossing(curve[next - 1], curve[next], reaction) : end;
     if (left - below.until >= below.until - below.fell.displacement) break;
     below.until = end,
-    below.back = curve.size();  // not held for long enough, as far as the push tells
+    below.back = curve.size();  // no return that lasts long enough before the push ends
   }
   below.came_back = below.back < curve.size();
   return below;
 }
 
-// A wall that collapsed fell at its last row. A fall whose push ended before it had lasted is a bound.
+// If the wall collapsed, its last row counts as a fall. If the push ended before a fall lasted, the fall is a lower bound.
 Falls falls_to(const Curve& curve, std::size_t peak, double reaction, bool collapsed) {
   const Place end{curve.size() - 1, curve.back().displacement, curve.back().reaction, !collapsed};
   Falls falls{end, end, end, {}};
@@ -157,7 +157,7 @@ Falls falls_to(const Curve& curve, std::size_t peak, double reaction, bool colla
     }
     row = next_row(curve, below.back, reaction, true);
   }
-  // the very last fall: nothing after it carries the reaction
+  // the last fall: no row after it carries the reaction
   for (std::size_t row = curve.size() - 1; carried(curve[row]) < reaction && row > peak; --row)
     falls.last = {row, crossing(curve[row - 1], curve[row], reaction), reaction, false};
   falls.last.censored =
@@ -166,8 +166,8 @@ Falls falls_to(const Curve& curve, std::size_t peak, double reaction, bool colla
   return falls;
 }
 
-// Falls below `fraction` of the largest force so far from which the rising branch came back, up to its peak. Rows of
-// less than a fifth of the peak tell how the push began.
+// Falls below `fraction` of the largest force so far, after which the force came back, before the
+// peak. Rows below a fifth of the peak are skipped, because they belong to the start of the push.
 std::vector<Dip> dips_before(const Curve& curve, std::size_t peak, double fraction) {
   constexpr double kBegun = 0.2;
   std::vector<Dip> dips;
@@ -213,15 +213,15 @@ Place row_place(const Curve& curve, std::size_t row) {
   return {row, curve[row].displacement, curve[row].reaction, false};
 }
 
-// The drift's height by the curve's own ratio [m].
+// Height that the curve uses for the drift [m].
 double load_height_of(const Curve& curve) {
   for (const CurveRow& row : curve)
     if (std::fabs(row.displacement) > 1e-9 && row.drift != 0) return row.displacement / row.drift;
   return 0;
 }
 
-// ke: secant at 0.6 peak. Equal areas up to du: A = Fu du - Fu^2 / (2 ke). The smaller root is Fu;
-// where the curve holds more than a straight line to du could, the line's end stands for it.
+// ke: secant at 0.6 peak. Equal areas up to du: A = Fu du - Fu^2 / (2 ke), of which Fu is the smaller
+// root. Where the curve has more area than a straight line to du, Fu is that line's force at du.
 Bilinear bilinear_of(const Curve& curve, const std::vector<RisePoint>& rise, double peak,
                      const Place& ultimate) {
   constexpr double kSecant = 0.6;
@@ -267,7 +267,7 @@ void evaluate_drifts(const Curve& curve, Responses& r) {
 
 Bilinear no_bilinear() { return {kUnset, kUnset, kUnset, kUnset, kUnset, true}; }
 
-// What only a peak gives is not known without one.
+// Without a peak, all numbers that need one are unknown.
 void leave_unknown(Responses& r, const std::vector<double>& fractions) {
   r.displacement_at_80 = r.drift_at_80 = r.drift_at_peak = r.initial_stiffness = kUnset;
   r.first_fall_80 = r.last_fall_80 = r.work_to_peak = r.work_to_80 = kUnset;
@@ -283,7 +283,7 @@ void leave_unknown(Responses& r, const std::vector<double>& fractions) {
   r.bilinear = no_bilinear();
 }
 
-// Largest displacement before the reaction stays below a fifth of the peak, to the end.
+// Largest displacement before the reaction falls below a fifth of the peak for good.
 void evaluate_largest(const Curve& curve, std::size_t peak, Responses& r) {
   std::size_t low = curve.size();
   while (low > peak + 1 && carried(curve[low - 1]) < 0.2 * r.peak_reaction) --low;
@@ -311,7 +311,7 @@ void evaluate_after_peak(const Curve& curve, std::size_t peak, const ResponseOpt
   for (const double left : kSharesLeft) r.drift_capacity.push_back(fall_to(left, falls(left)));
   evaluate_largest(curve, peak, r);
   const std::vector<RisePoint> rise = options.rise.empty() ? rise_of(curve) : options.rise;
-  // A push that begins on a wall already pushed has no rise from zero, so neither stiffness is to be had.
+  // A push that starts on a loaded wall has no rise from zero, so neither stiffness can be read.
   const bool begins_loaded =
       !options.rise.empty() && options.rise.front().force > 0.1 * r.peak_reaction;
   const bool is_told = !begins_loaded && !dynamics::outruns(curve, r.peak_reaction);
@@ -336,8 +336,8 @@ void evaluate_push(const Curve& curve, const ResponseOptions& options, Responses
   evaluate_after_peak(curve, *peak, options, r);
 }
 
-// A load that grows while the wall is in balance: what it carried, and no more; the wall has no curve
-// beyond, for there it runs away.
+// A load that grows while the wall is in balance gives only the load that was
+// carried. Beyond it the wall runs away, so the curve has no falling branch.
 void evaluate_load(const Curve& curve, const ResponseOptions& options, Responses& r) {
   leave_unknown(r, options.fractions);
   r.displacement_max = kUnset;
@@ -351,7 +351,7 @@ void evaluate_load(const Curve& curve, const ResponseOptions& options, Responses
 }  // namespace
 
 namespace {
-// Whether the run ended in the stage whose curve it has, not in one after it.
+// Whether the run ended in the stage of its curve, not in a later stage.
 bool ended_in_curve(const Model& model, const Result& result) {
   const std::size_t reports = std::min(result.stages.size(), model.stages.size());
   for (std::size_t k = reports; k-- > 0;)
@@ -362,7 +362,7 @@ bool ended_in_curve(const Model& model, const Result& result) {
 
 ResponseOptions reading_of(const Model& model, const Result& result) {
   ResponseOptions read;
-  // a wall that falls after its push had ended standing, in a shake or under a load, tells nothing of the push
+  // a wall that fell after its push had ended, in a shake or under a load, shows nothing about the push
   if (result.status == SolveStatus::kCollapsed && !result.shaking.collapsed &&
       ended_in_curve(model, result))
     read.collapse = result.reason;

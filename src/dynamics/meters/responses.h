@@ -1,4 +1,4 @@
-// What the curve says once a run has ended.
+// Responses of a run, evaluated from its curve after its end.
 #pragma once
 
 #include "wythe/parts/result.h"

@@ -1,6 +1,6 @@
-// Asks in order whether the force is slow enough, every jump has a short way (4.12b), and the drag is small. Of the
-// displacement it asks last whether a force that is a little wrong would move it (4.12c). The first that fails gives
-// the reason. The way is judged only up to where the number is read.
+// Checks in this order: the force is slow enough, each jump has a short path (4.12b), and the drag is
+// small. For the displacement it then checks whether a small error of the force would move it (4.12c). The
+// first check that fails gives the reason. The path is judged only up to the displacement of the result.
 #include "wythe/parts/slow_push.h"
 
 #include <algorithm>
@@ -18,19 +18,19 @@ using Curve = std::vector<CurveRow>;
 // Limits; docs/theory/integration.md says where each comes from.
 constexpr double kFall = 0.02;         // of the peak: a smaller fall of the force is no jump
 constexpr double kOutOfBalance = 2;    // times the median unbalance
-constexpr double kBalanced = 1e-4;     // unbalance of a wall in balance, as of a push that adapts
-constexpr double kAllowedWay = 0.01;   // pushed out of balance in a jump, of the displacement there
+constexpr double kBalanced = 1e-4;     // unbalance of a wall in balance, as for a push that adapts
+constexpr double kAllowedWay = 0.01;   // path out of balance in a jump / displacement there
 constexpr double kAllowedDrag = 0.01;  // of the peak
-constexpr int kParts = 5;              // of the way, in each of which the drag is judged
-constexpr double kShare = 0.8;         // of the peak, to which the capacity is read
+constexpr int kParts = 5;              // of the path; the drag is judged in each of them
+constexpr double kShare = 0.8;         // of the peak: the displacement is read at this force
 
 // A stretch of rows in which the force fell while the wall was out of balance.
 struct Jump {
   double from = 0, to = 0;  // displacement [m]
-  double way = 0;           // pushed out of balance, as a share of the displacement, 1 at most
+  double way = 0;           // path out of balance, as a share of the displacement, at most 1
 };
 
-// Rows of a push up to a displacement, and the way to each of them.
+// Rows of a push up to a displacement, with the largest displacement up to each row.
 class PushPath {
  public:
   PushPath(const Curve& rows, double peak, const StageSpec& push, double up_to)
@@ -42,7 +42,7 @@ class PushPath {
     end_ = std::min(end_, rows.size() - 1);
   }
 
-  // Those that began before the end of the way.
+  // The jumps that began before the end of the path.
   [[nodiscard]] std::vector<Jump> jumps() const {
     std::vector<double> all;
     for (std::size_t i = 1; i <= end_; ++i) all.push_back(rows_[i].unbalance_ratio);
@@ -66,7 +66,7 @@ class PushPath {
     return found;
   }
 
-  // What inertia and damping carry beside the wall, of the peak, in the worst part of the way.
+  // Force of inertia and damping beside the wall's, as a share of the peak, in the worst part of the path.
   [[nodiscard]] double drag() const {
     double worst = 0;
     for (int part = 0; part < kParts; ++part) {
@@ -91,14 +91,14 @@ class PushPath {
     std::nth_element(of.begin(), middle, of.end());
     return *middle;
   }
-  // What the drive went in a row [m]; a control block may run ahead of it.
+  // How far the drive moved in a row [m]; a control block may run ahead of it.
   [[nodiscard]] double driven(std::size_t i) const {
     const double fastest = dynamics::adapts(push_) ? push_.fast_velocity : push_.velocity;
     return std::min(std::fabs(rows_[i].displacement - rows_[i - 1].displacement),
                     fastest * (rows_[i].time - rows_[i - 1].time));
   }
   [[nodiscard]] double sense(std::size_t i) const { return rows_[i].displacement < 0 ? -1 : 1; }
-  // A force is below a share of the peak where both are.
+  // The larger of reaction and base shear: a force has fallen below a level only where both have.
   [[nodiscard]] double carried(std::size_t i) const {
     return std::max(sense(i) * rows_[i].reaction, sense(i) * rows_[i].base_shear);
   }
@@ -108,7 +108,7 @@ class PushPath {
   const StageSpec& push_;
   double up_to_;
   std::vector<double> far_;  // largest displacement so far
-  std::size_t end_ = 0;      // first row that has come so far
+  std::size_t end_ = 0;      // first row at the displacement `up_to_`
 };
 
 const Stage* last_push(const Model& model) {
@@ -119,7 +119,7 @@ const Stage* last_push(const Model& model) {
 
 SlowPushVerdict not_known(Message why) { return {"not known", std::move(why)}; }
 
-// What helps: a speed at which `excess`, over what is allowed, would be half of it.
+// The cure: a speed at which `excess`, the ratio to what is allowed, would be half as large.
 Message cure(const StageSpec& push, double excess) {
   const double slower = std::min(0.5, 0.5 / excess);
   if (dynamics::adapts(push))
@@ -145,7 +145,7 @@ std::optional<SlowPushVerdict> of_drag(const PushPath& path, const StageSpec& pu
                      {"cure", cure(push, drag / kAllowedDrag)}}});
 }
 
-// Where the force is judged, and a push was at all.
+// The verdict where there was no push or its force was not judged slow enough.
 std::optional<SlowPushVerdict> without_judging(const Model& model, const JudgedCurve& curve,
                                                const Stage* push) {
   const std::string& force = curve.rate.judgement;
@@ -158,7 +158,7 @@ std::optional<SlowPushVerdict> without_judging(const Model& model, const JudgedC
   return std::nullopt;
 }
 
-// A force that is wrong by no more than its verdict allows must not move the capacity by more than a tenth.
+// The force may be wrong by as much as its verdict allows. That must not move the displacement by more than a tenth.
 std::optional<SlowPushVerdict> of_threshold(const JudgedCurve& curve) {
   const double lift = curve.rate.lift, at = curve.responses.displacement_at_80;
   const Collapse& collapse = curve.responses.collapse;
@@ -183,7 +183,7 @@ SlowPushVerdict displacement_of_slow_push(const Model& model, const JudgedCurve&
   const double at = curve.responses.displacement_at_80;
   const PushPath path(curve.rows, curve.responses.peak_reaction, push->spec, at);
   for (const Jump& jump : path.jumps()) {
-    // the fall itself: a slow push comes to where it begins on the same way, and falls no less far
+    // this jump is the fall itself: a slow push reaches its beginning on the same path and falls at least as far
     const bool is_fall =
         !curve.responses.censored_80 && jump.to >= at && at - jump.from <= kLastingShare * at;
     if (jump.way > kAllowedWay && !is_fall) return of_jump(jump, push->spec);
@@ -212,7 +212,7 @@ SlowPushVerdict mode_of_slow_push(const Model& model, const JudgedCurve& curve, 
 
 Message warning_of(const Model& model, const Result& result) {
   if (Message warning = warning_of(result); !warning.empty()) return warning;
-  if (result.quasi_static.judgement == "usable") return {};  // its verdict speaks of all numbers
+  if (result.quasi_static.judgement == "usable") return {};  // this verdict covers all
   const SlowPushVerdict drift = displacement_of_slow_push(model, result);
   return drift.is_missing() ? Message{"promise.no_drift", {{"why", drift.reason}}} : Message{};
 }

@@ -1,6 +1,6 @@
-// Compares the kinetic energy of the last tenth of the rows with the largest since the records ended. Energy is
-// measured as a lift of the whole wall over its height, without units. The first watched point goes on where its
-// horizontal way is larger than ever, grew by 5 % in that tenth, and some energy is left.
+// Compares the kinetic energy of the last tenth of the rows with the largest energy since the records ended.
+// Energy is measured by how high it lifts the whole wall, over the wall's height. The first watched point
+// still moves if its displacement is the largest so far, grew by 5 % in that tenth, and some energy is left.
 #include "dynamics/meters/still_moving.h"
 
 #include <algorithm>

@@ -1,14 +1,14 @@
-// The end of a history of an earthquake: did the wall stand, or was it only not watched long enough?
+// At the end of an earthquake history: is the wall safe, or was it not followed for long enough?
 #pragma once
 
 #include "wythe/parts/result.h"
 
 namespace wythe::dynamics {
 
-// Whether a wall that was shaken may fall yet when its history ends. After the records its energy does not grow, so a wall
-// that has swung back stands. It may fall if in the last tenth of its history it moves more than ever since the records
-// ended, with an energy that lifts its weight by a ten-thousandth of its height, or if its first point is farther away
-// than ever and still goes on.
+// Whether a shaken wall may still fall when its history ends. After the records its energy does
+// not grow, so a wall that has swung back stands. The wall may fall in two cases. Its energy in
+// the last tenth is the largest since the records, and lifts its weight by a ten-thousandth of
+// its height. Or its first point is farther away than ever and still moves on.
 [[nodiscard]] bool is_still_moving(const Model& model, const Result& result);
 
 }  // namespace wythe::dynamics

@@ -1,15 +1,15 @@
-// How a Real takes its lanes from the tables (tables.h).
+// How a Real number loads its lanes from the tables (tables.h) and stores them.
 //
 //   EntityLanes  lane k is entity k of a group of one wall
 //   WallLanes    lane k is wall k: all share geometry, each has its own state
 //
-// An item is a group of neighbours, or one entity. Both know
+// An item is a group of neighbours, or one entity. Both kinds of lanes offer
 //   shared(table, row)      one number for all walls         row: item * rows of the table + row
-//   load(table, row), store(value, table, row)                 what each wall has for itself
-//   rows(rows, ids, item)                                    rows of four of entities ids[item]
-//   load_rows(rows, item), store_rows(...)                     its own
-//   of(table, rows, row, ids, item)                          one row of entities ids[item]
-//   wall_value(numbers, row)                                    one number a wall (time step, law)
+//   load(table, row), store(value, table, row)                 numbers of each wall
+//   rows(rows, ids, item)                                    rows of four of the entities ids[item]
+//   load_rows(rows, item), store_rows(...)                     rows of four of the item itself
+//   of(table, rows, row, ids, item)                          one row of the entities ids[item]
+//   wall_value(numbers, row)                                    one number for each wall (time step, law)
 //   load_flag(flags, item), store_flag(flags, item, flag)             one flag for all lanes of a Real
 //   history_lanes()                                          numbers of a row of history
 #pragma once
@@ -81,8 +81,8 @@ struct EntityLanes {
   using Id = std::ptrdiff_t;
   static constexpr bool one_wall = true;
   static constexpr int parts = kGroup / L::width;  // Reals of a group
-  static constexpr int sums = parts;               // Reals whose works are summed apart
-  int lane = 0;                                    // the first this Real takes
+  static constexpr int sums = parts;               // Reals whose works are summed separately
+  int lane = 0;                                    // the first lane that this Real takes
 
   WYTHE_INLINE static constexpr Id walls() { return 1; }
   WYTHE_INLINE static constexpr Id history_lanes() { return kGroup; }
@@ -123,14 +123,14 @@ struct EntityLanes {
   WYTHE_INLINE void store_flag(std::uint8_t* flags, Id item, std::uint8_t now) const {
     flags[flag(item)] = now;
   }
-  // kGroup sums of a term, of Real k.
+  // The kGroup sums of a term, for Real number k.
   WYTHE_INLINE Real sum(const double* term, int k) const { return L::load(term + k * L::width); }
   WYTHE_INLINE void store_sum(Real s, double* term, int k) const {
     L::store(s, term + k * L::width);
   }
 };
 
-// `number` walls side by side, all taken at once.
+// `number` walls side by side, all of them in one Real.
 template <class R, int number>
 struct WallLanes {
   using Real = R;
@@ -186,8 +186,8 @@ struct WallLanes {
   }
 };
 
-// The numbers of a law: strengths from one row of the table on, the others from another. What a path through
-// the law does not need is not loaded.
+// The numbers of a law: strengths from one row of the table on, the others from
+// another row on. Numbers that a path through the law does not need are not loaded.
 template <class Access>
 [[nodiscard]] WYTHE_INLINE contact::LawConstants<typename Access::Real> law_of(
     Access access, const double* law, std::ptrdiff_t strengths, std::ptrdiff_t others,

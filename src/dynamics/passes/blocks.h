@@ -16,8 +16,8 @@ struct BlockForce {
   Real x, y, m;  // [N], [N m]
 };
 
-// Contact force on block i of wall `lane` (of one wall: 0): the joints of which it is side a, less those
-// of which it is side b, then zone contacts, each in their order.
+// Contact force on block i of wall `lane` (0 for one wall). It adds up joints of which i is side
+// a, joints of which it is side b with opposite sign, then zone contacts, each in their order.
 WYTHE_INLINE BlockForce<double> contact_force(const Tables& t, std::ptrdiff_t i,
                                               std::ptrdiff_t lane) {
   const std::ptrdiff_t walls = t.lanes;
@@ -66,7 +66,7 @@ struct Blocks {
   }
 
  private:
-  // `special`: dead loads may act on it, or the drive may move it.
+  // `special`: dead loads may act on the block, or the drive may move it.
   template <bool special>
   WYTHE_INLINE void move(std::ptrdiff_t i, Work& work) const {
     const Real zero(0.0);

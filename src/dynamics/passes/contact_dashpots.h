@@ -1,7 +1,7 @@
-// Dashpots and Maxwell elements of free contacts (docs/theory/dynamics.md, 14.11): one of each at the centre of pressure, along
-// the normal and along the slip, in proportion to what the contact bears on now.
+// Dashpots and Maxwell elements of free contacts (docs/theory/dynamics.md, 14.11). Each contact has one of
+// each at its centre of pressure, along the normal and along the slip, in proportion to its present stiffness.
 //
-//   dashpot           c = beta K + 2 xi sqrt(K m),   f = c v / (1 + c dt / 2m')      the mean rate of a step
+//   dashpot           c = beta K + 2 xi sqrt(K m),   f = c v / (1 + c dt / 2m')      with the mean velocity v of a step
 //   Maxwell element   as at joints (dashpots.h); K falls: the force falls with it; K grows: the force stays
 //
 // m = m_a m_b / (m_a + m_b), m' the mass that feels the force there, rotation included.
@@ -13,17 +13,17 @@
 
 namespace wythe::dynamics {
 
-// A contact as its dashpots need it: forces of its springs alone, and its motion in the step.
+// The data of a contact that its dashpots need: forces of its springs alone, and its motion in the step.
 struct ContactMotion {
   double normal_stiffness, shear_stiffness;  // now [N/m]
   double pressed;                            // [N]
-  Vector<double> held;                       // by friction, along the slip [N]
+  Vector<double> held;                       // friction, along the slip [N]
   double opened;                             // in the step [m]
   Vector<double> slid;                       //
   double mass, mobility;                     // m [kg], 1/m' [1/kg]
   double area_before;                        // [m^2]
 };
-// Against the motion: tension +, and along the slip [N].
+// Force against the motion: normal part, positive in tension, and part along the slip [N].
 struct ViscousForce {
   double normal = 0;
   Vector<double> shear{0, 0, 0};

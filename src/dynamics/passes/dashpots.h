@@ -1,12 +1,12 @@
-// Dashpots and Maxwell elements at the closed points of joints, and damping in proportion to mass
-// (docs/theory/dynamics.md). Only shakes that ask for them have any, so they are taken one by one after the joints, as
-// links are before them, and add to the forces that blocks gather.
+// Dashpots and Maxwell elements at the closed points of joints, and damping in proportion
+// to mass (docs/theory/dynamics.md). Only some shakes have them, so joints are taken one
+// by one after the pass over joints. The forces are added to the rows of joint forces.
 //
 //   at a point with  w_e < 0:   sigma += c_n dw/dt + q_n, so that it only presses;  tau += c_s ds/dt + q_s within friction
 //                               q <- exp(-dt / T) q + share k (1 - exp(-dt / T)) T / dt  Delta w      (Maxwell elements)
 //
-// Rates are those of the half step before: the step is bounded for that (stage_time_step). A force works on
-// the mean of the velocities before and after, so its work is counted once both are known.
+// Rates are those of the half step before; the step is limited for this reason (stage_time_step). A force
+// works on the mean of the velocities before and after the step, so its work is added when both are known.
 #pragma once
 
 #include <vector>
@@ -19,14 +19,14 @@
 
 namespace wythe::dynamics {
 
-// Viscous stresses of a point whose elastic ones are known, both limited to what a closed joint can bear.
+// Viscous stresses of a point with known elastic stresses. Both are limited to what a closed joint can bear.
 struct PointStress {
   double normal, shear_1, shear_2;  // [Pa]
 };
 struct ViscousStress {
-  PointStress all, spring;  // spring: what of it the Maxwell element bears
+  PointStress all, spring;  // spring: the share of the Maxwell element
 };
-// `dashpot` and `spring`: what they would give without that limit.
+// `dashpot` and `spring`: stresses without that limit.
 [[nodiscard]] WYTHE_INLINE ViscousStress damp_point(const PointStress& elastic,
                                                     const PointStress& dashpot,
                                                     const PointStress& spring, double friction) {
@@ -42,19 +42,19 @@ struct ViscousStress {
       {minimum(spring.normal, -elastic.normal), share * spring.shear_1, share * spring.shear_2}};
 }
 
-// A point that closes within a step was closed for a part of it alone. Forces stand for a step, half of it on either side, so
-// the dashpot of a point that was open a step before acts for the half to come and its part of the one before
-// (docs/theory/dynamics.md, 14.6a). `way`: of the point in the step, negative where it closes; `open`: where it is now.
+// A point that closes within a step was closed for a part of it only. A force acts for one step, half of it before and half
+// after. So the dashpot of a newly closed point acts for the half to come and for its share of the half before
+// (docs/theory/dynamics.md, 14.6a). `way`: motion of the point in the step, negative where it closes. `open`: present opening.
 [[nodiscard]] inline double share_of_first_step(double open, double way) {
   return open < 0 && open > way ? 0.5 + open / way : 1.0;
 }
-// Whether impacts give something back, so that their first step counts. With none the point is as good as stuck.
+// Whether impacts rebound, so that the share of the first step matters. Without rebound a point sticks anyway.
 [[nodiscard]] inline bool rebounds(const Dashpots& dashpots) {
   return dashpots.impact > 0 && dashpots.impact < kNoRebound;
 }
 
-// What a step does to the stress q of a Maxwell element whose contact has the stiffness k and moves by s at a constant
-// rate: q <- kept q + gain k s, exactly.
+// The change of stress q of a Maxwell element in a step, when its contact has stiffness
+// k and moves by s at a constant rate. Exact solution: q <- kept q + gain k s.
 struct MaxwellStep {
   double kept = 0, gain = 0;
   [[nodiscard]] WYTHE_INLINE double of(double q, double stiffness, double moved) const {
@@ -67,10 +67,10 @@ struct MaxwellStep {
   return {kept, dashpots.spring_share * (1 - kept) / h};
 }
 
-// Stresses of the Maxwell elements of a wall's points: they belong to its state.
+// Stresses of the Maxwell elements at a wall's points. They are part of its state.
 struct MaxwellStresses {
   std::vector<double> normal, shear_1, shear_2;  // empty where no stage has such elements
-  bool bears = false;                            // not all are zero
+  bool bears = false;                            // some stress is not zero
 
   void load_state(const State& s) {
     normal = s.maxwell_normal, shear_1 = s.maxwell_shear, shear_2 = s.maxwell_shear_2;
@@ -79,7 +79,7 @@ struct MaxwellStresses {
   void store_state(State& s) const {
     s.maxwell_normal = normal, s.maxwell_shear = shear_1, s.maxwell_shear_2 = shear_2;
   }
-  // For a stage without Maxwell elements.
+  // Sets all stresses to zero, for a stage without Maxwell elements.
   void set_zero() {
     for (std::vector<double>* all : {&normal, &shear_1, &shear_2})
       if (bears) std::fill(all->begin(), all->end(), 0.0);
@@ -94,12 +94,12 @@ struct MaxwellStresses {
   }
 };
 
-// What a wall's dashpots need beside its tables: velocities before the step, forces on the blocks.
+// Data for a wall's dashpots beside its tables: velocities before the step, forces on the blocks.
 struct DashpotState {
   std::vector<double> friction;               // of each joint's law
   std::vector<std::array<double, 3>> before;  // velocities of blocks
   std::vector<std::array<double, 4>> force;   // of joints: fx, fy on a, moments on a and b
-  MaxwellStresses maxwell;                    // outlives the step
+  MaxwellStresses maxwell;                    // kept from step to step
 };
 
 inline void prepare_dashpots(const Model& m, DashpotState& dashpot_state) {
@@ -111,7 +111,7 @@ inline void prepare_dashpots(const Model& m, DashpotState& dashpot_state) {
   dashpot_state.force.resize(static_cast<std::size_t>(m.n_joint));
 }
 
-// One joint as its two blocks move it.
+// One joint with the motion of its two blocks.
 struct DampedJoint {
   double tx, ty, reach;                     // tangent now, half length along it
   double jn, jt, dn, dt;                    // jump (joints.h)
@@ -204,7 +204,7 @@ inline void damp_joints(const Layout& l, const WallView& wall, const Model& m,
       if (wall.t.joint[l.number(l.joint_place[j], kJointRows, kArea, 1)] == 0) {
         for (int k = 0; springs && k < chunk.points; ++k)
           dashpot_state.maxwell.store(first + at(k), {0, 0, 0});
-        continue;  // a free contact has its place
+        continue;  // free contacts have their own dashpots
       }
       const JointMaterial& law = m.materials[at(m.joint_material[j])];
       const DampedJoint joint = damped_joint(wall, m, j, dashpot_state);
@@ -247,7 +247,7 @@ inline void damp_joints(const Layout& l, const WallView& wall, const Model& m,
   }
 }
 
-// What the dashpots took in the step that is over [J].
+// Energy that the dashpots dissipated in the last step [J].
 inline double dashpot_work(const WallView& wall, const Model& m, const DashpotState& dashpot_state,
                            double dt) {
   const auto at = [](std::int64_t i) { return static_cast<std::size_t>(i); };
@@ -266,7 +266,7 @@ inline double dashpot_work(const WallView& wall, const Model& m, const DashpotSt
   return dt * power;
 }
 
-// Velocities fall as exp(-alpha t): the work of that in a step [J].
+// Reduces velocities as exp(-alpha t); returns the work of that in a step [J].
 inline double damp_by_mass(const WallView& wall, double alpha, double dt) {
   const double kept = kept_by_mass(alpha, dt);
   double energy = 0;

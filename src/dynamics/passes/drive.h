@@ -1,4 +1,4 @@
-// What a stage does to a few blocks of one wall: dead loads and the drive.
+// Forces and motions that a stage prescribes for a few blocks of one wall: dead loads and the drive.
 //
 //   loads        dead loads that follow their blocks
 //   drive        the driven blocks:
@@ -28,22 +28,22 @@ struct Controls {
   double mass_scaling = 1;             // inertia only; weights stay
   const Stage* push = nullptr;         // null when nothing is driven
   double drive_velocity = 0;           // along the push [m/s]
-  double drive_before = kUnset;        // the same in the step before; unset: as that step had it
+  double drive_before = kUnset;        // the same in the step before; unset: as in this step
   double mass_damping = 0;             // alpha of a shake: velocities fall as exp(-alpha t) [1/s]
   const Dashpots* dashpots = nullptr;  // of a shake; null: none
 };
 
-// What damping by mass leaves of velocities in a step.
+// The factor by which damping by mass reduces velocities in a step.
 [[nodiscard]] WYTHE_INLINE double kept_by_mass(double alpha, double dt) {
   return (1 - 0.5 * alpha * dt) / (1 + 0.5 * alpha * dt);
 }
-// In which the velocities that the joints see have moved the wall (kTimeBefore).
+// The time in which the velocities that joints see have moved the wall (kTimeBefore).
 [[nodiscard]] WYTHE_INLINE double time_before(const Controls& controls) {
   const double kept = kept_by_mass(controls.mass_damping, controls.dt);
   return kept > 0 ? controls.dt / kept : controls.dt;
 }
 
-// The load on its turned block, times `scale`.
+// Adds a load, times `scale`, to its block in its present pose.
 WYTHE_INLINE void add_load(const PointLoad& load, double scale, const WallView& wall) {
   const BlockId i = load.block;
   const double c = wall.column_of(wall.t.pose, i, 2), s = wall.column_of(wall.t.pose, i, 3);
@@ -58,20 +58,20 @@ WYTHE_INLINE void clear_load(BlockId i, const WallView& wall) {
   wall.block(i, kLoadX) = wall.block(i, kLoadY) = wall.block(i, kLoadM) = 0;
 }
 
-// What the base does to mass that is no weight of its block; gravity holds the base's acceleration already.
+// Inertia force of mass that does not count as weight of its block. Gravity already contains the base acceleration.
 WYTHE_INLINE void add_carried(const PointLoad& mass, double ax, double ay, const WallView& wall) {
   wall.block(mass.block, kLoadX) += mass.fx * ax;
   wall.block(mass.block, kLoadY) += mass.fx * ay;
 }
 
-// Who is driven, and how.
+// The driven blocks and how they are driven.
 struct Drive {
   const BlockId* driven;
   const double* share;  // r_i
   int n;
   double px, py;  // unit vector of the push
   bool spread, free_across, free_rotation;
-  bool is_pattern;  // what its blocks lack of balance is felt by the meters
+  bool is_pattern;  // the meters count its unbalanced forces
   bool has_arm;
   double arm;  // from the head's centroid to the line of the push, in its own axes [m]
 };
@@ -80,7 +80,7 @@ struct WallWork {
   double drive, damping, loads;
 };
 
-// Forces on block i: of its joints, and with dead loads and gravity.
+// Sets the forces on block i: those of its joints, and the total with dead loads and gravity.
 WYTHE_INLINE void sum_forces(BlockId i, const WallView& wall) {
   const BlockForce<double> contact = contact_force(wall.t, i, wall.lane);
   const double heavy = wall.block(i, kGravityMass);
@@ -93,7 +93,7 @@ WYTHE_INLINE void sum_forces(BlockId i, const WallView& wall) {
   wall.cold(i, kTotalM) = wall.t.turn_freedom[i] * (contact.m + wall.block(i, kLoadM));
 }
 
-// Moment of a unit force along the push about the centroid of the head, turned as it is now [m].
+// Moment of a unit force along the push about the centroid of the head in its present pose [m].
 WYTHE_INLINE double lever_of(const Drive& d, BlockId head, const WallView& wall) {
   if (!d.has_arm) return 0;
   const double c = wall.column_of(wall.t.pose, head, 2), s = wall.column_of(wall.t.pose, head, 3);
@@ -101,7 +101,7 @@ WYTHE_INLINE double lever_of(const Drive& d, BlockId head, const WallView& wall)
   return x * d.py - y * d.px;
 }
 
-// Turns the head under the moment of its joints and R; returns its turn and adds to the work.
+// Turns the head under the moment of its joints and of R. Returns its turn and adds to the work.
 WYTHE_INLINE Moved<double> turn_head(double lever, double balance, double correction, double rate,
                                      BlockId head, const WallView& wall, WallWork& work) {
   const double dt = wall.wall_value(kDt), lambda = wall.wall_value(kDamping);
@@ -116,13 +116,13 @@ WYTHE_INLINE Moved<double> turn_head(double lever, double balance, double correc
   return turn;
 }
 
-// How a driven block moves in a step: along the push its velocity before and after, the force on it [N] and the
-// work of its damping; across it; and its turn.
+// Motion of a driven block in a step. Along the push: velocity before and after, force
+// on it [N], work of its damping. Then its motion across the push, and its turn.
 struct DrivenMotion {
   double before, after, force, damping_work;
   Moved<double> across, turn;
 };
-// Brings a driven block there, and adds to the work.
+// Moves a driven block by this motion and adds to the work.
 WYTHE_INLINE void keep_motion(const Drive& d, BlockId i, const DrivenMotion& now,
                               const WallView& wall, WallWork& work) {
   const double px = d.px, py = d.py, dt = wall.wall_value(kDt);
@@ -153,7 +153,7 @@ WYTHE_INLINE double drive_blocks(const Drive& d, const WallView& wall, double ve
   const double px = d.px, py = d.py, dt = wall.wall_value(kDt), lambda = wall.wall_value(kDamping);
   const auto total = [&](BlockId i, ColdRow row) { return wall.cold(i, row); };
 
-  // Forces in their shares that balance the blocks together.
+  // Forces in the given shares that balance all driven blocks together.
   double reaction = 0, sum = 0, mobility = 0, squares = 0;
   for (int k = 0; k < d.n; ++k) {
     const BlockId i = d.driven[k];
@@ -173,7 +173,7 @@ WYTHE_INLINE double drive_blocks(const Drive& d, const WallView& wall, double ve
     balance = -(sum / mass + lever * total(head, kTotalM) / inertia) / mobility;
   }
 
-  // Free motion under f_i + R0 r_i; what it misses of the mean velocity is made up in the same shares.
+  // Free motion under f_i + R0 r_i. A correction in the same shares then gives the prescribed mean velocity.
   double missed = 0;
   for (int k = 0; k < d.n; ++k) {
     const BlockId i = d.driven[k];
@@ -236,13 +236,13 @@ WYTHE_INLINE double drive_blocks(const Drive& d, const WallView& wall, double ve
           push.drive_arm};
 }
 
-// The share of their prestress that links have now.
+// The present share of the links' prestress.
 [[nodiscard]] inline double links_set(const Model& model, const State& state) {
   return model.links.set_by < 0 ? 0.0
                                 : state.load_scale[static_cast<std::size_t>(model.links.set_by)];
 }
 
-// The share of their force that wedges have which the present stage drives in; below 0 where it drives in none.
+// The present share of the force of wedges (jacks), while a cut stage drives them in. Below 0 in other stages.
 [[nodiscard]] inline double jacks_set(const Model& model, const State& state) {
   const auto now = static_cast<std::size_t>(state.stage);
   const bool cuts = model.standing.any() && now < model.stages.size() &&

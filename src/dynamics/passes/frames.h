@@ -1,5 +1,5 @@
-// The sections of frames in one wall (contact/section.h, docs/theory/frames.md). A wall has few. They are taken one by
-// one before its joints, as links are, and leave their forces in rows behind those of the links.
+// The sections of frames in one wall (contact/section.h, docs/theory/frames.md). A wall has few of them, so
+// they are taken one by one before the joints, as links are. Their forces lie in rows behind those of links.
 #pragma once
 
 #include "contact/section.h"
@@ -7,13 +7,13 @@
 
 namespace wythe::dynamics {
 
-// Forces of all sections where the blocks are now; what yielding took [J].
+// Adds the forces of all sections in the present pose; returns the energy that yielding dissipated [J].
 WYTHE_INLINE double add_frame_forces(const WallView& wall) {
   double yielded = 0;
   for (int k = 0; k < wall.frames; ++k) {
     const auto of = [&](FrameRowName row) { return wall.frame(k, row); };
     const std::int32_t i = wall.t.frame_a[k], j = wall.t.frame_b[k];
-    if (j == wall.t.n_block) continue;  // it is not up yet, and has no force
+    if (j == wall.t.n_block) continue;  // not put up yet: no force
     const contact::LinkEnd a = end_of(wall, i, of(kFrameArmAX), of(kFrameArmAY));
     const contact::LinkEnd b = end_of(wall, j, of(kFrameArmBX), of(kFrameArmBY));
     const auto pose = [&](std::int32_t block, int c) {
@@ -37,7 +37,7 @@ WYTHE_INLINE double add_frame_forces(const WallView& wall) {
     wall.frame(k, kFrameRightSet) = of(kFrameRightSet) + pull.right.flow;
     const double fx = pull.normal * jump.axis_x - pull.shear * jump.axis_y;
     const double fy = pull.normal * jump.axis_y + pull.shear * jump.axis_x;
-    // it acts half way between both points (20.5)
+    // the shear force acts half way between both points (20.5)
     const double across = 0.5 * (jump.gap_x * fy - jump.gap_y * fx);
     const std::ptrdiff_t row = wall.joints + wall.linked + k;
     wall.column_of(wall.t.force, row, 0) = fx;

@@ -5,10 +5,10 @@
 //   every kRecheckEvery  whether a pair's joints have failed, and whether the contact has another face now
 //   when due             which pairs may touch (near_pairs.h)
 //
-// A pair that is apart by s sleeps: first until the straight paths of its two bodies, and what these stray from them, have
-// brought them together by s, then as long as they have moved and turned against each other by less. That changes no bit.
-// What a restart needs goes into the State by store_state(). What depends on the dimension is in Bodies:
-// PlaneBodies (plane_bodies.h), SpaceBodies (dynamics/space/space_bodies.h).
+// A pair at distance s sleeps. First, until the straight paths of its two bodies and their deviations
+// have used up s. Later, as long as the bodies have moved and turned against each other by less.
+// Sleeping changes no bit. store_state() puts what a restart needs into the State. Bodies holds what
+// depends on the dimension: PlaneBodies (plane_bodies.h), SpaceBodies (dynamics/space/space_bodies.h).
 #pragma once
 
 #include <algorithm>
@@ -29,12 +29,12 @@
 namespace wythe::dynamics {
 
 inline constexpr int kRecheckEvery = 64;  // steps between checks of joints and of faces of contacts
-// Bodies are looked for as far around each as it goes in so many steps at its present speed.
+// The search margin around a body covers its path in this number of steps at the present speed.
 inline constexpr int kSearchAhead = 16;
-// After such a way nothing is left of what a hand-over could not give to the contact: over the size of a block; [rad].
+// A hand-over force has faded to zero after this slip (over the size of a block) or this turn [rad].
 inline constexpr double kForgottenSlip = 0.05, kForgottenTurn = 0.05;
 
-// Force on a body and moment about its centroid; of rates: velocity and spin.
+// Force on a body and moment about its centroid. For rates: velocity and spin.
 struct ForceMoment {
   Vector<double> f{0, 0, 0}, m{0, 0, 0};
 };
@@ -45,8 +45,8 @@ struct ForceMoment {
 // Two parts that may touch; it fills four lines of a cache.
 struct alignas(64) FreePair {
   FreeContact memory;
-  contact::FreeLaw law{};  // once they touch
-  // of this step
+  contact::FreeLaw law{};  // set when the parts touch
+  // results of this step
   ForceMoment on_a{}, on_b{};
   double pressed = 0;   // normal force [N]
   double stored = 0;    // energy [J]
@@ -55,14 +55,14 @@ struct alignas(64) FreePair {
   [[nodiscard]] bool touches() const { return memory.area > 0; }
 };
 static_assert(sizeof(FreePair) == 256);
-// Of the dashpots of such a pair, within on_a and on_b; rates of a and b before the blocks move.
+// The share of dashpots in on_a and on_b; velocities of a and b before the blocks move.
 struct DampedPair {
   ForceMoment viscous_a{}, viscous_b{};
   ForceMoment rates_a{}, rates_b{};
 };
-// How far a body can have moved.
+// Bounds for the motion of a body.
 struct Travel {
-  double turned = 0;              // by turning alone, since the wall took its place [m]
+  double turned = 0;              // by rotation alone, since the wall was loaded [m]
   Vector<double> place{0, 0, 0};  // of its centroid
   Vector<double> rate{0, 0, 0};   // of its centroid, at the last search [m/s]
 };
@@ -76,18 +76,18 @@ class FreeContacts {
  public:
   using View = typename Bodies::View;
 
-  // `width`: of the packs that the wall's joints lie in.
+  // `width` of the packs in which the wall's joints lie.
   FreeContacts(const Model& model, const typename Bodies::Layout& layout, int width);
 
-  // A wall takes its place with the contacts and hand-overs of its state.
+  // Loads a wall with the contacts and hand-overs of its state.
   void load_state(const State& state, const View& wall);
   void store_state(State& state) const;
-  // Forces at the present poses, into the wall's rows for free contacts; works into the ledger. `dashpots`: null for none.
+  // Forces in the present poses, into the wall's rows for free contacts; works into the ledger. `dashpots` may be null.
   void act(State& state, double dt, const Dashpots* dashpots, const View& wall, Workers& workers);
-  // After the blocks have moved.
+  // Called after the blocks have moved.
   void moved(State& state, double dt, const View& wall);
 
-  // How much of a dead load still presses its block.
+  // The share of a dead load that still presses its block.
   [[nodiscard]] double load_share(BlockId block, const View& wall) const {
     return load_left(bodies_.height_of(block), bodies_.fallen_height(block, wall)) *
            load_followed(bodies_.height_of(block), bodies_.fallen_height(block, wall),
@@ -106,23 +106,23 @@ class FreeContacts {
     bool handed_over;
   };
 
-  // Two parts whose bodies' boxes meet.
+  // Two parts whose bodies have overlapping boxes.
   struct NearPair {
     std::int32_t a, b, part_a, part_b;
-    std::int32_t slot;  // in pairs_; -1: none, for it neither presses nor has a history
+    std::int32_t slot;  // in pairs_; -1: none, because it neither presses nor has a history
     std::int32_t feature = contact::kNoFeature;  // of the last update
-    // The parts were `apart` when b was at `offset` from a and both had turned by `turned`. They cannot touch before they
-    // have come together by that [m].
+    // The parts were `apart` when b was at `offset` from a and both had turned by
+    // `turned`. They cannot touch before they have come closer by this distance [m].
     double apart = 0, turned = 0;
     Vector<double> offset{0, 0, 0};
   };
-  // Until when a pair sleeps, checked in every step. It cannot touch before the deviations of both bodies from their
-  // straight paths have grown to `until` together [m], less the distance closed at the speed `closing` [m/s].
+  // How long a pair sleeps, checked in every step. It cannot touch before both deviations from the
+  // straight paths sum up to `until` [m], less the distance that the speed `closing` [m/s] has used up.
   struct WakeLimit {
     std::int32_t a, b;
     double until = 0, closing = 0;
   };
-  // Up to which a pair sleeps that is apart by `distance`.
+  // Sets how long a pair at `distance` sleeps.
   void let_sleep(WakeLimit& wake_limit, double distance) const {
     constexpr double kMore = 1 + 1e-9;  // for rounding
     const Vector<double> v = travel_[at(wake_limit.b)].rate - travel_[at(wake_limit.a)].rate;
@@ -156,7 +156,7 @@ class FreeContacts {
       sum += near.slot >= 0 ? pairs_[at(near.slot)].pressed : 0.0;
     return sum;
   }
-  // Pairs lie where there was room for them: the one that comes soon after awake_[n] is fetched meanwhile.
+  // Pairs lie scattered in memory. This fetches a pair needed soon after awake_[n] into the cache meanwhile.
   void fetch_ahead(std::size_t n) const {
     constexpr std::size_t kAhead = 6, kLine = 64;
     if (n + kAhead >= awake_.size()) return;
@@ -193,22 +193,22 @@ class FreeContacts {
   std::vector<Jointed> jointed_;  // sorted by bodies
 
   std::vector<NearPair> near_;          // sorted by bodies and parts
-  std::vector<WakeLimit> wake_limits_;  // of each
-  std::vector<FreePair> pairs_;         // of each, where there was room
-  std::vector<DampedPair> damped_;      // of each of these, where there are dashpots
-  std::vector<std::int32_t> spare_;     // slots of pairs_ that are free
-  std::vector<std::size_t> awake_;      // of near_, those of this step, in order
+  std::vector<WakeLimit> wake_limits_;  // of each near pair
+  std::vector<FreePair> pairs_;         // only where a slot was assigned
+  std::vector<DampedPair> damped_;      // of each slot, where there are dashpots
+  std::vector<std::int32_t> spare_;     // free slots of pairs_
+  std::vector<std::size_t> awake_;      // indices in near_ of the pairs of this step, in order
   std::vector<std::int32_t> in_play_;   // their bodies, each once
   std::vector<std::uint8_t> is_in_play_;
   std::vector<HandOver> hand_overs_;
   std::vector<Travel> travel_;  // of each body
-  // Of each, since the last search: how far each of its points can have moved, and how far off the straight path that
-  // its centroid was on then [m].
+  // For each body since the last search: how far its points can have moved,
+  // and how far its centroid can have left the straight path of that time [m].
   std::vector<double> travelled_, deviation_;
-  std::vector<double> margin_;          // within which each was looked for [m]
-  double since_search_ = 0, rounding_;  // [s]; of a place, in a step [m]
+  std::vector<double> margin_;          // search margin of each body [m]
+  double since_search_ = 0, rounding_;  // [s]; rounding error of a place in a step [m]
   bool searched_ = false, needs_search_ = false, finite_ = true, damped_before_ = true;
-  bool acts_ = true;  // rows of forces are not all zero
+  bool acts_ = true;  // some row of forces is not zero
   int searches_ = 0;
   const Dashpots* dashpots_ = nullptr;  // of this step
 };
@@ -357,8 +357,8 @@ void FreeContacts<Bodies>::update_pair(std::size_t number, double dt, bool reche
     let_sleep(wake_limit, distance);
   };
   wake_limit.until = near.apart = 0;
-  // Nothing presses before the parts come closer by `room`; out of each other they are when they part by the rest
-  // of it. What was crushed then counts no more.
+  // The parts have a distance `room` along the face, less what was crushed (`rest`). Nothing presses
+  // before they come closer by `room`. When they part by more than `rest`, the crushed depth is forgotten.
   const auto rest = [&](double room) {
     if (pair.touches()) separate(pair);
     if (m.rest == 0) return sleep(room);
@@ -403,7 +403,7 @@ void FreeContacts<Bodies>::update_pair(std::size_t number, double dt, bool reche
     damp_pair(pair, damped_[at(near.slot)], before, slip_update, dt);
 }
 
-// Those of the pairs awake that only go on along their faces are taken in packs.
+// Takes pairs that stay on their faces in packs, and the others one by one.
 template <class Bodies>
 void FreeContacts<Bodies>::update_pairs(std::size_t first, std::size_t end, double dt,
                                         bool rechecks) {
@@ -454,7 +454,7 @@ void FreeContacts<Bodies>::act(State& state, double dt, const Dashpots* dashpots
   constexpr int kPairChunk = 256;
   dashpots_ = dashpots;
   clear_maxwell();
-  if (!finite_) return;  // the wall runs away, which others say
+  if (!finite_) return;  // the wall runs away; the stage reports that
   const bool rechecks = state.step % kRecheckEvery == 0;
   std::vector<std::size_t> gave_way;
   if (rechecks) gave_way = find_hand_overs(wall);

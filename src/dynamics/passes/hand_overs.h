@@ -1,12 +1,12 @@
-// From joints to free contacts: which pairs of blocks give way, and what they hand over so that no force jumps
-// (docs/theory/contacts.md, 13.8). The last part of free_contacts.h, which includes it.
+// From joints to free contacts: finds pairs of blocks whose joints have failed, and hands over their forces
+// without a jump (docs/theory/contacts.md, 13.8). The last part of free_contacts.h, which includes it.
 #pragma once
 
 #include "dynamics/passes/free_contacts.h"
 
 namespace wythe::dynamics {
 
-// All joints of a pair at once: those that still hold keep the others.
+// All joints of a pair are handed over at once: one joint that still holds keeps the others.
 template <class Bodies>
 std::vector<std::size_t> FreeContacts<Bodies>::find_hand_overs(const View& wall) {
   std::vector<std::size_t> found;
@@ -24,8 +24,8 @@ std::vector<std::size_t> FreeContacts<Bodies>::find_hand_overs(const View& wall)
   return found;
 }
 
-// Where a joint was crushed the blocks overlap by more than they press: as much of it rests as makes the contact press
-// with the joint's normal force.
+// At a crushed joint the blocks overlap by more than their force needs. A part of the
+// overlap, `rest`, is taken off so that the contact presses with the joint's normal force.
 template <class Bodies>
 void FreeContacts<Bodies>::rest_on_crushed(FreePair& pair, const Vector<double>& on_a) const {
   constexpr int kHalvings = 60;
@@ -45,7 +45,7 @@ void FreeContacts<Bodies>::rest_on_crushed(FreePair& pair, const Vector<double>&
   pair.memory.rest = high;
 }
 
-// In a stage without Maxwell elements they carry nothing.
+// Sets Maxwell elements to zero in a stage without them.
 template <class Bodies>
 void FreeContacts<Bodies>::clear_maxwell() {
   for (std::size_t k = 0; dashpots_ == nullptr && damped_before_ && k < pairs_.size(); ++k) {
@@ -55,7 +55,7 @@ void FreeContacts<Bodies>::clear_maxwell() {
   damped_before_ = dashpots_ != nullptr;
 }
 
-// What the joints gave in this step and the free contact does not, stays as a force that fades.
+// The difference between the joints' forces and the free contact's force stays as a force that fades.
 template <class Bodies>
 void FreeContacts<Bodies>::hand_over(State& state, const Jointed& pair, const View& wall) {
   ForceMoment before, after;
@@ -84,7 +84,7 @@ void FreeContacts<Bodies>::hand_over(State& state, const Jointed& pair, const Vi
     bears += p.pressed;
   }
   state.lost_in_hand_over += energy;
-  if (!(bears > 0)) return;  // the joint's force stood on nothing
+  if (!(bears > 0)) return;  // no contact presses, so nothing carries the force on
   const Vector<double> f = bodies_.to_body_axes(pair.a, before.f - after.f, wall);
   const Vector<double> m = bodies_.to_body_axes(pair.a, before.m - after.m, wall);
   const HandOver rest{pair.a, pair.b, 1, bears, f.x, f.y, f.z, m.x, m.y, m.z};
@@ -105,13 +105,13 @@ void FreeContacts<Bodies>::apply(const HandOver& h, const View& wall) {
   acts_ = true;
 }
 
-// Less of each as its contact unloads, and as the bodies slide or turn on each other: the difference belongs to the poses
-// in which they were handed over. What it works goes into the ledger.
+// Each force fades as its contact unloads, and as the bodies slide or turn against each
+// other, because it belongs to the poses at the hand-over. Its work goes into the ledger.
 template <class Bodies>
 void FreeContacts<Bodies>::fade_hand_overs(State& state, double dt, const View& wall) {
   for (HandOver& h : hand_overs_) {
     const double pressed = pressed_by(near_of(h.a, h.b));
-    // b is carried to the centroid of a, where the force acts
+    // velocity of b, taken to the centroid of a, where the force acts
     const Vector<double> arm = bodies_.place_of(h.a, wall) - bodies_.place_of(h.b, wall);
     const ForceMoment va = bodies_.rates_of(h.a, wall), vb = bodies_.rates_of(h.b, wall);
     const Vector<double> slides = va.f - (vb.f + cross(vb.m, arm)), turns = va.m - vb.m;

@@ -1,4 +1,4 @@
-// Each joint finds its stresses, advances its history and writes its own force.
+// Each joint evaluates its stresses, advances its history and writes its force.
 //
 // A joint's points lie on the line between the two faces; both faces follow their blocks. With
 // j the jump of the face centre, h the half length of the face, delta = tb - ta, phi = (ta + tb)/2
@@ -55,7 +55,7 @@ template <class Real>
   return {pose.c0 + dx, pose.c1 + dy, arm_x + dx, arm_y + dy};
 }
 
-// Where a block was in the step before: by its velocity, whose time `dt` is (kTimeBefore), so to rounding.
+// Pose of a block in the step before, up to rounding: its velocity acted for the time `dt` (kTimeBefore).
 template <class Access, class Real = typename Access::Real>
 [[nodiscard]] WYTHE_INLINE Rows<Real> pose_before(const Tables& t, const Access& access,
                                                   const std::int32_t* id, std::ptrdiff_t item) {
@@ -77,8 +77,8 @@ struct FaceForce {
   Real fn, ft, gn, gt;
 };
 
-// Jump of the face centre and its growth along the face, in the joint's (n, t) axes. Between two
-// blocks nothing grows along t: `dt` is not read.
+// Jump of the face centre and its growth along the face, in the joint's (n, t)
+// axes. Between two blocks there is no growth along t, so `dt` is not read.
 template <class Real>
 struct FaceJump {
   Real jn, jt, dn, dt;
@@ -190,7 +190,7 @@ struct FacePoints {
     });
   }
 
-  // Forces in an elastic step; whether it is one, and whether any point is open.
+  // Forces in an elastic step. Also tells whether the step is elastic and whether a point is open.
   template <bool closed>
   WYTHE_INLINE void elastic(Real area, const FaceJump<Real>& jump, FaceForce<Real>& sum,
                             bool_of_t<Real>& is_elastic, bool_of_t<Real>& open) const {
@@ -200,7 +200,7 @@ struct FacePoints {
     is_elastic = is_elastic & now.is_elastic.all_parts();
     open = open | now.open.any_part();
   }
-  // Forces of undamaged points; whether they stay undamaged.
+  // Forces of undamaged points. Also tells whether they stay undamaged.
   WYTHE_INLINE void undamaged(Real area, const FaceJump<Real>& jump, FaceForce<Real>& sum,
                               bool_of_t<Real>& stays) const {
     const contact::UndamagedStress<Points> now =
@@ -208,7 +208,7 @@ struct FacePoints {
     add(area, now.sigma, now.tau, sum);
     stays = stays & now.stays.all_parts();
   }
-  // How far undamaged points have opened: all their history.
+  // Stores the largest opening of undamaged points; it is their only history.
   WYTHE_INLINE void store_opening(const FaceJump<Real>& jump) const {
     const Points w = opening(jump);
     for_each_part<n>([&](auto k) __attribute__((always_inline)) {
@@ -218,8 +218,8 @@ struct FacePoints {
       if (any(wider)) run.access.store(select(wider, now, kappa), run.history, first + k * rows());
     });
   }
-  // The full law: the one place where all of the history advances. Gives whether it did, whether any point is open
-  // and whether all are undamaged. jump_before() is called where a point slides, for the work of the slip.
+  // The full law, the only place where all of the history advances. It tells whether history changed, whether a point is
+  // open and whether all points are undamaged. jump_before() is called where a point slides, for the work of the slip.
   template <class Before>
   WYTHE_INLINE void advance(Real area, const FaceJump<Real>& jump, const Before& jump_before,
                             FaceForce<Real>& sum, JointWork<Real>& work, bool_of_t<Real>& moved,
@@ -245,14 +245,14 @@ struct FacePoints {
     });
     moved = moved | contact::history_changed(before, now).any_part();
     open = open | (w + now.crush > Points(Real(0.0))).any_part();
-    // most have slid
+    // slip first, because most points have slid
     undamaged =
         undamaged && !any(now.slip > Points(Real(0.0))) && all(contact::is_undamaged<V>(law, now));
   }
 };
 
-// act(FacePoints) for all points of the face at `item`: together where their number n is known when the
-// program is compiled, one by one where it is not (n = 0).
+// Calls act(FacePoints) for all points of the face at `item`: once for all if
+// their number n is known at compile time, one by one if it is not (n = 0).
 template <class V, int n, bool one_slip, class Access, class Act>
 WYTHE_INLINE void each_points(const FaceRun<Access>& run, std::ptrdiff_t item, const Act& act) {
   const int points = n > 0 ? n : run.points;
@@ -287,7 +287,7 @@ WYTHE_OUTLINE FaceForce<Real> full_law_face(const FaceRun<Access>& run, std::ptr
   return sum;
 }
 
-// Forces of a face whose points are undamaged; false where one does not stay so.
+// Forces of a face with undamaged points; false where a point does not stay undamaged.
 template <class V, int n, bool one_slip, class Access, class Real>
 [[nodiscard]] WYTHE_INLINE bool undamaged_face(const FaceRun<Access>& run, std::ptrdiff_t item,
                                                Real area, const FaceJump<Real>& jump,
@@ -323,8 +323,8 @@ template <class V, int n, bool one_slip, bool closed, class Access, class Real>
   return true;
 }
 
-// Forces of a face. Fast paths store no history but the opening of undamaged points. A face whose history changed in the
-// last step takes the full law at once. `before` gives the jump of the step before.
+// Forces of a face. Fast paths store no history except the opening of undamaged points. A face whose
+// history changed in the last step takes the full law at once. `before` gives the jump of the step before.
 template <class V, int n, bool one_slip, class Access, class Before, class Real>
 [[nodiscard]] WYTHE_INLINE FaceForce<Real> face_force(const FaceRun<Access>& run,
                                                       std::ptrdiff_t item, Real area,
@@ -348,7 +348,7 @@ template <class Access>
   return access.shared(t.joint, j * kJointRows + row);
 }
 
-// A face between two blocks in these poses: their arms, tangent, jump of its centre, lever of its points.
+// A face between two blocks in their present poses: arms, tangent, jump of its centre, lever of its points.
 template <class Real>
 struct PairPlace {
   FaceMotion<Real> a, b;
@@ -401,7 +401,7 @@ template <class Access, class Real = typename Access::Real>
   return g;
 }
 
-// The jump of the step before, for faces that slide: few at a time, so that it is no part of the loops.
+// The jump of the step before, for faces that slide. They are few, so this stays out of the loops.
 template <class Access, bool on_ground>
 WYTHE_OUTLINE FaceJump<typename Access::Real> jump_before(const Tables& t, const Access& access,
                                                           std::ptrdiff_t j) {
@@ -464,7 +464,7 @@ struct Joints {
                           t.force, j);
   }
 
-  // The tangent of the ground stands still, and it has no lever.
+  // On the ground the tangent is fixed and there is no lever.
   WYTHE_INLINE void ground(std::ptrdiff_t j, Work& work) const {
     const GroundPlace<Real> g = ground_in(t, run.access, j, run.access.rows(t.pose, t.joint_b, j));
     const Real tx = geometry(j, kTangentX), ty = geometry(j, kTangentY);

@@ -1,9 +1,9 @@
 // The layers of one wall: strands of fibres on a chain of nodes that slip on the blocks (contact/layer.h,
-// docs/theory/layers.md). They are taken before the joints, as links are. Where a strand crosses a joint it leaves its force
-// in a row behind those of frames; within a block it moves nodes alone.
+// docs/theory/layers.md). They are taken before the joints, as links are. Where a strand crosses a joint,
+// its force goes into a row behind those of frames. Within a block it moves only nodes.
 //
-// Nodes have no mass. Each step moves every node by half of what would bring it into balance if the others stood
-// still (22.7). What this takes is the exact difference of stored energies, and goes into the ledger as damping.
+// Nodes have no mass. Each step moves every node by half of the distance that would balance it if the others stood
+// still (22.7). The energy of this is the exact difference of stored energies, and goes into the ledger as damping.
 #pragma once
 
 #include "contact/layer.h"
@@ -13,10 +13,10 @@ namespace wythe::dynamics {
 
 struct LayerWork {
   double fracture = 0,
-         damping = 0;  // what bond and fibres lost, and what the nodes' way to balance took [J]
+         damping = 0;  // dissipated by bond and fibres, and by the nodes' motion to balance [J]
 };
 
-// Stretch of all fibres where blocks and nodes are now, and their forces on the blocks; what breaks.
+// Stretches all fibres in the present pose, sets their forces where they cross joints, and finds what breaks.
 WYTHE_INLINE void stretch_layers(const WallView& wall, LayerWork& work) {
   for (int k = 0; k < wall.layers; ++k) {
     const auto of = [&](LayerRowName row) { return wall.layer(k, row); };
@@ -54,7 +54,7 @@ WYTHE_INLINE void stretch_layers(const WallView& wall, LayerWork& work) {
   }
 }
 
-// Every node on its way to balance.
+// Moves every node towards its balance.
 WYTHE_INLINE void slip_layers(const WallView& wall, LayerWork& work) {
   double behind = 0, stored = 0, lost = 0;
   for (int k = 0; k < wall.layers; ++k) {

@@ -1,6 +1,6 @@
-// The links of one wall: ties, springs and diaphragms (contact/link.h, docs/theory/links.md). A wall has
-// few. They are taken one by one before its joints and leave their forces in rows behind those of the
-// joints, where the pass over blocks gathers both (tables.h).
+// The links of one wall: ties, springs and diaphragms (contact/link.h, docs/theory/links.md).
+// A wall has few of them, so they are taken one by one before the joints. Their forces lie in
+// rows behind those of the joints, where the pass over blocks gathers both (tables.h).
 #pragma once
 
 #include "contact/link.h"
@@ -8,7 +8,7 @@
 
 namespace wythe::dynamics {
 
-// What links took and what drew them taut in a step [J].
+// Energy that links dissipated and energy that prestressed them in a step [J].
 struct LinkWork {
   double dissipated = 0, tensioned = 0;
 };
@@ -19,14 +19,14 @@ WYTHE_INLINE contact::LinkEnd end_of(const WallView& wall, std::int32_t block, d
                            wall.column_of(wall.t.pose, block, 3), arm_x, arm_y);
 }
 
-// Forces of all links where the blocks are now; `set`: share of their prestress in force, `jacked`: of the force of
-// jacks at work, below 0 where there are none. A jack keeps its force however far it goes: it draws its link out to the
-// length at which the link has that force.
+// Adds the forces of all links in the present pose. `set`: the present share of their
+// prestress. `jacked`: the share of the jacks' force, below 0 where no jack works. A jack keeps
+// its force over any distance, because it draws its link to the length that gives this force.
 WYTHE_INLINE LinkWork add_link_forces(const WallView& wall, double set, double jacked) {
   LinkWork work;
   for (int k = 0; k < wall.links; ++k) {
     const auto of = [&](LinkRowName row) { return wall.link(k, row); };
-    if (wall.t.link_b[k] == wall.t.n_block) continue;  // it is not up yet, and has no force
+    if (wall.t.link_b[k] == wall.t.n_block) continue;  // not put up yet: no force
     const contact::LinkEnd a = end_of(wall, wall.t.link_a[k], of(kLinkArmAX), of(kLinkArmAY));
     const contact::LinkEnd b = end_of(wall, wall.t.link_b[k], of(kLinkArmBX), of(kLinkArmBY));
     const contact::LinkLine line =

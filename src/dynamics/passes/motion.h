@@ -8,7 +8,7 @@ namespace wythe::dynamics {
 template <class Real>
 struct Moved {
   Real velocity;       // at the next half step
-  Real mean_velocity;  // of the two half steps: what a force at this step works on
+  Real mean_velocity;  // mean of the two half steps, for the work of a force
   Real damping_work;   // [J]
 };
 

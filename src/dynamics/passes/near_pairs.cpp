@@ -1,6 +1,6 @@
-// Sweeps along the axis on which the moving boxes are spread most, in strips across the next widest
-// (docs/theory/contacts.md, "Who may touch"). A pair that shares several strips is taken in the first of them alone.
-// Ties go by number and pairs are sorted at the end, so the answer depends on the boxes alone.
+// Sweeps along the axis on which the moving boxes are spread most, in strips along the next widest axis
+// (docs/theory/contacts.md, "Who may touch"). A pair that shares several strips is found in the first of them only.
+// Equal places are ordered by number and pairs are sorted at the end, so the result depends only on the boxes.
 #include "dynamics/passes/near_pairs.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace wythe::dynamics {
 namespace {
 
-// Axes by how far the moving boxes are spread along them, the widest first: there the fewest are open at a time.
+// Axes, sorted by the spread of the moving boxes, widest first: there the fewest boxes overlap at a time.
 std::array<int, 3> axes_by_spread(const std::vector<Box>& boxes, std::int32_t moving) {
   double spread[3];
   for (int k = 0; k < 3; ++k) {
@@ -26,7 +26,7 @@ std::array<int, 3> axes_by_spread(const std::vector<Box>& boxes, std::int32_t mo
   return axes;
 }
 
-// Strips across the sweep, twice as wide as a moving box is on the average: boxes in different strips are not compared.
+// Strips across the sweep, twice as wide as an average moving box. Boxes in different strips are not compared.
 struct Strips {
   double low = 1e300, width = 1;
   std::size_t count = 1;
@@ -42,7 +42,7 @@ struct Strips {
     if (width > 0 && high > low)
       count = static_cast<std::size_t>(std::min((high - low) / width, 1.0 * moving)) + 1;
   }
-  // In which a place lies; what is outside belongs to the first or the last.
+  // The strip of a place. Places outside belong to the first or the last strip.
   [[nodiscard]] std::size_t of(double place) const {
     const double strip = (place - low) / width, last = static_cast<double>(count - 1);
     return strip > 0 ? static_cast<std::size_t>(std::min(strip, last)) : 0;
@@ -51,7 +51,7 @@ struct Strips {
 
 using Pairs = std::vector<std::pair<std::int32_t, std::int32_t>>;
 
-// By a, then by b: those of each a are few.
+// Sorted by a, then by b. Each a has few pairs.
 Pairs sorted(const Pairs& pairs, std::int32_t moving) {
   std::vector<std::size_t> begin(static_cast<std::size_t>(moving) + 1, 0);
   for (const auto& [a, b] : pairs) ++begin[static_cast<std::size_t>(a) + 1];
@@ -77,7 +77,7 @@ Pairs near_pairs(const std::vector<Box>& boxes, std::int32_t moving, double marg
     const double li = boxes[i].low[x], lj = boxes[j].low[x];
     return li != lj ? li < lj : i < j;
   });
-  // each in all strips that it reaches, in the order of the sweep
+  // each box in all strips that it reaches, in the order of the sweep
   const Strips strips(boxes, moving, y);
   std::vector<std::vector<std::int32_t>> of_strip(strips.count);
   for (const std::int32_t i : order) {
@@ -99,7 +99,7 @@ Pairs near_pairs(const std::vector<Box>& boxes, std::int32_t moving, double marg
           return other.low[axis] > box.high[axis] + gap || box.low[axis] > other.high[axis] + gap;
         };
         if (apart(y) || apart(z)) continue;
-        // two that share several strips meet in the first of these alone
+        // two boxes that share several strips are compared in the first one only
         if (strips.of(std::max(box.low[y], other.low[y])) != strip) continue;
         if (const auto [a, b] = std::minmax(bodies[i], bodies[j]); a < moving)
           pairs.emplace_back(a, b);

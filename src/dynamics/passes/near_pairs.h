@@ -2,8 +2,8 @@
 //
 //   near_pairs(boxes, margin)   pairs (a, b), a < b, a < moving, whose widened boxes meet, sorted
 //
-// A pair that is left out cannot touch before one of its bodies has moved by the margin; the caller adds up
-// how far that can have been (Travel) and asks again in time. Nothing depends on the order of ties.
+// A pair that is left out cannot touch before one of its bodies has moved by the margin. The caller adds up
+// how far bodies can have moved (Travel) and searches again in time. The order of ties has no influence.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,7 @@
-// Follows docs/theory/contacts.md for blocks in their plane. Slip grows by the motion of the last step, with arms and
-// axes taken half a step back, where the velocities stand. press() gives a group the bits of update_slip(). A joint
-// that gave way lies between the ground and itself, without an area. Feature e >= 0 is edge e of a, and -1 - e is edge
-// e of b.
+// Follows docs/theory/contacts.md for blocks in their plane. Slip grows by the motion of the
+// last step. Arms and axes for it are taken half a step back, where the velocities stand.
+// press() gives a group the bits of update_slip(). A released joint lies between the ground
+// and itself, without an area. Feature e >= 0 is edge e of a, and -1 - e is edge e of b.
 #include "dynamics/passes/plane_bodies.h"
 
 #include "contact/parameters.h"
@@ -15,9 +15,9 @@ using contact::BodyFrame;
 using contact::EdgeAxes;
 
 constexpr double kBoxMargin = 0.05;  // of boxes, over the mean size of a block
-constexpr double kSlop = 0.25;       // by how many bevels another face has to be better
+constexpr double kSlop = 0.25;       // another face is taken if it is better by so many bevels
 
-// A direction of a body's own axes in the wall's.
+// Turns a direction from a body's axes to the wall's.
 struct Direction2 {
   double x, y;
 };
@@ -181,13 +181,13 @@ PlaneBodies::SlipUpdate PlaneBodies::update_slip(FreePair& pair, const PairGeome
   const BodyFrame &ref = of_a ? m.frame_a : m.frame_b, &other = of_a ? m.frame_b : m.frame_a;
   const Direction2 x = turned(ref, axes.ax, axes.ay), n = turned(ref, axes.nx, axes.ny);
 
-  // how far `other` slid along the edge in the last step, where the pressure is
+  // slip of `other` along the edge in the last step, at the centre of pressure
   const double place = overlap.area > 0 ? overlap.moment / overlap.area : 0.0;
   const Direction2 arm = turned(ref, axes.x + axes.ax * place, axes.y + axes.ay * place);
   const double ox = ref.x + arm.x - other.x, oy = ref.y + arm.y - other.y;
   const ForceMoment of_ref = rates_now(of_a ? pair.memory.a : pair.memory.b);
   const ForceMoment of_other = rates_now(of_a ? pair.memory.b : pair.memory.a);
-  // arms and axis as they were half a step ago, in the middle of that motion
+  // arms and axis half a step ago, in the middle of that motion
   const auto back = [&](const ForceMoment& rates, double rx, double ry) {
     const double half = 0.5 * dt * rates.m.z;
     return Direction2{rx + half * ry, ry - half * rx};
@@ -201,7 +201,7 @@ PlaneBodies::SlipUpdate PlaneBodies::update_slip(FreePair& pair, const PairGeome
   const double k = stiffness(law), normal = k * overlap.area;
   pair.pressed = normal;
   double& slip = pair.memory.slip_x;
-  // A growing area takes the force with it, a shrinking one the slip: neither makes energy.
+  // A growing area increases the force, a shrinking one reduces the slip: neither creates energy.
   const double area = overlap.cover * law.thickness;
   const double energy = shear_energy(pair.memory, law), held = law.ks * pair.memory.area * slip;
   if (area > pair.memory.area && pair.memory.area > 0) slip *= pair.memory.area / area;
@@ -213,7 +213,7 @@ PlaneBodies::SlipUpdate PlaneBodies::update_slip(FreePair& pair, const PairGeome
     const double kept = sign(trial) * limit / stiff;
     slip = kept;
   }
-  // the work of the step less what is stored of it
+  // the work of the step, less the part that is stored
   pair.friction += 0.5 * (held + stiff * slip) * way + (energy - shear_energy(pair.memory, law));
   pair.stored = k * overlap.energy + shear_energy(pair.memory, law);
 
@@ -321,8 +321,8 @@ void PlaneBodies::clear_rows(const WallView& wall) const {
   std::fill_n(wall.t.force + 4 * wall.first_free, 4 * (wall.blocks + 1), 0.0);
 }
 
-// One row a block, then that of what stands still, whose last column sums the magnitudes that the unbalance asks
-// for.
+// One row for each block, then one for the ground. The last
+// column sums the magnitudes that the unbalance needs.
 void PlaneBodies::add(std::int32_t a, std::int32_t b, const ForceMoment& on_a,
                       const ForceMoment& on_b, const WallView& wall) const {
   double* const rows = wall.t.force + 4 * wall.first_free;
@@ -388,12 +388,12 @@ bool is_tilted(double tilt) {
 }  // namespace
 
 bool PlaneBodies::has_failed(JointId joint, const WallView& wall) const {
-  constexpr double kSlipped = 0.05;  // of the face; or opened, all of it
+  constexpr double kSlipped = 0.05;  // of the length of the face, for slip and opening
   const Gap gap = gap_of(joint, wall);
   const double hx = m_.half_x[joint], hy = m_.half_y[joint];
   const double most = 4 * kSlipped * kSlipped * (hx * hx + hy * hy);
   if (is_tilted(gap.tilt)) return true;
-  if (gap.x * gap.x + gap.y * gap.y <= most) return false;  // most joints: no way is longer
+  if (gap.x * gap.x + gap.y * gap.y <= most) return false;  // most joints: neither is longer
   const Jump jump = jump_of(joint, wall);
   const double apart = maximum(0.0, jump.normal - magnitude(jump.growth));  // at its nearer end
   return jump.along * jump.along > most || apart * apart > most;
@@ -409,7 +409,7 @@ contact::History<double> PlaneBodies::history_of(JointId joint, int point,
   return h;
 }
 
-// A joint that has tilted bears on an edge, whose point need not be damaged.
+// A tilted joint bears on an edge, whose point may be undamaged.
 bool PlaneBodies::holds(JointId joint, const WallView& wall) const {
   constexpr double kBroken = 0.999;  // damage of a point
   const auto law = contact::constants_of(m_.materials[m_.joint_material[joint]]);
@@ -459,7 +459,7 @@ void PlaneBodies::restore(const WallView& wall) const {
   }
 }
 
-// Between the ground and itself, without an area.
+// A released joint lies between the ground and itself, without an area.
 void PlaneBodies::release(JointId joint, const WallView& wall) const {
   const std::int32_t place = layout_.joint_place[joint];
   wall.t.joint_a[place] = wall.t.joint_b[place] = wall.t.n_block;
@@ -472,7 +472,7 @@ void PlaneBodies::release(JointId joint, const WallView& wall) const {
       wall.t.history[layout_.point_number(chunk, n, k, row, 1)] = 0;
 }
 
-// Every other face takes the full law in the next step.
+// All other faces take the full law in the next step.
 void PlaneBodies::end_release(const WallView& wall) const {
   mark_released(wall.t.joint_b, wall.t.n_block, layout_.joints, width_, wall.t.joint_law_path);
 }

@@ -1,5 +1,5 @@
-// Blocks in their plane as free contacts see them (free_contacts.h): where they are, how two parts press and rub,
-// what their joints do and when these give way.
+// Blocks in their plane as free contacts see them (free_contacts.h): their poses,
+// pressure and friction between two parts, and the failure of their joints.
 #pragma once
 
 #include <vector>
@@ -21,7 +21,7 @@ class PlaneBodies {
     contact::BodyFrame frame_a, frame_b;
   };
 
-  // `width`: of the packs that its joints lie in.
+  // `width` of the packs in which the joints lie.
   PlaneBodies(const Model& model, const Layout& layout, int width);
 
   [[nodiscard]] double margin() const { return margin_; }  // of boxes [m]
@@ -29,7 +29,7 @@ class PlaneBodies {
   [[nodiscard]] Box box_of(std::int32_t body, const WallView& wall) const;
   [[nodiscard]] double speed_of(BlockId block,
                                 const WallView& wall) const;  // of any point, at most
-  // each(body, where its centroid is now, what its points can have moved by its turning in the last step, at most).
+  // Calls each(body, place of its centroid, upper bound of the motion of its points by rotation in the last step).
   template <class Each>
   void for_each_travel(double dt, const WallView& wall, Each each) const {
     constexpr double kMore = 1.05;  // damping by mass may have slowed blocks since they turned
@@ -51,16 +51,16 @@ class PlaneBodies {
   [[nodiscard]] double fallen_height(BlockId block, const WallView& wall) const;
   [[nodiscard]] Vector<double> place_of(std::int32_t body, const WallView& wall) const;
   [[nodiscard]] ForceMoment rates_of(std::int32_t body, const WallView& wall) const;
-  // A vector in a body's own axes, and back.
+  // Turns a vector to a body's own axes, and back.
   [[nodiscard]] Vector<double> to_body_axes(std::int32_t body, const Vector<double>& v,
                                             const WallView& wall) const;
   [[nodiscard]] Vector<double> to_wall_axes(std::int32_t body, const Vector<double>& v,
                                             const WallView& wall) const;
 
-  // Notes where a body is and how it moves: for all that follows, up to the rows of forces.
+  // Stores pose and velocity of a body for all later calls of the step.
   void cache_motion(std::int32_t body, const WallView& wall);
   [[nodiscard]] PairGeometry pair_geometry(const FreeContact& contact) const;
-  // Of what presses: the overlap less `rest`, which is crushed.
+  // The overlap less `rest`, the crushed part: this presses.
   [[nodiscard]] static Overlap overlap(const PairGeometry& pair_geometry, std::int32_t feature,
                                        double rest);
   [[nodiscard]] contact::Face face(const PairGeometry& pair_geometry, std::int32_t last) const;
@@ -68,66 +68,66 @@ class PlaneBodies {
     return law.kn * law.thickness;
   }
   [[nodiscard]] static double pressing(const Overlap& overlap) { return overlap.area; }
-  // Of a face, from a to b.
+  // Normal of a face, from a to b.
   [[nodiscard]] static Vector<double> normal_of(const PairGeometry& pair_geometry,
                                                 std::int32_t feature);
-  // The slip as seen along another face; gives the energy that has no part in it.
+  // Turns the slip to another face; returns the energy that is lost by this.
   [[nodiscard]] static double turn_slip(FreePair& pair, const PairGeometry& pair_geometry,
                                         std::int32_t to);
-  // What dashpots ask of a contact: how it has moved in the step, friction along the slip, where and along what: the
-  // centre of pressure from both centroids, normal and slip, of the body `other` on the one that has the face.
+  // Data of a contact for its dashpots: motion in the step, friction along the slip, arms from both centroids to the
+  // centre of pressure, normal and slip direction. All are of the body `other` against the body that has the face.
   struct SlipUpdate {
     double opened;              // [m]
     Vector<double> slid, held;  // [m], [N]
     double ref_x, ref_y, other_x, other_y, nx, ny, tx, ty;
   };
-  // Friction of a step, then force and moments.
+  // Friction of a step, then forces and moments.
   SlipUpdate update_slip(FreePair& pair, const PairGeometry& pair_geometry, const Overlap& overlap,
                          double dt) const;
-  // Up to eight contacts that go on along their faces, taken together (pressing.h).
+  // Up to eight contacts that stay on their faces, taken together (pressing.h).
   struct Packed {
     int n = 0;
-    std::size_t number[kGroup];  // whatever the caller calls them
+    std::size_t number[kGroup];  // numbers that the caller gave them
     PressGroup group;
   };
-  // As the last of a pack; false where a part has too many corners.
+  // Adds a pair to the pack; false where a part has too many corners.
   [[nodiscard]] bool add_to(Packed& packed, const FreePair& pair) const;
   void press(Packed& packed, double dt) const;
-  // What the step gave the contact k of a pack; false where nothing presses along its face any more.
+  // Takes the results of contact k of a pack; false where nothing presses along its face any more.
   [[nodiscard]] static bool take(const Packed& packed, int k, FreePair& pair);
   [[nodiscard]] double inverse_mass(std::int32_t body) const {
     return body < m_.n_block ? 1 / m_.mass[static_cast<std::size_t>(body)] : 0.0;
   }
-  // 1 / mass that feels a force at the centre of pressure, along any direction [1/kg].
+  // Inverse of the mass that feels a force at the centre of pressure, along any direction [1/kg].
   [[nodiscard]] double mobility(const FreeContact& contact, const SlipUpdate& slip_update) const;
   // A viscous force on both bodies; `of_a`: body a has the face.
   static void spread(const ViscousForce& force, const SlipUpdate& slip_update, bool of_a,
                      ForceMoment& on_a, ForceMoment& on_b);
-  // As cache_motion() found them.
+  // Velocities stored by cache_motion().
   [[nodiscard]] ForceMoment rates_now(std::int32_t body) const {
     const Now& now = now_[static_cast<std::size_t>(body)];
     return {{now.vx, now.vy, 0}, {0, 0, now.spin}};
   }
-  // The slip that gives a contact the joints' force on a along its face, as far as friction holds it.
+  // Gives the contact a slip whose force equals the joints' force on a along the face, up to friction.
   void take_over_shear(FreePair& pair, const Vector<double>& on_a) const;
 
   void clear_rows(const WallView& wall) const;
   void add(std::int32_t a, std::int32_t b, const ForceMoment& on_a, const ForceMoment& on_b,
            const WallView& wall) const;
 
-  // The two bodies of a joint, sorted; {-1, -1} on ground that is no body.
+  // The two bodies of a joint, sorted; {-1, -1} for a joint on ground without a body.
   [[nodiscard]] std::pair<std::int32_t, std::int32_t> sides_of(JointId joint) const;
-  // Whether it is displaced so far that it gives way if nothing holds; whether it holds.
+  // has_failed(): the displacement is so large that the joint fails if no point holds. holds(): a point holds.
   [[nodiscard]] bool has_failed(JointId joint, const WallView& wall) const;
   [[nodiscard]] bool holds(JointId joint, const WallView& wall) const;
   [[nodiscard]] ForceMoment joint_force(JointId joint, std::int32_t on, const WallView& wall) const;
   [[nodiscard]] double elastic_energy(JointId joint, const WallView& wall) const;
   void restore(const WallView& wall) const;                 // all joints
-  void release(JointId joint, const WallView& wall) const;  // it rests from now on
+  void release(JointId joint, const WallView& wall) const;  // no force from now on
   void end_release(const WallView& wall) const;
 
  private:
-  // Where the two faces of a joint are to each other.
+  // Position of the two faces of a joint to each other.
   struct Jump {
     double normal, along, growth;  // of the face's centre, and from there to its end [m]
     double tilt;                   // [rad]
@@ -142,7 +142,7 @@ class PlaneBodies {
                                                     const WallView& wall) const;
   [[nodiscard]] contact::BodyFrame frame_of(std::int32_t body, const WallView& wall) const;
 
-  // Of a body in this step: two rows of four for pressing.h.
+  // A body in this step: two rows of four for pressing.h.
   struct alignas(64) Now {
     contact::BodyFrame frame;
     double vx, vy, spin, unused;

@@ -1,8 +1,8 @@
-// Pairs of parts in the plane that press on each other along the face they pressed on before, eight at a time: overlap,
-// friction and forces of contact/convex_contact.h and PlaneBodies::update_slip(), operation by operation, so that a pair has the same
-// bits here and there (docs/theory/contacts.md, 13.1 to 13.5).
+// Pairs of parts in the plane that press along the same face as before, eight at a time. Overlap,
+// friction and forces repeat contact/convex_contact.h and PlaneBodies::update_slip() operation by
+// operation, so that a pair has the same bits in both places (docs/theory/contacts.md, 13.1 to 13.5).
 //
-// What is common to all pairs lies in rows of four:
+// Data of all pairs lie in rows of four:
 //
 //   bodies   2 a body      x, y, cosine, sine of its frame; velocity, spin
 //   edges    2 an edge     EdgeAxes: origin and axis; normal and length
@@ -26,14 +26,14 @@ struct PressTables {
   double dt;
 };
 
-// Eight pairs. One that is left out is a copy of another.
+// Eight pairs. A place that is not needed holds a copy of another pair.
 struct alignas(64) PressGroup {
   // rows; `ref` is the body that has the face
   std::int32_t ref[kGroup], other[kGroup], edge[kGroup], corners[kGroup];
-  int corner_rows = 0;  // that the largest of the other parts fills
+  int corner_rows = 0;  // needed for the largest of the other parts
   double rest[kGroup], area[kGroup], slip[kGroup];
   double kn[kGroup], ks[kGroup], tan_friction[kGroup], thickness[kGroup];
-  // given back: `cover` is 0 where nothing presses along this face; then nothing else counts
+  // results; `cover` is 0 where nothing presses along this face, and then the rest is invalid
   double cover[kGroup], area_now[kGroup], slip_now[kGroup], pressed[kGroup], stored[kGroup],
       friction[kGroup];
   double fx[kGroup], fy[kGroup], on_other[kGroup], on_ref[kGroup];  // force on `other`, moments
@@ -44,7 +44,7 @@ struct Axes2 {  // x, y of a place or direction
   Real x, y;
 };
 
-// Eight pairs by Reals of any width.
+// Eight pairs, computed with Reals of any width.
 template <class R>
 struct Pressing {
   using Real = R;
@@ -52,7 +52,7 @@ struct Pressing {
 
   const PressTables& t;
   PressGroup& g;
-  int lane;  // the first of the group that this Real takes
+  int lane;  // the first lane that this Real takes
 
   struct Frame {
     Real x, y, c, s;
@@ -158,7 +158,7 @@ struct Pressing {
     add(sum.energy, width * sixth * (da * da + da * db + db * db));
   }
 
-  // As they were half a step ago, in the middle of the motion.
+  // Arms half a step ago, in the middle of the motion.
   [[nodiscard]] WYTHE_INLINE Axes2<Real> back(const Rates& rates, Real x, Real y) const {
     const Real half = Real(0.5 * t.dt) * rates.spin;
     return {x + half * y, y - half * x};
@@ -220,9 +220,9 @@ void press(const PressTables& tables, PressGroup& group) {
     Pressing<Real>{tables, group, lane}.run();
 }
 
-// That for packs of a width; of what this processor has (executors/kernels.h).
+// The kernel for packs of a width, for this processor (executors/kernels.h).
 [[nodiscard]] PressKernel press_kernel(int width);
-// Of each shape kCornerRows rows of two corners; they are not used of one that has more corners.
+// kCornerRows rows of two corners for each shape. They are not used for a shape with more corners.
 [[nodiscard]] std::vector<double> rows_of_corners(const contact::PartEdges& edges);
 
 }  // namespace wythe::dynamics

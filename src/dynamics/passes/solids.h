@@ -80,7 +80,7 @@ struct Edges {
     const Place e = place_of(c, run.access.rows(t.pose, t.edge_block, c), ends_of(c));
     const FaceForce<Real> f =
         face_force<V, 2, false>(run, c, geometry(c, kEdgeArea), e.jump, JumpBefore{this, c}, work);
-    // sums back to the points, in the wall's axes
+    // from sums back to the points, in the wall's axes
     const Real fn0 = half * (f.fn - f.gn), fn1 = half * (f.fn + f.gn);
     const Real ft0 = half * (f.ft - f.gt), ft1 = half * (f.ft + f.gt);
     const Real x0 = ft0 * e.tx - fn0 * e.ty, y0 = ft0 * e.ty + fn0 * e.tx;
@@ -99,7 +99,7 @@ struct Edges {
   struct Ends {
     Real px, py, qx, qy;
   };
-  // Both points of a contact, the tangent now, and the jump as the law takes it.
+  // Both points of a contact, the present tangent, and the jump for the law.
   struct Place {
     EdgePoint<Real> e0, e1;
     Real tx, ty;
@@ -155,7 +155,7 @@ struct Edges {
   }
 };
 
-// Nodes: forces of zones, then of contacts, in the order of their lists; then as blocks.
+// Nodes: adds forces of zones, then of contacts, in the order of their lists; then moves as blocks.
 template <class A>
 struct Nodes {
   using Access = A;

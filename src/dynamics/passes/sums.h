@@ -1,5 +1,5 @@
-// The sums over a wall that residual.h names, in one order of terms, hence one result wherever the wall
-// is stepped.
+// The sums over a wall that residual.h names. The order of terms is
+// fixed, so the result is the same wherever the wall is stepped.
 #pragma once
 
 #include "dynamics/passes/blocks.h"
@@ -56,7 +56,7 @@ WYTHE_INLINE double unbalance_of(const WallView& wall) {
 WYTHE_INLINE double kinetic_of(double m, double I, double vx, double vy, double omega) {
   return 0.5 * m * (vx * vx + vy * vy) + 0.5 * I * omega * omega;
 }
-// `mass`, `inertia`: of its blocks, where they lie closer together than in the tables; or null.
+// `mass`, `inertia` of its blocks, where they lie closer together than in the tables; or null.
 WYTHE_INLINE double kinetic_of(const WallView& wall, const double* mass, const double* inertia,
                                double mass_scaling) {
   double energy = 0;
@@ -97,7 +97,7 @@ WYTHE_INLINE double shear_of(const WallView& wall, double px, double py) {
 WYTHE_INLINE BlockId runaway_of(const WallView& wall) {
   constexpr double kFast = 100.0;  // [m/s], far beyond any free fall within a wall
   const auto finite = [](double x) { return x - x == 0; };
-  // its rim, at about the square root of three radii of gyration: the rates are dt over mass and inertia
+  // the velocity at its rim, at about sqrt(3) radii of gyration; the rates are dt over mass and inertia
   const auto rim = [&](int i) {
     const double rate = wall.block(i, kRate), turn = wall.block(i, kTurnRate);
     return turn > 0 ? square_root(3 * rate / turn) * magnitude(wall.block(i, kOmega)) : 0.0;
@@ -112,7 +112,7 @@ WYTHE_INLINE BlockId runaway_of(const WallView& wall) {
   return -1;
 }
 
-// Distance of the block that has moved furthest [m], and which it is; blocks first, then nodes.
+// The block or node that has moved furthest, and its distance [m]. Blocks are numbered first, then nodes.
 struct Furthest {
   double distance = 0;
   BlockId block = 0;

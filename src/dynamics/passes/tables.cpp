@@ -9,7 +9,7 @@
 namespace wythe::dynamics {
 namespace {
 
-// The rows are those of the table of fields.
+// The rows have the order of the table of fields.
 static_assert(kNodeVy + 1 == fields_of(Entity::kNode) && kNodeUx == row_of(&State::node_ux) &&
               kNodeUy == row_of(&State::node_uy) && kNodeVx == row_of(&State::node_vx) &&
               kNodeVy == row_of(&State::node_vy));
@@ -27,8 +27,8 @@ static_assert(kLayerBroken + 1 == fields_of(Entity::kLayerNode) &&
               kLayerBroken == row_of(&State::layer_broken));
 static_assert(kHistoryRows == fields_of(Entity::kPoint));
 
-// Cuts entities 0 .. n-1 into chunks of at most kChunk whose neighbours fit(i - 1, i), and gives each
-// its groups. A chunk of neighbours begins a group of its own.
+// Cuts entities 0 .. n-1 into chunks of at most kChunk whose neighbours fit(i
+// - 1, i), and forms their groups. A chunk of neighbours begins a new group.
 template <class Fits, class Describe>
 std::vector<Chunk> cut(int n, Layout::Kind kind, const Fits& fits, const Describe& describe) {
   std::vector<Chunk> chunks;
@@ -48,7 +48,7 @@ std::vector<Chunk> cut(int n, Layout::Kind kind, const Fits& fits, const Describ
   return chunks;
 }
 
-// Places of the entities of chunks; how many places there are.
+// Sets the places of the entities of chunks; returns the number of places.
 std::int32_t place_all(const std::vector<Chunk>& chunks, Layout::Kind kind,
                        std::vector<std::int32_t>& place) {
   const int group = kind == Layout::kWalls ? 1 : kGroup;
@@ -57,7 +57,7 @@ std::int32_t place_all(const std::vector<Chunk>& chunks, Layout::Kind kind,
   return chunks.empty() ? 0 : chunks.back().end * group;
 }
 
-// The histories of chunks, one behind the other.
+// Lays the histories of chunks one behind the other.
 void place_points(std::vector<Chunk>& chunks, std::int32_t& numbers) {
   for (Chunk& chunk : chunks) {
     chunk.rows = contact::history_size(chunk.choice);
@@ -66,7 +66,7 @@ void place_points(std::vector<Chunk>& chunks, std::int32_t& numbers) {
   }
 }
 
-// The laws of chunks, one behind the other.
+// Lays the laws of chunks one behind the other.
 void place_laws(std::vector<Chunk>& chunks, std::int32_t& rows) {
   for (Chunk& chunk : chunks) {
     const std::int32_t groups = chunk.end - chunk.begin;
@@ -139,7 +139,7 @@ class Filler {
   void put(double* table, std::int32_t place, int rows, int row, double value) {
     table[l_.number(place, rows, row, 1)] = value;
   }
-  // Of joints and edges that fill up a group both sides are the ground.
+  // For joints and edges that fill up a group, both sides are the ground.
   [[nodiscard]] std::int32_t pose_of(BlockId block) const {
     return block == kGroundBlock ? t_.n_block : block;
   }
@@ -198,8 +198,8 @@ class Filler {
     }
   }
 
-  // Joints of each block in the model's order, then its links, sections and crossings: those of which it is side a, then b. Zone
-  // contacts.
+  // Lists for each block its joints in the model's order, then its links, sections and
+  // crossings: first those of which it is side a, then side b. Then lists its zone contacts.
   void fill_blocks() {
     std::int32_t next = 0, next_edge = 0;
     std::vector<std::vector<std::int32_t>> edges_of(static_cast<std::size_t>(m_.n_block));
@@ -310,7 +310,7 @@ Tables make_tables(const Layout& l, const Model& m, int walls, Memory& memory) {
   Tables t;
   t.lanes = l.kind == Layout::kWalls ? walls : 1;
   t.n_block = l.blocks;
-  // once to count, once to point
+  // first run: count; second run: point
   const auto lanes = static_cast<std::size_t>(t.lanes);
   std::size_t shared = 0, own = 0, ids = 0, law_paths = 0;
   const auto count = [&](auto*& table, std::size_t n) {

@@ -5,9 +5,9 @@
 //                wall: groups of 8
 //   kWalls       a wall              (e rows + r) walls + k                           walls side by side
 //
-// What others look up by an entity's number (poses, forces of joints, zones) lies in rows of four, all
-// of an entity together: (e 4 + c) walls + k. Joints come in runs of one law, one support and one number
-// of points; in groups of 8 the last is filled up with joints between the ground and itself, which rest.
+// Data that others look up by an entity's number (poses, forces of joints, zones) lie in rows of four, all
+// of an entity together: (e 4 + c) walls + k. Joints come in runs with the same law, support and number of
+// points. The last group of 8 is filled up with joints between the ground and itself, which carry nothing.
 //
 // Tables are pointers into one piece of memory for each type.
 #pragma once
@@ -22,7 +22,7 @@
 #include "wythe/parts/zone_shape.h"
 
 namespace wythe {
-struct Model;  // kernels do not know it
+struct Model;  // kernels do not include it
 }
 
 namespace wythe::dynamics {
@@ -70,7 +70,7 @@ enum BlockRow {
   kLoadM,
   kBlockRows
 };
-// Rows of a block that only the drive and the meters read; forces and totals of driven blocks alone.
+// Rows of a block that only drive and meters read. Forces and totals are set for driven blocks only.
 enum ColdRow {
   kMass,
   kInertia,
@@ -79,7 +79,7 @@ enum ColdRow {
   kTotalX,
   kTotalY,
   kTotalM,
-  kUnbalanced,  // of blocks driven in a pattern, 0 of others [N]
+  kUnbalanced,  // of blocks driven in a pattern; 0 of others [N]
   kColdRows
 };
 enum NodeRow {
@@ -94,7 +94,7 @@ enum NodeRow {
   kNodeMass,
   kNodeRows
 };
-// Rows of a link: what it remembers, its law, where it is.
+// Rows of a link: its history, its law, its place.
 enum LinkRowName {
   kLinkForce,
   kLinkPlastic,
@@ -103,7 +103,7 @@ enum LinkRowName {
   kLinkTension,
   kLinkCompression,
   kLinkPrestress,
-  kLinkJack,  // while it is driven in, else 0
+  kLinkJack,  // while a jack works, else 0
   kLinkArmAX,
   kLinkArmAY,
   kLinkArmBX,
@@ -113,7 +113,7 @@ enum LinkRowName {
   kLinkFollows,
   kLinkRows
 };
-// Rows of a section of a frame: what it remembers, where it is, its law.
+// Rows of a section of a frame: its history, its place, its law.
 enum FrameRowName {
   kFrameLeftSet,
   kFrameMiddleSet,
@@ -137,16 +137,16 @@ enum FrameRowName {
   kFrameMiddleYield,
   kFrameRows
 };
-// Rows of a node of a layer and of the fibres from it to the next: what it remembers, what follows from that, its law,
-// where it is.
+// Rows of a node of a layer and of the fibres from it to the
+// next node: history, values that follow from it, law, place.
 enum LayerRowName {
   kLayerSlip,
   kLayerReached,
   kLayerBroken,
   kLayerSecant,   // of its bond, from kLayerReached
   kLayerStretch,  // of the fibres, in this step
-  kLayerShift,    // how far the node went in it
-  kLayerFlex,     // how far it goes for a force out of balance [m/N]
+  kLayerShift,    // how far the node slips in the step
+  kLayerFlex,     // slip per unbalanced force [m/N]
   kLayerStiffness,
   kLayerStrength,
   kLayerEnergy,
@@ -162,12 +162,12 @@ enum LayerRowName {
 inline constexpr int kHistoryRows = static_cast<int>(contact::kHistory<double>.size());
 inline constexpr int kLawRows = static_cast<int>(contact::kConstants<double>.size());
 inline constexpr int kStrengths = contact::kStrengths, kOthers = kLawRows - kStrengths;
-// Numbers of a wall that every step brings along.
-// kTimeBefore: in which its present velocities have moved the wall; the time step, unless damping by mass has changed
-// them since.
+// Numbers of a wall that every step sets. kTimeBefore: the time in
+// which the present velocities have moved the wall. It is the time
+// step, unless damping by mass has changed the velocities since.
 enum WallRow { kDt, kDamping, kGravityX, kGravityY, kTimeBefore, kWallRows };
 
-// Runs of entities that one call of a kernel takes. Groups: of 8 neighbours, or single entities.
+// Runs of entities for one call of a kernel. A group is 8 neighbours, or a single entity.
 struct Chunk {
   std::int32_t begin = 0, end = 0;  // groups
   std::int32_t first = 0, n = 0;    // entities
@@ -175,9 +175,9 @@ struct Chunk {
   std::int32_t strengths = 0;       // first row of them in the table of laws
   std::int32_t others = 0;          // the same of the law's other numbers
   std::int32_t points = 0;          // of a face
-  std::int32_t rule = 0;            // where its points stand: into point_xi, point_weight
-  std::int32_t rows = 0;            // of history that their law remembers
-  std::int32_t history = 0;         // numbers of history before its first group, of one lane
+  std::int32_t rule = 0;            // places of its points: first index into point_xi, point_weight
+  std::int32_t rows = 0;            // of history of their law
+  std::int32_t history = 0;         // numbers of history, in one lane, before its first group
   bool on_ground = false;
   bool at_ends = false;        // two points, one at each end of the face
   bool graded = false;         // each group has strengths of its own (a field), not all the same
@@ -185,14 +185,14 @@ struct Chunk {
   contact::LawChoice choice;
 };
 
-// Loops of a step that have a kernel. A pass is written once (passes/*.h) and listed here.
+// Loops of a step with a kernel. A pass is written once (passes/*.h) and listed here.
 enum Pass { kJoints, kZones, kEdges, kBlocks, kNodes, kPasses };
 
-// Works of a chunk [J]: kGroup sums of each, for each wall, added up in order.
+// Works of a chunk [J]: kGroup sums of each term for each wall, added up in order.
 enum Term { kFriction, kFracture, kCrushing, kLoads, kDamped, kTerms };
 
 struct Tables {
-  std::ptrdiff_t lanes = 1;  // walls side by side; of neighbours 1
+  std::ptrdiff_t lanes = 1;  // walls side by side; 1 for neighbours
   int n_block = 0;           // number of the ground in `pose`
 
   // the same for all walls
@@ -206,36 +206,36 @@ struct Tables {
       special;  // of a group (item): a stage of some wall loads or drives one of its blocks
   std::int32_t *edge_block, *edge_p, *edge_q;
   std::int32_t *link_a, *link_b;    // poses of the two ends
-  std::int32_t *frame_a, *frame_b;  // the same of sections of frames
+  std::int32_t *frame_a, *frame_b;  // poses of the two ends of sections
   std::int32_t *layer_a, *layer_b,
-      *layer_crossing;  // the same of nodes of layers; row of their force, or -1
+      *layer_crossing;  // poses of nodes of layers; row of their force, or -1
   std::int32_t* corner[4];
   std::int32_t *node_zone_begin, *node_zone_entry, *node_edge_begin, *node_edge_entry;
   ZoneShape* shapes;
 
-  // each wall its own
-  double* law;      // of a chunk kStrengths rows and kOthers, or as many a group where they are
-                    // graded; of neighbours a number a lane
+  // for each wall
+  double* law;      // kStrengths rows and kOthers for each chunk, or for each group where they are
+                    // graded; for neighbours a number in each lane
   double* block;    // (n_block, kBlockRows); then the ground, at rest
   double* cold;     // (n_block, kColdRows)
   double* pose;     // rows of four: ux, uy, cos theta/2, sin theta/2; the ground's last
   double* history;  // (points, kHistoryRows)
   double* force;    // rows of four: fx, fy on side a, moments on a and b about their centroids;
-      // of joints, of links, of frames, of crossings of layers, then of free contacts: one a
+      // joints, links, frames, crossings of layers, then free contacts: one row for each
       // block
   double* link;              // (links, kLinkRows)
   double* frame;             // (sections of frames, kFrameRows)
   double* layer;             // (nodes of layers, kLayerRows)
   double* node;              // (n_node, kNodeRows)
-  double* zone_force;        // rows of four: forces on corners 0 and 1 of each zone; then, as
-  double* high_force;        // another table, those on 2 and 3
+  double* zone_force;        // rows of four: forces on corners 0 and 1 of each zone
+  double* high_force;        // the same for corners 2 and 3, in a table of its own
   double* edge_block_force;  // rows of four: fx, fy, moment on the rigid block
   double* edge_force;        // rows of four: on nodes p and q
   double* wall;              // (kWallRows)
   std::uint8_t *joint_law_path, *edge_law_path;  // that a face took in the last step (joints.h)
 };
 
-// How long each table is and which entity lies where.
+// The length of each table and the place of each entity.
 struct Layout {
   enum Kind { kNeighbours, kWalls };
 
@@ -246,22 +246,22 @@ struct Layout {
   // Of joint j, zone z, edge c: the place in its tables.
   std::vector<std::int32_t> joint_place, zone_place, edge_place;
 
-  // entities with those that fill up groups
+  // numbers of entities, with those that fill up groups
   std::int32_t joints = 0, zones = 0, edges = 0, blocks = 0, nodes = 0, links = 0, history = 0;
   std::int32_t sections = 0;               // of frames
   std::int32_t layers = 0, crossings = 0;  // nodes of layers; where their fibres cross a joint
   std::int32_t frees = 0;  // rows of forces of free contacts: blocks and the ground, or none
   std::int32_t laws = 0;   // rows
   std::size_t entries = 0, edge_entries = 0;
-  // of the model: places of a rule, entries of the lists of nodes, shapes of zones
+  // of the model: points of a quadrature, entries of the lists of nodes, shapes of zones
   std::size_t rule_points = 0, zone_entries = 0, contact_entries = 0, shapes = 0;
 
-  // Of entity e of a table of `rows`: number of row r; of its lane-wise neighbours 1 apart.
+  // Index of row r of entity e in a table of `rows`; neighbours in lanes have successive indices.
   [[nodiscard]] std::ptrdiff_t number(std::int32_t e, int rows, int row, int walls) const {
     if (kind == kWalls) return (static_cast<std::ptrdiff_t>(e) * rows + row) * walls;
     return (static_cast<std::ptrdiff_t>(e / kGroup) * rows + row) * kGroup + e % kGroup;
   }
-  // Number `k` of the law of entity n of a chunk of joints or edges.
+  // Index of number `k` of the law of entity n of a chunk of joints or edges.
   [[nodiscard]] std::ptrdiff_t law_number(const Chunk& chunk, int n, int k, int walls) const {
     const int group = kind == kWalls ? n : n / kGroup;
     const std::ptrdiff_t number =
@@ -270,7 +270,7 @@ struct Layout {
             : chunk.others + (chunk.graded_others ? group : 0) * kOthers + k - kStrengths;
     return kind == kWalls ? number * walls : number * kGroup + n % kGroup;
   }
-  // Row `row` of point k of entity n of a chunk of joints or edges.
+  // Index of row `row` of point k of entity n of a chunk of joints or edges.
   [[nodiscard]] std::ptrdiff_t point_number(const Chunk& chunk, int n, int k, int row,
                                             int walls) const {
     const int group = kind == kWalls ? n : n / kGroup;
@@ -280,7 +280,7 @@ struct Layout {
   }
 };
 
-// A vector that begins with a line of the cache, so that eight lanes never lie in two.
+// A vector that begins at a cache line, so that eight lanes never lie in two lines.
 template <class T>
 struct LineAllocator {
   using value_type = T;
@@ -303,8 +303,8 @@ struct Memory {
   Lines<std::uint8_t> law_paths;
 };
 
-// visit(pointer, count) for every table; own(pointer, count) for those that each wall has for itself,
-// counts of one wall. Whoever allocates and points follows this list.
+// Calls visit(pointer, count) for every table, and own(pointer, count) for tables of
+// each wall, with counts of one wall. Allocating and pointing both follow this list.
 template <class Visit, class Own>
 void each_table(const Layout& l, Tables& t, const Visit& visit, const Own& own) {
   const auto n = [](auto count) { return static_cast<std::size_t>(count); };
@@ -349,7 +349,7 @@ void each_table(const Layout& l, Tables& t, const Visit& visit, const Own& own) 
   own(t.layer, n(l.layers) * kLayerRows);
   own(t.node, n(l.nodes) * kNodeRows);
   own(t.zone_force, 4 * n(l.zones));
-  own(t.high_force, 4 * n(l.zones));  // right behind: lists of nodes go on into it
+  own(t.high_force, 4 * n(l.zones));  // right behind zone_force: lists of nodes reach into it
   own(t.edge_block_force, 4 * n(l.edges));
   own(t.edge_force, 4 * n(l.edges));
   own(t.pose, 4 * (n(l.blocks) + 1));
@@ -383,7 +383,7 @@ void point_tables(const Layout& l, Tables& t, Doubles* shared, Doubles* own, Ids
       });
 }
 
-// Tables in memory of this machine, filled with what all walls share; every wall at rest and without law.
+// Tables in memory of this machine, with the data that all walls share. Every wall is at rest and has no law.
 [[nodiscard]] Tables make_tables(const Layout& layout, const Model& model, int walls,
                                  Memory& memory);
 

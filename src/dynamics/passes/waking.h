@@ -6,7 +6,7 @@
 
 namespace wythe::dynamics {
 
-// All parts of all bodies whose boxes, widened by their margins, meet; without those whose joints still hold.
+// All parts of all bodies whose boxes overlap, widened by their margins, except pairs whose joints still hold.
 template <class Bodies>
 auto FreeContacts<Bodies>::find_near(double dt, const View& wall) -> std::vector<NearPair> {
   std::vector<Box> boxes;
@@ -40,7 +40,7 @@ void FreeContacts<Bodies>::search(double dt, const View& wall) {
   std::vector<WakeLimit> wake_limit;
   wake_limit.reserve(found.size());
   for (const NearPair& near : found) wake_limit.push_back({near.a, near.b});
-  // what is known of those that were there before
+  // keeps the data of pairs that were near before
   std::size_t next = 0;
   for (std::size_t k = 0; k < near_.size(); ++k) {
     NearPair& old = near_[k];
@@ -64,7 +64,7 @@ void FreeContacts<Bodies>::search(double dt, const View& wall) {
   ++searches_;
 }
 
-// Adds what the points of each body can have moved in the last step, at most.
+// Adds an upper bound of the motion of the points of each body in the last step.
 template <class Bodies>
 void FreeContacts<Bodies>::add_travel(double dt, const View& wall) {
   bool needs_search = false, finite = true;
@@ -79,16 +79,16 @@ void FreeContacts<Bodies>::add_travel(double dt, const View& wall) {
         travel.turned += turns;
         travel.place = now;
         needs_search |= travelled > margin_[at(body)];
-        finite &= travelled < 1e300;  // nor is what is no number
+        finite &= travelled < 1e300;  // false for NaN too
       });
   needs_search_ = needs_search_ || needs_search;
   finite_ = finite_ && finite;
 }
 
-// A pair whose time is up, by how its bodies have moved against each other.
+// Checks a pair whose time is up by the relative motion of its bodies.
 template <class Bodies>
 bool FreeContacts<Bodies>::stays_asleep(const NearPair& near, WakeLimit& wake_limit) const {
-  constexpr double kRounding = 1e-11;  // of what follows [m]
+  constexpr double kRounding = 1e-11;  // of the following terms [m]
   if (!(near.apart > 0)) return false;
   const Travel &a = travel_[at(near.a)], &b = travel_[at(near.b)];
   const Vector<double> drift = (b.place - a.place) - near.offset;
@@ -99,7 +99,7 @@ bool FreeContacts<Bodies>::stays_asleep(const NearPair& near, WakeLimit& wake_li
   return true;
 }
 
-// Which pairs may touch in this step, and where their bodies are.
+// Finds the pairs that may touch in this step, and stores the motion of their bodies.
 template <class Bodies>
 void FreeContacts<Bodies>::wake(const View& wall, Workers& workers) {
   constexpr std::size_t kBodyChunk = 256;

@@ -1,6 +1,6 @@
-// Copies a wall from its state to the tables and back. Both ways go through each_number(), which knows the place of
-// each field, so they agree; the assertions tie rows to the order of fields. In stages that cut openings, what does not
-// stand lies between the ground and itself, and its blocks keep still.
+// Copies a wall from its state to the tables and back. Both directions use each_number(), which knows the
+// place of each field, so they agree. Assertions tie rows to the order of fields. In stages that cut openings,
+// joints of blocks that do not stand lie between the ground and itself, and these blocks keep still.
 #include "dynamics/passes/wall.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ static_assert(row_of(&State::ux) == 0 && row_of(&State::uy) == 1 &&
               row_of(&State::vy) == kVy + 2 && row_of(&State::omega) == kOmega + 2 &&
               fields_of(Entity::kBlock) == kOmega + 3);
 
-// act(entity of the model, its number in the table) for all entities of a field.
+// Calls act(entity of the model, its number in the table) for all entities of a field.
 template <class Act>
 void each_number(const Layout& l, const Tables& t, const Model& m, const StateField& field,
                  const Act& act) {
@@ -41,7 +41,7 @@ void each_number(const Layout& l, const Tables& t, const Model& m, const StateFi
   if (field.entity == Entity::kFrameSet && m.standing.any())
     return plain(t.frame, m.frames.n, kFrameRows, kFrameAlong + row);
   if (field.entity == Entity::kLayerNode) return plain(t.layer, m.layers.n, kLayerRows, row);
-  if (field.entity != Entity::kPoint) return;  // of walls in space
+  if (field.entity != Entity::kPoint) return;  // only for walls in space
   const auto points = [&](const std::vector<Chunk>& chunks, std::size_t first, int per) {
     for (const Chunk& chunk : chunks)
       for (int n = 0; row < chunk.rows && n < chunk.n; ++n)
@@ -54,7 +54,7 @@ void each_number(const Layout& l, const Tables& t, const Model& m, const StateFi
   points(l.chunks[kEdges], static_cast<std::size_t>(m.n_point()), 2);
 }
 
-// The law of each entity of chunks; of one material to all alike, and a group is filled up with its last.
+// Loads the law of each entity of chunks: one material for the whole chunk, or each its own. The last one fills up a group.
 void load_laws(const Layout& l, const Tables& t, int lane, const Model& m,
                const std::vector<Chunk>& chunks, const std::vector<std::int32_t>& material) {
   const int group = l.kind == Layout::kWalls ? 1 : kGroup;
@@ -114,7 +114,7 @@ void load_frames(const WallView& wall, const Frames& frames) {
 }
 
 void load_layers(const WallView& wall, const Layers& layers) {
-  constexpr double kShare = 0.5;  // of what would bring a node into balance (22.7)
+  constexpr double kShare = 0.5;  // of the slip that would balance a node (22.7)
   double behind = 0;
   for (int k = 0; k < layers.n; ++k) {
     const auto put = [&](LayerRowName row, const std::vector<double>& of) {
@@ -169,7 +169,7 @@ void load_lane(const Layout& l, const Tables& t, int lane, const Model& m, const
   load_laws(l, t, lane, m, l.chunks[kEdges], m.solids.contact_material);
   for (const StateField& field : kStateFields)
     each_number(l, t, m, field, [&](std::size_t i, double* to) { to[lane] = (s.*field.array)[i]; });
-  // no face counts as undamaged any more
+  // from now on no face counts as undamaged
   std::fill_n(t.joint_law_path, l.joints * t.lanes, std::uint8_t{0});
   std::fill_n(t.edge_law_path, l.edges * t.lanes, std::uint8_t{0});
   const WallView wall = view_of(l, m, t, lane);

@@ -1,4 +1,4 @@
-// One wall of the tables, seen by what looks at a single wall: drive, loads, meters, copies of its state.
+// One wall of the tables, for code that handles a single wall: drive, loads, meters, copies of its state.
 #pragma once
 
 #include "dynamics/passes/tables.h"
@@ -6,16 +6,16 @@
 
 namespace wythe::dynamics {
 
-// Plain numbers. Entities that fill up a group of neighbours carry nothing
-// and stand still: a sum may run over them.
+// Entities that fill up a group of neighbours carry
+// nothing and do not move, so sums may include them.
 struct WallView {
   Tables t;
   std::ptrdiff_t lane = 0;
   int shift = 0, mask = 0;  // of an entity's number: its group, its place in it
   int blocks = 0, joints = 0, first_ground = 0, nodes = 0, edges = 0;
   int links = 0;                  // without those that fill up a group
-  int linked = 0;                 // rows of forces of links, with them
-  int frames = 0;                 // sections of frames, without them
+  int linked = 0;                 // rows of forces of links, with those that fill up a group
+  int frames = 0;                 // sections of frames, without those that fill up
   int layers = 0, crossings = 0;  // nodes of layers and where their fibres cross joints, likewise
   int first_crossing = 0;         // row of forces of the first
   int moving_blocks = 0;          // of the model: nodes are numbered behind them
@@ -59,18 +59,18 @@ struct WallView {
 // Loads a wall into a lane: its own numbers and its state. Its time step is still to be set.
 void load_lane(const Layout& layout, const Tables& tables, int lane, const Model& model,
                const State& state);
-// Of a wall alone in its tables whose stages cut openings: joints and sections of what does not stand in the state's
-// stage have no force, and its blocks keep still.
+// For a wall alone in its tables with stages that cut openings. Joints and sections of
+// blocks that do not stand in the state's stage get no force, and these blocks keep still.
 void stand(const Layout& layout, const Tables& tables, const Model& model, const State& state);
-// The latter alone, after a drive has chosen its blocks.
+// Only keeps those blocks still, after a drive has chosen its blocks.
 void hold_still(const WallView& wall, const Model& model, int stage);
 // Stores motion and history of a lane into the state's arrays.
 void store_lane(const Layout& layout, const Tables& tables, int lane, const Model& model,
                 State& state);
-// The pose of every block, from where it is.
+// Sets the pose of every block from its displacement and rotation.
 void turn_all(const WallView& wall);
 
-// What a step multiplies by: dt over each mass.
+// Sets the factors of a step: dt over each mass.
 WYTHE_INLINE void set_rates(const WallView& wall, double dt, double mass_scaling) {
   const auto rate = [&](double mass) { return mass > 0 ? dt / (mass * mass_scaling) : 0; };
   for (int i = 0; i < wall.blocks; ++i) {

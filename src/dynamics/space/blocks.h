@@ -14,8 +14,8 @@ struct Load {
   Vector<Real> f, m;
 };
 
-// Local damping: of force f against the rate v, as vectors (-lambda |f| v/|v|, knows no axes) or component by
-// component (the paper's); nothing where v is 0.
+// Local damping of force f against the rate v. Either as vectors, -lambda |f| v/|v|, which
+// is independent of axes, or component by component as in the paper. Zero where v is 0.
 template <class Real>
 [[nodiscard]] WYTHE_INLINE Vector<Real> damping_of(const Vector<Real>& f, const Vector<Real>& v,
                                                    Real lambda, bool components) {
@@ -28,7 +28,7 @@ template <class Real>
   return (minus * lambda * square_root(dot(f, f)) / pace) * v;
 }
 
-// Contact force on block i of wall `lane`: the joints of which it is side a, then those of which it is b.
+// Contact force on block i of wall `lane`: joints of which it is side a, then joints of which it is side b.
 WYTHE_INLINE Load<double> contact_load(const Tables& t, std::ptrdiff_t i, std::ptrdiff_t lane) {
   const auto of = [&](const double* rows, std::int32_t joint) {
     const double* row = rows + 4 * static_cast<std::ptrdiff_t>(joint) * t.lanes + lane;

@@ -17,8 +17,8 @@ struct DashpotState {
   std::vector<double> friction;                   // of each joint's law
   std::vector<Twist> before;                      // of blocks
   std::vector<contact::BlockLoads<double>> load;  // of joints
-  std::vector<Vec> support;                       // of each its velocity before the step
-  MaxwellStresses maxwell;                        // outlives the step
+  std::vector<Vec> support;                       // velocity of each support before the step
+  MaxwellStresses maxwell;                        // kept from step to step
 };
 
 inline DashpotState::Twist twist_of(std::ptrdiff_t i, const WallView& w) {
@@ -32,7 +32,7 @@ inline DashpotState::Twist twist_of(std::ptrdiff_t i, const WallView& w) {
   return {w.body_vector(i, kV), turned(q, body.rate(turned_back(q, w.body_vector(i, kL))))};
 }
 
-// Of a support in its last step.
+// Velocity of a support in the last step.
 inline Vec velocity_of(std::int32_t support, const WallView& w) {
   if (!w.is_driven_support(support)) return {0, 0, 0};
   const Vec step{w.wall_value(kSupportStep), w.wall_value(kSupportStep + 1),
@@ -52,7 +52,7 @@ inline void prepare_dashpots(const WallView& w, const Model& m, DashpotState& da
   for (int i = 0; i < m.space.n_support; ++i) dashpot_state.support[at(i)] = velocity_of(i, w);
 }
 
-// Viscous forces of a face whose gap and the gap's rate are known.
+// Viscous forces of a face with known gap and rate of the gap.
 template <class Face>
 contact::BlockLoads<double> damp_face(const Face& face, const contact::FaceGap<double>& rate,
                                       const Chunk& chunk, int n, const WallView& w, const Model& m,
@@ -147,7 +147,7 @@ inline void damp_joints(const WallView& w, const Model& m, const Controls& contr
         for (int p = m.space.point_begin[j];
              dashpot_state.maxwell.bears && p < m.space.point_begin[j + 1]; ++p)
           dashpot_state.maxwell.store(static_cast<std::size_t>(p), {0, 0, 0});
-        continue;  // a free contact has its place
+        continue;  // free contacts have their own dashpots
       }
       const contact::BlockLoads<double> l = damp_joint(chunk, n, w, m, controls, dashpot_state);
       dashpot_state.load[j] = l;
@@ -162,7 +162,7 @@ inline void damp_joints(const WallView& w, const Model& m, const Controls& contr
     }
 }
 
-// What the dashpots took in the step that is over [J].
+// Energy that the dashpots dissipated in the last step [J].
 inline double dashpot_work(const WallView& w, const Model& m, const DashpotState& dashpot_state,
                            double dt) {
   const auto at = [](std::int64_t i) { return static_cast<std::size_t>(i); };
@@ -187,7 +187,7 @@ inline double dashpot_work(const WallView& w, const Model& m, const DashpotState
   return dt * power;
 }
 
-// What the base does to mass that is no weight of its block; gravity holds the base's acceleration already.
+// Inertia force of mass that does not count as weight of its block. Gravity already contains the base acceleration.
 inline void add_carried(const WallView& w, const Model& m, const State& s) {
   const auto now = static_cast<std::size_t>(s.stage);
   if (now >= m.stages.size()) return;
@@ -196,7 +196,7 @@ inline void add_carried(const WallView& w, const Model& m, const State& s) {
     w.store_body_vector(w.body_vector(mass.block, kLoad) + mass.fx * base, mass.block, kLoad);
 }
 
-// Velocities fall as exp(-alpha t): the work of that in a step [J].
+// Reduces velocities as exp(-alpha t); returns the work of that in a step [J].
 inline double damp_by_mass(const WallView& w, double alpha, double dt) {
   const double kept = kept_by_mass(alpha, dt);
   double energy = 0;

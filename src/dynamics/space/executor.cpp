@@ -1,6 +1,6 @@
-// The step is Executor::step() (executors/processor.cpp). Joints and blocks run in chunks over all walls, zones wall by
-// wall. Works are kept for each chunk and added in a fixed order. Contacts need how far driven supports went in the
-// step before: where a stage tells that from its clock, a restart has the same bits.
+// The step is Executor::step() (executors/processor.cpp). Joints and blocks run in chunks over all walls,
+// zones wall by wall. Each chunk keeps its works, and they are added in a fixed order. Contacts need the step
+// that driven supports made before. Where a stage computes it from its clock, a restart has the same bits.
 #include "dynamics/space/executor.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace wythe::dynamics::space {
 namespace {
 
-// Of those that fill no more than the lanes, the widest.
+// The widest set that is no wider than the number of lanes.
 const KernelSet& kernels_for(int lanes, const KernelSet& most) {
   const KernelSet* widest = &scalar_kernels();
   for (const KernelSet* set : kernels_here())
@@ -37,7 +37,7 @@ class SpaceWallAccess final : public WallAccess {
     return space::shear_of(view_, model_, along) +
            (zones() != nullptr ? zones()->shear(view_, along) : 0.0);
   }
-  // Blocks first, then nodes.
+  // Blocks are checked first, then nodes.
   [[nodiscard]] BlockId runaway_block() const override {
     const BlockId block = space::runaway_of(view_);
     if (block >= 0 || zones() == nullptr) return block;
@@ -137,7 +137,7 @@ void SpaceProcessor::set(int lane, const Controls& controls) {
   wall.view.wall_value(kStep) = controls.dt;
   wall.view.wall_value(kLambda) = controls.damping;
   wall.view.wall_value(kTimeBefore) = time_before(controls);
-  // from the clock alone, where a stage says it: the same bits after a restart
+  // from the clock alone, if the stage gives it, so that a restart has the same bits
   if (std::isfinite(controls.drive_before))
     keep_support_step(wall, controls.drive_before);
   else if (!wall.has_stepped)
@@ -145,7 +145,7 @@ void SpaceProcessor::set(int lane, const Controls& controls) {
   if (!same || controls.dt == 0) set_rates(wall.view, controls.dt, controls.mass_scaling);
 }
 
-// How far driven supports go in a step, for the contacts of the next one.
+// Stores how far driven supports go in a step, for the contacts of the next step.
 void SpaceProcessor::keep_support_step(Wall& wall, double velocity) {
   const Controls& c = wall.controls;
   const Vec step = c.push == nullptr ? Vec{0, 0, 0} : (c.dt * velocity) * vec(c.push->drive());

@@ -1,5 +1,5 @@
-// Walls in space on this processor: one wall, its neighbours in the lanes of packs and its chunks shared by
-// threads; or walls side by side, one a lane. As executors/processor.h for plane walls.
+// Walls in space on this processor. Either one wall, with its neighbours in the lanes of packs and its chunks
+// shared by threads, or walls side by side, one in each lane. The counterpart of executors/processor.h.
 #pragma once
 
 #include <memory>
@@ -22,7 +22,7 @@ class SpaceBodies;
 
 class SpaceProcessor final : public Executor {
  public:
-  // Lanes 1, 2, 4 or 8; several threads for one wall only.
+  // `lanes`: 1, 2, 4 or 8. Several threads are possible for one wall only.
   SpaceProcessor(const Model& model, int lanes, int threads = 1,
                  const KernelSet& kernels = *kernels_here().back());
   ~SpaceProcessor() override;
@@ -41,7 +41,7 @@ class SpaceProcessor final : public Executor {
   [[nodiscard]] const State& state(int lane) const {
     return *wall_[static_cast<std::size_t>(lane)].state;
   }
-  // Motion, history and free contacts of the wall in a lane, into a state's own arrays.
+  // Copies motion, history and free contacts of the wall in a lane into the arrays of a state.
   void store_state(int lane, State& state) const;
   [[nodiscard]] const WallView& view(int lane) const {
     return wall_[static_cast<std::size_t>(lane)].view;
@@ -63,7 +63,7 @@ class SpaceProcessor final : public Executor {
     bool has_stepped = false;
     std::unique_ptr<ZoneRun> zones;  // null without deformable blocks
   };
-  // As many walls as one pack takes, with memory of their own.
+  // As many walls as one pack holds, with their own memory.
   struct Bank {
     Memory memory;
     Tables tables;
@@ -87,7 +87,7 @@ class SpaceProcessor final : public Executor {
   const State rest_;
   std::vector<Wall> wall_;
   std::vector<Bank> bank_;
-  std::unique_ptr<FreeContacts<SpaceBodies>> free_;  // of one wall alone
+  std::unique_ptr<FreeContacts<SpaceBodies>> free_;  // only for one wall alone
   Workers workers_;
 };
 

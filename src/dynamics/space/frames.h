@@ -1,5 +1,5 @@
-// The sections of frames in one wall in space (reading/space_frames.h). A wall has few, so they are taken one by one, as
-// links are.
+// The sections of frames in one wall in space (reading/space_frames.h).
+// A wall has few of them, so they are taken one by one, as links are.
 #pragma once
 
 #include "dynamics/space/wall.h"
@@ -7,13 +7,13 @@
 
 namespace wythe::dynamics::space {
 
-// Forces of all sections where the blocks are now; what yielding took [J].
+// Adds the forces of all sections in the present pose; returns the energy that yielding dissipated [J].
 inline double add_frame_forces(const WallView& w, const Model& m, State& s) {
   const Frames& f = m.frames;
   double yielded = 0;
   const auto pose_of = [&](BlockId i) { return contact::Pose<double>{w.shift(i), w.turn(i)}; };
   for (std::size_t k = 0; k < f.a.size(); ++k) {
-    if (!m.standing.joins(f.a[k], f.b[k], s.stage)) continue;  // it is not up yet
+    if (!m.standing.joins(f.a[k], f.b[k], s.stage)) continue;  // not put up yet
     const contact::BlockLoads<double> loads =
         reading::with_section(f, k, pose_of, [&](const auto& face) {
           reading::SpaceSectionJump jump = reading::section_jump_in_space(face.gap());

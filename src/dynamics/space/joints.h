@@ -1,5 +1,5 @@
-// Each joint face in space finds its stresses, advances its history and writes its own force. Geometry and
-// forces: contact/face_in_space.h; the law and its ways: as in the plane (passes/joints.h).
+// Each joint face in space evaluates its stresses, advances its history and writes its force. Geometry
+// and forces: contact/face_in_space.h. The law and its paths are as in the plane (passes/joints.h).
 #pragma once
 
 #include "contact/face_in_space.h"
@@ -15,9 +15,9 @@ template <class Real, class Access>
   return {access.shared(table, row), access.shared(table, row + 1), access.shared(table, row + 2)};
 }
 
-// Whether an undamaged point (contact/fast_paths.h) stays undamaged. Its shear (s1, s2) is compared with
-// the strength by squares, a little on the strict side, so that no root is taken and update() never slides where
-// this holds.
+// Whether an undamaged point (contact/fast_paths.h) stays undamaged. Squares of
+// its shear (s1, s2) and of the strength are compared, so that no root is needed.
+// The comparison is slightly strict, so update() never slides where it holds.
 template <class C, class Real>
 [[nodiscard]] WYTHE_INLINE bool_of_t<Real> stays_undamaged(const contact::LawConstants<C>& m,
                                                            Real w, Real s1, Real s2) {
@@ -42,7 +42,7 @@ struct Joints {
   Access access;
   const Chunk& chunk;
   double* history;      // from the run's first item on
-  const double* point;  // the same of its points
+  const double* point;  // data of its points, from the run's first item on
 
   WYTHE_INLINE Joints(const Tables& tables, Access lanes, const Chunk& run)
       : t(tables),
@@ -106,7 +106,7 @@ struct Joints {
     access.store_rows({l.on_b.x, l.on_b.y, l.on_b.z, zero}, t.moment_b, j);
   }
 
-  // A point: place, share of the area, opening and shear.
+  // A point: its place, its share of the area, opening and shear.
   struct Asked {
     Real r1, r2, share, w;
     contact::Shear<Real> shear;
@@ -156,7 +156,7 @@ struct Joints {
     sum.r2 = sum.r2 + p.r2 * f;
   }
 
-  // Forces of a face. An elastic step stores no history; after a step that changed it the full law comes at once.
+  // Forces of a face. An elastic step stores no history. After a step that changed history, the full law is taken at once.
   [[nodiscard]] WYTHE_INLINE contact::FaceLoad<Real> ask(std::ptrdiff_t j,
                                                          const contact::FaceGap<Real>& gap,
                                                          Work& work) const {
@@ -171,8 +171,8 @@ struct Joints {
     if (law_path == kOpen && elastic<false>(j, law, area, gap, sum)) return sum;
     return advance(j, law, area, gap, work);
   }
-  // Undamaged points (contact/fast_paths.h): no history is loaded, and only the opening is stored. False where a point
-  // does not stay undamaged.
+  // Undamaged points (contact/fast_paths.h): no history is loaded, and only the
+  // opening is stored. Returns false where a point does not stay undamaged.
   [[nodiscard]] WYTHE_INLINE bool undamaged(std::ptrdiff_t j,
                                             const contact::LawConstants<Real>& law, Real area,
                                             const contact::FaceGap<Real>& gap,
@@ -222,7 +222,7 @@ struct Joints {
     if constexpr (!closed) access.store_flag(t.law_path, j, any(open) ? kOpen : kClosed);
     return true;
   }
-  // The full law: the one place where history advances.
+  // The full law, the only place where history advances.
   WYTHE_OUTLINE contact::FaceLoad<Real> advance(std::ptrdiff_t j,
                                                 const contact::LawConstants<Real>& law, Real area,
                                                 const contact::FaceGap<Real>& gap,

@@ -1,4 +1,4 @@
-// The scalar kernels, and those that go with the plane's choice.
+// The scalar kernels, and the choice that matches that of the plane.
 #include "dynamics/space/kernels.h"
 
 #include <cstring>

@@ -17,7 +17,7 @@ struct KernelSet {
 };
 
 [[nodiscard]] const KernelSet& scalar_kernels();
-// All this processor has, narrowest first, as WYTHE_SIMD allows (executors/kernels.h).
+// All sets that this processor supports, narrowest first, as far as WYTHE_SIMD allows (executors/kernels.h).
 [[nodiscard]] const std::vector<const KernelSet*>& kernels_here();
 
 [[nodiscard]] const KernelSet& avx2_kernels();

@@ -1,6 +1,6 @@
-// As passes/plane_bodies.cpp, with facets for edges. Slip has three lengths: two along the facet, and the twist times
-// the radius of gyration of the cover (docs/theory/contacts.md, "Two parts in space"). Supports may be driven; their
-// velocity is that of the last step. A joint that gave way lies between what rests and itself, without an area.
+// As passes/plane_bodies.cpp, with facets instead of edges. Slip has three components: two along the facet, and the twist
+// times the radius of gyration of the contact area (docs/theory/contacts.md, "Two parts in space"). Supports may be driven;
+// their velocity is that of the last step. A released joint lies between the resting pose and itself, without an area.
 #include "dynamics/space/space_bodies.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ using contact::Facet;
 using contact::SpaceFrame;
 
 constexpr double kBoxMargin = 0.05;  // of boxes, over the mean size of a block
-constexpr double kSlop = 0.25;       // by how many bevels another face has to be better
+constexpr double kSlop = 0.25;       // another face is taken if it is better by so many bevels
 
 double length(const Vec& v) { return square_root(dot(v, v)); }
 
@@ -68,7 +68,7 @@ contact::FreeLaw SpaceBodies::law_of(std::int32_t a, std::int32_t b) const {
   return law;
 }
 
-// Supports may be driven; ground lies in the wall's axes.
+// Supports may be driven, so they have a pose; other ground has the wall's axes.
 SpaceFrame SpaceBodies::frame_of(std::int32_t body, const WallView& wall) const {
   const int support = body - m_.n_block;
   if (support >= m_.space.n_support) return {{0, 0, 0}, {1, {0, 0, 0}}};
@@ -104,9 +104,9 @@ double SpaceBodies::speed_of(std::int32_t body, const WallView& wall) const {
 }
 
 double SpaceBodies::turned_in(double dt, std::int32_t body, const WallView& wall) const {
-  constexpr double kMore = 1.05;  // damping by mass may have slowed blocks since they turned
+  constexpr double kMore = 1.05;  // in case damping by mass slowed blocks after they turned
   if (body >= m_.n_block) return 0;
-  // a momentum turns a body no faster than about the axis of its least inertia
+  // no body turns faster with this momentum than about its axis of least inertia
   double light = 0;
   for (int k = 0; k < 3; ++k) light = maximum(light, wall.body(body, kInverse + k));
   return kMore * dt * reach_[body] * light * length(wall.body_vector(body, kL));
@@ -120,7 +120,7 @@ Vec SpaceBodies::place_of(std::int32_t body, const WallView& wall) const {
   return frame_of(body, wall).at;
 }
 
-// Of driven supports in their last step.
+// Driven supports have the velocity of their last step.
 ForceMoment SpaceBodies::rates_of(std::int32_t body, const WallView& wall) const {
   if (const std::int32_t support = body - m_.n_block; support >= 0) {
     if (support >= m_.space.n_support || !(wall.wall_value(kStep) > 0)) return {};
@@ -206,13 +206,13 @@ SpaceBodies::SlipUpdate SpaceBodies::update_slip(FreePair& pair, const PairGeome
             z = turned(ref.turn, facet.z);
   const Vec origin = turned(ref.turn, facet.origin);  // from the reference's centroid
 
-  // how far `other` slid and twisted on the facet in the last step, where the pressure is
+  // slip and twist of `other` on the facet in the last step, at the centre of pressure
   const double over = overlap.force.z > 0 ? 1 / overlap.force.z : 0.0;
   const Vec arm = origin + (-overlap.moment.y * over) * x + (overlap.moment.x * over) * y;
   const Vec arm_other = ref.at + arm - other.at;
   const ForceMoment &of_ref = now_[of_a ? c.a : c.b].rates,
                     &of_other = now_[of_a ? c.b : c.a].rates;
-  // arms and axes as they were half a step ago, in the middle of that motion
+  // arms and axes half a step ago, in the middle of that motion
   const auto back = [&](const ForceMoment& rates, const Vec& r) {
     return r - (0.5 * dt) * cross(rates.m, r);
   };
@@ -223,7 +223,7 @@ SpaceBodies::SlipUpdate SpaceBodies::update_slip(FreePair& pair, const PairGeome
   const contact::FreeLaw& law = pair.law;
   const double normal = law.kn * overlap.force.z;
   pair.pressed = normal;
-  // A growing area takes the force with it, a shrinking one the slip: neither makes energy.
+  // A growing area increases the force, a shrinking one reduces the slip: neither creates energy.
   const double energy = shear_energy(c, law);
   const Vec held = law.ks * c.area * Vec{c.slip_x, c.slip_y, c.slip_z};
   if (overlap.cover > c.area && c.area > 0)
@@ -238,7 +238,7 @@ SpaceBodies::SlipUpdate SpaceBodies::update_slip(FreePair& pair, const PairGeome
     slip = kept;
   }
   c.slip_x = slip.x, c.slip_y = slip.y, c.slip_z = slip.z;
-  // the work of the step less what is stored of it
+  // the work of the step, less the part that is stored
   pair.friction += 0.5 * dot(held + stiff * slip, way) + (energy - shear_energy(c, law));
   pair.stored = law.kn * overlap.energy + shear_energy(c, law);
 
@@ -256,7 +256,7 @@ SpaceBodies::SlipUpdate SpaceBodies::update_slip(FreePair& pair, const PairGeome
   return {dt * dot(v, z), way, stiff * slip, arm, arm_other, x, y, z, radius};
 }
 
-// Of all directions the most, by the least inertia.
+// The largest over all directions, from the least inertia.
 double SpaceBodies::mobility(const FreeContact& c, const SlipUpdate& r) const {
   const bool of_a = c.feature >= 0;
   const auto of = [&](std::int32_t body, const Vec& arm) {
@@ -299,7 +299,7 @@ void SpaceBodies::clear_rows(const WallView& wall) const {
     std::fill_n(table + 4 * wall.first_free, 4 * rows, 0.0);
 }
 
-// One row a body; the last column of a row of forces sums the magnitudes that the unbalance asks for.
+// One row for each body. The last column sums the magnitudes that the unbalance needs.
 void SpaceBodies::add(std::int32_t a, std::int32_t b, const ForceMoment& on_a,
                       const ForceMoment& on_b, const WallView& wall) const {
   const auto put = [&](std::int32_t body, const ForceMoment& push) {
@@ -346,7 +346,7 @@ bool SpaceBodies::is_tilted(const Jump& jump) {
 }
 
 bool SpaceBodies::has_failed(JointId joint, const WallView& wall) const {
-  constexpr double kSlipped = 0.05;  // of the face's size; or opened, all of it
+  constexpr double kSlipped = 0.05;  // of the size of the face, for slip and opening
   const Jump jump = jump_of(joint, wall);
   const Vec& g = jump.gap.j;
   const double most = kSlipped * square_root(m_.area[joint]);
@@ -379,7 +379,7 @@ Vec SpaceBodies::gap_at(JointId joint, int point, const Jump& jump) const {
   return jump.gap.j + m_.space.point_r1[p] * jump.gap.a + m_.space.point_r2[p] * jump.gap.b;
 }
 
-// A joint that has tilted bears on an edge, whose points need not be damaged.
+// A tilted joint bears on an edge, whose points may be undamaged.
 bool SpaceBodies::holds(JointId joint, const WallView& wall) const {
   constexpr double kBroken = 0.999;  // damage of a point
   const auto law = contact::constants_of(m_.materials[m_.joint_material[joint]]);
@@ -436,7 +436,7 @@ void SpaceBodies::restore(const WallView& wall) const {
   }
 }
 
-// Between what rests and itself, without an area.
+// A released joint lies between the resting pose and itself, without an area.
 void SpaceBodies::release(JointId joint, const WallView& wall) const {
   const std::int32_t place = layout_.joint_place[joint];
   const bool on_support = m_.joint_a[joint] >= m_.n_block;
@@ -450,7 +450,7 @@ void SpaceBodies::release(JointId joint, const WallView& wall) const {
       history_number(joint, k, row, wall) = 0;
 }
 
-// Every other face takes the full law in the next step.
+// All other faces take the full law in the next step.
 void SpaceBodies::end_release(const WallView& wall) const {
   mark_released(wall.t.joint_b, wall.t.n_block, layout_.n_joint, width_, wall.t.law_path);
 }

@@ -1,5 +1,5 @@
-// Blocks in space as free contacts see them (passes/free_contacts.h): where they are, how two parts press and rub,
-// what their joints do and when these give way. As passes/plane_bodies.h.
+// Blocks in space as free contacts see them (passes/free_contacts.h): their poses, pressure and friction
+// between two parts, and the failure of their joints. The counterpart of passes/plane_bodies.h.
 #pragma once
 
 #include <vector>
@@ -21,14 +21,14 @@ class SpaceBodies {
     contact::SpaceFrame frame_a, frame_b;
   };
 
-  // `width`: of the packs that its joints lie in.
+  // `width` of the packs in which the joints lie.
   SpaceBodies(const Model& model, const Layout& layout, int width);
 
   [[nodiscard]] double margin() const { return margin_; }  // of boxes [m]
   [[nodiscard]] contact::FreeLaw law_of(std::int32_t a, std::int32_t b) const;
   [[nodiscard]] Box box_of(std::int32_t body, const WallView& wall) const;
   [[nodiscard]] double speed_of(std::int32_t body, const WallView& wall) const;
-  // each(body, where its centroid is now, what its points can have moved by its turning in the last step, at most).
+  // Calls each(body, place of its centroid, upper bound of the motion of its points by rotation in the last step).
   template <class Each>
   void for_each_travel(double dt, const WallView& wall, Each each) const {
     for (std::int32_t i = 0; i < m_.n_block + m_.free.n_fixed; ++i)
@@ -46,32 +46,32 @@ class SpaceBodies {
   [[nodiscard]] double fallen_height(BlockId block, const WallView& wall) const;
   [[nodiscard]] Vec place_of(std::int32_t body, const WallView& wall) const;
   [[nodiscard]] ForceMoment rates_of(std::int32_t body, const WallView& wall) const;
-  // A vector in a body's own axes, and back.
+  // Turns a vector to a body's own axes, and back.
   [[nodiscard]] Vec to_body_axes(std::int32_t body, const Vec& v, const WallView& wall) const;
   [[nodiscard]] Vec to_wall_axes(std::int32_t body, const Vec& v, const WallView& wall) const;
 
-  // Notes where a body is and how it moves: for all that follows, up to the rows of forces.
+  // Stores pose and velocity of a body for all later calls of the step.
   void cache_motion(std::int32_t body, const WallView& wall);
   [[nodiscard]] PairGeometry pair_geometry(const FreeContact& contact) const;
-  // Of what presses: the overlap less `rest`, which is crushed.
+  // The overlap less `rest`, the crushed part: this presses.
   [[nodiscard]] static Overlap overlap(const PairGeometry& pair_geometry, std::int32_t feature,
                                        double rest);
   [[nodiscard]] contact::Face face(const PairGeometry& pair_geometry, std::int32_t last) const;
   [[nodiscard]] static double stiffness(const contact::FreeLaw& law) { return law.kn; }
   [[nodiscard]] static double pressing(const Overlap& overlap) { return overlap.force.z; }
-  // Of a face, from a to b.
+  // Normal of a face, from a to b.
   [[nodiscard]] static Vec normal_of(const PairGeometry& pair_geometry, std::int32_t feature);
-  // The slip as seen along another face; gives the energy that has no part in it.
+  // Turns the slip to another face; returns the energy that is lost by this.
   [[nodiscard]] static double turn_slip(FreePair& pair, const PairGeometry& pair_geometry,
                                         std::int32_t to);
-  // What dashpots ask of a contact, as in the plane.
+  // Data of a contact for its dashpots, as in the plane.
   struct SlipUpdate {
     double opened;            // [m]
     Vec slid, held;           // along x, y and the twist times `radius` [m], [N]
     Vec ref, other, x, y, z;  // centre of pressure from both centroids; axes
     double radius;            // [m]
   };
-  // Friction of a step, then force and moments.
+  // Friction of a step, then forces and moments.
   SlipUpdate update_slip(FreePair& pair, const PairGeometry& pair_geometry, const Overlap& overlap,
                          double dt) const;
   // Contacts in space are taken one by one.
@@ -88,11 +88,11 @@ class SpaceBodies {
   [[nodiscard]] double mobility(const FreeContact& contact, const SlipUpdate& slip_update) const;
   static void spread(const ViscousForce& force, const SlipUpdate& slip_update, bool of_a,
                      ForceMoment& on_a, ForceMoment& on_b);
-  // As cache_motion() found them.
+  // Velocities stored by cache_motion().
   [[nodiscard]] const ForceMoment& rates_now(std::int32_t body) const {
     return now_[static_cast<std::size_t>(body)].rates;
   }
-  // The slip that gives a contact the joints' force on a along its face, as far as friction holds it.
+  // Gives the contact a slip whose force equals the joints' force on a along the face, up to friction.
   void take_over_shear(FreePair& pair, const Vec& on_a) const;
 
   void clear_rows(const WallView& wall) const;
@@ -101,26 +101,26 @@ class SpaceBodies {
 
   // The two bodies of a joint, sorted.
   [[nodiscard]] std::pair<std::int32_t, std::int32_t> sides_of(JointId joint) const;
-  // Whether it is displaced so far that it gives way if nothing holds; whether it holds.
+  // has_failed(): the displacement is so large that the joint fails if no point holds. holds(): a point holds.
   [[nodiscard]] bool has_failed(JointId joint, const WallView& wall) const;
   [[nodiscard]] bool holds(JointId joint, const WallView& wall) const;
   [[nodiscard]] ForceMoment joint_force(JointId joint, std::int32_t on, const WallView& wall) const;
   [[nodiscard]] double elastic_energy(JointId joint, const WallView& wall) const;
   void restore(const WallView& wall) const;                 // all joints
-  void release(JointId joint, const WallView& wall) const;  // it rests from now on
+  void release(JointId joint, const WallView& wall) const;  // no force from now on
   void end_release(const WallView& wall) const;
 
  private:
-  // By turning alone in the last step, what its points can have moved, at most [m].
+  // Upper bound of the motion of a body's points by rotation in the last step [m].
   [[nodiscard]] double turned_in(double dt, std::int32_t body, const WallView& wall) const;
-  // The gap of a joint, and how far its sides have turned against each other.
+  // The gap of a joint, and the rotation of its sides against each other.
   struct Jump {
     contact::FaceGap<double> gap;
     double tilt;  // sine of half the angle
   };
   [[nodiscard]] Jump jump_of(JointId joint, const WallView& wall) const;
   [[nodiscard]] static bool is_tilted(const Jump& jump);
-  // Of a point: number of a row of its history; the gap there.
+  // An entry of a point's history by its row; the gap at a point.
   [[nodiscard]] double& history_number(JointId joint, int point, int row,
                                        const WallView& wall) const;
   [[nodiscard]] int rows_of(JointId joint) const;
@@ -130,7 +130,7 @@ class SpaceBodies {
   [[nodiscard]] contact::SpaceFrame frame_of(std::int32_t body, const WallView& wall) const;
   [[nodiscard]] int points_of_face(JointId joint) const;
 
-  // Of a body in this step.
+  // A body in this step.
   struct Now {
     contact::SpaceFrame frame;
     ForceMoment rates;

@@ -63,7 +63,7 @@ void cut_blocks(const Model& m, Layout& l) {
   l.n_block = l.blocks.empty() ? 0 : l.blocks.back().end * l.group();
 }
 
-// Points each table into its memory: once to count, once to point.
+// Points each table into its memory: the first run counts, the second one points.
 struct Placed {
   double* numbers = nullptr;
   std::int32_t* ids = nullptr;
@@ -74,7 +74,7 @@ struct Placed {
   void take(std::int32_t*& table, std::size_t n) { put(table, ids, n_id, n); }
   void take(std::uint8_t*& table, std::size_t n) { put(table, law_paths, n_law_path, n); }
 
-  // While it counts there is no memory, and nothing may be added to null.
+  // In the run that counts, memory is null, and nothing may be added to a null pointer.
   template <class T>
   static void put(T*& table, T* memory, std::size_t& used, std::size_t n) {
     table = memory == nullptr ? nullptr : memory + used;
@@ -89,7 +89,7 @@ void place(const Layout& l, const Model& m, Tables& t, Placed& to) {
   const std::size_t group = l.grouped() ? kGroup : 1;
   to.take(t.face, joints * kFaceRows);
   to.take(t.point, static_cast<std::size_t>(l.points) * group);
-  to.take(t.axes, (blocks + kGroup) * kAxisRows);  // then what rests
+  to.take(t.axes, (blocks + kGroup) * kAxisRows);  // then those of the resting pose
   to.take(t.joint_a, joints);
   to.take(t.joint_b, joints);
   to.take(t.block_begin, blocks + 1);
@@ -111,7 +111,7 @@ void place(const Layout& l, const Model& m, Tables& t, Placed& to) {
   to.take(t.turn, 4 * (blocks + 1) * walls);
   to.take(t.support, 4 * static_cast<std::size_t>(m.space.n_support + 1) * walls);
   to.take(t.link, static_cast<std::size_t>(l.n_link) * kSpaceLinkRows * walls);
-  // of joints, of links, of free contacts: one a body; of contacts of zones
+  // of joints, links, free contacts (one for each body), and contacts of zones
   for (double** rows : {&t.force, &t.moment_a, &t.moment_b})
     to.take(*rows, 4 *
                        (joints + static_cast<std::size_t>(l.n_link + l.n_frame) + frees +
@@ -122,7 +122,7 @@ void place(const Layout& l, const Model& m, Tables& t, Placed& to) {
 
 void fill_joints(const Layout& l, const Model& m, Tables& t) {
   std::fill_n(t.joint_b, l.n_joint, t.n_block);
-  for (const Chunk& chunk : l.joints)  // what fills up a group rests: a pose, or a support
+  for (const Chunk& chunk : l.joints)  // entities that fill up a group are at rest
     std::fill_n(t.joint_a + chunk.begin * l.group(), (chunk.end - chunk.begin) * l.group(),
                 chunk.on_ground ? m.space.n_support : t.n_block);
   for (const Chunk& chunk : l.joints)
@@ -152,8 +152,8 @@ void fill_joints(const Layout& l, const Model& m, Tables& t) {
     }
 }
 
-// Of each block its joints in the model's order, then its links: those of which it is side a, with the
-// contacts of zones, then b.
+// Lists for each block its joints in the model's order, then its links: first
+// those of which it is side a, with the contacts of zones, then side b.
 void fill_blocks(const Layout& l, const Model& m, Tables& t) {
   std::int32_t next = 0;
   const auto add = [&](const std::vector<BlockId>& side, BlockId block, std::int32_t first) {

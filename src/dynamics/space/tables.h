@@ -1,5 +1,5 @@
 // Where the numbers of a step in space lie: tables of rows as in the plane (passes/tables.h), for one wall or
-// for walls side by side. Groups, chunks and ways are the same; the rows are those of bodies and faces.
+// for walls side by side. Groups, chunks and paths are the same. Only the rows of bodies and faces differ.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ enum BodyRow {
 enum StillRow {
   kBodyMass,
   kBodyInertia,       // about the principal axes
-  kContact = 4,       // force of its joints: driven blocks alone
+  kContact = 4,       // force of its joints: driven blocks only
   kTotal = 7,         // with weight and loads
   kTotalMoment = 10,  //
   kLacking = 13,      // of blocks driven in a pattern
@@ -37,7 +37,7 @@ enum StillRow {
 };
 // Last of the four of a support: 1 while a stage drives it.
 inline constexpr int kDriven = 3;
-// Rows of a link: those of the plane, and the third components.
+// Rows of a link beside those of the plane: the third components.
 enum LinkRow { kLinkArmAZ = kLinkRows, kLinkArmBZ, kLinkSpanZ, kSpaceLinkRows };
 inline constexpr int kAxisRows = 9;  // three principal axes at the start
 
@@ -48,23 +48,23 @@ struct Tables {
 
   // the same for all walls
   double *face = nullptr, *point = nullptr, *axes = nullptr;
-  std::int32_t *joint_a = nullptr, *joint_b = nullptr;  // poses; on a support a is its number
+  std::int32_t *joint_a = nullptr, *joint_b = nullptr;  // poses; side a on a support: its number
   std::int32_t *block_begin = nullptr, *block_middle = nullptr, *block_entry = nullptr;
   std::int32_t *link_a = nullptr, *link_b = nullptr;  // poses of the two ends
   std::int32_t* special =
       nullptr;  // of an item: a stage of some wall loads or drives one of its blocks
 
-  // each wall its own
+  // for each wall
   double *law = nullptr, *body = nullptr, *still = nullptr, *history = nullptr, *wall = nullptr;
   double *shift = nullptr, *turn = nullptr;  // rows of four: u and w of the turn; its x, y, z
-  double* support = nullptr;  // rows of four: how far it was driven, and kDriven; the last rests
+  double* support = nullptr;  // rows of four: displacement and kDriven; the last is at rest
   double* link = nullptr;     // (links, kSpaceLinkRows)
   double *force = nullptr, *moment_a = nullptr,
          *moment_b =
-             nullptr;  // rows of four: of joints, links, frames, free contacts, contacts of zones
+             nullptr;  // rows of four: joints, links, frames, free contacts, contacts of zones
   std::uint8_t* law_path = nullptr;
 };
-// Numbers of a wall that every step brings along; kTimeBefore as in the plane, kSupportStep how far driven supports move.
+// Numbers of a wall that every step sets. kTimeBefore as in the plane; kSupportStep: how far driven supports move.
 enum WallRow { kStep, kLambda, kGravity, kTimeBefore = 5, kSupportStep, kWallRows = 9 };
 
 struct Layout {
@@ -81,13 +81,13 @@ struct Layout {
 
   [[nodiscard]] bool grouped() const { return kind == dynamics::Layout::kNeighbours; }
   [[nodiscard]] int group() const { return grouped() ? kGroup : 1; }
-  // Of entity e of a table of `rows`: number of row r.
+  // Index of row r of entity e in a table of `rows`.
   [[nodiscard]] std::ptrdiff_t number(std::ptrdiff_t e, int rows, int row,
                                       std::ptrdiff_t walls) const {
     if (!grouped()) return (e * rows + row) * walls;
     return (e / kGroup * rows + row) * kGroup + e % kGroup;
   }
-  // Row `row` of `rows` of point k of entity n of a chunk, in a table whose numbers of it begin at `first`.
+  // Index of row `row` of `rows` of point k of entity n of a chunk; `first` is the first index of the chunk.
   [[nodiscard]] std::ptrdiff_t point_number(const Chunk& chunk, std::ptrdiff_t first, int n, int k,
                                             int rows, int row, std::ptrdiff_t walls) const {
     const std::ptrdiff_t number = first + (n / group() * chunk.points + k) * rows + row;
@@ -101,7 +101,7 @@ struct Memory {
   std::vector<std::uint8_t> law_paths;
 };
 
-// Tables filled with what all walls share; every wall at rest and without law.
+// Tables with the data that all walls share. Every wall is at rest and has no law.
 [[nodiscard]] Tables make_tables(const Layout& layout, const Model& model, int walls,
                                  Memory& memory);
 

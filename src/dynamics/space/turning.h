@@ -1,4 +1,4 @@
-// How a free body turns in a step, forwards and back (docs/theory/space.md, "Motion").
+// Rotation of a free body in a step, forwards and back (docs/theory/space.md, "Motion").
 #pragma once
 
 #include "contact/face_in_space.h"
@@ -7,7 +7,7 @@
 
 namespace wythe::dynamics::space {
 
-// Principal axes, at the start, and 1 / inertia about them.
+// Principal axes at the start, and 1 / inertia about them.
 template <class Real>
 struct Inertia {
   Vector<Real> axis[3];
@@ -46,8 +46,8 @@ template <class Real>
   return {length * q.w, length * q.v};
 }
 
-// The pose of body id[item] in the step before: what its velocity and angular momentum have done since, undone. The five
-// rotations of spin() read the same from their end, so this is exact to rounding.
+// The pose of body id[item] in the step before: undoes the motion by its velocity and angular
+// momentum. The five rotations of spin() are symmetric, so undoing them is exact up to rounding.
 template <class Access, class Real = typename Access::Real>
 [[nodiscard]] WYTHE_INLINE contact::Pose<Real> pose_before(const Tables& t, const Access& access,
                                                            const std::int32_t* id,

@@ -1,6 +1,6 @@
-// Copies one wall in space from its state to the tables and back, both by each_number(), and holds its loads, links,
-// drive and meters. A drive moves blocks in fixed shares, each block alike, or supports. The reaction of supports adds
-// up joints, free contacts and zones. Works use the mean of the velocities before and after a step.
+// Copies one wall in space from its state to the tables and back, both by each_number(), and contains its loads,
+// links, drive and meters. A drive moves blocks in fixed shares, each block alike, or supports. The reaction of
+// supports sums joints, free contacts and zones. Works use the mean of the velocities before and after a step.
 #include "dynamics/space/wall.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace wythe::dynamics::space {
 namespace {
 
-// act(array of the state, entity, number in the tables) for all that a step keeps of a wall.
+// Calls act(array of the state, entity, index in the tables) for all numbers that a step keeps of a wall.
 template <class S, class Act>
 void each_number(const WallView& w, const Model& m, S& s, const Act& act) {
   const Layout& l = *w.layout;
@@ -93,7 +93,7 @@ void load_links(const WallView& w, const Links& links) {
 
 double length(const Vec& v) { return square_root(dot(v, v)); }
 
-// Forces on block i: of its joints, and with dead loads and gravity.
+// Forces on block i: those of its joints, and the total with dead loads and gravity.
 Load<double> sum_forces(std::ptrdiff_t i, const WallView& w) {
   const Load<double> contact = contact_load(w.t, i, w.lane);
   const Load<double> total{
@@ -115,7 +115,7 @@ Inertia<double> inertia_of(std::ptrdiff_t i, const WallView& w) {
   return body;
 }
 
-// Radius of gyration, the mean of all axes: what a moment or a rate of rotation is measured by.
+// Mean radius of gyration over all axes, which converts moments and rates of rotation.
 double radius_of(std::ptrdiff_t i, const WallView& w) {
   const Vec inertia = w.still_vector(i, kBodyInertia);
   return square_root((inertia.x + inertia.y + inertia.z) / (3 * w.still(i, kBodyMass)));
@@ -123,7 +123,7 @@ double radius_of(std::ptrdiff_t i, const WallView& w) {
 
 const std::vector<BlockId> kNone;
 
-// Supports move together; the reaction is what their joints do to them.
+// Supports move together. The reaction is the force of their joints on them.
 double drive_supports(const Stage& push, const WallView& w, double velocity, WallWork& work) {
   const Vec p{push.drive_x, push.drive_y, push.drive_z};
   const double dt = w.wall_value(kStep);
@@ -158,14 +158,14 @@ double drive_supports(const Stage& push, const WallView& w, double velocity, Wal
       const double along[3] = {p.x, p.y, p.z};
       w.column_of(w.t.support, id - w.blocks, c) += dt * velocity * along[c];
     }
-  // as of blocks, the mean of the steps before and after
+  // the mean of the steps before and after, as for blocks
   const Vec before{w.wall_value(kSupportStep), w.wall_value(kSupportStep + 1),
                    w.wall_value(kSupportStep + 2)};
   work.drive += reaction * 0.5 * (dot(before, p) + velocity * dt);
   return reaction;
 }
 
-// What the drive leaves free of a block: across the push, and its rotation.
+// Motion of a block that the drive leaves free: across the push, and rotation.
 struct Free {
   Vec v, mean_v, l, mean_rate;
   double damping;
@@ -213,7 +213,7 @@ WallView view_of(const Layout& layout, const Model& model, const Tables& tables,
 }
 
 void load_lane(const WallView& w, const Model& m, const State& s) {
-  // a history from outside: no face counts as undamaged (passes/joints.h)
+  // the history comes from outside, so no face counts as undamaged (passes/joints.h)
   std::fill_n(w.t.law_path, static_cast<std::ptrdiff_t>(w.layout->n_joint) * w.t.lanes,
               std::uint8_t{0});
   load_laws(w, m);
@@ -245,7 +245,7 @@ void stand(const WallView& w, const Model& m, const State& s) {
     const std::int32_t place = w.layout->joint_place[j];
     const BlockId a = m.joint_a[j], b = m.joint_b[j];
     const bool on_ground = j >= m.n_pair, stands = m.standing.joins(a, b, s.stage);
-    // else between what rests and itself, without an area
+    // else between the resting pose and itself, without an area
     const std::int32_t resting = on_ground ? m.space.n_support : w.t.n_block;
     w.t.joint_a[place] = !stands ? resting : on_ground ? a - m.n_block : a;
     w.t.joint_b[place] = stands ? b : w.t.n_block;
@@ -334,13 +334,13 @@ void add_load(const PointLoad& load, double scale, const WallView& w) {
                       kLoadMoment);
 }
 
-// As add_link_forces() in the plane (passes/links.h); the forces lie behind those of the joints.
+// As add_link_forces() in the plane (passes/links.h). The forces lie behind those of the joints.
 LinkWork add_link_forces(const WallView& w, double set, double jacked) {
   LinkWork work;
   for (int k = 0; k < w.links; ++k) {
     const auto of = [&](int row) { return w.link(k, row); };
     const std::int32_t ia = w.t.link_a[k], ib = w.t.link_b[k];
-    if (ib == w.t.n_block) continue;  // what it joins does not stand
+    if (ib == w.t.n_block) continue;  // one of its ends does not stand
     const contact::SpaceLinkEnd a = contact::link_end(
         w.shift(ia), w.turn(ia), Vec{of(kLinkArmAX), of(kLinkArmAY), of(kLinkArmAZ)});
     const contact::SpaceLinkEnd b = contact::link_end(
@@ -374,8 +374,8 @@ LinkWork add_link_forces(const WallView& w, double set, double jacked) {
   return work;
 }
 
-// As drive_blocks() in the plane (passes/drive.h): forces R r_i in fixed shares, of which only the mean of the
-// velocities with these shares is prescribed; or each block at the prescribed velocity.
+// As drive_blocks() in the plane (passes/drive.h). Either forces R r_i in fixed shares, with a
+// prescribed mean of the velocities in these shares, or each block at the prescribed velocity.
 double drive(const Stage& push, const WallView& w, double velocity, WallWork& work) {
   if (!push.driven.empty() && push.driven.front() >= w.blocks)
     return drive_supports(push, w, velocity, work);

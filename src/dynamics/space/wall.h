@@ -1,5 +1,5 @@
-// One wall in space among the tables, seen by what looks at a single wall: loads, drive, meters, copies of its
-// state (as passes/wall.h, drive.h and sums.h in the plane).
+// One wall in space among the tables, for code that handles a single wall: loads, drive,
+// meters, copies of its state. The counterpart of passes/wall.h, drive.h and sums.h.
 #pragma once
 
 #include "dynamics/passes/drive.h"
@@ -20,7 +20,7 @@ struct WallView {
   std::ptrdiff_t lane = 0;
   int blocks = 0, supports = 0, links = 0;
   int first_free = -1;  // row of forces of body 0's free contacts; -1: none
-  int bodies = 0;       // with fixed ones, that have such rows
+  int bodies = 0;       // number of bodies with such rows, fixed ones included
   const std::vector<BlockId>* contact_block = nullptr;  // of the contacts of zones
 
   [[nodiscard]] double& number(double* table, int rows, std::ptrdiff_t e, int row) const {
@@ -72,19 +72,19 @@ struct WallView {
 
 [[nodiscard]] WallView view_of(const Layout& layout, const Model& model, const Tables& tables,
                                int lane);
-// A wall takes a lane: what it has for itself and where it is. Its time step is still to be set.
+// Loads a wall into a lane: its own numbers and its state. Its time step is still to be set.
 void load_lane(const WallView& wall, const Model& model, const State& state);
-// Of a wall alone in its tables whose stages cut blocks out: joints and links of what does not stand in the state's
-// stage have no force, and its blocks keep still (as in the plane).
+// For a wall alone in its tables with stages that cut blocks out. Joints and links of blocks that
+// do not stand in the state's stage get no force, and these blocks keep still (as in the plane).
 void stand(const WallView& wall, const Model& model, const State& state);
-// The latter alone, after a drive has chosen its blocks.
+// Only keeps those blocks still, after a drive has chosen its blocks.
 void hold_still(const WallView& wall, const Model& model, int stage);
-// The forces that hold the neighbours of what was cut out, at `share` (23.2).
+// Sets the forces that hold the neighbours of cut-out blocks, at `share` (23.2).
 void release(const WallView& wall, const State& state, double share);
-// Its motion and history, into the state's own arrays.
+// Stores motion and history of a lane into the state's arrays.
 void store_lane(const WallView& wall, const Model& model, State& state);
 
-// Where block i was in the step before (turning.h).
+// Pose of block i in the step before (turning.h).
 [[nodiscard]] contact::Pose<double> pose_before(std::ptrdiff_t i, const WallView& wall);
 void set_rates(const WallView& wall, double dt, double mass_scaling);
 // Marks the blocks that the drive moves.
@@ -92,18 +92,18 @@ void choose_driven(const WallView& wall, const std::vector<BlockId>& blocks);
 void clear_load(BlockId block, const WallView& wall);
 void add_load(const PointLoad& load, double scale, const WallView& wall);
 
-// Forces of all links where the blocks are now; `set`: share of their prestress in force, `jacked`: of the force of
-// jacks at work, below 0 where there are none.
+// Adds the forces of all links in the present pose. `set`: the present share of their
+// prestress. `jacked`: the share of the jacks' force, below 0 where no jack works.
 [[nodiscard]] LinkWork add_link_forces(const WallView& wall, double set, double jacked);
 
 // Moves the driven blocks, or supports, and returns the reaction [N].
 [[nodiscard]] double drive(const Stage& push, const WallView& wall, double velocity,
                            WallWork& work);
 
-// The meters (sums.h); forces as vectors, so that they know no axes.
+// The meters (sums.h). Forces count as vectors, so that axes have no influence.
 [[nodiscard]] double unbalance_of(const WallView& wall, const Model& model, const ZoneRun* zones);
 [[nodiscard]] double kinetic_of(const WallView& wall, double mass_scaling);
-// Of the supports that no stage drives: what a drive of the others is held against.
+// Base shear of the supports that no stage drives, to compare with the force of a drive.
 [[nodiscard]] double shear_of(const WallView& wall, const Model& model, const Vec3& along);
 [[nodiscard]] BlockId runaway_of(const WallView& wall);
 [[nodiscard]] Furthest furthest_of(const WallView& wall);

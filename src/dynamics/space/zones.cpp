@@ -1,6 +1,6 @@
-// Each step: forces of zones on their corners, the law at contacts with rigid blocks, then nodes (docs/theory/zones.md,
-// 8.13 to 8.15). Zones and contacts write rows of their own, and each node gathers them in a fixed order, so that
-// threads change no bit. The gap of the step before is asked for only where a point slips.
+// Each step computes forces of zones on their corners, the law at contacts with rigid blocks, then nodes
+// (docs/theory/zones.md, 8.13 to 8.15). Zones and contacts write rows of their own. Each node sums them in a
+// fixed order, so that threads change no bit. The gap of the step before is computed only where a point slips.
 #include "dynamics/space/zones.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ constexpr int kZoneChunk = 32, kContactChunk = 32, kNodeChunk = 256;
 
 int chunks_of(int n, int chunk) { return (n + chunk - 1) / chunk; }
 
-// act(i, chunk) for i = 0 .. n-1, chunk by chunk.
+// Calls act(i, chunk) for i = 0 .. n-1, chunk by chunk.
 template <class Act>
 void each(Workers* workers, int n, int size, const Act& act) {
   const auto work = [&](int chunk) {
@@ -84,7 +84,7 @@ void ZoneRun::deform(Workers* workers) {
   });
 }
 
-// A contact as its rigid block and its nodes stand: the turned face and the side.
+// Geometry of a contact for the present rigid block and nodes: the turned face and the side.
 struct ZoneRun::ContactGeometry {
   contact::Pose<double> pose;
   Vec t1, t2, n, node[4];
@@ -101,7 +101,7 @@ ZoneRun::ContactGeometry ZoneRun::contact_geometry(std::size_t c, const contact:
   return m;
 }
 
-// A point of it: from a's centroid, and how far the side is from the face.
+// A point of it: its place from a's centroid, and the gap between side and face.
 ZoneRun::ContactMotion ZoneRun::contact_motion(std::size_t c, std::size_t p,
                                                const ContactGeometry& m) const {
   const double* share = &s_.node_share[4 * (p - static_cast<std::size_t>(s_.point_begin.front()))];
@@ -114,7 +114,7 @@ ZoneRun::ContactMotion ZoneRun::contact_motion(std::size_t c, std::size_t p,
   return {arm + swung + jump, {dot(jump, m.t1), dot(jump, m.t2), dot(jump, m.n)}};
 }
 
-// The same in the step before; supports as in joints.h.
+// The same in the step before; for supports see joints.h.
 ZoneRun::ContactGeometry ZoneRun::contact_geometry_before(std::size_t c, const WallView& w) const {
   const double dt = w.wall_value(kTimeBefore);
   const BlockId block = s_.contact_block[c];
@@ -127,7 +127,7 @@ ZoneRun::ContactGeometry ZoneRun::contact_geometry_before(std::size_t c, const W
   return contact_geometry(c, {{moved(0), moved(1), moved(2)}, {1, {0, 0, 0}}}, dt);
 }
 
-// The points of one contact through the law of variant V.
+// Evaluates the law of variant V at the points of one contact.
 template <class V>
 void ZoneRun::ask(std::size_t c, const WallView& w, JointWork<double>& work) {
   const contact::LawConstants<double>& law = law_[s_.contact_material[c]];

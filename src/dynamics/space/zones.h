@@ -7,8 +7,8 @@
 //   j = x_side - x_face,  w = j . n,  s = (j . t1, j . t2)     with n, t1, t2 turned by a
 //   f = area share (sigma n + tau1 t1 + tau2 t2) on a at x_side, -f share_k on the side's nodes
 //
-// One wall at a time, whether it steps alone or in a lane: no bit depends on its neighbours. Chunks are fixed, so
-// that none depends on the threads either.
+// One wall at a time, alone or in a lane, so no bit depends on other
+// walls. Chunks are fixed, so no bit depends on threads either.
 #pragma once
 
 #include <vector>
@@ -28,11 +28,11 @@ class ZoneRun {
   void deform(Workers* workers);                       // forces of the zones on their nodes
   void press(const WallView& wall, Workers* workers);  // the law between zones and rigid blocks
   void move(const WallView& wall, double dt, double mass_scaling, Workers* workers);
-  // Works of the last step into the ledger.
+  // Adds the works of the last step to the ledger.
   void tell(State& state) const;
 
-  // The meters, as those of blocks (wall.h).
-  [[nodiscard]] double unbalanced() const;  // sum of what nodes lack of balance [N]
+  // The meters, as for blocks (wall.h).
+  [[nodiscard]] double unbalanced() const;  // sum of the unbalanced forces of nodes [N]
   [[nodiscard]] double pressed(
       const WallView& wall) const;  // sum of the forces of contacts, on both sides [N]
   [[nodiscard]] double kinetic(double mass_scaling) const;
@@ -50,7 +50,7 @@ class ZoneRun {
   struct ContactMotion {
     Vec arm, gap;  // gap along t1, t2 and n
   };
-  // With the nodes where they were a time `back` ago.
+  // Geometry with the nodes in their place of a time `back` ago.
   [[nodiscard]] ContactGeometry contact_geometry(std::size_t contact,
                                                  const contact::Pose<double>& pose,
                                                  double back) const;

@@ -1,6 +1,6 @@
-// What is put up goes where it fits its neighbours (23.3). What its joints, sections and links have there counts as
-// without stress, and a gap opens only after its joints are free. Then a step of almost no length tells what each
-// touched block lacks of balance (23.1). Stored energy that left goes into work_loads, so the ledger closes.
+// New blocks are placed where they fit their neighbours (23.3). Their joints, sections and links start without
+// stress, and a gap opens only after its joints are released. Then a step of almost no length gives the unbalanced
+// force of each touched block (23.1). Stored energy of removed masonry goes into work_loads, so the ledger closes.
 #include "dynamics/stages/cutting.h"
 
 #include <algorithm>
@@ -36,14 +36,14 @@ Moved2 moved_at(const State& s, BlockId block, double arm_x, double arm_y) {
   return {end.moved_x, end.moved_y};
 }
 
-// Of three equations with a symmetric matrix, by Cramer's rule.
+// Solves three equations with a symmetric matrix by Cramer's rule.
 Vec3 solved(const Vec3 (&m)[3], const Vec3& right) {
   const double whole = dot(m[0], cross(m[1], m[2]));
   return {dot(right, cross(m[1], m[2])) / whole, dot(m[0], cross(right, m[2])) / whole,
           dot(m[0], cross(m[1], right)) / whole};
 }
 
-// What is put up in a stage: its blocks, and what of them is the same in the plane and in space.
+// The blocks that a stage puts up, and the parts of placing them that are the same in the plane and in space.
 class PutUp {
  protected:
   PutUp(const Model& model, State& state) : m_(model), s_(state), stage_(state.stage) {
@@ -75,10 +75,10 @@ class PutUp {
   const Model& m_;
   State& s_;
   int stage_;
-  std::map<BlockId, std::vector<BlockId>> groups_;  // that are placed together
+  std::map<BlockId, std::vector<BlockId>> groups_;  // sets of blocks that are placed together
 
  private:
-  // A segment of a frame is placed by itself; a lintel or sill is one stiff body, held together by its chain.
+  // A segment of a frame is placed by itself. A lintel or sill is placed as one stiff body, joined by its chain.
   void find_groups() {
     std::vector<BlockId> group(static_cast<std::size_t>(m_.n_block));
     for (BlockId i = 0; i < m_.n_block; ++i) group[i] = i;
@@ -95,7 +95,7 @@ class PutUp {
   }
 };
 
-// What is put up in a stage, on its way to where it fits.
+// Places the blocks that a stage puts up where they fit.
 class Fitter : PutUp {
  public:
   Fitter(const Model& model, State& state) : PutUp(model, state) {}
@@ -103,15 +103,15 @@ class Fitter : PutUp {
   void fit() {
     find_mean();
     for (const auto& [group, blocks] : groups_) place(blocks);
-    release_joints();  // before the gap, which opens from there
+    release_joints();  // before the gap opens: it is measured from here
     move_by_gaps();
     release_sections();
     let_go_of_links();
   }
 
  private:
-  // act(new block, place seen from its centroid, displacement of the neighbour there, tangent, weight) at every point
-  // where something new meets what stands.
+  // Calls act(new block, place seen from its centroid, displacement of the neighbour
+  // there, tangent, weight) at every point where a new block touches a standing one.
   template <class Act>
   void each_meeting(const Act& act) const {
     for (std::size_t j = 0; j < static_cast<std::size_t>(m_.n_joint); ++j) {
@@ -140,8 +140,8 @@ class Fitter : PutUp {
     if (sum > 0) mean_.x /= sum, mean_.y /= sum;
   }
 
-  // Displacement (u, v) and turn of a stiff body that fits its neighbours best: in the mean of squares across the faces,
-  // and faintly along them and to the mean of all, where the faces leave it free.
+  // Displacement (u, v) and turn of a stiff body that fit its neighbours best, by least squares across
+  // the faces. Where the faces leave it free, small weights fit it along them and to the mean of all.
   void place(const std::vector<BlockId>& blocks) {
     constexpr double kAlong = 1e-3, kFaint = 1e-6;
     const auto first = static_cast<std::size_t>(blocks.front());
@@ -176,8 +176,8 @@ class Fitter : PutUp {
     }
   }
 
-  // The slip and the opening that are there when something is put up have no stress, as if fresh mortar filled what room
-  // there is: a bed narrower than drawn counts as shortened (crush), a wider one as lengthened, as dilatancy does.
+  // Slip and opening at the time of placing cause no stress, as if fresh mortar filled the space. A
+  // bed thinner than drawn counts as shortened (crush), a thicker one as lengthened, as by dilatancy.
   void release_joints() {
     const std::vector<PointReading> points = read_points(m_, s_);
     for (JointId j = 0; j < m_.n_joint; ++j) {
@@ -205,7 +205,7 @@ class Fitter : PutUp {
   Moved2 mean_{0, 0};
 };
 
-// Blocks that meet what comes or goes in this stage, and what comes.
+// Standing blocks that are new, or that touch masonry which this stage removes or adds.
 std::vector<BlockId> touched(const Model& m, int stage) {
   const auto changes = [&](BlockId i) {
     return i >= 0 && i < m.n_block && m.standing.holds(i, stage) != m.standing.holds(i, stage - 1);
@@ -227,7 +227,7 @@ std::vector<BlockId> touched(const Model& m, int stage) {
   return blocks;
 }
 
-// As Fitter, of blocks in space.
+// As Fitter, for blocks in space.
 class SpaceFitter : PutUp {
  public:
   SpaceFitter(const Model& model, State& state) : PutUp(model, state) {}
@@ -235,16 +235,16 @@ class SpaceFitter : PutUp {
   void fit() {
     find_mean();
     for (const auto& [group, blocks] : groups_) place(blocks);
-    release_joints();  // before the gap, which opens from there
+    release_joints();  // before the gap opens: it is measured from here
     move_by_gaps();
     release_sections();
     let_go_of_links();
   }
 
  private:
-  // Rows of least squares for the displacement of a group's origin and its turn.
+  // The least squares equations for displacement and turn of a group's origin.
   struct Squares {
-    std::array<std::array<double, 7>, 6> rows{};  // the last column: the right side
+    std::array<std::array<double, 7>, 6> rows{};  // the last column: the right-hand side
     void want(Vec3 along, Vec3 arm, double value, double weight) {
       const Vec3 turn = cross(arm, along);
       const double row[6] = {along.x, along.y, along.z, turn.x, turn.y, turn.z};
@@ -253,7 +253,7 @@ class SpaceFitter : PutUp {
         rows[i][6] += weight * row[i] * value;
       }
     }
-    // Elimination of a matrix that is symmetric and definite.
+    // Solves the equations by elimination; the matrix is symmetric and positive definite.
     [[nodiscard]] std::array<double, 6> solved() const {
       auto m = rows;
       for (int i = 0; i < 6; ++i)
@@ -271,8 +271,8 @@ class SpaceFitter : PutUp {
     }
   };
 
-  // act(new block, place at the start, displacement of the neighbour there, joint, weight) at every point where
-  // something new meets what stands.
+  // Calls act(new block, place at the start, displacement of the neighbour there,
+  // joint, weight) at every point where a new block touches a standing one.
   template <class Act>
   void each_meeting(const Act& act) const {
     for (JointId j = 0; j < m_.n_joint; ++j) {
@@ -365,10 +365,10 @@ class SpaceFitter : PutUp {
   Vec3 mean_;
 };
 
-// A step of almost no length from a copy of the state, so that forces are those of what stands and nothing moves.
+// Makes a step of almost no length from a copy of the state: it gives the forces of all standing parts, and nothing moves.
 template <class Walls>
 void step_an_instant(const Model& m, double dt, State& scratch, Walls& instant) {
-  constexpr double kAnInstant = 1e-9;  // of the step
+  constexpr double kAnInstant = 1e-9;  // of the time step
   instant.load_wall(0, m, scratch);
   Controls controls;
   controls.dt = kAnInstant * dt;
@@ -376,7 +376,7 @@ void step_an_instant(const Model& m, double dt, State& scratch, Walls& instant) 
   static_cast<Executor&>(instant).step();
 }
 
-// What each of these blocks lacks of balance without what was cut out, turned round: a load that holds it.
+// For each touched block, the unbalanced force without the removed masonry, with opposite sign: a load that holds it.
 void set_release(const Model& m, State& s, double dt) {
   for (std::vector<double>* all :
        {&s.release_x, &s.release_y, &s.release_m, &s.release_z, &s.release_mx, &s.release_my})
@@ -408,7 +408,7 @@ void set_release(const Model& m, State& s, double dt) {
   }
 }
 
-// A layer goes with the masonry on which it lies, and its fibres are cut at the edge.
+// A layer is removed with the masonry below it, and its fibres are cut at the edge.
 void cut_layers(const Model& m, State& s) {
   const Layers& l = m.layers;
   for (std::size_t k = 0; k < l.a.size(); ++k) {
@@ -437,7 +437,7 @@ void begin_cut(StageContext& wall) {
   else
     Fitter(model, state).fit();
   set_release(model, state, stage_time_step(model, model.stages[state.stage]));
-  // what was stored in what is gone leaves with it
+  // energy stored in removed masonry leaves with it
   state.work_loads += stored(model, state, state.stage) - before;
   wall.access->reload_wall(state);
 }

@@ -1,6 +1,6 @@
-// A row closes when the driven path has grown by one window; its forces are means over that path
-// (docs/theory/integration.md, "What a row holds"). States for readings are taken at the step, so that rows do not move
-// them. All that later steps need lies in the recording, so that a run can be cut and continued.
+// A row closes when the driven path has grown by one window. Its forces are means over that path
+// (docs/theory/integration.md, "What a row holds"). States for readings are taken at a step, so rows do not
+// shift them. All data that later steps need lie in the recording, so that a run can be cut and continued.
 #include "dynamics/stages/recorder.h"
 
 #include <fmt/core.h>
@@ -27,7 +27,7 @@ constexpr double kShapesFrom = 1e-5;   // Result::rise_shapes: the first [m]
 constexpr double kShapesApart = 0.05;  // and how far apart, of the displacement
 constexpr double kThrough = 0.999;     // tension or shear damage that counts as cracked through
 
-// Centimetres, without a minus before zero.
+// Converts to centimetres, without a minus before zero.
 double clean(double metres) { return std::round(1e2 * metres) * 1e-2 + 0.0; }
 
 double default_window(const Model& model, double path) {
@@ -58,7 +58,7 @@ Recorder::Recorder(const Model& model, const Stage& stage, double path, int fram
   if (n_.under_way == 0) begin(read_at);
 }
 
-// The curve is that of the last stage that has one.
+// Starts the results of the stage anew: the curve is that of the last stage with a curve.
 void Recorder::begin(double read_at) {
   recording_ = {};
   n_.under_way = 1;
@@ -135,7 +135,7 @@ void Recorder::take(const WallAccess& access, State& state, const Controls& cont
   if (has_turned()) begin_leg(static_cast<std::size_t>(state.target) + 1, displacement, travelled);
 }
 
-// At the step, not at the row, so that neither rows nor the states asked for move a reading.
+// States are taken at the step, not at the row, so neither rows nor requested states shift a reading.
 void Recorder::take_states(const WallAccess& access, State& state) {
   const double far = std::fabs(displacement_);
   const bool turns = n_.grows != 0 && far < n_.farthest && !stage_.spec.targets.empty();
@@ -155,7 +155,7 @@ void Recorder::take_states(const WallAccess& access, State& state) {
   n_.due = std::min({next_state_at(), n_.next_reading, n_.read_at});
 }
 
-// How far the blocks have gone, until readings are as close as the next of these.
+// Stores how far each block has moved, until readings are closer than the next of these shapes.
 void Recorder::take_shape(const WallAccess& access, State& state) {
   if (displacement_ < n_.next_shape) return;
   access.store_state(state);
@@ -177,8 +177,8 @@ void Recorder::take_shape(const WallAccess& access, State& state) {
       apart < kReadEvery ? displacement_ + apart : std::numeric_limits<double>::infinity();
 }
 
-// Windows of at least one sample of base shear; the push's beginning is felt at the driven blocks first
-// and at the ground last, so the wall's own force lies between the two.
+// Each window has at least one sample of base shear. The start of a push reaches the
+// driven blocks first and the ground last, so the wall's own force lies between the two.
 void Recorder::take_rise(double displacement, double travelled) {
   constexpr double kFirst = 1e-6, kWider = 1.02;  // first window [m], each to the one before
   const double out = std::fabs(displacement);
@@ -195,11 +195,11 @@ bool Recorder::has_turned() const {
   return n_.leg_way != 0 && n_.leg_way * (displacement_ - n_.leg_target) >= 0;
 }
 
-// A leg of a cyclic push has whole windows of its own, so that a row ends where the push turns: forces
-// and works of a window on both sides of a turn would mix.
+// Each leg of a cyclic push has whole windows, so that a row ends where the
+// push turns. A window on both sides of a turn would mix forces and works.
 void Recorder::begin_leg(std::size_t leg, double from, double travelled) {
   constexpr double kFewest =
-      20;  // rows of a leg, where output.window does not say how long they are
+      20;  // rows of a leg, where output.window does not give a window's length
   n_.leg_way = 0;
   if (leg >= stage_.spec.targets.size()) return;
   n_.leg_target = stage_.spec.targets[leg];
@@ -220,7 +220,7 @@ void Recorder::plan_close() {
 }
 
 void Recorder::take_frame(const State& state, double travelled) {
-  // frame k at (k/n)^1.5 of the path: most cracks open in its first tenth
+  // frame k at (k/n)^1.5 of the path, because most cracks open in its first tenth
   constexpr double kCloserAtFirst = 1.5;
   const auto due = [&] {
     return path_ * elementary::pow(static_cast<double>(n_.next_frame) / frames_, kCloserAtFirst);
@@ -230,9 +230,9 @@ void Recorder::take_frame(const State& state, double travelled) {
   result_.frames.push_back({"", displacement_, result_.curve.back().reaction, state});
 }
 
-// The ground's force along the push, less what weights and dead loads bring there: in balance it is the
-// reaction. Weights and loads of driven blocks stay in both. Of a tilted wall it is scaled to full
-// weight, as the reaction is: W tan against W sin / cos.
+// The ground's force along the push, less the force that weights and dead loads cause there.
+// In balance it equals the reaction. Weights and loads of driven blocks stay in both. For a
+// tilted wall it is scaled to full weight, as the reaction is: W tan against W sin / cos.
 double Recorder::resisted_by_ground(const WallAccess& access, const State& state) const {
   const double shear = access.base_shear(stage_.drive());
   if (stage_.spec.kind == StageKind::kTilt) {
@@ -278,7 +278,7 @@ void Recorder::sample(const WallAccess& access, const State& state, const Contro
   }
 }
 
-// What the joints press on the pushed blocks upwards: of a head the axial force that it gives the wall.
+// Upward force of the joints on the pushed blocks. For a head it is the axial force in the wall.
 double Recorder::head_axial(const State& state) const {
   const auto is_driven = [&](BlockId block) {
     return std::find(stage_.driven.begin(), stage_.driven.end(), block) != stage_.driven.end();
@@ -329,9 +329,9 @@ void Recorder::close_row(const State& state) {
   note_peak(state);
 }
 
-// The state at the peak: of the largest row in balance with the one before; while there is none, of the
-// largest row of all. Rows to come decide on the balance of the last (is_in_balance), so the state
-// may be a row or two beside the peak that is read.
+// Keeps the state at the peak: the largest row that is in balance together with the one
+// before, or the largest row of all while there is none. Later rows decide on the balance
+// of the last row (is_in_balance), so the state may be a row or two beside the final peak.
 void Recorder::note_peak(const State& state) {
   const std::vector<CurveRow>& curve = result_.curve;
   const CurveRow& row = curve.back();
@@ -348,7 +348,7 @@ void Recorder::note_peak(const State& state) {
   side.peak_displacement = row.displacement;
 }
 
-// What each link carries at the end of a row, and that it has begun to yield.
+// Stores the force of each link at the end of a row, and an event when it begins to yield.
 void Recorder::note_links(const State& state, double displacement, double reaction) {
   const std::vector<LinkReading> links = read_links(model_, state);
   for (std::size_t k = 0; k < links.size(); ++k) {
@@ -360,7 +360,7 @@ void Recorder::note_links(const State& state, double displacement, double reacti
   }
 }
 
-// The same of the sections of frames; a frame yields where the first of its fibres does.
+// The same for sections of frames. A frame yields when its first fibre does.
 void Recorder::note_frames(const State& state, double displacement, double reaction) {
   if (model_.frames.n == 0) return;
   const std::vector<FrameReading> sections = read_frames(model_, state);
@@ -406,7 +406,7 @@ void Recorder::note_joints(const State& state, double displacement, double react
     const auto j = static_cast<std::size_t>(joint);
     const auto& m = model_.materials[static_cast<std::size_t>(model_.joint_material[j])];
     const bool dry = m.tensile_strength == 0;
-    // what a stage put up began with the closing of the beds that it replaced (docs/theory/cutting.md)
+    // a new block starts with the closing of the beds that it replaced (docs/theory/cutting.md)
     constexpr double kBegunWith = 0.05;
     const bool was_put_up =
         model_.standing.any() && (!model_.standing.holds(model_.joint_a[j], 0) ||
@@ -436,7 +436,7 @@ Message Recorder::place_of(JointId joint, const PointReading& point) const {
 
 void Recorder::note_slid_off(const std::vector<PointReading>& points, double displacement,
                              double reaction) {
-  if (model_.free.any()) return;  // there such a joint gives way
+  if (model_.free.any()) return;  // such a joint becomes a free contact
   for (JointId joint = 0; joint < model_.n_joint; ++joint) {
     const auto j = static_cast<std::size_t>(joint);
     if (recording_.slid_off[j] != 0 || !has_slid_off(model_, points, joint)) continue;
@@ -449,7 +449,7 @@ void Recorder::note_slid_off(const std::vector<PointReading>& points, double dis
   }
 }
 
-// Once a body and sense: zones stay elastic, so the user must know.
+// Notes a limit once for each body and sense. Zones stay elastic, so the user has to know.
 void Recorder::note_limits(const State& state, double displacement, double reaction) {
   for (const reading::BeyondLimit& beyond : reading::beyond_limits(model_, state)) {
     const Message name{beyond.tension ? "event.beyond_tension" : "event.beyond_compression",
@@ -467,7 +467,7 @@ void Recorder::note_limits(const State& state, double displacement, double react
   }
 }
 
-// Asked again each hundredth farther, since it reads the whole curve; so what ends the push is what its curve says.
+// Checked again after each hundredth of displacement, because it evaluates the whole curve. The curve then shows why the push ended.
 std::optional<LastingFall> Recorder::lasting_fall() {
   constexpr double kAgain = 1.01;
   const double way = std::fabs(displacement_), share = stage_.spec.stop_below;
@@ -484,13 +484,13 @@ std::optional<LastingFall> Recorder::lasting_fall() {
 
 void Recorder::finish(const WallAccess& access, State& state, const Controls& controls,
                       bool ran_away) {
-  if (n_.start_time < 0) {  // it took no step
+  if (n_.start_time < 0) {  // the stage took no step
     recording_ = {};
     return;
   }
   access.store_state(state);
-  // A window cut short is too noisy a mean to stand beside the others; a wall that ran away under a load
-  // that stands still has no more rows.
+  // A window that ended early is too noisy to be a row, unless at least half of
+  // it is there. A wall that ran away under a constant load gets no further row.
   if (2 * n_.steps >= n_.full_window && n_.steps > 0 && !ran_away) {
     sample(access, state, controls, true);
     close_row(state);

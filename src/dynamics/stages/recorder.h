@@ -1,6 +1,6 @@
-// Turns steps into rows: averages of reaction, base shear and the meters over equal windows of the
-// driven path, the states on the way, and when each joint first cracked through or slid off. What it must
-// remember from step to step lies in a Recording, so that a run can be cut and continued anywhere.
+// Turns steps into rows: means of reaction, base shear and meters over equal windows of the driven
+// path. It also keeps the states on the way, and when each joint first cracked through or slid off.
+// Data needed from step to step lie in a Recording, so that a run can be cut and continued anywhere.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace wythe::dynamics {
 
-// A fall, and on which side of a push to and fro: 1 along it, -1 against it; 0 where it goes one way.
+// A fall, and its side in a cyclic push: 1 along it, -1 against it, 0 for a push in one direction.
 struct LastingFall {
   FallTo fall;
   std::int64_t sense = 0;
@@ -21,21 +21,21 @@ struct LastingFall {
 
 class Recorder {
  public:
-  // `path` is the whole driven path of the stage [m] (or the whole ramp of a load factor).
-  // Of the path, `frames` states are kept for moving pictures, closer where cracks begin; at
-  // `read_at` [m] one for the failure mode. Goes on with `record` where it holds a stage under way, and
-  // begins it anew otherwise.
+  // `path` is the whole driven path of the stage [m], or the whole ramp of a
+  // load factor. `frames` states of it are kept for films, closer where cracks
+  // begin, and one at `read_at` [m] for the failure mode. If `record` holds a
+  // stage under way, the recorder continues it; if not, it begins anew.
   Recorder(const Model& model, const Stage& stage, double path, int frames, double read_at,
            RunRecord& record);
 
   // Called after every step; `travelled` of the path so far, `displacement` along the push.
   void take(const WallAccess& access, State& state, const Controls& controls, double reaction,
             double displacement, double load_factor, double travelled);
-  // Closes the last window and adds the snapshot "end". `ran_away`: the load stood still while the
-  // wall fell.
+  // Closes the last window and adds the snapshot "end".
+  // `ran_away`: the wall fell while the load was constant.
   void finish(const WallAccess& access, State& state, const Controls& controls,
               bool ran_away = false);
-  // The fall below the stage's stop_below share of the peak, once the curve so far says that it lasts.
+  // The fall below the stage's stop_below share of the peak, as soon as the curve shows that it lasts.
   [[nodiscard]] std::optional<LastingFall> lasting_fall();
   [[nodiscard]] bool row_closed() const { return row_closed_; }
 
@@ -74,7 +74,7 @@ class Recorder {
   double path_, window_;
   int frames_;
   std::vector<double> state_at_;
-  // Of the step just taken.
+  // values of the last step
   double displacement_ = 0, load_factor_ = 0, weight_ = 1;
   bool row_closed_ = false;
 };

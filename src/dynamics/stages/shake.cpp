@@ -1,6 +1,6 @@
-// An earthquake stage, step by step: the base's mean acceleration over a step is taken off gravity
+// An earthquake stage, step by step. The base's mean acceleration over a step is subtracted from gravity
 // (docs/theory/dynamics.md, 14.1 and 14.2). The ground's force is sampled every 8 steps, and a row has the mean.
-// Displacement alone is no collapse here: a block must have fallen, left the world or be tilted past 60 degrees.
+// Displacement alone is no collapse here: a block must have fallen, left the world or tilted past 60 degrees.
 #include "dynamics/stages/shake.h"
 
 #include <algorithm>
@@ -14,14 +14,14 @@ namespace wythe::dynamics {
 namespace {
 
 constexpr int kForceEvery = 8;      // steps between samples of the ground's force
-constexpr double kMostTilt = 1.05;  // of a block [rad]: past it no block of a wall comes back
+constexpr double kMostTilt = 1.05;  // of a block [rad]: no block comes back from beyond it
 
-// alpha with which velocities fall [1/s].
+// The rate alpha at which velocities decay [1/s].
 double decay_of(const ViscousSpec& viscous) {
   return 2 * viscous.fraction * 2 * M_PI * viscous.frequency;
 }
 
-// The blocks that hold the top of each storey; none at all where a storey has none, which is noted before the run.
+// The blocks at the top of each storey. Empty for all storeys if one of them has no such block; a note before the run says so.
 std::vector<std::vector<BlockId>> storey_tops(const Model& m) {
   auto found = blocks_at_tops(m);
   const bool is_whole =
@@ -46,8 +46,8 @@ class Shake final : public StageRun {
     if (!(state_.stage_time < duration_)) end({});
   }
 
-  // The mean acceleration of the base over the step, from its exact velocity: so a free block has the exact
-  // velocity of the base at every half step.
+  // Sets the mean acceleration of the base over the step from its exact velocity.
+  // So a free block has the exact velocity of the base at every half step.
   void prepare() override {
     const double t = state_.stage_time, dt = controls_.dt;
     Vec3 base{};
@@ -76,7 +76,7 @@ class Shake final : public StageRun {
     state_.drive_displacement = 0;
     ShakeHistory& h = result_.history;
     if (h.row.empty()) name_places(h);
-    if (n_.shake_start < 0)  // a push between two shakes forgets it
+    if (n_.shake_start < 0)  // a push between two shakes resets it
       n_.shake_start = state_.time - (h.row.empty() ? 0 : h.row.back().time);
     n_.shake_rows = static_cast<std::int64_t>(result_.history.row.size());
     n_.shake_frames = 0;
@@ -95,7 +95,7 @@ class Shake final : public StageRun {
     }
   }
 
-  // The mean of these blocks by mass.
+  // Mean displacement of these blocks, weighted by mass.
   [[nodiscard]] PointMotion mean_of(const std::vector<BlockId>& blocks) const {
     PointMotion sum = {};
     double mass = 0;
@@ -155,7 +155,7 @@ class Shake final : public StageRun {
     take_frame();
   }
 
-  // Contacts are those of the start: what has left its face stands on nothing.
+  // Joints keep their faces of the start, so a block that has left its face has no support.
   void note_slid_off(const std::vector<PointReading>& points) {
     int joints = 0;
     JointId first = -1;
@@ -184,7 +184,7 @@ class Shake final : public StageRun {
   void keep_state(const std::string& label) {
     result_.snapshots.push_back({label, control_now(), base_now(), state_});
   }
-  // Horizontal way of the first point along the first record, and the ground's force that way.
+  // Direction of the first record: the first point's displacement and the ground's force are taken along it.
   [[nodiscard]] Vec3 way() const {
     return stage_.base.empty() ? stage_.drive() : stage_.base.front().along;
   }
@@ -199,7 +199,7 @@ class Shake final : public StageRun {
     return dot(Vec3{f[0], f[1], f[2]}, way());
   }
 
-  // A wall that rocks moves far and stands: what has fallen, or lies, has not.
+  // A rocking wall moves far and still stands. A wall with a fallen or toppled block does not.
   void check_fallen() {
     check_motion(state_.stage_time / duration_);
     if (ended()) return;

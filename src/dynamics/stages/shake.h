@@ -7,11 +7,11 @@ namespace wythe::dynamics {
 
 [[nodiscard]] std::unique_ptr<StageRun> make_shake(StageContext& wall, const Stage& stage);
 
-// Length of a shake [s], and the time between rows of its history.
+// Duration of a shake [s], and the time between rows of its history.
 [[nodiscard]] double shake_duration(const Stage& stage);
 [[nodiscard]] double shake_interval(const Stage& stage);
 
-// What the rows of all shakes say.
+// Evaluates the results of all shakes from their rows.
 void evaluate_shaking(const Model& model, Result& result);
 
 }  // namespace wythe::dynamics

@@ -1,4 +1,4 @@
-// solve() and WallRun: the stages in order, then what the curve says.
+// run_stages() and WallRun: runs the stages in order, then evaluates the curve.
 #include "wythe/parts/solve.h"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// Scales a stage's own share of progress to the whole run, by expected steps.
+// Scales a stage's share of progress to the whole run, by expected steps.
 class ProgressScale {
  public:
   explicit ProgressScale(const Model& model) {
@@ -46,7 +46,7 @@ class ProgressScale {
   std::vector<double> until_;
 };
 
-// Passes on the first progress of each stage, then a few times a second only.
+// Forwards the first progress message of each stage, then only a few messages a second.
 std::function<void(const Progress&)> throttled(const Model& model, const State& state,
                                                const SolveOptions& options) {
   if (!options.progress) return {};
@@ -78,14 +78,14 @@ WallRun::WallRun(const Model& model, State& state, const SolveOptions& options,
   start_stages();
 }
 
-// The next stage that takes a step, if any.
+// Starts the next stage that takes a step, if any.
 void WallRun::start_stages() {
   while (!stage_ && static_cast<std::size_t>(state_.stage) < model_.stages.size()) {
     const Stage& stage = model_.stages[static_cast<std::size_t>(state_.stage)];
     record_.result.time_step = stage_time_step(model_, stage);
     stage_ = StageRun::start(wall_, stage);
     if (!stage_->ended()) return;
-    close_stage();  // nothing to do in it
+    close_stage();  // the stage has nothing to do
   }
 }
 
@@ -106,8 +106,8 @@ const Controls& WallRun::next() {
 
 double WallRun::seconds() const { return seconds_before_ + seconds_since(start_); }
 
-// The caller's checkpoint, an interrupt, the budget. They come after all else of the step, so that a run that is cut
-// here and continued gives the same.
+// Handles the caller's checkpoint, an interrupt and the step budget. This comes
+// last in a step, so that a run that is cut here and continued gives the same.
 void WallRun::poll_caller() {
   const bool asked = options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed);
   const bool spent = options_.step_budget > 0 && state_.step >= options_.step_budget;
@@ -141,7 +141,7 @@ void WallRun::move_to(std::unique_ptr<WallAccess> access) {
   if (stage_) wall_.access->choose_driven(stage_->driven());
 }
 
-// Whether the curve, that of the last push so far, is of supports.
+// Whether the curve, which belongs to the last push so far, is of driven supports.
 bool WallRun::is_of_supports() const {
   for (int k = std::min(state_.stage, static_cast<int>(model_.stages.size()) - 1); k >= 0; --k) {
     const Stage& stage = model_.stages[static_cast<std::size_t>(k)];
@@ -166,12 +166,10 @@ Result WallRun::finish() {
   return std::move(result);
 }
 
-}  // namespace dynamics
-
-Result solve(const Model& model, State& state, const SolveOptions& options, RunRecord so_far) {
-  const auto processor = dynamics::processor_for(model, 1, std::max(1, options.threads));
+Result run_stages(const Model& model, State& state, const SolveOptions& options, RunRecord so_far) {
+  const auto processor = processor_for(model, 1, std::max(1, options.threads));
   processor->load_wall(0, model, state);
-  dynamics::WallRun run(model, state, options, processor->access(0), std::move(so_far));
+  WallRun run(model, state, options, processor->access(0), std::move(so_far));
   while (!run.ended()) {
     processor->set(0, run.next());
     processor->step();
@@ -181,21 +179,23 @@ Result solve(const Model& model, State& state, const SolveOptions& options, RunR
   return run.finish();
 }
 
+}  // namespace dynamics
+
 namespace {
 
-// Seconds of this thread alone: those of others, of a busy machine too, are not counted.
+// Processor seconds of this thread. Other threads and processes do not count.
 double processor_seconds() {
   timespec now{};
-  // WebAssembly has no clock of its thread
+  // WebAssembly has no clock for a thread
   if (clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now) != 0) clock_gettime(CLOCK_MONOTONIC, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-// Every block in a motion of its own, so that each joint soon opens or slides by more than it does before it cracks.
+// Gives every block its own velocity, so that each joint soon opens or slides by more than it does before it cracks.
 void shake_loose(double dt, State& state) {
   constexpr double kFar = 1e-4;           // [m]; joints crack at some 1e-5
-  constexpr int kSteps = 30;              // for this way
-  constexpr double kGolden = 0.61803399;  // no two neighbours move alike
+  constexpr int kSteps = 30;              // steps for this displacement
+  constexpr double kGolden = 0.61803399;  // no two neighbours get the same velocity
   double turn = 0;
   for (std::vector<double>* velocity : {&state.vx, &state.vy, &state.vz})
     for (double& v : *velocity) {
@@ -205,9 +205,9 @@ void shake_loose(double dt, State& state) {
     }
 }
 
-// Processor seconds of a step of a stage, with all that watches it; 0 where the stage ends at once.
+// Processor seconds for one step of a stage, with recording and checks; 0 where the stage ends at once.
 double step_seconds(const Model& model, std::size_t stage) {
-  constexpr int kBefore = 20, kSteps = 200;  // steps to get going, steps that count
+  constexpr int kBefore = 20, kSteps = 200;  // steps before measuring, and steps measured
   constexpr double kLongest = 0.3;           // [s], of a large wall
   State state = initial_state(model);
   state.stage = static_cast<int>(stage);
@@ -249,7 +249,7 @@ RunEstimate estimate(const Model& model) {
   const double dearest = each.empty() ? 0 : *std::max_element(each.begin(), each.end());
   for (std::size_t i = 0; i < own.size(); ++i)
     e.seconds += own[i] * (each[i] > 0 ? each[i] : dearest);
-  constexpr double kMostSteps = 9e18;  // what a count of steps holds
+  constexpr double kMostSteps = 9e18;  // the largest number of steps that the result can hold
   e.steps = static_cast<std::int64_t>(steps < kMostSteps ? steps : kMostSteps);
   return e;
 }

@@ -1,6 +1,6 @@
 // The stages as classes: SettlingStage (gravity, load, cut), Push, Factor (body force, tilt) and Hold, with equations
-// 4.7 to 4.7c and 4.9 of docs/theory/integration.md. What all of them share comes first: step, runaways, collapse.
-// Unbalance is looked at every 50 steps, collapse every 500. The first end stands, unless a block has run away.
+// 4.7 to 4.7c and 4.9 of docs/theory/integration.md. Their common part comes first: step, runaways, collapse. Unbalance
+// is checked every 50 steps, collapse every 500. The first reason to end counts, unless a block has run away.
 #include "dynamics/stages/stage_run.h"
 
 #include <algorithm>
@@ -20,9 +20,9 @@
 namespace wythe::dynamics {
 namespace {
 
-constexpr int kSettleEvery = 50;  // steps between looks at the unbalance
+constexpr int kSettleEvery = 50;  // steps between checks of the unbalance
 
-// Loads that come on and are then waited for.
+// Stages that apply a load and then wait until the wall is in balance.
 bool settles(StageKind kind) {
   return kind == StageKind::kGravity || kind == StageKind::kLoad || kind == StageKind::kCut;
 }
@@ -38,8 +38,8 @@ double stage_mass_scaling(const Model& model, const Stage& stage) {
   return settles(stage.spec.kind) ? model.solve.mass_scaling : 1.0;
 }
 
-// Dashpots act by the velocities of the half step before: omega^2 dt^2/4 + rate dt/2 <= 1. Impacts ask for
-// no more than half the longest step, a quarter where they give back a share (docs/theory/dynamics.md, "The step").
+// Dashpots use the velocities of the half step before: omega^2 dt^2/4 + rate dt/2 <= 1. The step of a shake
+// is at most half of the longest step, a quarter where impacts rebound (docs/theory/dynamics.md, "The step").
 double stage_time_step(const Model& model, const Stage& stage) {
   const double of_impacts = rebounds(stage.dashpots) ? 0.25 : 0.5;
   const double fraction = stage.spec.kind == StageKind::kShake
@@ -88,7 +88,7 @@ void StageRun::end(StageEnd how) {
 }
 
 StageEnd StageRun::close() {
-  // A wall that ran away has not completed, settled or collapsed, whatever its rows seem to say.
+  // A wall that ran away has not completed, settled or collapsed, whatever its rows show.
   if (wall_.access->runaway_block() >= 0) end_ = runs_away();
   finish(end_);
   wall_.access->store_state(state_);
@@ -110,7 +110,7 @@ std::string StageRun::name_of(BlockId block) const {
   return name;
 }
 
-// Whether weights and dead loads in force exceed what all joints on the ground can bear.
+// Whether weights and dead loads in force exceed the strength of all joints on the ground.
 bool StageRun::is_overloaded() const {
   double load = -state_.gravity_y * model_.weight / model_.solve.gravity, bears = 0;
   for (std::size_t k = 0; k < model_.stages.size(); ++k)
@@ -124,7 +124,7 @@ bool StageRun::is_overloaded() const {
   return load > bears;
 }
 
-// How many joints are crushed through; nothing where none is.
+// How many joints are crushed through; empty where none is.
 std::optional<Message> StageRun::crushed() const {
   wall_.access->store_state(state_);
   const std::vector<PointReading> points = read_points(model_, state_);
@@ -139,8 +139,8 @@ std::optional<Message> StageRun::crushed() const {
                  {{"joints", joints}, {"of", model_.n_joint}}};
 }
 
-// A motion that is no number, or faster than any fall, is an error of the computation, unless the load is
-// beyond what the joints on the ground bear: then the wall goes to pieces at any step.
+// A motion that is NaN or faster than any fall is an error of the computation. The exception is a
+// load beyond the strength of the joints on the ground: such a wall collapses with any time step.
 StageEnd StageRun::runs_away() const {
   const std::optional<Message> why = crushed();
   const bool falls = why && is_overloaded();
@@ -164,14 +164,14 @@ void StageRun::check_motion(double share) {
   if (model_.free.any()) check_world_bounds();
 }
 
-// Instability, and collapse: a block farther off than the push can have brought it.
+// Checks for instability, and for collapse: a block farther away than the push can have moved it.
 void StageRun::check_run(double share) {
   if (state_.step % kCheckEvery != 0 || ended_) return;
   check_motion(share);
   if (ended_) return;
   if (controls_.push != nullptr && stage_.spec.pattern != Pattern::kNone && stage_.drive().y == 0)
     return check_falls();
-  // a head is driven by an arm's end, and goes farther than that where the pier turns
+  // a head is driven at the end of an arm, and moves farther than that end where the pier turns
   const double driven =
       std::fmax(std::fabs(state_.drive_displacement), std::fabs(state_.control_moved));
   const double allowed = driven + model_.solve.collapse_displacement;
@@ -179,7 +179,7 @@ void StageRun::check_run(double share) {
   if (furthest.distance > allowed) end(fallen(furthest));
 }
 
-// The link that pulled a block the way it went, by the largest of their forces, now or when they were drawn; -1: none did.
+// The link with the largest force (now or at prestress) that pulled a block in its direction of motion; -1: none.
 int StageRun::pulled_by(BlockId block, double& force) const {
   constexpr double kMostly = 0.5;  // of the way
   int found = -1;
@@ -199,7 +199,7 @@ int StageRun::pulled_by(BlockId block, double& force) const {
   return found;
 }
 
-// What went too far: by its tie, or since the wall cannot stand under its loads alone.
+// The reason why a block went too far: a tie pulled it, or the wall cannot stand under its loads alone.
 StageEnd StageRun::fallen(const Furthest& furthest) const {
   double force = 0;
   if (const int link = pulled_by(furthest.block, force); link >= 0)
@@ -223,7 +223,7 @@ StageEnd StageRun::fallen(const Furthest& furthest) const {
   return {SolveStatus::kCollapsed, std::move(reason), false};
 }
 
-// A block that no ground holds up falls on for ever.
+// A block without ground below it falls for ever.
 void StageRun::check_world_bounds() {
   wall_.access->store_state(state_);
   const FreeShapes& world = model_.free;
@@ -241,8 +241,8 @@ void StageRun::check_world_bounds() {
   }
 }
 
-// A pattern moves a mean of all blocks: the few of a mechanism go many times as far along the push, and are
-// still standing. What has come to pieces falls.
+// A pattern drives the mean of all blocks. The few blocks of a mechanism move many times
+// as far along the push while the wall still stands. So only a fall counts as collapse.
 void StageRun::check_falls() {
   wall_.access->store_state(state_);
   Furthest lowest{0, -1};
@@ -263,17 +263,17 @@ void StageRun::check_falls() {
 
 namespace {
 
-// Falls (docs/theory/integration.md, 4.7b and 4.7c).
-constexpr int kDoublings = 3;          // in succession
-constexpr double kFaster = 1.2;        // growth of energy over way while the way doubles
-constexpr double kSteady = 1.7;        // growth of the way while the time doubles
-constexpr double kFirstTime = 0.25;    // after the ramp [s], that is doubled
+// Limits for falling walls (docs/theory/integration.md, 4.7b and 4.7c).
+constexpr int kDoublings = 3;          // in succession, that count as a fall
+constexpr double kFaster = 1.2;        // growth of energy / displacement while the latter doubles
+constexpr double kSteady = 1.7;        // growth of the displacement while the time doubles
+constexpr double kFirstTime = 0.25;    // after the ramp [s]; it is doubled again and again
 constexpr double kWayOfFaster = 0.05;  // of collapse_displacement
 constexpr double kWayOfSteady = 0.1;   // the same
-constexpr double kWayAtLast = 0.01;    // the same, when the time to settle is over
+constexpr double kWayAtLast = 0.01;    // the same, after the settling limit
 constexpr double kOfWork =
-    0.25;  // of the loads' work, that joints take as springs: more bends a soft wall
-constexpr double kOfFreeFall = 0.1;  // of gravity: what goes farther than that may be a soft wall
+    0.25;  // of the loads' work, stored in joints: a larger share is bending of a soft wall
+constexpr double kOfFreeFall = 0.1;  // of gravity: a wall that moved farther may be a soft one
 
 class SettlingStage : public StageRun {
  public:
@@ -313,8 +313,8 @@ class SettlingStage : public StageRun {
  private:
   [[nodiscard]] double time_at_rest() const { return state_.stage_time - stage_.spec.ramp; }
 
-  // Loads stand still now. On its way to rest a wall gains ever less energy from the next equal piece of way, and goes
-  // ever less far in the next equal time.
+  // Loads are constant now. A wall that comes to rest gains less energy in each
+  // further equal displacement, and moves less in each further equal time.
   void follow_motion(double way) {
     const double kinetic = wall_.access->kinetic_energy(1);
     if (n_.fall_way == 0) n_.fall_way = way, n_.fall_kinetic = kinetic;
@@ -336,7 +336,7 @@ class SettlingStage : public StageRun {
     n_.fall_steady = steady ? n_.fall_steady + 1 : 0;
     n_.fall_then = n_.fall_most;
   }
-  // A slack tie, a free contact may stop what goes on; joints alone do not.
+  // A slack tie or a free contact may stop a moving wall; joints alone do not.
   [[nodiscard]] bool is_falling(double way) const {
     if (model_.links.n > 0 || model_.free.any()) return false;
     const double collapse = model_.solve.collapse_displacement, time = time_at_rest();
@@ -345,7 +345,7 @@ class SettlingStage : public StageRun {
     return (n_.fall_faster >= kDoublings && n_.fall_way >= kWayOfFaster * collapse) ||
            (n_.fall_steady >= kDoublings && way >= kWayOfSteady * collapse && way < softest);
   }
-  // The time is over, and the wall is farther away than ever, after it went nearly as far again in its second half.
+  // At the end of the settling time, the wall is farther away than ever, and the second half added nearly as much as the first.
   [[nodiscard]] bool still_falls(double way) const {
     return n_.fall_steady > 0 && way >= n_.fall_most && way > n_.fall_then &&
            way >= kWayAtLast * model_.solve.collapse_displacement;
@@ -404,7 +404,7 @@ class Push : public StageRun {
   }
 
  private:
-  // The wall stands, so what comes after this push goes on.
+  // The wall stands, so the stages after this push are run.
   void end_where_it_fell() {
     const std::optional<LastingFall> found = recorder_.lasting_fall();
     if (!found) return;
@@ -421,15 +421,15 @@ class Push : public StageRun {
     return static_cast<std::size_t>(state_.target) < targets_.size();
   }
   [[nodiscard]] double target() const { return targets_[static_cast<std::size_t>(state_.target)]; }
-  // Of the control point, or the driven mean: what the rows tell and the targets are of [m].
+  // Displacement of the control point, or of the driven mean, to which rows and targets refer [m].
   [[nodiscard]] double displacement() const {
     return stage_.control >= 0 ? state_.control_moved : state_.drive_displacement;
   }
   [[nodiscard]] double control_now() const {
     return wall_.access->moved(stage_.control, stage_.drive());
   }
-  // The path so far: of the driven mean in each step, or of the control point from one furthest point
-  // to the next, so that what it trembles does not count.
+  // Updates the path so far: by the driven mean in each step, or by the control point
+  // from one furthest point to the next. So vibrations of the control point do not count.
   void follow_control() {
     if (stage_.control < 0) {
       state_.travelled += std::fabs(controls_.drive_velocity) * controls_.dt;
@@ -441,7 +441,7 @@ class Push : public StageRun {
     state_.travelled += out - state_.control_furthest;
     state_.control_furthest = out;
   }
-  // A point that takes no part in how the wall fails would never get to its target.
+  // Ends the push if the control point takes no part in the failure, because it would never reach its target.
   void end_where_control_stays_back() {
     constexpr double kBack = 0.25, kBeyond = 20;  // of the path
     const double back = state_.control_furthest - sense_ * state_.control_moved;
@@ -459,7 +459,7 @@ class Push : public StageRun {
     if (!has_servo()) return stage_.spec.velocity;
     return stage_.spec.velocity + state_.pace * (stage_.spec.fast_velocity - stage_.spec.velocity);
   }
-  // Faster where the wall is near balance; all the way takes the time of the smooth start.
+  // Pushes faster where the wall is near balance. A full change takes the time of the smooth start.
   void set_pace() {
     if (!has_servo() || state_.step % kSettleEvery != 0) return;
     const double ratio = wall_.access->unbalance_ratio();
@@ -467,7 +467,7 @@ class Push : public StageRun {
     const double most = std::min(1.0, kSettleEvery * controls_.dt / stage_.spec.ramp);
     state_.pace += clip(wanted - state_.pace, -most, most);
   }
-  // Of the step before; a turn comes after the smooth start.
+  // Velocity of the step before. A turn comes after the smooth start.
   [[nodiscard]] double velocity_before() const {
     const double ran = state_.stage_time - state_.turn_time;
     if (ran > 0) return sense_ * velocity() * smooth_step(ran / stage_.spec.ramp);
@@ -476,13 +476,13 @@ class Push : public StageRun {
     const double from = last > 0 ? targets_[last - 1] : 0.0;
     return (targets_[last] >= from ? 1.0 : -1.0) * velocity();
   }
-  // Where the push goes in this step: kept, for the step may pass the target.
+  // Direction of the push in this step. It is kept, because the step may pass the target.
   double sense() { return sense_ = target() >= displacement() ? 1.0 : -1.0; }
 
   void finish(StageEnd& how) override {
     if (how.finished) state_.target = 0;
     controls_.push = nullptr;
-    // on its way back a control block is no reversal of the push: no row there
+    // a control block that moves back does not turn the push, so there is no row for it
     const bool at_furthest = stage_.control < 0 || displacement() >= state_.control_furthest;
     recorder_.finish(*wall_.access, state_, controls_, !at_furthest);
   }
@@ -493,7 +493,7 @@ class Push : public StageRun {
   double sense_ = 1;  // in this step
 };
 
-// Body force and tilt: a load factor that grows while the wall is in balance.
+// Body force and tilt: the load factor grows while the wall is in balance.
 class Factor : public StageRun {
  public:
   Factor(StageContext& wall, const Stage& stage)
@@ -509,7 +509,7 @@ class Factor : public StageRun {
   }
 
   void prepare() override {
-    // The factor grows only while the wall is in balance; at collapse it stands still.
+    // The factor grows only while the wall is in balance, and stops at collapse.
     share_ = smooth_step(2.0 - state_.balance / model_.solve.settle_ratio);
     factor_ += rate_ * share_ * smooth_step((state_.stage_time + controls_.dt) / stage_.spec.ramp) *
                controls_.dt;
@@ -558,7 +558,7 @@ class Factor : public StageRun {
     state_.body_factor = factor;
   }
 
-  // The factor has not grown for the settling limit: a mechanism creeps on, or the wall trembles.
+  // The factor has not grown for the settling limit: a mechanism moves on, or the wall vibrates.
   [[nodiscard]] StageEnd standstill(double carried, double now) const {
     if (now > 1.05 * state_.moved_then)
       return {SolveStatus::kCollapsed,
@@ -578,11 +578,11 @@ class Factor : public StageRun {
   bool tilting_;
   double rate_, last_;
   Recorder recorder_;
-  double factor_;     // between steps: body_factor
+  double factor_;     // between steps equal to body_factor
   double share_ = 0;  // of the rate, in this step
 };
 
-// Nothing new: loads stay, and what an earlier push drives stays where it is.
+// No new action: loads are constant, and blocks driven by an earlier push keep their place.
 class Hold : public StageRun {
  public:
   Hold(StageContext& wall, const Stage& stage) : StageRun(wall, stage) {
@@ -598,7 +598,7 @@ class Hold : public StageRun {
   }
 
  private:
-  // What falls once it is let go is to be seen: states at equal times, and the last.
+  // Keeps states for the film of a fall after a release: at equal times, and the last one.
   void keep_state() {
     const auto states_at = [&](double time) {
       return std::floor(wall_.options.frames * time / stage_.spec.duration);

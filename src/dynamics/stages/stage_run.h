@@ -5,13 +5,13 @@
 //
 //   gravity, load   ramp with a smooth start, then settle below settle_ratio
 //   push            smooth start to the velocity, along one or several target displacements
-//   body force      lambda grows only while the unbalance is below settle_ratio: the largest carried
+//   body force      lambda grows only while the unbalance is below settle_ratio; the result is the largest carried
 //   tilt            the same with the direction of gravity
-//   hold            nothing new for a duration
+//   hold            no new action for a duration
 //   shake           the base moves by its records (shake.cpp)
 //
-// A stage keeps nothing from step to step but what is in State and Recording: made anew from them in the
-// middle, it goes on with the same bits.
+// A stage keeps all data that later steps need in State and Recording. If it
+// is created again from them in the middle, it goes on with the same bits.
 #pragma once
 
 #include <memory>
@@ -33,7 +33,7 @@ struct StageEnd {
 
 inline constexpr int kCheckEvery = 500;  // steps between checks for collapse and for a stop
 
-// What all stages of a run work on.
+// Data that all stages of a run share.
 struct StageContext {
   const Model& model;
   State& state;
@@ -53,18 +53,18 @@ class StageRun {
   virtual void prepare() = 0;
   virtual void after_step(double reaction) = 0;
   [[nodiscard]] bool ended() const { return ended_; }
-  // The first end stands: what is noticed later in the same step does not undo it.
+  // Ends the stage. Only the first call counts, also within one step.
   void end(StageEnd how);
-  // Closes rows, writes the stage's report; call once, after the last step.
+  // Closes rows and writes the stage's report. Call once, after the last step.
   StageEnd close();
-  // Blocks that the step moves by the drive; marked anew when the wall changes its place.
+  // Blocks that the drive moves. They are marked anew when the wall changes its executor.
   [[nodiscard]] const std::vector<BlockId>& driven() const { return *driven_; }
 
  protected:
   StageRun(StageContext& wall, const Stage& stage);
   virtual void finish(StageEnd&) {}
   void drive(const Stage& push);
-  // Every few hundred steps: progress, instability, collapse.
+  // Every few hundred steps: reports progress and checks for instability and collapse.
   void check_run(double share);
   void check_motion(double share);  // progress and instability alone
   void check_falls();
@@ -92,7 +92,7 @@ class StageRun {
 // Smooth start: 0 at 0, 1 at 1, no slope at either end; 3 x^2 - 2 x^3.
 [[nodiscard]] double smooth_step(double x);
 
-// Time step of a stage [s]; quasi-static stages take the mass scaling.
+// Time step of a stage [s]. Mass scaling applies to gravity, load and cut stages.
 [[nodiscard]] double stage_time_step(const Model& model, const Stage& stage);
 [[nodiscard]] double stage_mass_scaling(const Model& model, const Stage& stage);
 // Length of the driven path of a push, all targets included [m].

@@ -1,4 +1,4 @@
-// One wall on its way through its stages, a step at a time; who steps it, and with whom, is open.
+// One wall in its stages, a step at a time. The caller decides which executor steps it, alone or with others.
 //
 //   WallRun run(model, state, options, place);
 //   while (!run.ended()) run.after_step(step(run.next()));
@@ -13,21 +13,21 @@ namespace wythe::dynamics {
 
 class WallRun {
  public:
-  // `options` have to live as long as the run; the place is ready to be stepped. `so_far`: of the steps
-  // that brought the state where it is; without it the run tells of the rest alone.
+  // `options` have to live as long as the run, and the executor has to be ready. `so_far`: the results
+  // of the steps that led to the state. Without it, the results cover only the rest of the run.
   WallRun(const Model& model, State& state, const SolveOptions& options,
           std::unique_ptr<WallAccess> access, RunRecord so_far = {});
   WallRun(const WallRun&) = delete;
   WallRun& operator=(const WallRun&) = delete;
 
   [[nodiscard]] bool ended() const { return !stage_; }
-  // What the next step takes.
+  // Controls of the next step.
   const Controls& next();
-  // After it, with the reaction of the drive.
+  // Called after the step, with the reaction of the drive.
   void after_step(double reaction);
-  // Goes on elsewhere; the new place holds the same state.
+  // Continues with another executor, which holds the same state.
   void move_to(std::unique_ptr<WallAccess> access);
-  // What the curve says; call once, at the end.
+  // Evaluates the curve; call once, at the end.
   Result finish();
 
  private:
@@ -44,7 +44,11 @@ class WallRun {
   StageContext wall_;
   std::unique_ptr<StageRun> stage_;
   std::chrono::steady_clock::time_point start_;
-  double seconds_before_;  // of the steps before
+  double seconds_before_;  // seconds of earlier parts of the run
 };
+
+// solve() without the name of its failure mode, which `judge` adds.
+[[nodiscard]] Result run_stages(const Model& model, State& state, const SolveOptions& options = {},
+                                RunRecord so_far = {});
 
 }  // namespace wythe::dynamics

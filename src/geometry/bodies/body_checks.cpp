@@ -1,6 +1,6 @@
-// Two bodies overlap by the largest depth of any pair of their convex parts. Each depth is the least over separating
-// axes: normals of both parts, then cross products of their edges. The warps of both bodies are allowed on top. Support
-// is the set of bodies that joints link to a fixed one.
+// The overlap of two bodies is the largest depth of any pair of their convex parts. A depth is the minimum over separating
+// axes: normals of both parts, then cross products of their edges. The tolerance grows by the warps of both bodies. A body
+// is supported if joints connect it to a fixed one.
 #include "geometry/bodies/body_checks.h"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ double thickness_of(const BodySpec& body, const SolidMoments& moments) {
   return surface > 0 ? 6 * moments.volume / surface : 0;
 }
 
-// How far its corners lie off the planes of its faces.
+// Largest distance of a body's corners from the planes of its faces.
 double warp_of(const BodySpec& body) {
   double worst = 0;
   for (const Polyhedron& part : body.part)
@@ -38,7 +38,7 @@ double warp_of(const BodySpec& body) {
   return worst;
 }
 
-// A convex part as separating axes see it: corners, and the directions of faces and edges, each once.
+// A convex part for the separating-axis test: corners, and directions of faces and edges, each once.
 struct Hull {
   std::vector<Vec3> corner, normal, edge;
 };
@@ -61,7 +61,7 @@ Hull hull_of(const Polyhedron& part) {
   return hull;
 }
 
-// The smaller of the two ways to push a out of b along one axis.
+// The shorter displacement along an axis that separates a from b.
 double depth_along(const Hull& a, const Hull& b, Vec3 axis) {
   const auto range = [&](const Hull& hull) {
     double low = dot(hull.corner.front(), axis), high = low;
@@ -76,7 +76,7 @@ double depth_along(const Hull& a, const Hull& b, Vec3 axis) {
   return std::min(a1 - b0, b1 - a0);
 }
 
-// The search ends once the depth is `enough` or less.
+// Depth of penetration [m]. The search stops once the depth is at most `enough`.
 double depth_between(const Hull& a, const Hull& b, double enough) {
   double least = std::numeric_limits<double>::infinity();
   const auto takes = [&](Vec3 axis) {
@@ -148,7 +148,7 @@ class OverlapCheck {
   std::vector<Box3> boxes_;
 };
 
-// Sets of bodies that hang together through joints.
+// Sets of bodies that joints connect.
 class Groups {
  public:
   explicit Groups(std::size_t n) : above_(n) {
@@ -229,7 +229,7 @@ void check_support(SpaceAssembly& assembly, FaultList& faults) {
   }
   Groups groups(body.size());
   const auto goes = [&](int i) { return !body[i].cut.empty(); };
-  for (const JointFace& face : assembly.faces)  // what is cut out carries nothing in the end
+  for (const JointFace& face : assembly.faces)  // masonry that a stage cuts out carries nothing
     if (!goes(face.a) && !goes(face.b)) groups.join(face.a, face.b);
   for (const SpaceFrame& frame : assembly.frames)
     for (std::size_t k = 1; k < frame.placed.segments.size(); ++k)

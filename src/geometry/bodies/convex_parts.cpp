@@ -1,6 +1,6 @@
-// Mends bodies one by one. Corners are welded only where a surface is not closed. The sign of its volume tells whether
-// a closed piece is inside out. A piece that is not convex is cut, and flat neighbours become one face. What can't be
-// mended throws a Problem, and Preparation::take() makes a fault of it and leaves the body as it is.
+// Repairs bodies one by one. Corners are welded only where a surface is not closed. The sign of its volume tells whether
+// a closed piece is inside out. A piece that is not convex is cut, and coplanar neighbours become one face. What can't be
+// repaired throws a Problem; Preparation::take() turns it into a fault and leaves the body unchanged.
 #include "geometry/bodies/convex_parts.h"
 
 #include <algorithm>
@@ -26,12 +26,12 @@ using Edge = std::pair<std::int32_t, std::int32_t>;
 std::string shown(Vec3 p) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", p.x, p.y, p.z); }
 std::string shown(Vec3 p, Vec3 q) { return shown(p) + " - " + shown(q); }
 
-// What is wrong with a body: thrown inside this file, caught where the body's id is known.
+// A defect of a body, thrown inside this file and caught where the body's id is known.
 struct Problem {
   std::string value, problem, cure;
 };
 
-// Faces by their edges; an edge of a closed surface turned one way has one face each way.
+// Faces by their edges. On a closed, consistently oriented surface each edge has one face in each direction.
 std::map<Edge, std::vector<int>> edges_of(const std::vector<Corners>& faces) {
   std::map<Edge, std::vector<int>> edges;
   for (std::size_t f = 0; f < faces.size(); ++f)
@@ -53,7 +53,7 @@ bool is_closed(const std::vector<Corners>& faces) {
   });
 }
 
-// Corners named twice in a row, and faces with fewer than three left.
+// Removes corners that are named twice in a row, and faces with fewer than three corners.
 void drop_idle(std::vector<Corners>& faces) {
   for (Corners& face : faces) {
     face.erase(std::unique(face.begin(), face.end()), face.end());
@@ -62,7 +62,7 @@ void drop_idle(std::vector<Corners>& faces) {
   std::erase_if(faces, [](const Corners& face) { return face.size() < 3; });
 }
 
-// Faces listed twice: the same corners in the same turn. The other way round they are those of a neighbour.
+// Removes faces that are listed twice in the same orientation. In the opposite one they belong to a neighbour.
 bool drop_repeated(std::vector<Corners>& faces) {
   std::set<Corners> seen;
   const std::size_t before = faces.size();
@@ -75,10 +75,10 @@ bool drop_repeated(std::vector<Corners>& faces) {
   return faces.size() < before;
 }
 
-// Turns faces until neighbours run against each other along their edge; false where they can't.
+// Orients all faces alike: neighbours traverse their common edge in opposite directions. False where that is impossible.
 bool turn_alike(std::vector<Corners>& faces, bool& changed) {
   const auto edges = edges_of(faces);
-  std::vector<int> turn(faces.size(), 0);  // 1 as listed, -1 against it
+  std::vector<int> turn(faces.size(), 0);  // 1 as listed, -1 reversed
   for (std::size_t first = 0; first < faces.size(); ++first) {
     if (turn[first] != 0) continue;
     turn[first] = 1;
@@ -113,7 +113,7 @@ bool turn_alike(std::vector<Corners>& faces, bool& changed) {
   return true;
 }
 
-// Pieces of a closed surface that share no edge; of one that is not, solids as the pieces of a mesh file.
+// Pieces of a closed surface that share no edge; an open surface is divided as that of a mesh file.
 std::vector<std::vector<Corners>> pieces_of(const Polyhedron& part) {
   std::vector<std::vector<Corners>> pieces;
   if (!is_closed(part.face)) {
@@ -153,7 +153,7 @@ std::vector<std::vector<Corners>> pieces_of(const Polyhedron& part) {
   return pieces;
 }
 
-// Only the corners that faces use, in their order; unchanged where all are.
+// Keeps only the corners that faces use, in their order; unchanged where all are used.
 Polyhedron with_used_corners(const std::vector<Vec3>& vertex, std::vector<Corners> faces) {
   std::vector<std::int32_t> number(vertex.size(), -1);
   for (const Corners& face : faces)
@@ -192,7 +192,7 @@ Mesh mesh_of(const Polyhedron& part) {
 
 bool is_flat(const Facet& facet) { return facet.warp <= kFlatFace * std::sqrt(facet.area); }
 
-// Whether the whole surface, with its faces flattened, is convex within `close` [m].
+// Whether the whole surface with flattened faces is convex within `close` [m].
 bool is_convex(const Polyhedron& part, double close) {
   for (const Corners& face : part.face) {
     const Facet facet = facet_of(part, face);
@@ -204,7 +204,7 @@ bool is_convex(const Polyhedron& part, double close) {
   return true;
 }
 
-// --- flat neighbours become one face
+// --- coplanar neighbours become one face
 
 class FaceJoiner {
  public:
@@ -232,7 +232,7 @@ class FaceJoiner {
     return dot(a.normal, b.normal) > 0 && norm(cross(a.normal, b.normal)) <= kFlatEdge;
   }
 
-  // Sets of faces linked through edges where `one` holds, each in order, by their first face.
+  // Sets of faces connected through edges where `one` is true; in order of their first face.
   template <class One>
   std::vector<std::vector<int>> groups(One one) const {
     std::vector<bool> taken(part_.face.size(), false);
@@ -258,7 +258,7 @@ class FaceJoiner {
     return all;
   }
 
-  // The group as one face; else its flat sets, else its faces one by one. True where any were joined.
+  // Adds the group as one face; else its coplanar sets, else its faces one by one. True where any were joined.
   bool add(const std::vector<int>& group, const std::vector<std::vector<int>>& alone,
            std::vector<Corners>& joined) const {
     if (group.size() == 1) {
@@ -281,7 +281,7 @@ class FaceJoiner {
     return changed;
   }
 
-  // The border of a set of faces: one flat convex polygon, or nothing.
+  // The border of a set of faces as one plane convex polygon; empty where it is none.
   [[nodiscard]] Corners outline(const std::vector<int>& set) const {
     std::map<std::int32_t, std::int32_t> next;
     for (const int f : set) {
@@ -312,7 +312,7 @@ class FaceJoiner {
     return loop;
   }
 
-  // A corner that only two faces use lies on one edge of both: left out where that edge is straight.
+  // Removes corners used by two faces only, where the edge is straight: they lie on one edge of both.
   void drop_straight_corners(std::vector<Corners>& faces) const {
     std::vector<int> uses(part_.vertex.size(), 0);
     for (const Corners& face : faces)
@@ -344,7 +344,7 @@ std::vector<int> counted(std::size_t n) {
   return numbers;
 }
 
-// Of a solid: what follows looks at its faces pair by pair, for a second or two here.
+// Faces of one solid: the following search compares them in pairs, which takes a second or two for so many.
 constexpr std::size_t kMostOfOneSolid = 10'000;
 
 void check_numbers(const Polyhedron& part) {
@@ -405,7 +405,7 @@ class BodyMender {
   }
 
  private:
-  // Closed pieces of one given part, each turned alike.
+  // Takes the closed pieces of one given part, consistently oriented.
   void take(const Polyhedron& given) {
     check_numbers(given);
     Polyhedron part = given;
@@ -464,7 +464,7 @@ class BodyMender {
     for (const Mesh& own : cut) parts.push_back(part_of(own));
   }
 
-  // A piece of the cut with its flat neighbours joined.
+  // A piece of the cut with its coplanar neighbours joined.
   static Polyhedron part_of(const Mesh& mesh) {
     Polyhedron part{mesh.vertex, {}};
     for (const auto& t : mesh.triangle) part.face.push_back({t[0], t[1], t[2]});
@@ -472,7 +472,7 @@ class BodyMender {
     return part;
   }
 
-  // Parts that lie in each other count their common volume twice; a hollow listed as a solid does so too.
+  // Refuses nested parts: their common volume would count twice, as would a hollow listed as a solid.
   static void refuse_nested(const std::vector<Polyhedron>& parts) {
     for (std::size_t i = 0; i < parts.size(); ++i)
       for (std::size_t k = i + 1; k < parts.size(); ++k) {
@@ -486,7 +486,7 @@ class BodyMender {
       }
   }
 
-  // Faces that are bent more than flattening allows.
+  // Notes faces that are bent more than flattening allows.
   void note_bent(const Polyhedron& piece) {
     double worst = 0;
     for (const Corners& face : piece.face) {

@@ -1,9 +1,9 @@
-// Bodies as files give them -> closed, turned outside out, in convex parts with as few faces as they have.
+// Converts bodies of a file to closed, outward-oriented, convex parts with as few faces as possible.
 //
-//   faces as listed ─► closed and turned alike ─► volume > 0 ─► convex? ──yes──► flat neighbours joined
+//   faces as listed ─► closed and oriented ─► volume > 0 ─► convex? ──yes──► coplanar neighbours joined
 //                                                                 └─no─► cut (mesh_cut.h), again
 //
-// Called by prepare_bodies (body_checks.cpp). A body with nothing to mend keeps its bits.
+// Called by prepare_bodies (body_checks.cpp). A body that needs no repair keeps its bits.
 #pragma once
 
 #include <string>
@@ -15,18 +15,18 @@
 
 namespace wythe::geometry {
 
-// A face counts as flat while its corners lie this near to its mean plane, as a share of its size (square root of
-// its area). Vaults are full of slightly warped quadrilaterals: flattened, they keep the points of a quadrilateral
-// and one joint each. What is bent more is cut into triangles, and flat neighbours are joined again.
+// A face counts as plane while its corners lie this near to its mean plane, as a share of its size (square root of
+// its area). Vaults have many slightly warped quadrilaterals: flattened, they keep the points of a quadrilateral
+// and one joint each. A face with more warp is cut into triangles, and coplanar neighbours are joined again.
 inline constexpr double kFlatFace = 1e-2;
-inline constexpr double kFlatEdge = 2e-3;    // sine between two faces that count as one
-inline constexpr double kConvexPart = 5e-3;  // a corner this far above a face, of the part's size
+inline constexpr double kFlatEdge = 2e-3;    // sine between two faces that count as coplanar
+inline constexpr double kConvexPart = 5e-3;  // height of a corner above a face, of the part's size
 inline constexpr std::size_t kMostParts = 100;  // of one body that is cut
 
-// Takes bodies one by one and says at the end what it did to them.
+// Repairs bodies one by one and reports all repairs at the end.
 class Preparation {
  public:
-  // Mends `body`, or adds faults at "wall.blocks.<id>" and leaves it as it is.
+  // Repairs `body`, or adds faults at "wall.blocks.<id>" and leaves it unchanged.
   void take(BodySpec& body, FaultList& faults);
   void say(std::vector<Message>& notes) const;
 

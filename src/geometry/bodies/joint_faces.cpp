@@ -1,6 +1,6 @@
-// Lays facing facets of near bodies into their mean plane and finds their common parts; those of one pair of bodies are
-// united. A common part covers both faces. Parts of one body cover each other too, and so do fixed bodies, without a
-// joint. What stays uncovered becomes outer faces. Slivers and narrow gaps are counted as lost, with one note for all.
+// Projects facing facets of near bodies into their mean plane and computes their common parts; those of one pair of bodies are
+// united. A common part covers both faces. Faces between parts of one body cover each other without a joint, and so do faces of
+// fixed bodies. Uncovered areas become outer faces. Slivers and narrow gaps count as lost, with one note for all.
 #include "geometry/bodies/joint_faces.h"
 
 #include <algorithm>
@@ -17,10 +17,10 @@ struct Face {
   Facet facet;
   Box3 box;
   PlaneAxes axes;
-  std::vector<Convex> free;  // what touches nothing, in `axes`; unused while `whole`
+  std::vector<Convex> free;  // uncovered area, in `axes`; not used while `whole`
   bool whole = true;
 
-  // Takes away what lies under a polygon of (nearly) this plane.
+  // Removes the area under a polygon that is (nearly) in this plane.
   void cover(const std::vector<Vec3>& polygon, double tolerance) {
     if (whole) free = {flat_corners()};
     whole = false;
@@ -52,10 +52,10 @@ struct Piece {
 struct Overlap {
   enum Kind { kNone, kLost, kTouch } kind = kNone;
   Piece piece;
-  double gap = 0;  // largest distance at a corner [m], where the faces are lost
+  double gap = 0;  // largest distance at a corner [m], of lost faces
 };
 
-// The distance of plane `face` from a point of the mean plane, along its normal.
+// Distance of the plane of `face` from a point of the mean plane, along the normal of the latter.
 double height_of(const Facet& face, Vec3 point, Vec3 normal) {
   return dot(face.centre - point, face.normal) / dot(normal, face.normal);
 }
@@ -94,7 +94,7 @@ Overlap overlap_of(const Facet& a, const Facet& b, double finest) {
   return found;
 }
 
-// One polygon out of two that lie in one plane, share an edge and are convex together.
+// Unites two coplanar polygons that share an edge and are convex together.
 bool unite(Piece& a, const Piece& b, double tolerance) {
   if (dot(a.normal, b.normal) <= 0 || norm(cross(a.normal, b.normal)) > kWidestTouch) return false;
   const PlaneAxes axes = axes_of(a.polygon.front(), a.normal);
@@ -162,7 +162,7 @@ class FaceFinder {
       }
   }
 
-  // Faces between the parts of one body are no joints, and not free.
+  // Faces between the parts of one body are neither joints nor outer faces.
   void cover_inner_faces(std::vector<Face>& own) {
     for (std::size_t i = 0; i < own.size(); ++i)
       for (std::size_t k = i + 1; k < own.size(); ++k) {
@@ -254,7 +254,7 @@ class FaceFinder {
   int lost_a_ = 0, lost_b_ = 0;
 };
 
-// A stage that has no name here is refused where stages are read.
+// Stages in which a body stands; unknown names of stages are refused where stages are read.
 StageSpan span_of(const BodySpec& body, const std::vector<std::string>& stages) {
   StageSpan span;
   for (std::size_t k = 0; k < stages.size(); ++k) {
@@ -266,7 +266,7 @@ StageSpan span_of(const BodySpec& body, const std::vector<std::string>& stages) 
 
 double along(Vec3 v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
-// The axis on which the middles of the boxes spread most.
+// The axis along which the centres of the boxes spread most.
 int widest_axis(const std::vector<Box3>& boxes) {
   Box3 spread;
   for (std::size_t i = 0; i < boxes.size(); ++i) {

@@ -1,13 +1,13 @@
-// Where bodies in space touch: coplanar faces that run against each other, and the polygon they share.
+// Finds where bodies in space touch: coplanar faces in opposite directions, and the polygon they share.
 //
-//        +-----------+           faces of a and b whose planes agree within the tolerances are laid into their
+//        +-----------+           faces of a and b whose planes agree within the tolerances are projected into their
 //        |     b     |           mean plane; the common part of the two convex polygons is one joint face
 //   +----+===========+--+
 //   |        a          |        normal from a to b; the polygon runs anticlockwise seen from b
 //   +-------------------+
 //
-// Candidate pairs come from a sweep of boxes along the axis on which the bodies spread most. Pieces of one pair
-// that lie in one plane and form a convex polygon together are joined: a face cut in triangles gives one joint.
+// Candidate pairs come from a sweep of boxes along the axis on which the bodies spread most. Coplanar pieces of one pair
+// that form a convex polygon together are joined: a face that was cut into triangles gives one joint.
 // Called by src/model; checks in body_checks.cpp, cutting into convex parts in convex_parts.cpp.
 #pragma once
 
@@ -25,12 +25,12 @@
 namespace wythe::geometry {
 
 // Tolerances of faces, each as a share of the size of the smaller face (square root of its area).
-inline constexpr double kParallelFaces = 1e-2;  // sine between the normals
+inline constexpr double kParallelFaces = 1e-2;  // sine of the angle between the normals
 inline constexpr double kWidestTouch = 2e-3;    // gap or penetration at any corner of the overlap
 inline constexpr double kWidestMiss =
-    1e-2;  // a gap up to here is a lost face, a wider one is meant
-inline constexpr double kSliverFace = 1e-3;   // overlap of less than this share of its area is lost
-inline constexpr double kFinestTouch = 1e-6;  // of the model's size: what touches in any case
+    1e-2;  // a gap up to here is a lost face, a wider one intended
+inline constexpr double kSliverFace = 1e-3;   // overlap of a smaller share of its area is lost
+inline constexpr double kFinestTouch = 1e-6;  // of the model's size: closer faces always touch
 
 struct JointFace {
   int a = 0, b = 0;           // bodies; a is the fixed one where one is fixed, else a < b
@@ -40,15 +40,15 @@ struct JointFace {
   double area = 0;            // [m^2]
 };
 
-// A convex piece of a body's surface that touches nothing.
+// A convex piece of a body's surface without contact.
 struct OuterFace {
   int body = 0;
   std::vector<Vec3> polygon;
-  Vec3 normal;  // out of the body
+  Vec3 normal;  // pointing out of the body
   double area = 0;
 };
 
-// The stages in which a body stands: from the first to the one before the last.
+// The stages in which a body stands, from the first to the one before the last.
 struct StageSpan {
   int from = 0, until = std::numeric_limits<int>::max();
   [[nodiscard]] bool meets(const StageSpan& other) const {
@@ -56,7 +56,7 @@ struct StageSpan {
   }
 };
 
-// The upright plane of a frame: x along it in plan, y up.
+// The vertical plane of a frame: x along it in plan, y up.
 struct FramePlane {
   Vec3 origin, along, across;
   [[nodiscard]] Vec3 turned(Vec2 v) const { return v.x * along + Vec3{0, v.y, 0}; }
@@ -65,8 +65,8 @@ struct FramePlane {
 struct SpaceFrame {
   PlacedFrame placed;
   FramePlane plane;
-  std::size_t first_body = 0;              // its segments are bodies in a row
-  [[nodiscard]] bool holds_feet() const {  // sections on the ground
+  std::size_t first_body = 0;              // its segments are consecutive bodies
+  [[nodiscard]] bool holds_feet() const {  // whether sections connect it to the ground
     return std::any_of(placed.joints.begin(), placed.joints.end(), [](const FrameJoint& joint) {
       return joint.a == kGround || joint.b == kGround;
     });
@@ -75,19 +75,19 @@ struct SpaceFrame {
 
 struct SpaceAssembly {
   std::vector<BodySpec>
-      body;  // as given, but turned outside out, cut into convex parts; same order
+      body;  // as given and in that order, but oriented outwards and cut into convex parts
   std::vector<SolidMoments> moments;
   std::vector<StageSpan> span;     // of each body
   std::vector<SpaceFrame> frames;  // whose segments are bodies
   std::vector<JointFace> faces;    // by a, b, then by the faces of a and b
-  std::vector<OuterFace> outer;    // by body and face
-  int lost_faces = 0;              // slivers and faces that nearly touch
+  std::vector<OuterFace> outer;    // sorted by body and face
+  int lost_faces = 0;              // slivers, and faces across narrow gaps
   std::vector<Message> notes;
 };
 
-// Faults stand at "wall.blocks.<id>". After a fault of a body only the bodies are checked. `stages`: their names in
-// order; bodies that never stand together may take one place, and do not touch. Nor do segments of one of the `frames`,
-// which sections join, and the ground that holds its feet.
+// Finds the joint faces of `bodies`. Faults stand at "wall.blocks.<id>"; after a fault of a body only bodies are checked. `stages`: names
+// in order. Bodies that never stand together may share a place and do not touch. Nor do segments of one of the `frames`, and the
+// ground that holds its feet: sections connect these.
 [[nodiscard]] SpaceAssembly assemble(const std::vector<BodySpec>& bodies, FaultList& faults,
                                      const std::vector<std::string>& stages = {},
                                      std::vector<SpaceFrame> frames = {});
@@ -96,7 +96,7 @@ struct SpaceAssembly {
 
 // --- for body_checks.cpp
 
-// Pairs (i < j) of boxes that meet when widened by `margin`; sorted.
+// Sorted pairs (i < j) of boxes that meet when widened by `margin`.
 [[nodiscard]] std::vector<std::pair<int, int>> near_pairs(const std::vector<Box3>& boxes,
                                                           double margin);
 

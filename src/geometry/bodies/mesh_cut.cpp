@@ -1,6 +1,6 @@
-// Ranks the planes through a notch and one more corner: by sharp edges crossed, notches on them, balance of corners.
-// The first plane that leaves two closed sides is taken. Three such searches follow each other, the last with a tenth
-// of the tolerance; then the solid is tried as a prism. The volumes of the pieces must add up to that of the whole.
+// Ranks the planes through a reflex edge and one more corner: by sharp edges crossed, reflex edges on them, balance of corners.
+// It takes the first plane that leaves two closed sides. Three such searches follow each other, the last with a tenth
+// of the tolerance; then the solid is tried as a prism. The volumes of the pieces must sum to that of the whole.
 #include "geometry/bodies/mesh_cut.h"
 
 #include <algorithm>
@@ -17,8 +17,8 @@ namespace {
 using Edge = std::pair<int, int>;
 using Triangle = std::array<int, 3>;
 
-constexpr double kMostTrials = 3e8;       // heights computed to find one plane
-constexpr std::size_t kMostPlanes = 100;  // tried one after the other: a cap may touch itself
+constexpr double kMostTrials = 3e8;       // distances computed to find one plane
+constexpr std::size_t kMostPlanes = 100;  // planes tried in turn: a cap may touch itself
 
 Vec3 normal_of(const Mesh& mesh, const Triangle& t) {
   const Vec3 a = mesh.vertex[t[0]];
@@ -49,7 +49,7 @@ int third(const Triangle& t, Edge edge) {
   return t[0];
 }
 
-// An edge with the corners of its two triangles that are not on it.
+// An edge with the third corners of its two triangles.
 struct Hinge {
   Edge edge;
   int left, right;
@@ -60,7 +60,7 @@ struct Plane {
   [[nodiscard]] double height(Vec3 p) const { return dot(p - origin, normal); }
 };
 
-// --- the plane to cut with
+// --- choice of the plane
 
 class PlaneChoice {
  public:
@@ -74,7 +74,7 @@ class PlaneChoice {
     if (every_notch) deep_ = reflex_;
   }
 
-  // Planes from the best to the worst, at most `most`.
+  // Planes from best to worst, at most `most`.
   [[nodiscard]] std::vector<Plane> best(std::size_t most) {
     const double trials = static_cast<double>(deep_.size() * mesh_.vertex.size()) *
                           static_cast<double>(mesh_.vertex.size() + sharp_.size());
@@ -108,7 +108,7 @@ class PlaneChoice {
     const Vec3 start = mesh_.vertex[edge.first];
     const double height = dot(mesh_.vertex[hinge.right] - start, na);
     if (height > 0) reflex_.push_back(hinge);
-    if (height > 4 * close_) deep_.push_back(hinge);  // 4: what a warped quadrilateral has
+    if (height > 4 * close_) deep_.push_back(hinge);  // 4: as much as a warped quadrilateral
   }
 
   [[nodiscard]] int side(double height) const {
@@ -121,7 +121,7 @@ class PlaneChoice {
     const double breadth = norm(across) / std::max(norm(q - p), 1e-300);
     if (breadth <= close_) return;
     const Plane plane{p, unit(across)};
-    // the plane must lie between the two faces: one on either side of it
+    // the plane must lie between both faces, with one on each side
     const double left = plane.height(mesh_.vertex[hinge.left]),
                  right = plane.height(mesh_.vertex[hinge.right]);
     const double slack = 1e-9 * close_;
@@ -164,7 +164,7 @@ class Cut {
     all_ = mesh.vertex;
   }
 
-  // The two sides, closed by caps; false where the cut has holes or touches itself.
+  // Makes the two sides, closed by caps; false where the cut has holes or touches itself.
   bool run(Mesh& below, Mesh& above) {
     for (std::size_t t = 0; t < mesh_.triangle.size(); ++t) share_out(t);
     below_.vertex = above_.vertex = all_;
@@ -180,7 +180,7 @@ class Cut {
     return h > close_ ? 1 : h < -close_ ? -1 : 0;
   }
 
-  // A new corner where an edge crosses the plane, the same for both of its triangles.
+  // A new corner where an edge crosses the plane, shared by both of its triangles.
   int corner_on(int p, int q) {
     const Edge edge = std::minmax(p, q);
     const auto found = cut_edge_.find(edge);
@@ -221,7 +221,7 @@ class Cut {
 
   bool add_caps() {
     const auto edges = edges_of(below_);
-    std::map<int, int> next;  // along the cap, against the open edges
+    std::map<int, int> next;  // along the cap, opposite to the open edges
     for (const auto& [edge, t] : edges) {
       if (edges.contains({edge.second, edge.first})) continue;
       if (!next.emplace(edge.second, edge.first).second) return false;
@@ -284,7 +284,7 @@ Mesh part_of(const Mesh& mesh, const std::vector<int>& triangles) {
   return part;
 }
 
-// Whether the segment pq runs through the inside of triangle t, clear of its border.
+// Whether the segment pq passes through the inside of triangle t, clear of its border.
 bool pierces(const Mesh& mesh, Vec3 p, Vec3 q, const Triangle& t, double margin) {
   const Vec3 a = mesh.vertex[t[0]], n = normal_of(mesh, t);
   const double hp = dot(p - a, n), hq = dot(q - a, n);
@@ -385,16 +385,16 @@ std::optional<std::array<Vec3, 2>> crossing_edge(const Mesh& mesh) {
 
 namespace {
 
-// How planes are looked for: through every notch or deep ones only; corners that count as on one, a share of size.
+// Settings of the search for planes: through every reflex edge or only deep ones; tolerance of corners on a plane, as share of size.
 struct Search {
   bool every_notch;
   double close;
 };
-// The first gives the fewest parts where faces are warped; the others where caps of the first touch themselves.
+// The first gives the fewest parts of warped faces; the others help where caps of the first touch themselves.
 constexpr Search kSearches[] = {
     {false, kConvexPart}, {true, kConvexPart}, {true, kConvexPart / 10}};
 
-// By the best plane that leaves two closed sides.
+// Cuts by the best plane that leaves two closed sides.
 bool cut_once(const Mesh& mesh, const Search& search, std::vector<Mesh>& open) {
   const double close = search.close * size_of(mesh);
   for (const Plane& plane : PlaneChoice(mesh, close, search.every_notch).best(kMostPlanes)) {
@@ -428,14 +428,14 @@ std::string cut_by(const Search& search, const Mesh& mesh, const IsConvex& is_co
   return std::abs(sum - whole) <= 1e-6 * whole ? "" : "is not kept whole by cuts into convex parts";
 }
 
-// --- an upright prism: its base in convex polygons
+// --- a prism: its base in convex polygons
 //
-//   +-----------+      Its surface lies in two parallel planes and in faces at right angles to them. So the base, cut
-//   |  +--+--+  |      into convex polygons, cuts the whole solid; the triangles of the base are such a cut already, and
-//   |  |  |  |  |      neighbours whose union is convex become one. No plane can do that where the base has holes: each
-//   +--+--+--+--+      cut would leave a cap with a hole.
+//   +-----------+      The surface lies in two parallel planes and in faces at right angles to them. So convex polygons of
+//   |  +--+--+  |      the base cut the whole solid. The triangles of the base are such a cut already, and neighbours
+//   |  |  |  |  |      whose union is convex become one. No plane can cut a base with holes: each cut would leave a
+//   +--+--+--+--+      cap with a hole.
 
-// Heights of the two planes; nothing where the surface is not that of a prism along `axis`.
+// Levels of the two planes; nothing where the surface is not that of a prism along `axis`.
 std::optional<std::array<double, 2>> heights_of_prism(const Mesh& mesh, Vec3 axis) {
   const double close = 1e-5 * size_of(mesh);
   std::array<double, 2> ends{std::numeric_limits<double>::infinity(),
@@ -471,7 +471,7 @@ void join_convex_neighbours(std::vector<Convex>& polygons, double tolerance) {
       }
       polygons[i] = *both;
       polygons.erase(polygons.begin() + static_cast<std::ptrdiff_t>(k));
-      k = i + 1;  // those that did not fit before may now
+      k = i + 1;  // neighbours rejected before may fit now
     }
 }
 
@@ -496,7 +496,7 @@ Mesh prism_on(const Convex& base, const PlaneAxes& axes, double height) {
   return mesh;
 }
 
-// Empty where the solid is no upright prism.
+// Convex prisms; empty where the solid is no prism.
 std::vector<Mesh> prisms_of(const Mesh& mesh) {
   const double whole = volume_of(mesh), size = size_of(mesh);
   for (std::size_t t = 0; t < mesh.triangle.size(); ++t) {

@@ -1,10 +1,10 @@
-// A closed surface of triangles, and how it is cut into convex pieces.
+// A closed surface of triangles, and its division into convex pieces.
 //
-//   +-------+            an edge whose faces enclose more than 180 degrees of the solid is reflex; a plane
-//   |   A  /|            through it, and through as many other corners as it can, cuts the solid in two.
+//   +-------+            an edge is reflex where its faces enclose more than 180 degrees of the solid. A plane
+//   |   A  /|            through it, and through as many other corners as possible, cuts the solid in two.
 //   |    r--+---+        Corners within kConvexPart of the plane count as on it, so that no slivers arise.
 //   |    :   B  |
-//   +----+------+        Pieces are cut again until the caller takes them for convex. Where no such plane leaves
+//   +----+------+        Pieces are cut again until the caller accepts them as convex. Where no such plane leaves
 //                        closed sides, as in a letter with a hole, an upright prism is cut by its base.
 //
 // Called by convex_parts.cpp. Idea of cutting at notches: B. Chazelle, SIAM J. Comput. 13 (1984).
@@ -25,20 +25,20 @@ namespace wythe::geometry {
 struct Mesh {
   std::vector<Vec3> vertex;
   std::vector<std::array<int, 3>> triangle;  // anticlockwise seen from outside
-  std::vector<int> source;  // of each triangle: the face it came from; caps get new ones
+  std::vector<int> source;  // of each triangle: its face of origin; caps get new ones
 };
 
-// The triangulation of least area: of a flat polygon, convex or not, one without overlaps. Corners by their
-// place in the list. Takes n^3; empty for more than kMostCorners.
+// The triangulation of least area; for a plane polygon, convex or not, it has no overlaps. Corners are given by their
+// place in the list. Cost n^3; empty for more than kMostCorners.
 inline constexpr std::size_t kMostCorners = 200;
 [[nodiscard]] std::vector<std::array<int, 3>> triangles_of(const std::vector<Vec3>& polygon);
 
 [[nodiscard]] double volume_of(const Mesh& mesh);
-// Pieces that share no edge.
+// Divides a mesh into pieces that share no edge.
 [[nodiscard]] std::vector<Mesh> connected_pieces(const Mesh& mesh);
-// An edge that runs through a triangle it does not belong to.
+// Finds an edge that passes through a triangle of other corners.
 [[nodiscard]] std::optional<std::array<Vec3, 2>> crossing_edge(const Mesh& mesh);
-// Convex pieces, by planes or, of an upright prism, by its base; "" or why there are none.
+// Divides a mesh into convex pieces, by planes or, for a prism, by its base; returns "" or why it can't.
 using IsConvex = std::function<bool(const Mesh&)>;
 [[nodiscard]] std::string cut_into_convex(const Mesh& mesh, const IsConvex& is_convex,
                                           std::vector<Mesh>& pieces);

@@ -1,6 +1,6 @@
-// Collects the faces of a solid from edge to edge. Where several faces run the other way along an edge, the one at the
-// smallest angle through the inside goes on. Angles are compared without a sine, by a measure from 0 to 4. A face that
-// lies on this one is a neighbour's: its angle counts as the largest.
+// Collects the faces of a solid from edge to edge. Where several faces run in the other direction along an edge, the one with the
+// smallest angle through the inside continues. Angles are compared by a measure from 0 to 4, without a sine. A face that
+// coincides with this one belongs to a neighbour: its angle counts as the largest.
 #include "geometry/bodies/pieces.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ bool is_before(Vec3 a, Vec3 b) {
   return a.y != b.y ? a.y < b.y : a.z < b.z;
 }
 
-// Grows with the angle from the first axis towards the second, from 0 to 4, without a sine.
+// Grows with the angle from the first axis towards the second, from 0 to 4; needs no sine.
 double turn_of(double along, double across) {
   const double sum = std::abs(along) + std::abs(across);
   if (sum == 0) return 0;
@@ -64,25 +64,25 @@ class Surfaces {
   }
 
  private:
-  // Two corners in one place make no edge.
+  // Two corners at one place form no edge.
   static Edge edge_of(const std::vector<std::int32_t>& face, std::size_t k) {
     return {face[k], face[(k + 1) % face.size()]};
   }
 
-  // The face that goes on at an edge; -1 where none does.
+  // The face that continues at an edge; -1 where there is none.
   [[nodiscard]] int beyond(int f, Edge edge) const {
     const auto back = edges_.find({edge.second, edge.first});
     if (back == edges_.end()) return turned_beside(f, edge);
     if (back->second.size() == 1) return back->second.front();
     const Vec3 line = unit(vertex_[edge.second] - vertex_[edge.first]);
     const Vec3 normal = facets_[f].normal;
-    const Vec3 into = cross(normal, line);  // in the face, away from the edge
+    const Vec3 into = cross(normal, line);  // in the face, pointing away from the edge
     int best = -1;
     double least = 5;
     for (const int g : back->second) {
       const Vec3 other = cross(facets_[g].normal, -1 * line);
       double turn = turn_of(dot(other, into), -dot(other, normal));
-      if (turn < 1e-9) turn = 4;  // the face of a neighbour that lies on this one
+      if (turn < 1e-9) turn = 4;  // the coinciding face of a neighbour
       if (turn >= least) continue;
       least = turn;
       best = g;
@@ -90,7 +90,7 @@ class Surfaces {
     return best;
   }
 
-  // The one other face at an edge, where it is turned the wrong way; -1 where there is none or a choice.
+  // The only other face at an edge, where its orientation is wrong; -1 where there is none or more than one.
   [[nodiscard]] int turned_beside(int f, Edge edge) const {
     const std::vector<int>& all = edges_.at(edge);
     if (all.size() != 2) return -1;

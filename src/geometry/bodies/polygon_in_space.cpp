@@ -1,5 +1,5 @@
-// Cuts convex polygons by the lines of another's edges, one edge at a time (Sutherland and Hodgman). A corner within
-// the tolerance of a line belongs to both sides and gets no twin. The rest is what each edge cuts off, in turn.
+// Clips convex polygons by the lines of another's edges, one edge at a time (Sutherland and Hodgman). A corner within
+// the tolerance of a line belongs to both sides and is not duplicated. The rest is what each edge clips, in turn.
 #include "geometry/bodies/polygon_in_space.h"
 
 #include <algorithm>
@@ -19,13 +19,13 @@ double height(Vec2 a, Vec2 b, Vec2 p) {
   return l > 0 ? cross(along, p - a) / l : 0;
 }
 
-// Where the segment from p to q meets the line at heights hp and hq of unlike signs.
+// Intersection of a line with the segment from p to q, whose heights hp and hq have opposite signs.
 Vec2 crossing(Vec2 p, Vec2 q, double hp, double hq) {
   const double t = hp / (hp - hq);
   return {p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)};
 }
 
-// What lies on the left of the line from a to b (side 1) or on its right (side -1).
+// The part on the left of the line from a to b (side 1) or on its right (side -1).
 Convex half(const Convex& polygon, Vec2 a, Vec2 b, double side, double tolerance) {
   Convex kept;
   const std::size_t n = polygon.size();
@@ -43,7 +43,7 @@ Convex half(const Convex& polygon, Vec2 a, Vec2 b, double side, double tolerance
 
 PlaneAxes axes_of(Vec3 origin, Vec3 normal) {
   const double x = std::abs(normal.x), y = std::abs(normal.y), z = std::abs(normal.z);
-  Vec3 aside = {1, 0, 0};  // the axis that the normal follows least
+  Vec3 aside = {1, 0, 0};  // axis most oblique to the normal
   if (y < x && y <= z) aside = {0, 1, 0};
   if (z < x && z < y) aside = {0, 0, 1};
   PlaneAxes axes{.origin = origin, .u = {}, .v = {}, .normal = normal};

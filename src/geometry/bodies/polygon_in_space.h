@@ -23,18 +23,18 @@ struct PlaneAxes {
 using Convex = std::vector<Vec2>;
 
 [[nodiscard]] double area_of(const Convex& polygon);
-// Area over half the girth: the breadth of a long strip.
+// Area over half the perimeter: the width of a long strip.
 [[nodiscard]] double breadth_of(const Convex& polygon);
 [[nodiscard]] Vec2 centroid_of(const Convex& polygon);
 [[nodiscard]] bool is_convex(const Convex& polygon, double tolerance);
 
-// Sutherland and Hodgman: each edge of `by` keeps what lies on its left. Corners nearer to each other than
-// `tolerance`, and those on the line of their neighbours, are left out; empty where nothing remains.
+// Clips `polygon` by each edge of `by` (Sutherland and Hodgman). Corners nearer to each other than
+// `tolerance`, and those on the line of their neighbours, are removed; empty where nothing remains.
 [[nodiscard]] Convex common_part(const Convex& polygon, const Convex& by, double tolerance);
-// The rest of `polygon` outside `without`, in convex pieces.
+// The part of `polygon` outside `without`, in convex pieces.
 [[nodiscard]] std::vector<Convex> rest_of(const Convex& polygon, const Convex& without,
                                           double tolerance);
-// Both as one convex polygon, where they share a whole edge and their union is convex.
+// The union as one convex polygon, where both share a whole edge and the union is convex.
 [[nodiscard]] std::optional<Convex> united(const Convex& a, const Convex& b, double tolerance);
 [[nodiscard]] Convex without_idle_corners(const Convex& polygon, double tolerance);
 

@@ -1,5 +1,5 @@
 // Sums exact integrals over tetrahedra (docs/theory/space.md, "Mass and inertia"). They start from a corner of the
-// body: one far from the origin would cost digits. A facet's normal is Newell's sum about the mean of its corners.
+// body, since a distant origin would cost digits. The normal of a facet is Newell's sum about the mean of its corners.
 #include "geometry/bodies/polyhedron.h"
 
 #include <algorithm>
@@ -70,7 +70,7 @@ Vec3 most(Vec3 a, Vec3 b) { return {std::max(a.x, b.x), std::max(a.y, b.y), std:
 
 SolidMoments solid_moments(const BodySpec& body) {
   Sums sums;
-  Vec3 origin;  // near the body, so that a body far from the wall's origin keeps its digits
+  Vec3 origin;  // near the body, so that a distant body keeps its digits
   for (const Polyhedron& part : body.part)
     if (!part.vertex.empty()) {
       origin = part.vertex.front();

@@ -1,7 +1,7 @@
-// Solids with flat faces: mass properties, and the measures of a polygon in space.
+// Solids with flat faces: mass properties; and the geometry of a polygon in space.
 //
-// Called by joint_faces.cpp, body_checks.cpp and convex_parts.cpp, and by src/model for masses. Only + - x / and
-// square roots, so that bits are the same everywhere.
+// Called by joint_faces.cpp, body_checks.cpp and convex_parts.cpp, and by src/model for masses. Uses only + - x / and
+// square roots, so that the bits are the same everywhere.
 #pragma once
 
 #include <array>
@@ -23,12 +23,12 @@ struct SolidMoments {
   std::array<double, 6> inertia{};
 };
 
-// Exact for flat faces, convex or not: every face is fanned from the mean of its corners into tetrahedra.
-// A warped face counts the same from both sides, whichever corner comes first. Sums over the parts.
+// Exact for flat faces, convex or not: tetrahedra connect every face, divided from the mean of its corners. The result does not
+// depend on the first corner of a warped face or on its side. Sums over the parts.
 [[nodiscard]] SolidMoments solid_moments(const BodySpec& body);
 [[nodiscard]] SolidMoments solid_moments(const Polyhedron& part);
 
-// Square root of the dot product: as length(), without libm.
+// As length(), by the square root of the dot product, without libm.
 [[nodiscard]] inline double norm(Vec3 v) { return std::sqrt(dot(v, v)); }
 [[nodiscard]] inline Vec3 unit(Vec3 v) {
   const double l = norm(v);
@@ -40,8 +40,8 @@ struct SolidMoments {
   return sum / static_cast<double>(points.size());
 }
 
-// A polygon in space about its mean plane: the normal of Newell's sum, the centroid of its area, and how far its
-// corners lie off that plane.
+// A polygon in space and its mean plane: normal of Newell's sum, centroid of its area, and largest distance of its
+// corners from that plane.
 struct Facet {
   std::vector<Vec3> corner;
   Vec3 normal, centre;
@@ -60,7 +60,7 @@ struct Box3 {
 [[nodiscard]] Box3 box_of(std::span<const Vec3> points);
 [[nodiscard]] Box3 box_of(const BodySpec& body);
 [[nodiscard]] Box3 join(const Box3& a, const Box3& b);
-// True where the boxes, each widened by half of `margin`, meet.
+// Whether the boxes meet, each widened by half of `margin`.
 [[nodiscard]] bool near(const Box3& a, const Box3& b, double margin);
 
 }  // namespace wythe::geometry

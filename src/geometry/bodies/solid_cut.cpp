@@ -1,6 +1,6 @@
-// Splits the faces of a convex solid at a plane and closes both halves by one face, its corners sorted by their angle.
+// Splits the faces of a convex solid at a plane and closes both halves by one face, whose corners are sorted by their angle.
 // A corner within kOnPlane [m] of the plane lies on it and belongs to both halves. A difference keeps one piece for
-// each plane that cuts. Parts hang together where they share more than 1e-8 m^2.
+// each plane that cuts. Parts are connected where they share more than 1e-8 m^2.
 #include "geometry/bodies/solid_cut.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace wythe::geometry {
 namespace {
 
-// Collects corners of one half; those on one place are one.
+// Collects the corners of one half, each place once.
 class Half {
  public:
   explicit Half(const Polyhedron& whole) : of_(whole.vertex.size(), -1) {}
@@ -22,7 +22,7 @@ class Half {
     if (of_[index] < 0) of_[index] = add(place);
     return of_[index];
   }
-  // Where the edge between two corners crosses the plane.
+  // The corner where an edge crosses the plane.
   std::int32_t crossing(std::int32_t a, std::int32_t b, Vec3 place) {
     const auto key = std::minmax(a, b);
     const auto known = crossing_.find(key);
@@ -34,7 +34,7 @@ class Half {
     while (face.size() > 1 && face.front() == face.back()) face.pop_back();
     if (face.size() >= 3) solid_.face.push_back(std::move(face));
   }
-  // The face in the plane: corners on it, around their middle, anticlockwise about `outward`.
+  // The face in the plane: corners on it, sorted around their mean, anticlockwise about `outward`.
   void close(const std::vector<std::int32_t>& on, Vec3 outward) {
     if (on.size() < 3) return;
     std::vector<Vec3> places;
@@ -63,7 +63,7 @@ class Half {
   Polyhedron solid_;
 };
 
-// The half with side[k] <= 0; `side` says on which side of the plane each corner lies, `height` how far.
+// The half with side[k] <= 0; `side` gives the side of each corner, `height` its distance from the plane.
 Polyhedron half_of(const Polyhedron& part, const std::vector<int>& side,
                    const std::vector<double>& height, Vec3 outward) {
   Half half(part);

@@ -1,5 +1,5 @@
 // Builds the tables in a fixed order: plan walls, slabs, arches, domes (docs/theory/builder.md). Names are checked
-// first, since bodies are named after them. Slabs cut pockets into walls, so they are built only while there is no
+// first, since bodies get their names from them. Slabs cut pockets into walls, so they are built only while there is no
 // fault.
 #include "geometry/builder/builder.h"
 
@@ -112,7 +112,7 @@ bool StraightWall::goes_through(int e, int row) const { return (row + phase) % 2
 
 namespace {
 
-// Keys of [wall] that say something of a wall in its plane, or of a file.
+// Refuses keys of [wall] that only affect a wall in the plane, or a file.
 void refuse_idle_keys(const ModelSpec& spec, FaultList& faults) {
   const WallSpec& wall = spec.wall;
   const auto refuse = [&](const char* path, bool stated, const char* problem, const char* cure) {
@@ -149,7 +149,7 @@ void lay_bodies(const BuilderSpec& built, ModelSpec& spec) {
   std::move(floors.begin(), floors.end(), std::back_inserter(spec.floor));
   for (BuiltBody& body : bodies) spec.body.push_back(std::move(body.body));
   spec.frame = std::move(frames);
-  spec.wall.blocks = "blocks.json";  // of the run's folder
+  spec.wall.blocks = "blocks.json";  // in the folder of the run
   if (spec.wall.up.empty()) spec.wall.up = "y";
   for (const std::string& note : texts_of(notes))
     spec.note += (spec.note.empty() ? "" : "; ") + note;

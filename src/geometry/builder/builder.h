@@ -1,11 +1,11 @@
-// The builder in space: tables of the model file -> bodies (docs/theory/builder.md).
+// The builder in space: turns tables of the model file into bodies (docs/theory/builder.md).
 //
 //   [[plan_wall]] ──► plan_meetings: where lines meet ──► plan_walls: courses, teeth, wythes ──┐
-//   [[slab]] ──► slabs: outline, level; walls are cut where it reaches into them ──────────────┤
+//   [[slab]] ──► slabs: outline, level; walls are cut where slabs reach into them ─────────────┤
 //   [[arch]], [[dome]] ──► vaults: voussoirs between flat joints ─────────────────────────────┴─► BodySpec
 //
-// Bodies are named "front.c03u05a": wall, course and unit from 0 on, piece; with wythes ".w1" ... at the end.
-// Supports are "front.ground". Called when a model file is read (src/io/model/model_file.cpp).
+// Ids of bodies are "front.c03u05a": wall, course and unit counted from 0, piece; with wythes ".w1" ... at the end.
+// Those of supports are "front.ground". Called when a model file is read (src/io/model/model_file.cpp).
 #pragma once
 
 #include <string>
@@ -22,12 +22,12 @@ namespace wythe::geometry {
 
 inline constexpr std::size_t kMostBuilt = 200000;  // bodies of one model
 
-// What the tables are built with: the model's [wall], whose keys they inherit, and its materials.
+// Data for all tables: the model's [wall], whose keys they inherit, and its materials.
 struct Site {
   const BuilderSpec& spec;
   const ModelSpec& model;
   [[nodiscard]] bool z_up() const { return model.wall.up == "z"; }
-  // A material has a density, or the masonry has one.
+  // Adds a fault where a material has no density and the masonry has none either.
   void check_material(const std::string& path, const std::string& name, FaultList& faults) const;
 };
 
@@ -35,18 +35,18 @@ struct BuiltBody {
   BodySpec body;
   std::string wall;  // "front", or "front.2" of a line with corners
   int course = -1;
-  int wythe = 0;  // 1, 2, ...; 0: the whole thickness
+  int wythe = 0;  // 1, 2, ...; 0: full thickness
 };
 
-// Bodies of all three tables; faults stand at the keys of their table.
-// `frames`: takes the model's frames as frames_in_walls() places them.
+// Builds the bodies of all tables; faults stand at the keys of their table.
+// `frames` gets the model's frames as frames_in_walls() places them.
 [[nodiscard]] std::vector<BuiltBody> build_bodies(const Site& site, std::vector<Message>& notes,
                                                   FaultList& faults,
                                                   std::vector<FrameSpec>* frames = nullptr);
 
 // --- pieces
 
-// Places in plan (p, q) and heights become the wall's axes: q is z, or the file's y where z points up.
+// Converts places in plan (p, q) and heights to the wall's axes: q is z, or the file's y where z points up.
 struct PlanAxes {
   bool z_up = false;
   [[nodiscard]] Vec3 place(Vec2 plan, double height) const {
@@ -54,7 +54,7 @@ struct PlanAxes {
   }
 };
 
-// A solid between two polygons of as many corners, the sides flat; turned outside out.
+// The solid between two polygons with equal numbers of corners and plane sides; oriented outwards.
 [[nodiscard]] Polyhedron solid_between(const std::vector<Vec3>& bottom,
                                        const std::vector<Vec3>& top);
 
@@ -64,10 +64,10 @@ struct WallEnd {
   int other = -1;        // the wall it meets
   int other_end = -1;    // at a corner
   bool toothed = false;  //
-  double reach = 0;      // of the masonry beyond the line's end, negative where it stops before [m]
-  Vec2 face{};           // oblique, and it ends there: dot(face, plan) >= face_at is what stays
+  double reach = 0;      // length of masonry beyond the line's end; < 0: it ends before [m]
+  Vec2 face{};           // of an oblique end: masonry with dot(face, plan) >= face_at stays
   double face_at = 0;
-  int passes = 0;  // courses that go through are those with (course + phase) % 2 == passes
+  int passes = 0;  // courses with (course + phase) % 2 == passes go through
 };
 
 // A wall that ends on this one.
@@ -76,7 +76,7 @@ struct Tee {
   double at = 0;  // from the first point of the line [m]
 };
 
-// One straight wall: a plan_wall, or one side of a polyline.
+// One straight wall: a plan_wall, or one segment of its line.
 struct StraightWall {
   int index = 0;           // in the list of plan walls
   std::string name, path;  // "front" or "front.2"; "plan_wall.0"
@@ -84,37 +84,37 @@ struct StraightWall {
   double line = 0;  // length of the line [m]
   double base = 0;  // height of its foot [m]
   double thickness = 0;
-  WallSpec wall;  // what it inherits settled; its length is that of the masonry, teeth included
+  WallSpec wall;  // with inherited values; its length is that of the masonry with teeth
   WallEnd end[2];
   std::vector<Tee> tees;
-  int phase = 0;  // its bond begins with this course
+  int phase = 0;  // first course of its bond
   std::vector<Storey> storeys;
-  [[nodiscard]] double begin() const { return -end[0].reach; }  // of the masonry, on the line [m]
+  [[nodiscard]] double begin() const { return -end[0].reach; }  // of the masonry, on its line [m]
   [[nodiscard]] int rows() const;                               // courses below the gable
   [[nodiscard]] bool goes_through(int e, int row) const;
 };
 
-// Lines cut at their corners, with thicknesses, lengths and meetings.
+// Divides lines at their corners and finds thicknesses, lengths and meetings.
 [[nodiscard]] std::vector<StraightWall> read_plan(const Site& site, FaultList& faults);
 
-// Once the lattices are known: which end goes through in which courses.
+// Decides which end goes through in which courses, once the lattices are known.
 void match_courses(std::vector<StraightWall>& walls, FaultList& faults);
 
-// `walls` gets the straight walls that the bodies are of, for what lies on them.
+// Builds all plan walls. `walls` gets the straight walls behind the bodies, for slabs and frames on them.
 [[nodiscard]] std::vector<BuiltBody> build_plan_walls(const Site& site,
                                                       std::vector<StraightWall>& walls,
                                                       std::vector<Message>& notes,
                                                       FaultList& faults);
-// The model's frames, those that name a wall with the place of its middle plane, with the opening that they stand in as
-// it was laid, and with the stage that cuts it.
+// The model's frames. One that names a wall gets the place of the wall's middle plane, the opening as laid, and
+// the stage that cuts this opening.
 [[nodiscard]] std::vector<FrameSpec> frames_in_walls(const Site& site,
                                                      const std::vector<StraightWall>& walls,
                                                      FaultList& faults);
-// Adds the slabs to the bodies of these walls, and cuts these where slabs reach into them.
+// Adds slabs to the bodies of these walls, and cuts pockets where slabs reach into walls.
 void build_slabs(const Site& site, const std::vector<StraightWall>& walls,
                  std::vector<BuiltBody>& bodies, std::vector<Message>& notes, FaultList& faults);
-// What lies on slabs, one floor for each of their convex parts, with its resultant in the part's middle; and the
-// joints that slabs ask for. Both belong to the model beside the bodies.
+// Loads of slabs, one floor for each convex part with its resultant in the middle of the part; and the
+// rules for joints of slabs. Both belong to the model, not to the bodies.
 [[nodiscard]] std::vector<FloorSpec> floors_of_slabs(const Site& site,
                                                      const std::vector<BuiltBody>& bodies);
 [[nodiscard]] std::vector<ContactRule> contacts_of_slabs(const Site& site,

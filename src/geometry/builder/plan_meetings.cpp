@@ -1,4 +1,4 @@
-// Where walls along plan lines meet, and which courses go through there.
+// Finds where walls along plan lines meet, and which courses go through at each meeting.
 #include <algorithm>
 #include <cmath>
 
@@ -11,10 +11,10 @@
 namespace wythe::geometry {
 namespace {
 
-constexpr double kSamePlace = 1e-4;    // between points of two lines [m]
-constexpr double kRightAngle = 1e-6;   // cosine between two walls that meet
-constexpr double kLeastSine = 0.7071;  // of the angle between two walls that meet: 45 degrees
-constexpr double kLeastLap = 0.25;     // of a half unit: what a tooth reaches beyond the other wall
+constexpr double kSamePlace = 1e-4;    // distance of two points that count as one [m]
+constexpr double kRightAngle = 1e-6;   // cosine of the angle between two walls at right angles
+constexpr double kLeastSine = 0.7071;  // sine of the smallest angle between two walls: 45 degrees
+constexpr double kLeastLap = 0.25;     // of a half unit: least lap of a tooth beyond the other wall
 
 template <class E, std::size_t N>
 void take_word(const std::string& stated, const Word<E> (&words)[N], const std::string& path,
@@ -36,7 +36,7 @@ void take(double own, double& value) {
   if (!std::isnan(own)) value = own;
 }
 
-// [wall] with what the plan_wall states itself.
+// The values of [wall], replaced by those that the plan_wall states.
 WallSpec inherited(const Site& site, const PlanWallSpec& spec, const std::string& path,
                    FaultList& faults) {
   WallSpec wall = site.model.wall;
@@ -85,7 +85,7 @@ bool check_sizes(const PlanWallSpec& spec, const WallSpec& wall, const std::stri
   return good;
 }
 
-// The sides of one table's line.
+// Adds one straight wall for each segment of a table's line.
 void add_sides(const Site& site, int index, std::vector<StraightWall>& walls, FaultList& faults) {
   const PlanWallSpec& spec = site.spec.plan_wall[static_cast<std::size_t>(index)];
   const std::string path = "plan_wall." + std::to_string(index);
@@ -146,7 +146,7 @@ Vec2 point(const StraightWall& wall, int e) {
 Vec2 back(Vec2 v) { return {-v.x, -v.y}; }
 
 struct Foot {
-  double along, off;  // of a point: on the line, and off it [m]
+  double along, off;  // coordinates of a point along the line and across it [m]
 };
 Foot foot_of(const StraightWall& wall, Vec2 p) {
   const Vec2 d = p - wall.from;
@@ -182,7 +182,7 @@ class Meetings {
            spec[static_cast<std::size_t>(b.index)].meets == Meeting::kToothed;
   }
 
-  // Walls that stand one above the other meet in no course.
+  // Whether the heights of two walls overlap: a wall above another meets it in no course.
   [[nodiscard]] bool lie_beside(const StraightWall& a, const StraightWall& b) const {
     const auto top = [&](const StraightWall& wall) {
       return wall.base + wall.wall.height +
@@ -200,7 +200,7 @@ class Meetings {
     return false;
   }
 
-  // Both ends of wall i against wall k; corners are taken once, from the earlier of the two.
+  // Tests both ends of wall i against wall k. The earlier wall of a corner handles it, so each corner is handled once.
   void meet(int i, int k) {
     StraightWall &a = at(i), &b = at(k);
     if (!lie_beside(a, b)) return;
@@ -242,7 +242,7 @@ class Meetings {
     return true;
   }
 
-  // At right angles, or butted at 45 degrees and more.
+  // Whether the angle is allowed: 90 degrees, or at least 45 degrees for butted walls.
   bool may_meet(int i, int k, Vec2 p) {
     const double sine = std::fabs(cross(at(i).along, at(k).along));
     if (is_square(i, k)) return true;
@@ -261,11 +261,11 @@ class Meetings {
     return false;
   }
   bool is_square(int i, int k) { return std::fabs(dot(at(i).along, at(k).along)) < kRightAngle; }
-  // From its end e into a wall.
+  // Direction from end e into wall i.
   Vec2 into(int i, int e) { return e == 0 ? at(i).along : back(at(i).along); }
 
-  // End e of wall i stands against the face of wall k: its units are cut by that plane. Their axis comes to it t/2s from
-  // the line of k, one edge |c| T/2s before (t, T thicknesses of k and i; c, s cosine and sine of the angle between them).
+  // End e of wall i stands against the face of wall k, whose plane cuts its units. The axis of i reaches this plane t/2s from the
+  // line of k, one edge |c| T/2s before (t, T: thicknesses of k and i; c, s: cosine and sine of the angle between them).
   void stand_against(int i, int e, int k) {
     const Vec2 d = into(i, e), p = point(at(i), e);
     const double sine = std::fabs(cross(d, at(k).along)), cosine = std::fabs(dot(d, at(k).along));
@@ -284,7 +284,7 @@ class Meetings {
     const bool toothed = is_toothed(at(i), at(k));
     at(i).end[e] = {.kind = EndKind::kCorner, .other = k, .other_end = f, .toothed = toothed};
     at(k).end[f] = {.kind = EndKind::kCorner, .other = i, .other_end = e, .toothed = toothed};
-    // i reaches as far as the end of k stands against its face
+    // wall i ends where the end of k stands against its face
     const Vec2 d = into(k, f);
     const double sine = std::fabs(cross(d, at(i).along)), out = -dot(d, into(i, e));
     at(i).end[e].reach = is_square(i, k)
@@ -308,7 +308,7 @@ class Meetings {
     at(k).tees.push_back({i, e, along});
   }
 
-  // Two walls may not end on one place from both sides: both would go through in the same courses.
+  // Refuses two walls that end at one place from both sides: both would go through in the same courses.
   void check_tees(const StraightWall& wall) {
     for (std::size_t p = 0; p < wall.tees.size(); ++p)
       for (std::size_t q = p + 1; q < wall.tees.size(); ++q) {
@@ -326,9 +326,9 @@ class Meetings {
   FaultList& faults_;
 };
 
-// --- which courses go through -----------------------------------------------------------------------
+// --- courses that go through ------------------------------------------------------------------------
 
-// Length of the unit at an end of a course of the bond, its halves together [m].
+// Length of the unit at one end of a course, both halves together [m].
 double end_unit(const StraightWall& wall, int e, int course) {
   const std::vector<Piece> pieces = lay_course(wall.storeys.front(), course);
   if (pieces.empty()) return 0;
@@ -339,7 +339,7 @@ double end_unit(const StraightWall& wall, int e, int course) {
   return length;
 }
 
-// How far head joints of a course stand from the middle of a hole at `x`, at least [m].
+// Least distance of a course's head joints from a hole centred at `x` [m].
 double nearest_joint(const StraightWall& wall, int course, double x) {
   double least = 1e300;
   int before = -1;
@@ -350,7 +350,7 @@ double nearest_joint(const StraightWall& wall, int course, double x) {
   return least;
 }
 
-// Phases 0 or 1 with the parity of their difference known for some pairs.
+// Phases 0 or 1 of the walls, where the parity of the difference is prescribed for some pairs.
 class Phases {
  public:
   explicit Phases(std::size_t n) : above_(n), parity_(n, 0) {
@@ -361,7 +361,7 @@ class Phases {
     for (; above_[i] != i; i = above_[i]) parity ^= parity_[i];
     return parity;
   }
-  // False where the pair is bound otherwise already.
+  // False where the pair already has the other parity.
   bool bind(std::size_t i, std::size_t k, int parity) {
     const std::size_t p = root(i), q = root(k);
     const int between = of(i) ^ of(k);
@@ -385,7 +385,7 @@ bool has_courses(const StraightWall& wall) {
          wall.storeys.front().lattice.columns.count > 0;
 }
 
-// Teeth need courses of one height, and units longer than the other wall is thick.
+// Whether teeth fit: courses must have equal heights, and units must be longer than the other wall is thick.
 bool teeth_fit(const StraightWall& a, int e, const StraightWall& b, FaultList& faults) {
   const double step_a = a.storeys.front().lattice.courses.step;
   const double step_b = b.storeys.front().lattice.courses.step;
@@ -414,7 +414,7 @@ std::vector<StraightWall> read_plan(const Site& site, FaultList& faults) {
   std::vector<StraightWall> walls;
   for (std::size_t i = 0; i < site.spec.plan_wall.size(); ++i)
     add_sides(site, static_cast<int>(i), walls, faults);
-  // walls that lack a neighbour end where none of them was meant to
+  // without all lines, walls would seem to end where none of them should
   const auto has_line = [](const PlanWallSpec& wall) { return wall.line.size() >= 2; };
   if (!std::all_of(site.spec.plan_wall.begin(), site.spec.plan_wall.end(), has_line)) return {};
   Meetings(walls, site.spec, faults).find();
@@ -455,7 +455,7 @@ void match_courses(std::vector<StraightWall>& walls, FaultList& faults) {
         return t.other == static_cast<int>(i) && t.end == e;
       });
       const double x = own->at - walls[k].begin();
-      // the course that bridges is the one whose head joints stand away from it
+      // the bridging course is the one whose head joints are farther from the tooth
       const int bridges = nearest_joint(walls[k], 1, x) > nearest_joint(walls[k], 0, x) ? 1 : 0;
       (void)phases.bind(i, k, 1 ^ end.passes ^ bridges);
     }

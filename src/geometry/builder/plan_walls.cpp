@@ -1,4 +1,4 @@
-// Walls along plan lines: courses of the plane's builder, cut where walls meet, as solids.
+// Lays walls along plan lines: courses of the plane's builder, cut where walls meet, become solids.
 #include <algorithm>
 #include <cmath>
 
@@ -24,7 +24,7 @@ namespace {
 
 constexpr double kMargin = 1e-9;  // [m]
 constexpr double kLeastPiece =
-    0.25;  // of a half unit's face: smaller ones below a gable are joined
+    0.25;  // of a half unit's face: smaller pieces below a gable are joined to others
 
 void replace_all(std::string& text, const std::string& what, const std::string& by) {
   for (std::size_t k = text.find(what); k != std::string::npos; k = text.find(what, k + by.size()))
@@ -43,7 +43,7 @@ bool states(const PlanWallSpec& spec, const std::string& key) {
   return key.starts_with("opening");
 }
 
-// What the plane's builder finds of one wall, at the keys of its table.
+// Copies faults of the plane's builder, with the keys of the plan wall's table.
 void take_faults(const Site& site, const StraightWall& wall, const FaultList& found,
                  FaultList& faults) {
   const PlanWallSpec& spec = site.spec.plan_wall[wall.index];
@@ -65,7 +65,7 @@ void take_faults(const Site& site, const StraightWall& wall, const FaultList& fo
   }
 }
 
-// Storeys and openings of one wall, by the plane's builder.
+// Storeys and openings of one wall, from the plane's builder.
 class Layout {
  public:
   Layout(const Site& site, const StraightWall& wall) {
@@ -141,7 +141,7 @@ class WallBuilder {
   [[nodiscard]] const Axis& courses() const { return storey().lattice.courses; }
   [[nodiscard]] double length() const { return storey().lattice.columns.extent; }
 
-  // Courses of the same height go on above the wall up to the gable's top.
+  // Adds courses of the same height above the wall, up to the top of the gable.
   void add_gable_courses() {
     if (!(spec_.gable > 0) || courses().count == 0) return;
     Storey above = storey();
@@ -155,7 +155,7 @@ class WallBuilder {
     storeys_.push_back(above);
   }
 
-  // What the plane's wall checks along with its joints, and what only it can have.
+  // Checks openings as a wall in the plane does, and as only a wall in space needs.
   void check_openings(FaultList& faults) const {
     for (std::size_t i = 0; i < spec_.opening.size(); ++i) {
       const OpeningSpec& opening = spec_.opening[i];
@@ -189,7 +189,7 @@ class WallBuilder {
     return {x0, courses().line(row), x1, courses().line(row + 1)};
   }
 
-  // Teeth that lie in an opening would hang in the air, or lie in its lintel.
+  // Refuses teeth in an opening or its lintel: they would be unsupported.
   void check_meetings(const std::vector<PlacedOpening>& openings, FaultList& faults) const {
     const auto check = [&](const StraightWall& other, double x0, double x1) {
       const Rect zone{x0, 0, x1, courses().line(std::min(courses().count, other.rows()))};
@@ -218,7 +218,7 @@ class WallBuilder {
     }
   }
 
-  // What other walls' teeth take of this one, and of the teeth what it does not make itself.
+  // Holes in this wall: for teeth of other walls, and in its own ends where the other wall goes through.
   void cut_teeth(std::vector<Rect>& holes) {
     for (int e = 0; e < 2; ++e) {
       const WallEnd& end = wall_.end[e];
@@ -241,7 +241,7 @@ class WallBuilder {
     }
   }
 
-  // A unit over the place of a tooth below and above, where a head joint would stand over the tooth or near it.
+  // Lays a unit across a tooth in the course above or below, where a head joint would stand over the tooth or near it.
   void bridge(int row, double x, double half, std::vector<Rect>& holes) {
     const double unit = storey().lattice.stretcher, lap = kLeastPiece * unit / 2;
     int before = -1;
@@ -323,7 +323,7 @@ class WallBuilder {
     return {{0, 0}, {l, 0}, {l, h}, {l / 2, h + spec_.gable}, {0, h}};
   }
 
-  // Units under the slopes are cut; what is too small becomes part of the next unit towards the middle.
+  // Cuts units under the slopes; small pieces are joined to the next unit towards the middle.
   void cut_gable(int& joined) {
     const Polygon roof = below_gable();
     const Axis& columns = storey().lattice.columns;
@@ -380,7 +380,7 @@ class WallBuilder {
     return solid_between(back, front);
   }
 
-  // Depths of the wythes from one face to the other.
+  // Thicknesses of the wythes from one face to the other.
   [[nodiscard]] std::vector<double> depths() const {
     const double half = wall_.thickness / 2;
     if (spec_.wythes == 1) return {-half, half};
@@ -389,7 +389,7 @@ class WallBuilder {
     return {-half, -core / 2, core / 2, half};
   }
 
-  // Headers and through-stones reach through all wythes.
+  // Whether a block passes through all wythes: a header or a through-stone.
   [[nodiscard]] bool is_through(const Block& block) const {
     const int course = block.course;
     const std::vector<Piece> pieces = lay_course(storey(), course);
@@ -421,14 +421,14 @@ class WallBuilder {
   }
 
   [[nodiscard]] std::string name_of(const Block& block) const {
-    // courses of the bond are counted from the phase on, ids from the ground
+    // the bond counts courses from the phase on, ids count them from the ground
     const std::size_t end = block.id.find_first_not_of("0123456789", 1);
     if (block.id.empty() || block.id.front() != 'c') return wall_.name + "." + block.id;
     return fmt::format("{}.c{:02}{}", wall_.name, block.course - storey().first_course,
                        block.id.substr(end));
   }
 
-  // What is beyond the face of a wall that it stands against at an angle is cut off; false where nothing is left.
+  // Cuts off what lies beyond an oblique face that the wall stands against; false where nothing is left.
   bool cut_at_faces(Polyhedron& part) const {
     for (const WallEnd& end : wall_.end)
       if (end.face.x != 0 || end.face.y != 0)
@@ -436,7 +436,7 @@ class WallBuilder {
     return !part.vertex.empty();
   }
 
-  // Name of the stage that cuts an opening; "": it is built with the wall.
+  // Name of the stage that cuts an opening; "": the opening is built with the wall.
   [[nodiscard]] const std::string& cut_of(int opening) const { return spec_.opening[opening].cut; }
 
   bool keep(const std::string& id, const std::string& material, Polyhedron part, int course,
@@ -474,15 +474,15 @@ class WallBuilder {
     }
   }
 
-  // Whether a lintel of segments bends: a chain of segments where its material has both moduli (model/space/space.cpp), else one
-  // rigid block.
+  // Whether a lintel of segments bends: it is a chain of segments where its material has both moduli (model/space/space.cpp),
+  // otherwise one rigid block.
   [[nodiscard]] bool bends(const LintelSpec& lintel) const {
     const auto body = site_.model.material.find(lintel.material);
     return body != site_.model.material.end() && body->second.youngs_modulus > 0 &&
            body->second.shear_modulus > 0;
   }
 
-  // A sill is one rigid block; voussoirs stand for themselves.
+  // Adds lintel and sill. A sill is one rigid block; voussoirs are blocks of their own.
   void add_spanning(const PlacedOpening& opening) {
     const OpeningSpec& spec = spec_.opening[opening.index];
     const double half = wall_.thickness / 2;
@@ -512,7 +512,7 @@ class WallBuilder {
       add(fmt::format("arch{}_{}", number, k), spec.arch.material, voussoir(opening.arch, k));
   }
 
-  // Fixed slabs as deep as a course under each stretch of the lowest course.
+  // Adds fixed slabs, one course deep, below each part of the lowest course.
   void add_ground() {
     std::vector<Slot> slots;
     for (const Block& block : blocks_) {
@@ -542,12 +542,12 @@ class WallBuilder {
   std::vector<Storey> storeys_;
   std::vector<Block> blocks_;
   std::vector<std::pair<int, double>> bridges_;  // row, middle [m]
-  int bare_teeth_ = 0;                           // without one
-  int cut_pieces_ = 0;                           // that a stage cuts out, so far
+  int bare_teeth_ = 0;                           // teeth without a bridge
+  int cut_pieces_ = 0;                           // number of cut-out pieces so far
   std::vector<BuiltBody> bodies_;
 };
 
-// One of the model's frames, on its way to a place in a wall.
+// Places one of the model's frames in a wall.
 class FrameInWall {
  public:
   FrameInWall(const Site& site, const StraightWall& wall, std::size_t index, FaultList& faults)
@@ -589,10 +589,10 @@ class FrameInWall {
     frame_.round = "";
   }
 
-  // Whether a part of its line reaches into the hole, as deep as its section (as in model/plane/standing.cpp).
+  // Whether a part of the frame, as deep as its section, reaches into the hole (as in model/plane/standing.cpp).
   [[nodiscard]] bool stands_in(const Rect& hole) const {
     constexpr double kTouch = 1e-6;  // [m]
-    FaultList told;                  // where the frame is placed
+    FaultList told;                  // faults of placing the frame
     const FrameSections sections = sections_of(frame_, index_, told).value_or(FrameSections{});
     for (std::size_t k = 1; k < frame_.line.size(); ++k) {
       const auto &p = frame_.line[k - 1], &q = frame_.line[k];

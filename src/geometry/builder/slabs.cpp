@@ -1,4 +1,4 @@
-// Floor slabs as rigid bodies: where they lie, and the pockets that they take out of walls.
+// Floor slabs as rigid bodies: their places, and the pockets that they cut into walls.
 //
 //   [[slab]] ──► outline (between walls, or as given) ──► level on a bed joint ──► convex parts ──► walls cut
 //
@@ -21,18 +21,18 @@
 namespace wythe::geometry {
 namespace {
 
-constexpr double kSameHeight = 1e-3;  // between beds of two walls that carry one slab [m]
-constexpr double kNearBed = 0.01;     // how far the stated level may lie off a bed joint [m]
-constexpr double kSquare = 1e-6;      // sine between walls that make a rectangle
+constexpr double kSameHeight = 1e-3;  // difference of beds of two walls under one slab [m]
+constexpr double kNearBed = 0.01;     // distance of the stated level from a bed joint [m]
+constexpr double kSquare = 1e-6;      // sine between walls of a rectangle
 constexpr double kSlabMargin = 1e-6;  // [m]
-constexpr double kLeastRest = 0.25;   // of a unit: smaller ends that come loose are left out
-constexpr double kBesideEnds = 0.25;  // of the clear length: where walls beside a slab may stand
+constexpr double kLeastRest = 0.25;   // of a unit: smaller loose ends are omitted
+constexpr double kBesideEnds = 0.25;  // of the clear length: range of walls beside a slab
 
 double top_of(const StraightWall& wall) {
   return wall.base + wall.storeys.front().lattice.courses.end();
 }
 
-// The masonry in plan.
+// Outline of the masonry in plan.
 Convex footprint(const StraightWall& wall) {
   const double half = 0.5 * wall.thickness;
   Convex corners;
@@ -64,10 +64,10 @@ bool is_anticlockwise(const Convex& polygon) {
   return twice > 0;
 }
 
-// A slab before it is cut into walls.
+// A slab with its place, before it cuts walls.
 struct Placed {
   std::vector<Convex> parts;            // of its outline in plan
-  std::vector<const StraightWall*> on;  // walls it rests on
+  std::vector<const StraightWall*> on;  // walls that carry it
   double level = 0;
   std::vector<Polyhedron> solid;
 };
@@ -117,7 +117,7 @@ class SlabBuilder {
     add_fault(faults_, path_ + "." + key, value, problem, cure);
   }
 
-  // The masonry's density would be a wrong weight for a slab, so it never stands in.
+  // A slab needs a density of its own: that of masonry would give a wrong weight.
   void check_density() {
     const std::string path = path_ + ".material";
     if (spec_.material == "masonry") return site_.check_material(path, spec_.material, faults_);
@@ -215,7 +215,7 @@ class SlabBuilder {
     return found;
   }
 
-  // The two of these that lie farthest apart across `direction`, the lower one first.
+  // The two carrying walls farthest apart across `direction`, the lower one first.
   struct Sides {
     const StraightWall *low = nullptr, *high = nullptr;
   };
@@ -223,7 +223,7 @@ class SlabBuilder {
 
   void between_walls(Placed& slab) {
     slab.on = named_walls();
-    if (slab.on.size() < spec_.walls.size()) return;  // told
+    if (slab.on.size() < spec_.walls.size()) return;  // reported above
     if (slab.on.size() != 2 && slab.on.size() != 3 && slab.on.size() != 4)
       return refuse("walls", std::to_string(slab.on.size()) + " walls",
                     "a slab rests on two parallel walls, or on three or four sides of a rectangle",
@@ -233,7 +233,7 @@ class SlabBuilder {
         refuse("bearing", metres(spec_.bearing),
                "is more than the wall " + wall->name + " is thick",
                "write " + metres(wall->thickness) + " or less");
-    // u runs along the first wall that has a parallel one
+    // u is the direction of the first wall with a parallel one
     for (const StraightWall* first : slab.on) {
       std::vector<const StraightWall*> along, across;
       for (const StraightWall* wall : slab.on) {
@@ -285,7 +285,7 @@ class SlabBuilder {
     slab.parts = {oriented(std::move(outline))};
   }
 
-  // Walls beside the slab, on which it does not rest, end it `gap` before their faces.
+  // Shortens the slab to end `gap` before the faces of walls beside it that do not carry it.
   void end_at_walls(const Placed& slab, Vec2 u, Vec2 v, Range clear, Range& length) {
     const Range whole = length;
     for (const StraightWall& wall : walls_) {
@@ -327,7 +327,7 @@ class SlabBuilder {
                         "write the height of the slab's underside");
       }
     slab.level = level_wanted(slab);
-    if (slab.on.empty()) return;  // on an arch, or on blocks that stand alone
+    if (slab.on.empty()) return;  // on an arch or on single blocks
     const double stated = slab.level;
     slab.level = nearest_bed(*slab.on.front(), stated);
     for (const StraightWall* wall : slab.on) {
@@ -399,7 +399,7 @@ class SlabBuilder {
     if (lost > 0) notes_.push_back({"slab.ends_left_out", {{"slab", spec_.name}, {"ends", lost}}});
   }
 
-  // By more than a film.
+  // Whether both share more than a negligible volume.
   static bool reaches_into(const Polyhedron& part, const Polyhedron& without) {
     Polyhedron inside = part;
     for (const auto& face : without.face) {
@@ -410,7 +410,7 @@ class SlabBuilder {
     return solid_moments(inside).volume > 1e-9;
   }
 
-  // What hangs together stays one block; ends that come loose are blocks of their own, or are left out.
+  // Connected parts stay one block. Loose ends become blocks of their own, or are omitted if small.
   static void keep_pieces(std::vector<Polyhedron> parts, BuiltBody body,
                           std::vector<BuiltBody>& kept, int& lost) {
     const double whole = solid_moments(body.body).volume;
@@ -459,7 +459,7 @@ class SlabBuilder {
   FaultList& faults_;
 };
 
-// A line through the middle of a level polygon that lies in it, as long to both sides: half of it.
+// Half of a line inside a level polygon: through its centre, parallel to the longest side, equally long on both sides.
 Vec3 half_line(const Facet& face) {
   Vec3 longest;
   for (std::size_t k = 0; k < face.corner.size(); ++k) {
@@ -518,7 +518,7 @@ std::vector<FloorSpec> floors_of_slabs(const Site& site, const std::vector<Built
 std::vector<ContactRule> contacts_of_slabs(const Site& site, const std::vector<BuiltBody>& bodies,
                                            FaultList& faults) {
   std::vector<ContactRule> rules;
-  std::set<std::size_t> clash;  // slabs whose material others have
+  std::set<std::size_t> clash;  // slabs whose material other parts use too
   for (std::size_t k = 0; k < site.spec.slab.size(); ++k) {
     const SlabSpec& slab = site.spec.slab[k];
     for (std::size_t i = 0; i < k; ++i)

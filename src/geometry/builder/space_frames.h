@@ -1,7 +1,7 @@
 // Frames in space: the plane's frames, laid into the vertical plane of a wall (docs/theory/frames.md, "In space").
 //
-//      y up                    the plane stands at `origin`, x runs along it in plan; segments are prisms whose middle
-//       |   /                  plane it is
+//      y up                    the plane stands at `origin`, with x along it in plan; segments are prisms centred on
+//       |   /                  the plane
 //       |  / across = x x y
 //       | /
 //  origin------ x along
@@ -13,7 +13,7 @@
 
 namespace wythe::geometry {
 
-// Lays the frames of a model of bodies, and adds their segments to the bodies.
+// Places the frames of a model of bodies, and adds their segments to the bodies.
 [[nodiscard]] std::vector<SpaceFrame> place_frames_in_space(const ModelSpec& spec,
                                                             std::vector<BodySpec>& bodies,
                                                             FaultList& faults);

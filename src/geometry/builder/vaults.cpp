@@ -1,4 +1,4 @@
-// Arches, barrel vaults and domes by parameters: voussoirs between flat joints (docs/theory/builder.md).
+// Arches, barrel vaults and domes from parameters: voussoirs between plane joints (docs/theory/builder.md).
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kMostAlong = 10000;  // voussoirs, units or courses
 
-// Part of a circle: intrados of radius `inner`, about `centre` above the springing, up to `reach` either side of the crown.
+// Part of a circle: intrados of radius `inner` about a point at `centre` above the springing, up to `reach` on both sides of the crown.
 struct Ring {
   double inner = 0, outer = 0, centre = 0;  // [m]
   double reach = 0;                         // [rad]
@@ -42,7 +42,7 @@ bool check_number(const std::string& path, int value, int least, FaultList& faul
   return false;
 }
 
-// Running or stack; true for running.
+// Whether the bond is running rather than stack; adds a fault for other bonds.
 bool is_running(const std::string& path, const std::string& bond, FaultList& faults) {
   if (bond.empty() || bond == "running") return true;
   if (bond != "stack")
@@ -51,7 +51,7 @@ bool is_running(const std::string& path, const std::string& bond, FaultList& fau
   return false;
 }
 
-// What arch and dome share.
+// Checks the keys that arch and dome share.
 template <class Spec>
 bool check_shell(const Site& site, const char* table, int index, const Spec& spec, double& rise,
                  FaultList& faults) {
@@ -67,7 +67,7 @@ bool check_shell(const Site& site, const char* table, int index, const Spec& spe
   return faults.all().size() == before;
 }
 
-// From the model's axes to places in plan and height.
+// Converts the model's axes to places in plan and height.
 struct Springing {
   PlanAxes axes;
   Vec2 plan;
@@ -122,7 +122,7 @@ class ArchBuilder {
   }
 
  private:
-  // From the left springing; the right half mirrors the left one, to the bit.
+  // Ray k from the left springing. The right half mirrors the left one to the bit.
   [[nodiscard]] Vec2 ray(int k) const {
     const int n = spec_.voussoirs;
     if (2 * k == n) return {0, 1};
@@ -160,14 +160,14 @@ class ArchBuilder {
 
 // --- dome -------------------------------------------------------------------------------------------
 
-// Beds lie on cones about the dome's centre, replaced by flat triangles of rays: the four corners of a bed lie on two
-// rays, so in one plane. A unit is two such wedges, so that broken joints find the same planes above and below.
+// Beds lie on cones about the dome's centre, replaced by plane triangles: the four corners of a bed lie on two
+// rays, hence in one plane. A unit is two such wedges, so that units of broken courses share planes above and below.
 class DomeBuilder {
  public:
   DomeBuilder(const DomeSpec& spec, double rise, const PlanAxes& axes)
       : spec_(spec), site_(axes, spec), ring_(ring_of(spec.span, rise, spec.depth)) {
     eye_ = spec.oculus > 0 ? elementary::asin(spec.oculus / 2 / ring_.inner) : 0;
-    // without an eye the keystone takes half a course either side of the crown
+    // without an oculus the keystone covers half a course on each side of the crown
     step_ =
         spec.oculus > 0 ? (ring_.reach - eye_) / spec.courses : ring_.reach / (spec.courses + 0.5);
     if (spec.oculus <= 0) eye_ = step_ / 2;
@@ -187,7 +187,7 @@ class DomeBuilder {
   }
 
  private:
-  // Corner of bed b (0 at the springing) and half meridian k on the sphere of radius r.
+  // Corner at bed b (0 is the springing) and half meridian k on the sphere of radius r [m].
   [[nodiscard]] Vec3 corner(int b, int k, double r) const {
     const int n = 2 * spec_.units;
     const double down = b == spec_.courses ? eye_ : ring_.reach - b * step_;

@@ -1,6 +1,6 @@
 // Checks the keys of an arch, lays its voussoirs and cuts the masonry to them (docs/theory/conventions.md, "The lattice
-// of a wall"). The right half mirrors the left, and the end joints stand on the jambs to the bit. Slivers join a
-// neighbour in rounds: all neighbours are chosen before any of them grows, so both sides are treated alike.
+// of a wall"). The right half mirrors the left, and the end joints meet the jambs to the bit. Slivers join a neighbour
+// in rounds: all neighbours are chosen before any of them grows, so both sides are treated alike.
 #include "geometry/wall/arches.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace wythe::geometry {
 namespace {
 
-constexpr double kThinnestVoussoir = 0.1;  // of a course: the least width of a voussoir
+constexpr double kThinnestVoussoir = 0.1;  // of a course: least width of a voussoir
 constexpr double kNothing = 1e-10;         // [m^2]
 constexpr int kFewest = 3;                 // voussoirs where their number is not stated
 
@@ -23,13 +23,13 @@ std::string key_of(int index, const char* key) {
   return opening_path(index, std::string("arch.") + key);
 }
 
-// One key of an arch that its kind asks for, or has no use for.
+// One key of an arch that its kind requires, or does not use.
 struct KindKey {
   const char* name;
   double value;
   bool is_needed;
   const char *unit, *example;
-  const char* why;  // another kind has no use for it
+  const char* why;  // why another kind does not use it
 };
 
 bool check_keys(const ArchSpec& arch, int index, FaultList& faults) {
@@ -71,7 +71,7 @@ void check_body(const Shape& shape, int index, FaultList& faults) {
                     faults);
 }
 
-// Where the joints of an arch meet and how they are shared out.
+// The centre of an arch's joints, and the angle that its voussoirs divide.
 struct Circle {
   double half_span = 0, rise = 0;
   Vec2 centre;
@@ -82,7 +82,7 @@ struct Circle {
 Circle circle_of(const ArchSpec& arch, const Rect& hole) {
   Circle c;
   c.half_span = (hole.x1 - hole.x0) / 2;
-  // A span that was moved to joint lines makes a stated half span a round arch.
+  // a span that was moved to joint lines turns a stated half span into a round arch
   c.rise = arch.kind == ArchKind::kRound ? c.half_span : std::min(arch.rise, c.half_span);
   c.radius = (c.half_span * c.half_span + c.rise * c.rise) / (2 * c.rise);
   c.centre = {(hole.x0 + hole.x1) / 2, hole.y1 + c.rise - c.radius};
@@ -97,7 +97,7 @@ double length_of(const ArchSpec& arch, const Rect& hole) {
   return 2 * c.half_angle * c.radius;
 }
 
-// Bricks on edge, as wide as a course is high; an odd number has a keystone.
+// Number of bricks on edge, each as wide as a course is high; odd, so that there is a keystone.
 int number_of(const ArchSpec& arch, const Rect& hole, double course) {
   if (arch.voussoirs > 0) return arch.voussoirs;
   const double fit = length_of(arch, hole) / course;
@@ -108,7 +108,7 @@ struct Corner {
   Vec2 intrados, extrados;
 };
 
-// The joint a share `u` of the way from the crown (0) to the left end (1).
+// The joint of a flat arch at the share `u` of the way from the crown (0) to the left end (1).
 Corner flat_joint(const ArchSpec& arch, const Rect& hole, double u) {
   const double half = (hole.x1 - hole.x0) / 2, middle = (hole.x0 + hole.x1) / 2;
   const double wider = half + arch.depth * elementary::tan(arch.skewback);
@@ -122,7 +122,7 @@ Corner round_joint(const ArchSpec& arch, const Circle& c, double u) {
           {c.centre.x - outer * sine, c.centre.y + outer * cosine}};
 }
 
-// The ends stand on the jambs to the bit, and those of a round arch on the springing line.
+// The end joints meet the jambs to the bit; those of a round arch start at the springing line.
 Corner end_joint(const ArchSpec& arch, const Rect& hole) {
   const bool is_flat = arch.kind == ArchKind::kFlat;
   Corner end = is_flat ? flat_joint(arch, hole, 1) : round_joint(arch, circle_of(arch, hole), 1);
@@ -133,7 +133,7 @@ Corner end_joint(const ArchSpec& arch, const Rect& hole) {
   return end;
 }
 
-// The left half, and its mirror.
+// Lays the left half and mirrors it.
 PlacedArch lay_voussoirs(const ArchSpec& arch, const Rect& hole, int n) {
   const std::size_t last = static_cast<std::size_t>(n);
   PlacedArch laid{std::vector<Vec2>(last + 1), std::vector<Vec2>(last + 1)};
@@ -214,7 +214,7 @@ double least_area(const Block& block, const std::vector<Storey>& storeys) {
   return kSliver * lattice.columns.step * lattice.courses.step;
 }
 
-// Smaller than the shortest piece that is laid whole, or too thin to lay.
+// Whether a piece is smaller than the shortest piece laid, or too thin to lay.
 bool is_sliver(const Block& block, const std::vector<Storey>& storeys) {
   const Lattice& lattice = storeys[static_cast<std::size_t>(std::max(0, block.storey))].lattice;
   const Rect box = bounds(block.outline);
@@ -223,7 +223,7 @@ bool is_sliver(const Block& block, const std::vector<Storey>& storeys) {
          box.y1 - box.y0 < kThinnestVoussoir * lattice.courses.step;
 }
 
-// Blocks that the cut leaves, the others untouched in `blocks`.
+// Blocks that the arch cuts, removed from `blocks`; the others stay there.
 std::vector<Block> take_cut(const Polygon& free, std::vector<Block>& blocks) {
   const Rect box = bounds(free);
   std::vector<Block> kept, cut;
@@ -245,7 +245,7 @@ std::vector<Block> take_cut(const Polygon& free, std::vector<Block>& blocks) {
   return cut;
 }
 
-// A neighbour that may take in a sliver: of its own unit first, then the one it touches most, then the upper.
+// A neighbour that may absorb a sliver: first of its own unit, then with the longest contact, then the upper one.
 struct Host {
   std::size_t block = 0;
   bool same_unit = false;
@@ -258,7 +258,7 @@ bool is_better(const Host& a, const Host& b) {
   return a.height > b.height + 1e-9;
 }
 
-// Index of the block that takes the sliver in; blocks.size() where none does.
+// Index of the block that absorbs the sliver; blocks.size() where there is none.
 std::size_t host_of(const std::vector<Block>& blocks, const Block& sliver) {
   Host best;
   best.block = blocks.size();
@@ -277,7 +277,7 @@ std::size_t host_of(const std::vector<Block>& blocks, const Block& sliver) {
   return best.block;
 }
 
-// Puts `part` into the host; false where the two make no one outline.
+// Unites `part` with the host; false where the result is not a single outline.
 bool take_in(Block& host, const Block& part) {
   Polygon whole = joined_outline(host.outline, part.outline);
   if (whole.empty()) return false;
@@ -331,7 +331,7 @@ int cut_masonry(const PlacedArch& arch, const std::vector<Storey>& storeys,
   for (Block& block : take_cut(outline_of(arch), blocks))
     (is_sliver(block, storeys) ? slivers : blocks).push_back(std::move(block));
   const std::size_t before = slivers.size();
-  // In rounds: hosts are chosen before any of them grows, so that left and right fare alike.
+  // rounds: hosts are chosen before any of them grows, so that left and right are treated alike
   for (std::size_t waiting = 0; waiting != slivers.size();) {
     waiting = slivers.size();
     std::vector<std::size_t> hosts;

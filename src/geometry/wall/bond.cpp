@@ -1,6 +1,6 @@
-// Repeats the cycle of units that the bond has in odd and even courses, from a start at or left of the wall's end.
-// Places on the grid of half columns get the grid's bits, so that joints of different courses are equal where they
-// align. Units are clipped to the wall and parted at their crack planes. Openings are cut last.
+// Repeats the cycle of units that the bond has in odd and even courses, from a start at or before the wall's left end.
+// Places on the grid of half columns get the bits of the grid, so that aligned joints of different courses are equal.
+// Units are clipped to the wall and divided at their crack planes. Openings are cut last.
 #include "geometry/wall/bond.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace wythe::geometry {
 namespace {
 
-// A course repeats its cycle of units from `start`, which lies at or left of the wall's end.
+// A course repeats this cycle of units from `start`, at or before the wall's left end.
 struct Cycle {
   double start = 0;                // [m]
   std::vector<double> unit;        // lengths [m]
@@ -24,7 +24,7 @@ Cycle stretchers(const Lattice& lattice, double start) {
 
 Cycle headers(const Lattice& lattice, double start) { return {start, {lattice.header}, {false}}; }
 
-// Header in the middle of the stretcher below: its left end is (stretcher - header) / 2 away.
+// Each header is centred on the stretcher below: its left end is (stretcher - header) / 2 away.
 Cycle flemish(const Lattice& lattice, bool is_odd) {
   const double shift = (lattice.stretcher - lattice.header) / 2 - lattice.stretcher;
   return {is_odd ? shift - lattice.header : 0,
@@ -46,14 +46,14 @@ Cycle cycle_of(const Lattice& lattice, Bond bond, int course) {
   return {};
 }
 
-// Equal places get equal bits in every course: what lies on the half-column grid is put there.
+// Moves x to the half-column grid where it lies on it, so that equal places have equal bits in every course.
 double settle_on_grid(const Axis& columns, double x) {
   const double line = columns.half_line(to_int(std::round(2 * x / columns.step)));
   return std::abs(line - x) < 1e-9 * columns.extent ? line : x;
 }
 
-// One unit, whole or in the pieces its crack planes leave, clipped to the wall. A plane stands inside the
-// wall, and the pieces that the wall's end leaves are named a, b, c.
+// Adds one unit, whole or divided at its crack planes, clipped to the wall. Planes lie inside the
+// wall; the pieces are named a, b, c.
 void add_unit(const Piece& unit, const std::vector<double>& planes, const Axis& columns,
               std::vector<Piece>& course) {
   const double margin = 1e-9 * columns.extent;
@@ -69,7 +69,7 @@ void add_unit(const Piece& unit, const std::vector<double>& planes, const Axis& 
                       is_whole ? ' ' : static_cast<char>('a' + static_cast<int>(k))});
 }
 
-// A unit of a course, as the cycle lays it; it may reach beyond the wall.
+// A unit of a course as the cycle gives it; it may extend beyond the wall.
 struct Unit {
   double x0, x1;
   bool is_stretcher;
@@ -87,8 +87,8 @@ std::vector<Unit> units_of(const Storey& storey, int course) {
   return units;
 }
 
-// Where a unit may crack: in its middle; or in line with the head joints above and below, all but those
-// within a tenth of its own ends (courses repeat in pairs, so the next one is also the one before).
+// Crack planes of a unit: in its middle, or in line with head joints above and below except those
+// within a tenth of its own ends (courses repeat in pairs, so the next one equals the one before).
 std::vector<double> planes_of(const Unit& unit, const std::vector<Unit>& next, Split split,
                               const Axis& columns) {
   if (split == Split::kNone) return {};
@@ -110,7 +110,7 @@ Piece clip(Piece piece, double x0, double x1) {
 
 double width(const Piece& piece) { return piece.x1 - piece.x0; }
 
-// Neighbour that takes in the short piece at `i` of a run of at least two.
+// Neighbour that absorbs the short piece `i` of a run of at least two.
 std::size_t neighbour_for(const std::vector<Piece>& run, std::size_t i) {
   if (i == 0) return 1;
   if (i + 1 == run.size()) return i - 1;

@@ -1,6 +1,6 @@
-// Two blocks overlap where they share more than a film as thick as the contact tolerance. Blocks that are one and the
-// same are told together, as given twice. Support is a chain of faces and frame sections down to the ground. Faces of
-// masonry that a stage cuts out carry nothing in the end, so they do not count.
+// Two blocks overlap where they share more than a film as thick as the contact tolerance. Identical blocks are reported
+// together as duplicates. A block is supported by a chain of faces and frame sections down to the ground. Faces of
+// masonry that a stage cuts out do not count, since they carry nothing in the end.
 #include "geometry/wall/checks.h"
 
 #include <fmt/format.h>
@@ -15,23 +15,23 @@
 namespace wythe::geometry {
 namespace {
 
-constexpr double kThinnest = 0.1;         // of a half unit, of a course
-constexpr std::size_t kMostPairs = 1000;  // a block: only blocks on top of each other reach it
+constexpr double kThinnest = 0.1;         // share of a half unit, of a course
+constexpr std::size_t kMostPairs = 1000;  // for each block: only coincident blocks reach it
 constexpr std::size_t kOverlapsTold = 20;
-constexpr std::size_t kNamed = 5;  // blocks named in one message
+constexpr std::size_t kNamed = 5;  // most blocks named in one message
 
 double longer_side(const Rect& box) { return std::max(box.x1 - box.x0, box.y1 - box.y0); }
 
-// Pairs of blocks that are one and the same, "a12 and a31".
+// Pairs of identical blocks, "a12 and a31".
 using Twins = std::vector<std::string>;
 
-// Adds a fault if the two blocks overlap, or the two to `twins`; true if they overlap.
+// Adds a fault if two blocks overlap, or adds them to `twins` if they are identical. True if they overlap.
 bool refuse_overlap(const Block& a, const Block& b, double tolerance, Twins& twins,
                     FaultList& faults) {
   const Rect box_a = bounds(a.outline), box_b = bounds(b.outline);
   if (!overlaps(box_a, box_b, tolerance)) return false;
   const double area = overlap_area(a.outline, b.outline);
-  // A film of the contact tolerance along the whole side is still contact, not overlap.
+  // a film as thick as the contact tolerance along a whole side is contact, not overlap
   if (area <= tolerance * std::min(longer_side(box_a), longer_side(box_b))) return false;
   constexpr double kSame = 1e-3;  // of the area
   const double larger =
@@ -46,7 +46,7 @@ bool refuse_overlap(const Block& a, const Block& b, double tolerance, Twins& twi
   return true;
 }
 
-// Groups of connected blocks: a forest with one root a group; index n stands for the ground.
+// Groups of connected blocks as a forest, one root a group; index n stands for the ground.
 class Groups {
  public:
   explicit Groups(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0U); }
@@ -67,7 +67,7 @@ std::vector<std::string> unsupported_blocks(const Assembly& assembly) {
   const auto goes = [&](int i) {
     return i != kGround && assembly.blocks[static_cast<std::size_t>(i)].cut_from >= 0;
   };
-  for (const Face& face : assembly.faces)  // what is cut out carries nothing in the end
+  for (const Face& face : assembly.faces)  // masonry that a stage cuts out carries nothing
     if (!goes(face.a) && !goes(face.b)) groups.join(index(face.a), index(face.b));
   for (const PlacedFrame& frame : assembly.frames) {
     std::vector<std::size_t> block(frame.segments.size(), n);
@@ -109,7 +109,7 @@ void check_overlaps(const std::vector<Block>& blocks, FaultList& faults) {
     const Block& a = blocks[static_cast<std::size_t>(i)];
     const Block& b = blocks[static_cast<std::size_t>(j)];
     refused += refuse_overlap(a, b, tolerance, twins, faults);
-    if (twins.size() > blocks.size()) break;  // blocks given more than twice: pairs beyond number
+    if (twins.size() > blocks.size()) break;  // blocks listed more than twice: too many pairs
     if (refused < kOverlapsTold) continue;
     add_fault(faults, "wall.blocks", std::to_string(blocks.size()) + " blocks",
               "only the first " + std::to_string(kOverlapsTold) + " overlaps are told",

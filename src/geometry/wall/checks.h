@@ -1,4 +1,4 @@
-// What a built assembly must obey: no overlaps, no slivers, every block carried by the ground.
+// Checks of a built assembly: no overlaps, no slivers, every block supported by the ground.
 //
 // Called by assembly.cpp; reads the assembly, writes faults.
 #pragma once
@@ -11,14 +11,14 @@
 
 namespace wythe::geometry {
 
-// A fault for each pair of blocks that share more than a film of the contact tolerance.
+// Adds a fault for each pair of blocks that share more than a film of the contact tolerance.
 void check_overlaps(const std::vector<Block>& blocks, FaultList& faults);
 
-// Pieces of a generated wall thinner than a tenth of a half unit or of a course.
+// Adds faults for pieces of a generated wall thinner than a tenth of a half unit or of a course.
 void check_slivers(const std::vector<Block>& blocks, const std::vector<Storey>& storeys,
                    FaultList& faults);
 
-// Every block must reach the ground through faces.
+// Adds a fault for each block without a chain of faces to the ground.
 void check_support(const Assembly& assembly, FaultList& faults);
 
 }  // namespace wythe::geometry

@@ -1,10 +1,10 @@
-// Takes outlines to a grid of nanometres and back. Each grid line keeps the first coordinate that fell on it.
-// Corners within a line or two are merged and holes are dropped. Parts are sorted from left to right.
+// Converts outlines to a grid of nanometres and back. Each grid line keeps the first coordinate that fell on it.
+// Corners within a grid line or two are merged, holes are dropped, and parts are sorted from left to right.
 #include "geometry/wall/clip.h"
 
-// Boost's own grid multiplies in 64 bits, which a span of 20 m and a stone of 0.5 m overflow; doubles do not.
+// Boost's own grid multiplies in 64 bits, which overflow for a span of 20 m and a stone of 0.5 m; doubles do not.
 #define BOOST_GEOMETRY_NO_ROBUSTNESS
-#define BOOST_ALLOW_DEPRECATED_HEADERS  // Boost includes some of its own
+#define BOOST_ALLOW_DEPRECATED_HEADERS  // Boost includes such headers itself
 #include <algorithm>
 #include <boost/geometry/algorithms/correct.hpp>
 #include <boost/geometry/algorithms/difference.hpp>
@@ -19,14 +19,14 @@ namespace {
 
 namespace bg = boost::geometry;
 
-constexpr double kGrid = 1e9;  // lines a metre; the longest wall, 10 km, is far from 2^53 of them
-constexpr double kRounded = 1.5;  // lines: what is rounded on both sides is no further apart
+constexpr double kGrid = 1e9;  // lines per metre; the longest wall, 10 km, is far from 2^53 lines
+constexpr double kRounded = 1.5;  // lines: largest distance after rounding on both sides
 
-using Point = bg::model::d2::point_xy<double>;  // in lines of the grid, whole numbers
+using Point = bg::model::d2::point_xy<double>;  // in grid lines, integers
 using Outline = bg::model::polygon<Point, false, false>;
-using Corners = std::vector<Vec2>;  // likewise
+using Corners = std::vector<Vec2>;  // also in grid lines
 
-// To the grid and back, to the bits of the coordinates that went there.
+// Converts to the grid and back, to the bits of the first coordinate on each line.
 class Grid {
  public:
   Outline put(const Polygon& polygon) {
@@ -59,7 +59,7 @@ class Grid {
   Lines x_, y_;
 };
 
-// Whether p is no corner between a and b: it lies on the way from one to the other, or goes there and back.
+// Whether p is no corner between a and b: it lies between them, or the outline goes there and back.
 bool is_no_corner(Vec2 a, Vec2 p, Vec2 b) {
   const Vec2 way = b - a, to = p - a;
   const double size = length(way);
@@ -71,7 +71,7 @@ bool is_no_corner(Vec2 a, Vec2 p, Vec2 b) {
 Corners corners_of(const Outline& outline) {
   Corners corners;
   for (const Point& p : outline.outer()) corners.push_back({std::round(p.x()), std::round(p.y())});
-  for (;;) {  // a neighbour of what goes may be no corner without it
+  for (;;) {  // a removed corner's neighbour may be none either
     const std::size_t n = corners.size();
     std::size_t k = 0;
     while (k < n && !is_no_corner(corners[(k + n - 1) % n], corners[k], corners[(k + 1) % n])) ++k;

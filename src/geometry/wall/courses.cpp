@@ -1,6 +1,6 @@
-// Finds the solid runs of each course and lays the pieces of its bond in them. The band is divided at the sides of all
-// holes that reach into it. Neighbours of one height become one run again, so no joint arises there. Where units may
-// split, they are numbered through the whole wall: pieces of one number are one unit.
+// Finds the solid runs of each course and lays the pieces of its bond in them. A band is divided at the sides of all
+// holes that reach into it. Adjacent strips of equal height form one run, so that no joint arises there. Where units may
+// split, units are numbered through the whole wall; pieces of one number are one unit.
 #include "geometry/wall/courses.h"
 
 #include <fmt/format.h>
@@ -12,9 +12,9 @@
 namespace wythe::geometry {
 namespace {
 
-constexpr double kMargin = 1e-9;  // coordinates closer than this are one [m]
+constexpr double kMargin = 1e-9;  // closer coordinates are equal [m]
 
-// Heights of the band y0..y1 that the holes over x0..x1 leave solid, bottom first.
+// Rectangles of the band y0..y1 that the holes over x0..x1 leave solid, from the bottom up.
 std::vector<Rect> solid_parts(const Rect& strip, std::vector<Rect> holes) {
   std::sort(holes.begin(), holes.end(), [](const Rect& a, const Rect& b) { return a.y0 < b.y0; });
   std::vector<Rect> parts;
@@ -45,7 +45,7 @@ bool continues(const Rect& run, const Rect& next) {
   return std::abs(run.x1 - next.x0) < kMargin && run.y0 == next.y0 && run.y1 == next.y1;
 }
 
-// The solid runs of one course, left to right.
+// The solid runs of one course, from left to right.
 std::vector<Rect> solid_runs(const Rect& band, const std::vector<Rect>& holes) {
   std::vector<Rect> runs;
   const std::vector<double> x = breaks_along(band, holes);
@@ -66,7 +66,7 @@ std::string name_of(int course, const Piece& piece, std::set<std::string>& used)
   const std::string text = fmt::format("c{:02d}u{:02d}", course, piece.unit);
   std::string id = text;
   if (piece.half != ' ') id += piece.half;
-  // An opening can leave two pieces of one unit that is not split in its middle.
+  // an opening can leave two pieces of a unit that is not split in its middle
   for (char letter = 'c'; !used.insert(id).second; ++letter) id = text + letter;
   return id;
 }
@@ -74,7 +74,7 @@ std::string name_of(int course, const Piece& piece, std::set<std::string>& used)
 struct CourseSite {
   const Storey& storey;
   int course;
-  int first_unit;  // number of the course's first unit
+  int first_unit;  // number of the first unit of the course
 };
 
 Block block_of(const CourseSite& site, const Piece& piece, const Rect& run,
@@ -90,7 +90,7 @@ Block block_of(const CourseSite& site, const Piece& piece, const Rect& run,
   return block;
 }
 
-// `first_unit` is the number of the storey's first unit, and afterwards that of the one above.
+// `first_unit` is the number of the storey's first unit; afterwards that of the next storey's.
 void lay_storey(const Storey& storey, const std::vector<Rect>& holes, int& first_unit,
                 Masonry& masonry) {
   const Axis &columns = storey.lattice.columns, &courses = storey.lattice.courses;

@@ -1,8 +1,8 @@
-// Lays the masonry of a generated wall: every course less openings and lintels.
+// Lays the masonry of a generated wall: every course without openings and lintels.
 //
-//   course band      |  solid  |##hole##|  solid  |     each solid part is a run of pieces; where a
-//                    |---------|--------|---------|     hole takes only part of the height (fit =
-//                                                       "cut") the run there is lower
+//   course band      |  solid  |##hole##|  solid  |     each solid part is a run of pieces; a hole that takes
+//                    |---------|--------|---------|     only a part of the height (fit = "cut") leaves
+//                                                       a lower run
 #pragma once
 
 #include <vector>
@@ -15,7 +15,7 @@ namespace wythe::geometry {
 
 struct Masonry {
   std::vector<Block> blocks;  // course by course, left to right
-  int joined_pieces = 0;      // cut pieces too short to stand alone, joined to a neighbour
+  int joined_pieces = 0;      // short cut pieces that were joined to a neighbour
 };
 
 [[nodiscard]] Masonry lay_masonry(const std::vector<Storey>& storeys,

@@ -1,4 +1,4 @@
-// Lays the whole courses less all that is round a box, so that pieces are those of the bond, cut at the box.
+// Lays all courses with everything outside a box as a hole: the pieces are those of the bond, cut at the box.
 #include "geometry/wall/cut_out.h"
 
 #include <fmt/format.h>
@@ -35,7 +35,7 @@ int find_cut_stage(const std::vector<StageSpec>& stages, const std::string& path
     faults.add({"", path, "\"" + name + "\"", std::move(problem), std::move(cure), 0});
   };
   std::vector<std::string> names;
-  bool stands = false;  // a stage of gravity came before
+  bool stands = false;  // a gravity stage came before
   for (std::size_t k = 0; k < stages.size(); ++k) {
     const StageSpec& stage = stages[k];
     names.push_back(stage.name);

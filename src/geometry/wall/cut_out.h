@@ -1,8 +1,8 @@
-// Openings that a stage cuts out of standing masonry (docs/theory/cutting.md): the masonry that stands there before.
+// Openings that a stage cuts out of standing masonry (docs/theory/cutting.md): the masonry before the cut.
 //
 //        |--+---+---+---+--|
-//        |==|===|===|===|==|  = where the lintel comes     - masonry that stays
-//        |--|###|###|###|--|  # where the opening comes      its pieces are cut at the outline
+//        |==|===|===|===|==|  = place of the lintel         - masonry that stays
+//        |--|###|###|###|--|  # place of the opening          its pieces are cut at the outline
 //        |--|#|###|###|#|--|
 //
 // Called by assembly.cpp and by the builder in space.
@@ -15,12 +15,12 @@
 
 namespace wythe::geometry {
 
-// Pieces of the courses where the opening, its lintel and its sill come; each with its cut_from.
+// Pieces of the courses at the place of the opening, its lintel and its sill; each has its cut_from.
 [[nodiscard]] std::vector<Block> masonry_cut_out(const PlacedOpening& opening,
                                                  const std::vector<Storey>& storeys);
 
-// The number of the stage of kind cut with this name, which comes after gravity; 0 where `name` is empty, and a fault at
-// `path` where there is none such.
+// Number of the cut stage with this name, which must follow gravity. 0 where `name` is empty; adds a fault at
+// `path` where there is no such stage.
 [[nodiscard]] int find_cut_stage(const std::vector<StageSpec>& stages, const std::string& path,
                                  const std::string& name, FaultList& faults);
 

@@ -1,6 +1,6 @@
-// The kind of a contact follows from the roles of its blocks: frame, beam, plate, lintel, arch, masonry, in that order.
-// The material follows from the kind; in a blocks file a contact rule may name it. The masonry's bed joint stands in
-// for "joint" and "foundation" where the model has no such material. The ground is always side a.
+// The roles of its blocks give the kind of a contact, in the order frame, beam, plate, lintel, arch, masonry. The kind
+// gives the material; in a blocks file a contact rule may name it. Where the model has no material "joint" or
+// "foundation", the masonry's bed joint replaces it. The ground is always side a.
 #include "geometry/wall/faces.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 namespace wythe::geometry {
 namespace {
 
-constexpr double kAlongAxis = 1e-3;  // slope up to which a face counts as level or upright
+constexpr double kAlongAxis = 1e-3;  // slope up to which a face counts as level or vertical
 
 FaceKind masonry_kind(const Block& a, const Block& b, const Contact& contact) {
   if (a.unit >= 0 && a.unit == b.unit) return FaceKind::kSplit;
@@ -47,7 +47,7 @@ const LintelSpec& lintel_between(const Shape& shape, const Block& a, const Block
   return shape.wall.opening[static_cast<std::size_t>(opening)].lintel;
 }
 
-// The first of region, storey and wall that names this kind of joint; "" where none does.
+// The first name of this kind of joint among region, storey and wall; "" where none states one.
 std::string stated(const Shape& shape, const Block& block, std::string MasonryJoints::*kind) {
   std::string name;
   if (block.region >= 0) name = shape.region[static_cast<std::size_t>(block.region)].joints.*kind;
@@ -68,10 +68,10 @@ std::string masonry_material(const Shape& shape, const Block& block, FaceKind ki
                                  : bed;
 }
 
-// Whose joint it is: b is the upper block, or the right one.
+// The block that gives the joint: the one whose region is listed first (no region precedes all), else b, the upper or right one.
 const Block& owner_of(const Block& a, const Block& b) { return a.region < b.region ? a : b; }
 
-// A name that stands for the masonry's own joint where the spec has no such material: "joint" by default
+// Replaces a default name that has no material in the spec by the masonry's own joint: "joint"
 // (lintel.bond, beam.joint), and "foundation".
 std::string own_joint(const Shape& shape, const std::string& name, const Block& masonry) {
   const bool stands_in =
@@ -79,7 +79,7 @@ std::string own_joint(const Shape& shape, const std::string& name, const Block& 
   return stands_in ? bed_material(shape, masonry) : name;
 }
 
-// A lintel's ends, its bearing and what lies on it may have materials of their own.
+// Joint material of a lintel; its ends, its bearing and what lies on it may differ.
 std::string bond_material(const LintelSpec& lintel, const Block& a, const Contact& contact) {
   const Vec2 t = contact.p1 - contact.p0;
   const bool level = std::abs(t.y) <= kAlongAxis * length(t);
@@ -88,7 +88,7 @@ std::string bond_material(const LintelSpec& lintel, const Block& a, const Contac
   return level && !own.empty() ? own : lintel.bond;
 }
 
-// Of a sill or ring beam, a or b, and what it meets.
+// Joint material of a sill or ring beam (a or b) and its neighbour.
 std::string band_material(const Shape& shape, const Block& a, const Block& b,
                           const Contact& contact) {
   const Block& band = a.role == Role::kSill || a.role == Role::kRingBeam ? a : b;
@@ -100,7 +100,7 @@ std::string band_material(const Shape& shape, const Block& a, const Block& b,
   return on_top && !beam.top_joint.empty() ? beam.top_joint : beam.joint;
 }
 
-// Joints of an arch are its own, or lie like the bed joints around; so do those between arch and masonry.
+// Joint material of an arch: its own, or that of the bed joints around; the same between arch and masonry.
 std::string arch_material(const Shape& shape, const Block& a, const Block& b) {
   const auto opening = static_cast<std::size_t>(is_voussoir(a) ? a.opening : b.opening);
   const std::string& own = shape.wall.opening[opening].arch.joint;
@@ -136,7 +136,7 @@ std::string pair_material(const Shape& shape, const Block& a, const Block& b, Fa
   return ruled ? ruled_material(shape, a.material, b.material, plain) : plain;
 }
 
-// Of masonry beside masonry: neither a contact rule nor a head_joint names its material.
+// Whether a head joint of masonry takes its bed's material: neither a contact rule nor a head_joint names another.
 bool shares_bed(const Shape& shape, const Block& a, const Block& b, FaceKind kind) {
   const auto is_plain = [](const Block& block) {
     return block.role == Role::kMasonry && !is_voussoir(block);
@@ -165,7 +165,7 @@ Face pair_face(const Shape& shape, const Block& a, const Block& b, const Contact
           shares_bed(shape, a, b, kind)};
 }
 
-// The ground is always side a: a contact whose b is the support is turned round.
+// Makes the ground side a: a contact whose b is the support is reversed.
 Face ground_face(const Shape& shape, const std::vector<Block>& blocks, Contact contact,
                  int support) {
   const bool is_frame =
@@ -216,7 +216,7 @@ Need need_of(FaceKind kind, const std::string& material) {
   }
 }
 
-// Each missing material once, with the first use that needs it.
+// Each missing material once, with the first kind of joint that needs it.
 using Uses = std::map<std::string, FaceKind>;
 
 void refuse_missing(const Shape& shape, const Uses& uses, FaultList& faults) {
@@ -273,7 +273,7 @@ void add_masonry_uses(const Shape& shape, Uses& uses) {
       if (!name.empty()) uses.emplace(name, kind);
 }
 
-// Two segments of one frame, or one that the ground holds: sections join them, not faces.
+// Whether a contact is between two segments of one frame, or of a held foot: sections connect these, not faces.
 bool is_within_frame(const Shape& shape, const std::vector<Block>& blocks, const Contact& contact) {
   const auto frame_of = [&](int i) {
     return i == kGround ? -1 : blocks[static_cast<std::size_t>(i)].frame;

@@ -1,9 +1,9 @@
-// From contacts to faces: what kind of joint each is and which joint material it takes.
+// Turns contacts into faces: the kind of each joint and its joint material.
 //
 //   two halves of one unit            kSplit        wall.unit_joint, or unit
 //   masonry beside masonry            kHead         wall.head_joint, or as a bed joint with its head_joint_bond
 //   masonry on masonry                kBed          wall.joint, or joint
-//       each of region, storey, wall in turn; blocks files: the first matching contact rule
+//       first of region, storey, wall that states one; blocks files: the first matching contact rule
 //   voussoir to voussoir of its arch   kHead        arch.joint, or as a bed joint
 //   segment to segment of a lintel,   kLintelChain  its own material
 //       sill or ring beam
@@ -13,8 +13,8 @@
 //   under a plate, under the beam     kPlate, kBeam stage.plate_joint, beam.joint
 //   on the ground or on a support     kFoundation   foundation, or as a bed joint where there is none
 //
-// A joint between two regions is of the one listed first, and of the masonry around before any region: a
-// region has the joints between its own blocks. The bed joint between two storeys is the upper one's.
+// A joint between two regions belongs to the one listed first; that of a region with other masonry to the latter. So a
+// region only owns joints between its own blocks. The bed joint between two storeys is that of the upper one.
 //
 // Called by assembly.cpp after find_contacts().
 #pragma once
@@ -29,17 +29,17 @@ namespace wythe::geometry {
 
 [[nodiscard]] bool uses_blocks_file(const Shape& shape);
 
-// Name of the bed joint's material in the masonry of this block.
+// Name of the bed joint material for the masonry of this block.
 [[nodiscard]] std::string bed_material(const Shape& shape, const Block& block);
 
-// Faces in the contacts' order; contacts between two supports are dropped.
+// Faces in the order of the contacts; contacts between two supports are dropped.
 [[nodiscard]] std::vector<Face> name_faces(const Shape& shape, const std::vector<Block>& blocks,
                                            const std::vector<Contact>& contacts);
 
-// Adds a fault for each material that the built faces take and the spec lacks.
+// Adds a fault for each material of the faces that the spec lacks.
 void check_materials(const Shape& shape, const std::vector<Face>& faces, FaultList& faults);
 
-// The same from the spec alone, for a wall that other faults keep from being built.
+// As check_materials() from the spec alone, for a wall that other faults prevent from being built.
 void check_stated_materials(const Shape& shape, FaultList& faults);
 
 }  // namespace wythe::geometry

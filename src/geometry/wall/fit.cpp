@@ -1,6 +1,6 @@
-// Where steps must be whole, takes the number of them that changes a step least. One mortar joint at the end may be
-// there or not (docs/theory/conventions.md, "The lattice of a wall"). After a fault the axis is that of its first cure,
-// so that later cures hold together with it.
+// Where the number of steps must be an integer, it is the one that changes a step least. The last mortar joint may be
+// present or absent (docs/theory/conventions.md, "The lattice of a wall"). After a fault the axis is that of its first cure,
+// so that later cures are consistent with it.
 #include "geometry/wall/fit.h"
 
 #include <fmt/format.h>
@@ -24,15 +24,15 @@ struct AxisRequest {
   std::string size_path;    // "wall.unit.length"
   double size_per_step;     // unit length is two half units, a course is one unit height
   std::string step_name;    // "half unit"
-  const char* step_code;    // its message
-  const char* last_code;    // that of the last one of a row or column
+  const char* step_code;    // code of its message
+  const char* last_code;    // code of the message for the last step of a row or column
   Fit fit;
   std::string fit_key;  // "wall.fit"
 };
 
-// The extent that `count` steps are measured against: one joint is there or not.
+// The extent that `count` steps cover: the last joint may be present or absent.
 double measured(const AxisRequest& request, int count) {
-  // a joint below 0 is refused elsewhere; std::clamp must not see its bounds turned round
+  // a negative joint is refused elsewhere, but std::clamp needs ordered bounds
   return std::clamp(count * request.step, request.extent,
                     request.extent + std::max(0.0, request.joint));
 }
@@ -57,7 +57,7 @@ void note_change(const char* what, double from, double to, std::vector<Message>&
                     {"change_percent", 100 * change}}});
 }
 
-// n units that end without a joint: every one gives its share of it.
+// n units without a joint at the end: the missing joint is distributed over all of them.
 void note_end_joint(const AxisRequest& request, int count, std::vector<Message>& notes) {
   notes.push_back({"fit.end_joint",
                    {{"what", Message{request.step_code}},
@@ -87,7 +87,7 @@ void refuse_fit(const AxisRequest& request, FaultList& faults) {
                         extent(below), extent(below + 1), request.fit_key));
 }
 
-// After a fault it is the axis of the first cure, so that the openings' cures hold with it.
+// After a fault it is the axis of the first cure, so that cures of openings are consistent with it.
 Axis fit_whole(const AxisRequest& request, std::vector<Message>& notes, FaultList& faults) {
   const int count = best_count(request);
   if (std::abs(change_of(request, count)) > kFitTolerance + 1e-9)
@@ -138,7 +138,7 @@ double stated_header(const UnitSpec& unit) {
   return std::isnan(unit.width) ? unit.length / 2 : unit.width;
 }
 
-// In english bond a header is half a stretcher: any other would let joints meet now and then.
+// In english bond a header is half a stretcher: with any other length joints would sometimes align.
 // In flemish bond it only has to be shorter than the stretcher.
 double fit_header(const Storey& storey, double half_unit, std::vector<Message>& notes,
                   FaultList& faults) {

@@ -1,13 +1,13 @@
-// Fits units to the wall: whole half units along the length, whole courses along the height.
+// Fits units to the wall: an integer number of half units along the length and of courses over the height.
 //
 //   |--step--|--step--|--step--|--step--|   Axis: lines 0 .. count, line(count) = extent
 //
-// fit = "whole": the step changes by 2 % or less, reported as a note; else a fault with the sizes
-// that would fit. fit = "cut": nominal steps from the start, the last one cut; a rest shorter than
-// a quarter step is joined to the step before it.
+// fit = "whole": the step changes by at most 2 %, with a note; otherwise a fault names sizes
+// that would fit. fit = "cut": nominal steps from the start, the last one cut; a remainder shorter than
+// a quarter step is joined to the previous step.
 //
-// Sizes are nominal, mortar included. A wall of n bare units has n - 1 joints: where that is what its
-// extent says, it holds n steps, which share the missing joint (docs/theory/conventions.md).
+// Sizes are nominal, mortar included. A wall of n bare units has n - 1 joints: if its extent equals that,
+// it has n steps, which share the missing joint (docs/theory/conventions.md).
 #pragma once
 
 #include <string>
@@ -19,9 +19,9 @@
 
 namespace wythe::geometry {
 
-inline constexpr double kFitTolerance = 0.02;     // largest change of a size that needs no consent
+inline constexpr double kFitTolerance = 0.02;     // largest change of a size without a fault
 inline constexpr double kSliver = 0.25;           // pieces below this share of a step are not laid
-inline constexpr double kHeaderTolerance = 0.05;  // a header this near half a unit is taken as half
+inline constexpr double kHeaderTolerance = 0.05;  // a header this near to half a unit becomes half
 
 struct Axis {
   double extent = 0;                            // [m]
@@ -36,7 +36,7 @@ struct Axis {
   [[nodiscard]] bool is_on_line(double x) const;
 };
 
-// The wall's lattice: columns of half units (half headers in header bond) and courses.
+// The lattice of a wall: columns of half units (half headers in header bond) and courses.
 struct Lattice {
   Axis columns, courses;
   double stretcher = 0;  // unit length [m]
@@ -45,8 +45,8 @@ struct Lattice {
 
 struct Storey;  // storeys.h
 
-// The lattice of a storey that stands on `foot`. Everything is checked before anything is fitted; where
-// a size is missing the lattice is empty (count 0), where one does not fit it is that of the cure.
+// The lattice of a storey that starts at `foot`. All sizes are checked before any is fitted. Where a
+// size is missing the lattice is empty (count 0); where one does not fit it is that of the cure.
 [[nodiscard]] Lattice fit_lattice(const Storey& storey, std::vector<Message>& notes,
                                   FaultList& faults);
 

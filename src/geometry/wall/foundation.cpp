@@ -1,6 +1,6 @@
-// Moves each step's level to a course line, and its side to a column line of every storey that the side crosses. The
-// reach is 2 % or one joint; with fit = "cut" a level may move a quarter of a course. Beyond the reach, units are cut
-// there or the step is refused. Soil beside a step touches nothing (docs/theory/ring_beams.md, "Ground in steps").
+// Moves the level of each step to a course line, and its side to a column line of every storey that the side crosses. Edges
+// move by up to 2 % or one joint; with fit = "cut" a level may move by a quarter of a course. Farther from a line, units are cut
+// there or the step is refused. Soil beside a step is not in contact (docs/theory/ring_beams.md, "Ground in steps").
 #include "geometry/wall/foundation.h"
 
 #include <algorithm>
@@ -48,7 +48,7 @@ bool numbers_are_sound(const std::vector<FoundationStep>& steps, const WallSpec&
   return faults.all().size() == before;
 }
 
-// An edge of a step against one axis.
+// An edge of a step, to be placed on one axis.
 struct StepEdge {
   std::size_t step;
   std::string key;       // "x" or "y"
@@ -56,7 +56,7 @@ struct StepEdge {
   const char* moved_code;
 };
 
-// The edge on a joint line where one is near; as stated where units are cut; else a fault.
+// The edge moved to a near joint line; as stated where units are cut; otherwise a fault.
 double settle(const StepEdge& edge, const Axis& axis, const Storey& storey,
               std::vector<Message>& notes, FaultList& faults) {
   const double line = axis.line(axis.nearest(edge.stated));

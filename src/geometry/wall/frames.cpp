@@ -1,6 +1,6 @@
-// Makes an axis from an opening or a line, lays its corners, then 4 to 8 segments a part between them, an even number.
-// The lengths of the sections are weights of Gregory's rule (docs/theory/frames.md, 20.6 and 20.7). Outlines are moved
-// by the gap so that they touch the masonry; the gap is kept beside each segment.
+// Builds the axis of a frame from an opening or a line and places its corners. Each part between them has 4 to 8
+// segments, an even number. Lengths of sections are weights of Gregory's rule (docs/theory/frames.md, 20.6 and 20.7). Outlines
+// are moved by the gap so that they touch the masonry; each segment stores its gap.
 #include "geometry/wall/frames.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kNear = 1e-6;        // [m]
 constexpr int kPieces = 8;            // segments of a part (docs/theory/frames.md, 20.7)
-constexpr double kLeastShare = 0.75;  // of the crossing member's depth: no segment is shorter
+constexpr double kLeastShare = 0.75;  // of the crossing member's depth: least length of a segment
 constexpr int kFewestPieces = 4;
 
 std::string path_of(std::size_t index, const std::string& key) {
@@ -51,7 +51,7 @@ std::optional<Section> stated_section(const SectionSpec& s, const std::string& p
   const Section found{s.height,           s.width,           s.area, s.shear_area,
                       s.second_moment,    s.plastic_modulus, s.mass, s.weak_second_moment,
                       s.torsion_constant, s.shear_area};
-  // The outer fibres take I / 2 d^2 of the area each, at d = I / Wpl (frames.md, 20.1).
+  // The outer fibres have the area I / 2 d^2 each, at d = I / Wpl (frames.md, 20.1).
   const double fibre = s.second_moment / s.plastic_modulus;
   if (s.second_moment > s.area * fibre * fibre || fibre > s.height / 2) {
     add_fault(faults, path + ".plastic_modulus", "",
@@ -90,11 +90,11 @@ std::optional<Section> one_section(const std::string& profile, const SectionSpec
   return found;
 }
 
-// The axis from corner to corner, as built; the gap moves upright parts sideways and level ones down.
+// The axis corner by corner, as built; the gap moves vertical parts sideways and level ones down.
 struct FrameAxis {
   std::vector<Vec2> point;
   bool closed = false;
-  std::vector<Message> words;  // of its parts
+  std::vector<Message> words;  // names of its parts
   [[nodiscard]] std::size_t parts() const { return closed ? point.size() : point.size() - 1; }
   [[nodiscard]] Vec2 from(std::size_t k) const { return point[k]; }
   [[nodiscard]] Vec2 to(std::size_t k) const { return point[(k + 1) % point.size()]; }
@@ -103,7 +103,7 @@ struct FrameAxis {
   }
 };
 
-// One frame of the spec on its way to a placed one.
+// Builds one frame of the spec.
 class Builder {
  public:
   Builder(const FrameSpec& spec, std::size_t index, const FrameSections& sections,
@@ -171,7 +171,7 @@ class Builder {
     return true;
   }
 
-  // Segments and sections; false after a fault.
+  // Builds segments and sections; false after a fault.
   bool build() {
     if (!check_feet()) return false;
     const std::size_t parts = axis_.parts();
@@ -195,7 +195,7 @@ class Builder {
     return false;
   }
 
-  // Whether the line turns at `at`.
+  // Whether the line changes direction at `at`.
   static bool is_corner(const Vec2& before, const Vec2& at, const Vec2& after) {
     return std::abs(cross(at - before, after - at)) >= kNear * length(after - at);
   }
@@ -212,7 +212,7 @@ class Builder {
     return upright ? sections_.column : sections_.beam;
   }
 
-  // Whether an open line's end (its first point or its last) goes down to a foot.
+  // Whether one end of an open line, its first or last point, reaches down to a foot.
   [[nodiscard]] bool is_foot(bool last) const {
     if (axis_.closed) return false;
     const std::size_t n = axis_.point.size();
@@ -270,7 +270,7 @@ class Builder {
     return number;
   }
 
-  // From the masonry to where it stands, by the gap: columns away from their jambs, beams from the head.
+  // Gap of a segment from its outline to its true place: columns move away from their jambs, beams from the head.
   [[nodiscard]] Vec2 moved(bool column, bool level, double x, double y) const {
     if (spec_.gap == 0) return {0, 0};
     const double middle = (axis_.point[1].x + axis_.point[2].x) / 2;
@@ -288,8 +288,8 @@ class Builder {
                        moved(true, true, p.x, p.y));
   }
 
-  // Corners at both ends, or kGround. The sum of the sections' lengths is exact for moments up to a cubic: Gregory's
-  // weights (20.6), where an end has a section.
+  // Adds a part with corners at both ends, or kGround. The sum of the sections' lengths is exact for moments up to a cubic: Gregory's
+  // weights (20.6) where an end has a section.
   bool add_part(std::size_t k, int first, int last) {
     const Vec2 from = axis_.from(k), d = axis_.to(k) - from;
     const double whole = length(d);
@@ -337,7 +337,7 @@ class Builder {
     return true;
   }
 
-  // What Gregory's rule adds to a weight of 1, `i` sections from an end.
+  // Term that Gregory's rule adds to the weight 1 of a section, `i` sections from an end.
   static double at_end(int i) {
     constexpr double kAdds[] = {3.0 / 8 - 1, 7.0 / 6 - 1, 23.0 / 24 - 1};
     return i < 3 ? kAdds[i] : 0.0;
@@ -359,7 +359,7 @@ const PlacedOpening* find_opening(const Shape& shape, const std::vector<PlacedOp
   for (const PlacedOpening& opening : openings)
     if (shape.wall.opening[static_cast<std::size_t>(opening.index)].name == frame.round)
       return &opening;
-  // one that is faulty itself has been told
+  // a faulty opening is reported elsewhere
   if (std::find(names.begin(), names.end(), frame.round) != names.end()) return nullptr;
   add_fault(faults, path_of(index, "round"), "\"" + frame.round + "\"",
             called(frame, index) + ": no opening has this name",
@@ -368,7 +368,7 @@ const PlacedOpening* find_opening(const Shape& shape, const std::vector<PlacedOp
   return nullptr;
 }
 
-// Keys that every frame needs; false after a fault.
+// Checks the keys that every frame needs; false after a fault.
 bool is_given(const FrameSpec& frame, std::size_t index, FaultList& faults) {
   const std::size_t before = faults.all().size();
   const auto fault = [&](const char* key, std::string value, const std::string& problem,

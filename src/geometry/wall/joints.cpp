@@ -1,6 +1,6 @@
 // Compares the edges of near blocks in pairs. The ends of a contact are corners of its blocks, never new points, so
-// neighbours share their bits. A pair of blocks may stand in several cells and is counted in one, where the overlap of
-// its boxes begins. Contacts are sorted by height and place, whatever the order of the search.
+// neighbours share their bits. A pair of blocks may lie in several cells; it counts in the cell where the overlap of its
+// boxes begins. Contacts are sorted by height and place, so their order does not depend on the search.
 #include "geometry/wall/joints.h"
 
 #include <algorithm>
@@ -38,7 +38,7 @@ Rect join_all(const std::vector<Rect>& boxes) {
   return whole;
 }
 
-// Square cells over the assembly, about one a block; each block stands in every cell it touches.
+// Square cells over the assembly, about one for each block; each block is listed in every cell it touches.
 struct CellGrid {
   Rect whole;
   double cell = 1;  // side [m]
@@ -56,7 +56,7 @@ CellGrid make_grid(const std::vector<Rect>& boxes) {
   const double width = grid.whole.x1 - grid.whole.x0, height = grid.whole.y1 - grid.whole.y0;
   const double n = static_cast<double>(boxes.size());
   grid.cell = std::max(std::sqrt(width * height / n), std::max(width, height) / (4 * n + 1));
-  // Boxes that cover each other would stand in every cell: then the cells are wider.
+  // large blocks that overlap would fill every cell, so cells are made wider then
   const auto cells_of = [&](const Rect& box) {
     return (std::floor((box.x1 - box.x0) / grid.cell) + 2) *
            (std::floor((box.y1 - box.y0) / grid.cell) + 2);
@@ -92,7 +92,7 @@ std::vector<Entry> fill_cells(const CellGrid& grid, const std::vector<Rect>& box
   return entries;
 }
 
-// A pair stands in several cells; it is counted where the lower left corner of its overlap lies.
+// The cell in which a pair counts: the one with the lower left corner of the overlap of its boxes.
 int home_cell(const CellGrid& grid, const Rect& a, const Rect& b) {
   return grid.number(grid.row(std::max(a.y0, b.y0)), grid.column(std::max(a.x0, b.x0)));
 }
@@ -113,7 +113,7 @@ bool is_anti_parallel(const Edge& e, const Edge& f) {
   return dot(e.end - e.start, f.end - f.start) < -0.99 * edge_length(e) * edge_length(f);
 }
 
-// The common part of two facing edges, from real corners of either (no new coordinates).
+// The common part of two facing edges; its ends are existing corners.
 struct Overlap {
   Vec2 from, to;  // along e
   double size;    // [m]
@@ -126,15 +126,15 @@ Overlap overlap_of(const Edge& e, const Edge& f) {
   overlap.from = first > 0 ? f.end : e.start;
   overlap.to = last < whole ? f.start : e.end;
   overlap.size = std::min(last, whole) - std::max(first, 0.0);
-  // Each end is a corner of one edge: its distance from the other edge's line.
+  // each end is a corner of one edge; the gap is its distance from the line of the other edge
   const double gap_from = first > 0 ? aside(e, f.end) : aside(f, e.start);
   const double gap_to = last < whole ? aside(e, f.start) : aside(f, e.end);
   overlap.gap = std::max(std::abs(gap_from), std::abs(gap_to));
   return overlap;
 }
 
-// Lower block first; left block first where the normal is level. The outline is anticlockwise, so
-// the outward normal of e lies on its right: reversed, e has that normal on its left.
+// Side a is the lower block, or the left one where the normal is level. Outlines are anticlockwise, so
+// the outward normal of e lies on its right; for e reversed it lies on its left.
 Contact make_contact(int i, int j, const Overlap& overlap) {
   const Vec2 t = overlap.to - overlap.from;
   const Vec2 normal{t.y, -t.x};  // out of i
@@ -174,7 +174,7 @@ void test_pair(const PairSearch& search, int i, int j) {
   }
 }
 
-// Gaps matter up to kWidestGap of an edge; the longest edge sets how far neighbours are looked for.
+// Gaps up to kWidestGap of an edge matter, so the longest edge determines the search distance.
 double search_margin(const std::vector<Block>& blocks, double tolerance) {
   double largest = 0;
   for (const Block& block : blocks) {
@@ -202,7 +202,7 @@ std::vector<std::pair<int, int>> near_pairs(const std::vector<Block>& blocks, do
   const auto is_fixed = [&](const Entry& entry) {
     return blocks[static_cast<std::size_t>(entry.block)].role == Role::kSupport;
   };
-  // The next entry that moves: two supports, however many lie on each other, are not even looked at.
+  // index of the next movable entry: pairs of two supports are skipped altogether
   std::vector<std::size_t> next_free(entries.size() + 1, entries.size());
   for (std::size_t k = entries.size(); k-- > 0;)
     next_free[k] = is_fixed(entries[k]) ? next_free[k + 1] : k;

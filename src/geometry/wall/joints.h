@@ -1,13 +1,13 @@
 // Finds where blocks touch: collinear, anti-parallel, overlapping edges of different blocks.
 //
-//        +----------+            the edge of b runs against the edge of a; their common part is
-//        |    b     |            one contact p0-p1, the normal from a to b on its left
+//        +----------+            the edge of b runs opposite to that of a; their common part is one
+//        |    b     |            contact p0-p1, with the normal from a to b on its left
 //   +----p0=====p1--+
 //   |    a      |                a is the lower block, or the left one where the normal is level
 //   +-----------+
 //
 // Candidate pairs come from a uniform grid of cells, so the cost grows with the number of blocks.
-// Called by assembly.cpp; knows no roles and no materials.
+// Called by assembly.cpp; does not depend on roles and materials.
 #pragma once
 
 #include <limits>
@@ -24,7 +24,7 @@ struct Contact {
   Vec2 p0, p1;
 };
 
-// Facing edges that make no contact: too short an overlap, or a gap too wide.
+// Facing edges without a contact: the overlap is too short, or the gap too wide.
 struct LostContact {
   int a = 0, b = 0;
   double overlap = 0;  // [m]
@@ -37,25 +37,25 @@ struct ContactSearch {
 };
 
 inline constexpr double kContactTolerance = 1e-6;  // of the assembly's size: collinear within
-inline constexpr double kShortestContact = 1e-3;   // of the shorter edge: less is lost
-inline constexpr double kWidestGap = 1e-2;         // of the shorter edge: wider gaps are meant
+inline constexpr double kShortestContact = 1e-3;   // of the shorter edge: a shorter overlap is lost
+inline constexpr double kWidestGap = 1e-2;         // of the shorter edge: a wider gap is intended
 
 // The tolerance in metres: kContactTolerance times the larger side of the assembly.
 [[nodiscard]] double contact_tolerance(const std::vector<Block>& blocks);
 
-// Pairs (i < j) of blocks whose bounds, widened by `margin`, meet, two supports left out; the search
-// ends after `most` of them.
+// Pairs (i < j) of blocks whose bounds, widened by `margin`, meet, without pairs of supports; the search
+// ends after `most` pairs.
 [[nodiscard]] std::vector<std::pair<int, int>> near_pairs(
     const std::vector<Block>& blocks, double margin,
     std::size_t most = std::numeric_limits<std::size_t>::max());
 
 [[nodiscard]] ContactSearch find_contacts(const std::vector<Block>& blocks);
 
-// Bottom edges on the level line `ground`, from left to right; a is kGround.
+// Contacts of bottom edges with the level line `ground`, from left to right; a is kGround.
 [[nodiscard]] std::vector<Contact> find_ground_contacts(const std::vector<Block>& blocks,
                                                         double ground);
 
-// Puts contacts in the order of their centres: height first (equal within the tolerance), then x.
+// Sorts contacts by the height of their centres (equal within the tolerance), then by x.
 void sort_contacts(std::vector<Contact>& contacts, double tolerance);
 
 }  // namespace wythe::geometry

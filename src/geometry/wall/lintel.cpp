@@ -1,6 +1,6 @@
-// A lintel or sill takes whole courses and whole columns of bearing, both rounded and one at least. The opening's edge
-// moves to a course line first, and the bearing is counted from the jamb. The body is then parted at column lines; with
-// model = "zones" a lintel stays whole.
+// A lintel or sill occupies whole courses and whole columns of bearing, rounded and at least one. First the opening's edge
+// moves to a course line; the bearing is counted from the jamb. Then the body is divided at column lines; with
+// model = "zones" a lintel stays one block.
 #include "geometry/wall/lintel.h"
 
 #include <algorithm>
@@ -12,9 +12,9 @@
 namespace wythe::geometry {
 namespace {
 
-// A lintel or a sill: whole columns long, whole courses deep.
+// A lintel or a sill: an integer number of columns long and of courses deep.
 struct Beam {
-  const char* what;  // "lintel", also its table
+  const char* what;  // "lintel", also the name of its table
   double depth, bearing;
   const char *depth_changed, *bearing_changed;  // codes of notes
   [[nodiscard]] std::string path(int opening, const std::string& key) const {
@@ -38,7 +38,7 @@ void check_body(const Shape& shape, const std::string& path, const char* what,
     return;
   }
   const auto found = shape.material.find(material);
-  if (found == shape.material.end()) return;  // reported with the other missing materials
+  if (found == shape.material.end()) return;  // reported with other missing materials
   (void)is_positive({"material." + material + ".density", found->second, "kg/m^3", "500 kg/m^3"},
                     faults);
 }
@@ -47,7 +47,7 @@ bool check_beam(const Shape& shape, int index, const Beam& beam, const std::stri
                 FaultList& faults) {
   check_body(shape, beam.path(index, "material"), beam.what, material, faults);
   bool given = is_positive({beam.path(index, "depth"), beam.depth, "m", "110 mm"}, faults);
-  // Without bearing it is no longer than the opening: nothing would carry a lintel.
+  // without bearing a lintel would be as long as the opening and unsupported
   given &= is_positive({beam.path(index, "bearing"), beam.bearing, "m", "150 mm"}, faults);
   return given;
 }
@@ -62,7 +62,7 @@ void note_size(const PlacedOpening& opening, const char* code, double stated, do
                     {"change_percent", 100 * (laid / stated - 1)}}});
 }
 
-// Keys of zones beside a chain of rigid segments say nothing; a user may be comparing the two.
+// Notes keys of zones beside a chain of rigid segments: they have no effect, but a user may compare both models.
 void note_idle_keys(const LintelSpec& lintel, const PlacedOpening& opening,
                     std::vector<Message>& notes) {
   const LintelSpec unset;
@@ -72,7 +72,7 @@ void note_idle_keys(const LintelSpec& lintel, const PlacedOpening& opening,
     notes.push_back({"lintel.idle_keys", {{"opening", opening.words}}});
 }
 
-// The jamb moved outwards by `columns` whole columns: on the lattice where the jamb is.
+// The jamb moved outwards by `columns` columns; on the lattice where the jamb is.
 double end_of(const Axis& axis, double jamb, int columns) {
   if (!axis.is_on_line(jamb)) return jamb + columns * axis.step;
   const int i = axis.nearest(jamb) + columns;
@@ -83,7 +83,7 @@ bool ends_inside(const Rect& body, const Axis& axis, const PlacedOpening& openin
                  FaultList& faults) {
   const double margin = 1e-9 * axis.extent;
   if (body.x0 >= -margin && body.x1 <= axis.extent + margin) return true;
-  // whole columns beside the opening; in a surveyed wall the last may be cut
+  // whole columns beside the opening; in a surveyed wall the last one may be cut
   const double beside = std::min(opening.hole.x0, axis.extent - opening.hole.x1);
   const int room = static_cast<int>(beside / axis.step + 1e-9);
   const std::string what = beam.what;
@@ -157,7 +157,7 @@ void move_foot_to_course(const Axis& courses, PlacedOpening& opening, std::vecto
   opening.hole.y0 = courses.line(at);
 }
 
-// The kind is only a label. An unknown label gets a note, since the user may expect an effect.
+// The kind is only a label. An unknown one gets a note, since the user may expect an effect.
 void note_unknown_kind(const char* code, const std::string& kind, const std::string& material,
                        const PlacedOpening& opening, std::vector<Message>& notes) {
   static const std::vector<std::string> kKnown = {"timber", "stone", "concrete", "steel", "brick"};

@@ -1,6 +1,6 @@
-// Places openings one by one: hole, sill, lintel, arch. An edge moves to a joint line within its reach. Beyond it, the
-// edge stays where units may be cut. Otherwise a fault names the nearest span that fits, and the opening takes that
-// span. Pairs are compared when all are placed.
+// Places openings one by one: hole, sill, lintel, arch. An edge moves to a joint line within its reach. Beyond that, the
+// edge stays where units may be cut; otherwise a fault names the nearest span that fits, and the opening takes that
+// span. Pairs of openings are compared at the end.
 #include "geometry/wall/openings.h"
 
 #include <algorithm>
@@ -14,14 +14,14 @@
 namespace wythe::geometry {
 namespace {
 
-// One direction of one opening.
+// One direction of an opening.
 struct Span {
   const PlacedOpening& placed;
   std::string start_key, size_key;  // "x", "width"
   const char *start_moved_code, *size_changed_code;
-  double start, size;   // as stated, from the wall's corner [m]
-  double base;          // of the user's measure: 0, or the foot of the named storey [m]
-  std::string outside;  // what lies beyond the last line: "outside the wall (wall.length = 5.1 m)"
+  double start, size;   // as stated, from the corner of the wall [m]
+  double base;          // zero of the user's measure: 0, or foot of the named storey [m]
+  std::string outside;  // name of what lies beyond: "outside the wall (wall.length = 5.1 m)"
   std::string fit_key;  // "wall.fit"
 };
 
@@ -33,16 +33,16 @@ bool is_given(const OpeningSpec& opening, int i, FaultList& faults) {
   return given;
 }
 
-// How far an edge may move to the nearest line: 2 % of the opening or the thickness of a joint, and with
-// fit = "cut" upright edges not at all beyond that, while level edges move up to a sliver (no thin
-// strips of units).
+// How far an edge may move to the nearest line: by 2 % of the opening or the thickness of a joint. With
+// fit = "cut" level edges may move by a sliver as well, which avoids thin strips of units; vertical
+// edges may not.
 double reach_of(const Span& span, const Axis& axis, Fit fit) {
   const double reach = std::max(kFitTolerance * span.size, axis.joint);
   const bool is_level = span.start_key == "y";
   return fit == Fit::kCut && is_level ? std::max(reach, kSliver * axis.step) : reach;
 }
 
-// Lines of an axis between which an opening may lie.
+// Range of lines of an axis in which an opening may lie.
 struct Room {
   int first, last;
 };
@@ -52,7 +52,7 @@ std::string floor_line(double height) {
          ": an opening lies in one storey, so make two of one that goes through";
 }
 
-// Why the span can't be laid as it is stated, at which key; "" where it can.
+// Why the span can't be laid as stated, with its key; "" where it can.
 struct SpanFault {
   std::string key, problem;
   bool cut_cures = false;
@@ -87,7 +87,7 @@ void note_move(const Span& span, const char* code, double from, double to,
       {code, {{"opening", span.placed.words}, {"from_m", from - base}, {"to_m", to - base}}});
 }
 
-// The nearest span on joint lines within `room`: what the cure says, and what the rest is checked with.
+// The nearest span on joint lines within `room`. The cure names it, and further checks use it.
 void cure_span(const Span& span, const SpanFault& fault, const Axis& axis, Room room, double& start,
                double& end, FaultList& faults) {
   if (room.last <= room.first) room = {0, axis.count};
@@ -109,7 +109,7 @@ void cure_span(const Span& span, const SpanFault& fault, const Axis& axis, Room 
                 (fault.cut_cures ? "; or " + span.fit_key + " = \"cut\"" : ""));
 }
 
-// Both edges of one direction; false after a fault, with the span of its cure.
+// Places both edges of one direction; false after a fault, with the span of its cure.
 bool snap_span(const Span& span, const Axis& axis, Fit fit, Room room, double& start, double& end,
                std::vector<Message>& notes, FaultList& faults) {
   const SpanFault fault = fault_of(span, axis, fit);
@@ -133,7 +133,7 @@ bool snap_span(const Span& span, const Axis& axis, Fit fit, Room room, double& s
   return true;
 }
 
-// The named storey, or the one that holds the opening's middle; nullptr after a fault.
+// The named storey, or the one that contains the middle of the opening; nullptr after a fault.
 const Storey* storey_of(const OpeningSpec& opening, int i, const std::vector<Storey>& storeys,
                         FaultList& faults) {
   if (!opening.storey.empty())
@@ -141,12 +141,12 @@ const Storey* storey_of(const OpeningSpec& opening, int i, const std::vector<Sto
   return &storey_at(storeys, opening.y + opening.height / 2);
 }
 
-// What spans an opening, with all its numbers.
+// Which of lintel, arch and sill an opening has, with all their numbers.
 struct Given {
   bool lintel, arch, sill;
 };
 
-// False where numbers are missing; after other faults the hole is that of their cures.
+// False where numbers are missing. After other faults the hole is that of their cures.
 bool place_hole(const OpeningSpec& opening, PlacedOpening& placed, const Storey& storey, double top,
                 const Given& has, std::vector<Message>& notes, FaultList& faults) {
   const Axis &columns = storey.lattice.columns, &courses = storey.lattice.courses;
@@ -214,7 +214,7 @@ void refuse_lintel_in_opening(const PlacedOpening& a, const PlacedOpening& b, Fa
             "shorten the bearing or move the opening");
 }
 
-// The voussoirs of a and the room under them, against the opening, lintel and arch of b.
+// Refuses voussoirs of a, or the space under them, that overlap the opening, lintel or arch of b.
 void refuse_arch_in_opening(const PlacedOpening& a, const PlacedOpening& b, FaultList& faults) {
   if (a.arch.empty() || a.index == b.index) return;
   constexpr double kTouch = 1e-9;  // [m^2]
@@ -237,7 +237,7 @@ void refuse_arch_in_opening(const PlacedOpening& a, const PlacedOpening& b, Faul
 void check_pairs(const std::vector<PlacedOpening>& openings, FaultList& faults) {
   for (std::size_t i = 0; i < openings.size() && !enough(faults); ++i) {
     for (std::size_t j = 0; j < openings.size(); ++j) {
-      if (i != j && overlap(openings[i], openings[j])) {  // their lintels and arches do then too
+      if (i != j && overlap(openings[i], openings[j])) {  // their lintels and arches overlap too
         if (i < j) refuse_overlap(openings[i], openings[j], faults);
         continue;
       }

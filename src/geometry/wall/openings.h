@@ -5,8 +5,8 @@
 //        |  |               |  |
 //   pier |  |    opening    |  | pier
 //
-// An opening's edges move to the nearest column or course line by 2 % of its size or less (a note);
-// with fit = "cut" units are cut at the edges instead. Faults name the nearest sizes that fit.
+// The edges of an opening move to the nearest column or course line by at most 2 % of its size (a note);
+// with fit = "cut" units are cut at its edges instead. Faults name the nearest sizes that fit.
 #pragma once
 
 #include <string>
@@ -19,7 +19,7 @@
 
 namespace wythe::geometry {
 
-// Corners of the voussoirs, from left to right, one more than there are; empty without an arch.
+// Corners of voussoirs from left to right, one more than voussoirs; empty without an arch.
 struct PlacedArch {
   std::vector<Vec2> intrados, extrados;  // [m]
   [[nodiscard]] bool empty() const { return intrados.empty(); }
@@ -28,23 +28,23 @@ struct PlacedArch {
 
 struct PlacedOpening {
   int index = 0;              // in wall.opening
-  int storey = 0;             // of the planned storeys, from the ground up
-  std::string called;         // "opening 0 (door)", in faults
-  Message words;              // the same, in notes
+  int storey = 0;             // index of the planned storey, from the ground up
+  std::string called;         // name in faults, "opening 0 (door)"
+  Message words;              // name in notes
   Rect hole;                  // [m]
   std::vector<Rect> segment;  // lintel segments, left to right; empty without lintel
   PlacedArch arch;
   std::vector<Rect> sill = {};  // its segments; empty without
 };
 
-// `spanning`: ring beams, which carry what lies over an opening right below them.
+// Places all openings. `spanning`: ring beams, which carry the masonry over an opening directly below them.
 [[nodiscard]] std::vector<PlacedOpening> place_openings(const Shape& shape,
                                                         const std::vector<Storey>& storeys,
                                                         const std::vector<Rect>& spanning,
                                                         std::vector<Message>& notes,
                                                         FaultList& faults);
 
-// Intervals of the wall's length outside every opening, with the lower adjacent opening's top.
+// Intervals of the wall's length outside all openings, with the top of the lower adjacent opening.
 [[nodiscard]] std::vector<Pier> find_piers(const std::vector<PlacedOpening>& openings,
                                            double length, double height);
 

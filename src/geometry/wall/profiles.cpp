@@ -1,5 +1,5 @@
-// Nominal sizes in millimetres and the closed forms that make section values in metres of them (docs/theory/frames.md,
-// 20.9 and 20.10). Fillets and rounded corners are squares less quarter circles. Channels have listed values instead.
+// Nominal sizes in millimetres, and closed forms of section values in metres (docs/theory/frames.md, 20.9 and 20.10).
+// A fillet or rounded corner is a square less a quarter circle. Channels have tabulated values instead.
 #include "geometry/wall/profiles.h"
 
 #include <algorithm>
@@ -47,8 +47,8 @@ constexpr RolledBeam kBeams[] = {
     {"HEB 360", 360, 300, 12.5, 22.5, 27}, {"HEB 400", 400, 300, 13.5, 24, 27},
     {"HEB 450", 450, 300, 14, 26, 27},     {"HEB 500", 500, 300, 14.5, 28, 27}};
 
-// Millimetres; area [cm2], second moment [cm4], plastic modulus [cm3], weak second moment and torsion constant [cm4] as
-// listed. UPN: EN 10365.
+// Millimetres; area [cm2], second moment [cm4], plastic modulus [cm3], weak second moment and torsion constant [cm4] from
+// tables. UPN: EN 10365.
 struct Channel {
   const char* name;
   double h, b, tw, tf, area, second, plastic, weak, torsion;
@@ -79,8 +79,8 @@ constexpr Tube kTubes[] = {
     {"SHS 160x8", 160, 8},     {"SHS 180x8", 180, 8},     {"SHS 200x8", 200, 8},
     {"SHS 200x10", 200, 10}};
 
-// A quarter of the square r x r that a circle of r leaves at its corner: area, its centroid from the square's
-// outer sides, second moment about that centroid.
+// The part of a square r x r outside a quarter circle of radius r: area, distance of its centroid from the outer
+// sides of the square, second moment about that centroid.
 struct Fillet {
   double area, from_side, second;
 };
@@ -89,7 +89,7 @@ Fillet fillet(double r) {
   const double first =
       (0.5 - (std::numbers::pi / 4 - 1.0 / 3)) * r * r * r;  // square less quarter of a circle
   const double from_side = area > 0 ? first / area : 0;
-  // about the outer side: of the square r^4/3; of the quarter, whose centre lies r away
+  // second moments about the outer side: square r^4/3, quarter circle with its centre at distance r
   const double quarter = std::numbers::pi / 16 - 2.0 / 3 + std::numbers::pi / 4;
   return {area, from_side, (1.0 / 3 - quarter) * r * r * r * r - area * from_side * from_side};
 }
@@ -104,7 +104,7 @@ Section in_metres(const Values& v) {
           1e-12 * v.torsion, 1e-6 * v.weak_shear};
 }
 
-constexpr double kOfFlanges = 5.0 / 6;  // of a rectangle that is sheared
+constexpr double kOfFlanges = 5.0 / 6;  // of a rectangle in shear
 
 Section section_of(const RolledBeam& p) {
   const double web = p.h - 2 * p.tf, flange = (p.h - p.tf) / 2;
@@ -118,7 +118,7 @@ Section section_of(const RolledBeam& p) {
   const double weak = 2 * p.tf * elementary::pow(p.b, 3) / 12 +
                       web * elementary::pow(p.tw, 3) / 12 +
                       4 * (corner.second + corner.area * aside * aside);
-  // flanges and web, and what they gain where they meet (frames.md, 20.16)
+  // flanges and web, and the contribution of their intersections (frames.md, 20.16)
   const double meet =
       (elementary::pow(p.r + p.tw / 2, 2) + elementary::pow(p.r + p.tf, 2) - p.r * p.r) /
       (2 * p.r + p.tf);
@@ -134,7 +134,7 @@ Section section_of(const Channel& p) {
                     1e4 * p.weak, 1e4 * p.torsion, kOfFlanges * 2 * p.b * p.tf});
 }
 
-// A square less its corners outside the outer circles, less the same of the hole.
+// A square without its corners outside the outer circles, less the same for the hole.
 Section section_of(const Tube& p) {
   struct Sums {
     double area, second, plastic;
@@ -148,7 +148,7 @@ Section section_of(const Tube& p) {
   };
   const Sums whole = rounded(p.b, 1.5 * p.t), hole = rounded(p.b - 2 * p.t, p.t);
   const double second = whole.second - hole.second, shear = 2 * p.t * (p.b - p.t);
-  // EN 10210-2, annex B: of the middle line, whose corners have the radius 1.25 t
+  // EN 10210-2, annex B: along the middle line, whose corners have the radius 1.25 t
   const double radius = 1.25 * p.t, corners = 4 - std::numbers::pi, side = p.b - p.t;
   const double around = 4 * side - 2 * radius * corners;
   const double inside = side * side - radius * radius * corners;
@@ -157,7 +157,7 @@ Section section_of(const Tube& p) {
                     second, torsion, shear});
 }
 
-// Without spaces, in capitals; "HE200B" is "HEB200".
+// Capitals without spaces; "HE200B" becomes "HEB200".
 std::string key_of(const std::string& name) {
   std::string key;
   for (const char c : name)

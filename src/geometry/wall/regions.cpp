@@ -1,6 +1,6 @@
-// Reads the place of each region as a box or a polygon and marks the blocks whose centroid it holds. Piers are counted
-// from the left between the openings of one storey. Heights count from the storey's foot where a storey is named. A
-// later region takes blocks from an earlier one, with a note. Only the mark and a thickness are written.
+// Each region is a box or a polygon; it marks the blocks whose centroid it contains. Piers are counted
+// from the left between the openings of one storey. Heights are above the storey's foot where a storey is named. A
+// later region takes blocks from an earlier one, with a note. It changes only the mark and a thickness.
 #include "geometry/wall/regions.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace wythe::geometry {
 namespace {
 
-// What the regions of one wall are read against.
+// Data of the wall for its regions.
 struct RegionSite {
   const std::vector<Storey>& storeys;
   const std::vector<PlacedOpening>& openings;
@@ -36,7 +36,7 @@ struct NamedRegion {
   }
 };
 
-// Where a region lies; a box where it has no polygon.
+// The area of a region; a box where it has no polygon.
 struct Area {
   Rect box;
   Polygon polygon;
@@ -52,7 +52,7 @@ bool changes_something(const RegionSpec& r) {
          !j.head_joint.empty() || !j.unit_joint.empty();
 }
 
-// Exactly one way to say where; a storey alone is one.
+// Whether the place is stated in exactly one way; a storey alone is one.
 bool has_one_place(const NamedRegion& region, FaultList& faults) {
   const RegionSpec& r = region.spec;
   const int ways = (r.pier > 0) + has_box(r) + !r.polygon.empty();
@@ -144,7 +144,7 @@ bool on_edge(Vec2 p, Vec2 from, Vec2 to, double tolerance) {
   return away <= tolerance && at >= -tolerance && at <= size + tolerance;
 }
 
-// By the crossings of a line to the right; a point within the tolerance of an edge is inside.
+// Point-in-polygon test by crossings of a line to the right; a point within the tolerance of an edge is inside.
 bool holds(const Polygon& polygon, Vec2 p, double tolerance) {
   bool inside = false;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -167,12 +167,12 @@ std::string name_of(const RegionSpec& region, int index) {
   return region.name.empty() ? std::to_string(index) : region.name;
 }
 
-// Puts blocks into the region; false where there are none.
+// Assigns blocks to the region; false where there are none.
 bool fill(const Shape& shape, int index, const Area& area, const std::vector<Vec2>& centre,
           Assembly& assembly) {
   const double tolerance = 1e-9 * std::max(assembly.length, assembly.height);
   bool found = false;
-  std::map<int, int> taken;  // blocks by the region that had them
+  std::map<int, int> taken;  // number of blocks by their previous region
   for (std::size_t b = 0; b < centre.size(); ++b) {
     Block& block = assembly.blocks[b];
     if (block.role != Role::kMasonry || !holds(area, centre[b], tolerance)) continue;

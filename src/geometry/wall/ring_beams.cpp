@@ -1,6 +1,6 @@
 // Lays a ring beam in whole courses: below the top of its storey, or from the course line nearest to y. Its ends move
-// to the nearest column lines, with a note (docs/theory/ring_beams.md). Chains are compared with openings and ground by
-// their boxes, with arches by their outlines.
+// to the nearest column lines, with a note (docs/theory/ring_beams.md). Boxes of chains are tested against openings and ground,
+// and against the outlines of arches.
 #include "geometry/wall/ring_beams.h"
 
 #include <algorithm>
@@ -45,7 +45,7 @@ bool is_given(const Shape& shape, const NamedBeam& beam, FaultList& faults) {
   if (b.material.empty())
     add_fault(faults, beam.path("material"), "", "missing",
               "name the [material.*] table that holds its density and moduli");
-  else if (found != shape.material.end())  // others are reported with the missing materials
+  else if (found != shape.material.end())  // others are reported with missing materials
     (void)is_positive(
         {"material." + b.material + ".density", found->second, "kg/m^3", "2500 kg/m^3"}, faults);
   return faults.all().size() == before;
@@ -81,7 +81,7 @@ std::optional<Rows> rows_of(const NamedBeam& beam, const Storey& storey,
   return Rows{bottom, bottom + rows};
 }
 
-// Ends on half units, as a lintel's.
+// Moves ends to half units, as for a lintel.
 bool place_ends(const NamedBeam& beam, const Axis& columns, Rect& body, std::vector<Message>& notes,
                 FaultList& faults) {
   const RingBeamSpec& b = beam.spec;
@@ -122,7 +122,7 @@ bool is_as_thin_as_wall(const NamedBeam& beam, const Storey& storey, FaultList& 
   return false;
 }
 
-// A rectangle that nothing else may reach into.
+// A rectangle that must not overlap any other.
 struct Body {
   std::string path, called;
   Rect box;

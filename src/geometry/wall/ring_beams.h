@@ -1,6 +1,6 @@
-// Ring beams: rigid segments, one a column, in whole courses along a level.
+// Ring beams: rigid segments, one for each column, in whole courses at one level.
 //
-//   +--+--+--+--+--+--+--+--+--+--+  top of a storey      a chain as a lintel's, with joints of the masonry
+//   +--+--+--+--+--+--+--+--+--+--+  top of a storey      a chain like that of a lintel, with joints of the masonry
 //   |  |  |  |  |  |  |  |  |  |  |  ring beam            above, below and at its ends
 //   +--+--+--+--+--+--+--+--+--+--+
 //
@@ -26,7 +26,7 @@ struct PlacedRingBeam {
                                                            std::vector<Message>& notes,
                                                            FaultList& faults);
 
-// Sills and ring beams have their place alone: no opening, arch or ground, no other chain.
+// Refuses sills and ring beams that overlap openings, arches, ground or other chains.
 void check_chains(const Shape& shape, const std::vector<PlacedOpening>& openings,
                   const std::vector<PlacedRingBeam>& beams, const std::vector<GroundStep>& ground,
                   FaultList& faults);

@@ -1,6 +1,6 @@
-// Each storey has the wall's keys, then its own. Mortar is added to bare units at once, so all sizes are nominal
-// afterwards. A storey remembers the sizes that it states itself, so that a fault stands where the user wrote. Faults
-// of what several storeys inherit are told once.
+// Each storey has the keys of the wall, replaced by its own. Mortar is added to bare units at once, so that all sizes are
+// nominal afterwards. A storey remembers which sizes it states itself, so that a fault names the key that the user wrote.
+// Faults of inherited values are reported once.
 #include "geometry/wall/storeys.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 double or_else(double value, double otherwise) { return std::isnan(value) ? otherwise : value; }
 
-// False where the text is none of the words; "" leaves the value as it is.
+// False where the text is an unknown word; "" leaves the value unchanged.
 template <class E, std::size_t N>
 bool take_word(const std::string& stated, const Word<E> (&words)[N], E& value) {
   for (const Word<E>& word : words)
@@ -44,7 +44,7 @@ void check_words(const std::vector<StoreySpec>& storeys, FaultList& faults) {
   }
 }
 
-// Mortar on each side of a bare unit makes it nominal: half a joint all round.
+// Makes a bare unit nominal by half a joint on each side.
 void add_mortar(UnitSpec& unit) {
   if (std::isnan(unit.mortar.bed) && std::isnan(unit.mortar.head)) return;
   const double bed = or_else(unit.mortar.bed, unit.mortar.head);
@@ -126,7 +126,7 @@ void check_sum(const WallSpec& wall, const std::vector<Storey>& storeys, FaultLi
             "leave wall.height out, or change a storey's height");
 }
 
-// What two storeys inherit is told once.
+// Reports a fault that several storeys inherit only once.
 void add_once(const FaultList& found, FaultList& faults) {
   for (const Fault& fault : found.all()) {
     const auto is_told = [&](const Fault& f) {
@@ -137,7 +137,7 @@ void add_once(const FaultList& found, FaultList& faults) {
   }
 }
 
-// Joints as thick as units were built; thicker ones are a slip of the pen that would fit any wall.
+// Refuses joints thicker than the bare unit: they are typing errors that would make any wall fit.
 bool mortar_fits(const Storey& storey, const char* key, double joint, double bare, const char* side,
                  FaultList& faults) {
   if (std::isnan(joint)) return true;
@@ -156,7 +156,7 @@ bool mortar_fits(const Storey& storey, FaultList& faults) {
                      faults);
 }
 
-// The drawn unit holds a whole number of real ones, within what fit = "whole" may change it.
+// Checks that the drawn unit is a multiple of the real one, within the tolerance of fit = "whole".
 void check_real(const Storey& storey, const char* key, double real, double drawn, double joint,
                 FaultList& faults) {
   if (std::isnan(real) || !is_positive({storey.path_of(key), real - joint, "m", "65 mm"}, faults) ||
@@ -278,7 +278,7 @@ const Storey* find_storey(const std::vector<Storey>& storeys, const std::string&
     if (storey.index >= 0 && storey.name == name) return &storey;
     if (storey.index >= 0) names.push_back(storey.name);
   }
-  // a storey that lacks its name may be the one: that is told
+  // a storey without a name may be the wanted one: its missing name is reported
   if (std::find(names.begin(), names.end(), "") != names.end()) return nullptr;
   add_fault(faults, path, "\"" + name + "\"",
             names.empty() ? "the model has no [[storey]]" : "there is no such storey",

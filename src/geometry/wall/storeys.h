@@ -1,4 +1,4 @@
-// The storeys of a building from the ground up, each with what it inherits from the wall.
+// The storeys of a building from the ground up, each with the values it inherits from the wall.
 //
 //   +---------------------------+  end of its courses = foot of the storey above, to the bit
 //   |  first: unit, bond, ...   |  courses first_course, first_course + 1, ...
@@ -33,28 +33,28 @@ struct Storey {
   [[nodiscard]] double bed_mortar() const;   // 0 where units are nominal [m]
   [[nodiscard]] double head_mortar() const;  // the same
   [[nodiscard]] std::string called() const;  // "storey 0 (ground)"
-  // Where the user wrote, or may write, this key: "storey.0.unit.length" or "wall.unit.length".
+  // Key path of a value that the user wrote, or may write: "storey.0.unit.length" or "wall.unit.length".
   [[nodiscard]] std::string path_of(const std::string& key) const;
 };
 
-// From the ground up, without lattices and unchecked; one at least.
+// Storeys from the ground up, at least one, unchecked and without lattices.
 [[nodiscard]] std::vector<Storey> stated_storeys(const WallSpec& wall,
                                                  const std::vector<StoreySpec>& storey);
 
-// The same with lattices, checked; `cut_all`: as if each had fit = "cut".
+// As stated_storeys(), but checked and with lattices; `cut_all`: as if each had fit = "cut".
 [[nodiscard]] std::vector<Storey> plan_storeys(const Shape& shape, bool cut_all,
                                                std::vector<Message>& notes, FaultList& faults);
 
-// The storeys of a blocks file: levels with a thickness from `foot` upwards, without lattices.
+// Storeys of a blocks file: levels with a thickness from `foot` upwards, without lattices.
 [[nodiscard]] std::vector<Storey> level_storeys(const Shape& shape, double foot, FaultList& faults);
 
-// The last storey whose foot is at or below y, the first where there is none.
+// The last storey whose foot is at or below y; the first one where there is none.
 [[nodiscard]] const Storey& storey_at(const std::vector<Storey>& storeys, double y);
 
-// The row of bricks that holds y, counted from the ground over all storeys.
+// Index of the row of units at y, counted from the ground over all storeys.
 [[nodiscard]] long row_at(const std::vector<Storey>& storeys, double y);
 
-// The storey of that name; nullptr after a fault at `path`.
+// The storey with this name; nullptr after a fault at `path`.
 [[nodiscard]] const Storey* find_storey(const std::vector<Storey>& storeys, const std::string& name,
                                         const std::string& path, FaultList& faults);
 

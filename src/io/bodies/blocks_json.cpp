@@ -41,7 +41,7 @@ class BlocksReader {
   BlocksReader(ReadContext& context, std::string file, ModelSpec& spec)
       : context_(context), file_(std::move(file)), spec_(spec) {}
 
-  // Bodies stay in the file's units and axes.
+  // The number of file units in a metre. Bodies stay in the file's units and axes.
   [[nodiscard]] double units_in_a_metre() const { return scale_; }
   [[nodiscard]] bool is_compas() const { return is_compas_; }
   [[nodiscard]] const std::string& up() const { return up_; }
@@ -270,7 +270,7 @@ class BlocksReader {
     }
   }
 
-  // Whether these are numbers and one is beyond 10 km, as in coordinates of a survey: one fault, told once.
+  // Whether all are numbers and one is beyond 10 km, as in survey coordinates; reported as one fault.
   bool is_far(const std::string& where, const nlohmann::json& numbers) {
     if (!numbers.is_array() || numbers.empty() ||
         !std::all_of(numbers.begin(), numbers.end(), [](const nlohmann::json& n) {
@@ -339,7 +339,7 @@ class BlocksReader {
   std::set<std::string> ids_;
 };
 
-// A fault at a key of [wall] that was given.
+// Adds a fault at a key of [wall] that the user gave.
 void refuse_key(ReadContext& context, const toml::table& root, const char* key,
                 const std::string& problem, const std::string& cure) {
   const toml::node* node = root["wall"][key].node();
@@ -347,7 +347,7 @@ void refuse_key(ReadContext& context, const toml::table& root, const char* key,
                 problem, cure);
 }
 
-// A closed polyline is a block: its layer is the material, or says that it is fixed or the beam.
+// Each closed polyline is a block. Its layer gives the material, or says that the block is fixed or the beam.
 void parse_drawn_blocks(ReadContext& context, const toml::table& root, const std::string& file,
                         const std::string& unit, ModelSpec& spec) {
   const Drawing drawing = parse_drawing(file, unit);
@@ -392,7 +392,7 @@ void refuse_far_bodies(ReadContext& context, const std::string& file, const Mode
       }
 }
 
-// From the file's units and axes to the wall's; supports by name.
+// Converts bodies from the file's units and axes to the wall's, and fixes supports by name.
 void settle_bodies(ReadContext& context, const toml::table& root, const std::string& file,
                    double units_in_a_metre, ModelSpec& spec) {
   if (spec.wall.up != "y" && spec.wall.up != "z")
@@ -407,7 +407,7 @@ void settle_bodies(ReadContext& context, const toml::table& root, const std::str
   }
 }
 
-// Meshes and COMPAS files state no unit, and a wall in millimetres read as metres weighs 1e9 times as much.
+// Meshes and COMPAS files have no unit, and a wall in millimetres read as metres weighs 1e9 times as much.
 double stated_scale(ReadContext& context, const toml::table& root, const std::string& unit) {
   const double scale = unit.empty() ? 0 : units_in_a_metre(unit);
   if (scale == 0)

@@ -1,6 +1,6 @@
-// Reads mesh files by their ending and solids from JSON: corners and faces, parts, or an outline between two depths.
-// Coordinates are the file's own until place() divides by the units in a metre and turns z up into y up. A path with *
-// makes one body of each file. "lowest" fixes bodies whose foot is within 1/1000 of the height.
+// Parses mesh files by their ending and solids from JSON: corners and faces, parts, or an outline between two
+// depths. Coordinates stay in the file's axes until place() divides by the units in a metre and turns z up into y
+// up. A path with * makes one body of each file. "lowest" fixes bodies whose foot is within 1/1000 of the height.
 #include "io/bodies/bodies_file.h"
 
 #include <algorithm>
@@ -41,7 +41,7 @@ std::vector<BodySpec> parse_mesh(const std::string& file, FaultList& faults) {
   return bodies;
 }
 
-// Files of one folder whose names fit, sorted: numbers in them by their value.
+// Files of one folder that match the pattern, sorted; numbers in names sort by value.
 std::vector<std::string> files_like(const std::string& pattern) {
   const fs::path path(pattern);
   const std::string name = path.filename().string();
@@ -95,7 +95,7 @@ void parse_solid(const nlohmann::json& json, BodySpec& body, const RefuseBlock& 
   body.part.push_back(std::move(part));
 }
 
-// Without corners that repeat the one before them but for rounding, 1e-6 of the outline's size.
+// Removes corners that repeat the one before them up to rounding (1e-6 of the outline's size).
 void leave_repeats_out(std::vector<std::array<double, 2>>& outline) {
   constexpr double kRounding = 1e-6;
   double size = 0;
@@ -108,7 +108,7 @@ void leave_repeats_out(std::vector<std::array<double, 2>>& outline) {
   while (outline.size() > 3 && repeat(outline.front(), outline.back())) outline.pop_back();
 }
 
-// The outline of the block between two depths z.
+// Parses a prism: the outline of a block between two depths z.
 void parse_prism(const nlohmann::json& json, BodySpec& body, const RefuseBlock& refuse) {
   const nlohmann::json& z = json["z"];
   const bool good = z.is_array() && z.size() == 2 && z[0].is_number() && z[1].is_number() &&
@@ -160,7 +160,7 @@ double lowest_of(const BodySpec& body) {
   return lowest;
 }
 
-// Those whose lowest corner lies as deep as any, within a thousandth of the wall's height.
+// Fixes the bodies whose lowest corner is the lowest of all, within a thousandth of the wall's height.
 bool fix_lowest(std::vector<BodySpec>& bodies) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const BodySpec& body : bodies)
@@ -191,7 +191,7 @@ std::vector<BodySpec> parse_mesh_bodies(const std::string& file, FaultList& faul
         {file, "", "", "names no file", "the path counts from the folder of the model file", 0});
   for (const std::string& own : files) {
     if (enough(faults)) break;
-    BodySpec whole;  // every solid of one file moves with the others
+    BodySpec whole;  // all solids of one file form one body
     for (BodySpec& body : parse_mesh(own, faults)) {
       if (whole.part.empty()) whole.material = body.material;
       for (Polyhedron& part : body.part) whole.part.push_back(std::move(part));

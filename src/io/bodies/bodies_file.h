@@ -18,11 +18,11 @@ namespace wythe::io {
 
 [[nodiscard]] bool is_mesh_file(const std::string& file);  // by its ending
 
-// In the file's units and axes. "stones/*.ply" reads every such file, by name, each as one body. Throws as
-// read_file.
+// Bodies in the file's units and axes. "stones/*.ply" reads every matching
+// file in the order of names, each as one body. Throws like read_file.
 [[nodiscard]] std::vector<BodySpec> parse_mesh_bodies(const std::string& file, FaultList& faults);
 
-// COMPAS writes a dtype at the top, or a list of meshes (compas_json.cpp).
+// Whether JSON is of COMPAS, which writes a dtype at the top, or a list of meshes (compas_json.cpp).
 [[nodiscard]] bool is_compas(const nlohmann::json& json);
 [[nodiscard]] std::vector<BodySpec> compas_bodies(const nlohmann::json& json,
                                                   const std::string& file, FaultList& faults);
@@ -33,7 +33,7 @@ using RefuseBlock = std::function<void(const std::string& where, const nlohmann:
 [[nodiscard]] bool is_in_space(const nlohmann::json& block);
 void parse_body_parts(const nlohmann::json& block, BodySpec& body, const RefuseBlock& refuse);
 
-// From the file's units and axes to metres, y up: (x, y, z) of a file with z up becomes (x, z, -y).
+// Converts from the file's units and axes to metres with y up: (x, y, z) of a file with z up becomes (x, z, -y).
 void place(std::vector<BodySpec>& bodies, double units_in_a_metre, bool z_up);
 
 // Fixes the bodies that `supports` name: an id, the beginning of ids with * at the end, or "lowest".

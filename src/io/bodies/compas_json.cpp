@@ -6,9 +6,9 @@
 //   [[mesh], [mesh], ...]
 //   {"assembly": {"node": {"0": {"is_support": true}}}, "blocks": {"0": mesh}}          before 1.0
 //
-// What differs between versions: "data" or "value" around an object, once or twice, or none; elements in a list
-// or by guid; a mesh under block, geometry, shape or mesh; keys of corners as texts; faces as lists of corners or,
-// as half-edges, from each corner to the next; coordinates left out where they are the default.
+// Versions differ in many ways. "data" or "value" around an object, once, twice or not at all; elements in a
+// list or by guid; a mesh under block, geometry, shape or mesh; keys of corners as texts; faces as lists of
+// corners or as half-edges, from each corner to the next; coordinates left out where they are the default.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -24,7 +24,7 @@ namespace {
 
 constexpr const char* kShapes[] = {"block", "geometry", "shape", "mesh", "_geometry"};
 
-// The object itself, out of its wrappers.
+// The object itself, without its wrappers.
 const nlohmann::json& opened(const nlohmann::json& json) {
   const nlohmann::json* inner = &json;
   for (int depth = 0; depth < kMostDepth && inner->is_object(); ++depth) {
@@ -57,7 +57,7 @@ std::string key_text(const nlohmann::json& key) {
   return key.is_string() ? key.get<std::string>() : key.dump();
 }
 
-// Keys that are numbers in their order, then the others.
+// Keys that are numbers in ascending order, then the others.
 std::vector<std::string> sorted_keys(const nlohmann::json& object) {
   std::vector<std::pair<long long, std::string>> keys;
   for (const auto& item : object.items()) {
@@ -110,7 +110,7 @@ class CompasReader {
                   false);
   }
 
-  // Blocks by the keys of their nodes.
+  // Parses blocks by the keys of their nodes.
   void parse_before_1(const nlohmann::json& top) {
     const nlohmann::json& graph = opened(top["assembly"]);
     const nlohmann::json nodes = graph.is_object() ? graph.value("node", nlohmann::json::object())
@@ -132,7 +132,7 @@ class CompasReader {
     }
   }
 
-  // In the order of the graph, where there is one: it numbers the blocks.
+  // Parses elements in the order of the graph, if there is one, because it numbers the blocks.
   void parse_elements(const nlohmann::json& top) {
     const nlohmann::json& elements = top["elements"];
     if (elements.is_array()) return parse_list(elements);
@@ -152,7 +152,7 @@ class CompasReader {
         parse_block(std::to_string(bodies_.size()), item.value(), false);
   }
 
-  // A node, an element or a mesh, with what hangs at it on the way.
+  // Parses a block from a node, an element or a mesh, with the data on the way to the mesh.
   void parse_block(const std::string& id, const nlohmann::json& json, bool fixed) {
     if (enough(faults_)) return;
     const nlohmann::json* inner = &opened(json);

@@ -61,7 +61,7 @@ Json mesh_of(const std::vector<Polyhedron>& parts, const std::string& name) {
 
 class Assembly {
  public:
-  // Its number among the blocks.
+  // Adds a block under its number.
   void add(const std::vector<Polyhedron>& parts, const std::string& name, bool is_support) {
     node_[std::to_string(count_++)] = {{"block", mesh_of(parts, name)}, {"is_support", is_support}};
   }

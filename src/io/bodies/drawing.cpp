@@ -1,4 +1,4 @@
-// What `wythe drawing` prints: the wall and its openings from a drawing of a facade.
+// Output of `wythe drawing`: the wall and its openings from the drawing of a facade.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -19,8 +19,8 @@ namespace {
 
 using geometry::Rect;
 
-constexpr double kUpright = 5e-3;  // how far a corner of a drawn rectangle may be off it [m]
-constexpr double kClose = 1e-2;    // between a lintel's foot and the head of its opening [m]
+constexpr double kUpright = 5e-3;  // largest deviation of a corner from a rectangle [m]
+constexpr double kClose = 1e-2;    // from a lintel's foot to the head of its opening, at most [m]
 
 struct Box {
   Rect at;
@@ -101,7 +101,7 @@ class Facade {
                  .line = 0});
   }
 
-  // From the bottom up, then from left to right.
+  // Checks openings from the bottom up, then from left to right.
   void check_openings() {
     std::sort(openings_.begin(), openings_.end(), [](const Box& a, const Box& b) {
       return std::abs(a.at.y0 - b.at.y0) > kClose ? a.at.y0 < b.at.y0 : a.at.x0 < b.at.x0;
@@ -172,7 +172,7 @@ class Facade {
     return text + left_aside();
   }
 
-  // What lies on other layers, so that a layer with another name is not missed.
+  // Lists other layers with outlines, so that a layer with another name is not overlooked.
   std::string left_aside() const {
     std::map<std::string, int> closed, other;
     for (const DrawnOutline& drawn : drawing_.outlines)
@@ -215,7 +215,7 @@ std::vector<Message> notes_of_drawing(const ModelSpec& spec) {
   const std::filesystem::path file = std::filesystem::path(spec.folder) / spec.wall.blocks;
   if (!io::is_drawing(file.string())) return {};
   std::vector<Message> notes;
-  const io::Drawing drawing = io::parse_drawing(file.string(), "m");  // whatever its unit
+  const io::Drawing drawing = io::parse_drawing(file.string(), "m");  // with any unit
   if (!drawing.hidden.empty())
     notes.push_back(
         {"drawing.hidden", {{"file", spec.wall.blocks}, {"layers", joined(drawing.hidden, ", ")}}});

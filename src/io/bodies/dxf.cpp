@@ -58,7 +58,7 @@ std::optional<T> from_text(std::string_view text) {
   return parse_number<T>(text);
 }
 
-// The pairs of the file one by one.
+// Reads the pairs of the file one by one.
 class Groups {
  public:
   Groups(const std::string& file, std::string_view text) : file_(file), rest_(text) {}
@@ -95,7 +95,7 @@ class Groups {
   int line_ = 0;
 };
 
-// Entities that draw no outline of masonry.
+// Entities that are not an outline of masonry.
 bool is_annotation(std::string_view type) {
   static const std::set<std::string_view> kAnnotations = {
       "TEXT",   "MTEXT",       "ATTDEF",    "ATTRIB",    "DIMENSION", "ARC_DIMENSION",
@@ -124,19 +124,19 @@ struct Vertex {
 
 using Corner = std::array<double, 2>;
 
-// Inner corners of the chords that stand for the arc from a to b, none further from it than kChordError;
-// nothing where they would be more than kMostChords. An arc run backwards has the same corners.
+// Inner corners of the chords for the arc from a to b, within kChordError of it; none where
+// they would be more than kMostChords. An arc in the opposite direction has the same corners.
 std::optional<std::vector<Corner>> chords_of(const Corner& a, const Corner& b, double bulge) {
   std::vector<Corner> corners;
   const double dx = b[0] - a[0], dy = b[1] - a[1], chord = elementary::hypot(dx, dy);
   const bool is_straight = std::abs(bulge) < 1 && std::abs(bulge) * chord / 2 <= kChordError;
-  if (is_straight || chord == 0) return corners;  // a trace of rounding is no arc
+  if (is_straight || chord == 0) return corners;  // rounding alone makes no arc
   const double angle = 4 * elementary::atan(bulge),
                radius = chord * (1 + bulge * bulge) / 4 / std::abs(bulge);
   const double widest = 2 * elementary::acos(std::max(0.0, 1 - kChordError / radius));
   const double count = std::ceil(std::abs(angle) / widest - 1e-9);
   if (!(count <= kMostChords)) return std::nullopt;
-  // the centre lies on the left of the chord by this share of it
+  // distance of the centre to the left of the chord, as a share of the chord
   const double off = (1 - bulge * bulge) / 4 / bulge;
   const Corner centre{(a[0] + b[0]) / 2 - off * dy, (a[1] + b[1]) / 2 + off * dx};
   const auto n = static_cast<int>(count);
@@ -148,7 +148,7 @@ std::optional<std::vector<Corner>> chords_of(const Corner& a, const Corner& b, d
   return corners;
 }
 
-// The last corner is the first but for the rounding of an export, 1e-6 of the outline's size.
+// Whether the last corner equals the first up to rounding of an export (1e-6 of the outline's size).
 bool returns_to_start(const std::vector<Corner>& corners) {
   double x0 = corners[0][0], x1 = x0, y0 = corners[0][1], y1 = y0;
   for (const Corner& c : corners) {
@@ -193,12 +193,12 @@ std::string layer_key(std::string name) {
   return name;
 }
 
-// One entity while its groups come in.
+// One entity while its groups are read.
 struct Entity {
   std::string type, layer = "0", handle;
   int line = 0;
   int flags = 0;
-  bool on_paper = false;  // a sheet, not the drawing itself
+  bool on_paper = false;  // on a sheet, not in the drawing itself
   bool is_invisible = false;
   double thickness = 0;  // as the file has it
   double normal = 1;     // z of the extrusion direction
@@ -246,7 +246,7 @@ class DrawingReader {
     }
   }
 
-  // Layers that are off (a negative colour) or frozen.
+  // Collects layers that are off (a negative colour) or frozen.
   void parse_tables() {
     constexpr int kFrozen = 1;
     Group group;
@@ -419,7 +419,7 @@ class DrawingReader {
     drawing_.outlines.push_back(std::move(outline));
   }
 
-  // Puts chords in the place of arcs; false where that can't be done.
+  // Replaces arcs by chords; false where that is impossible.
   bool lay_arcs(const Entity& entity, DrawnOutline& outline) {
     std::vector<Corner> corners;
     for (std::size_t i = 0; i < outline.corners.size(); ++i) {
@@ -456,7 +456,7 @@ class DrawingReader {
   Drawing drawing_;
 };
 
-// Files before 2007 are in the code page of their machine: bytes that are no UTF-8 are read as Latin-1.
+// Files before 2007 use the code page of their machine. Bytes that are not UTF-8 are read as Latin-1.
 std::string as_utf8(std::string text) {
   if (is_utf8(text)) return text;
   std::string out;

@@ -1,8 +1,8 @@
 // Outlines of a drawing: closed polylines of an ASCII DXF file, R12 to 2018, in metres.
-//
-// A file is pairs of lines, a group code and its value. HEADER states the unit ($INSUNITS), ENTITIES holds what was
-// drawn. Polylines are read, their arcs as chords (kChordError); other entities with a line or an area are reported
-// by name and place.
+// A file is pairs of lines, a group code and its value. HEADER
+// states the unit ($INSUNITS), ENTITIES holds the drawn objects.
+// Polylines are read, with arcs as chords (kChordError). Other
+// entities with a line or an area are reported by name and place.
 #pragma once
 
 #include <array>
@@ -29,7 +29,7 @@ struct DrawnOutline {
   std::vector<std::array<double, 2>> corners;  // the first is not repeated [m]
 };
 
-// An entity that is no closed outline, and why not.
+// An entity that is not a closed outline, with the reason.
 struct Unread {
   std::string layer, type, handle, problem, cure;
   int line = 0;
@@ -39,11 +39,11 @@ struct Drawing {
   std::vector<DrawnOutline> outlines;  // in the file's order
   std::vector<Unread> unread;
   std::vector<std::string> layers;  // that hold entities, each once
-  // What the drawing program does not show is left aside: layers that are off or frozen, and hold outlines; and
-  // entities that are invisible.
+  // Objects that the drawing program does not show are ignored: layers
+  // with outlines that are off or frozen, and invisible entities.
   std::vector<std::string> hidden;
   int invisible = 0;
-  // Outlines with a thickness of their own (group 39), and the first of these, in units of the file.
+  // Number of outlines with a thickness of their own (group 39), and the first of these, in units of the file.
   int thick = 0;
   double thickness = 0;
   std::string stated_unit;  // by the file ($INSUNITS), "mm"; "" where it states none that is read
@@ -51,19 +51,19 @@ struct Drawing {
 
 [[nodiscard]] bool is_drawing(const std::string& file);  // by its ending
 
-// Texts, dimensions and points are left aside, and what the drawing program hides. `unit` ("mm", "m", ...) goes before what the file
-// states; "": the
-// file's. Throws InputError where the file is no such drawing, or no unit is known.
+// Ignores texts, dimensions, points and hidden objects. `unit` ("mm", "m",
+// ...) takes precedence over the file's unit; "" means the file's unit. Throws
+// InputError where the file is not such a drawing, or no unit is known.
 [[nodiscard]] Drawing parse_drawing(const std::string& file, const std::string& unit);
 
-// The fault of an entity that a reader needs, "LWPOLYLINE 2F on layer stones".
+// The fault for an entity that a reader needs, "LWPOLYLINE 2F on layer stones".
 [[nodiscard]] Fault fault_of(const Unread& entity, const std::string& file);
 
-// How many of a unit make a metre ("mm": 1000); 0 for a word that is no unit of a drawing or mesh.
+// The number of units in a metre ("mm": 1000); 0 for a word that is not a unit of a drawing or mesh.
 [[nodiscard]] double units_in_a_metre(std::string_view name);
 [[nodiscard]] std::string drawing_units();  // "m, mm, cm, ..."
 
-// Layer names are the same in upper and lower case.
+// Compares layer names without case.
 [[nodiscard]] bool same_layer(std::string_view a, std::string_view b);
 
 }  // namespace wythe::io

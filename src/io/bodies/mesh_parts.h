@@ -1,4 +1,4 @@
-// What the readers of meshes share: numbers, faults with their line, faces that become bodies.
+// Parts that the readers of meshes share: numbers, faults with their line, bodies from faces.
 //
 // Called by meshes.cpp and ply.cpp.
 #pragma once
@@ -25,10 +25,10 @@ std::optional<T> mesh_number(std::string_view text) {
   return parse_number<T>(text);
 }
 
-// Words of a line, by blanks and tabs.
+// Words of a line, separated by blanks and tabs.
 [[nodiscard]] std::vector<std::string_view> words_of(std::string_view line);
 
-// Lines of a text, one after the other, with their numbers; a "\" at the end joins the next.
+// Lines of a text in order, with their numbers; a "\" at the end joins the next line.
 class Lines {
  public:
   explicit Lines(std::string_view text) : rest_(text) {}
@@ -54,11 +54,11 @@ class MeshFaults {
   FaultList& faults_;
 };
 
-// A body of these faces, with only the corners they use.
+// A body of these faces, with only the corners that they use.
 [[nodiscard]] BodySpec body_of_faces(std::string id, const std::vector<Vec3>& vertex,
                                      const geometry::FaceList& faces);
-// Every solid as a body: `name` for one alone, else `name`1, `name`2 ...
-// A file in which very many faces meet at an edge, or are no part of a solid each, is refused before.
+// Every solid as a body: `name` if there is one, else `name`1, `name`2 ... Refuses
+// a file with very many faces at one edge, or with faces that form no solid.
 [[nodiscard]] std::vector<BodySpec> bodies_of_solids(const std::string& name,
                                                      const std::vector<Vec3>& all,
                                                      geometry::FaceList faces, MeshFaults& faults);

@@ -147,7 +147,7 @@ class StlReader {
     return n;
   }
 
-  // A binary file may begin with "solid" too: its length tells.
+  // A binary file may begin with "solid" too, so its length decides.
   [[nodiscard]] bool is_binary() const {
     if (text_.size() >= kHead && kHead + kTriangle * count() == text_.size()) return true;
     return !small_letters(trimmed(std::string_view(text_).substr(0, 512))).starts_with("solid");
@@ -290,8 +290,8 @@ BodySpec body_of_faces(std::string id, const std::vector<Vec3>& vertex,
 
 namespace {
 
-// The corners that these faces use, in their order, and the faces with their numbers: a file of many solids
-// takes no time for those of others.
+// The corners that these faces use, in their order, and the faces with
+// new numbers. The time does not depend on other solids of the file.
 std::vector<Vec3> take_own(const std::vector<Vec3>& vertex, geometry::FaceList& faces) {
   std::vector<std::int32_t> used;
   for (const auto& face : faces) used.insert(used.end(), face.begin(), face.end());
@@ -309,7 +309,7 @@ std::vector<Vec3> take_own(const std::vector<Vec3>& vertex, geometry::FaceList& 
 
 std::vector<BodySpec> bodies_of_solids(const std::string& name, const std::vector<Vec3>& all,
                                        geometry::FaceList faces, MeshFaults& faults) {
-  constexpr std::size_t kMostAtAnEdge = 100;    // eight cubes around one have four
+  constexpr std::size_t kMostAtAnEdge = 100;    // eight cubes around an edge have fewer
   constexpr std::size_t kMostSolids = 250'000;  // docs/reference/limits.md
   const std::vector<Vec3> vertex = take_own(all, faces);
   geometry::weld_corners(vertex, faces);

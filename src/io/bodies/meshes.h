@@ -4,7 +4,7 @@
 //   PLY  every solid is a body
 //   STL  every solid is a body; named after its `solid` where a file has several
 //
-// A solid is what a closed surface encloses (geometry/bodies/pieces.h). Called by bodies_file.cpp.
+// A solid is enclosed by a closed surface (geometry/bodies/pieces.h). Called by bodies_file.cpp.
 #pragma once
 
 #include <string>

@@ -28,7 +28,7 @@ std::string_view line_from(std::string_view& text) {
   return line;
 }
 
-// nullptr: of none that is known by its beginning.
+// The format of a text; null if its beginning is of no known format.
 const Format* format_of(std::string_view text) {
   if (text.starts_with('{') || text.starts_with('[')) return &kJson;
   const std::string_view first = line_from(text), second = line_from(text);
@@ -57,7 +57,7 @@ void refuse_other_format(const std::string& file, std::string_view text) {
   const auto is_named = [&](const Format& format) { return ending == format.ending; };
   const bool is_named_else = is_named(kDxf) || is_named(kObj) || is_named(kPly) || is_named(kStl);
   const Format* is = format_of(text);
-  if (is == nullptr && is_named_else) return;  // its reader says what is wrong
+  if (is == nullptr && is_named_else) return;  // the reader of that format reports the fault
   if (is == nullptr)
     return refuse(std::string(line_from(text)), "is no JSON: it begins so",
                   "blocks come as JSON, or in a file whose name ends in .dxf, .obj, .ply or .stl "

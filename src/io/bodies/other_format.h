@@ -1,4 +1,4 @@
-// Finds files of blocks that are empty, or whose content has another format than their ending says.
+// Refuses blocks files that are empty, or whose content has another format than their ending.
 #pragma once
 
 #include <string>

@@ -44,9 +44,9 @@ struct Element {
 
 enum class Form { kText, kLittle, kBig };
 
-struct End {};  // of the file, in the middle of an element
+struct End {};  // thrown at the end of the file within an element
 
-// Numbers of the body, one after the other.
+// Reads the numbers of the body in order.
 class Values {
  public:
   Values(std::string_view body, Form form) : rest_(body), form_(form) {}
@@ -86,7 +86,7 @@ class Values {
   Form form_;
 };
 
-constexpr std::size_t kMostFaces = 2'000'000;  // as text 64 MB have no more; bytes are shorter
+constexpr std::size_t kMostFaces = 2'000'000;  // 64 MB of text hold no more; bytes are shorter
 constexpr std::size_t kMostCorners = 10'000;   // of a face, as of a solid
 
 class PlyReader {
@@ -154,7 +154,7 @@ class PlyReader {
     return true;
   }
 
-  // More elements than bytes can't be: nothing is taken for them before.
+  // A file has no more elements than bytes; this is checked before memory is allocated.
   void parse_count(const std::vector<std::string_view>& words, int line) {
     const auto count = mesh_number<std::uint64_t>(words[2]);
     if (!count || *count > text_.size())
@@ -225,7 +225,7 @@ class PlyReader {
     vertex_.push_back(point);
   }
 
-  // Corners stand before faces in every file known; one that is not there yet is refused.
+  // Corners come before faces in every known file. A corner that does not exist yet is refused.
   void add_corner(double value) {
     const bool good =
         value >= 0 && value < static_cast<double>(vertex_.size()) && value == std::floor(value);

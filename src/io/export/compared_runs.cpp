@@ -1,7 +1,7 @@
 // Stored runs and campaigns, read back to be compared with mechanisms and limit loads.
 //
-// A run is force_displacement.csv, summary.json and model.used.toml; a campaign its store. The bound
-// of a run is the limit load of its own model with all its joints' strength, without crushing.
+// A run is force_displacement.csv, summary.json and model.used.toml; a campaign is its store. The bound
+// of a run is the limit load of its own model with the full strength of its joints, without crushing.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace io;
 
-// Rows of a curve while the push goes on; a cyclic one gives its envelope of first loading.
+// Rows of a curve while the push advances; for a cyclic push the envelope of first loading.
 std::vector<CurveRow> first_loading(const std::vector<CurveRow>& rows) {
   std::vector<CurveRow> kept;
   for (const CurveRow& row : rows)
@@ -61,7 +61,7 @@ std::vector<CurveRow> parse_curve(const std::string& path) {
   return rows;
 }
 
-// The model with its push reversed.
+// The model with its push in the opposite direction.
 Model reversed(Model model) {
   for (Stage& stage : model.stages) {
     if (stage.spec.kind != StageKind::kPush) continue;
@@ -72,7 +72,7 @@ Model reversed(Model model) {
   return model;
 }
 
-// Dead loads of the driven blocks along the push: a reaction carries them, a limit load does not.
+// Dead loads of the driven blocks along the push: they are part of a reaction, but not of a limit load.
 double weight_on_push(const Model& model) {
   const Stage* push = nullptr;
   for (const Stage& stage : model.stages)
@@ -80,7 +80,7 @@ double weight_on_push(const Model& model) {
   if (push == nullptr) return 0;
   double sum = 0;
   for (const BlockId b : push->driven)
-    if (b < model.n_block)  // a support in space weighs on no joint
+    if (b < model.n_block)  // a support in space loads no joint
       sum -= model.solve.gravity * model.gravity_mass[static_cast<std::size_t>(b)] * push->drive_y;
   for (const Stage& stage : model.stages) {
     if (&stage == push) break;
@@ -107,7 +107,7 @@ double number_of(const nlohmann::json& value) {
   return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
 }
 
-// What summary.json says under a key; IoError where it does not say it.
+// The values of summary.json; throws IoError for a missing key.
 struct SummaryFile {
   const std::string& file;
   const nlohmann::json& json;
@@ -127,8 +127,8 @@ struct SummaryFile {
   }
 };
 
-// The rows as the comparison reads them: first loading along the push; the highest force the other way
-// where the targets go there.
+// The rows for the comparison: first loading along the push, and
+// the highest force in the other direction where targets lie there.
 void take_curve(const Model& model, std::vector<CurveRow> rows, ComparedRun& run) {
   std::vector<double> targets;
   for (const Stage& stage : model.stages)
@@ -176,8 +176,8 @@ ComparedRun parse_sample(const Model& model, const SampleRecord& record) {
   return run;
 }
 
-// Samples of a dry wall are held against the limit load of their own models; with bond the bound is
-// far, and 250 limit loads would take as long as the campaign.
+// Samples of a dry wall are compared with the limit load of their own models. With
+// bond the bound is far away, and 250 limit loads would take as long as the campaign.
 std::vector<ComparedRun> parse_samples(const std::string& folder) {
   const Campaign campaign = read_campaign(folder);
   const ModelBuilder build = model_builder(campaign.study);

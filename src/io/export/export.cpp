@@ -2,10 +2,10 @@
 //
 //   curves.csv  samples.csv  state_blocks.csv  state_joints.csv  state_zones.csv  columns.json
 //
-// A run is a campaign of one sample, number 1. A store is read and written a few samples at a time, so
-// neither its curves nor its states are in memory at once. Numbers have the shortest digits that read back
-// as the same double. Name, unit and meaning of each column come from the table that makes it: curve.h,
-// output_keys.h, element_columns.h, the study's inputs.
+// A run counts as a campaign with one sample, number 1. A store is read and written a few
+// samples at a time, so neither its curves nor its states are in memory at once. Numbers
+// have the shortest digits that read back as the same double. Name, unit and meaning of each
+// column come from its table: curve.h, responses.h, element_columns.h, the study's inputs.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -61,7 +61,7 @@ std::string row_of(const std::vector<std::string>& cells) {
   return joined(cells, ",") + "\r\n";  // RFC 4180
 }
 
-// Where tables go: a CSV file each in a folder, or all into one HDF5 file there.
+// Output of the tables: CSV files in a folder, or one HDF5 file there.
 class Sink {
  public:
   virtual ~Sink() = default;
@@ -159,7 +159,7 @@ std::vector<ExportColumn> state_columns(std::vector<ExportColumn> fixed, bool in
 
 // --- states ----------------------------------------------------------------------------------------
 
-// Blocks, joints or zones of one state: how far each centre went [mm], then a list for each column.
+// Blocks, joints or zones of one state: the displacement of each centre [mm], then a list for each column.
 struct Elements {
   std::vector<Vec3> moved;
   std::vector<std::vector<double>> value;
@@ -184,7 +184,7 @@ Vec3 mean_of(std::span<const Vec3> places) {
   return sum / static_cast<double>(places.size());
 }
 
-// What never changes: the wall at the start.
+// Data that do not change: the wall at the start.
 struct Wall {
   const Model& model;
   State start;
@@ -193,7 +193,7 @@ struct Wall {
   std::vector<int> zone_body;
   std::vector<std::size_t> corner_begin = {0};  // of the joints' places
   std::vector<std::size_t> cell_begin = {0};    // of the convex parts of blocks
-  bool all_turns;  // rotations about all axes; not in the plane, nor in runs before there were any
+  bool all_turns;  // rotations about all axes; not in the plane, nor in runs of early versions
 
   explicit Wall(const Model& of)
       : model(of), start(initial_state(of)), all_turns(dimension_of(of) == 3) {
@@ -244,15 +244,15 @@ WallState state_of(const Wall& wall, const Snapshot& snapshot) {
   return state;
 }
 
-// Which cells of a file are an element's: the first stands for all of a block in parts.
+// The first cell of each element of a file; it stands for all parts of a block.
 std::vector<std::size_t> one_each(std::size_t n) {
   std::vector<std::size_t> begin(n + 1);
   std::iota(begin.begin(), begin.end(), std::size_t{0});
   return begin;
 }
 
-// The same out of the VTU files of a run. `cell_begin` says where the cells of each element begin; `corner_begin`,
-// of joints, where their points do.
+// The same from the VTU files of a run. `cell_begin` gives the first
+// cell of each element, `corner_begin` the first point of each joint.
 template <class Reading, std::size_t n>
 Elements elements_in(const std::string& file, const ElementColumn<Reading> (&columns)[n],
                      const std::vector<std::size_t>& cell_begin,
@@ -298,7 +298,7 @@ class StateTables {
  public:
   explicit StateTables(Sink& sink) : sink_(sink) {}
 
-  // Tables are made with their first row: a file that is there says something.
+  // Tables are created with their first row, so each file that exists has rows.
   void add(int sample, int number, const Wall& wall, const WallState& state) {
     const Model& model = wall.model;
     ++count;
@@ -393,7 +393,7 @@ void write_samples(Sink& sink, const std::vector<ExportCell>& head,
 
 void export_states(StoredStates& stored, const Campaign& campaign, const SampleRecord& record,
                    const ModelBuilder& build, StateTables& tables) {
-  if (record.status == "refused") return;  // there is no such wall
+  if (record.status == "refused") return;  // this wall was never built
   const Model model = compile(build(settings_of(campaign.samples, record.sample - 1)));
   const std::vector<Snapshot> snapshots = stored.of(record.sample, model);
   if (snapshots.empty()) return;
@@ -439,7 +439,7 @@ Exported export_campaign(const std::string& folder, Sink& sink) {
 
 // --- a run -----------------------------------------------------------------------------------------
 
-// Displacements of the states by number, as run.pvd has them [mm]; NaN where it names none.
+// Displacement of a state by its file in run.pvd [mm]; NaN where it is not listed.
 double displacement_in(const std::string& series, const std::string& file) {
   constexpr std::string_view kTime = "timestep=\"";
   const std::size_t at = series.find("file=\"" + file + "\"");
@@ -479,7 +479,7 @@ void export_run_states(const std::string& folder, StateTables& tables) {
   }
 }
 
-// The cells of force_displacement.csv as they are.
+// Copies the cells of force_displacement.csv.
 std::int64_t export_run_curve(const std::string& folder, Sink& sink) {
   const std::string path = folder + "/force_displacement.csv";
   const std::string text = read_text(path, kMostCsv);

@@ -1,4 +1,4 @@
-// A row is inputs, status, then answers in the order of campaign/output_keys.h, with falls and failure mode among them.
+// A row is inputs, status, then answers in the order of wythe/parts/responses.h, with falls and failure mode among them.
 // A sample without an answer has empty cells, so that all rows have the same columns. The row of a run has the same
 // names and is filled from summary.json by the keys of that file.
 #include "io/export/export_samples.h"
@@ -9,9 +9,9 @@
 #include <cmath>
 #include <type_traits>
 
-#include "campaign/output_keys.h"
 #include "io/text/csv.h"
 #include "wythe/parts/error.h"
+#include "wythe/parts/responses.h"
 
 namespace wythe::io {
 namespace {
@@ -27,16 +27,16 @@ const ExportColumn kHash{"state_hash", "", "identifies the final state bit for b
 
 std::string flag(bool value) { return value ? "1" : "0"; }
 
-// What files call an answer for each sample: its own name, else the key of summary.json.
+// The name of a result in these tables: its own column name, else the key of summary.json.
 template <class Value>
-ExportColumn column_of(const study::OutputKey& key, const Value&) {
+ExportColumn column_of(const OutputKey& key, const Value&) {
   std::string name = *key.column != '\0' ? key.column : key.summary;
   std::replace(name.begin(), name.end(), '.', '_');
   constexpr bool kIsText = !std::is_same_v<Value, double> && !std::is_same_v<Value, bool>;
-  return {std::move(name), key.explained.unit, key.explained.meaning, kIsText};
+  return {std::move(name), key.unit, key.meaning, kIsText};
 }
 
-std::string text_of_value(const study::OutputKey& key, const auto& value) {
+std::string text_of_value(const OutputKey& key, const auto& value) {
   using Value = std::decay_t<decltype(value)>;
   if constexpr (std::is_same_v<Value, double>)
     return csv_cell(value * key.to_unit);
@@ -54,7 +54,7 @@ std::string meaning_of(const StudySpec& study, const InputColumn& column) {
   return column.path.empty() ? "input of formulas alone" : "input: sets " + column.path;
 }
 
-// Fractions of the peak beside 0.8, which has its own columns.
+// Adds a fraction of the peak other than 0.8, which has its own columns.
 void add_fall(Cells& cells, double fraction, const std::string& displacement,
               const std::string& censored) {
   const double percent = 100 * fraction;
@@ -70,7 +70,7 @@ void add_fall(Cells& cells, double fraction, const std::string& displacement,
        censored});
 }
 
-// What a summary has at "bilinear.force_kN", as a cell.
+// The value of a summary at "bilinear.force_kN", as a cell.
 std::string text_at(const nlohmann::json& summary, const std::string& path) {
   const nlohmann::json* at = &summary;
   std::size_t begin = 0;
@@ -107,10 +107,10 @@ std::vector<ExportCell> sample_cells(const Campaign& campaign, const SampleRecor
   cells.push_back({kReason, csv_cell(text_of(record.reason))});
   cells.push_back({kRetried, flag(record.retried)});
   const bool answered = record.answered();
-  const auto add = [&](const study::OutputKey& key, const auto& value) {
+  const auto add = [&](const OutputKey& key, const auto& value) {
     cells.push_back({column_of(key, value), answered ? text_of_value(key, value) : ""});
   };
-  study::each_response(add, record.responses);
+  each_response(add, record.responses);
   for (const double fraction : more_fractions(campaign.study)) {
     const auto fall =
         std::find_if(record.responses.falls.begin(), record.responses.falls.end(),
@@ -120,7 +120,7 @@ std::vector<ExportCell> sample_cells(const Campaign& campaign, const SampleRecor
              known ? flag(fall->censored) : "");
   }
   cells.push_back({kMode, answered ? csv_cell(record.failure_mode.name) : ""});
-  study::each_quasi_static(add, record.quasi_static);
+  each_quasi_static(add, record.quasi_static);
   cells.push_back({kHash, csv_cell(record.state_hash)});
   return cells;
 }
@@ -128,11 +128,11 @@ std::vector<ExportCell> sample_cells(const Campaign& campaign, const SampleRecor
 std::vector<ExportCell> run_cells(const nlohmann::json& summary) {
   Cells cells = {
       {kSample, "1"}, {kStatus, text_at(summary, "status")}, {kReason, text_at(summary, "reason")}};
-  const auto add = [&](const study::OutputKey& key, const auto& value) {
+  const auto add = [&](const OutputKey& key, const auto& value) {
     cells.push_back({column_of(key, value), text_at(summary, key.summary)});
   };
   const SampleRecord any;
-  study::each_response(add, any.responses);
+  each_response(add, any.responses);
   if (const auto falls = summary.find("falls"); falls != summary.end() && falls->is_array())
     for (const nlohmann::json& fall : *falls) {
       const auto fraction = fall.is_object() ? fall.find("fraction") : fall.end();
@@ -142,7 +142,7 @@ std::vector<ExportCell> run_cells(const nlohmann::json& summary) {
                text_at(fall, "censored"));
     }
   cells.push_back({kMode, text_at(summary, "failure_mode.name")});
-  study::each_quasi_static(add, any.quasi_static);
+  each_quasi_static(add, any.quasi_static);
   cells.push_back({kHash, text_at(summary, "state_hash")});
   return cells;
 }

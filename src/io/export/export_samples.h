@@ -1,5 +1,5 @@
-// samples.csv of `wythe export`: one row a sample, with all its results. Columns of the campaign's own samples.csv
-// have the same names here; numbers have all their digits.
+// samples.csv of `wythe export`: one row for each sample, with all its results. Columns of
+// the campaign's own samples.csv have the same names here. Numbers have all their digits.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace wythe::io {
 
-// Fractions of the peak that have columns of their own; 0.8 always has.
+// Fractions of the peak with columns of their own, besides 0.8.
 inline std::vector<double> more_fractions(const StudySpec& study) {
   std::vector<double> fractions =
       study.fractions.empty() ? ResponseOptions{}.fractions : study.fractions;
@@ -33,7 +33,7 @@ struct ExportCell {
 // The columns are the same for all records of a campaign.
 [[nodiscard]] std::vector<ExportCell> sample_cells(const Campaign& campaign,
                                                    const SampleRecord& record);
-// The same of a run, from its summary.json; no inputs are known.
+// The cells of a run, from its summary.json. It has no inputs.
 [[nodiscard]] std::vector<ExportCell> run_cells(const nlohmann::json& summary);
 
 }  // namespace wythe::io

@@ -1,4 +1,4 @@
-// samples.csv of a campaign: one row a sample that ran, in order, with what its inputs decide.
+// samples.csv of a campaign: one row for each sample that ran, in order, with results that depend only on its inputs.
 //
 // It has no data of the machine (times, jobs), so that an undisturbed, a resumed and a merged campaign give the
 // same bytes. Columns: docs/reference/store.md.
@@ -10,11 +10,11 @@
 #include <type_traits>
 
 #include "campaign/draws/result_columns.h"
-#include "campaign/output_keys.h"
 #include "io/export/export_samples.h"
 #include "io/results/shakes_csv.h"
 #include "io/text/csv.h"
 #include "wythe/parts/io.h"
+#include "wythe/parts/responses.h"
 
 namespace wythe {
 namespace {
@@ -25,7 +25,7 @@ const FallTo* fall_to(const Responses& responses, double fraction) {
   return nullptr;
 }
 
-// Readings of a cyclic push; the stored rows alone give them.
+// Responses of a cyclic push, computed from the stored rows.
 CyclicReadings cyclic_readings(const SampleRecord& record) {
   if (!record.answered()) return {};
   ResponseOptions read;
@@ -38,7 +38,7 @@ bool any_cyclic(const Campaign& campaign) {
                      [](const SampleRecord& record) { return cyclic_readings(record).sense != 0; });
 }
 
-// One column of an answer: its title, and its cell in a row.
+// One column of a result: its title, and its cell in a row.
 struct Cell {
   std::string title, text;
 };
@@ -59,14 +59,14 @@ std::vector<Cell> cyclic_cells(const CyclicReadings& c) {
   return cells;
 }
 
-// The columns that each response has (output_keys.h); the failure mode and the other fractions of the peak
-// stand among them.
+// The columns of the responses (responses.h), with the failure
+// mode and the other fractions of the peak between them.
 std::vector<Cell> answer_cells(const Campaign& campaign, const SampleRecord& record) {
   const Responses& r = record.responses;
   std::vector<Cell> cells;
-  const auto add = [&](const study::OutputKey& key, const auto& value) {
+  const auto add = [&](const OutputKey& key, const auto& value) {
     using Value = std::decay_t<decltype(value)>;
-    if (key.listed != study::Listed::kCsv) return;
+    if (key.listed != OutputKey::kCsv) return;
     if constexpr (std::is_same_v<Value, double>)
       cells.push_back({key.column, io::short_cell(key.to_unit * value)});
     else if constexpr (std::is_same_v<Value, bool>)
@@ -87,7 +87,7 @@ std::vector<Cell> answer_cells(const Campaign& campaign, const SampleRecord& rec
                                                                                       : "0"});
     }
   };
-  study::each_response(add, r);
+  each_response(add, r);
   if (!record.answered())
     for (Cell& cell : cells) cell.text.clear();
   return cells;

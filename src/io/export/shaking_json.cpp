@@ -51,7 +51,7 @@ Json counts_json(const LimitStateFragility& f, const std::string& unit) {
   return list;
 }
 
-// `above` null: no end was reached.
+// `above`: null where the end was not reached.
 Json brackets_json(const LimitStateFragility& f, const std::string& unit) {
   Json list = Json::array();
   for (const Bracket& b : f.bracket)

@@ -137,7 +137,7 @@ Json flags_json(const Statistics& s) {
   return list;
 }
 
-// Places of a long list that are written: all, or kMostPoints evenly spaced from the first to the last.
+// Indices of the written entries of a long list: all, or kMostPoints evenly spaced from the first to the last.
 std::vector<std::size_t> written(std::size_t n) {
   constexpr std::size_t kMostPoints = 2000;  // more than a picture has columns of pixels
   std::vector<std::size_t> places(std::min(n, kMostPoints));
@@ -174,7 +174,7 @@ Json of_walls_json(const OfWalls& of, double scale) {
   return json;
 }
 
-// d(r): arrays of one length, by the share of the peak that is left.
+// d(r): arrays of equal length, by the remaining share of the peak.
 Json walls_json(const WallEnsemble& walls) {
   Json json = {{"peak_reaction_kN", of_walls_json(walls.peak_reaction, 1e-3)},
                {"displacement_at_peak_mm", of_walls_json(walls.displacement_at_peak, 1e3)},
@@ -378,7 +378,7 @@ Json fragility_json(const Statistics& s) {
       row["greater_than"] = number(event.threshold * event.to_unit), row["unit"] = event.unit;
     row["n"] = f.n, row["seen"] = f.seen, row["unknown"] = f.unknown;
     row["repeated"] = f.repeated, row["not_slow_enough"] = f.doubtful;
-    row["lost"] = s.run - f.n - f.repeated;  // without an answer, or without this response
+    row["lost"] = s.run - f.n - f.repeated;  // samples without an answer, or without this response
     add(row, "share", f.share);
     row["sample"] = f.sample, row["outcome"] = f.outcome;
     row["inputs"] = Json::array(), row["pairs"] = Json::array();
@@ -456,7 +456,7 @@ std::string statistics_json(const Statistics& s) {
   json["exceedance"] = Json::object();
   for (const Exceedance& e : s.exceedance)
     json["exceedance"][key_of(named(e.quantity))] = exceedance_json(e, named(e.quantity));
-  // replace: a name that is not UTF-8 must not lose the campaign
+  // "replace", so that a name that is not UTF-8 does not lose the campaign
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -1,5 +1,5 @@
-// The one description of the input: every key of a model file with its member, unit, range, words,
-// meaning and example.
+// The one description of the input: every key of a model file
+// with its member, unit, range, words, meaning and example.
 //
 //   describe(visitor, spec)      visitor reads, writes, compares or documents; it offers
 //     quantity, quantities       double, vector<double> with a unit
@@ -35,10 +35,10 @@ inline constexpr Kinds kDirectedStage = kPushStage | kBodyForceStage | kTiltStag
 inline constexpr Kinds kRampedStage =
     kind_bit(StageKind::kGravity) | kind_bit(StageKind::kCut) | kLoadStage | kDirectedStage;
 
-// The descriptions are tables laid out by hand, two to four lines a key.
+// The descriptions are tables in manual layout, two to four lines for each key.
 // clang-format off
 
-// A key that is gone when the table is read (src/io/model/materials.cpp); visitors of values know nothing of it.
+// A key that is removed before the table is read (src/io/model/materials.cpp). Visitors of values ignore it.
 template <class Visitor>
 void describe_recipe(Visitor& v, const char* name, const Key& key) {
   if constexpr (requires { v.recipe(name, key); }) v.recipe(name, key);
@@ -588,7 +588,7 @@ void describe(Visitor& v, OutputSpec& s) {
                       "peak and end."});
 }
 
-// Tables that are bodies once the file is read (model_file.cpp); visitors of values know nothing of them.
+// Tables that become bodies when the file is read (model_file.cpp). Visitors of values ignore them.
 template <class Visitor>
 void describe_built(Visitor& v) {
   BuilderSpec built;

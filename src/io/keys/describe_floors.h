@@ -1,4 +1,4 @@
-// The description of floors and of what holds walls: a part of describe.h.
+// The description of floors and of restraints of walls: a part of describe.h.
 #pragma once
 
 #include "io/keys/key.h"
@@ -6,7 +6,7 @@
 
 namespace wythe::io {
 
-// The descriptions are tables laid out by hand, two to four lines a key.
+// The descriptions are tables in manual layout, two to four lines for each key.
 // clang-format off
 
 // --- places ---------------------------------------------------------------------------------------
@@ -41,7 +41,7 @@ void describe(Visitor& v, PlaceSpec& s) {
 
 // --- floors --------------------------------------------------------------------------------------
 
-// Gone when the table is read: they make `load` (src/io/model/floor_loads.cpp).
+// Removed before the table is read: they give `load` (src/io/model/floor_loads.cpp).
 template <class Visitor>
 void describe_floor_loads(Visitor& v) {
   if constexpr (requires { v.recipe("", Key{}); }) {

@@ -1,5 +1,5 @@
-// The description of what the builder lays in space: walls along plan lines, arches, domes (describe.h says how to
-// read it).
+// The description of structures that the builder makes in space: walls
+// along plan lines, arches, domes (describe.h explains its form).
 #pragma once
 
 #include "io/keys/describe_building.h"

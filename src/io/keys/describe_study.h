@@ -6,8 +6,8 @@
 //   describe(v, PairTable)         [[correlation]]
 //   describe(v, VariantSpec)       [[variant]]
 //
-// The unit of a variable's mean is that of the key it sets, so amounts are described with the unit
-// found for the variable before (VariableKeys).
+// The unit of a variable's mean is that of the key which it sets. So amounts are
+// described with the unit that was found for the variable before (VariableKeys).
 #pragma once
 
 #include <string>
@@ -24,7 +24,7 @@ struct StudyHead {
   std::string model;  // as the file writes it, relative to the study file
 };
 
-// How the amounts of one variable are written: must outlive the visitor.
+// How the amounts of one variable are written. Must live longer than the visitor.
 struct VariableKeys {
   Range typical;  // of a mean or a median: the key's own
   Range bounds;   // of ends and cuts: the same, ends included
@@ -42,8 +42,8 @@ struct PairTable {
   double rank = kUnset, gaussian = kUnset;
 };
 
-// A quantity in the variable's unit, or a plain number. Where the unit is not known because of
-// another fault, the key is passed over.
+// A quantity in the variable's unit, or a plain number. Where the
+// unit is not known because of another fault, the key is skipped.
 template <class Visitor>
 void amount(Visitor& v, const char* name, double& value, const InputSpec& input, const Range& range,
             const std::string& example) {

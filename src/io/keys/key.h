@@ -1,4 +1,4 @@
-// What a description says about one key, besides its name and its place in the struct.
+// Properties of one key in a description, besides its name and its place in the struct.
 #pragma once
 
 #include <limits>
@@ -8,7 +8,7 @@
 
 namespace wythe::io {
 
-// Admissible values, in SI; the open ends are not admissible themselves.
+// Admissible values, in SI; open ends are not admissible.
 struct Range {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
@@ -31,7 +31,7 @@ inline constexpr Range kLength{.low = 0, .high = kLongest, .low_open = true};
 inline constexpr Range kDistance{.low = 0, .high = kLongest};
 inline constexpr Range kCoordinate{.low = -kLongest, .high = kLongest};
 inline constexpr Range kSpeed{.low = 0, .high = 100, .low_open = true, .high_open = true};
-// Below it a spectrum is the peak acceleration, above it the peak displacement.
+// Below this range a spectrum equals the peak acceleration, above it the peak displacement.
 inline constexpr Range kSpectralPeriod{.low = 1e-3, .high = 100};  // [s]
 inline constexpr Range kPoisson{.low = 0, .high = 0.5, .high_open = true};
 inline constexpr Range kFromZero{.low = 0};
@@ -48,11 +48,11 @@ inline constexpr Range kLean{
 inline constexpr Range kTiltAngle{
     .low = 0, .high = kQuarterTurn, .low_open = true, .high_open = true};
 
-// Stage kinds a key belongs to, as a bit set; 0 stands for every kind (and for all other tables).
+// Stage kinds of a key, as a bit set. 0 stands for every kind (and for all other tables).
 using Kinds = unsigned;
 constexpr Kinds kind_bit(StageKind kind) { return 1U << static_cast<unsigned>(kind); }
 
-// As `fallback`: a key that must be there, where its stage kind is.
+// As `fallback`: a key that is required, for the stages of its kind.
 inline constexpr const char* kRequired = "required";
 
 struct Key {
@@ -60,12 +60,12 @@ struct Key {
   const char* shown = "";  // unit an engineer writes it in
   Range range = kAnyValue;
   bool may_be_unlimited = false;
-  bool may_be_alone = false;  // of a list of numbers: one may stand without brackets
+  bool may_be_alone = false;  // of a list of numbers: a single one needs no brackets
   int count = 0;              // of a list of words: how many, 0 for any number
   Kinds kinds = 0;
   bool in_braces = false;     // table written as key = { ... }
-  bool optional = false;      // table left out while it says nothing
-  const char* fallback = "";  // what holds where the key is absent and has no value of its own
+  bool optional = false;      // table not written while it has no content
+  const char* fallback = "";  // the effective value of an absent key without a default
   const char* example = "";   // as in the file, a quantity or text without its quotes
   const char* doc = "";
 };

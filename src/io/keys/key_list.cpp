@@ -84,7 +84,7 @@ class KeyList {
   }
 
  private:
-  // `own`: the value that a model without this key has; `allowed` stands where it excludes something.
+  // `own`: the default of a model without this key. `allowed` is written where it excludes values.
   Json& add(const char* name, const char* kind, const Key& key, const std::string& own = "") {
     Json row = {{"path", under(path_, name)}, {"kind", kind}};
     if (*key.shown != '\0') row["unit"] = key.shown;

@@ -16,7 +16,7 @@ namespace {
 using Shape = KnownName::Shape;
 using Names = std::vector<KnownName>;
 
-// Words of other programs and of papers for names of ours.
+// Words of other programs and of papers for our names.
 struct OtherWord {
   const char *theirs, *ours;
 };
@@ -63,8 +63,8 @@ bool is_list_of_tables(const toml::node& node) {
   return list && !list->empty() && list->is_homogeneous<toml::table>();
 }
 
-// The name that is meant by a key of the table which it does not know; "" where none is near. A value is no table, and
-// a name that stands there already is not meant a second time, but for tables, which may have been written in two parts.
+// The known name that a wrong key most likely stands for; "" where none is near. The value must be no table. A
+// name that the table already has is not suggested, except for tables, which may have been written in two parts.
 std::string meant(const Names& known, const toml::table& table, const std::string& word) {
   const toml::node& value = *table.get(word);
   const bool holds_tables = value.is_table() || is_list_of_tables(value);
@@ -79,7 +79,7 @@ std::string meant(const Names& known, const toml::table& table, const std::strin
   return nearest_name(word, names);
 }
 
-// Coefficients of Table C8.5.II that the program has not, and says why (io/model/office.cpp).
+// Coefficients of Table C8.5.II that the program lacks, with a reason of its own (io/model/office.cpp).
 bool has_own_reason(std::string_view name) { return name == "core" || name == "thin_joints"; }
 
 // A table of the description: its path as a user writes it, and what it may hold.
@@ -90,7 +90,7 @@ struct Home {
 };
 
 void add_homes(const Names& known, const std::string& path, std::vector<Home>& out) {
-  constexpr std::size_t kDeepest = 40;  // characters; no description holds itself
+  constexpr std::size_t kDeepest = 40;  // characters; no description contains itself
   if (path.size() > 4 * kDeepest) return;
   for (const KnownName& one : known) {
     if (one.below == nullptr) continue;
@@ -125,7 +125,7 @@ class Mender {
  private:
   // --- names -------------------------------------------------------------------------------------
 
-  // One letter or two from a name that the table has, whatever other tables hold.
+  // Whether a name is one or two letters from a name of the table, whatever other tables contain.
   static bool is_slip(const toml::table& table, const std::string& word, const Names& known) {
     constexpr int kLetters = 2;
     const std::string name = meant(known, table, word);
@@ -136,7 +136,7 @@ class Mender {
               const Names& known) {
     toml::node& node = *table.get(word);
     const std::string name = meant(known, table, word);
-    if (name.empty()) return;  // the table's reader lists what is known
+    if (name.empty()) return;  // the table's reader lists the known names
     context_.fault(under(path, word), line_of(node), shown(node),
                    fmt::format("no such key {}", word), fmt::format("did you mean {}?", name));
     toml::node* there = table.get(name);
@@ -159,7 +159,7 @@ class Mender {
         node.visit([&](auto& value) { to.insert_or_assign(name, std::move(value)); });
   }
 
-  // In the order of their lines.
+  // Joins two lists in the order of their lines.
   static void join(toml::array& from, toml::array& to) {
     for (toml::node& node : from) {
       const auto at = std::find_if(to.begin(), to.end(), [&](const toml::node& other) {
@@ -169,9 +169,9 @@ class Mender {
     }
   }
 
-  // --- a head that was left out ------------------------------------------------------------------
+  // --- a missing header --------------------------------------------------------------------------
 
-  // The only table, or the only one that is not there yet, that knows all these names and no other way of writing them.
+  // The only table, or the only one not there yet, that has all these names with no other spelling.
   const Home* home_of(const std::vector<std::string>& words, const Names& here) const {
     const auto knows_all = [&](const Home& home) {
       return home.names != &here && std::all_of(words.begin(), words.end(), [&](const auto& word) {
@@ -190,7 +190,7 @@ class Mender {
     return able.size() == 1 ? able.front() : nullptr;
   }
 
-  // A table with a head of its own; [wall.unit] alone makes no [wall].
+  // Whether a table has a header of its own; [wall.unit] alone makes no [wall].
   bool is_written(const std::string& path) const {
     const toml::table* table = root_.at_path(path).as_table();
     return table != nullptr && std::any_of(table->begin(), table->end(), [](const auto& entry) {
@@ -221,7 +221,7 @@ class Mender {
     }
   }
 
-  // Where the keys go: a table that can be named; the one member of a map. nullptr where none can be told.
+  // The table for the keys: one with a unique path, or the one member of a map; null where it is not unique.
   toml::table* target_of(const Home& home) {
     if (home.shape == Shape::kList || home.path.find('<') != home.path.rfind('<')) return nullptr;
     if (home.shape == Shape::kMap) {
@@ -260,7 +260,7 @@ class Mender {
     descend(*table.get(known.name), path, known);
   }
 
-  // [[variable]] with a name in each, where [variable.<name>] is meant.
+  // Converts [[variable]] with a name in each to [variable.<name>].
   void name_members(toml::table& table, toml::array& list, const std::string& path,
                     const std::string& key) {
     toml::table named;

@@ -6,7 +6,7 @@
 //   keys of [masonry] whose head was left out
 //                       ─► they belong under [masonry]                  and are read there
 //
-// Done before anything is read, so that rules and checks find what the user meant.
+// Done before anything is read, so that rules and checks find the values that the user meant.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@
 
 namespace wythe::io {
 
-// A name that a table may hold, and what lies below it.
+// A possible name in a table, and the names below it.
 struct KnownName {
   enum class Shape { kValue, kTable, kList, kMap };
   std::string name;
@@ -109,7 +109,7 @@ const std::vector<KnownName>& known_names() {
   return names;
 }
 
-// A fault for each slip, and the tree as it was meant.
+// Adds a fault for each mistake, and corrects the tree.
 void read_names_as_meant(ReadContext& context, toml::table& root,
                          const std::vector<KnownName>& known);
 

@@ -72,7 +72,7 @@ class KeyLister {
     describe(inner, value);
   }
 
-  // A key of other kinds of stage than the one being listed.
+  // Whether a key belongs to other kinds of stage than the listed one.
   [[nodiscard]] bool is_foreign(const Key& key) const {
     return kind_ != 0 && key.kinds != 0 && !(key.kinds & kind_);
   }
@@ -92,7 +92,7 @@ class KeyLister {
   Kinds kind_ = 0;
 };
 
-// The step of `path` that begins at `from`.
+// The part of `path` up to the next dot, from `from` on.
 std::string step_at(const std::string& path, std::size_t from) {
   return path.substr(from, path.find('.', from) - from);
 }
@@ -122,13 +122,13 @@ SettableKeys::SettableKeys(const std::string& text, const std::string& file,
   toml::table root = parse_toml(text, file);
   ReadContext context{file};
   apply_overrides(context, root, settings);
-  // a formula that [scatter] made begins from what the key says
+  // a formula of [scatter] uses the value of the key
   const auto is_made = [&](const std::string& name) {
     return name.starts_with(study::kScatterPrefix) && !root["field"][name]["formula"];
   };
   for (const auto& [name, field] : base.field)
     if (!field.formula.empty() && !is_made(name)) formula_[field.path] = name;
-  // What stands for other keys: [masonry] through its rules, tangents for angles.
+  // replaces keys that stand for others: rules of [masonry], tangents for angles
   resolve_materials(context, root);
   BuilderSpec built = parse_builder(file, root, base);
   for (ModelKey& key : keys_of(built)) keys_.push_back(std::move(key));
@@ -154,7 +154,7 @@ std::pair<std::string, std::string> SettableKeys::idle(const std::string& path) 
 }
 
 std::string SettableKeys::advice(const std::string& path) const {
-  // the longest part of it that is right, and what may follow
+  // the longest correct part of it, and possible next parts
   std::string right;
   for (std::size_t dot = path.find('.'); dot != std::string::npos; dot = path.find('.', dot + 1)) {
     const std::string part = path.substr(0, dot + 1);

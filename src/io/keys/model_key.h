@@ -12,28 +12,28 @@
 
 namespace wythe::io {
 
-// Whether a setting of `path` sets the key too: it is its path, or that of a table around it.
+// Whether a setting of `path` also sets the key: `path` is its path, or a table around it.
 inline bool lies_in(const std::string& key, const std::string& path) {
   return key == path || key.starts_with(path + '.');
 }
 
 struct ModelKey {
   std::string path;   // members of a list by name: stage.push.velocity
-  std::string alias;  // the same by index: stage.2.velocity
+  std::string alias;  // the same with the index: stage.2.velocity
   std::string si_unit = "1", unit = "1";
   Range range;
-  double value = kUnset;  // of this model [SI]
+  double value = kUnset;  // in this model [SI]
 };
 
 [[nodiscard]] std::vector<ModelKey> number_keys(ModelSpec model);
 // The key at a path as --set takes it, or nullptr.
 [[nodiscard]] const ModelKey* find_key(const std::vector<ModelKey>& keys, const std::string& path);
 
-// The numbers that a model's text lets others set.
+// The numbers of a model's text that may be set.
 class SettableKeys {
  public:
   SettableKeys() = default;
-  // `base` is what the text with its settings gave.
+  // `base` is the model from the text with its settings.
   SettableKeys(const std::string& text, const std::string& file,
                const std::vector<std::string>& settings, const ModelSpec& base);
 
@@ -41,18 +41,18 @@ class SettableKeys {
   [[nodiscard]] const ModelKey* find(const std::string& path) const {
     return find_key(keys_, path);
   }
-  // Whether a field of the model sets this key anew at each place by its own formula; one that [scatter] made does
-  // not, for it begins from the key.
+  // Whether a field of the model sets this key at each place by its own formula.
+  // A formula of [scatter] does not count, because it uses the key's value.
   [[nodiscard]] bool has_formula(const std::string& path) const { return formula_.contains(path); }
-  // What to write instead of a path that is none: the nearest, or what stands where it goes wrong.
+  // The cure for a wrong path: the nearest one, or the possible parts at the place of the error.
   [[nodiscard]] std::string advice(const std::string& path) const;
-  // Why setting this key would change nothing or contradict the model, and the cure; "" where it acts.
+  // Why setting this key would have no effect or contradict the model, and the cure; "" where it has an effect.
   [[nodiscard]] std::pair<std::string, std::string> idle(const std::string& path) const;
 
  private:
   std::vector<ModelKey> keys_;
-  std::set<std::string, std::less<>> asked_;  // keys of [masonry] that the model's rules take
-  std::set<std::string> tangents_;            // angles that it gives as tangents
+  std::set<std::string, std::less<>> asked_;  // keys of [masonry] that the model's rules use
+  std::set<std::string> tangents_;            // angles that the model gives as tangents
   std::map<std::string, std::string>
       formula_;  // fields that set a key anew at each place, by that key
 };

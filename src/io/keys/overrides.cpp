@@ -23,7 +23,7 @@ std::vector<std::string> split_path(const std::string& path) {
   return steps;
 }
 
-// Puts the value as TOML reads it, or as a text when it is not TOML: 1 mm/s, running, +x.
+// Sets the value in TOML form, or as a text where it is not TOML: 1 mm/s, running, +x.
 void put_value(toml::table& table, const std::string& key, const std::string& text) {
   try {
     toml::table parsed = parse_toml("value = " + text, "--set");
@@ -63,7 +63,7 @@ std::string member_advice(const toml::array& list, const std::string& step) {
   return name_advice(step, member_names(list));
 }
 
-// Walks one --set through the tree.
+// Follows one --set through the tree.
 class Walk {
  public:
   Walk(ReadContext& context, std::string given, std::string value)
@@ -115,7 +115,7 @@ class Walk {
     context_.overrides.push_back({path_, given_});
   }
 
-  // An item of a list of values, e.g. output.states.0=5 mm.
+  // Sets an item of a list of values, e.g. output.states.0=5 mm.
   void put_item(toml::array& list, const toml::node& item) {
     toml::table holder;
     put_value(holder, "value", value_);

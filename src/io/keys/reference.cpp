@@ -1,5 +1,5 @@
-// reference_page(), curve_table(): what docs/reference says of every key and of the curve's columns, from
-// the same descriptions that read and write them.
+// reference_page(), curve_table(), responses_table(): the pages in docs/reference about keys, the curve's
+// columns and the responses, from the same descriptions that read and write them.
 #include <cmath>
 
 #include <fmt/format.h>
@@ -11,6 +11,7 @@
 #include "wythe/parts/curve.h"
 #include "wythe/parts/error.h"
 #include "wythe/parts/io.h"
+#include "wythe/parts/responses.h"
 #include "wythe/parts/units.h"
 
 namespace wythe {
@@ -36,7 +37,7 @@ The file is TOML: `key = value`, with a `[table]` for each part.
   body force, `tilt_rate` a tilt, `duration` a hold.
 )";
 
-// The text for a cell of a table: each | is escaped, since it would end the cell.
+// The text of a table cell, with each | escaped, because it would end the cell.
 std::string cell(std::string text) {
   for (std::size_t at = text.find('|'); at != std::string::npos; at = text.find('|', at + 2))
     text.insert(at, "\\");
@@ -178,6 +179,24 @@ std::string curve_table() {
   return table;
 }
 
+std::string responses_table() {
+  std::string table =
+      "| key | unit | definition | in the store | in `samples` |\n|---|---|---|---|---|\n";
+  const auto line = [&](const OutputKey& key, const auto&) {
+    const std::string column =
+        key.listed == OutputKey::kNowhere
+            ? ""
+            : fmt::format("`{}`{}", key.column, key.listed == OutputKey::kCsv ? ", CSV" : "");
+    table += fmt::format("| `{}` | {} | {} | `{}` | {} |\n", key.summary, key.unit,
+                         io::cell(key.meaning), key.stored, column);
+  };
+  const Responses responses;
+  const RateVerdict meters;
+  each_response(line, responses);
+  each_quasi_static(line, meters);
+  return table;
+}
+
 std::string reference_page() {
   ModelSpec spec;
   io::Reference reference("");
@@ -185,18 +204,26 @@ std::string reference_page() {
   return io::kHeader + reference.text();
 }
 
+namespace {
+// Puts a table between its two marks on a page.
+void put_table(std::string& page, const std::string& path, const std::string& name,
+               const std::string& table) {
+  const std::string begin = fmt::format("<!-- {}: make docs -->\n", name);
+  const std::size_t from = page.find(begin), to = page.find("<!-- end -->", from);
+  if (from == std::string::npos || to == std::string::npos)
+    throw IoError(
+        fmt::format("{}: a table belongs between {} and <!-- end -->, which are not there", path,
+                    trimmed(begin)));
+  page.replace(from + begin.size(), to - from - begin.size(), table);
+}
+}  // namespace
+
 void write_reference(const std::string& folder) {
-  constexpr std::string_view kBegin = "<!-- columns of the curve: make docs -->\n";
   constexpr std::size_t kMost = 1 << 20;  // bytes of a page
   const std::string results = folder + "/results.md";
   std::string page = read_text(results, kMost);
-  const std::size_t from = page.find(kBegin), to = page.find("<!-- end -->", from);
-  if (from == std::string::npos || to == std::string::npos)
-    throw IoError(
-        fmt::format("{}: the table of columns belongs between {} and <!-- end -->, which "
-                    "are not there",
-                    results, trimmed(kBegin)));
-  page.replace(from + kBegin.size(), to - from - kBegin.size(), curve_table());
+  put_table(page, results, "columns of the curve", curve_table());
+  put_table(page, results, "responses", responses_table());
   write_text(results, page);
   write_text(folder + "/model.md", reference_page());
 }

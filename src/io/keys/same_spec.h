@@ -55,14 +55,14 @@ class Flatten {
   }
   template <class T>
   void list(const char* name, std::vector<T>& values, const Key& key) {
-    if (key.optional && values.empty()) return;  // a model without has the hash it had
+    if (key.optional && values.empty()) return;  // such a model keeps its old hash
     size(name, values.size());
     for (std::size_t i = 0; i < values.size(); ++i)
       table(fmt::format("{}.{}", name, i).c_str(), values[i], {});
   }
   template <class T>
   void map(const char* name, std::map<std::string, T>& values, const Key&) {
-    if (values.empty()) return;  // a model without has the hash it had
+    if (values.empty()) return;  // such a model keeps its old hash
     size(name, values.size());
     for (auto& [label, value] : values) table(fmt::format("{}.{}", name, label).c_str(), value, {});
   }
@@ -84,7 +84,7 @@ template <class T>
   return out;
 }
 
-// "" when both say the same, else the first member that differs with both values.
+// "" when both are equal, else the first member that differs, with both values.
 template <class T>
 [[nodiscard]] std::string first_difference(const T& a, const T& b) {
   const Flatten::Members in_a = flatten(a), in_b = flatten(b);

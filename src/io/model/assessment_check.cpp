@@ -12,7 +12,7 @@
 namespace wythe::io {
 namespace {
 
-// Whether a spectrum of this kind takes the key, or the key says no more than its default.
+// Whether a spectrum of this kind uses the key, or the key only has its default.
 bool has_use(std::string_view key, const SpectrumSpec& s) {
   const SpectrumSpec plain;
   const bool is_table = s.kind == SpectrumKind::kTable, is_ntc = s.kind == SpectrumKind::kNtc2018;

@@ -1,4 +1,4 @@
-// Gives the builder's tables of a model file as they are written. Their bodies are made when the file is read.
+// The builder's tables of a model file as written. Their bodies are made when the file is read.
 //
 // Called by model_file.cpp, and by model_key.cpp for the keys that a study may vary.
 #pragma once
@@ -10,7 +10,7 @@
 
 namespace wythe::io {
 
-// Reads them without a word: parse_table has said what is wrong with them. `spec` is what the same root gave.
+// Parses them without messages, because parse_table has reported their faults. `spec` is from the same root.
 [[nodiscard]] BuilderSpec parse_builder(const std::string& file, const toml::table& root,
                                         const ModelSpec& spec);
 

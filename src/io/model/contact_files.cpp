@@ -1,4 +1,4 @@
-// The files of `wythe contact`: one joint law (TOML), the path it is driven along and its answer.
+// The files of `wythe contact`: one joint law (TOML), its loading path and its response.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -17,7 +17,7 @@
 namespace wythe {
 namespace io {
 
-// A law file, or a whole model file of which only the materials are read.
+// A law file, or a whole model file, of which only the materials are read.
 struct LawFile {
   MasonrySpec masonry;
   std::map<std::string, JointMaterial> material;
@@ -31,7 +31,7 @@ void describe(Visitor& v, LawFile& file) {
 
 namespace {
 
-// The one law meant: the only one, or the one called joint. Bodies (density only) do not count.
+// The selected law: the only one, or the one named joint. Materials of bodies (density only) do not count.
 JointMaterial pick_law(ReadContext& context, const LawFile& file) {
   std::vector<std::string> names;
   for (const auto& [name, material] : file.material)
@@ -104,7 +104,7 @@ class PathReader {
                      "is in no unit of length", "write it in mm");
   }
 
-  // Both at once: a header of other words is one slip.
+  // Refuses both columns at once, because a header with other words is one mistake.
   void refuse_missing(const NumberTable& table) {
     if (missing_.empty()) return;
     const std::vector<std::string> meant = {"opening_mm", "slip_mm"};
@@ -151,7 +151,7 @@ class PathReader {
 
   ReadContext context_;
   std::vector<std::string> missing_;
-  Fault thousands_;  // the first value that may have some
+  Fault thousands_;  // the first value that may contain thousands
   bool tells_decimals_ = false;
   Column opening_{.name = "opening", .unit = ""}, slip_{.name = "slip", .unit = ""};
 };

@@ -3,8 +3,8 @@
 //   g1, g2, q [kN/m^2], psi2, span [m]  ─►  load = (g1 + g2 + psi2 q) span / 2 [kN/m]
 //   mass = "rule"                       ─►  mass = load / 9.81 m/s^2 [kg/m]
 //
-// The combination is that of an earthquake (NTC 2018, 2.5.3), whose masses are the same loads. As with materials,
-// `origin` says where a number comes from, and model.used.toml runs again without these keys.
+// The combination is that for earthquakes (NTC 2018, 2.5.3), with masses of the same loads. As for materials,
+// `origin` records the source of a number, and model.used.toml can be run again without these keys.
 #include <array>
 #include <cmath>
 
@@ -20,7 +20,7 @@
 namespace wythe::io {
 namespace {
 
-constexpr double kGravity = 9.81;  // of the loads of codes [m/s^2]
+constexpr double kGravity = 9.81;  // in the load rules of codes [m/s^2]
 
 struct Part {
   const char* key;
@@ -52,7 +52,7 @@ class Floor {
                    node ? shown(*node) : "", problem, cure);
   }
 
-  // NaN where it can't be taken; the fault is told.
+  // The value of a key; NaN where it has a reported fault.
   double value_of(const Part& part) {
     const std::string example =
         *part.unit ? fmt::format("\"{}\"", part.example) : std::string(part.example);
@@ -96,7 +96,7 @@ class Floor {
     }
     for (const Part& part : kParts) table_.erase(part.key);
     load_ = (v[0] + v[1] + v[3] * v[2]) * v[4] / 2;
-    if (std::isnan(load_)) return;  // told
+    if (std::isnan(load_)) return;  // fault is reported
     put("load", load_, "N/m", "kN/m",
         fmt::format("by floor_load from (g1 {} + g2 {} + psi2 {} x q {}) x span {} / 2", words[0],
                     words[1], words[3], words[2], words[4]));
@@ -127,14 +127,14 @@ class Floor {
     const std::string text = fmt::format("{:.6g} {}", value / factor, unit);
     toml::node* node = table_.get(key);
     if (auto* old = node ? node->as_string() : nullptr)
-      *old = text;  // keeps its line
+      *old = text;  // keeps the line of the key
     else
       table_.insert_or_assign(key, text);
     origin_.push_back(materials::to_text({key, text, materials::Origin::kDerived, by}));
     context_.derived[under(path_, key)] = {"derived " + by, line_of(table_)};
   }
 
-  // Lines of an earlier run hold while their value is the one that stands there.
+  // Lines of an earlier run stay valid while the value is unchanged.
   void keep_origin() {
     const toml::node* node = table_.get("origin");
     const toml::array* old = node ? node->as_array() : nullptr;
@@ -155,7 +155,7 @@ class Floor {
   ReadContext& context_;
   toml::table& table_;
   std::string path_;
-  double load_ = 0;  // NaN: it could not be made
+  double load_ = 0;  // NaN: a fault prevents it
   std::vector<std::string> origin_;
 };
 

@@ -11,8 +11,8 @@
 namespace wythe::io {
 namespace {
 
-// A table with none of these describes a body (lintel, block), not a joint. The words softening,
-// coupling and unloading have defaults, which write_model writes for bodies too.
+// A table without any of these keys describes a body (lintel, block), not a joint. The words
+// softening, coupling and unloading have defaults, and write_model writes them for bodies too.
 constexpr std::array<std::string_view, 18> kLawKeys = {
     "normal_stiffness",     "shear_stiffness",
     "tensile_strength",     "cohesion",
@@ -37,14 +37,14 @@ bool is_law(const TableReader& reader) {
                      [&](std::string_view name) { return reader.has(name); });
 }
 
-// A refused value stays unset; what the law says then about missing keys follows from that.
+// A refused value stays unset, so the law would report it as missing as well.
 bool has_law_fault(TableReader& reader) {
   return std::any_of(kLawKeys.begin(), kLawKeys.end(), [&](std::string_view name) {
     return reader.context().has_fault_at(reader.below(std::string(name)));
   });
 }
 
-// One message, however many values are missing.
+// One message for all missing values.
 void refuse_missing(TableReader& reader, std::vector<MaterialFault> missing) {
   for (const MaterialFault& fault : contact::missing_as_one(std::move(missing))) {
     constexpr const char* kTypical = "; or take typical values, use = \"NAME\" (wythe materials)";
@@ -64,18 +64,18 @@ void finish(TableReader& reader, JointMaterial& material) {
   if (!is_law(reader)) return;
   const bool half_read = has_law_fault(reader);
   ReadContext& context = reader.context();
-  // a typology with a wrong name would have given what is missing
+  // a correct typology would have given the missing values
   const bool has_no_typology = context.has_fault_at("masonry.use") ||
                                context.has_fault_at("masonry.knowledge_level") ||
                                context.has_fault_at(reader.below("use"));
   std::vector<MaterialFault> missing;
   for (const MaterialFault& fault : check_joint_material(material)) {
-    // With values already refused, only what is plainly missing is worth saying now.
+    // After a refused value, only keys that are missing for certain are reported.
     if (half_read && reader.has(fault.key)) continue;
     if (has_no_typology && !reader.has(fault.key)) continue;
     if (context.has_fault_at(reader.below(fault.key)) ||
         context.follow_ups.contains(reader.below(fault.key)))
-      continue;  // one slip, one message
+      continue;  // one message for one mistake
     if (reader.has(fault.key))
       reader.refuse(fault.key, fault.problem, fault.cure);
     else

@@ -1,11 +1,11 @@
-// resolve_materials: values by rule and typical values, put into the tree before it is read.
+// resolve_materials: values by rule and typical values are put into the tree before it is read.
 //
 //   [masonry] unit_strength = "15 MPa"           what tests say
 //   [material.unit] tensile_strength = "rule"  ─► "0.6 MPa", and a line of `origin` with the rule
 //
-// So the reader finds plain values, a setting (--set, a study) changes the inputs of rules, and model.used.toml
-// runs again without rules or library. A value is looked for in this order: the table itself, [masonry], `use` of
-// the table, `use` of [masonry]. A value is derived only if the file asks for it.
+// So the reader finds plain values, a setting (--set, a study) changes the inputs of rules, and
+// model.used.toml can be run again without rules or library. A value is searched in this order: the table
+// itself, [masonry], `use` of the table, `use` of [masonry]. A value is derived only if the file asks for it.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -42,7 +42,7 @@ constexpr const char* kEnergyPerPressure =
 
 using Keys = std::map<std::string, Key, std::less<>>;
 
-// The quantities and numbers of a described struct.
+// Collects the quantities and numbers of a described struct.
 class KeyCollector {
  public:
   explicit KeyCollector(Keys& out) : out_(out) {}
@@ -72,8 +72,8 @@ std::string shown_value(double value, const Key& key) {
   return *key.unit ? format_quantity(value, key.unit, key.shown) : fmt::format("{}", value);
 }
 
-// Six digits are more than any rule or test has. Angles keep fifteen: a residual one must not be rounded
-// to above its peak.
+// Six digits are more than any rule or test has. Angles keep fifteen, because
+// a residual angle must not be rounded to a larger value than its peak.
 double rounded(double value, const Key& key) {
   if (!std::isfinite(value)) return value;
   const int digits = std::string_view(key.unit) == "rad" ? 15 : 6;
@@ -82,14 +82,14 @@ double rounded(double value, const Key& key) {
   return parse_quantity(fmt::format("{:.{}g} {}", shown, digits, key.shown), key.unit);
 }
 
-// What a rule gives; an input that it passes on as it is.
+// The value of a rule; an input that it passes on is not rounded.
 double value_by(const Rule& rule, const materials::Inputs& inputs, const Key& key) {
   const double value = rule.value(inputs);
   const auto& in = inputs.value;
   return std::find(in.begin(), in.end(), value) != in.end() ? value : rounded(value, key);
 }
 
-// For a message: four digits are enough.
+// A value for a message: four digits are enough.
 std::string brief(double value, const Key& key) {
   if (!std::isfinite(value)) return "unlimited";
   if (!*key.unit) return fmt::format("{:.4g}", value);
@@ -101,22 +101,22 @@ bool asks_for_rule(const toml::node* node) {
   return text && (text->get() == "rule" || text->get().starts_with("rule:"));
 }
 
-// A value and how it came about, in words.
+// A value and its origin in words.
 struct Found {
   double value = kUnset;
   std::string from;      // " (typical of clay_brick_old)", "" where given
-  bool spoiled = false;  // its own fault is told elsewhere
+  bool spoiled = false;  // its own fault is reported elsewhere
   [[nodiscard]] bool known() const { return !std::isnan(value); }
 };
 
-// One table under way: [masonry] or [material.<name>].
+// One table being processed: [masonry] or [material.<name>].
 struct Table {
   std::string path;
   toml::table* toml = nullptr;
   Role role = Role::kMasonry;
   const Keys* keys = nullptr;
   const Entry* use = nullptr;
-  bool missing = false;  // every missing key by its rule
+  bool missing = false;  // fill every missing key by its rule
   std::map<std::string, Found, std::less<>> done = {};
   std::set<std::string, std::less<>> under_way = {};
   std::vector<std::string> origin = {};
@@ -181,14 +181,14 @@ class Resolver {
     if (const toml::node* use = table.toml->get("use")) {
       table.use = entry_named(table, *use);
       use_is_wrong_ = use_is_wrong_ || !table.use;
-      table.toml->erase("use");  // a fault of it is told above
+      table.toml->erase("use");  // its fault is reported above
     }
     if (table.role == Role::kMasonry) return;
     if (const toml::node* missing = table.toml->get("missing")) {
       const auto* word = missing->as_string();
       table.missing = word && word->get() == "rule";
       if (!table.missing) fault(table, "missing", "must be \"rule\"", "write missing = \"rule\"");
-      table.missing = true;  // so it was meant: else each value by rule were said to be missing too
+      table.missing = true;  // intended: else each value by rule would be reported as missing
       table.toml->erase("missing");
     }
     for (const char* key : {"friction", "residual_friction"}) parse_tangent(table, key);
@@ -244,7 +244,7 @@ class Resolver {
 
   // --- a knowledge level ---------------------------------------------------------------------------
 
-  // A second typology beside a knowledge level would stand undivided.
+  // Refuses a second typology beside a knowledge level, because its values would not be divided.
   void refuse_undivided(const Table& law) {
     if (!office_.is_asked() || !law.use || law.use == masonry_.use) return;
     fault(
@@ -254,12 +254,12 @@ class Resolver {
                     law.use->name));
   }
 
-  // Of [masonry]: a knowledge level that lacks its typology is told, and what that would have given is no fault more.
+  // Whether [masonry] has a knowledge level without its typology. This is reported, and values that depend on it are no further fault.
   [[nodiscard]] bool lacks_typology() const {
     return masonry_.toml && !masonry_.use && context_.has_fault_at("masonry.knowledge_level");
   }
 
-  // What is stated beside a level stands as it is: a line of origin says what the level would take, and a note does.
+  // Values given beside a level stay as they are: a line of origin and a note give the value that the level would take.
   void tell_undivided() {
     if (!masonry_.toml || !masonry_.use || !office_.is_asked()) return;
     for (const Datum& datum : masonry_.use->data) {
@@ -295,7 +295,7 @@ class Resolver {
     }
   }
 
-  // `density = "rule"` of units: that of the masonry.
+  // `density = "rule"` of units takes the density of the masonry.
   void fill_densities() {
     std::vector<std::pair<std::string, toml::table*>> parts;
     if (toml::table* wall = root_["wall"].as_table()) parts.emplace_back("wall", wall);
@@ -320,7 +320,7 @@ class Resolver {
             path + ".unit.density", line_of(*node), "rule", "needs the weight of the masonry",
             "give the density, or weight, density or use = \"circolare_...\" under [masonry]");
       }
-      // a text that can be read: the fault is told
+      // a valid text, because the fault is reported
       *node->as_string() = format_quantity(found.known() ? found.value : 1000, "kg/m^3", "kg/m^3");
     }
   }
@@ -333,7 +333,7 @@ class Resolver {
     const std::string text = shown_value(value, known);
     toml::node* node = table.toml->get(key);
     if (auto* old = node ? node->as_string() : nullptr; old && *known.unit)
-      *old = text;  // keeps its line
+      *old = text;  // keeps the line of the key
     else if (*known.unit)
       table.toml->insert_or_assign(key, text);
     else
@@ -343,7 +343,7 @@ class Resolver {
     context_.derived[under(table.path, key)] = {kind_word(kind) + " " + by, line_of(*table.toml)};
   }
 
-  // The value as the table gives it; nothing where it asks for a rule or has none.
+  // The value in the table; none where the table asks for a rule or has no value.
   Found given(const Table& table, const std::string& key) {
     Found out;
     const toml::node* node = table.toml ? table.toml->get(key) : nullptr;
@@ -383,7 +383,7 @@ class Resolver {
     return {value_of_datum(*datum, known), fmt::format(" (typical of {})", entry->name)};
   }
 
-  // A value of [masonry] as `table` sees it.
+  // A value of [masonry] for `table`.
   Found masonry(Table& table, const std::string& key) {
     context_.asked.insert(key);
     Found out = masonry_.toml ? value_of(masonry_, key) : Found{};
@@ -393,7 +393,7 @@ class Resolver {
     return out.known() ? out : typical(masonry_, masonry_.use, Role::kMasonry, key);
   }
 
-  // What the storeys that have this material say of their units.
+  // Sizes of units in the storeys with this material.
   Found from_wall(const Table& table, const std::string& key) {
     const bool is_law = table.role != Role::kMasonry;
     const std::vector<StatedSize> sizes = stated_sizes(root_, is_law ? name_of(table) : "", key);
@@ -413,7 +413,7 @@ class Resolver {
     return {kUnset, "", true};
   }
 
-  // A unit_type that its reader refuses.
+  // Whether the reader will refuse unit_type.
   [[nodiscard]] bool has_wrong_unit_type() const {
     const toml::node* node = masonry_.toml ? masonry_.toml->get("unit_type") : nullptr;
     const auto word = node ? node->value<std::string>() : std::nullopt;
@@ -434,7 +434,7 @@ class Resolver {
     return masonry_.use ? masonry_.use->unit_type : UnitType::kUnstated;
   }
 
-  // A key of the table, derived first where it asks for that.
+  // A key of the table; derived first where the table asks for that.
   Found value_of(Table& table, const std::string& key) {
     if (const auto known = table.done.find(key); known != table.done.end()) return known->second;
     if (spoiled_.contains(under(table.path, key))) return {kUnset, "", true};
@@ -451,7 +451,7 @@ class Resolver {
     return found;
   }
 
-  // A key that does not stand in a law: typical, or by definition from what is typical, or by rule.
+  // A key that a law does not give: typical, or by definition from typical values, or by rule.
   Found unstated(Table& table, const std::string& key) {
     if (!is_law_key(key)) return {};
     Found found = typical(table, table.use, table.role, key);
@@ -463,7 +463,7 @@ class Resolver {
     const bool definition = rule && rule->cov == 0 && rule->inputs.size() == 1;
     if (rule && rule->on_request) return {};
     if (key == "compressive_energy" && std::isinf(value_of(table, "compressive_strength").value))
-      return {};  // what never crushes needs none
+      return {};  // a joint that never crushes needs none
     if (key == "head_joint_bond" && !has_heads_of_beds(root_, name_of(table))) return {};
     if (rule && key == kEnergyPerPressure && !takes_energy_per_pressure(table, *rule)) return {};
     if (rule && (table.missing || (table.use && definition && can_follow(table, *rule))))
@@ -471,8 +471,8 @@ class Resolver {
     return {};
   }
 
-  // b goes with a GII by its first rule: any other holds for the pressures of its tests. It comes from mortar on clay.
-  // Where `missing` asks for b and GII alone speaks against it, a line of origin says so, and a note does.
+  // b belongs to a GII from its first rule; any other GII holds for the pressures of its tests. It comes from
+  // mortar on clay. Where `missing` asks for b and only GII is against it, a line of origin and a note say so.
   bool takes_energy_per_pressure(Table& table, const Rule& rule) {
     const std::string other = energy_otherwise(table);
     if (!other.empty() && !table.missing) return false;
@@ -486,7 +486,7 @@ class Resolver {
     return holds && other.empty();
   }
 
-  // Whence GII comes where it is not by its first rule; "" where it is. Its own value is looked for before b.
+  // The origin of GII where it is not its first rule; else "". Its own value is searched before b.
   std::string energy_otherwise(const Table& table) const {
     const std::string key = "mode_2_energy";
     const toml::node* node = table.toml->get(key);
@@ -522,7 +522,7 @@ class Resolver {
 
   // --- rules -------------------------------------------------------------------------------------
 
-  // Of "rule" or "rule: NAME"; nullptr where there is none.
+  // The rule asked for by "rule" or "rule: NAME"; null where there is none.
   static const Rule* rule_asked(const Table& table, const std::string& key,
                                 const toml::node& node) {
     const std::string text = node.as_string()->get();
@@ -602,15 +602,15 @@ class Resolver {
     return own ? table.keys->at(name) : masonry_.keys->at(name);
   }
 
-  // What is amiss is told; of the value itself there is nothing more to say.
+  // Marks a key whose fault is reported elsewhere, so that no further fault follows.
   void is_follow_up(Table& table, const std::string& key) {
     context_.follow_ups.insert(under(table.path, key));
-    table.toml->erase(key);  // else its reader would find "rule" no number
+    table.toml->erase(key);  // its reader would report that "rule" is no number
   }
 
   void refuse_lacking(Table& table, const std::string& key, const Rule& rule,
                       const std::vector<std::string>& lacking) {
-    if (use_is_wrong_) {  // the typology would have given them: one slip, one message
+    if (use_is_wrong_) {  // the typology would have given them: one message for one mistake
       table.toml->erase(key);
       return;
     }
@@ -636,7 +636,7 @@ class Resolver {
       cure += fmt::format("{}give {} here", cure.empty() ? "" : " and ", joined(own, ", "));
     fault(table, key, fmt::format("the rule {} needs {}", rule.name, joined(lacking, ", ")),
           cure + fmt::format(", give {} itself, or a typology by use = \"...\"", key));
-    table.toml->erase(key);  // else its reader would find "rule" no number
+    table.toml->erase(key);  // its reader would report that "rule" is no number
   }
 
   bool holds(Table& table, const std::string& key, const Rule& rule, const materials::Inputs& in) {
@@ -677,7 +677,7 @@ class Resolver {
     return true;
   }
 
-  // A knowledge level divides what comes from its table. Where every value is stated, none is divided.
+  // Refuses a knowledge level with no effect. It divides values of its table, so it has none where all values are given.
   void refuse_idle_level() {
     if (!masonry_.toml || !office_.is_asked() || !context_.faults.empty()) return;
     const auto is_from_it = [](const auto& derived) {
@@ -690,7 +690,7 @@ class Resolver {
           "confidence_factor where the values are divided already");
   }
 
-  // Rules that one value takes out of their ranges: one message for all of them.
+  // One message for all rules of which one value is out of range.
   void refuse_outside() {
     for (std::size_t i = 0; i < outside_.size(); ++i) {
       const Outside& first = outside_[i];
@@ -734,7 +734,7 @@ class Resolver {
             "give the values, ask for rules, or use another typology");
   }
 
-  // What [masonry] asks for, and what its typology says beside what is given.
+  // Fills values that [masonry] asks for, and values that its typology adds to the given ones.
   void fill_masonry() {
     for (const auto& [name, key] : *masonry_.keys) {
       if (asks_for_rule(masonry_.toml->get(name))) (void)value_of(masonry_, name);
@@ -754,13 +754,13 @@ class Resolver {
 
   // --- origin ------------------------------------------------------------------------------------
 
-  // Lines of an earlier run hold while their value is the one that stands there. Then a rule must give
-  // it again from what stands here now: else an input was changed without effect.
+  // Lines of an earlier run stay valid while the value is unchanged. A rule must also
+  // give the same value from the present inputs, or an input was changed without effect.
   void confirm(Table& table) {
     const toml::node* node = table.toml->get("origin");
     const toml::array* old = node ? node->as_array() : nullptr;
     const bool texts = old && (old->empty() || old->is_homogeneous<std::string>());
-    if (node && !texts) return;  // its reader says so
+    if (node && !texts) return;  // its reader reports it
     for (std::size_t i = 0; old && i < old->size(); ++i) {
       const auto origin = origin_of(old->get(i)->as_string()->get());
       const toml::node* value = origin ? table.toml->get(origin->key) : nullptr;
@@ -782,7 +782,7 @@ class Resolver {
     table.toml->insert_or_assign("origin", std::move(lines));
   }
 
-  // A line that says why b is 0, while GII stands there and no rule gives it anew.
+  // Whether a line that explains b = 0 is still valid: GII is given and no rule derives it again.
   [[nodiscard]] bool is_left_out_still(const Table& table, const Origin& origin) const {
     const std::string line = to_text(origin);
     return origin.key == kEnergyPerPressure && table.toml->contains("mode_2_energy") &&
@@ -795,7 +795,7 @@ class Resolver {
     return origin.by.substr(3, origin.by.find(' ', 3) - 3);
   }
 
-  // What a typology of the earlier run gave to a rule: "... from NAME 0.2 MPa (typical of ENTRY), ...".
+  // The typology entry that gave an input of a rule in the earlier run: "... from NAME 0.2 MPa (typical of ENTRY), ...".
   static const Entry* entry_in(const std::string& by, const std::string& name) {
     constexpr std::string_view kTypicalOf = "(typical of ";
     const std::size_t from = by.find(name + ' '), end = std::min(by.find(", ", from), by.size());
@@ -842,8 +842,8 @@ class Resolver {
     return false;
   }
 
-  // A setting of [masonry] that no rule asks for would change nothing.
-  // Whether the library still says so.
+  // Whether the library still gives this value: as a typical
+  // value, or as the table value of a knowledge level.
   static bool is_typical(const Table& table, const Origin& origin) {
     const std::string name = name_in(origin);
     const Entry* entry = materials::entry_of(name);
@@ -852,7 +852,7 @@ class Resolver {
     const std::size_t way = origin.by.find("): ");
     if (way !=
         std::string::
-            npos)  // a knowledge level, whose recipe is gone: its arithmetic stands in the line
+            npos)  // a knowledge level, whose inputs are gone: this line contains its arithmetic
       return materials::begins_with_table(std::string_view(origin.by).substr(way + 3), *datum);
     const Key& key = table.keys->at(origin.key);
     return shown_value(value_of_datum(*datum, key), key) == origin.value;
@@ -873,16 +873,16 @@ class Resolver {
   ReadContext& context_;
   toml::table& root_;
   Table masonry_;
-  std::set<std::string, std::less<>> spoiled_;  // paths whose fault is told
-  OfficeMasonry office_;                        // what [masonry] asks of Circolare 7/2019
-  bool use_is_wrong_ = false;                   // told already
+  std::set<std::string, std::less<>> spoiled_;  // paths with a reported fault
+  OfficeMasonry office_;                        // requests of [masonry] to Circolare 7/2019
+  bool use_is_wrong_ = false;                   // reported already
   std::set<std::string> told_lacking_;          // inputs of rules
   struct Outside {
     std::string path, key;
     int line = 0;
     std::string value, input, rule, holds, here;
   };
-  std::vector<Outside> outside_;  // what no rule could follow
+  std::vector<Outside> outside_;  // values that no rule allows
 };
 
 }  // namespace

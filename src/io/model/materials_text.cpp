@@ -1,4 +1,4 @@
-// What `wythe materials` prints: the library and the rules, from the tables the program itself reads.
+// Output of `wythe materials`: the library and the rules, from the tables that the program itself uses.
 #include <algorithm>
 #include <cmath>
 
@@ -40,7 +40,7 @@ std::string list_text() {
   return out + "\nwythe materials NAME explains one of either.\n";
 }
 
-// A variable of a study with the scatter of the source.
+// A variable of a study, with the scatter from the source.
 std::string variable_text(const Datum& datum) {
   const std::string mean = *datum.unit ? fmt::format("\"{}\"", with_unit(datum.value, datum.unit))
                                        : number_text(datum.value);
@@ -51,7 +51,7 @@ std::string variable_text(const Datum& datum) {
       name, place_of(datum.role), datum.key, mean, cov_of(datum));
 }
 
-// What a knowledge level makes of a row of Table C8.5.I, and which coefficients it has.
+// The values of a row of Table C8.5.I at each knowledge level, and its coefficients.
 std::string levels_text(const Entry& entry) {
   std::string out = fmt::format("\n{:<28} {:>16} {:>16}\n", "by knowledge_level", "LC1", "LC2");
   for (const Datum& datum : entry.data) {

@@ -30,8 +30,8 @@ void finish(TableReader& reader, ContactRule&) {
 
 namespace {
 
-// Without a kind there is none: a table that says how it is, and not that it is, is a slip. kind = "" leaves it out, as a
-// variant does.
+// Refuses a table without `kind`, because it has properties of something
+// that is not there. kind = "" leaves it out on purpose, as a variant does.
 void need_kind(TableReader& reader, const char* what, const char* example) {
   const auto& entries = reader.entries();
   const auto stands = [](const TableReader::Entry& entry) { return entry.node != nullptr; };
@@ -53,7 +53,7 @@ void finish(TableReader& reader, ArchSpec&) { need_kind(reader, "arch", "segment
 
 namespace {
 
-// A storey or wall that does not say how its units split has the wall's way.
+// A storey or wall without a `split` mode for its units takes that of the wall.
 template <class Table>
 void inherit_split(const TableReader& reader, const char* name, const ModelSpec& model,
                    std::vector<Table>& tables) {
@@ -66,7 +66,7 @@ void inherit_split(const TableReader& reader, const char* name, const ModelSpec&
   }
 }
 
-// --set and a study find a member by its name, and take the first: two of one name are a trap.
+// Refuses two members of one name: --set and a study find a member by name, and would take the first.
 template <class Spec>
 void refuse_same_names(TableReader& reader, const char* list, const std::vector<Spec>& members) {
   std::set<std::string> names;
@@ -109,15 +109,15 @@ void finish(TableReader& reader, ModelSpec& model) {
 
 namespace {
 
-// Where a key stands in the user's words: a line of a file, or an option as typed.
+// Where the user wrote a key: a line of a file, or an option.
 struct KeyPlace {
   std::string file;  // "model.toml", or "--set"
   int line = 0;
-  std::string given;  // the key as the option has it; "": as it is
+  std::string given;  // the key as written in the option; "": as it is
 };
 using Places = std::map<std::string, KeyPlace>;
 
-// Every key of the tree and, in lists, the same by its member's name: "stage.2.at", "stage.push.at".
+// Notes each key of the tree and, in lists, also by its member's name: "stage.2.at", "stage.push.at".
 void note_places(const toml::node& node, const std::string& path, const std::string& file,
                  Places& places) {
   places.emplace(path, KeyPlace{file, line_of(node), ""});
@@ -134,7 +134,7 @@ void note_places(const toml::node& node, const std::string& path, const std::str
   }
 }
 
-// A key that an option set, and all below it, is the option's.
+// A key that an option set, and all keys below it, belong to the option.
 void note_overrides(const ReadContext& context, Places& places) {
   for (const Override& set : context.overrides)
     for (auto& [path, place] : places)
@@ -142,7 +142,7 @@ void note_overrides(const ReadContext& context, Places& places) {
         place = {"--set", 0, set.given + path.substr(set.path.size())};
 }
 
-// The fault with the place of its key, or of the nearest table above it that the user wrote.
+// Adds the place of its key to a fault, or of the nearest table above it that the user wrote.
 Fault placed(Fault fault, const Places& places) {
   if (!fault.file.empty()) return fault;
   for (std::string path = fault.path;; path.resize(path.find_last_of('.'))) {
@@ -160,7 +160,7 @@ Fault placed(Fault fault, const Places& places) {
   return fault;
 }
 
-// "wall.blocks.front.c03u05a" is plan_wall.front's where the builder laid that block; else as it is.
+// "wall.blocks.front.c03u05a" becomes a path of plan_wall.front if the builder made that block; else it is unchanged.
 std::string built_path(const std::string& path, const Places& places) {
   const std::string of_file = "wall.blocks.";
   if (!path.starts_with(of_file)) return path;
@@ -170,7 +170,7 @@ std::string built_path(const std::string& path, const Places& places) {
   return path;
 }
 
-// The faults of a spec, each with the place of its key.
+// Throws the faults of a spec, each with the place of its key.
 [[noreturn]] void throw_placed(const InputError& error, const ModelSpec& spec,
                                const toml::table& root, const ReadContext& context) {
   Places places;
@@ -188,9 +188,9 @@ std::string built_path(const std::string& path, const Places& places) {
   throw InputError(std::move(faults));
 }
 
-// A setting of a key that the formula of a field sets anew at each place would change nothing, nor would that
-// key in a whole table. Where the settings give the formula too they are those of a sample, whose value stands
-// there as its mean.
+// Refuses settings without effect: a key that the formula of a field sets
+// at each place, also within a whole table. If the settings give the
+// formula too, they are those of a sample, and its value is the mean.
 void refuse_idle(const ModelSpec& spec, const ReadContext& context) {
   FaultList faults;
   for (const auto& [name, field] : spec.field) {
@@ -227,7 +227,7 @@ BuilderSpec parse_builder(const std::string& file, const toml::table& root, cons
 
 namespace {
 
-// Keys of a beam that is not there, and of a blocks file that is not named.
+// Refuses keys of a beam that does not exist, and of a blocks file that is not given.
 void refuse_keys_of_nothing(const ModelSpec& spec, bool has_unit, FaultList& faults) {
   const WallSpec& wall = spec.wall;
   const auto refuse = [&](const char* path, bool stated, const char* problem, const char* cure) {
@@ -292,7 +292,7 @@ ModelSpec parse_model(const std::string& toml_text, const std::string& file_name
 namespace io {
 namespace {
 
-// Quantities of a tree that are most likely meant as thousands: "12.000 kg".
+// Notes quantities of a tree that most likely mean thousands: "12.000 kg".
 void note_thousands(const toml::node& node, const std::string& path, std::vector<Message>& notes) {
   if (const toml::table* table = node.as_table())
     for (const auto& [name, inner] : *table)
@@ -328,7 +328,7 @@ Model compile_model(const ModelSpec& spec, const std::string& toml_text,
     Model model = compile(spec);
     std::vector<Message>& notes = model.anatomy.notes;
     for (Message& note : io::notes_of_text(toml_text, file_name, overrides)) {
-      // "1.800 kg/m^3" is odd too, for the same reason
+      // removes the note that "1.800 kg/m^3" is unusual, which has the same cause
       std::erase_if(notes, [&](const Message& other) {
         return (other.code == "value.odd" || other.code == "density.odd") &&
                other.arguments.front() == note.arguments.front();

@@ -1,4 +1,4 @@
-// parse_office: what [masonry] asks of the tables of Circolare 7/2019, read before any value is looked for.
+// parse_office: the requests of [masonry] to the tables of Circolare 7/2019, parsed before any value is searched.
 #include "io/model/office.h"
 
 #include <algorithm>
@@ -48,7 +48,7 @@ class Reader {
                    node ? shown(*node) : "", problem, cure);
   }
 
-  // A stress [Pa]; `otherwise` where the text is none.
+  // A stress [Pa]; `otherwise` if the text is none.
   static double quantity(const std::optional<std::string>& text, double otherwise) {
     try {
       const double value = parse_quantity(text.value_or(""), "Pa");
@@ -83,7 +83,7 @@ class Reader {
     is_told_ = true;
   }
 
-  // The strength of the mortar in the wall, where the file states it.
+  // The given strength of the mortar in the wall.
   double stated_mortar() { return quantity(table_["mortar_strength"].value<std::string>(), 0); }
 
   void read(const materials::Correction& correction) {
@@ -101,7 +101,7 @@ class Reader {
     table_.erase(key);
   }
 
-  // `number` NaN: what the table says.
+  // `number`: NaN means the value of the table.
   void apply(const materials::Correction& correction, double number) {
     const std::string key = correction.key;
     if (out_.level == KnowledgeLevel::kNone) {
@@ -210,8 +210,8 @@ class Reader {
   ReadContext& context_;
   toml::table& table_;
   const Entry* use_;
-  bool use_is_told_;      // its fault is told elsewhere
-  bool is_told_ = false;  // that of the level
+  bool use_is_told_;      // its fault is reported elsewhere
+  bool is_told_ = false;  // the fault of the level is reported
   OfficeMasonry out_;
 };
 

@@ -1,4 +1,4 @@
-// What [masonry] asks of Circolare 7/2019: a knowledge level, coefficients and tests (src/materials/circolare.h).
+// The requests of [masonry] to Circolare 7/2019: a knowledge level, coefficients and tests (src/materials/circolare.h).
 #pragma once
 
 #include <map>
@@ -27,8 +27,8 @@ struct OfficeMasonry {
   }
 };
 
-// Reads those keys and takes them out of the table. `use`: its typology, nullptr where there is none; a fault of it may
-// be told already.
+// Parses those keys and removes them from the table. `use`: its
+// typology, null where there is none; its fault may be reported already.
 [[nodiscard]] OfficeMasonry parse_office(ReadContext& context, toml::table& masonry,
                                          const materials::Entry* use, bool use_is_told);
 

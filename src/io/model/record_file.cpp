@@ -56,7 +56,7 @@ class TableRecord {
 
  private:
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
-  static constexpr double kCoarsest = 0.5;  // [s], of a record: the coarsest in use have 0.02 s
+  static constexpr double kCoarsest = 0.5;  // in a record: the coarsest in use have 0.02 s [s]
 
   [[noreturn]] void refuse(const char* key, std::string value, std::string problem,
                            std::string cure, int line = 0) const {
@@ -64,7 +64,7 @@ class TableRecord {
                        std::move(value), std::move(problem), std::move(cure), line}});
   }
 
-  // The comments before the numbers, with their marks.
+  // The comments before the numbers, with their comment marks.
   static std::string comments_before(std::string_view text) {
     std::string all;
     for (; !text.empty(); text.remove_prefix(std::min(text.size(), text.find('\n')) +
@@ -76,7 +76,7 @@ class TableRecord {
     return all;
   }
 
-  // "time_s, ns, ew", or their numbers.
+  // "time_s, ns, ew", or the column numbers.
   [[nodiscard]] std::string names() const {
     std::vector<std::string> all;
     for (const Column& column : columns_) all.push_back(column.head.whole);
@@ -97,7 +97,7 @@ class TableRecord {
       time_ = named.front();
       return;
     }
-    // without a name: the first of two, or the first where there is no head
+    // without a name: the first of two, or the first column without a header
     const std::vector<std::size_t> motions = of_kind(ColumnKind::kAcceleration);
     const std::vector<std::size_t> rows = of_kind(ColumnKind::kIndex);
     const std::size_t width = columns_.size() - rows.size();
@@ -159,7 +159,7 @@ class TableRecord {
     is_named_ = true;
   }
 
-  // What the heads of the two columns say of their units.
+  // Checks the units in the headers of the two columns.
   void check_heads() {
     if (time_ != kNone) {
       const ColumnHead& head = columns_[time_].head;
@@ -186,7 +186,7 @@ class TableRecord {
              "write it in g, m/s2 or cm/s2", head_line_);
   }
 
-  // A unit in the lines that begin with #, against what head and model state.
+  // Compares a unit in comment lines with the units of header and model.
   void check_comments(std::string_view text) {
     const std::string all = comments_before(text);
     int number = 0;
@@ -218,7 +218,7 @@ class TableRecord {
 
   void parse_rows(NumberTable& table) {
     FaultList faults;
-    Fault thousands;  // the first value that may have some
+    Fault thousands;  // the first value that may contain thousands
     std::vector<int> lines;
     bool tells_decimals = false;
     const auto number = [&](std::size_t column) {
@@ -259,7 +259,7 @@ class TableRecord {
     check_unchosen();
   }
 
-  // Times that do not rise: rounded, in another column, backwards, or in disorder at one place.
+  // Refuses times that do not increase: rounded, in another column, backwards, or unordered at one place.
   void look_for_falls(const std::vector<int>& lines, FaultList& faults) const {
     const std::vector<double>& time = numbers_.time;
     std::size_t falls = 0, equals = 0, first = 0;
@@ -291,7 +291,7 @@ class TableRecord {
                 std::move(problem), std::move(cure), lines[first]});
   }
 
-  // Where the model gives the step, other columns may still be times.
+  // Collects other columns that may be times, where the model gives the step.
   void note_unchosen(const NumberTable& table) {
     if (time_ != kNone || std::isnan(record_.step)) return;
     unchosen_.resize(columns_.size());
@@ -303,7 +303,7 @@ class TableRecord {
     }
   }
 
-  // Row numbers rise by one, and times by the step in s, ms or us.
+  // Row numbers increase by one, and times by the step in s, ms or us.
   void check_unchosen() const {
     constexpr double kSame = 1e-3;
     for (std::size_t k = 0; k < unchosen_.size(); ++k) {
@@ -322,7 +322,7 @@ class TableRecord {
     }
   }
 
-  // What comments say of step and length.
+  // Compares comments about step and length with the data.
   void check_told() {
     const std::vector<double>& time = numbers_.time;
     const auto count = static_cast<double>(numbers_.acceleration.size());
@@ -339,8 +339,8 @@ class TableRecord {
              "make them agree");
   }
 
-  // Row numbers, and times in another unit, rise by more than any step of a record. Only a head can say that they are
-  // seconds; else the model's step stands, where rows are even.
+  // Row numbers, and times in another unit, increase by more than any step of a record. Only a
+  // header can say that they are seconds; else the model's step is used if rows are evenly spaced.
   void check_times() {
     const std::vector<double>& time = numbers_.time;
     if (time.size() < 2 || columns_[time_].states_seconds) return;
@@ -376,7 +376,7 @@ class TableRecord {
   }
 
   static bool rises_evenly(const std::vector<double>& values) {
-    constexpr double kOff = 1e-3;  // of a step: decimals that are cut
+    constexpr double kOff = 1e-3;  // of a step: allows for truncated decimals
     if (values.size() < 5 || values[1] == values[0]) return false;
     const double step = (values.back() - values.front()) / static_cast<double>(values.size() - 1);
     for (std::size_t k = 1; k < values.size(); ++k)
@@ -384,7 +384,7 @@ class TableRecord {
     return step > 0;
   }
 
-  Told told_;  // by comments
+  Told told_;  // from comments
   const RecordSpec& record_;
   const std::string &path_, &file_;
   RecordNumbers numbers_;
@@ -406,10 +406,10 @@ void look_for_gaps(ReadContext& context, const std::string& file, const std::str
   }
 }
 
-// A mark of missing data, 999 or -9999.99, that stands out from what is beside it.
+// Refuses a mark of missing data, 999 or -9999.99, that differs strongly from its neighbours.
 void look_for_marks(ReadContext& context, const std::string& file, const std::string& path,
                     const RecordNumbers& n) {
-  double most = 0;  // of what is no mark
+  double most = 0;  // of values that are no marks
   for (const double a : n.acceleration)
     if (!is_missing_mark(a)) most = std::max(most, std::fabs(a));
   for (std::size_t k = 0; k < n.acceleration.size(); ++k)
@@ -429,7 +429,7 @@ void check_sources(ReadContext& context, const RecordSpec& r, const std::string&
   if (ways != 1)
     context.fault(path, 0, "", ways == 0 ? "says nothing of the motion" : "says it in several ways",
                   "write one of: file, accelerations, pulse");
-  // what belongs to another of the three ways is never left aside in silence
+  // keys of another of the three ways to give a record are refused
   const bool has_file = !r.file.empty();
   const struct {
     const char* key;
@@ -474,7 +474,7 @@ RecordNumbers numbers_of(ReadContext& context, const std::string& file, const st
   return TableRecord(r, path, file).read(text);
 }
 
-// A step that the model states beside one of the file, or beside its times.
+// Refuses a step in the model that disagrees with the step or the times of the file.
 void check_step(ReadContext& context, const std::string& file, const std::string& path,
                 const RecordSpec& r, double step) {
   constexpr double kSame = 1e-3;  // times are written with few digits

@@ -5,7 +5,7 @@
 
 namespace wythe::io {
 
-// The numbers of every record that is a file, into its RecordSpec; faults at their keys and lines.
+// Reads the numbers of every record from a file into its RecordSpec; faults have their keys and lines.
 void parse_records(ReadContext& context, ModelSpec& spec);
 
 // The same as a CSV, exact to the bit.

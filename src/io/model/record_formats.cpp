@@ -1,6 +1,6 @@
-// Tries ESM, K-NET, COSMOS and AT2 in turn, then names known formats that are not supported. A reader declines a
-// file without its marks, and refuses a broken file that has them. The head states how many numbers follow. A wrong
-// unit would scale the record, so a stated unit must be known, and AT2 heads may have no factor beside it.
+// Tries ESM, K-NET, COSMOS and AT2 in turn, then names known formats that are not supported. A reader declines a file
+// without its marks, and refuses a broken file that has them. The header states how many numbers follow. A wrong unit
+// would scale the record, so a stated unit must be known, and AT2 headers may not have a factor beside it.
 #include "io/model/record_formats.h"
 
 #include <algorithm>
@@ -25,7 +25,7 @@
 namespace wythe::io {
 namespace {
 
-// The lines of a text by their numbers, blank ones too.
+// The lines of a text by their numbers, including blank ones.
 class Lines {
  public:
   explicit Lines(std::string_view text) : rest_(text) {
@@ -68,14 +68,14 @@ std::vector<HeadLine> head_of(std::string_view text) {
   throw InputError({{file, "", std::move(value), std::move(problem), std::move(cure), line}});
 }
 
-// The line of that word, null where there is none.
+// The line with that word; null where there is none.
 const HeadLine* line_with(const std::vector<HeadLine>& head, std::string_view word) {
   for (const HeadLine& line : head)
     if (line.small.find(word) != std::string::npos) return &line;
   return nullptr;
 }
 
-// Where a word begins that stands alone.
+// The position of a separate word.
 std::size_t word_at(std::string_view line, std::string_view word) {
   for (std::size_t at = line.find(word); at != std::string_view::npos;
        at = line.find(word, at + 1)) {
@@ -87,7 +87,7 @@ std::size_t word_at(std::string_view line, std::string_view word) {
   return std::string_view::npos;
 }
 
-// The numbers of a text, whatever stands between them.
+// The numbers of a text, with any separators.
 std::vector<double> numbers_in(std::string_view text) {
   std::vector<double> numbers;
   std::string cell;
@@ -106,8 +106,8 @@ std::vector<double> numbers_in(std::string_view text) {
   return numbers;
 }
 
-// Fortran writes numbers of full width without a blank between them: "-.123-4.56". Each has its point, so that the sign of an
-// exponent, 1.5-101, parts nothing.
+// Fortran writes numbers of full width without a blank between them: "-.123-4.56". Each
+// number has its point, so the sign of an exponent, 1.5-101, does not separate numbers.
 std::vector<std::string_view> touching_numbers(std::string_view cell) {
   std::vector<std::string_view> parts;
   for (std::size_t at = 1; at < cell.size(); ++at) {
@@ -125,7 +125,7 @@ std::vector<std::string_view> touching_numbers(std::string_view cell) {
   return parts;
 }
 
-// Numbers behind the head, any number a line; `stated` of them.
+// The numbers after the header, any count in a line; `stated` of them.
 std::vector<double> values_after(std::string_view text, const std::string& file, int head_lines,
                                  double stated, const char* says_so) {
   std::vector<double> values;
@@ -135,7 +135,7 @@ std::vector<double> values_after(std::string_view text, const std::string& file,
   }
   while (!enough(faults) && lines.next()) {
     std::string_view rest = lines.text();
-    while (!enough(faults) && !rest.empty()) {  // a file may be one line
+    while (!enough(faults) && !rest.empty()) {  // the whole file may be one line
       const std::string_view cell = rest.substr(0, rest.find_first_of(" \t"));
       rest = trimmed(rest.substr(cell.size()));
       for (const std::string_view one : touching_numbers(cell)) {
@@ -170,7 +170,7 @@ struct Counts {
   std::string unit;  // of the step, where the line states one
 };
 
-// The word behind a place, without marks: "(MSEC)= 50" -> msec; behind a number: "= 50 ms" -> ms.
+// The word after a position, without marks: "(MSEC)= 50" -> msec; after a number: "= 50 ms" -> ms.
 std::string word_behind(std::string_view rest, bool behind_number) {
   constexpr std::string_view kMarks = " \t_([=:";
   rest.remove_prefix(std::min(rest.size(), rest.find_first_not_of(kMarks)));
@@ -190,7 +190,7 @@ std::string word_behind(std::string_view rest, bool behind_number) {
   return std::string(rest.substr(0, end));
 }
 
-// Seconds of a unit as heads spell it, NaN where it is none.
+// Seconds of a unit as headers spell it; NaN for other words.
 double seconds_of(const std::string& unit) {
   if (unit == "sec" || unit == "secs") return 1;
   if (unit == "msec" || unit == "msecs" || unit == "millisec") return 1e-3;
@@ -233,7 +233,7 @@ bool is_length(const std::string& unit) {
   return acceleration_unit(unit).empty() && !spelt_unit(unit, "m").empty();
 }
 
-// The unit of a line that states one: "units of g", "the units are (cm/sec**2)", "in units: m/s2".
+// The unit in a line that states one: "units of g", "the units are (cm/sec**2)", "in units: m/s2".
 std::string unit_text(const HeadLine& line) {
   std::size_t at = word_at(line.small, "units");
   if (at == std::string::npos) at = word_at(line.small, "unit");
@@ -266,7 +266,7 @@ std::string unit_text(const HeadLine& line) {
   if (!acceleration_unit(whole).empty() || is_velocity(whole)) return whole;
   const std::size_t end = std::min(whole.size(), whole.find_first_of(" \t"));
   const std::string_view next = trimmed(std::string_view(whole).substr(end));
-  // "G X 10": words behind are free, a factor is not
+  // "G X 10": other words may follow, but no factor
   const bool is_scaled =
       !next.empty() &&
       (std::string_view("0123456789*/^%").find(next[0]) != std::string_view::npos ||
@@ -281,14 +281,14 @@ bool tells_of_factor(const std::string& small) {
   return std::regex_search(small, factor);
 }
 
-// A spectrum is no motion; a motion that was matched to one is.
+// A spectrum is not a motion, but a motion matched to a spectrum is.
 bool tells_of_spectrum(const std::string& small) {
   const auto has = [&](std::string_view word) { return small.find(word) != std::string::npos; };
   return (has("spectr") || has("fourier") || has("pseudo")) && !has("match") && !has("compatib") &&
          !has("time") && !has("record") && !has("accelerogram");
 }
 
-// A unit that a line of the head states: one that speaks of accelerations comes first, and titles may hold any words.
+// A unit in a line of the header. A line about accelerations comes first, because titles may contain any words.
 void find_unit(const std::vector<HeadLine>& head, int last, const std::string& file,
                RecordNumbers& out) {
   const HeadLine* told = nullptr;
@@ -328,7 +328,7 @@ void refuse_factors(const std::vector<HeadLine>& head, int last, const std::stri
   }
 }
 
-// The series of a file is named in its head; titles before may hold any words.
+// The kind of series is named in the header; titles before it may contain any words.
 void check_series(const std::vector<HeadLine>& head, int last, const std::string& file) {
   const HeadLine* moved = nullptr;
   bool accelerates = false;
@@ -471,7 +471,7 @@ std::optional<RecordNumbers> parse_knet(const std::string& text, const std::stri
   out.stated = scale->text;
   out.line = scale->line;
   const HeadLine* duration = line_with(head, "duration time");
-  std::size_t numbers = 0;  // without a stated duration as many as there are
+  std::size_t numbers = 0;  // without a stated duration, all that follow
   Lines lines(text);
   while (lines.next())
     if (lines.line() > memo->line) numbers += cells_of(lines.text(), kBlanks, kMostColumns).size();
@@ -486,12 +486,12 @@ std::optional<RecordNumbers> parse_knet(const std::string& text, const std::stri
   return out;
 }
 
-// --- COSMOS, volumes 1 and 2: channels one after the other, each with headers that say how their numbers stand
+// --- COSMOS, volumes 1 and 2: channels in order, each with headers that give the layout of its numbers
 //
 //    100 Real-header values follow on  20 lines, Format= (5F15.6)
 //   26219 acceleration pts, approx  131 secs, units=cm/sec2(04),Format=(8F10.5)
 
-// "(8F10.5)": how many numbers a line has, and how wide each is; they may touch.
+// "(8F10.5)": count and width of the numbers in a line; they may touch.
 struct Fixed {
   std::size_t many = 0, wide = 0;
 };
@@ -505,7 +505,7 @@ Fixed fixed_in(const std::smatch& found, std::size_t at) {
   return {number(at), number(at + 1)};
 }
 
-// Up to `most` numbers of a line; false after one that is none.
+// Adds up to `most` numbers of a line; false after a cell that is not a number.
 bool add_fixed(std::string_view line, Fixed fixed, std::size_t most, std::vector<double>& out) {
   for (std::size_t k = 0; k < fixed.many && out.size() < most; ++k) {
     if (k * fixed.wide >= line.size()) return true;
@@ -518,13 +518,13 @@ bool add_fixed(std::string_view line, Fixed fixed, std::size_t most, std::vector
 }
 
 struct CosmosChannel {
-  int line = 0;                   // of the words before its numbers
+  int line = 0;                   // line of the words before its numbers
   std::string words, unit;        // as they stand
   double count = 0, seconds = 0;  // stated
   std::vector<double> head, value;
 };
 
-// The lines of a text with the blanks before their first number.
+// The lines of a text, with the blanks before their first number.
 std::vector<std::string_view> whole_lines(std::string_view text) {
   std::vector<std::string_view> lines;
   while (!text.empty()) {
@@ -582,7 +582,7 @@ std::vector<CosmosChannel> cosmos_channels(std::string_view text, const std::str
   return out;
 }
 
-// Value 62, in ms, is the step of this series; value 34, in s, that of the recorder, which may have been another.
+// Value 62, in ms, is the step of this series. Value 34, in s, is that of the recorder, which may differ.
 double cosmos_step(const CosmosChannel& channel) {
   constexpr std::size_t kOfSeries = 62, kOfRecorder = 34;
   const auto at = [&](std::size_t number) {
@@ -614,7 +614,7 @@ std::optional<RecordNumbers> parse_cosmos(const std::string& text, const std::st
            "has no step: a COSMOS file states it among its Real-header values",
            "fetch the whole file");
   check_head(file, channel.line, channel.count, out.step, "points and step of COSMOS");
-  // stated in whole seconds, rounded or cut
+  // stated in whole seconds, rounded or truncated
   const double seconds = channel.count * out.step;
   if (!(std::fabs(seconds - channel.seconds) <= 1 + 1e-9))
     refuse(file, channel.line, channel.words,
@@ -629,7 +629,7 @@ std::optional<RecordNumbers> parse_cosmos(const std::string& text, const std::st
   return out;
 }
 
-// --- known, and not read
+// --- known formats that are not supported
 
 struct Foreign {
   std::string_view word, also, name;
@@ -655,7 +655,7 @@ constexpr Foreign kForeign[] = {
          "write its accelerations as a CSV, time_s,acc_cm_s2 and one row a time");
 }
 
-// A file of bytes by its first ones, or by its name; "" for a text.
+// The format of a binary file, by its first bytes or its name; "" for a text.
 std::string_view binary_format(std::string_view bytes, const std::string& file) {
   constexpr std::size_t kSacHead = 632, kSacVersion = 304;
   const std::string ending = small_letters(std::filesystem::path(file).extension().string());

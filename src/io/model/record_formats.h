@@ -1,4 +1,4 @@
-// Records in the formats of the field, recognised by their heads, not by the names of files.
+// Records in common formats, recognised by their headers, not by file names.
 //
 //   AT2     PEER and others: a line names NPTS and DT, in any order, up to kMostHeadLines from the top
 //   ESM     "KEY: value" lines with SAMPLING_INTERVAL_S, NDATA, UNITS (also ITACA)
@@ -21,26 +21,26 @@ struct RecordNumbers {
   RecordUnit unit = RecordUnit::kNone;     // that the file states
   std::string stated;                      // where it does so
   int line = 0;
-  std::string column;  // of a table: its head or number
+  std::string column;  // of a table: its header or number
   std::string
-      no_times;  // of a table: the column that counts rows, or whose unit of time is not known
+      no_times;  // of a table: a column of row numbers, or one of times with an unknown unit
   double rise = kUnset;  // of that column, from row to row
 };
 
-// The unit of accelerations that a text spells, "" where it is none: "g", "gal", "m/s^2", "in/s2", "%g".
+// The unit of acceleration in a text: "g", "gal", "m/s^2", "in/s2", "%g"; "" where it is none.
 [[nodiscard]] std::string acceleration_unit(std::string_view text);
-// The one that records may have; kNone for others, %g and in/s2 too.
+// The same if records may have it; kNone for others, including %g and in/s2.
 [[nodiscard]] RecordUnit stated_unit(std::string_view text);
 
-// The unit of accelerations that a line of words states, known here or not: "accelerations in g", "unit: mm/s2", "% of g"; "" where it
-// states none.
+// The unit of acceleration in a line of words, whether it is supported or
+// not: "accelerations in g", "unit: mm/s2", "% of g"; "" where there is none.
 [[nodiscard]] std::string unit_in_words(const std::string& words);
 
-// Refuses bytes of a known binary format, or of any, by its name; what may be a text passes.
+// Refuses binary files, with the format's name if it is known. Bytes that may be a text pass.
 void check_is_text(std::string_view bytes, const std::string& file);
 
-// Nothing where the text is of none of these formats. Throws InputError where it is broken, or of a format that is
-// known but not read. Faults have no path: it is that of the key that names the file.
+// The record in a text; none where it has none of these formats. Throws InputError where it is broken, or of a
+// known format that is not supported. Faults have no path, because the caller adds the key that names the file.
 [[nodiscard]] std::optional<RecordNumbers> parse_record_format(const std::string& text,
                                                                const std::string& file);
 

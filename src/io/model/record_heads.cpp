@@ -1,5 +1,5 @@
-// Parses the complete head of an acceleration: a name, a unit, and words that are known not to change the unit. Any
-// other word may be a factor or another unit. It is not guessed, as that would give wrong numbers.
+// Parses the complete header of an acceleration: a name, a unit, and words that are known not to change the
+// unit. Any other word may be a factor or another unit. It is refused, because a guess could give wrong numbers.
 #include "io/model/record_heads.h"
 
 #include <algorithm>
@@ -29,14 +29,14 @@ bool is_one_of(std::string_view word, Words words) {
 
 bool is_alnum(char c) { return is_ascii_letter(c) || is_digit(c); }
 bool is_ascii(char c) { return static_cast<unsigned char>(c) < 0x80; }
-// Whether a word of the name begins so: "ground acc" with acc.
+// Whether a word of the name begins with `start`: "ground acc" with acc.
 bool has_word(const std::string& name, std::string_view start) {
   for (std::size_t at = name.find(start); at != std::string::npos; at = name.find(start, at + 1))
     if (at == 0 || !is_alnum(name[at - 1])) return true;
   return false;
 }
 
-// A letter that stands alone, or before a mark, a digit or an axis: a, a_x, ax, a1.
+// A separate letter, or a letter before a mark, a digit or an axis: a, a_x, ax, a1.
 bool is_letter(const std::string& name, char letter) {
   return !name.empty() && name[0] == letter &&
          (name.size() == 1 || !is_ascii_letter(name[1]) ||
@@ -58,7 +58,7 @@ bool is_seconds(std::string_view word) {
                           "segundos", "sek", "sekunden"});
 }
 
-// The unit of time that a head states, in its own way too: timeMs, millis. "" where it states none.
+// The unit of time in a header, also in forms like timeMs, millis; "" where there is none.
 std::string time_unit(const ColumnHead& head) {
   if (!head.unit.empty() || head.in_brackets) return head.unit;
   const std::string small = small_letters(head.whole), letters = letters_of(small);
@@ -81,7 +81,7 @@ std::string time_unit(const ColumnHead& head) {
   return "";
 }
 
-// What is behind the name of a time in a word: "timesec" -> sec, "tempi" nothing.
+// The rest of a word after the name of a time: "timesec" -> sec, "tempi" nothing.
 std::string_view behind_time(std::string_view word) {
   for (const std::string_view name :
        {"timestamps", "timestamp", "times", "time", "tempo", "tempi", "temps", "zeiten", "zeit",
@@ -102,7 +102,7 @@ bool is_of_times(std::string_view word) {
                     "output", "di",      "de",       "der",       "la",       "le",     "el"});
 }
 
-// "time_s", "Zeit (sec)", "seconds", and not "frame_s" or "time x 0.05 s".
+// "time_s", "Zeit (sec)", "seconds", but not "frame_s" or "time x 0.05 s".
 bool states_seconds(const std::string& small) {
   if (small == "times" || small == "ts" || std::any_of(small.begin(), small.end(), is_digit))
     return false;
@@ -116,7 +116,7 @@ bool states_seconds(const std::string& small) {
 
 // --- accelerations
 
-// Words beside the name that say nothing of the unit.
+// Words beside the name that do not affect the unit.
 bool is_direction(std::string_view word) {
   return is_one_of(word, {"ns",       "ew",           "ud",   "sn",         "we",         "du",
                           "north",    "south",        "east", "west",       "up",         "down",
@@ -138,7 +138,7 @@ bool is_harmless(std::string_view word) {
                     "hne",      "hnn",     "hnz",        "corretta", "filtrata"});
 }
 
-// What is behind "acc" in a word: "accelerations" nothing, "accx" x.
+// The rest of a word after "acc": "accelerations" nothing, "accx" x.
 std::string_view behind_name(std::string_view word) {
   for (const std::string_view name : {"accelerations",
                                       "acceleration",
@@ -165,8 +165,8 @@ std::string_view behind_name(std::string_view word) {
   return word;
 }
 
-// The first word or mark of a head without its unit that may change the unit; "" where there is none. `is_known`: of
-// words; where the head states a unit in brackets all are free.
+// The first word or mark of a header, without its unit, that may change the unit; "" where there is
+// none. `is_known` accepts words. If the header states a unit in brackets, all words are allowed.
 std::string strange_in(const std::string& rest,
                        const std::function<bool(std::string_view)>& is_known) {
   const std::string small = small_letters(rest);
@@ -221,7 +221,7 @@ bool is_of_accelerations(std::string_view word) {
   return is_accented || is_harmless(word) || is_harmless(behind_name(word));
 }
 
-// Brackets of other kinds as [ ], one that is not closed at the end; without the argument of a(t).
+// Replaces other brackets by [ ], closes one at the end, and removes the argument of a(t).
 std::string with_plain_brackets(std::string text) {
   for (const std::string_view argument : {"(t)", "(T)", "(time)"})
     if (const std::size_t at = text.find(argument); at != std::string::npos && at > 0)
@@ -244,7 +244,7 @@ struct AccelerationHead {
   std::string strange;
 };
 
-// A head with its unit, g and gal too: to the units g is the gram alone.
+// A header with its unit, including g and gal; elsewhere the unit g is only the gram.
 AccelerationHead acceleration_head(const std::string& whole) {
   constexpr std::size_t kLongestHead = 100, kLongestUnit = 24;
   const std::string text = with_plain_brackets(whole);
@@ -260,7 +260,7 @@ AccelerationHead acceleration_head(const std::string& whole) {
   if (stated_unit(text) != RecordUnit::kNone ||
       is_one_of(small, {"%g", "mg", "m/s", "cm/s", "mm/s", "in/s2", "ft/s2"}))
     return {{whole, "", text}, ""};
-  // a unit between marks, the longest that ends last
+  // a unit between marks: the longest one that ends last
   std::vector<std::size_t> marks;
   for (std::size_t at = 0; at < text.size(); ++at)
     if (is_ascii(text[at]) && !is_alnum(text[at]) &&

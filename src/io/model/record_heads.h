@@ -1,4 +1,4 @@
-// What the head of a column says in a record of accelerations: what the column holds, and in which unit.
+// Parses the header of a column in a record of accelerations: the kind of the column and its unit.
 #pragma once
 
 #include <string>
@@ -13,25 +13,25 @@ enum class ColumnKind { kTime, kIndex, kAcceleration, kOther, kUnknown };
 struct Column {
   ColumnKind kind = ColumnKind::kUnknown;
   ColumnHead head;              // kTime: its unit is "" where none is stated
-  bool states_seconds = false;  // kTime: its head is a time in seconds and nothing else
-  bool is_certain = true;       // kOther: its name or its unit says so, not its first letter alone
-  bool is_component = false;    // kUnknown: a direction alone, north or ew
+  bool states_seconds = false;  // kTime: its header states a time in seconds and nothing else
+  bool is_certain = true;       // kOther: by its name or unit, not only by its first letter
+  bool is_component = false;    // kUnknown: only a direction, north or ew
   std::string strange = {};  // of an acceleration: words beside the unit that may change it, "pct"
 };
 
-// Whether words before the numbers speak of velocities or displacements, and not of accelerations.
+// Whether words before the numbers are about velocities or displacements, and not about accelerations.
 [[nodiscard]] bool tells_of_other_motion(const std::string& words);
 
-// What a comment says of the numbers below it.
+// Data from a comment about the numbers below it.
 struct Told {
   double step = kUnset;   // [s]
   double count = kUnset;  // of numbers
-  std::string factor;     // words of one that is not 1: "multiply by 9.81"
+  std::string factor;     // words of a factor other than 1: "multiply by 9.81"
 };
 [[nodiscard]] Told told_in(const std::string& comment);
 
-// The first word or number of the head of times that may change seconds: "minuti", "1000" of "time/1000 [s]"; "" where
-// there is none.
+// The first word or number in the header of times that may change
+// seconds: "minuti", "1000" of "time/1000 [s]"; "" where there is none.
 [[nodiscard]] std::string strange_in_times(const ColumnHead& head);
 
 [[nodiscard]] Column column_of(const std::string& text);

@@ -1,5 +1,5 @@
-// Checks the keys of a stage together. They tell its kind; a kind requires some keys and allows only its
-// own.
+// Checks the keys of a stage together. They determine its
+// kind; a kind requires some keys and allows only its own.
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
@@ -25,7 +25,7 @@ std::string words_of(Kinds kinds) {
 
 bool is_one_kind(Kinds kinds) { return kinds != 0 && (kinds & (kinds - 1)) == 0; }
 
-// Union of the kinds that the keys present belong to alone.
+// Union of the kinds of those present keys that belong to exactly one kind.
 Kinds told_kinds(const TableReader& reader) {
   Kinds told = 0;
   for (const TableReader::Entry& entry : reader.entries())
@@ -41,13 +41,13 @@ std::string telling_keys(const TableReader& reader) {
   return joined(out, ", ");
 }
 
-// Sets stage.kind; false when the keys don't settle it.
+// Sets stage.kind; false when the keys do not determine it.
 bool tell_kind(TableReader& reader, StageSpec& stage) {
   if (reader.has("kind")) return !reader.context().has_fault_at(reader.below("kind"));
   const Kinds told = told_kinds(reader);
   if (told == 0) {
     if (stage.name == "gravity") return true;
-    // a name may have told it, and an unknown key is told by the table's reader: one slip, one message
+    // a missing name or an unknown key is reported already: one message for one mistake
     if (stage.name.empty() || reader.has_unknown()) return false;
     reader.miss(
         "kind", "can't be deduced: no key of the stage shows its kind",
@@ -76,7 +76,7 @@ void refuse_foreign_keys(TableReader& reader, StageKind kind) {
   }
 }
 
-// Of the keys that belong to its kind, those that describe.h calls required.
+// Requires the keys of this kind that describe.h marks as required.
 void need_keys(TableReader& reader, StageKind kind) {
   for (const TableReader::Entry& entry : reader.entries())
     if (!entry.node && (entry.key.kinds & kind_bit(kind)) &&
@@ -134,7 +134,7 @@ void check_place(TableReader& reader, const PlaceSpec& at) {
     reader.refuse("at", "needs x, y, width and height for a box", cure);
 }
 
-// True when a value below the place was refused already; it is then half known.
+// True when a value below the place was refused already, so the place is incomplete.
 bool place_has_faults(TableReader& reader, const char* place) {
   const std::string path = reader.below(place);
   if (reader.context().has_fault_at(path)) return true;
@@ -152,7 +152,7 @@ bool list_has_faults(TableReader& reader, const char* key) {
                      [&](const Fault& fault) { return fault.path.starts_with(path + "."); });
 }
 
-// The keys of a pattern; without one, of the place that is pushed.
+// Checks the keys of a pattern, or else of the pushed place.
 void check_pattern(TableReader& reader, const StageSpec& stage) {
   if (!reader.has("pattern")) {
     bool is_of_pattern = false;
@@ -163,7 +163,7 @@ void check_pattern(TableReader& reader, const StageSpec& stage) {
       reader.miss("at", "is missing, a push needs at, or a pattern with its levels");
     return;
   }
-  if (stage.pattern == Pattern::kNone) return;  // refused
+  if (stage.pattern == Pattern::kNone) return;  // refused already
   if (reader.has("at"))
     reader.refuse("at", "is for a push without a pattern",
                   "leave it out; levels say where a pattern pushes");
@@ -207,7 +207,7 @@ void check_control(TableReader& reader, const StageSpec& stage) {
                   "leave it out of a cyclic push, or write until in the place of targets");
 }
 
-// The head turns as the wall lets it, and nothing else says where it is pushed.
+// The head turns freely with the wall, and no other key may give the place of the push.
 void check_contraflexure(TableReader& reader, const StageSpec& stage) {
   const char* key = "contraflexure";
   if (stage.rotation == Freedom::kBlocked)
@@ -320,7 +320,7 @@ void check_shake(TableReader& reader, const StageSpec& stage) {
   check_fraction("maxwell_damping", stage.maxwell_damping);
 }
 
-// What a kind asks beyond its required keys.
+// Checks further requirements of a kind.
 void check_needs(TableReader& reader, const StageSpec& stage) {
   need_keys(reader, stage.kind);
   if (stage.kind == StageKind::kLoad) check_load(reader, stage);

@@ -1,4 +1,4 @@
-// The starters: examples/ inside the program.
+// The starters: files of examples/ within the program.
 #include "io/model/starters.h"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ struct StarterFile {
   const char* name;
   const std::string_view& text;
 };
-// The file to run first ahead of those it needs.
+// For each kind, the file to run comes first, then the files that it needs.
 constexpr std::array kFiles = {StarterFile{"pier", "model.toml", io::kPierModel},
                                StarterFile{"portal", "model.toml", io::kPortalModel},
                                StarterFile{"facade", "model.toml", io::kFacadeModel},

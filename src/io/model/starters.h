@@ -1,4 +1,4 @@
-// Files of examples/ as they are in the program (cmake/embed.cmake).
+// Files of examples/, embedded in the program (cmake/embed.cmake).
 #pragma once
 
 #include <string_view>

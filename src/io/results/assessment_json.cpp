@@ -1,6 +1,6 @@
-// Writes an assessment with the unit in each key: accelerations in g, lengths in mm, forces in kN. A spectrum is drawn
-// at periods that lie closer together where they are short, and at its corners. Without limit states the object ends
-// after verdict, spectrum and notes.
+// Writes an assessment with the unit in each key: accelerations in g, lengths in mm,
+// forces in kN. The points of a spectrum are closer together at short periods, and include
+// its corners. Without limit states the object ends after verdict, spectrum and notes.
 #include "io/results/assessment_json.h"
 
 #include <algorithm>

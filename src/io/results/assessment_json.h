@@ -12,9 +12,9 @@ namespace wythe::io {
 [[nodiscard]] nlohmann::ordered_json spectrum_json(const ElasticSpectrum& spectrum);
 // `assessment` of statistics.json (docs/reference/statistics.md).
 [[nodiscard]] nlohmann::ordered_json assessment_json(const CampaignAssessment& assessment);
-// Of `local` of mechanisms.json and `parts` of assessment.json (docs/reference/limit.md).
+// An entry of `local` of mechanisms.json and of `parts` of assessment.json (docs/reference/limit.md).
 [[nodiscard]] nlohmann::ordered_json local_json(const LocalCheck& check);
-// Nothing where no head is given.
+// Adds the project's data; nothing if there are none.
 void add_project(nlohmann::ordered_json& json, const ProjectSpec& project);
 
 }  // namespace wythe::io

@@ -1,4 +1,4 @@
-// The file of a checkpoint: a head that can be checked, then the complete unfinished run.
+// The file of a checkpoint: a header that can be checked, then the complete unfinished run.
 //
 //   "wythe checkpoint"       16 bytes
 //   format                   u32: kFormat
@@ -9,8 +9,8 @@
 //   program                  its version, commit, compiler: bits may depend on them
 //   content                  RunOrder, State, RunRecord
 //
-// Numbers are stored as in this machine's memory. The arrays of a state follow the table of fields
-// (model/fields.h): a new one is stored without further code.
+// Numbers are stored as in this machine's memory. The arrays of a state follow the
+// table of fields (model/fields.h), so a new one is stored without further code.
 #include "wythe/parts/checkpoint.h"
 
 #include <fmt/format.h>
@@ -67,9 +67,9 @@ std::uint64_t hash_of(Head head, std::string_view rest) {
   return hash.value();
 }
 
-// --- the content: A is ArchiveOut, then all else is const, or ArchiveIn ----------------------------------------
+// --- the content: A is ArchiveOut (then the rest is const) or ArchiveIn ------------------------------------------
 
-// The numbers of a State beside its arrays. A member that is in none of the lists fails the assertion.
+// The numbers of a State beside its arrays. A member that is in no list fails the assertion.
 constexpr std::tuple kStateNumbers{&State::stage,
                                    &State::step,
                                    &State::time,
@@ -99,12 +99,12 @@ constexpr std::tuple kStateNumbers{&State::stage,
                                    &State::dissipated_crushing,
                                    &State::lost_in_hand_over};
 constexpr std::size_t kStateArrays =
-    kStateFields.size() + 3;  // and load_scale, free_contacts, hand_overs
+    kStateFields.size() + 3;  // with load_scale, free_contacts, hand_overs
 static_assert(sizeof(State) == kStateArrays * sizeof(std::vector<double>) +
                                    std::tuple_size_v<decltype(kStateNumbers)> * sizeof(double),
               "a member of State is missing here or in the table of fields");
 
-// Two bodies that may touch, parts that they have, and an edge of one.
+// Whether these are two bodies that may touch, with existing parts and an edge of one of them.
 bool are_bodies(const Model& model, std::int32_t a, std::int32_t b) {
   return a >= 0 && a < b && a < model.n_block && b < model.n_block + model.free.n_fixed;
 }
@@ -188,14 +188,14 @@ void walk_recording(A& archive, const Model& model, R& recording) {
   }
 }
 
-// As MovedBlocks numbers them.
+// The number of blocks as in MovedBlocks.
 std::size_t moved_blocks(const Model& model) {
   const Space& space = model.space;
   return static_cast<std::size_t>(model.n_block + space.n_support) + model.solids.bodies.size() +
          space.solids.bodies.size();
 }
 
-// Without what the end of a stage or of the run writes anew.
+// Without members that the end of a stage or of the run writes again.
 template <class A, class R>
 void walk_result(A& archive, const Model& model, R& result) {
   const auto plain = [&](auto& item) { archive(item); };
@@ -282,7 +282,7 @@ void walk_order(A& archive, O& order) {
 
 constexpr const char* kAgain = "remove it and start the run again";
 
-// The whole file, of the size that its head says.
+// Reads the whole file; its size must be that in its header.
 std::string read_all(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::exists(std::filesystem::symlink_status(path, error)))
@@ -290,7 +290,7 @@ std::string read_all(const std::string& path) {
            "there is no checkpoint: the run was started without --checkpoint, had not yet written "
            "one, or came to its end",
            "start it with: wythe run MODEL.toml --out DIR --checkpoint \"60 s\"");
-  check_output(path);  // a link leads to somebody else's file
+  check_output(path);  // a link may lead to a file of another user
   std::string bytes = read_file(path, kMostCheckpoint);
   if (bytes.size() < sizeof(Head))
     refuse(path, bytes.empty() ? "is empty" : fmt::format("is cut short: {} bytes", bytes.size()),

@@ -1,5 +1,5 @@
-// Writes the tables of a run, at most ten digits a number. Links, frames and layers are flat lists with n entries for
-// each row of the curve. Callers ask for such a table only where n > 0: with n = 0 the loop over rows has no end.
+// Writes the tables of a run with at most ten digits. Links, frames and layers are flat lists with n entries for each
+// row of the curve. Callers use such a table only where n > 0, because with n = 0 the loop over rows would not end.
 #include "io/results/curve_csv.h"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@ std::string curve_csv(const std::vector<CurveRow>& curve, ShownColumns of) {
   std::string text;
   for (const CurveColumn& column : columns)
     text += (text.empty() ? "" : ",") + std::string(column.name);
-  // ten digits: far below any error of the method, and 0.3 mm reads 0.3
+  // ten digits: far more exact than the method, and 0.3 mm reads 0.3
   for (const CurveRow& row : curve)
     for (const CurveColumn& column : columns)
       text += fmt::format("{}{:.10g}", &column == columns.data() ? '\n' : ',',

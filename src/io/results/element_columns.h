@@ -1,6 +1,6 @@
-// Columns of blocks, joints and zones in a state, one line each: cells of VTU files, and of the tables of `wythe
-// export` with unit and meaning (columns.json). Displacements (displacement_mm) and constant values are written
-// beside them there.
+// Columns of blocks, joints and zones in a state, one in each line. They are cells
+// of VTU files, and columns of `wythe export` with unit and meaning (columns.json).
+// Displacements (displacement_mm) and constant values are written separately.
 #pragma once
 
 #include "wythe/parts/reading.h"
@@ -10,7 +10,7 @@ namespace wythe::io {
 template <class Reading>
 struct ElementColumn {
   const char *name, *unit, *meaning;
-  double (*shown)(const Reading&);  // in that unit
+  double (*shown)(const Reading&);  // in this unit
 };
 
 // clang-format off

@@ -49,7 +49,7 @@ Json bodies_json(const Chain& chain) {
   return list;
 }
 
-// One array a quantity, one entry a state: what a page needs to turn the bodies.
+// One array for each quantity with one entry for each state, for pages that draw the moving bodies.
 Json curve_json(const CapacityCurve& curve) {
   Json displacement = Json::array(), force = Json::array(), rotation = Json::array(),
        rate = Json::array(), hinges = Json::array();

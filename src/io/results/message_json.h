@@ -1,4 +1,4 @@
-// Messages in JSON files: KEY in English and, beside it, KEY_message as data.
+// Messages in JSON files: KEY in English, and KEY_message as data.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -23,7 +23,7 @@ void put(Json& json, const std::string& key, const Message& message) {
   if (Json data = data_of<Json>(message); !data.is_null()) json[key + "_message"] = std::move(data);
 }
 
-// null in the list of data for what is only text.
+// null in the list of data for a plain text.
 template <class Json>
 void put(Json& json, const std::string& key, const std::vector<Message>& messages) {
   json[key] = texts_of(messages);

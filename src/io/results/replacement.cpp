@@ -1,12 +1,12 @@
-// Replacement: old results, or new ones, never some of both.
+// Replacement: a folder has the old results or the new ones, never a mixture.
 //
-//   DIR/.wythe_new     what is being written; the old results stay as they are
-//   DIR/.wythe_ready   the same, complete (by one rename): from here on the new results count
-//   1  what .replaced in it names is removed from DIR, then .replaced
+//   DIR/.wythe_new     the results being written; the old results stay unchanged
+//   DIR/.wythe_ready   the same, complete (by one rename): from now on the new results are valid
+//   1  the files named in its .replaced are removed from DIR, then .replaced
 //   2  every file is moved to DIR, then the empty folder is removed
 //
-// A program killed at 1 or 2 leaves a part of one set of results in DIR, and all that is missing of the
-// new one in .wythe_ready; finish_replacement() goes on with 1 or 2.
+// A program killed at 1 or 2 leaves a part of one set of results in DIR, and all missing
+// files of the new one in .wythe_ready. finish_replacement() then continues with 1 or 2.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
@@ -38,18 +38,18 @@ void check(const std::string& folder, const std::error_code& error) {
         fmt::format("{}: the results cannot be put in place: {}", folder, error.message()));
 }
 
-// The lock of a folder: its descriptor, -1 where another program holds it. Freed however that one ends.
+// The lock of a folder: its descriptor, -1 if another program holds it. The system frees it when that program ends.
 int locked(const std::string& folder) {
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0)
     throw IoError(fmt::format("{}: cannot be opened: {}", folder, std::strerror(errno)));
   if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK)
-    return descriptor;  // a file system without locks has none to wait for
+    return descriptor;  // on a file system without locks there is nothing to wait for
   ::close(descriptor);
   return -1;
 }
 
-// Whether that hidden folder is there, itself: a link would lead to somebody else's files.
+// Whether that hidden folder exists and is no link, which could lead to other files.
 bool is_there(const fs::path& hidden) {
   std::error_code error;
   const fs::file_type type = fs::symlink_status(hidden, error).type();
@@ -64,7 +64,7 @@ bool is_there(const fs::path& hidden) {
                      .cure = "remove it, or name another place"}});
 }
 
-// The folder's name, once nothing that results would replace in it is a link, folder, pipe or device.
+// The folder's name, if no file that results would replace is a link, folder, pipe or device.
 const std::string& checked(const std::string& folder, const Replacement::Names& is_replaced) {
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
@@ -106,7 +106,7 @@ Replacement::Replacement(std::string folder, Names is_replaced)
         ": another wythe is writing its results there; wait for it, or name another folder");
   bring(folder_, [](const char*) {});
   std::error_code error;
-  fs::remove_all(path_, error);  // of a program that was killed
+  fs::remove_all(path_, error);  // left over from a killed program
   fs::create_directory(path_, error), check(folder_, error);
 }
 
@@ -129,7 +129,7 @@ void Replacement::commit(const std::function<void(const char*)>& point) {
   std::error_code error;
   fs::rename(path_, fs::path(folder_) / kReady, error), check(folder_, error);
   ::fsync(
-      lock_);  // the folder itself; where that can't be, its file system keeps the order of renames
+      lock_);  // the folder itself; if this fails, the file system still keeps the order of renames
   at("results ready");
   bring(folder_, at);
 }
@@ -148,7 +148,7 @@ void Replacement::put(const std::string& name, const std::string& bytes,
 void finish_replacement(const std::string& folder) {
   if (!is_there(fs::path(folder) / kReady)) return;
   const int lock = locked(folder);
-  if (lock < 0) return;  // by the program that is at it
+  if (lock < 0) return;  // another program is finishing the replacement
   try {
     bring(folder, [](const char*) {});
   } catch (...) {

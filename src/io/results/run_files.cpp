@@ -1,4 +1,4 @@
-// The files of `wythe run`, all but report.html (contract: docs/reference/results.md).
+// The files of `wythe run` except report.html (contract: docs/reference/results.md).
 //
 //   force_displacement.csv   elements.csv   model.used.toml   state_blocks_NN.vtu   state_joints_NN.vtu
 //   state_zones_NN.vtu (with deformable blocks)
@@ -41,7 +41,7 @@ std::string inside(const std::string& folder, const std::string& name) {
 }
 
 constexpr const char* kOrigin = ".wythe_model";
-// One of these is in each folder of results, but a campaign's.
+// Each folder of results has one of these, except a campaign's.
 constexpr const char* kResults[] = {"summary.json",    "force_displacement.csv",
                                     "mechanisms.json", "columns.json",
                                     "results.h5",      "comparison.json"};
@@ -54,7 +54,7 @@ bool is_numbered(const std::string& name) {
   return false;
 }
 
-// What `wythe run` writes; `replay` has two files more.
+// Whether `wythe run` writes this file; `replay` writes two more.
 bool is_file_of_run(const std::string& name, bool of_replay) {
   for (const char* file :
        {"force_displacement.csv", "elements.csv", "links.csv", "frames.csv", "layers.csv",
@@ -64,7 +64,7 @@ bool is_file_of_run(const std::string& name, bool of_replay) {
   return is_numbered(name) || (of_replay && (name == "model.toml" || name == "settings.txt"));
 }
 
-// Hours of computing that a new run or campaign would throw away.
+// Refuses to overwrite a checkpoint, with which hours of computing would be lost.
 void refuse_checkpoint(const std::string& folder) {
   const std::string file = inside(folder, kCheckpointFile);
   std::error_code error;
@@ -79,8 +79,8 @@ void refuse_checkpoint(const std::string& folder) {
                             folder)}});
 }
 
-// A folder is a run's where it has a run's curve or checkpoint, and nothing but a run's files; hidden ones
-// are nobody's. A second opinion may lie beside it.
+// A folder belongs to a run if it has a run's curve or checkpoint, and no files of
+// others; hidden files do not count. The files of a second opinion may be in it as well.
 void refuse_others(const std::string& folder, const char* command = "run") {
   std::error_code error;
   const auto has = [&](const char* name) { return fs::exists(inside(folder, name), error); };
@@ -136,15 +136,15 @@ void write_states(const std::string& folder, const Model& model,
   write_file(inside(folder, "run.pvd"), io::series_pvd(series));
 }
 
-// The spec as it was understood: stages and settings with their resolved defaults; a blocks file
-// goes along as blocks.json, so that the folder can be run again wherever it is.
+// The spec as the program understood it: stages and settings with resolved defaults. A
+// blocks file is copied as blocks.json, so that the folder can be run again at any place.
 std::string used_model(const std::string& folder, const ModelSpec& spec, const Model& model) {
   ModelSpec used = spec;
   used.solve = model.solve;
   for (std::size_t k = 0; k < used.stage.size() && k < model.stages.size(); ++k)
     used.stage[k] = model.stages[k].spec;
   for (StageSpec& stage : used.stage)
-    if (has_protocol(stage)) stage.targets.clear();  // its levels say so
+    if (has_protocol(stage)) stage.targets.clear();  // its levels give them
   if (!used.wall.blocks.empty()) {
     write_file(inside(folder, "blocks.json"), io::blocks_text(used));
     used.wall.blocks = "blocks.json";
@@ -205,7 +205,7 @@ void check_folder(const std::string& folder, FolderFor use) {
 
 namespace {
 
-// The same name for a file however it is written; a name that cannot be resolved stands as it is.
+// The same name for a file in all spellings; a name that cannot be resolved is unchanged.
 std::string full_name(const std::string& file) {
   std::error_code error;
   const fs::path path = fs::weakly_canonical(fs::absolute(file, error), error);
@@ -214,7 +214,7 @@ std::string full_name(const std::string& file) {
 
 std::string hash_text(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
 
-// A model.used.toml in the folder, which results would replace.
+// Refuses a model.used.toml in the folder as input, because results would replace it.
 void refuse_model_inside(const std::string& folder, const Origin& origin) {
   std::error_code error;
   const fs::path file = full_name(origin.file);
@@ -306,7 +306,7 @@ void check_answer_file(const std::string& path, const std::vector<std::string>& 
   std::string text;
   try {
     text = read_file(path, kMostPacked);
-  } catch (const InputError&) {  // larger than any answer
+  } catch (const InputError&) {  // larger than any result
   }
   if (text.substr(0, kBeginning).find(mark) == std::string::npos)
     refuse("is there, and is no earlier answer of this command");
@@ -320,7 +320,7 @@ void prepare_folder(const std::string& folder) {
   }
   fs::create_directories(folder, error);
   if (error) throw IoError(folder + ": cannot be made: " + error.message());
-  // a real write of some size: permissions, read-only mounts and full disks all show here
+  // writes a file of some size, so that permissions, read-only mounts and full disks show here
   const std::string probe = inside(folder, ".wythe_probe");
   write_file(probe, std::string(65536, ' '));
   fs::remove(probe, error);

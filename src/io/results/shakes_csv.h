@@ -1,4 +1,4 @@
-// Columns of samples.csv for samples that were shaken.
+// Columns of samples.csv for samples with shakes.
 #pragma once
 
 #include <string>

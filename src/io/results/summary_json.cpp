@@ -1,4 +1,4 @@
-// summary.json of a run: the numbers an engineer quotes, with their evidence and their provenance.
+// summary.json of a run: the main numbers, with their evidence and provenance.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "campaign/output_keys.h"
 #include "dynamics/meters/still_moving.h"
 #include "io/results/assessment_json.h"
 #include "io/results/message_json.h"
@@ -16,6 +15,7 @@
 #include "wythe/parts/mechanism.h"
 #include "wythe/parts/provenance.h"
 #include "wythe/parts/reading.h"
+#include "wythe/parts/responses.h"
 #include "wythe/parts/slow_push.h"
 #include "wythe/parts/tested_range.h"
 
@@ -26,15 +26,15 @@ using Json = nlohmann::ordered_json;
 
 Json energy_json(const EnergyLedger& energy) {
   Json json = Json::object();
-  for (const study::EnergyTerm& term : study::kEnergyTerms) json[term.name] = energy.*term.value;
+  for (const EnergyTerm& term : kEnergyTerms) json[term.name] = energy.*term.value;
   return json;
 }
 
-// Puts each answer under its key, in the units of the key's name.
+// Puts each result under its key, in the units of the key's name.
 struct Answers {
   Json& json;
-  void operator()(const study::OutputKey& key, const auto& value) const {
-    const std::string path = key.summary;  // "bilinear.force_kN" lies in an object
+  void operator()(const OutputKey& key, const auto& value) const {
+    const std::string path = key.summary;  // "bilinear.force_kN" is a member of an object
     const std::size_t dot = path.find('.');
     if (dot == std::string::npos)
       put(json, path, key, value);
@@ -43,8 +43,7 @@ struct Answers {
   }
 
  private:
-  static void put(Json& in, const std::string& name, const study::OutputKey& key,
-                  const auto& value) {
+  static void put(Json& in, const std::string& name, const OutputKey& key, const auto& value) {
     using Value = std::decay_t<decltype(value)>;
     if constexpr (std::is_same_v<Value, double>)
       in[name] = value * key.to_unit;
@@ -161,7 +160,7 @@ Json events_json(const std::vector<Event>& events) {
   return list;
 }
 
-// Of each link the largest force over the curve and where; what it keeps of yielding.
+// For each link: the largest force over the curve with its place, and the plastic elongation.
 Json links_json(const Model& model, const Result& result) {
   Json list = Json::array();
   const std::size_t n = model.links.name.size();
@@ -185,7 +184,7 @@ Json links_json(const Model& model, const Result& result) {
   return list;
 }
 
-// Of each frame what it bore at most, where and when, and when it began to yield.
+// For each frame: the largest use with time and place, and the first yielding.
 Json frames_json(const Model& model, const Result& result) {
   Json list = Json::array();
   for (std::size_t k = 0; k < result.frame_uses.size(); ++k) {
@@ -203,7 +202,7 @@ Json frames_json(const Model& model, const Result& result) {
   return list;
 }
 
-// Of each layer what it bore at most and where, when fibres broke, and what is detached and broken at the end.
+// For each layer: the largest use with its place, when fibres broke, and the detached and broken parts at the end.
 Json layers_json(const Model& model, const Result& result) {
   Json list = Json::array();
   for (std::size_t k = 0; k < result.layer_uses.size(); ++k) {
@@ -253,7 +252,7 @@ Json falls_json(const std::vector<FallTo>& falls) {
   return list;
 }
 
-// d(r): arrays of one length, by the share of the peak that is left; of a push, or of one of its directions.
+// d(r): arrays of equal length, by the remaining share of the peak; for a push, or for one of its directions.
 template <class Readings>
 Json drift_capacity_json(const Readings& r) {
   Json json = {{"left", Json::array()},
@@ -297,7 +296,7 @@ Json bilinear_json(const Bilinear& b) {
 }
 
 void add_responses(Json& json, const Responses& r) {
-  study::each_response(Answers{json}, r);
+  each_response(Answers{json}, r);
   json["censored"] = r.censored_80;
   json["falls"] = falls_json(r.falls);
   json["drift_capacity"] = drift_capacity_json(r);
@@ -432,7 +431,7 @@ Json shaking_json(const Model& model, const Result& result) {
 }  // namespace
 
 namespace {
-// The farthest that any block is turned at the end of the run [rad].
+// The largest rotation of any block at the end of the run [rad].
 double lean_of(const Model& model, const Result& result) {
   if (result.snapshots.empty()) return 0;
   double most = 0;
@@ -442,7 +441,7 @@ double lean_of(const Model& model, const Result& result) {
 }
 }  // namespace
 
-// By the largest record of the base; a second motion is told with the records.
+// Uses the largest record of the base; a second motion is described with the records.
 Message shaken_sentence(const Model& model, const Result& result) {
   const ShakeReadings& r = result.shaking;
   if (!r.was_shaken || r.motion.empty()) return {};
@@ -463,7 +462,7 @@ Message shaken_sentence(const Model& model, const Result& result) {
                 {"shear_kN", 1e-3 * r.peak_base_shear}}};
   constexpr double kSeen =
       M_PI /
-      180;  // a lean that anybody sees: such a wall has not fallen, but is no wall that stands
+      180;  // a visible tilt: such a wall has not fallen, but it does not stand as it did before
   if (const double lean = lean_of(model, result); whole && lean > kSeen) {
     said.code = "shaken.leans";
     said.arguments.emplace_back("degrees", lean * 180 / M_PI);
@@ -516,7 +515,7 @@ std::string summary_json(const ModelSpec& spec, const Model& model, const Result
                       {"reach_m", result.debris.reach},
                       {"load_off_kN", result.debris.load * 1e-3}};
   }
-  study::each_quasi_static(Answers{json}, result.quasi_static);
+  each_quasi_static(Answers{json}, result.quasi_static);
   json["quasi_static"]["displacement"] = slow_push_json(displacement_of_slow_push(model, result));
   json["quasi_static"]["mode"] = slow_push_json(mode_of_slow_push(model, result));
   json["validity"] = {{"overlap_lost_at_mm", result.validity.overlap_lost * 1e3},
@@ -541,7 +540,7 @@ std::string summary_json(const ModelSpec& spec, const Model& model, const Result
   json["wall_seconds"] = result.wall_seconds;
   json["state_hash"] = result.state_hash;
   json["provenance"] = provenance_json(model.spec_hash);
-  // replace: a name that is not UTF-8 must not lose the run
+  // "replace", so that a name that is not UTF-8 does not lose the run
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

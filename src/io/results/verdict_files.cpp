@@ -104,7 +104,7 @@ Json ways_json(const std::vector<WayOfPushing>& ways) {
   return list;
 }
 
-// Parts out of plane: what each is worth, and which could not be checked.
+// Parts out of plane: the result of each, and the parts that could not be checked.
 Json parts_json(const WallsVerdict& v) {
   const LocalCheck* least = v.least_part();
   Json json = {{"named", v.parts.are_named},
@@ -116,7 +116,7 @@ Json parts_json(const WallsVerdict& v) {
   return json;
 }
 
-// "-x" is no formula, and stays as it is.
+// "-x" is not a formula, so it is not changed.
 std::string direction_cell(const std::string& direction) {
   return direction.starts_with('[') ? io::csv_cell(direction) : direction;
 }

@@ -1,6 +1,6 @@
 // Collects points and cells of a state and writes them as one unstructured grid; no two cells share a point. In space a
 // block has one polyhedron for each convex part, all with the block's values; joints are polygons and zones hexahedra.
-// Blocks that do not stand are kept, with 0 in the array `stands`. vtu_arrays() reads back arrays of doubles alone.
+// Blocks that do not stand are kept, with 0 in the array `stands`. vtu_arrays() reads back only arrays of doubles.
 #include "io/results/vtu.h"
 
 #include <fmt/core.h>
@@ -60,7 +60,7 @@ std::string data_array(const char* name, const std::vector<T>& values, int compo
 
 void add(std::vector<double>& list, const Vec3& v) { list.insert(list.end(), {v.x, v.y, v.z}); }
 
-// Points and cells while they are collected.
+// Points and cells being collected.
 struct Mesh {
   std::vector<double> points;  // x, y, z of each point [m]
   std::vector<std::int64_t> offsets;
@@ -107,7 +107,7 @@ std::string mesh_vtu(const Mesh& mesh, const State& state, const std::string& ce
   return text + "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }
 
-// The arrays of a table of columns, one value an element.
+// The arrays of a table of columns, one value for each element.
 template <class Reading, std::size_t n>
 std::string arrays_of(const ElementColumn<Reading> (&columns)[n],
                       const std::vector<Reading>& elements) {
@@ -148,7 +148,7 @@ std::string blocks_vtu(const Model& model, const State& state) {
   std::vector<double> displacement;
   std::vector<BlockReading> blocks;
   std::vector<std::int32_t> role, course, block,
-      stands;  // stands: 0 where it is cut out or not put up yet
+      stands;  // 0 for a block that is cut out or not put up yet
   for (BlockId b = 0; b < model.n_block; ++b) {
     const BlockReading now = read_block(model, state, b);
     std::size_t cells = 1;
@@ -183,7 +183,7 @@ std::string joints_vtu(const Model& model, const State& state) {
   std::vector<std::int32_t> kind, id;
   std::vector<JointReading> joints = read_wall(model, state).joints;
   std::erase_if(
-      joints, [&](const JointReading& joint) {  // what does not stand stays, with no stress
+      joints, [&](const JointReading& joint) {  // joints that do not stand stay, without stress
         return joint.handed_over && model.standing.joins(joint.shape.a, joint.shape.b, state.stage);
       });
   for (const JointReading& joint : joints) {

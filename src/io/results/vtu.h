@@ -25,11 +25,11 @@ namespace wythe::io {
 // stress_y_MPa, stress_xy_MPa, principal_1_MPa, principal_2_MPa (tension positive); body, zone.
 [[nodiscard]] std::string zones_vtu(const Model& model, const State& state);
 
-// The arrays of doubles in such a text, by name. Throws IoError where it is not whole.
+// The arrays of doubles in such a text, by name. Throws IoError where the text is incomplete.
 [[nodiscard]] std::map<std::string, std::vector<double>, std::less<>> vtu_arrays(
     const std::string& text, const std::string& file);
 
-// One row of the series; `time` is what ParaView's time slider shows: the displacement [mm].
+// One row of the series; `time` is the value on ParaView's time slider: the displacement [mm].
 struct SeriesEntry {
   double time = 0;
   int part = 0;

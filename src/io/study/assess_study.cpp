@@ -20,7 +20,7 @@
 namespace wythe {
 namespace {
 
-// "plus x, uniform": the name of a way makes that of its folder, which has no signs.
+// "plus x, uniform": the name of a way of pushing. Its folder is named after it, so it has no signs.
 std::string name_of(const PushWay& way, bool is_own) {
   std::string direction = is_own ? "forth" : "back";
   if (way.direction.starts_with('+')) direction = "plus " + way.direction.substr(1);
@@ -28,8 +28,8 @@ std::string name_of(const PushWay& way, bool is_own) {
   return direction + ", " + way.pattern;
 }
 
-// Keys of a material and what they are in a wall whose factor on all its means is `k`: strengths and energies go with
-// it, and energies never below what a stronger joint needs.
+// Keys of a material with values for a wall whose means are all multiplied by `k`. Strengths
+// and energies follow it, and energies stay above the least that a stronger joint needs.
 std::vector<std::pair<const char*, std::string>> with_factor(const std::string& k,
                                                              const JointMaterial& m) {
   std::vector<std::pair<const char*, std::string>> out;
@@ -56,7 +56,7 @@ std::vector<std::pair<const char*, std::string>> with_factor(const std::string& 
          [&](const std::string& proportional) {
            return study::slip_energy(proportional, times(m.cohesion, "Pa"), m, k);
          });
-  // b belongs to the mean GII; a model that states GII alone has none
+  // b belongs to the mean GII; a model that gives only GII has none
   if (m.mode_2_energy_per_pressure > 0)
     out.emplace_back("mode_2_energy_per_pressure",
                      fmt::format("{:.17g} m", m.mode_2_energy_per_pressure));
@@ -68,7 +68,7 @@ std::vector<std::pair<const char*, std::string>> with_factor(const std::string& 
   return out;
 }
 
-// The factor as a variable, and every strength and energy as the file's times it.
+// The factor as a variable, and every strength and energy as the file's value times it.
 std::string between_walls(const ModelSpec& spec, double cov) {
   std::string text =
       fmt::format("[variable.{}]\ndistribution = \"lognormal\"\nmean = 1.0\ncov = {:.17g}\n",
@@ -85,7 +85,7 @@ std::string between_walls(const ModelSpec& spec, double cov) {
   return text;
 }
 
-// The study's text, after its faults with their lines.
+// The text of the study, after its faults are reported with their lines.
 std::string text_of_study(const AskedWalls& asked) {
   const std::string& file = asked.model_file;
   const std::string text = io::read_input(file, "model.toml");

@@ -1,5 +1,5 @@
-// The studies of `wythe compare` of models: each model's walls, pushed both ways. What makes models incomparable is
-// refused here, before a wall is pushed.
+// The studies of `wythe compare` of models: each model's walls, pushed both ways.
+// Differences that make models incomparable are refused here, before a wall is pushed.
 //
 //   before.toml ─► study: walls 1 ... n, own way and [[variant]] the other way ─┐
 //   after.toml  ─► study: the same walls, where the opening leaves them as they were ─┴─► compare_models()
@@ -33,7 +33,7 @@ struct ReadModel {
   std::vector<PushWay> way;
 };
 
-// Units and joints draw by where they stand, so that an opening leaves all others as they were.
+// Units and joints are drawn by their place, so that an opening does not change the others.
 std::string in_place(const ModelSpec& spec) {
   std::string settings;
   for (const auto& [name, field] : spec.field)
@@ -42,21 +42,21 @@ std::string in_place(const ModelSpec& spec) {
   return settings.empty() ? "" : "set = [" + settings + "]\n";
 }
 
-// --- what must be alike ----------------------------------------------------------------------------------
+// --- keys that must be equal -----------------------------------------------------------------------------
 
-// Keys that an intervention leaves alone: size, what is done to the wall and how it is computed and judged. Names and
-// remarks may differ.
+// Keys that an intervention does not change: size, loading,
+// computation and judgement. Names and remarks may differ.
 bool must_agree(const std::string& path, bool scatter) {
   if (path.ends_with(".name") || path.ends_with(".note")) return false;
   for (const char* head : {"stage.", "solve.", "scatter.", "assessment."})
     if (path.starts_with(head)) return true;
   for (const char* key : {"wall.length", "wall.height"})
     if (path == key) return true;
-  // what scatters is drawn unit by unit
+  // scatter is drawn unit by unit
   return scatter && (path == "wall.unit.length" || path == "wall.unit.height");
 }
 
-// Why it must, by the first part of the path.
+// The reason why a key must be equal, by the first part of its path.
 std::string reason_of(const std::string& path) {
   if (path.starts_with("stage."))
     return "a wall that is loaded or pushed in another way is no other wall";
@@ -75,9 +75,9 @@ std::map<std::string, std::string> members_of(const ModelSpec& spec, bool scatte
   return out;
 }
 
-// Faults of the second model, by its own keys.
+// Faults of the second model, at its own keys.
 std::vector<Fault> differences(const ReadModel& base, const ReadModel& other) {
-  constexpr std::size_t kMost = 8;  // one stage more changes all that follow
+  constexpr std::size_t kMost = 8;  // one more stage changes all that follow
   std::vector<Fault> faults;
   const auto add = [&](const std::string& path, const std::string& problem,
                        const std::string& cure) {
@@ -143,7 +143,7 @@ ReadModel read_one(const std::string& file, const std::vector<std::string>& over
   out.spec = parse_model(out.text, file, overrides);
   out.model = compile_model(out.spec, out.text, file, overrides);
   try {
-    // where a PGA is told, each model is pushed as wythe assess would, in two patterns where there are two
+    // for a PGA, each model is pushed as in wythe assess, in two patterns where possible
     out.way = says_pga(out.spec.assessment) ? ways_of(out.spec, out.model).ways
                                             : study::both_directions(out.spec, out.model).ways;
   } catch (const InputError& error) {

@@ -1,5 +1,5 @@
-// The study's tables of records: TOML -> ShakingSpec. A record becomes a setting of the base model, as TOML, and
-// the text of its file is stored with it, so that a stored study needs no other file.
+// The study's tables of records: TOML -> ShakingSpec. A record becomes a setting of the base model,
+// as TOML. The text of its file is stored with it, so that a stored study needs no other file.
 #include "io/study/shaking_file.h"
 
 #include <fmt/format.h>
@@ -35,7 +35,7 @@ std::string inline_table(const toml::table& table) {
   return "{ " + joined(parts, ", ") + " }";
 }
 
-// A node on one line, as TOML reads it again to the bit.
+// A node on one line, which TOML reads again to the bit.
 std::string inline_text(const toml::node& node) {
   if (const toml::table* table = node.as_table()) return inline_table(*table);
   if (const auto* text = node.as_string()) return quoted(text->get());
@@ -51,7 +51,7 @@ std::string inline_text(const toml::node& node) {
   return "[" + joined(parts, ", ") + "]";
 }
 
-// Where a file beside the study lies, as the base model would name it.
+// The path of a file beside the study, relative to the base model.
 std::string from_model(const StudySpec& study, const std::string& file) {
   const fs::path path(file);
   if (path.is_absolute()) return file;
@@ -84,11 +84,11 @@ class ShakingReader {
     find_stage(reader);
     parse_records();
     parse_limit_states();
-    if (out_.stage.empty()) out_.stage = "?";  // asked for, with faults
+    if (out_.stage.empty()) out_.stage = "?";  // requested, but with faults
   }
 
  private:
-  // Intensities that are all of another measure than the one named: one slip.
+  // Refuses intensities that all have another measure than the named one, as one mistake.
   bool refuse_other_measure(const toml::table& table) {
     const auto named = table["measure"].value<std::string>().value_or("");
     const bool of_velocity = named == "pgv";
@@ -113,11 +113,11 @@ class ShakingReader {
                                of_velocity ? "accelerations" : "velocities"),
                    of_velocity ? "write measure = \"pga\", or the intensities in m/s"
                                : "write measure = \"pgv\", or the intensities in m/s^2");
-    out_.stage = "?";  // asked for, with faults
+    out_.stage = "?";  // requested, but with faults
     return true;
   }
 
-  // Tables that say something about shakes that nobody asks for.
+  // Refuses tables about shakes that are not requested.
   void refuse_alone(const toml::node* node) {
     if (node != nullptr)
       return context_.fault("shaking", line_of(*node), shown(*node), "must be a table",
@@ -239,7 +239,7 @@ class ShakingReader {
 
   void parse_record(const toml::table& table, const std::string& path) {
     StudyRecord& record = out_.record.emplace_back();
-    // its keys are those of the stage's record, which reads them: only what is the study's own is read here
+    // the stage's record reads its keys, so only the study's own are parsed here
     TableReader reader(context_, table, path);
     reader.text("name", record.name, {});
     if (record.name.empty() && !context_.has_fault_at(under(path, "name")))
@@ -270,7 +270,7 @@ class ShakingReader {
       reader.refuse("name", "has a character that cannot be shown", "write it on one line");
   }
 
-  // Its one component, or those listed under `component`.
+  // The record's only component, or those listed under `component`.
   std::string motion_of(const toml::table& table, const std::string& path) {
     std::vector<std::string> parts;
     const toml::node* listed = table.get("component");
@@ -305,7 +305,7 @@ class ShakingReader {
       table.insert("direction", direction_);
     if (const auto* file = table.get_as<std::string>("file")) {
       const std::string given = file->get();
-      if (root_["record_text"][given]) return inline_table(table);  // the study holds it itself
+      if (root_["record_text"][given]) return inline_table(table);  // the study has the text
       const std::string name = from_model(study_, given);
       attach(name, (fs::path(context_.file).parent_path() / given).string(), path);
       table.insert_or_assign("file", name);
@@ -359,7 +359,7 @@ class ShakingReader {
   std::string direction_;  // of the record that is exchanged
 };
 
-// "stage.quake.record.0.unit" of the model is `unit` of the study's record, "stage.1.record.1.unit" its component.1.unit.
+// Rewrites "stage.quake.record.0.unit" of the model as `unit` of the study's record, "stage.1.record.1.unit" as component.1.unit.
 void as_in_study(std::string& text) {
   static const std::regex kFirst(R"(stage\.[^\s.]+\.record\.0\.)"),
       kOther(R"(stage\.[^\s.]+\.record\.(\d+)\.)"), kModel("the model file states");
@@ -368,7 +368,7 @@ void as_in_study(std::string& text) {
   text = std::regex_replace(text, kModel, "the record states");
 }
 
-// A fault of the setting that stands for a record, at the record.
+// A fault of the setting for a record, placed at the record.
 Fault at_record(Fault fault, const StudySpec& study, const std::string& name, int line) {
   for (std::string* text : {&fault.path, &fault.problem, &fault.cure}) as_in_study(*text);
   fault.path = fmt::format("record \"{}\": {}", name, fault.path);
@@ -416,7 +416,7 @@ void check_records(const StudySpec& study, const toml::table& root) {
   try {
     compiler = std::make_unique<Compiler>(with(study.settings));
   } catch (const InputError&) {
-    return;  // the base model does not compile, which is said where it is compiled
+    return;  // the base model does not compile, which is reported there
   }
   std::vector<Fault> faults;
   for (std::size_t i = 0; i < shaking.record.size(); ++i) {
@@ -434,7 +434,7 @@ void check_records(const StudySpec& study, const toml::table& root) {
         Fault own = at_record(fault, study, record.name, line);
         const bool is_told = std::any_of(faults.begin(), faults.end(),
                                          [&](const Fault& told) { return told.path == own.path; });
-        if (!is_told) faults.push_back(std::move(own));  // a value that is refused is missing too
+        if (!is_told) faults.push_back(std::move(own));  // a refused value is also missing
       }
     }
   }

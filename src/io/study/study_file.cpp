@@ -1,7 +1,7 @@
 // read_study, parse_study: text -> tree -> overrides -> head, base model, inputs -> StudySpec.
 //
-// Order matters: a variable's unit is that of the key it sets, so the base model is read first and its keys listed;
-// check_study, which compares the parts, comes last, and its faults get their lines.
+// The order matters. A variable's unit is that of the key which it sets, so the base model is read first and
+// its keys are listed. check_study, which compares the parts, comes last, and its faults get their lines.
 #include <algorithm>
 #include <filesystem>
 #include <set>
@@ -61,7 +61,7 @@ const std::vector<KnownName>& names_of_head() {
 const std::vector<KnownName>& names_of_variable() {
   static const std::vector<KnownName> names = [] {
     VariableSpec spec;
-    spec.si_unit = spec.unit = "Pa";  // any: amounts are named alike in all
+    spec.si_unit = spec.unit = "Pa";  // any unit, as names of amounts do not depend on it
     const VariableKeys keys{{}, {}, ""};
     return names_of_table(VariableTable{spec, keys}, {"values"});
   }();
@@ -170,7 +170,7 @@ class StudyReader {
     study_.settings.insert(study_.settings.end(), given_settings_.begin(), given_settings_.end());
   }
 
-  // A number, or the sizes of designs drawn one after another.
+  // A number, or the sizes of successive batches.
   void parse_samples(TableReader& reader) {
     const toml::node* node = reader.find("samples", {.range = {.low = 2}, .example = "250"});
     if (!node) {
@@ -193,7 +193,7 @@ class StudyReader {
     }
   }
 
-  // Up to 2^63 - 1 as TOML holds it, up to 2^64 - 1 as a text.
+  // Up to 2^63 - 1 as a TOML integer, up to 2^64 - 1 as a text.
   void parse_seed(TableReader& reader) {
     const toml::node* node = reader.find("seed", {.example = "2026"});
     if (!node) {
@@ -241,7 +241,7 @@ class StudyReader {
 
   // --- [field.<name>] ----------------------------------------------------------------------------
 
-  // They are settings of the base model. One named as a variable varies what that sets.
+  // They are settings of the base model. A field with the name of a variable scatters what the variable sets.
   void parse_fields() {
     for (const auto& [name, table] : in_file_order(context_, root_.get("field"), "field")) {
       const toml::node* variable = node_at("variable." + name + ".path");
@@ -269,7 +269,7 @@ class StudyReader {
     }
   }
 
-  // All samples' records are read together: no more than memory holds, told before any is drawn.
+  // The records of all samples are read together, so they must fit in memory; checked before any sample is drawn.
   void check_batch(const ModelSpec& base) {
     double samples = 0;
     for (const int size : study_.batch) samples += size;
@@ -279,7 +279,7 @@ class StudyReader {
                      found.problem, found.cure);
   }
 
-  // A fault of a setting that stands in the study file, not on the command line.
+  // Sets file and line of a fault whose setting is in the study file, not on the command line.
   [[nodiscard]] Fault placed(Fault fault) const {
     if (fault.path.starts_with("field.") && node_at(part_of(fault.path)) != nullptr) {
       fault.file = context_.file;
@@ -297,7 +297,7 @@ class StudyReader {
 
   // --- inputs ------------------------------------------------------------------------------------
 
-  // Path and unit, on which the reading of all amounts depends. `range` becomes the key's.
+  // Finds path and unit, which all amounts depend on. `range` becomes the range of the key.
   void resolve(const toml::table& table, const std::string& place, InputSpec& input, Range& range) {
     const auto path = table["path"].value<std::string>();
     const auto unit = table["unit"].value<std::string>();
@@ -305,7 +305,7 @@ class StudyReader {
                             const std::string& cure) {
       context_.fault(under(place, key), line_of(*table.get(key)), value, problem, cure);
     };
-    if (table.contains("path") && (!path || path->empty())) return;  // its reader says so
+    if (table.contains("path") && (!path || path->empty())) return;  // its reader reports it
     if (path && keys_.empty()) return;                               // the model has faults
     try {
       if (path) {
@@ -340,7 +340,7 @@ class StudyReader {
     }
   }
 
-  // The first amount that is written as a quantity; "" where all are numbers.
+  // The first amount with a unit; null if all are numbers.
   static const char* amount_with_unit(const toml::table& table) {
     for (const study::VariableParameter& p : study::kVariableParameters) {
       const toml::node* node = table.get(p.name);
@@ -375,7 +375,7 @@ class StudyReader {
     reader.refuse_unknown();
   }
 
-  // After the reader put the texts as written: the canonical path and the unit that holds.
+  // After the texts are read: sets the canonical path and the unit used.
   void settle(InputSpec& input, const std::string& place, const std::string& unit) {
     if (const auto found = path_.find(place); found != path_.end()) input.path = found->second;
     if (input.unit.empty()) input.unit = unit;
@@ -448,7 +448,7 @@ class StudyReader {
     reader.refuse_unknown();
   }
 
-  // A key that an input, a formula or the sample's number sets too has no effect, in a whole table either.
+  // Refuses settings of keys that an input, a formula or the sample's number sets too, because they have no effect; whole tables as well.
   void check_settings() {
     const auto refuse = [&](const std::string& path, const std::string& key,
                             const std::string& setter, const std::string& cure) {
@@ -520,10 +520,10 @@ class StudyReader {
 
   // --- the whole ---------------------------------------------------------------------------------
 
-  // What stands between the parts; a part with faults of its own is not judged further.
+  // Checks between the parts; a part with its own faults is not checked further.
   void check_parts() {
     read_faults_ = context_.faults.all();
-    std::set<std::string> told;  // names that nothing has
+    std::set<std::string> told;  // names that do not exist
     for (const Fault& fault : check_study(study_)) {
       const std::string part = part_of(fault.path);
       if (fault.path.ends_with(".formula") && follows_from_fault(part)) continue;
@@ -541,7 +541,7 @@ class StudyReader {
     }
   }
 
-  // The input that a fault says there is none of; "" of other faults.
+  // The name in a fault about an input that does not exist; "" for other faults.
   static std::string unknown_input(const Fault& fault) {
     if (fault.problem == "is not a variable") return fault.value;
     if (!fault.problem.starts_with("there is no variable or dependent ")) return "";
@@ -566,7 +566,7 @@ class StudyReader {
     });
   }
 
-  // "variable.ft_j.cov" -> "variable.ft_j"; [study] is judged key by key.
+  // "variable.ft_j.cov" -> "variable.ft_j"; keys of [study] stand for themselves.
   static std::string part_of(const std::string& path) {
     if (path.starts_with("study")) return path;
     if (path.starts_with("shaking.")) return "shaking";
@@ -600,7 +600,7 @@ class StudyReader {
     return node;
   }
 
-  // Line of the key, or of the nearest table above it that stands in the file.
+  // Line of the key, or of the nearest table above it in the file.
   [[nodiscard]] int line_at(std::string path) const {
     while (true) {
       if (const toml::node* node = node_at(path)) return line_of(*node);
@@ -610,7 +610,7 @@ class StudyReader {
     }
   }
 
-  // The study's faults by line, then those of other files.
+  // Throws the study's faults by line, then those of other files.
   void throw_all() const {
     std::vector<Fault> all = context_.faults.all();
     std::stable_sort(all.begin(), all.end(),
@@ -623,13 +623,13 @@ class StudyReader {
   const toml::table& root_;
   std::vector<std::string> given_settings_;  // --set of the base model
   StudyText from_;
-  ModelSpec base_;  // its stages and folder alone
+  ModelSpec base_;  // only its stages and folder
   StudySpec study_;
   std::size_t own_settings_ = 0;             // of study.set
   SettableKeys keys_;                        // of the base model; empty when it has faults
   std::map<std::string, std::string> path_;  // table -> canonical path
   std::vector<Fault> read_faults_;           // those of single keys
-  std::vector<Fault> model_faults_;          // of the base model and of CSV files
+  std::vector<Fault> model_faults_;          // from the base model and from CSV files
   std::vector<std::string> spoiled_;         // tables that could not be read in full
 };
 

@@ -1,6 +1,6 @@
-// Checks each option and reads its study from the text anew, since a copied tree loses its lines. Formulas of
-// dependent quantities change the study, all other settings the base model. Settings of drawn values are refused,
-// because all options share the samples. Faults of an option's study name the option's line.
+// Checks each option and parses its study from the text again, because a copied tree loses its lines. Formulas
+// of dependent quantities change the study, all other settings the base model. Settings of drawn values are
+// refused, because all options share the samples. Faults of an option's study have the option's line.
 #include "io/study/variants.h"
 
 #include <fmt/format.h>
@@ -74,7 +74,7 @@ void check_settings(TableReader& reader, const VariantSpec& option) {
                         "write set = [\"path=value\"] or model = \"other.toml\"");
 }
 
-// Turns the tree of the whole file into that of one option; returns its settings of the base model.
+// Changes the tree of the whole file into that of one option; returns its settings of the base model.
 std::vector<std::string> put_variant(ReadContext& context, toml::table& root,
                                      const VariantSpec& option) {
   root.erase("variant");
@@ -147,7 +147,7 @@ void parse_options(StudySpec& study, VariantTables variants, const StudySource& 
                    const ReadTree& read) {
   if (variants.option.empty()) return;
   study.variant = variants.base;
-  // TOML trees lose their lines when copied: each option reads the text again
+  // TOML trees lose their lines when copied, so each option parses the text again
   for (VariantSpec& option : variants.option) {
     toml::table tree = parse_toml(source.text, source.file);
     ReadContext context{source.file};

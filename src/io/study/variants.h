@@ -1,4 +1,4 @@
-// [[variant]] of a study file: what each option says, and the tree of the study that follows from it.
+// [[variant]] of a study file: the settings of each option, and the resulting tree of the study.
 #pragma once
 
 #include <functional>
@@ -13,18 +13,18 @@ namespace wythe::io {
 
 struct VariantTables {
   std::vector<VariantSpec> option;  // without their studies
-  std::string base;                 // what the base is called
-  std::map<std::string, int> line;  // of each, and of its settings, by name
+  std::string base;                 // name of the base
+  std::map<std::string, int> line;  // of each option and of its settings, by name
   std::vector<Fault> faults;
-  // Faults that reading an option's study found, at the place that the user wrote.
+  // Adds faults from an option's study, at the place that the user wrote.
   void add_faults(const std::string& file, const VariantSpec& of, const InputError& error);
   void throw_if_any();
 };
 
-// Takes them out of the tree. Their own faults go into `context`; those of a tree read later, of `faults`.
+// Removes the variants from the tree. Their own faults go into `context`; those of a tree read later into `faults`.
 [[nodiscard]] VariantTables take_variants(ReadContext& context, toml::table& root);
 
-// A study file as it was given: `own` overrides change its tree, `settings` its base model.
+// A study file as given: `own` overrides change its tree, `settings` change its base model.
 struct StudySource {
   const std::string& text;
   const std::string& file;
@@ -33,7 +33,7 @@ struct StudySource {
 };
 using ReadTree =
     std::function<StudySpec(ReadContext&, const toml::table&, std::vector<std::string>)>;
-// Reads the study of every option. Throws InputError with the faults of all.
+// Parses the study of every option. Throws InputError with the faults of all.
 void parse_options(StudySpec& study, VariantTables variants, const StudySource& source,
                    const ReadTree& read);
 

@@ -1,8 +1,8 @@
-// Writes values one after the other, and reads them back in the same order: a type needs one description of
-// its parts for both ways (`archive(part)` for each).
+// Writes values one after the other, and reads them back in the same order. A type
+// needs one description of its parts for both directions (`archive(part)` for each).
 //
-// What is read is not trusted: no count is used before it is compared with the bytes that are left, and a list
-// grows only as values are read.
+// Input is not trusted: a count is compared with the remaining bytes
+// before it is used, and a list grows only as values are read.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace wythe::io {
 
-// What is wrong with the bytes, in one clause.
+// The fault of the bytes, in one clause.
 class Damaged : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -43,7 +43,7 @@ class ArchiveOut {
     (*this)(static_cast<std::uint64_t>(items.size()));
     for (const T& item : items) each(item);
   }
-  // Of so many items.
+  // A list of so many items.
   template <Plain T>
   void array(const std::vector<T>& items, std::size_t count) {
     if (items.size() != count)
@@ -97,7 +97,7 @@ class ArchiveIn {
     left_.remove_prefix(size);
     return piece;
   }
-  // Each item takes a byte at least.
+  // Each item takes at least one byte.
   std::uint64_t count() {
     std::uint64_t items = 0;
     (*this)(items);

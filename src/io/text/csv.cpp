@@ -1,4 +1,4 @@
-// Splits lines into cells, where a quoted mark separates nothing, and writes cells back. A text that a spreadsheet
+// Splits lines into cells, where a delimiter in quotes does not separate, and writes cells. A text that a spreadsheet
 // would run as a formula gets an apostrophe in front, which text_of_cell() removes again. NaN becomes an empty cell.
 #include "io/text/csv.h"
 
@@ -33,8 +33,8 @@ bool CsvLines::next() {
       continue;
     }
     if (text_of_line_.empty()) continue;
-    if (++rows_ > kMostRows + 1) refuse(kMostRows, "rows");  // and the head
-    // a first cell that is empty begins with the tab that ends it
+    if (++rows_ > kMostRows + 1) refuse(kMostRows, "rows");  // with the header
+    // an empty first cell begins with the tab that ends it
     cells_ = cells_of(delimiter_ == '\t' ? line : text_of_line_, delimiter_, kMostColumns);
     if (cells_.size() > kMostColumns) refuse(kMostColumns, "cells in a line");
     return true;
@@ -44,7 +44,7 @@ bool CsvLines::next() {
 
 std::optional<std::string_view> comment_in(std::string_view line) {
   line = trimmed(line);
-  const bool is_unit = line.starts_with("%g") || line.starts_with("% g");  // of a head: "%g,%g"
+  const bool is_unit = line.starts_with("%g") || line.starts_with("% g");  // in a header: "%g,%g"
   for (const std::string_view mark : {"#", "%", "!", "//"})
     if (line.starts_with(mark) && !is_unit) {
       while (line.starts_with(mark)) line.remove_prefix(mark.size());
@@ -79,7 +79,7 @@ void CsvLines::refuse(int most, const char* what) const {
 
 namespace {
 
-// What turns a cell into a formula in some spreadsheet; the wide forms do so in Chinese and Japanese ones.
+// Characters that make a cell a formula in some spreadsheets; the wide forms do so in Chinese and Japanese ones.
 bool is_formula(std::string_view text) {
   constexpr std::string_view kStarts[] = {"=",  "+",      "-",      "@",      "\t",    "\r",
                                           "\n", "\uFF1D", "\uFF0B", "\uFF0D", "\uFF20"};
@@ -106,7 +106,7 @@ std::string text_of_cell(std::string_view cell) {
     text.clear();
     for (std::size_t i = 1; i + 1 < cell.size(); ++i) {
       text += cell[i];
-      if (cell[i] == '"') ++i;  // written twice
+      if (cell[i] == '"') ++i;  // a doubled quote
     }
   }
   return text.starts_with(kGuard) ? text.substr(1) : text;

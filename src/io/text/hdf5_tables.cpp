@@ -1,5 +1,5 @@
-// Collects rows by column and writes them in chunks of 16384, numbers compressed. A Handle holds each object within the
-// file and closes it; an error of HDF5 throws IoError. Times of objects are not kept: equal results give equal bytes.
+// Collects rows by column and writes them in chunks of 16384, with compressed numbers. A Handle holds an object of the
+// file and closes it; an error of HDF5 throws IoError. Times of objects are not stored, so equal results give equal bytes.
 #include "io/text/hdf5_tables.h"
 
 #include <hdf5.h>
@@ -14,7 +14,7 @@
 namespace wythe::io {
 namespace {
 
-constexpr hsize_t kChunk = 16384;  // rows that are written, and compressed, together
+constexpr hsize_t kChunk = 16384;  // rows that are written and compressed together
 constexpr unsigned kDeflate = 4;
 
 static_assert(sizeof(hid_t) == sizeof(std::int64_t));
@@ -51,7 +51,7 @@ struct Hdf5File::Table {
 };
 
 Hdf5File::Hdf5File(const std::string& path) : path_(path) {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are told by wythe
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // wythe reports errors itself
   file_ = H5Fcreate(path.c_str(), H5F_ACC_EXCL, H5P_DEFAULT, H5P_DEFAULT);
   if (file_ < 0) throw IoError(path + ": cannot be made");
 }
@@ -101,7 +101,7 @@ void make_dataset(hid_t group, const ExportColumn& column, const std::string& pa
 int Hdf5File::add_table(const std::string& name, const std::vector<ExportColumn>& columns) {
   const Handle how(H5Pcreate(H5P_GROUP_CREATE), H5Pclose, path_);
   check(H5Pset_obj_track_times(how, false), path_);
-  // columns keep the order in which they are made
+  // columns keep the order of their creation
   check(H5Pset_link_creation_order(how, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED), path_);
   const Handle group(H5Gcreate2(file_, name.c_str(), H5P_DEFAULT, how, H5P_DEFAULT), H5Gclose,
                      path_);

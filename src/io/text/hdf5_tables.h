@@ -1,9 +1,9 @@
-// The door to HDF5: tables of `wythe export --hdf5`, one group a table, one dataset a column.
+// The only access to HDF5: tables of `wythe export --hdf5`, one group for each table, one dataset for each column.
 //
 //   /curves/reaction_kN     float64 (n_row), attributes "unit" and "meaning"
 //   /samples/status         UTF-8 text (n_row)
 //
-// Nothing in the file depends on the moment at which it is written: equal results give equal bytes.
+// The file does not depend on the time of writing, so equal results give equal bytes.
 #pragma once
 
 #include <memory>
@@ -16,17 +16,17 @@ namespace wythe::io {
 
 class Hdf5File {
  public:
-  // Makes the file. Throws IoError here and later where it cannot be written.
+  // Creates the file. Throws IoError, also later, where it cannot be written.
   explicit Hdf5File(const std::string& path);
   ~Hdf5File();
   Hdf5File(const Hdf5File&) = delete;
   Hdf5File& operator=(const Hdf5File&) = delete;
 
-  // A new table; its number.
+  // Adds a table; returns its number.
   int add_table(const std::string& name, const std::vector<ExportColumn>& columns);
   // Cells as in the CSV tables: a number, "" for none, or a text with its quotes.
   void add_row(int table, const std::vector<std::string>& cells);
-  // Writes what is left. Nothing may be added after it.
+  // Writes the remaining rows. Nothing may be added afterwards.
   void close();
 
  private:

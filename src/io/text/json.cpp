@@ -25,7 +25,7 @@ namespace {
                      .line = static_cast<int>(line)}});
 }
 
-// Looks at keys alone. A pass of its own: the parser's callback costs the square of a long list.
+// Checks only keys, in a pass of its own: the parser's callback costs the square of a long list.
 class Keys : public nlohmann::json_sax<nlohmann::json> {
  public:
   explicit Keys(const std::string& file) : file_(file) {}
@@ -46,7 +46,7 @@ class Keys : public nlohmann::json_sax<nlohmann::json> {
   bool binary(nlohmann::json::binary_t&) override { return true; }
   bool start_array(std::size_t) override { return true; }
   bool end_array() override { return true; }
-  // the parse that follows says what is wrong
+  // the following parse reports the error
   bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception&) override {
     return false;
   }

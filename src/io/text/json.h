@@ -1,4 +1,4 @@
-// JSON from outside to a tree: the one place that parses it (of a report's data: report/bundle.cpp).
+// Parses JSON from outside: the only place that does so (for a report's data see report/bundle.cpp).
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -6,8 +6,8 @@
 
 namespace wythe::io {
 
-// Throws InputError with the line where that is not JSON, nests too deep (core/limits.h), names a key twice
-// in one object, or holds a number that no computer does.
+// Throws InputError with the line where the text is not JSON or nests too deep (core/limits.h).
+// Also where one object has a key twice, or a number is outside the range of a double.
 [[nodiscard]] nlohmann::json parse_json(const std::string& text, const std::string& file);
 
 }  // namespace wythe::io

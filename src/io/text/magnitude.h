@@ -1,5 +1,5 @@
-// How large and how small a value of a file may be. The limits are far beyond any wall, and no square or product of
-// such values leaves the range of a double (docs/reference/limits.md).
+// Limits for the magnitude of values in files. They are far beyond any wall, and no square
+// or product of such values leaves the range of a double (docs/reference/limits.md).
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace wythe::io {
 
-// Of amounts other than zero, in SI.
+// Limits for amounts other than zero, in SI.
 struct Magnitude {
   std::string_view unit;
   double least, most;
@@ -31,7 +31,7 @@ inline constexpr Magnitude kMagnitudeOfNumbers{"1", 0, 1e15};
   return kMagnitudeOfNumbers;
 }
 
-// "" where a value in SI may be one of a wall, else what is wrong with it.
+// The fault of a value in SI that no wall can have; "" for a possible value.
 [[nodiscard]] inline std::string magnitude_problem(double value, std::string_view si_unit) {
   const Magnitude m = magnitude_of(si_unit);
   const double size = std::fabs(value);

@@ -35,7 +35,7 @@ std::string range_text(const Key& key) {
 std::string example_text(const std::string& name, const Key& key, ValueKind kind) {
   const std::string example = key.example;
   if (example.empty()) return "";
-  // A list brings its own quotes.
+  // A list has its own quotes.
   const bool quoted = kind != ValueKind::kBare && !example.starts_with('[');
   return quoted ? fmt::format("{} = \"{}\"", name, example) : fmt::format("{} = {}", name, example);
 }

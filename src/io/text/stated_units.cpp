@@ -1,6 +1,6 @@
-// Reads sizes of units from the tree, because rules of materials are applied before the model is read. A key of the
-// storey replaces that of the wall. If mortar is given, the joint is added to the size. A region without a storey
-// may be in any. A value that is no length gives NaN; the key's reader reports it.
+// Reads sizes of units from the tree, because rules of materials are applied before the model is read. A
+// key of the storey replaces that of the wall. If mortar is given, the joint is added to the size. A region
+// without a storey may be in any. A value that is not a length gives NaN; the key's reader reports it.
 #include "io/text/stated_units.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 using Text = std::optional<std::string>;
 
-// The unit of a storey, each key its own or the wall's; of the wall where there is no storey.
+// The unit of a storey, with each key from the storey or else the wall; or of the wall if there is no storey.
 struct Unit {
   const toml::table* own = nullptr;
   const toml::table* wall = nullptr;
@@ -25,7 +25,7 @@ struct Unit {
     const Text mine = read(own, table, key);
     return mine ? mine : read(wall, table, key);
   }
-  // Where the key stands.
+  // The path of the key.
   [[nodiscard]] std::string path(const char* table, const char* key) const {
     const std::string part = read(own, table, key) ? "storey." + name : std::string("wall");
     return part + ".unit." + (*table != '\0' ? table : key);
@@ -36,7 +36,7 @@ struct Unit {
     if (unit == nullptr) return std::nullopt;
     const auto node = *table != '\0' ? (*unit)[table][key] : (*unit)[key];
     if (!node) return std::nullopt;
-    return node.value<std::string>().value_or("");  // no length: the key's reader says so
+    return node.value<std::string>().value_or("");  // else its reader reports it
   }
 };
 
@@ -57,10 +57,10 @@ std::string text_at(const toml::table* table, const char* key) {
   return table ? (*table)[key].value<std::string>().value_or("") : "";
 }
 
-// The first that says something.
+// The first text that is not empty.
 std::string first_of(const std::string& a, const std::string& b) { return a.empty() ? b : a; }
 
-// Whether this storey's masonry, regions apart, has joints of the material.
+// Whether this storey's masonry (without regions) has joints of the material.
 bool has_joints_of(const toml::table* storey, const toml::table* wall, const std::string& name) {
   const auto stated = [&](const char* kind) {
     return first_of(text_at(storey, kind), text_at(wall, kind));
@@ -75,7 +75,7 @@ bool names(const toml::table* region, const std::string& name) {
          text_at(region, "unit_joint") == name;
 }
 
-// The storeys whose masonry has the material. A region that names no storey may lie in any.
+// The storeys whose masonry has the material. A region without a storey may be in any.
 std::vector<Unit> units_of(const toml::table& root, const std::string& name) {
   const toml::table* wall = root["wall"].as_table();
   const std::vector<const toml::table*> storeys = tables_of(root, "storey");
@@ -94,7 +94,7 @@ std::vector<Unit> units_of(const toml::table& root, const std::string& name) {
   return used.empty() ? all : used;
 }
 
-// Calls see(bed, has a head joint of its own) for each masonry that the file tells apart, until one is true.
+// Calls see(bed, has a head joint of its own) for each masonry in the file, until it returns true.
 template <class See>
 bool any_masonry(const toml::table& root, See see) {
   const toml::table* wall = root["wall"].as_table();
@@ -117,7 +117,7 @@ bool any_masonry(const toml::table& root, See see) {
   return false;
 }
 
-// Beside mortar the sizes of a unit are bare.
+// With mortar, the sizes of a unit are without joints.
 StatedSize size_of(const Unit& unit, const std::string& key) {
   const bool course = key == "course_height", joint = key == "joint_thickness";
   const char* name = course ? "height" : "length";

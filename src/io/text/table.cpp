@@ -1,6 +1,6 @@
 // Finds the separator of cells from the first rows with numbers: a mark that all of them have, blanks between
 // numbers, or a comma. The first number with a decimal mark fixes that mark for the file. One line before the numbers
-// is a head, and a comment with as many names may be one. More lines, and rows of another width, are refused.
+// is the header, and a comment with as many names may be one. More lines, and rows of another width, are refused.
 #include "io/text/table.h"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ namespace {
 
 std::string unquoted(const std::string& cell) { return std::string(trimmed(text_of_cell(cell))); }
 
-// "0,05": a number whose decimals follow a comma.
+// Whether a number has a decimal comma: "0,05".
 bool has_decimal_comma(std::string_view cell) {
   const std::size_t comma = cell.find(',');
   return comma != std::string_view::npos && comma > 0 && comma + 1 < cell.size() &&
@@ -33,7 +33,7 @@ bool has_decimal_comma(std::string_view cell) {
          cell.substr(0, comma).find('.') == std::string_view::npos;
 }
 
-// Also with the exponent of Fortran, 1.5D-03, and the minus sign of text programs, U+2212.
+// Also accepts the exponent of Fortran, 1.5D-03, and the minus sign of text programs, U+2212.
 double number_with_mark(std::string cell, char mark) {
   constexpr std::string_view kMinus = "\u2212";
   for (std::size_t at = cell.find(kMinus); at != std::string::npos; at = cell.find(kMinus))
@@ -58,7 +58,7 @@ bool has_number(const std::vector<std::string>& cells) {
                      [](const std::string& cell) { return is_number(unquoted(cell)); });
 }
 
-// The first lines, those with numbers if there are any: a head may hold any mark.
+// The first lines with numbers, or any first lines if there are none, because a header may contain any mark.
 std::vector<std::string> sampled_rows(std::string_view text, const std::string& file) {
   std::vector<std::string> all, rows;
   CsvLines lines(text, file, kWholeLine);
@@ -82,7 +82,7 @@ std::string unquoted_part(const std::string& line) {
   return out;
 }
 
-// A comma parts cells unless another mark does, or blanks part numbers.
+// A comma separates cells unless another mark does, or blanks separate numbers.
 char delimiter_of(std::string_view text, const std::string& file) {
   const std::vector<std::string> rows = sampled_rows(text, file);
   const auto in_all = [&](const auto& holds) {
@@ -103,7 +103,7 @@ char delimiter_of(std::string_view text, const std::string& file) {
   return in_all(is_parted_by_blanks) ? kBlanks : ',';
 }
 
-// Blanks part the names of a head too, but not a name from the brackets behind it.
+// Blanks separate names of a header too, but not a name from the brackets after it.
 std::vector<std::string> with_brackets(std::vector<std::string> cells) {
   std::vector<std::string> out;
   bool open = false;
@@ -138,14 +138,14 @@ std::string spelt_unit(std::string_view text, std::string_view si_unit) {
   for (const std::string& spelling : {unit, small_letters(unit)}) try {
       (void)unit_factor(spelling, si_unit);
       return spelling;
-    } catch (const QuantityError&) {  // the next spelling
+    } catch (const QuantityError&) {  // tries the next spelling
     }
   return "";
 }
 
 ColumnHead column_head(std::string_view cell, std::initializer_list<std::string_view> si_units) {
   constexpr std::string_view kMarks = "_ ,/";
-  constexpr std::size_t kLongestHead = 100;  // of a head with a unit that is not in brackets
+  constexpr std::size_t kLongestHead = 100;  // of a header whose unit is not in brackets
   const std::string whole(trimmed(cell));
   const std::size_t open = whole.find_last_of("[({"), close = whole.find_last_of("])}");
   if (open != std::string::npos && close != std::string::npos && open < close) {
@@ -225,7 +225,7 @@ NumberTable::NumberTable(std::string_view text, const std::string& file, HeadRul
   if (may_be_head && tells_times) parse_head(names);
 }
 
-// NumPy writes the names of the columns behind a #, others behind % or !.
+// NumPy writes the names of the columns after a #, others after % or !.
 std::vector<std::string> NumberTable::names_in_comment() const {
   return with_brackets(cells_of(lines_.comment(), delimiter_, kMostColumns));
 }
@@ -269,7 +269,7 @@ bool is_missing_mark(double value) {
 }
 
 bool NumberTable::next() {
-  const auto is_blank = [&] {  // a row of delimiters alone, as spreadsheets leave behind
+  const auto is_blank = [&] {  // a row of delimiters only, as spreadsheets leave it
     const std::vector<std::string>& cells = lines_.cells();
     return cells.size() > 1 && std::all_of(cells.begin(), cells.end(), [](const std::string& cell) {
              return cell.find_first_not_of(" \t") == std::string::npos;
@@ -292,7 +292,7 @@ bool NumberTable::next() {
   const std::string problem =
       fmt::format("has {} {}, {} has {}", cells, cells == 1 ? "cell" : "cells",
                   head_.empty() ? "the first row" : "the head", width_);
-  // R writes no name for its row numbers; a point behind one shows that commas part cells
+  // R writes no name for its row numbers; a point after one shows that commas separate cells
   const std::vector<std::string>& row = lines_.cells();
   const bool is_of_r = row.front().find_first_not_of("\"0123456789") == std::string::npos &&
                        std::any_of(row.begin() + 1, row.end(), [](const std::string& cell) {
@@ -312,7 +312,7 @@ double NumberTable::number(std::size_t column) {
   const std::string cell = this->cell(column);
   const bool comma = has_decimal_comma(cell);
   const char mark = comma ? ',' : cell.find('.') != std::string::npos ? '.' : '\0';
-  // "0,0936" cut at its comma
+  // "0,0936" split at its comma
   const bool are_decimals = delimiter_ == ',' && cell.size() > 1 && cell[0] == '0' &&
                             cell.find_first_not_of("0123456789") == std::string::npos;
   if (are_decimals)

@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* kDigits = "0123456789";
 
-// How many of such a unit make one of the SI's; 0 where it is of another quantity.
+// The number of these units in one SI unit; 0 for another quantity.
 double factor_of(const std::string& unit, const char* si_unit) {
   try {
     return unit_factor(unit, si_unit);
@@ -23,8 +23,8 @@ double factor_of(const std::string& unit, const char* si_unit) {
   }
 }
 
-// How many zeros at the end of three decimals show that nobody wrote them as decimals: a gram of a mass in kg means
-// nothing, a millimetre of a length in m does. 4: none do.
+// How many final zeros in three decimals show that decimals were not meant. A gram in a mass
+// in kg does not matter, a millimetre in a length in m does. 4 means that no zeros show it.
 std::size_t zeros_that_tell(const std::string& unit) {
   for (const char* fine : {"N", "kg", "Pa", "kg/m", "kg/m^2", "kg/m^3", "N/m^3"})
     if (const double factor = factor_of(unit, fine); factor > 0) return factor <= 1 ? 0 : 3;

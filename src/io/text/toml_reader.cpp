@@ -1,4 +1,4 @@
-// Reading of single values: type, unit, range; every refusal says what to write instead.
+// Reading of single values: type, unit, range. Every refusal says what to write instead.
 #include "io/text/toml_reader.h"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ std::string range_problem(const Key& key) {
   return out;
 }
 
-// `above` is `path` itself or a table it lies in.
+// Whether `above` is `path` itself or a table around it.
 bool is_at_or_above(const std::string& above, const std::string& path) {
   return path == above || path.starts_with(above + '.');
 }
@@ -67,7 +67,7 @@ void ReadContext::fault(const std::string& path, int line, const std::string& va
   }
   for (const Override& set : overrides) {
     const bool reaches = is_at_or_above(set.path, path);
-    // A table that stands in no file was made on the way to the override's key.
+    // A table that is in no file was created for the override's key.
     const bool made = line == 0 && set.path.starts_with(path + '.') && !value.empty();
     if (!reaches && !made) continue;
     out.file = "--set";
@@ -78,7 +78,7 @@ void ReadContext::fault(const std::string& path, int line, const std::string& va
   faults.add(std::move(out));
 }
 
-// Whether a fault stands at the path, as it is or as an override above it has it, or below where `below`.
+// Whether there is a fault at the path, directly or under an override; with `below` also below the path.
 static bool has_fault(const ReadContext& context, const std::string& path, bool below) {
   const auto is_at = [&](const Fault& fault, const std::string& place) {
     return fault.path == place || (below && fault.path.starts_with(place + '.'));
@@ -116,7 +116,7 @@ std::optional<double> TableReader::unlimited(const std::string& text, const Key&
   }
 }
 
-// A weight where a mass is asked for, or a mass where a weight is: how it is written right; "" for all else.
+// The correct spelling where a weight is given for a mass, or a mass for a weight; "" for other values.
 static std::string weight_and_mass(const std::string& text, const char* name, const Key& key) {
   constexpr double kGravity = 9.81;
   struct Pair {
@@ -138,7 +138,7 @@ static std::string weight_and_mass(const std::string& text, const char* name, co
   return "";
 }
 
-// A load of a floor by area where the one along the wall is asked for; "" for all else.
+// The cure where a floor load by area is given for a load along the wall; "" for other values.
 static std::string load_by_area(const std::string& text, const char* name, const Key& key) {
   if (std::string_view(name) != "load" || std::string_view(key.unit) != "N/m") return "";
   try {
@@ -168,7 +168,7 @@ std::optional<double> TableReader::read_quantity(const toml::node& node, const s
       if (problem.empty()) return value;
       return refuse_value(problem, "check its unit; write e.g. " + example);
     }
-    Key broken = key;  // of a length or speed below its range only that end is of interest
+    Key broken = key;  // for a length or speed below its range, only the lower end matters
     if (value <= key.range.low && std::string_view(key.unit) != "rad")
       broken.range.high = std::numeric_limits<double>::infinity(), broken.range.high_open = false;
     return refuse_value(range_problem(broken), "write e.g. " + example);
@@ -203,7 +203,7 @@ void TableReader::quantities(const char* name, std::vector<double>& values, cons
   for (std::size_t i = 0; i < array->size() && !enough(context_.faults); ++i) {
     const std::string path = under(below(name), std::to_string(i));
     const auto read = read_quantity(*array->get(i), path, name, key);
-    if (!read) return;  // the others mostly have the same slip
+    if (!read) return;  // the others mostly have the same mistake
     values.push_back(*read);
   }
 }
@@ -481,7 +481,7 @@ std::string nearest_file(const std::string& path) {
        it.increment(error))
     beside.push_back(it->path().filename().string());
   const std::string own = fs::path(path).filename().string(), near = nearest_name(own, beside);
-  // the ending is no sign that a name was meant: one.toml is not near to two.toml
+  // the ending does not count: one.toml is not near to two.toml
   const auto stem = [](const std::string& name) {
     return small_letters(fs::path(name).stem().string());
   };
@@ -492,7 +492,7 @@ std::string nearest_file(const std::string& path) {
 std::string read_input(const std::string& path, const char* example, std::size_t most) {
   namespace fs = std::filesystem;
   std::error_code error;
-  // itself: of a link that leads nowhere read_text says so
+  // the link itself: for a link that leads nowhere, read_text reports it
   if (fs::symlink_status(path, error).type() != fs::file_type::not_found)
     return read_text(path, most);
   const fs::path above = fs::path(path).parent_path();

@@ -1,10 +1,10 @@
-// Visitor that fills a struct from a TOML table and notes every fault with its place.
+// A visitor that fills a struct from a TOML table and notes every fault with its place.
 //
 //   ReadContext context{file};                    one per file: faults, --set overrides
 //   parse_table(context, table, "wall", spec);     describe(), then unknown keys, then finish()
 //
-// After describe() the reader knows which keys the table may have and which it has. finish() of a struct
-// (stage_check.cpp, material_check.cpp) uses this to check what a range can't express.
+// After describe() the reader knows the possible keys of the table and the present ones. finish() of
+// a struct (stage_check.cpp, material_check.cpp) uses this for checks that a range cannot express.
 #pragma once
 
 #include <map>
@@ -21,8 +21,8 @@
 
 namespace wythe::io {
 
-// One --set that was put into the tree: `path` as it stands there ("stage.2.velocity"), `given` as
-// the user wrote it ("stage.push.velocity").
+// One --set that was put into the tree: `path` is its place there
+// ("stage.2.velocity"), `given` the user's spelling ("stage.push.velocity").
 struct Override {
   std::string path;
   std::string given;
@@ -37,32 +37,32 @@ struct ReadContext {
   std::string file;
   FaultList faults = {};
   std::vector<Override> overrides = {};
-  // Values that rules and typologies put into the tree, by path, and the keys of [masonry] they asked for.
+  // Values that rules and typologies put into the tree, by path, and the keys of [masonry] that they used.
   struct Derived {
     std::string how;
     int line = 0;  // of the table
   };
   std::map<std::string, Derived> derived = {};
   std::set<std::string, std::less<>> asked = {};
-  // Values whose rule cannot be followed, since what it needs is refused or told to be lacking: no fault of their own.
+  // Values whose rule lacks an input with a reported fault; they are no faults themselves.
   std::set<std::string, std::less<>> follow_ups = {};
-  const std::map<std::string, std::string>* records = nullptr;  // what record files hold, by name
+  const std::map<std::string, std::string>* records = nullptr;  // content of record files, by name
 
-  // Adds a fault at `path`; where an override reaches that path, the fault is the override's.
+  // Adds a fault at `path`; if an override set that path, it is the override's fault.
   void fault(const std::string& path, int line, const std::string& value,
              const std::string& problem, const std::string& cure);
   [[nodiscard]] bool has_fault_at(const std::string& path) const;
-  // There, or at a key or member below it.
+  // Whether there is a fault at the path, or at a key or member below it.
   [[nodiscard]] bool has_fault_in(const std::string& path) const;
 };
 
-// A table or a list that stands where the other is asked for, in words.
+// Refuses a value where a table or list is required, or the reverse, in words.
 void refuse_table_wanted(ReadContext& context, const toml::node& node, const std::string& path,
                          const std::string& name, const char* example = "");
 void refuse_list_wanted(ReadContext& context, const toml::node& node, const std::string& path);
 
 [[nodiscard]] int line_of(const toml::node& node);
-// The node as the user would recognise it: a text without its quotes, "a table", "a list".
+// The node in the user's terms: a text without its quotes, "a table", "a list".
 [[nodiscard]] std::string shown(const toml::node& node);
 
 class TableReader {
@@ -79,7 +79,7 @@ class TableReader {
   void flag(const char* name, bool& value, const Key& key);
   void text(const char* name, std::string& value, const Key& key);
   void texts(const char* name, std::vector<std::string>& values, const Key& key);
-  // Known, but followed and gone before the table is read (materials.cpp).
+  // A known key that is applied and removed before the table is read (materials.cpp).
   void recipe(const char* name, const Key& key) { (void)find(name, key); }
 
   template <class E, std::size_t N>
@@ -124,7 +124,7 @@ class TableReader {
   }
 
   void refuse_unknown();
-  // The node of a key that is read by hand, nullptr when absent.
+  // The node of a key that is parsed by hand; null when absent.
   const toml::node* find(const char* name, const Key& key, bool is_text = false);
 
   // --- for finish() ---
@@ -132,15 +132,15 @@ class TableReader {
     std::string name;
     Key key;
     const toml::node* node;  // nullptr when absent
-    bool is_text = false;    // an example of it stands in quotes
+    bool is_text = false;    // its example is written in quotes
   };
   [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
   [[nodiscard]] bool has(std::string_view name) const;
-  // A key that is none of the table's, which its reader has refused: what it was to say is missing elsewhere.
+  // Whether the table has an unknown key, which was refused. Its intended value is then missing elsewhere.
   [[nodiscard]] bool has_unknown() const { return has_unknown_; }
   [[nodiscard]] std::string below(const std::string& name) const { return under(path_, name); }
   [[nodiscard]] ReadContext& context() { return context_; }
-  // Faults at a key that stands here, at a key that is missing, and at the table itself.
+  // Adds faults at a present key, at a missing key, and at the table itself.
   void refuse(std::string_view name, const std::string& problem, const std::string& cure);
   void miss(std::string_view name, const std::string& problem, const std::string& cure = "");
   void refuse_member(std::string_view list, std::size_t index, std::string_view name,
@@ -164,7 +164,7 @@ class TableReader {
   bool has_unknown_ = false;
 };
 
-// What stands between several keys of one struct; nothing for most.
+// Checks between several keys of one struct; does nothing for most structs.
 template <class T>
 void finish(TableReader&, T&) {}
 void finish(TableReader& reader, StageSpec& stage);
@@ -181,7 +181,7 @@ void finish(TableReader& reader, HoldSpec& hold);
 void finish(TableReader& reader, TeethSpec& teeth);
 void finish(TableReader& reader, PartSpec& part);
 
-// "" of a word of BlockRole, and of none; else which words there are.
+// "" for a word of BlockRole and for an empty one; else the list of words.
 [[nodiscard]] std::string role_advice(const std::string& role);
 
 template <class T>
@@ -193,31 +193,31 @@ void parse_table(ReadContext& context, const toml::table& table, const std::stri
   finish(reader, value);
 }
 
-// Parses TOML; a syntax error is thrown as InputError with its line, too deep or too long a text too.
+// Parses TOML. Throws InputError with the line for a syntax error, and for a text that is too deep or too long.
 [[nodiscard]] toml::table parse_toml(const std::string& text, const std::string& file);
-// A file that the user named, by read_text (core/files.h); where there is none, the nearest name beside it.
+// Reads a file that the user named, by read_text (core/files.h); if it does not exist, suggests the nearest name beside it.
 [[nodiscard]] std::string read_input(const std::string& path, const char* example,
                                      std::size_t most = kMostToml);
-// The name of a file beside one that is not there, but for case or a letter or two; "" where none is.
+// The name of an existing file nearby that differs in case or a letter or two; "" where there is none.
 [[nodiscard]] std::string nearest_file(const std::string& path);
-// The path of `other`, which stands in `file`, as seen from where the program runs.
+// The path of `other`, given relative to `file`, as seen from the working directory.
 [[nodiscard]] std::string beside(const std::string& file, const std::string& other);
 [[nodiscard]] bool has_study(const toml::table& root);
-// Throws where a tree of a model stands in the place of a study, or a study in that of a model.
+// Throws where the tree of a model is given for a study, or that of a study for a model.
 void refuse_study(const toml::table& root, const std::string& file);
 void refuse_model(const toml::table& root, const std::string& file);
 // Throws all faults of the context, ordered by line.
 void throw_faults(const ReadContext& context);
 
-// Puts what rules derive and what is typical into the tree, before it is read (materials.cpp).
+// Puts derived and typical values into the tree, before it is read (materials.cpp).
 void resolve_materials(ReadContext& context, toml::table& root);
-// The same for loads of floors by area and span (floor_loads.cpp).
+// The same for floor loads by area and span (floor_loads.cpp).
 void resolve_floors(ReadContext& context, toml::table& root);
 [[nodiscard]] bool is_law_key(std::string_view name);
-// "unit", and what wall, storeys and regions name as their unit_joint: the law of a crack in a unit.
+// "unit", and the unit_joint of wall, storeys and regions: the law of a crack in a unit.
 [[nodiscard]] bool is_unit_joint(const toml::table& root, std::string_view name);
 
-// A table as "path=value" texts that put it there.
+// A table as "path=value" texts that recreate it.
 void list_settings(const toml::table& table, const std::string& path,
                    std::vector<std::string>& texts);
 
@@ -225,7 +225,7 @@ void list_settings(const toml::table& table, const std::string& path,
 void apply_overrides(ReadContext& context, toml::table& root,
                      const std::vector<std::string>& texts);
 
-// Named tables in the order of the file; TOML keeps them by name.
+// Named tables in the order of the file; TOML sorts them by name.
 [[nodiscard]] std::vector<std::pair<std::string, const toml::table*>> in_file_order(
     ReadContext& context, const toml::node* node, const std::string& part);
 

@@ -13,7 +13,7 @@
 namespace wythe::io {
 namespace {
 
-// Without its comment; quotes of either kind hold a # in.
+// A line without its comment; quotes of either kind may contain a #.
 std::string_view without_comment(std::string_view line) {
   char open = '\0';
   for (std::size_t i = 0; i < line.size(); ++i) {
@@ -29,7 +29,7 @@ std::string_view without_comment(std::string_view line) {
   return line;
 }
 
-// Characters of a text in quotes are none of TOML's own.
+// Masks texts in quotes, because their characters have no meaning in TOML.
 std::string outside_quotes(std::string_view line) {
   std::string out(line);
   char open = '\0';
@@ -44,7 +44,7 @@ std::string outside_quotes(std::string_view line) {
   return out;
 }
 
-// Habits of other formats: marks at the end, comments, colons, booleans.
+// Habits of other formats: marks at the end of a line, comments, colons, booleans.
 Slip foreign_mark(std::string_view line) {
   std::string bare = outside_quotes(line);
   const auto without = [&](std::size_t from, std::size_t count) {
@@ -113,7 +113,7 @@ bool starts_with_any(std::string_view text, std::initializer_list<std::string_vi
                      [&](std::string_view start) { return text.starts_with(start); });
 }
 
-// Files and remarks of other formats, and heads of tables.
+// Files and remarks of other formats, and headers of tables.
 Slip foreign_line(std::string_view line) {
   if (line.starts_with('{'))
     return {"is JSON, it seems, and a model is TOML",
@@ -135,7 +135,7 @@ Slip foreign_line(std::string_view line) {
   return {};
 }
 
-// A key that TOML takes no name from.
+// A key that is not valid in TOML.
 Slip wrong_key(const std::string& key, std::string_view value) {
   if (key.empty() || key.find_first_of("[]{}") != std::string::npos) return {};
   const auto quotes = std::count(key.begin(), key.end(), '"');
@@ -159,7 +159,7 @@ Slip wrong_key(const std::string& key, std::string_view value) {
   return {};
 }
 
-// A number as TOML does not write it, "30." or ".5"; `key` for the cure.
+// A number that is not valid in TOML, "30." or ".5"; `key` for the cure.
 Slip wrong_number(const std::string& key, std::string_view value) {
   const bool has_sign = value.starts_with('-') || value.starts_with('+');
   std::string digits(value.substr(has_sign ? 1 : 0));
@@ -187,7 +187,7 @@ bool has_any(std::string_view text, std::initializer_list<std::string_view> part
   });
 }
 
-// "1.0 m", "-2 mm/s": a number and something behind it.
+// A number with a unit and without quotes: "1.0 m", "-2 mm/s".
 bool is_bare_quantity(std::string_view value) {
   std::size_t i = value.starts_with('-') || value.starts_with('+') ? 1 : 0;
   const std::size_t first = i;

@@ -1,6 +1,6 @@
-// Writes each member of a struct as a line "key = value", and a model spec as a complete TOML text. A quantity has its
-// key's unit, or SI if only that reads back to the same bits. An unset one (NaN) gets no line. A model's fields
-// that [scatter] makes again on reading are left out; one that differs from those is written.
+// Writes each member of a struct as a line "key = value", and a model spec as a complete TOML text. A quantity
+// has its key's unit, or SI if only that reads back to the same bits. An unset one (NaN) has no line. Fields
+// that [scatter] creates when the model is read are left out; a field that differs from them is written.
 #include "io/text/toml_writer.h"
 #include "campaign/draws/scatter.h"
 #include "core/ascii.h"
@@ -98,7 +98,7 @@ void Writer::numbers(const char* name, const std::vector<double>& values, const 
 }
 
 void Writer::integer(const char* name, const int& value, const Key& key) {
-  if (value == 0 && *key.fallback != '\0') return;  // not stated
+  if (value == 0 && *key.fallback != '\0') return;  // not given
   put(name, std::to_string(value), key);
 }
 
@@ -106,14 +106,14 @@ void Writer::flag(const char* name, const bool& value, const Key& key) {
   put(name, value ? "true" : "false", key);
 }
 
-// An empty text is left out only where absence means the same: where the key has no default.
+// An empty text is left out only where absence means the same, so where the key has no default.
 void Writer::text(const char* name, const std::string& value, const Key& key) {
   if (!value.empty() || *key.fallback == '\0') put(name, quoted(value), key);
 }
 
 void Writer::texts(const char* name, const std::vector<std::string>& values, const Key& key) {
   if (key.count > 0) return put(name, list_text(values, quoted), key);
-  std::string lines;  // one sentence a line
+  std::string lines;  // one sentence in each line
   for (const std::string& value : values) lines += "  " + quoted(value) + ",\n";
   if (!lines.empty()) put(name, "[\n" + lines + "]", key);
 }
@@ -134,7 +134,7 @@ std::string Writer::in_braces() const {
 
 namespace {
 
-// Takes out the fields that [scatter] makes again just so.
+// Removes the fields that [scatter] creates in the same form.
 void drop_scatter(ModelSpec& spec) {
   if (!spec.scatter.is_asked()) return;
   const auto is_own = [](const auto& field) {

@@ -1,7 +1,7 @@
-// Visitor that writes a struct as TOML: a table's own keys first, then the tables below it.
+// A visitor that writes a struct as TOML: a table's own keys first, then the tables below it.
 //
-// Unset quantities (NaN), empty optional texts and keys of other stage kinds are left out; all else
-// is written, defaults included, so that reading it back gives the same bits.
+// Unset quantities (NaN), empty optional texts and keys of other stage kinds are left
+// out. All else is written, defaults included, so that reading it gives the same bits.
 #pragma once
 
 #include <map>

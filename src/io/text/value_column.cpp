@@ -1,6 +1,6 @@
-// Finds the column by its head, takes its unit from head or study, and turns each cell into SI. Doubtful data are
-// refused with a cure: row numbers, marks of missing values, magnitudes that no wall has, and decimals that may be
-// thousands. Cells go through parse_quantity(), so 0.15 MPa has the same bits as in a model.
+// Finds the column by its header, takes its unit from header or study, and converts each cell to SI. Doubtful
+// data are refused with a cure: row numbers, marks of missing values, magnitudes that no wall has, and decimals
+// that may be thousands. Cells go through parse_quantity(), so 0.15 MPa has the same bits as in a model.
 #include "io/text/value_column.h"
 
 #include <algorithm>
@@ -64,11 +64,11 @@ class ColumnReader {
   }
 
   bool parse_head(const NumberTable& table) {
-    std::vector<std::string> names;  // but of row numbers
+    std::vector<std::string> names;  // without row numbers
     std::vector<std::size_t> meant;
     for (std::size_t k = 0; k < table.width(); ++k) {
       const ColumnHead head = column_head(table.head()[k], {request_.si_unit});
-      if (head.whole.empty()) continue;  // row numbers, as pandas and R write them
+      if (head.whole.empty()) continue;  // row numbers in the form of pandas and R
       if (!is_index_name(head.whole)) names.push_back(head.whole);
       if (request_.column.empty() || head.whole == request_.column || head.name == request_.column)
         meant.push_back(k);
@@ -90,7 +90,7 @@ class ColumnReader {
     return false;
   }
 
-  // The column that can be meant, where there is one.
+  // The advice which column to name, if only one is possible.
   [[nodiscard]] std::string column_advice(const std::vector<std::string>& names) const {
     std::vector<std::string> with_unit;
     for (const std::string& name : names)
@@ -100,7 +100,7 @@ class ColumnReader {
     return "name one: column = \"NAME\"" + (best.empty() ? "" : ", of " + joined(best, ", "));
   }
 
-  // A mark of missing data stands out from the values beside it.
+  // A mark of missing data differs strongly from the other values.
   void refuse_marks() {
     double most = 0;
     for (const double value : shown_)
@@ -113,7 +113,7 @@ class ColumnReader {
             "leave that row out");
   }
 
-  // Row numbers: under such a name whole numbers, under another one that states no unit 0, 1, 2, ... or 1, 2, 3, ...
+  // Whether the values are row numbers: integers under such a name, or 0, 1, 2, ... or 1, 2, 3, ... under another name without a unit.
   [[nodiscard]] bool are_row_numbers(const std::vector<double>& shown) const {
     constexpr std::size_t kFew = 5;
     const auto is_whole = [](double value) { return value == std::round(value); };
@@ -127,7 +127,7 @@ class ColumnReader {
     return true;
   }
 
-  // The unit as units are spelt here; "" where it is none of the quantity, which is said.
+  // The standard spelling of the unit; "" where it is no unit of the quantity, which is reported.
   std::string known_unit(const std::string& stated) {
     const bool is_angle =
         stated.find("deg") != std::string::npos || stated.find("°") != std::string::npos;
@@ -145,7 +145,7 @@ class ColumnReader {
     return unit;
   }
 
-  // "rho_kN_m3" of a density, "rho_ton_m3": a head that ends as a unit does, which is none here.
+  // "rho_kN_m3" or "rho_ton_m3" for a density: a header whose end looks like a unit, but is not supported.
   [[nodiscard]] std::string foreign_unit() const {
     constexpr std::string_view kMarks = "_ ,";
     const std::string& whole = head_.whole;
@@ -197,8 +197,8 @@ class ColumnReader {
     return cell;
   }
 
-  // Both readings of "1.900" are possible where no other value tells them apart, and a thousand times the value is one
-  // of a wall.
+  // "1.900" is ambiguous if no other value settles it, and
+  // a thousand times the value is possible for a wall.
   void look_for_thousands(const NumberTable& table, double as_thousands) {
     tells_decimals_ = tells_decimals_ || table.tells_decimals(index_);
     if (!doubtful_.empty() || !table.may_be_thousands(index_) ||
@@ -209,11 +209,11 @@ class ColumnReader {
   }
 
   void parse_row(NumberTable& table, std::vector<double>& values) {
-    if (columns_ > 1 && table.cell(index_).empty()) return;  // another column goes on here
+    if (columns_ > 1 && table.cell(index_).empty()) return;  // only another column continues here
     const double number = table.number(index_);
     if (std::isnan(number)) return add(table.no_number(index_));
     const std::string cell = table.cell(index_);
-    // the quantity's own door: 0.15 MPa has the same bits here and in a model
+    // parsed like every quantity: 0.15 MPa has the same bits here and in a model
     try {
       const double value =
           unit_.empty() ? number
@@ -237,7 +237,7 @@ class ColumnReader {
   std::string doubtful_;  // the first value that may be thousands
   int doubtful_line_ = 0;
   bool tells_decimals_ = false;
-  std::vector<double> shown_;  // as they stand in the file
+  std::vector<double> shown_;  // as written in the file
   std::string unit_;           // "" for plain numbers
 };
 

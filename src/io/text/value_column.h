@@ -9,14 +9,14 @@
 namespace wythe::io {
 
 struct ColumnRequest {
-  std::string file;     // as messages name it; already found relative to the study
-  std::string column;   // its head, with or without the unit; "" where the file has one column only
+  std::string file;     // for messages; already resolved relative to the study
+  std::string column;   // its header, with or without the unit; "" if the file has only one column
   std::string si_unit;  // the values' unit
-  std::string unit;     // of the values where the head names none; "" when the study names none
+  std::string unit;     // unit of the values if the header has none; "" if the study names none
 };
 
-// Reads the values [SI]. The head may name the unit: "ft_MPa", "ft [MPa]", "ft (MPa)". What is wrong
-// becomes a fault with the file and its line. Throws IoError when the file can't be read.
+// Reads the values [SI]. The header may contain the unit: "ft_MPa", "ft [MPa]", "ft
+// (MPa)". Faults have the file and the line. Throws IoError when the file cannot be read.
 [[nodiscard]] std::vector<double> parse_value_column(const ColumnRequest& request,
                                                      FaultList& faults);
 

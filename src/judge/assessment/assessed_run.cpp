@@ -1,4 +1,4 @@
-// The assessment of a run: collects what assess() needs from its model and its states.
+// The assessment of a run: collects the input of assess() from its model and its states.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -19,7 +19,7 @@
 namespace wythe {
 namespace {
 
-// Heights of storeys' tops above the foot: those of the file, else the levels that are pushed [m].
+// Heights of the storeys' tops above the foot: those of the file, or else the levels that are pushed [m].
 std::vector<double> levels_of(const ModelSpec& spec, const Stage& push) {
   std::vector<double> levels;
   double top = 0;
@@ -29,7 +29,7 @@ std::vector<double> levels_of(const ModelSpec& spec, const Stage& push) {
   return levels;
 }
 
-// Blocks whose outline holds each level.
+// For each level the blocks whose outline contains it.
 std::vector<std::vector<BlockId>> blocks_at(const Model& model, const std::vector<double>& levels) {
   std::vector<std::vector<BlockId>> found(levels.size());
   const double foot = study::foot_of(model);
@@ -66,7 +66,7 @@ std::vector<DriftPoint> storey_drifts(const ModelSpec& spec, const Model& model,
   return out;
 }
 
-// The piers of walls along the push, in space: of walls across it they tell nothing.
+// In space, the piers of walls along the push. Piers of walls across it do not count.
 std::vector<study::Pier> piers_along(const Model& model) {
   std::vector<study::Pier> along;
   const Stage* stage = study::push_of(model);
@@ -79,11 +79,11 @@ std::vector<study::Pier> piers_along(const Model& model) {
   return along;
 }
 
-// The stockiest pier, its moment nil at mid-height: H0 / D = height / 2 / width.
+// Slenderness of the stockiest pier, with zero moment at mid-height: H0 / D = height / 2 / width.
 double slenderness_of(const Model& model) {
   const Anatomy& anatomy = model.anatomy;
   double least = kUnset;
-  if (dimension_of(model) == 3)  // no builder tells them
+  if (dimension_of(model) == 3)  // no builder says which piers exist
     for (const study::Pier& pier : piers_along(model))
       least = std::fmin(least, 0.5 * pier.box.height() / pier.box.width());
   for (std::size_t k = 0; k < anatomy.pier_height.size(); ++k) {
@@ -93,7 +93,7 @@ double slenderness_of(const Model& model) {
   return least;
 }
 
-// Of every pier, from the states read each millimetre; the end counts too.
+// Drifts of every pier, from the states read each millimetre and from the end.
 std::vector<PierDrift> pier_drifts(const Model& model, const Result& result) {
   std::vector<PierDrift> out;
   const Vec3 push = study::push_of(model)->drive();
@@ -123,8 +123,8 @@ bool drives(const Stage& stage) {
          stage.spec.kind == StageKind::kTilt;
 }
 
-// What pulls at the wall along the push before or while it is pushed: dead loads, and ties drawn taut
-// against a rigid anchor. Sum of sizes [N]: two that cancel count.
+// Forces along the push before or during it: dead loads, and ties prestressed
+// against a rigid anchor. Absolute values are added [N], so two that cancel count.
 double thrust_on(const Model& model, const Stage& push) {
   const Links& links = model.links;
   double sum = 0;
@@ -140,7 +140,7 @@ double thrust_on(const Model& model, const Stage& push) {
   return sum;
 }
 
-// Why a push gets no answer: its curve must begin at rest and at no force.
+// Why a push cannot be assessed: its curve must begin at rest and without force.
 Message barred_by_stages(const Model& model, const Stage& push) {
   for (const Stage& stage : model.stages) {
     if (&stage == &push) break;
@@ -158,7 +158,7 @@ Message barred_by_stages(const Model& model, const Stage& push) {
 
 namespace study {
 
-// Of a wall in space: by its piers, where it stays in its plane (judge/modes/in_space.h).
+// Mechanism of a wall in space. It comes from the piers where the wall stays in its plane (judge/modes/in_space.h).
 std::string mechanism_in_space(const FailureMode& mode) {
   const bool breaks_in_plane = mode.name == "part breaking away" && stays_in_planes(mode);
   if (breaks_in_plane) return mechanism_of(mode);
@@ -175,7 +175,7 @@ bool is_shear(const ElementSign& sign) {
 }
 }  // namespace
 
-// "shear" where any pier shows it, "flexure" where piers show that alone, "" where nothing is known.
+// "shear" where any pier shows it, "flexure" where piers show only that, "" where nothing is known.
 std::string mechanism_of(const FailureMode& mode, const std::string& pier) {
   bool flexure = false;
   for (const ElementState& element : mode.elements) {
@@ -189,14 +189,14 @@ std::string mechanism_of(const FailureMode& mode, const std::string& pier) {
   return flexure ? "flexure" : "";
 }
 
-// "pier 2 of storey 1"; 0 where there is one storey.
+// The storey in "pier 2 of storey 1"; 0 where the name has none.
 int storey_of(const std::string& element) {
   static const std::string kOf = " of storey ";
   const std::size_t at = element.find(kOf);
   return at == std::string::npos ? 0 : std::atoi(element.c_str() + at + kOf.size());
 }
 
-// From which displacement on a pier shows shear, and flexure; a sign that closed again counts.
+// Displacements from which a pier shows shear, and flexure. A sign that disappears again counts.
 void find_kinds(const FailureMode& mode, PierDrift& pier) {
   for (const ElementState& element : mode.elements) {
     if (element.element != pier.element) continue;
@@ -277,7 +277,7 @@ bool is_strength(const std::string& key) {
   return key == "cohesion" || key == "residual_cohesion" || key.ends_with("strength");
 }
 
-// The knowledge level of a typical value, "LC1"; "": it was taken as it is.
+// The knowledge level of a typical value, such as "LC1"; empty where the value was used without one.
 std::string level_in(const materials::Origin& origin) {
   const std::size_t at = origin.by.find(" at LC");
   return origin.kind == materials::Origin::kTypical && at != std::string::npos
@@ -291,7 +291,7 @@ std::string knowledge_level_of(const ModelSpec& spec) {
   return "";
 }
 
-// Typical values and what follows from them by a rule: nobody has divided them by anything.
+// Typical values, and values derived from them by a rule, that no confidence factor has divided.
 std::vector<Message> undivided_strengths(const ModelSpec& spec) {
   bool is_any_typical = false;
   std::vector<Message> found;
@@ -308,11 +308,11 @@ std::vector<Message> undivided_strengths(const ModelSpec& spec) {
   };
   look("masonry", spec.masonry.origin);
   for (const auto& [name, material] : spec.material) look("material." + name, material.origin);
-  // what follows from values of the file alone is divided as they are
+  // values derived only from values of the file are already divided like these
   return is_any_typical ? found : std::vector<Message>{};
 }
 
-// At which drifts walls of this masonry fell in tests.
+// The drifts at which tested walls of similar masonry failed.
 std::vector<DriftOfTests> tests_of(const Model& model) {
   std::vector<DriftOfTests> out;
   const bool stone = is_dry(model);
@@ -324,11 +324,11 @@ std::vector<DriftOfTests> tests_of(const Model& model) {
   return out;
 }
 
-// The point whose displacement is followed lies at the roof, or what fails above it is not seen.
+// Warns if the control point lies below the roof: a failure above it would not be seen.
 void caution_of_control(const ModelSpec& spec, const Model& model, JudgedPush& push) {
   const Stage* stage = push_of(model);
   if (stage == nullptr || !(stage->load_height > 0)) return;
-  if (stage->control < 0 && stage->spec.pattern != Pattern::kNone) return;  // a mean of all blocks
+  if (stage->control < 0 && stage->spec.pattern != Pattern::kNone) return;  // mean of all blocks
   std::vector<double> levels = levels_of(spec, *stage);
   if (levels.empty()) {
     const double foot = foot_of(model);
@@ -344,15 +344,15 @@ void caution_of_control(const ModelSpec& spec, const Model& model, JudgedPush& p
       {"assessment.caution.control", {{"height_m", stage->load_height}, {"roof_m", roof}}});
 }
 
-// The drift of a pier is along its own wall: of walls across the push it tells nothing.
+// Keeps the piers of walls along the push. The drift of a pier is along its own wall, so others do not count.
 void keep_piers_along(const Model& model, JudgedPush& push) {
   std::set<std::string> along;
   for (const Pier& pier : piers_along(model)) along.insert(pier.mark);
   std::erase_if(push.piers, [&](const PierDrift& pier) { return !along.contains(pier.mark); });
 }
 
-// What leaves its plane has no drift of piers. A push across the plane of walls is one out of their
-// plane whatever name the failure has, and where it has none it is that of any wall that stands across.
+// A wall that leaves its plane has no pier drifts. A push across all walls is out of plane, whatever name
+// the failure has. A failure without a name counts as out of plane if any wall stands across the push.
 void caution_in_space(const AssessmentSpec& spec, const Model& model, const FailureMode& mode,
                       JudgedPush& push) {
   push.mechanism = mechanism_in_space(mode);
@@ -364,7 +364,7 @@ void caution_in_space(const AssessmentSpec& spec, const Model& model, const Fail
     push.mechanism = kOutOfPlane;  // whatever a state shows
   else if (!push.mechanism.empty())
     push.mechanism_from = mode.read_at;
-  // piers tell of walls that stay in their planes alone
+  // piers count only for walls that stay in their planes
   if (push.mechanism == kOutOfPlane || push.mechanism.empty())
     push.piers.clear(), push.pier_slenderness = kUnset;
   if (is_named)
@@ -374,7 +374,7 @@ void caution_in_space(const AssessmentSpec& spec, const Model& model, const Fail
                              {{"mode", mode.name.empty() ? "unclear" : mode.name},
                               {"off", walls.walls - walls.along},
                               {"walls", walls.walls}}});
-  else if (mode.name == "sliding" && !stays_in_planes(mode))  // the name does not say
+  else if (mode.name == "sliding" && !stays_in_planes(mode))  // the name may mean both
     push.cautions.push_back({"assessment.caution.sliding"});
   else if (push.mechanism != "shear" && push.piers.empty() &&
            value_of(kAssessmentCodeWords, spec.code) == AssessmentCode::kEn1998)
@@ -416,7 +416,7 @@ CodeAssessment study::judged(const ModelSpec& spec, const Model& model, JudgedPu
   if (push.piers.empty() && !push.storeys_known)
     out.notes.push_back({"assessment.note.space_drift"});
   if (push.piers.empty() && push.mechanism_from > 0 &&
-      push.mechanism != "shear")  // shear has the lesser limit anyway
+      push.mechanism != "shear")  // the limit for shear is the smaller one anyway
     out.notes.push_back({"assessment.note.kind_from", {{"from_mm", 1e3 * push.mechanism_from}}});
   return out;
 }
@@ -427,7 +427,7 @@ PushedWall read_pushed_wall(const ModelSpec& spec, const Model& model, const Res
   if (!push.is_horizontal || push.curve_of != StageKind::kPush) return wall;
   MassAndShape masses;
   std::vector<MovedMass> moved = study::moved_masses(spec.assessment, model, result, masses);
-  if (!std::isfinite(masses.total())) return wall;  // loads without gravity: no mass is known
+  if (!std::isfinite(masses.total())) return wall;  // loads without gravity give no mass
   wall.moved = std::move(moved);
   wall.blocks = masses.blocks, wall.loads = masses.loads, wall.added = masses.added;
   wall.storeys = storey_drifts(spec, model, result);
@@ -436,7 +436,7 @@ PushedWall read_pushed_wall(const ModelSpec& spec, const Model& model, const Res
 }
 
 namespace {
-// One push in one direction shows what this wall carries that way; the verdict comes from many walls and both ways.
+// One push shows the capacity of this wall in one direction. A verdict needs many walls and both directions.
 void bar_signing(CodeAssessment& out) {
   if (out.verdict == AssessmentVerdict::kNotKnown) return;
   Message said = out.sentence;

@@ -3,8 +3,8 @@
 //   refuse ──► limit states by force and drift ──► bilinear curve up to near collapse ──► m*, Gamma, T*
 //   ──► demand, capacity over demand, acceleration of each limit state ──► verdict and its cautions
 //
-// docs/theory/assessment.md. What a curve does not show is never estimated: a push that ended early gives lower
-// bounds, one without a peak gives no number.
+// docs/theory/assessment.md. What a curve does not show is never estimated: a push
+// that ended early gives lower bounds, and a push without a peak gives no number.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -21,14 +21,14 @@ constexpr double kLeastAmplification = 2.2;  // F0, NTC 2018, 3.2.3.2.1
 
 // --- rules of the codes -------------------------------------------------------------------------------
 
-// A drift at which a storey's piers are at their end. `by_slenderness`: times H0 / D.
+// A drift limit at which a storey's piers have failed. `by_slenderness`: times H0 / D.
 struct DriftRule {
   LimitState state;
   const char* mechanism;
   double drift;
   bool by_slenderness;
   const char* clause;
-  bool verified;  // read in a transcription of the printed text (docs/theory/assessment.md)
+  bool verified;  // checked against a transcription of the printed text (docs/theory/assessment.md)
 };
 constexpr DriftRule kCircolare[] = {
     {LimitState::kNearCollapse, "shear", 0.005, false, "Circolare 7/2019, C8.7.1.3.1.1", true},
@@ -48,12 +48,12 @@ constexpr Rules kCircolareClauses = {kOfBuildings, kOfBuildings, kOfBuildings, t
 constexpr Rules kEn1998Clauses = {"EN 1998-3, C.4.1.1", "EN 1998-3, C.4.1.2", "EN 1998-3, C.4.1.3",
                                   false};
 constexpr double kForceLeft = 0.8, kShareOfCollapse = 0.75;
-// Circolare 7/2019, C8.7.1.3.1: q* at most, at life safety and at near collapse. EN 1998-3 has no such bound.
+// Circolare 7/2019, C8.7.1.3.1: largest q* at life safety and at near collapse. EN 1998-3 has no such limit.
 constexpr double kMostQLifeSafety = 3.0, kMostQNearCollapse = 4.0;
 constexpr double kOperationalShare = 2.0 / 3;  // of damage limitation, the same clause
-// Damage limitation, the same clause: all piers of a storey at their shear strength, but not before this share of
-// the largest base shear. A computed force creeps on where a pier has yielded, so its strength is reached where it
-// carries so much of the greatest.
+// Damage limitation, the same clause: all piers of a storey at their shear strength, but not
+// before this share of the largest base shear. A computed force still grows a little after a
+// pier has yielded. So a pier counts as at its strength from a share of its largest shear on.
 constexpr double kLeastShear = 0.75, kAtStrength = 0.95;
 
 bool is_circolare(const AssessmentSpec& spec) {
@@ -84,7 +84,7 @@ std::vector<CurveRow> cut_at(const std::vector<CurveRow>& curve, double displace
 
 // --- limit states -------------------------------------------------------------------------------------
 
-// Where the force falls: where the curve says so, or at a drift at which it did in tests.
+// Where the force falls: at the drop on the curve, or at a drift at which it fell in tests.
 enum class Falls { kOnCurve, kAtLeastOfTests, kAtMostOfTests };
 
 class Judge {
@@ -105,7 +105,7 @@ class Judge {
   }
 
  private:
-  // Why this push can't be assessed; empty: it can.
+  // Why this push cannot be assessed; empty if it can.
   [[nodiscard]] Message refusal() const {
     if (push_.curve_of == StageKind::kBodyForce) return {"assessment.of_body_force"};
     if (push_.curve_of == StageKind::kTilt) return {"assessment.of_tilt"};
@@ -144,7 +144,7 @@ class Judge {
             value_of(kLimitStateWords, spec_.limit_state) == LimitState::kOperational);
   }
 
-  // A limit of drift, and that of each mechanism.
+  // A drift limit, and the drift limit of each mechanism.
   struct Rule {
     double drift = 0;
     bool is_shear = true;
@@ -179,7 +179,7 @@ class Judge {
 
   LimitStateCheck life_safety(const LimitStateCheck& collapse) {
     LimitStateCheck check{.state = LimitState::kLifeSafety};
-    // EN 1998-3 takes the share of the global near collapse alone; here of what governs it: never more
+    // EN 1998-3 takes a share of the global near collapse only; here of the governing one, which is never more
     check.criteria.push_back({.name = "share of near collapse",
                               .words = {"assessment.share_of_collapse"},
                               .clause = clauses().life_safety,
@@ -206,7 +206,7 @@ class Judge {
     return decided(std::move(check));
   }
 
-  // All piers of one storey at their shear strength, not before three quarters of the base shear.
+  // All piers of one storey at their shear strength, at the earliest at three quarters of the base shear.
   void add_strengths(LimitStateCheck& check, const LimitStateCheck& collapse) {
     std::optional<double> first;
     bool known = !push_.piers.empty();
@@ -234,8 +234,8 @@ class Judge {
                               .displacement = std::fmax(*first, floor),
                               .reached = !collapse.at_least});
   }
-  // Where the pier can have reached its strength at the earliest: the last state read before it carries that. NaN: no
-  // shears are known.
+  // Earliest displacement at which the pier can have reached its strength:
+  // the last state before it carries it. NaN where no shears are known.
   [[nodiscard]] static double strength_at(const PierDrift& pier, double until) {
     double most = 0;
     for (const DriftPoint& at : pier.drifts) {
@@ -249,7 +249,7 @@ class Judge {
     }
     return pier.drifts.empty() ? kUnset : before;
   }
-  // Where the curve first carries this share of the largest force up to `until`.
+  // Displacement at which the curve first carries this share of the largest force up to `until`.
   [[nodiscard]] double rising_to(double share, double until) const {
     double most = 0;
     for (const CurveRow& row : push_.curve)
@@ -284,7 +284,7 @@ class Judge {
       check.criteria.push_back(*std::move(first));
   }
 
-  // The first pier at its limit; where piers are not known, the storeys or the whole wall.
+  // The first pier at its limit. Where no piers are known, the storeys or the whole wall.
   [[nodiscard]] std::optional<Criterion> first_at(const RuleOf& rule_of) const {
     if (push_.piers.empty()) return whole_met(rule_of);
     std::optional<Criterion> first;
@@ -299,7 +299,7 @@ class Judge {
     return first;
   }
 
-  // How a pier fails, as far as the states up to this displacement tell.
+  // Failure kind of a pier, as far as the states up to this displacement show it.
   [[nodiscard]] static std::string kind_at(const PierDrift& pier, double displacement) {
     if (std::isnan(pier.shear_from) && std::isnan(pier.flexure_from)) return pier.mechanism;
     if (pier.shear_from <= displacement) return "shear";
@@ -317,15 +317,15 @@ class Judge {
       return rule_of(displacement < push_.mechanism_from ? "" : push_.mechanism);
     };
     if (auto found = met(drifts(), rule_at, whole_criterion)) return found;
-    const auto rule = rule_at(0);  // no drift is known: none is granted
+    const auto rule = rule_at(0);  // without known drifts no displacement is granted
     if (!rule) return std::nullopt;
     Criterion none = whole_criterion(*rule);
     none.displacement = 0;
     return none;
   }
 
-  // Where a drift first reaches the limit of its kind of failure, as far as that is known there: what comes later
-  // decides nothing. Between two states the earlier one tells.
+  // Displacement at which a drift first reaches the limit of its failure kind. The kind is the one known
+  // at that displacement, since later states must not decide. Between two states the earlier one counts.
   template <typename RuleAt, typename InWords>
   [[nodiscard]] static std::optional<Criterion> met(const std::vector<DriftPoint>& drifts,
                                                     const RuleAt& rule_at,
@@ -350,7 +350,7 @@ class Judge {
     return last;
   }
 
-  // A pier that shears beyond a limit state, and would have ended it earlier had that been known.
+  // Warns of a pier that fails in shear beyond a limit state. With that kind known, the limit state would have come earlier.
   void caution_of_kinds(const LimitStateCheck& check, std::vector<Message>& say) const {
     for (const PierDrift& pier : push_.piers) {
       if (!std::isfinite(pier.shear_from) || pier.shear_from <= check.displacement) continue;
@@ -370,7 +370,7 @@ class Judge {
     }
   }
 
-  // Of a mechanism; of the lesser limit where that is not known.
+  // The rule of a mechanism, or the smaller limit where the mechanism is not known.
   [[nodiscard]] std::optional<Rule> rule_of(LimitState state, const std::string& mechanism) const {
     std::optional<Rule> least;
     const auto take = [&](const DriftRule& rule) {
@@ -387,7 +387,7 @@ class Judge {
       for (const DriftRule& rule : kEn1998) take(rule);
     return least;
   }
-  // Of tested walls that failed so; where that is not known, the least or the largest of all.
+  // Drift of tested walls with this mechanism. Where it is not known, the smallest or largest of all.
   [[nodiscard]] std::optional<Rule> rule_of_tests(const std::string& mechanism) const {
     std::optional<Rule> out;
     for (const DriftOfTests& tests : push_.tests) {
@@ -416,7 +416,7 @@ class Judge {
     return c;
   }
 
-  // Of storeys where they are known; else the displacement over its height.
+  // Drifts of storeys where they are known, else the displacement over its height.
   [[nodiscard]] std::vector<DriftPoint> drifts() const {
     if (!push_.drifts.empty()) return push_.drifts;
     const double height = push_.responses.load_height;
@@ -431,7 +431,7 @@ class Judge {
     return out;
   }
 
-  // The first criterion that is met decides; where none is, the wall goes farther than the push did.
+  // The first criterion that is met decides. If none is met, the limit state lies beyond the end of the push.
   LimitStateCheck decided(LimitStateCheck check) const {
     check.is_asked = value_of(kLimitStateWords, spec_.limit_state) == check.state;
     const Criterion* first = nullptr;
@@ -440,7 +440,7 @@ class Judge {
           (first == nullptr || c.displacement < first->displacement))
         first = &c;
     if (first == nullptr) return check;
-    // an end of the push is no rule: one that is met at the same place goes before it
+    // the end of a push is no criterion: one that is met at the same displacement takes its place
     for (const Criterion& c : check.criteria)
       if (c.reached && c.displacement <= first->displacement) first = &c;
     check.governing = first->name;
@@ -461,7 +461,7 @@ class Judge {
     out_.bilinear.censored = collapse.at_least;
     Bilinear& b = out_.bilinear;
     if (!(b.stiffness > 0) || !(b.force > 0)) return fails({"assessment.without_bilinear"});
-    // the area beyond the push may still lower the force that replaces it: 0.8 peak is its floor
+    // the curve beyond the push may still lower the equivalent force; 0.8 peak is its lower bound
     if (collapse.at_least && b.force > kForceLeft * cut.peak_reaction) {
       b.force = kForceLeft * cut.peak_reaction;
       b.yield_displacement = b.force / b.stiffness;
@@ -520,7 +520,7 @@ class Judge {
     return true;
   }
 
-  // A wall whose force is a third or a quarter of the elastic one or less is not believed, however far it goes.
+  // The capacity counts only up to the demand at which q* reaches this limit, however far the wall goes.
   void limit_q(LimitStateCheck& check, const ElasticSpectrum& spectrum, double most) {
     const double scale = scale_for_q(out_.system, spectrum, most);
     Criterion c{.name = "q*",
@@ -538,7 +538,7 @@ class Judge {
 
   // --- what is said -----------------------------------------------------------------------------------
 
-  // EN 1998-1 was not read (docs/theory/assessment.md).
+  // No public text of EN 1998-1 was found, so its spectrum is from memory (docs/theory/assessment.md).
   [[nodiscard]] bool has_recalled_spectrum() const {
     const auto is_recalled = [](const SpectrumSpec& of) {
       return of.kind == SpectrumKind::kEn1998;
@@ -584,7 +584,7 @@ class Judge {
     return spec_.confidence_factor > 1 && !push_.undivided.empty();
   }
 
-  // What can be meant, but is more often a slip.
+  // Notes inputs that are possible, but are more often mistakes.
   void note_oddities() {
     if (spec_.masonry_share != 1)
       out_.notes.push_back(
@@ -625,7 +625,7 @@ class Judge {
                      {{"displacement_mm", 1e3 * push_.curve.back().displacement}}});
   }
 
-  // The displacement ends the curve that every limit state is read from; limits of shear are the lesser ones.
+  // The displacement ends the curve that gives every limit state. The failure mode matters for flexure only: its limits are larger.
   void caution_of_promises() {
     if (push_.displacement.is_missing())
       out_.cautions.push_back({"assessment.caution.drift", {{"why", push_.displacement.reason}}});
@@ -722,7 +722,7 @@ Message study::words_of_state(LimitState state) {
 CodeAssessment assess(const AssessmentSpec& spec, const JudgedPush& push,
                       const ShapeReader& shape) {
   CodeAssessment out = Judge(spec, push, shape).all();
-  // what tests of walls that leave their plane say is not known
+  // no drifts are known from tests of walls that leave their plane
   if (push.tests.empty() || out.limit_states.empty() || push.mechanism == study::kOutOfPlane)
     return out;
   out.tests = push.tests;

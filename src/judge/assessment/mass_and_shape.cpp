@@ -1,5 +1,5 @@
-// What of the wall moves in an earthquake, and in which shape: m*, Gamma (docs/theory/assessment.md, A.6
-// to A.8). Blocks by their weight, loads that stand on them by F / g, the mass that the file adds.
+// The masses that move in an earthquake and their shape: m*, Gamma (docs/theory/assessment.md, A.6
+// to A.8). Blocks count by their weight, loads on them by F / g, and the mass that the file adds.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,7 +11,7 @@
 namespace wythe {
 namespace study {
 
-// The last push: the curve is that of the last stage that has one.
+// The last push, because the curve belongs to the last stage that has one.
 const Stage* push_of(const Model& model) {
   for (std::size_t k = model.stages.size(); k-- > 0;)
     if (model.stages[k].spec.kind == StageKind::kPush) return &model.stages[k];
@@ -87,7 +87,7 @@ std::vector<MovedBlocks> shapes_of(const Model& model, const Result& result) {
 
 namespace {
 
-// Every mass that moves with the wall; `block` is whose motion it follows, -1 that of the control point.
+// Every mass that moves with the wall. `block` is the block it moves with, -1 for the control point.
 struct MovingMass {
   double mass = 0, height = 0;
   BlockId block = -1;
@@ -100,7 +100,7 @@ double mass_of(const Model& model, BlockId block) {
     return model.anatomy.block_role[i] == BlockRole::kCutOut ? 0.0 : model.gravity_mass[i];
   }
   const auto number = static_cast<std::size_t>(block - model.n_block - model.space.n_support);
-  const auto of_nodes = [&](const auto& solids) {  // of the plane or in space
+  const auto of_nodes = [&](const auto& solids) {  // nodes in the plane or in space
     const auto first = solids.node_gravity_mass.begin() + solids.bodies[number].first_node;
     return std::accumulate(first, first + solids.bodies[number].n_node, 0.0);
   };
@@ -121,7 +121,7 @@ std::vector<MovingMass> moving_masses(const AssessmentSpec& spec, const Model& m
   for (const Stage& stage : model.stages) {
     if (&stage == push) break;
     for (const PointLoad& load : stage.loads) {
-      if (!(load.fy < 0)) continue;  // what lifts is no mass
+      if (!(load.fy < 0)) continue;  // an upward load has no mass
       const double mass = -load.fy / model.solve.gravity;
       parts.push_back(
           {mass, read_block(model, rest, load.block).start.y + load.arm_y - foot, load.block});
@@ -135,7 +135,7 @@ std::vector<MovingMass> moving_masses(const AssessmentSpec& spec, const Model& m
   return parts;
 }
 
-// How far the wall went at a height between blocks: the mean of those there, weighted by their mass.
+// Displacement of the wall at a height between blocks: the mean of the blocks there, weighted by mass.
 double moved_at_height(const Model& model, const std::vector<double>& moved, double height) {
   const double y = study::foot_of(model) + height;
   double mass = 0, sum = 0, nearest = std::numeric_limits<double>::infinity(), at_nearest = 0;
@@ -180,7 +180,7 @@ std::vector<MovedMass> study::moved_masses(const AssessmentSpec& spec, const Mod
     sum.displacement = displacement;
     for (std::size_t k = 0; k < parts.size(); ++k) {
       const MovingMass& part = parts[k];
-      double u = displacement;  // goes with the control point
+      double u = displacement;  // moves with the control point
       if (part.block >= 0)
         u = moved[static_cast<std::size_t>(part.block)];
       else if (std::isfinite(spec.added_height))
@@ -194,7 +194,7 @@ std::vector<MovedMass> study::moved_masses(const AssessmentSpec& spec, const Mod
   return out;
 }
 
-// Every mass goes straight between two states, so that the sums follow from those at both.
+// Between two states every mass moves in a straight line, so the sums follow from those of both.
 MassAndShape mass_and_shape(const PushedWall& wall, double displacement) {
   MassAndShape out;
   out.blocks = wall.blocks, out.loads = wall.loads, out.added = wall.added;

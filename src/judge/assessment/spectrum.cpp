@@ -226,7 +226,7 @@ double ElasticSpectrum::peak_ground_acceleration() const {
                                       : ground_acceleration * soil * topography;
 }
 
-// (A.1), (A.2); a table is straight between its periods.
+// (A.1), (A.2). A table is linear between its periods.
 double ElasticSpectrum::acceleration(double T) const {
   if (kind == SpectrumKind::kNone || !(T >= 0)) return kUnset;
   if (kind == SpectrumKind::kTable) return interpolated(periods, accelerations, T);
@@ -245,7 +245,7 @@ double EquivalentSystem::period() const {
   return 2 * std::numbers::pi * std::sqrt(mass / stiffness);
 }
 
-// (A.9) to (A.11). Se m* / Fy* is Sde / dy*, since T* is of the same m* and k*.
+// (A.9) to (A.11). Se m* / Fy* equals Sde / dy*, because T* comes from the same m* and k*.
 SpectralDemand demand_of(const EquivalentSystem& system, const ElasticSpectrum& spectrum,
                          double scale) {
   const double T = system.period(), dy = system.yield();

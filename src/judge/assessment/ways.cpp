@@ -1,5 +1,5 @@
-// Which ways of pushing the verdict asks of a model: both directions, two patterns of forces. The push the other
-// way is the mirror image of the model's own, so that a symmetric wall answers both alike.
+// The ways of pushing that a verdict needs: both directions, with two patterns of forces. The opposite
+// push is the mirror image of the model's own, so that a symmetric wall gives the same result for both.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ bool drives(const StageSpec& stage) {
   return stage.kind == StageKind::kPush || stage.kind == StageKind::kBodyForce ||
          stage.kind == StageKind::kTilt;
 }
-// The stage whose curve is judged: the last that drives the wall; the number of stages: none does.
+// Number of the stage whose curve is judged, the last one that drives the wall; the number of stages if none does.
 std::size_t driving_stage(const ModelSpec& spec) {
   for (std::size_t k = spec.stage.size(); k-- > 0;)
     if (drives(spec.stage[k])) return k;
@@ -64,7 +64,7 @@ std::vector<double> reversed(std::vector<double> along) {
   return along;
 }
 
-// The middle of what moves, in plan.
+// Middle of the moving blocks, in plan.
 Vec3 middle_of(const Model& model) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   Vec3 low{kFar, 0, kFar}, high{-kFar, 0, -kFar};
@@ -97,7 +97,7 @@ class Ways {
     return std::move(out_);
   }
 
-  // The model's own way and its mirror image alone, with nothing to be judged by.
+  // Only the model's own push and its mirror image, without an assessment.
   PushWays both() {
     check_push();
     if (!faults_.empty()) throw InputError(std::move(faults_));
@@ -117,7 +117,7 @@ class Ways {
     faults_.push_back({"", path, "", std::move(problem), std::move(cure), 0});
   }
 
-  // Nothing to judge, or nothing to judge it by.
+  // Refuses a model without a push, or without a demand.
   void check() {
     const AssessmentSpec& asked = spec_.assessment;
     if (!is_asked(asked))
@@ -240,7 +240,7 @@ class Ways {
                     "name a point, push along x or z, or push in a pattern");
     const Vec3 middle = middle_of(model_);
     const auto or_zero = [](double x) { return std::isnan(x) ? 0.0 : x; };
-    // the middle of a box goes over, and its corner with it
+    // the middle of a box is mirrored, and its corner follows from it
     const double x = at.x + 0.5 * or_zero(at.width), z = at.z + 0.5 * or_zero(at.depth);
     const double way = or_zero((middle.x - x) * ux) + or_zero((middle.z - z) * uz);
     const auto set = [&](const char* axis, double from, double along) {

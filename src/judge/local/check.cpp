@@ -1,5 +1,5 @@
-// What a code asks of a part that falls on its face: the spectrum at its height, the onset by q, the displacement
-// by d*.
+// Checks of a code for a part that falls on its face: the spectrum at
+// its height, the onset with factor q, and the displacement against d*.
 //
 // Equations (21.9) to (21.14) of docs/theory/local_mechanisms.md. Called by `wythe limit --assessment`.
 #include <algorithm>
@@ -20,7 +20,7 @@ constexpr double kBehaviour = 2;            // q at life safety, C8.7.1.2.1.7
 constexpr double kFactorLeastKnown = 1.35;  // of LC1 and KL1
 constexpr double kFrom = 0.8, kTo = 1.1;    // a and b of C7.2.3, of T1
 
-// How far a part may go, and how it is asked: C8.7.1.2.1.6 and C8.7.1.2.1.8.
+// Limit displacement of a part and its demand: C8.7.1.2.1.6 and C8.7.1.2.1.8.
 struct Way {
   double of_d0;    // share of d0*
   double period;   // T over sqrt(d*/a(d*))
@@ -29,7 +29,7 @@ struct Way {
 constexpr Way kLifeSafety = {0.4, 1.68 * std::numbers::pi, 0.08};
 constexpr Way kNearCollapse = {0.6, 1.56 * std::numbers::pi, 0.10};
 
-// The most that a table asks up to a period: its displacements may fall again, and a part passes all shorter periods.
+// Largest displacement of a table up to a period. It may fall again with the period, and a part passes all shorter periods.
 double most_of_table(const ElasticSpectrum& table, double until) {
   double most = table.displacement(until);
   const std::vector<double>&T = table.periods, &a = table.accelerations;
@@ -43,8 +43,8 @@ double most_of_table(const ElasticSpectrum& table, double until) {
   return most;
 }
 
-// Peak acceleration and displacements where the part stands (21.9), (21.10): the ground's, or what the building makes of
-// it in its first mode, whichever is larger.
+// Peak acceleration and displacements at the place of the part (21.9), (21.10):
+// the larger of the ground's values and those of the building's first mode.
 class SpectrumAt {
  public:
   SpectrumAt(const SpectrumSpec& given, const BuildingAt& at, double damping)
@@ -55,9 +55,9 @@ class SpectrumAt {
           ground_.acceleration(at.period) * at.share() * std::sqrt(1 + 0.0004 * percent * percent);
     gain_ = 1.1 / std::sqrt(damping);
   }
-  // NaN beyond the end of a table, of either.
+  // NaN where either lies beyond the end of a table.
   [[nodiscard]] double peak() const { return larger(ground_.peak_ground_acceleration(), of_mode_); }
-  // What a part of this damping is asked.
+  // Displacement demand of a part with this damping.
   [[nodiscard]] double displacement(double T, double damping) const {
     return larger(of_ground(T, damping), of_mode_ == 0 ? 0 : at_height(T, damping));
   }
@@ -69,7 +69,7 @@ class SpectrumAt {
   [[nodiscard]] static double squared(double T) {
     return (T / (2 * std::numbers::pi)) * (T / (2 * std::numbers::pi));
   }
-  // A table has a damping of its own.
+  // A table has its own damping, so the part's does not count.
   [[nodiscard]] double of_ground(double T, double damping) const {
     if (ground_.kind == SpectrumKind::kTable) return most_of_table(ground_, T);
     SpectrumSpec of_part = given_;
@@ -97,7 +97,7 @@ AssessmentVerdict verdict_of(double ratio) {
   return ratio >= 1 ? AssessmentVerdict::kHolds : AssessmentVerdict::kFails;
 }
 
-// How far a part may go at a limit state (21.12), and the period there (21.13).
+// Limit displacement of a part at a limit state (21.12), and its period there (21.13).
 void check_displacement(const SpectrumAt& spectrum, const Way& way, double most,
                         const LocalCheck& part, LocalStateCheck& s) {
   const double d0 = part.capacity.displacement0, a0 = part.acceleration0_to_end;
@@ -108,7 +108,7 @@ void check_displacement(const SpectrumAt& spectrum, const Way& way, double most,
   s.displacement_ratio = s.displacement / s.displacement_demand;
 }
 
-// Up in the building, with nothing on it: it vibrates by itself, and is not rigid up to its onset (C8.7.1.2.1.5).
+// A part high in the building with nothing on it vibrates by itself, so it is not rigid up to its onset (C8.7.1.2.1.5).
 bool is_free(const LocalCheck& part) {
   return part.building.share() > 0 && part.floors == 0 && std::isnan(part.hinge);
 }
@@ -137,7 +137,7 @@ LocalStateCheck check_state(const AssessmentSpec& spec, LimitState state, const 
     check_displacement(spectrum, kLifeSafety, std::min(c.slides_off, c.lets_go), part, s);
   if (state == LimitState::kNearCollapse)
     check_displacement(spectrum, kNearCollapse, c.slides_off, part, s);
-  // the way says more than the onset by q, so it decides where it is known; what does not set the part off moves it nowhere
+  // where known, the displacement decides, as it says more than the onset with q; below its onset a part does not move
   const double onset = part.acceleration0 / s.demand;
   s.by_onset = std::isfinite(s.displacement) && !is_free(part) && onset > s.displacement_ratio;
   const double by_way = s.by_onset ? onset : s.displacement_ratio;
@@ -147,8 +147,8 @@ LocalStateCheck check_state(const AssessmentSpec& spec, LimitState state, const 
   return s;
 }
 
-// Factor by which the onset is divided. Where the line lies at the face, as if masonry could bear anything, codes take
-// that of the least knowledge.
+// Factor that divides the onset. If the line of rotation lies at the face, as if masonry
+// had infinite strength, codes take the factor of the lowest knowledge level.
 void find_factor(const AssessmentSpec& spec, bool crushes, LocalCheck& part) {
   const bool is_stated = std::isfinite(spec.confidence_factor);
   if (!crushes) {
@@ -213,7 +213,7 @@ Message sentence_of(const LocalCheck& part) {
 
 }  // namespace
 
-// One that fails comes before one without an answer, and that before one that holds; then the least reserve.
+// Failed states come first, then states without an answer, then states that hold; among equals, the smallest reserve.
 const LocalStateCheck* LocalCheck::deciding() const {
   const auto rank = [](const LocalStateCheck& s) {
     if (s.verdict == AssessmentVerdict::kFails) return 0;

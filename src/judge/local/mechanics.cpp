@@ -95,7 +95,7 @@ class Bent {
   struct Rates {
     double u = 0, v = 0;
   };
-  // Of the line between the bodies.
+  // Rates of the line between the bodies.
   [[nodiscard]] Rates line(double turn) const {
     return {hinge_ * std::cos(turn) + arm_ * std::sin(turn),
             arm_ * std::cos(turn) - hinge_ * std::sin(turn)};
@@ -103,7 +103,7 @@ class Bent {
   [[nodiscard]] double line_travel(double turn) const {
     return hinge_ * std::sin(turn) + arm_ * (1 - std::cos(turn));
   }
-  // The head can't go along: travel of the line + ahead (cos psi - 1) - above sin psi = 0.
+  // The head cannot move sideways: travel of the line + ahead (cos psi - 1) - above sin psi = 0.
   [[nodiscard]] double upper_turn(double turn) const {
     const double reach = std::hypot(ahead_, above_);
     const double wanted = (ahead_ - line_travel(turn)) / reach;

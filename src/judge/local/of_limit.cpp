@@ -1,5 +1,5 @@
-// The mechanism of a body force as limit analysis finds it: its rigid pieces, what they weigh, and where they fall
-// by themselves.
+// The mechanism of a body force from limit analysis: its rigid pieces,
+// their weights, and the displacement at which they fall by themselves.
 //
 //   blocks of one twist (velocity at the origin, spin) are one piece; a weight of a piece acts at its common centroid
 //
@@ -52,7 +52,7 @@ class Mechanism {
     gather_loads();
   }
 
-  // (21.7): of one piece that turns about a line per unit turn, else per unit velocity of the load.
+  // (21.7): for one piece that turns about a line per unit rotation, else per unit velocity of the load.
   [[nodiscard]] LocalCapacity capacity(double gravity) const {
     const MovingPiece* turning = moving() == 1 ? first_moving() : nullptr;
     const double spin = turning != nullptr ? length(turning->spin) : 0;
@@ -66,7 +66,7 @@ class Mechanism {
       w.drop = -cross(unit * p.spin, v).y;
       weights.push_back(w);
     });
-    // links and level loads; of dry joints friction does no work, for it is associated
+    // links and horizontal loads; friction of dry joints does no work, because it is associated
     double resisted = unit * answer_.dissipation;
     for (const LyingPiece& l : lying_) {
       const Vec3 v = unit * pieces_[l.piece].velocity(l.at);
@@ -87,7 +87,7 @@ class Mechanism {
     return c;
   }
 
-  // Between where it goes and the load, level [rad].
+  // Angle between the mechanism's motion and the load, in plan [rad].
   [[nodiscard]] double off() const {
     Vec3 way;
     each_weight([&](const MovingPiece& p, const Vec3& at, double weight) {
@@ -115,7 +115,7 @@ class Mechanism {
       sum += is_moving(pieces_[l.piece]) ? std::max(0.0, -l.force.y) : 0;
     return sum;
   }
-  // Whether joints or links do work: they hold it for the onset, and how long is not known.
+  // Whether joints or links do work. They count for the onset, but how long they last is not known.
   [[nodiscard]] bool is_held() const { return answer_.dissipation > 1e-6 * masonry(); }
 
  private:
@@ -147,7 +147,7 @@ class Mechanism {
         high_ = extent.high, top_velocity_ = v + cross(w, {0, extent.high - at.y, 0});
     }
   }
-  // Pieces that move and loads on them, by what they weigh: what stands still has no part in M* and e*.
+  // Calls act for moving pieces and loads on them. Parts that stand still do not count in M* and e*.
   template <class Each>
   void each_weight(Each each) const {
     for (const MovingPiece& p : pieces_)

@@ -1,4 +1,4 @@
-// A part of a wall in its plane as a strip that falls on its face: masonry, floors, what holds it.
+// A part of a wall in its plane as a strip that falls on its face: masonry, floors, holds.
 //
 //        |<- thickness ->|          outer faces are flush; floors bear on the inner side
 //   head +---------------+
@@ -28,7 +28,7 @@ using geometry::Polygon;
 
 constexpr double kStressBlock = 0.85;  // of fc
 constexpr double kSliver = 1e-3;       // beside a bed joint [m]
-constexpr double kNear = 0.011;        // floors find a bed joint within 10 mm [m]
+constexpr double kNear = 0.011;        // a floor finds a bed joint within this distance [m]
 
 struct Extents {
   double left = 0, right = 0, foot = 0, top = 0;  // [m]
@@ -50,7 +50,7 @@ Polygon polygon_of(const Model& model, BlockId block) {
   return outline;
 }
 
-// Height of a floor above the wall's foot; NaN where it names no storey that is there.
+// Height of a floor above the wall's foot; NaN where it names a storey that does not exist.
 double level_of(const FloorSpec& floor, const Anatomy& a, double foot) {
   double level = floor.y;
   for (std::size_t k = 0; k < a.storey_name.size(); ++k)
@@ -66,7 +66,7 @@ struct PartPiece {
   [[nodiscard]] double behind() const { return across / weight; }  // the outer face
 };
 
-// A load that lies on the part.
+// A load on the part.
 struct Lying {
   double height = 0, behind = 0, weight = 0, slides_off = 0;
   bool is_floor = false;
@@ -122,7 +122,7 @@ class Strip {
   [[nodiscard]] double thickness_at(BlockId block) const {
     return model_.anatomy.block_thickness[static_cast<std::size_t>(block)];
   }
-  // Steel is no masonry, and what a stage cuts out is gone.
+  // Steel is not masonry, and a block that a stage cuts out is not there.
   [[nodiscard]] bool is_no_masonry(BlockId block) const {
     const BlockRole role = model_.anatomy.block_role[static_cast<std::size_t>(block)];
     return role == BlockRole::kFrame || role == BlockRole::kCutOut;
@@ -153,7 +153,7 @@ class Strip {
     return piece;
   }
 
-  // Blocks of the part that a level line meets.
+  // Pieces of the part that a horizontal line crosses.
   struct Stretch {
     double from = 0, to = 0, thickness = 0;
   };
@@ -180,7 +180,7 @@ class Strip {
     }
     return section;
   }
-  // Of what stands on each other at a bed joint.
+  // The contact of blocks above and below a bed joint.
   [[nodiscard]] Section section_through(double y) const {
     Section section;
     const std::vector<Stretch> above = stretches_at(y + kSliver);
@@ -194,8 +194,8 @@ class Strip {
     return section;
   }
 
-  // Thick and thin masonry at one level turns about the face that both share, and a wall in its plane does not say which
-  // that is. The thicker one alone would make a pilaster of 1.5 m hold a wall of 0.3 m.
+  // Masonry of two thicknesses at one level turns about its common face, and a wall in its plane does not
+  // say which face that is. With the larger thickness alone, a pilaster of 1.5 m would hold a wall of 0.3 m.
   void refuse_side_by_side() const {
     struct Masonry {
       geometry::Rect box;
@@ -213,7 +213,7 @@ class Strip {
       return std::fabs(a.thickness - b.thickness) > 1e-9 * b.thickness;
     };
     for (const Masonry& a : blocks) {
-      if (!is_other(a, blocks.front())) continue;  // of two that differ one is found so
+      if (!is_other(a, blocks.front())) continue;  // two thicknesses: one differs
       for (const Masonry& b : blocks)
         if (is_other(a, b) && std::min(a.box.y1, b.box.y1) - std::max(a.box.y0, b.box.y0) > kSliver)
           refuse(
@@ -257,7 +257,7 @@ class Strip {
     const double from = wall_.left + (std::isfinite(floor.x) ? floor.x : 0);
     return {from, std::isfinite(floor.width) ? from + floor.width : wall_.right};
   }
-  // Half the stretch on which a load lies: about its middle, up to the nearer end of the block's side there.
+  // Half the length of a load: about its middle, up to the nearer end of the block's side there.
   [[nodiscard]] double half_of(BlockId block, double x, double y) const {
     constexpr double kLevel = 1e-4;  // [m]
     double left = std::numeric_limits<double>::infinity(), right = -left;
@@ -270,13 +270,13 @@ class Strip {
     if (!(right > left)) reach(true);
     return std::max(0.0, std::min(x - left, right - x));
   }
-  // The floor that brings this load. Two floors may lie at one place, and other loads beside them.
+  // The floor to which this load belongs. Two floors may lie at one place, and other loads beside them.
   struct Brought {
     const FloorSpec* floor = nullptr;
-    double half = 0;                    // of the stretch on which it lies [m]
+    double half = 0;                    // length of the load on either side [m]
     const FloorSpec* beside = nullptr;  // one at the same place
   };
-  using Found = std::map<const FloorSpec*, double>;  // loads told so far [N]
+  using Found = std::map<const FloorSpec*, double>;  // loads assigned so far [N]
   [[nodiscard]] Brought floor_at(BlockId block, double x, double y, double weight,
                                  Found& found) const {
     constexpr double kSameWeight = 1e-6;
@@ -312,7 +312,7 @@ class Strip {
     return bearing;
   }
 
-  // Of a load on x - half to x + half.
+  // Share of the load from x - half to x + half on this part.
   [[nodiscard]] double share_within(double x, double half) const {
     constexpr double kPoint = 1e-9;  // [m]
     if (half > kPoint)
@@ -359,7 +359,7 @@ class Strip {
         lying_.push_back(lying);
       }
     }
-    // a floor's load that is not known as such would lie in the middle of the wall
+    // without its floor, such a load would wrongly lie in the middle of the wall
     for (const FloorSpec* floor : beside) {
       const auto [from, to] = range_of(*floor);
       if (found[floor] > (1 - 1e-3) * floor->load * (to - from)) continue;
@@ -371,7 +371,7 @@ class Strip {
     }
   }
 
-  // What stands on the part presses its head where that is held; where it is free, it would fall along.
+  // Masonry above the part presses on its head if that is held. Above a free head it would fall as well.
   void gather_above() {
     const PartPiece masonry = y1_ < wall_.top - 1e-6 ? between(y1_, wall_.top) : PartPiece{};
     if (masonry.weight > 0) above_.push_back({y1_ - y0_, masonry.behind(), masonry.weight});
@@ -401,7 +401,7 @@ class Strip {
     }
   }
 
-  // (21.2): a line lies within the face, where the masonry bears all the load above it.
+  // (21.2): the line of rotation lies within the face, where the masonry can carry all the load above it.
   [[nodiscard]] double inset_on(double height, double length) const {
     if (std::isfinite(part_.inset)) return part_.inset;
     if (!std::isfinite(strength_)) return 0;
@@ -430,7 +430,7 @@ class Strip {
                                       : "lower the loads, or check the compressive strength");
   }
 
-  // Seen from the line, leaning already.
+  // Position from the line of rotation, with the initial lean.
   [[nodiscard]] LocalWeight leaning(double behind, double above) const {
     const double c = std::cos(part_.lean), s = std::sin(part_.lean);
     LocalWeight w;
@@ -456,7 +456,7 @@ class Strip {
     for (const Lying& l : lying_) add(l.behind, l.height, l.weight, l.slides_off);
     std::vector<LocalHold> holds;
     for (const HoldSpec& hold : part_.hold) {
-      // it pulls at the face that leads
+      // a hold acts at the leading face
       const LocalWeight at = leaning(-inset_, hold.height - (y0_ - wall_.foot));
       holds.push_back({hold.force, at.travel, at.rise, hold.travel});
     }
@@ -464,7 +464,7 @@ class Strip {
         overturning(weights, holds, teeth(), leaning(0, y1_ - y0_).travel, model_.solve.gravity);
   }
 
-  // (21.6): each face of a tooth carries what lies above it in the corner, and slides as far as it is above the line.
+  // (21.6): each face of a tooth carries the corner masonry above it, and slides in proportion to its height above the line.
   [[nodiscard]] double teeth() const {
     const TeethSpec& t = part_.teeth;
     if (t.corners == 0) return 0;
@@ -516,7 +516,7 @@ class Strip {
       }
       return strip;
     };
-    // it opens at the bed joint that gives the least
+    // the hinge forms at the bed joint with the smallest multiplier
     double hinge = kUnset, least = std::numeric_limits<double>::infinity();
     for (const double joint : bed_joints()) {
       const double onset = bending(strip_at(joint), joint, model_.solve.gravity).alpha0;
@@ -532,7 +532,7 @@ class Strip {
     if (pressed_ > 0) out.notes.push_back({"local.note.pressed", {{"load_kN", 1e-3 * pressed_}}});
   }
 
-  // Heights above the foot at which blocks end, within the part.
+  // Heights of block ends above the foot, within the part.
   [[nodiscard]] std::vector<double> bed_joints() const {
     constexpr double kApart = 1e-3;  // [m]
     std::vector<double> all, joints;
@@ -609,7 +609,7 @@ std::vector<PartSpec> found_parts(const ModelSpec& spec, const Model& model) {
     const double level = level_of(floor, a, wall.foot);
     if (std::isfinite(level)) highest = std::max(highest, level);
   }
-  constexpr double kParapet = 0.05;  // less is the thickness of a floor [m]
+  constexpr double kParapet = 0.05;  // a smaller rise is the thickness of a floor [m]
   const bool is_a_storey = std::any_of(parts.begin(), parts.end(), [&](const PartSpec& p) {
     return std::fabs(p.foot - highest) < kNear;
   });

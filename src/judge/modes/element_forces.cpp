@@ -1,9 +1,9 @@
 // Cuts the wall at the ends of each pier and spandrel and sums the forces of the joints that the cut separates; see
 // wythe/parts/element_forces.h.
 //
-// A cut follows the joints: between blocks whose centroids lie on either side of a straight line, so that any bond
-// is cut right through. A pier's cut reaches half way over the openings beside it, where the haunches of an arch
-// may carry; a spandrel's reaches down in the same way, to the springing of an arch.
+// A cut follows the joints between blocks whose centroids lie on either side of a straight line, so it
+// works for any bond. A pier's cut reaches half way over the openings beside it, where the haunches of
+// an arch may carry. A spandrel's cut reaches down to the springing of an arch for the same reason.
 #include "wythe/parts/element_forces.h"
 
 #include <fmt/format.h>
@@ -23,20 +23,20 @@ using study::RigidMotion;
 
 enum class Across { kPier, kSpandrel };
 
-// One end: the joints parted there and the blocks beyond.
+// One end of an element: the joints that it cuts and the blocks beyond.
 struct Cut {
   Across across = Across::kPier;
   Vec3 middle;
   std::vector<std::pair<JointId, double>> joints;  // 1: a is the lower or left side, -1: b is
-  std::vector<BlockId> beyond;                     // empty: what does not move
+  std::vector<BlockId> beyond;                     // empty: the ground
 };
 
-// Where an element is cut: at `at` along its axis, over `from` to `to` across it.
+// Position of a cut: at `at` along the element's axis, from `from` to `to` across it.
 struct CutLine {
   Across across = Across::kPier;
   Vec3 middle;
   double from = 0, to = 0;        // joints of the cut
-  double width0 = 0, width1 = 0;  // blocks beyond that tell how the end moves
+  double width0 = 0, width1 = 0;  // blocks beyond, whose motion is that of the end
   bool is_second = false;         // the element lies below it, or on its left
 };
 
@@ -68,7 +68,7 @@ class Cutter {
       if (line.across == Across::kSpandrel && shape.a == kGroundBlock) continue;
       const bool a = is_beyond(shape.a, line), b = is_beyond(shape.b, line);
       if (a == b) continue;
-      // the force that acts on the near side, whichever end this is
+      // the force on the near side, for either end
       const bool a_is_high = a == line.is_second;
       cut.joints.emplace_back(shape.id, a_is_high ? -1.0 : 1.0);
       if (const BlockId out = a ? shape.a : shape.b; out != kGroundBlock) beyond.push_back(out);
@@ -81,7 +81,7 @@ class Cutter {
   }
 
  private:
-  // Of the bounds of a deformable block.
+  // The middle of a deformable block's bounds.
   [[nodiscard]] Vec3 middle_of(BlockId block) const {
     Box box{1e300, -1e300, 1e300, -1e300};
     for (const Vec3& corner : corners_of(model_, block)) {
@@ -100,8 +100,8 @@ class Cutter {
     const bool high = line.across == Across::kPier ? at.y >= line.middle.y : at.x >= line.middle.x;
     return high == line.is_second;
   }
-  // Rigid blocks that lie in line with the element, if there are any: a lintel beside a pier's head
-  // moves with its own opening.
+  // The rigid blocks in line with the element, or all if there are
+  // none: a lintel beside a pier's head moves with its own opening.
   [[nodiscard]] std::vector<BlockId> in_line(const std::vector<BlockId>& blocks,
                                              const CutLine& line) const {
     std::vector<BlockId> rigid, inside;
@@ -114,7 +114,7 @@ class Cutter {
     }
     return inside.empty() ? rigid : inside;
   }
-  // Nothing lies beyond: the element's own last course.
+  // With no blocks beyond, the element's own last course.
   [[nodiscard]] std::vector<BlockId> last_of(const CutLine& line) const {
     std::vector<BlockId> last;
     for (BlockId b = 0; b < model_.n_block; ++b) {
@@ -169,12 +169,12 @@ Element cut_spandrel(const Cutter& cutter, const study::Spandrel& s) {
   return e;
 }
 
-// Of the compression about the centre, in the plane of the wall, on b.
+// Moment of the compression on b about the centre, in the plane of the wall.
 double moment_of(const Elevation& seen, const JointReading& joint) {
   return seen.of.empty() ? joint.moment : -dot(joint.moment_vector, seen.across);
 }
 
-// The force of the upper side on the lower one, of the right on the left.
+// Force of the upper side on the lower one, or of the right side on the left one.
 ElementEnd forces_at(const Model& model, const Elevation& seen, const Cut& cut,
                      const WallReading& wall) {
   Vec3 force;
@@ -255,7 +255,7 @@ std::vector<ElementForces> read_element_forces(const Model& model, const Result&
   if (!result.snapshots.empty() && !result.readings.empty() &&
       result.snapshots.front().label == "start")
     states.push_back(&result.snapshots.front());
-  for (const Snapshot& s : result.readings)  // the end may be a reading too
+  for (const Snapshot& s : result.readings)  // the end may be one of the readings
     if (states.empty() || states.back()->state.step != s.state.step) states.push_back(&s);
   for (const Snapshot* s : states) {
     const WallReading wall = read_wall(model, s->state);

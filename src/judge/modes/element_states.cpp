@@ -1,7 +1,7 @@
-// Measures each sign of damage of each part: cracks, slips of whole sections, rocking, crushing, pieces broken off.
-// A crack reaches as far as lines through the part moved apart by `crack`, (5.1) to (5.3). In a dry pier the share of
-// turning (5.5) counts as rocking and shortens the diagonal crack. Truths repeat all this at five crack widths.
-// Reasons: docs/theory/failure_modes.md. Lengths are in m inside; a sign that is shown in mm holds mm.
+// Measures each sign of damage of each part: cracks, slips of whole sections, rocking, crushing, pieces broken
+// off. A crack reaches as far as lines through the part moved apart by `crack`, (5.1) to (5.3). In a dry pier
+// the rotation share (5.5) counts as rocking and shortens the diagonal crack. Truths repeat this at five crack
+// widths. Reasons: docs/theory/failure_modes.md. Lengths are in m; the value of a sign shown in mm is in mm.
 #include "judge/modes/element_states.h"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ ModeRules rules_of(const WallParts& parts) {
 namespace {
 
 constexpr double kFoot = 0.25;  // of a pier's width (at most of its height): zone of toes and head
-constexpr double kSlender = 0.75;  // of a panel's length: no crack has to be longer
+constexpr double kSlender = 0.75;  // of a panel's length: no crack needs to be longer
 constexpr double kMillimetres = 1e3;
 
 ElementSign sign(const char* state, const char* measure, double value, double threshold,
@@ -41,7 +41,7 @@ ElementSign sign(const char* state, const char* measure, double value, double th
   return s;
 }
 
-// Signs come gravest first, so the state reads that way.
+// Signs come in order of severity, so the first one gives the state.
 ElementState element(const std::string& name, const char* kind, std::vector<ElementSign> signs) {
   ElementState e;
   e.element = name;
@@ -58,16 +58,16 @@ double foot_height(const Pier& pier) {
   return kFoot * std::min(pier.box.width(), pier.box.height());
 }
 
-// Where a panel has parted by a crack's width: how far along it, and on what part of its depth there.
+// The part of a panel that has parted by a crack's width: its length along the panel and its depth across.
 struct PartedPanel {
   double along = 0, across = 0;  // [m]
-  // How far along it has to go to cross `depth`, at the slope it has; the bond's steps are the least.
+  // Length needed to cross `depth` at this slope; the bond's stepped line is the least slope.
   [[nodiscard]] double to_cross(double depth, double bond) const {
     return depth * (across > 0 ? std::max(bond, along / across) : bond);
   }
 };
 
-// `lines` cross a panel that is long across them.
+// `lines` cross the long axis of the panel.
 PartedPanel parted(const std::vector<JointMotion>& joints, const Box& panel, Lines lines,
                    const WallParts& parts, double crack) {
   const bool level = lines == Lines::kLevel;
@@ -82,7 +82,7 @@ PartedPanel parted(const std::vector<JointMotion>& joints, const Box& panel, Lin
   const auto first = std::find_if(all.begin(), all.end(), is_parted);
   const auto last = std::find_if(all.rbegin(), all.rend(), is_parted);
   const double length = to - from, depth = level ? panel.width() : panel.height();
-  from = std::max(from, first->at - 0.6 * pitch);  // with the joints that bound it
+  from = std::max(from, first->at - 0.6 * pitch);  // including the joints at its ends
   to = std::min(to, last->at + 0.6 * pitch);
   const std::vector<LineSum> other =
       scan(joints, reached, level ? Lines::kUpright : Lines::kLevel, pitch_across);
@@ -98,7 +98,7 @@ double widest_line(const std::vector<LineSum>& lines) {
   return widest;
 }
 
-// The slip that 0.9 of the lines have at least [m].
+// The slip that 90 % of the lines reach [m].
 double slip_on_all(const std::vector<LineSum>& lines) {
   std::vector<double> slip;
   for (const LineSum& line : lines) slip.push_back(std::fabs(line.slip));
@@ -111,7 +111,7 @@ bool is_foundation(const BedSection& section) {
   return j.on_ground || j.kind == JointKind::kFoundation;
 }
 
-// Slips of bed sections: the most in one, or of all together; and on the foundation.
+// Slip of bed sections: the largest in one section or in all together, and on the foundation.
 struct BedSlips {
   double above = 0, below = 0;  // [m]
 };
@@ -122,10 +122,10 @@ double length_of(const BedSection& section) {
   return length;
 }
 
-// `width` of a section; 0: the masonry there is, where that is half of `least` or more.
+// `width` of a section, or 0: the length of its joints. Then sections shorter than half of `least` do not count.
 BedSlips slips_of(const std::vector<BedSection>& sections, double width, double least = 0) {
   BedSlips slips;
-  double together = 0;  // many little slips, one way
+  double together = 0;  // many small slips in one direction
   for (const BedSection& section : sections) {
     const double all = width > 0 ? width : length_of(section);
     if (all < 0.5 * least) continue;
@@ -137,7 +137,7 @@ BedSlips slips_of(const std::vector<BedSection>& sections, double width, double 
   return slips;
 }
 
-// How far a pier turns about a toe: of the way its blocks went against what it stands on.
+// Rotation share of a pier: how much of its blocks' motion against the base is a rotation about a toe.
 class Turning {
  public:
   Turning(const Pier& pier, const WallParts& parts, const std::vector<BlockMotion>& blocks,
@@ -148,7 +148,7 @@ class Turning {
         blocks_(blocks),
         crack_(crack) {}
 
-  // The lesser of that share and of twice the share of the pier's mass that has moved so.
+  // The smaller of that share and twice the share of the pier's mass that has moved so.
   [[nodiscard]] double share() const {
     const auto under = [&](const BlockMotion& b) {
       return is_in_line(b) && b.at.y < pier_.base && b.at.y > pier_.base - 2 * course_;
@@ -171,11 +171,11 @@ class Turning {
   [[nodiscard]] bool is_in_line(const BlockMotion& b) const {
     return b.at.x > pier_.box.x0 && b.at.x < pier_.box.x1;
   }
-  // Motion of a block against a frame that moves rigidly.
+  // Motion of a block relative to a rigid frame of reference.
   static RigidMotion against(const RigidMotion& frame, const RigidMotion& b) {
     return {b.at, b.moved - frame.moved - cross(frame.turn, b.at - frame.at), b.turn - frame.turn};
   }
-  // The share of a motion that is a turn about a toe: its way by turning, and what is left there.
+  // The share of a motion that is a rotation about a toe: displacement by rotation, over that and the rest.
   static double turned(const RigidMotion& m, Vec3 toe) {
     const Vec3 arm = m.at - toe;
     const double by_turn = length(m.turn) * length(arm);
@@ -185,7 +185,7 @@ class Turning {
 
   [[nodiscard]] double about(Vec3 toe, const RigidMotion& base, const RigidMotion& head) const {
     constexpr double kHalf = 0.5;
-    // a head that does not turn with the pier holds its top level: what hangs on it does not count
+    // a head that does not turn with the pier holds its top: blocks that hang on it do not count
     const RigidMotion at_head = against(base, head);
     const bool is_held = length(at_head.moved) >= crack_ && turned(at_head, toe) < kHalf;
     double turns = 0, way = 0, moved = 0, all = 0;
@@ -204,12 +204,12 @@ class Turning {
 
   const Pier& pier_;
   double course_;
-  bool is_topmost_;  // nothing but plates or a beam stands on it
+  bool is_topmost_;  // only plates or a beam stand on it
   const std::vector<BlockMotion>& blocks_;
   double crack_;
 };
 
-// What is read of a pier's bed sections.
+// Measures from a pier's bed sections.
 struct Beds {
   double open_foot = 0;        // largest open share of a section in the foot
   double opened = 0;           // widest joint at foot or head [m]
@@ -250,7 +250,7 @@ class SignReader {
          sign(kFlexural, "widest bed joint at foot or head", beds.opened, rules_.crack, "mm")});
   }
 
-  // Beds that run through the whole wall, above its openings or between them.
+  // Bed joints that run through the whole wall, above its openings or between them.
   [[nodiscard]] ElementState whole_wall() const {
     Box all = parts_.wall;
     all.x0 -= parts_.column;
@@ -325,7 +325,7 @@ class SignReader {
   }
 
  private:
-  // Over an arch, the masonry beside its crown too: within the opening's width there is no other.
+  // Over an arch, also the masonry beside its crown, because there is none within the opening's width.
   static Box with_haunches(const Spandrel& s, Box masonry) {
     if (!s.is_sill && !(s.lintel > 0)) masonry.y0 -= s.opening;
     return masonry;
@@ -334,11 +334,11 @@ class SignReader {
     const std::vector<PieceOff> pieces = broken_off(motion_, rules_);
     return pieces.empty() ? 0.0 : pieces.front().share;
   }
-  // How far a crack has come, and how far it has to come.
+  // Length of a crack, and the length that counts as failure.
   struct Reach {
     double length = 0, needed = 0;  // [m]
   };
-  // The farther of two: across the pier, from side to side; or along its shaft, where a steep one splits it.
+  // The crack that is nearer to failure: across the pier from side to side, or along its shaft, where a steep crack splits it.
   [[nodiscard]] Reach crack_through(const Pier& p) const {
     const Box core = without_edges(p.box), shaft = without_edges(shaft_of(p));
     const PartedPanel crack = parted(joints_, core, Lines::kLevel, parts_, rules_.crack);
@@ -348,8 +348,8 @@ class SignReader {
     const Reach along{split.along, kSlender * shaft.height()};
     return along.length * across.needed > across.length * along.needed ? along : across;
   }
-  // A strip of half a unit that comes off a pier's edge is no crack through the pier, as long as it is
-  // less than half of the toe's quarter.
+  // A strip of half a unit that comes off a pier's edge is no crack through
+  // the pier. The strip must be less than half of the toe's quarter.
   [[nodiscard]] Box without_edges(Box pier) const {
     if (parts_.column > 0.5 * kFoot * pier.width()) return pier;
     pier.x0 += parts_.column;
@@ -373,7 +373,7 @@ class SignReader {
     }
     return beds;
   }
-  // How surely the joints' strength adds next to nothing to the force across them, 0 to 1.
+  // Truth (0 to 1) that the bond of the joints is negligible against the force across them.
   static double dryness(const Beds& beds) {
     constexpr double kNextToNothing = 0.05;
     if (!(beds.bond > 0)) return 1;
@@ -404,7 +404,7 @@ double width_growth(const Pier& pier, const WallParts& parts,
 }
 
 std::vector<PieceOff> broken_off(const WallMotion& motion, const ModeRules& rules) {
-  constexpr double kHalf = 0.5;  // it may hang on at a hinge
+  constexpr double kHalf = 0.5;  // a piece may still hang at a hinge
   std::vector<PieceOff> pieces = pieces_off(motion, rules.crack, rules.sliding);
   std::erase_if(pieces, [&](const PieceOff& p) {
     return p.torn < kHalf || p.share < (1 - rules.doubt) * rules.broken_off;

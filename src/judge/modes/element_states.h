@@ -5,15 +5,15 @@
 //                         spandrel,   widest crack summed along a level line         crack
 //                         connection
 //   rocking               pier        share of a section at the foot that is open,   rocking
-//                                     or of its motion that turns about a toe (dry)
-//   diagonal shear crack  pier        height over which the shaft is parted; where   pier_crossed
-//                                     it is dry, but for what turning explains
+//                                     or of its motion that rotates about a toe (dry)
+//   diagonal shear crack  pier        height over which the shaft is parted; in a    pier_crossed
+//                                     dry pier less the share of rotation
 //                         spandrel    length over which the depth is parted          spandrel_crossed
-//   sliding               pier, wall  slip all across a bed section, or all of them  sliding
-//                         spandrel,   slip all down a vertical section               sliding
+//   sliding               pier, wall  slip of 90 % of a bed section, or of all       sliding
+//                         spandrel,   slip of 90 % of a vertical section             sliding
 //                         connection
-//   sliding at the base   pier, wall  slip all across the foundation                 sliding
-//   sliding               top joint   slip all along plates or beam                  sliding
+//   sliding at the base   pier, wall  slip of 90 % of the foundation                 sliding
+//   sliding               top joint   slip of 90 % along plates or beam              sliding
 //   breaking away         wall        share of the largest piece that came off       broken_off
 //   toe crushing          toe         strength lost by a joint                       crushing
 //
@@ -41,31 +41,31 @@ inline constexpr const char* kBreaking = "breaking away";
 inline constexpr const char* kWholeWall = "whole wall";
 inline constexpr const char* kTopJoint = "top joint";
 
-// rules_for() a wall with these parts.
+// rules_for() for a wall with these parts.
 [[nodiscard]] ModeRules rules_of(const WallParts& parts);
 // Piers, spandrels, connections, toes, in the order of WallParts; then the whole wall where it has
 // openings, and the top joint where it has plates or a beam.
 [[nodiscard]] ElementStates element_states(const WallParts& parts, const WallMotion& motion,
                                            const ModeRules& rules);
-// The part of a pier a diagonal crack is looked for in: a quarter of the width off foot and head,
-// where the cracks of rocking and of the connections are.
+// The part of a pier that is searched for a diagonal crack. It leaves out a quarter
+// of the width at foot and head, where cracks of rocking and of connections lie.
 [[nodiscard]] Box shaft_of(const Pier& pier);
-// Growth of a pier's width at its most parted course, now [m].
+// Present growth of a pier's width at its most parted course [m].
 [[nodiscard]] double width_growth(const Pier& pier, const WallParts& parts,
                                   const std::vector<JointMotion>& joints);
 
-// Pieces that have left the rest of the wall by `sliding`, along a crack for half of their outline at least:
-// what bends away along many small ones has not broken off. No loose stones: each is broken_off of the masonry or
-// more, as far as `doubt`. The heaviest first.
+// Pieces that moved away from the rest of the wall by `sliding`, along a crack over at least half of
+// their outline. A part that bends away along many small cracks has not broken off. Each piece has a
+// mass of at least broken_off, less `doubt`, so loose stones do not count. The heaviest first.
 [[nodiscard]] std::vector<PieceOff> broken_off(const WallMotion& motion, const ModeRules& rules);
 
-// How surely each sign holds, from 0 to 1: the mean over crack widths from half to twice the rule's
-// of a ramp from `doubt` below the threshold to as much above. By element, then sign, as in
-// element_states.
+// The truth of each sign, from 0 to 1: the mean over crack widths from half to
+// twice the rule's. At each width it is a ramp from `doubt` below the threshold
+// to as much above. Ordered by element, then sign, as in element_states.
 using Truths = std::vector<std::vector<double>>;
 [[nodiscard]] Truths truths_of(const WallParts& parts, const WallMotion& motion,
                                const ModeRules& rules);
-// Truth of one measure with the rules as they are.
+// Truth of one measure under the given rules.
 [[nodiscard]] double ramp(double value, double threshold, const ModeRules& rules);
 // The truth of one sign of one element; 0 where the element has no such sign.
 [[nodiscard]] double truth(const ElementStates& elements, const Truths& truths,

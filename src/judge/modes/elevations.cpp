@@ -1,6 +1,6 @@
-// Sorts the blocks of a model into walls: by the names that the builder gives, else by what joints hold together.
-// A wall has a plane where it is thin in plan: its thickness over its length, squared, is a tenth or less. A block of
-// another wall is of this one too where it lies within the thickness, as teeth of corners do.
+// Sorts the blocks of a model into walls, by the names of the builder or else by connected joints. A wall
+// has a plane if it is thin in plan: the square of thickness over length is a tenth or less. A block of
+// another wall also belongs to this one if it lies within its thickness, as teeth of corners do.
 #include "judge/modes/elevations.h"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ struct Range {
   }
 };
 
-// How far blocks reach along a direction.
+// Extent of blocks along a direction.
 template <class Blocks>
 Range range_of(const Model& model, const Blocks& blocks, Vec3 direction) {
   Range range;
@@ -33,8 +33,8 @@ Range range_of(const Model& model, const Blocks& blocks, Vec3 direction) {
   return range;
 }
 
-// Head joints lie across a wall: their normals are its direction, to the last bit. Centroids alone tell it but for
-// what slabs and teeth take away.
+// Direction of a wall. Head joints lie across it, so their normals give
+// it exactly. Centroids alone would be shifted by slabs and teeth.
 Vec3 direction_of(const Model& model, const std::vector<char>& of, Vec3 near) {
   constexpr double kParallel = 0.95;
   Vec3 sum;
@@ -45,7 +45,7 @@ Vec3 direction_of(const Model& model, const std::vector<char>& of, Vec3 near) {
     if (!is_own(joint.a) || !is_own(joint.b) || std::fabs(along) < kParallel) continue;
     sum = sum + std::copysign(joint.area, along) * joint.normal;
   }
-  sum.y = 0;  // head joints that lean do not tilt the wall
+  sum.y = 0;  // inclined head joints do not tilt the wall
   return length(sum) > 0 ? sum / length(sum) : near;
 }
 
@@ -55,7 +55,7 @@ const std::vector<Polyhedron>& solid_of(const Model& model, BlockId block) {
                   : model.space.solids.bodies[static_cast<std::size_t>(body)].body.part;
 }
 
-// Along a wall towards +x; where it runs along z towards +z.
+// Turns a direction along a wall towards +x, or towards +z for a wall along z.
 Vec3 rightwards(Vec3 along) {
   constexpr double kNone = 1e-9;
   const bool turns = std::fabs(along.x) > kNone ? along.x < 0 : along.z < 0;
@@ -67,7 +67,7 @@ struct Group {
   std::vector<Moved> blocks;
 };
 
-// Walls by the builder's names, then by what hangs together; of masonry that is there to stay, without slabs.
+// Groups of blocks by the builder's names, then by connection; only masonry that stays, without slabs.
 std::vector<Group> groups_of(const Model& model) {
   std::vector<Group> groups;
   std::vector<Moved> unnamed;
@@ -88,7 +88,7 @@ std::vector<Group> groups_of(const Model& model) {
   return groups;
 }
 
-// Every block that lies within the thickness and the length of the wall, by more than a hundredth of the thickness.
+// Adds every block that lies within the thickness and length of the wall by more than a hundredth of the thickness.
 void take_teeth(const Model& model, const std::vector<BlockId>& own, Elevation& wall) {
   constexpr double kTouch = 0.01;
   const Range thickness = range_of(model, own, wall.across),
@@ -110,7 +110,7 @@ void take_teeth(const Model& model, const std::vector<BlockId>& own, Elevation& 
   }
 }
 
-// What a block takes of a wall.
+// The space of a block in a wall.
 struct Taken {
   Range along, up, across;
   [[nodiscard]] bool holds(const Vec3& place) const {
@@ -126,7 +126,7 @@ Range common_of(const Range& a, const Range& b) {
   return {std::fmax(a.low, b.low), std::fmin(a.high, b.high)};
 }
 
-// Length of what ranges cover together.
+// Length of the union of ranges.
 double covered_by(std::vector<Range> ranges) {
   std::sort(ranges.begin(), ranges.end(),
             [](const Range& a, const Range& b) { return a.low < b.low; });
@@ -138,7 +138,7 @@ double covered_by(std::vector<Range> ranges) {
   return all;
 }
 
-// Of each joint how much of the wall's thickness both of its blocks take, over what all blocks take where it lies.
+// For each joint the share of the wall's thickness where both of its blocks meet, against all blocks at its place.
 std::vector<double> shares_of(const Model& model, const std::vector<BlockId>& own,
                               const Elevation& wall) {
   constexpr double kAll = 1 - 1e-6;
@@ -205,7 +205,7 @@ std::vector<Elevation> walls_in_space(const Model& model) {
   return walls;
 }
 
-// Anticlockwise round points of a plane, by their angle about the first corner (Andrew's chain).
+// Convex hull of points in a plane, anticlockwise (Andrew's chain).
 std::vector<Vec3> hull_round(std::vector<Vec3> points) {
   std::sort(points.begin(), points.end(),
             [](const Vec3& a, const Vec3& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });

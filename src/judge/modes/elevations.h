@@ -1,12 +1,12 @@
-// The walls of a model, each as it is seen across its plane: there parts are found and damage is read.
+// The walls of a model, each as it is seen across its plane. Parts are found and damage is evaluated in this view.
 //
 //      up        along   level, to the right: towards +x, of a wall along z towards +z
 //       |        across  towards who looks; along, up and across are right-handed
 //       |
-//       +---- along      A wall in its plane is one elevation, and what is seen of it is as it is. In space each
-//                        wall that is thin in plan has one; slabs and what else is not thin have none.
+//       +---- along      A wall in its plane is one elevation, with unchanged coordinates. In space each wall that
+//                        is thin in plan has one; slabs and other bodies have none.
 //
-// What other walls tooth into a wall belongs to its elevation too: a corner has no hole in every second course.
+// Blocks of other walls that are toothed into a wall belong to its elevation too, so corners have no holes.
 #pragma once
 
 #include <cmath>
@@ -22,37 +22,37 @@ struct Elevation {
   std::string wall;      // the builder's name; empty in the plane and where the model has one wall
   Vec3 along{1, 0, 0};   // unit vectors
   Vec3 across{0, 0, 1};  //
-  std::vector<char> of;  // of each rigid block whether it is of this wall; empty: all are
+  std::vector<char> of;  // for each rigid block: belongs to this wall; empty: all do
   std::vector<BlockId> bodies =
-      {};  // deformable blocks of it in space, as read_block() numbers them
+      {};  // deformable blocks of it in space, numbered as in read_block()
   std::vector<double> share =
-      {};  // of each joint: how much of the wall's thickness it takes there; empty: all
+      {};  // for each joint: its share of the wall's thickness there; empty: all of it
 
   [[nodiscard]] bool holds(BlockId block) const {
     return of.empty() || (block >= 0 && static_cast<std::size_t>(block) < of.size() &&
                           of[static_cast<std::size_t>(block)] != 0);
   }
-  // A place at the start, without its distance from the plane. In space it is rounded to a nanometre: what lies on an
-  // edge of a part lies on it in any world.
+  // A place at the start, projected on the plane. In space it is rounded to a
+  // nanometre, so that a place on the edge of a part stays on it in any orientation.
   [[nodiscard]] Vec3 place(Vec3 v) const {
     constexpr double kNanometres = 1e9;
     const auto rounded = [](double x) { return std::round(x * kNanometres) / kNanometres; };
     return of.empty() ? v : Vec3{rounded(dot(v, along)), rounded(v.y), 0};
   }
-  // A way or a direction: along, up, across.
+  // A displacement or a direction: components along, up, across.
   [[nodiscard]] Vec3 seen(Vec3 v) const {
     return of.empty() ? v : Vec3{dot(v, along), v.y, dot(v, across)};
   }
-  // The same without what leads out of the plane; of a turn that about `across` alone.
+  // The same without the component out of the plane; for a rotation only the component about `across`.
   [[nodiscard]] Vec3 way(Vec3 v) const { return of.empty() ? v : Vec3{dot(v, along), v.y, 0}; }
   [[nodiscard]] Vec3 turn(Vec3 v) const { return of.empty() ? v : Vec3{0, 0, dot(v, across)}; }
 };
 [[nodiscard]] std::vector<Elevation> elevations_of(const Model& model);
 
-// Outlines of a block as it is seen at the start, one of each convex part [m].
+// Outlines of a block in this view at the start, one for each convex part [m].
 [[nodiscard]] std::vector<std::vector<Vec3>> outlines_of(const Model& model, const Elevation& seen,
                                                          BlockId block);
-// Half of what is seen of a joint, along the wall and upwards [m].
+// Half the size of a joint in this view, along the wall and upwards [m].
 struct Reach {
   double along = 0, up = 0;
 };
@@ -60,7 +60,7 @@ struct Reach {
 // Moment of inertia of a rigid block about its centroid, in the plane of the wall [kg m^2].
 [[nodiscard]] double inertia_of(const Model& model, const Elevation& seen, BlockId block);
 
-// Whether a rigid block makes a wall. Slabs and frames do not, and neither does what a stage cuts out.
+// Whether a rigid block belongs to a wall. Slabs, frames and blocks that a stage cuts out do not.
 [[nodiscard]] bool makes_walls(const Model& model, BlockId block);
 
 // The builder's name of the wall: "front" of front.c03u05a, front.lintel0; "" for other ids.

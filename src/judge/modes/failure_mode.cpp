@@ -1,11 +1,13 @@
-// Reads the stored states of a push: the name at one of them, when each sign first showed, and what
-// the name would be elsewhere. The parts are in wall_parts, the signs in element_states, the rules
-// in mode_names, the flags in mode_flags.
+// Evaluates the stored states of a push: the name at one of them, the displacement where
+// each sign first showed, and the name at other displacements. The parts are in wall_parts,
+// the signs in element_states, the rules in mode_names, the flags in mode_flags.
 #include "wythe/parts/failure_mode.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "dynamics/stages/wall_run.h"
 #include "judge/modes/in_space.h"
 #include "judge/modes/mode_flags.h"
 #include "judge/modes/mode_names.h"
@@ -20,7 +22,7 @@ using study::Elevation;
 using study::WallMotion;
 using study::WallParts;
 
-constexpr double kNearly = 0.01;  // displacements that count as one
+constexpr double kNearly = 0.01;  // relative difference of equal displacements
 
 double far(const Snapshot& s) { return std::fabs(s.displacement); }
 
@@ -34,8 +36,8 @@ bool is_cyclic(const Model& model, const Snapshot& s) {
   return stage != nullptr && !stage->spec.targets.empty();
 }
 
-// The first state that has gone as far as `read_at`, else the last. Of a cyclic push the last there
-// before it goes farther, so that both ways have had their turn, else the last of the farthest.
+// The first state at displacement `read_at`, else the last state. For a cyclic push, the last state there before
+// it goes farther, so that both directions have had their turn; else the last one at the largest displacement.
 const Snapshot* state_to_read(const Model& model, const std::vector<Snapshot>& states,
                               double read_at) {
   if (states.empty()) return nullptr;
@@ -59,14 +61,14 @@ Message millimetres(double displacement) {
   return {std::fabs(mm) < 9.995 ? "length.hundredths" : "length.tenths", {{"mm", mm}}};
 }
 
-// Body force and tilt, in a state the wall was leaving for good.
+// True for body force and tilt, in a state far from balance, which the wall was leaving.
 bool is_falling(const Model& model, const Snapshot& s) {
   const Stage* stage = stage_of(model, s);
   return stage != nullptr && s.state.balance >= 2 * model.solve.settle_ratio &&
          (stage->spec.kind == StageKind::kBodyForce || stage->spec.kind == StageKind::kTilt);
 }
 
-// A wall that falls moves as a mechanism, whose size is where the run was ended: widths shrink with it.
+// A wall that falls moves as a mechanism, and its size depends on where the run ended. So the limit widths shrink with it.
 ModeRules rules_at(const Model& model, const WallParts& parts, const Result& result,
                    const Snapshot& s, double read_at) {
   ModeRules rules = study::rules_of(parts);
@@ -78,7 +80,7 @@ ModeRules rules_at(const Model& model, const WallParts& parts, const Result& res
   return rules;
 }
 
-// "read at 40.0 mm", and what has to be known beside.
+// "read at 40.0 mm", and facts that a reader needs beside it.
 Message words_for(const Model& model, const Result& result, const Snapshot& s, double read_at) {
   std::vector<Message> words = {{"reading.at", {{"displacement", millimetres(s.displacement)}}}};
   const bool turned = s.label == "turn";
@@ -96,7 +98,7 @@ Message words_for(const Model& model, const Result& result, const Snapshot& s, d
   return {"reading", {{"words", std::move(words)}}};
 }
 
-// The share of its peak that the force has lost where the state is read.
+// The share of its peak that the force has lost at the displacement of the reading.
 double force_lost(const Result& result, double read_at) {
   double peak = 0, now = 0;
   for (const CurveRow& row : backbone_of(result.curve)) {
@@ -107,7 +109,7 @@ double force_lost(const Result& result, double read_at) {
   return peak > 0 ? 1 - now / peak : 0.0;
 }
 
-// A wall that collapsed has a cause, too: what fell first, as the run says. A name of its own has only what a tie pulled away.
+// The cause of a collapse: the first block that fell, from the run's reason. Only a block that a tie pulled away has a name of its own.
 const Message& why_it_fell(const Message& reason) {
   if (reason.code != "load.largest_carried") return reason;
   for (const Argument& argument : reason.arguments)
@@ -130,7 +132,7 @@ bool shows_nothing(const FailureMode& mode) {
           std::any_of(std::begin(kNothing), std::end(kNothing),
                       [&](const char* code) { return mode.sentence.code == code; }));
 }
-// Between no damage and one kind of damage. A wall that fell is damaged, so the kind is its name.
+// The kind of damage, if the name lies between none and one kind. A wall that fell is damaged, so that kind is its name.
 const Message* only_kind(const FailureMode& mode) {
   if (mode.name != "unclear" || mode.sentence.code != "mode.between_kinds") return nullptr;
   const auto inner = [](const Message& message, const char* name) -> const std::vector<Message>* {
@@ -176,7 +178,7 @@ void name_fall(const Result& result, WallMechanism& mechanism) {
                            : Message{"mode.fell", {{"why", why_it_fell(result.reason)}}};
 }
 
-// A force that fell needs a cause: in space too "none" is no name for it.
+// A force that fell needs a cause: in space too, "none" is not a valid name then.
 FailureMode name_read_in_space(const Model& model, const Result& result, const Snapshot& read) {
   FailureMode mode = study::name_in_space(model, read.state);
   if (mode.name != "none" || is_load_controlled(result)) return mode;
@@ -188,7 +190,7 @@ FailureMode name_read_in_space(const Model& model, const Result& result, const S
   return mode;
 }
 
-// Length of the joints in a state that are pressed where they have no face.
+// Length of the joints in a state that are pressed where their faces no longer overlap.
 double length_slid_off(const WallMotion& motion) {
   double length = 0;
   for (const auto* list : {&motion.joints, &motion.top})
@@ -196,7 +198,7 @@ double length_slid_off(const WallMotion& motion) {
   return length;
 }
 
-// Half a section of the narrowest pier stands on faces that are not there: no name is vouched for.
+// If half a section of the narrowest pier stands on faces that no longer overlap, no name is reliable.
 bool is_slid_off(const WallParts& parts, const WallMotion& motion) {
   double narrowest = parts.wall.width();
   for (const study::Pier& p : parts.piers) narrowest = std::min(narrowest, p.box.width());
@@ -215,7 +217,7 @@ void doubt_slid_off(const WallParts& parts, const WallMotion& motion, const Vali
   mode.words = {};
 }
 
-// What each part showed at the states up to the one that is read.
+// The damage of each part in the states up to the one that is read.
 std::vector<study::ElementReading> readings_up_to(const Model& model, const Elevation& seen,
                                                   const WallParts& parts, const Result& result,
                                                   const Snapshot* read, const ModeRules& rules) {
@@ -311,11 +313,11 @@ ElementStates read_elements(const Model& model, const State& state) {
 
 namespace {
 
-// The walls that move in their planes, and what each shows there.
+// The walls that move in their planes, and the damage of each.
 struct WallsInPlane {
   std::vector<FailureMode> modes;
-  bool is_all = false;  // that takes part
-  Evidence told;        // how much of it they are
+  bool is_all = false;  // they are all that takes part
+  Evidence told;        // their share of the motion
 };
 template <class ModeOf>
 WallsInPlane walls_in_plane(const Model& model, const State& state, const ModeOf& mode_of) {
@@ -341,8 +343,8 @@ struct ModeInSpace {
   bool is_of_plane_wall = false;  // by its name
 };
 
-// A mode by what moved, with what walls show that move in their planes: their piers and spandrels, and where they
-// agree the name of plane walls.
+// Completes a mode in space with the walls that move in their planes:
+// their piers and spandrels, and the name of plane walls if all agree.
 ModeInSpace with_walls(FailureMode mode, const WallsInPlane& walls) {
   const bool may_be = mode.name == "sliding" || study::stays_in_plane(mode.name);
   mode.evidence.push_back(walls.told);
@@ -364,7 +366,7 @@ ModeInSpace with_walls(FailureMode mode, const WallsInPlane& walls) {
   return {std::move(mode), true};
 }
 
-// What one wall shows in its own plane, by one state alone.
+// The mode of one wall in its own plane, from one state.
 FailureMode name_of_wall(const Model& model, const State& state, const Elevation& seen,
                          const WallParts& parts, const ModeRules& rules) {
   const WallMotion motion = study::evaluate_motion(model, state, seen);
@@ -395,7 +397,7 @@ FailureMode name_from_state(const Model& model, const State& state) {
 
 namespace {
 
-// What one wall shows in its own plane at the state that is read.
+// The mode of one wall in its own plane at the state that is read.
 FailureMode mode_of_wall(const Model& model, const Elevation& seen, const WallParts& parts,
                          const Result& result, const Snapshot& read, double read_at) {
   const WallMotion motion = study::evaluate_motion(model, read.state, seen);
@@ -407,7 +409,7 @@ FailureMode mode_of_wall(const Model& model, const Elevation& seen, const WallPa
   doubt_slid_off(parts, motion, result.validity, mode);
   for (const study::ElementReading& r : readings)
     note_first(r.elements, r.displacement, mode.elements);
-  // when a part that is sound so far fails later: limit states may lie beyond the state that is read
+  // when a sound part fails later: limit states may lie beyond the state that is read
   for (std::size_t i = readings.size(); i < result.readings.size() && !is_cyclic(model, read);
        ++i) {
     const Snapshot& s = result.readings[i];
@@ -454,7 +456,7 @@ WallMechanism mechanism_in(const WallParts& parts, const WallMotion& motion, con
   return mechanism;
 }
 
-// The part in which a joint lies, the smallest that holds it.
+// The smallest part that contains a joint.
 Message place_of(const WallParts& parts, const study::JointMotion& joint) {
   const study::Part* found = nullptr;
   for (const auto& [part, kind] : study::all_parts(parts)) {
@@ -471,7 +473,7 @@ Message place_of(const WallParts& parts, const study::JointMotion& joint) {
   return words != parts.words.end() ? words->second : as_text(found->name);
 }
 
-// A force that fell needs a cause. Where no pier and no spandrel shows one, say so, and where it moved most.
+// A force that fell needs a cause. If no pier or spandrel shows one, this says so, and where the wall moved most.
 void doubt_calm(const WallParts& parts, const WallMotion& motion, double lost,
                 WallMechanism& mechanism) {
   const study::JointMotion* most = nullptr;
@@ -497,6 +499,12 @@ FailureMode name_failure_mode(const Model& model, const Result& result, double r
   FailureMode mode = mode_of_push(model, result, read_at);
   name_fall(result, mode);
   return mode;
+}
+
+Result solve(const Model& model, State& state, const SolveOptions& options, RunRecord so_far) {
+  Result result = dynamics::run_stages(model, state, options, std::move(so_far));
+  result.failure_mode = name_failure_mode(model, result, options.read_modes_at);
+  return result;
 }
 
 SlowPushVerdict mode_of_slow_push(const Model& model, const Result& result) {

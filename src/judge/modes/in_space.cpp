@@ -1,6 +1,6 @@
-// Names the failure of a wall in space: first which blocks take part, then which rigid pieces explain their motion.
-// Order: loose stones, one piece, motion in the plane of thin walls, up to four pieces. The first rule that holds gives
-// the name. Any name becomes "unclear" where a slab slips on the walls, or moved joints are pressed beyond their faces.
+// Names the failure of a wall in space: first the blocks that take part, then the rigid pieces that explain their motion. The
+// order is loose stones, one piece, motion in the plane of thin walls, up to four pieces. The first rule that holds gives the
+// name. The name is "unclear" where a slab slips on the walls, or where moved joints are pressed beyond their faces.
 #include "judge/modes/in_space.h"
 
 #include <algorithm>
@@ -16,19 +16,19 @@ namespace {
 
 constexpr double kMoved = 0.005;  // of a joint's size: an opening or slip that counts
 constexpr double kTakesPart =
-    0.25;  // of the furthest block's way: what takes part in the mechanism
+    0.25;  // of the largest displacement: a block with more takes part in the mechanism
 constexpr double kStandsFor =
-    1.0 / 3;                        // of what moved, by mass: what a mechanism of the wall holds
-constexpr double kSomeWall = 0.02;  // of the wall, by mass: what is more than a loose stone
-constexpr double kMain = 2.0 / 3;   // of what moves, by mass: a piece that drags the others along
-constexpr double kOffPlane = 0.15;  // of the motion: what may leave the wall's plane
-constexpr double kThin = 0.1;       // thickness over length, squared: what has a plane
-constexpr double kParallel = 0.95;  // cosine from which on two walls are parallel
-constexpr double kOblique = 0.3;    // cosine from which on a turn is about an axis as well
-constexpr double kSlidOff = 0.25;   // of the joints that moved, by area: no name is vouched for
+    1.0 / 3;                        // of the moved mass: the least share of a mechanism of the wall
+constexpr double kSomeWall = 0.02;  // of the wall's mass: more than loose stones
+constexpr double kMain = 2.0 / 3;   // of the moving mass: a piece that drags the others along
+constexpr double kOffPlane = 0.15;  // of the motion: largest part out of the wall's plane
+constexpr double kThin = 0.1;       // thickness over length, squared: a wall below it has a plane
+constexpr double kParallel = 0.95;  // cosine above which two walls are parallel
+constexpr double kOblique = 0.3;    // cosine above which a turn is also about an axis
+constexpr double kSlidOff = 0.25;   // of the area of moved joints: above it no name is reliable
 
 constexpr const char* kInPlanes = "mass of walls that move in their planes";
-constexpr const char* kBreakingAway = "part breaking away";  // a name of plane walls too
+constexpr const char* kBreakingAway = "part breaking away";  // plane walls use this name too
 
 double mass_of(const std::vector<Moved>& blocks) {
   double mass = 0;
@@ -36,8 +36,8 @@ double mass_of(const std::vector<Moved>& blocks) {
   return mass;
 }
 
-// What the joints tell: the largest movement over a joint's size; sums of area times opening and slip, and how
-// much of the area that moved is pressed where there is no face left.
+// Sums over the joints: the largest movement over a joint's size; area times opening and
+// times slip; and the share of the moved area that is pressed where faces no longer overlap.
 struct Joints {
   double movement = 0, size = 0, opened = 0, slid = 0, slid_off = 0;
 };
@@ -76,12 +76,12 @@ double off_plane(const std::vector<Moved>& blocks, Vec3 normal) {
 double level_part(Vec3 turn) { return std::hypot(turn.x, turn.z); }
 bool is_level(Vec3 turn) { return std::fabs(turn.y) < 0.5 * length(turn); }
 
-// How high a piece's axis of rotation passes: where it moves least.
+// A place on a piece's axis of rotation, where the piece moves least.
 Vec3 hinge_of(const Piece& piece) {
   return piece.centre + cross(piece.turn, piece.shift) / dot(piece.turn, piece.turn);
 }
 
-// Whether a piece holds units of two walls that meet, and tilts away from both.
+// Whether a piece contains units of two walls that meet, and tilts away from both.
 bool is_wedge(const Piece& piece) {
   Vec3 first, along_two[2];
   double mass[2] = {0, 0};
@@ -130,7 +130,7 @@ void note(FailureMode& mode, const char* what, double value, double threshold) {
   mode.evidence.push_back({"moving blocks", what, value, threshold, "-"});
 }
 
-// Pieces that turn against each other about level axes, one above the other: a wall that spans upwards.
+// Pieces one above the other that turn against each other about horizontal axes: the wall spans vertically.
 bool bends_upwards(const std::vector<Piece>& pieces) {
   bool against = false;
   for (const Piece& a : pieces) {
@@ -144,7 +144,7 @@ bool bends_upwards(const std::vector<Piece>& pieces) {
   return against;
 }
 
-// Two pieces side by side that turn against each other about upright axes, wholly or in part.
+// Two pieces side by side that turn against each other about vertical axes, alone or together with a tilt.
 struct Sideways {
   bool bends = false, oblique = false;
 };
@@ -156,7 +156,7 @@ Sideways bends_sideways(const std::vector<Piece>& pieces) {
                            std::fabs(b.turn.y) > kOblique * length(b.turn);
       if (!upright || !a.turns || !b.turns || !(a.turn.y * b.turn.y < 0)) continue;
       found.bends = true;
-      // both lean the same way as well, or another piece does
+      // both tilt the same way as well, or another piece tilts
       const double lean = a.turn.x * b.turn.x + a.turn.z * b.turn.z;
       found.oblique = found.oblique ||
                       (lean > 0 && level_part(a.turn) > kOblique * length(a.turn) &&
@@ -170,12 +170,12 @@ Sideways bends_sideways(const std::vector<Piece>& pieces) {
 
 // --- walls that move together ---------------------------------------------------------------------------------
 
-// Masonry that joints hold together, and what of it takes part.
+// Masonry connected by joints, and its blocks that take part.
 struct Wall {
   std::vector<Moved> all, part;
 };
 
-// "walls left, right", or how many blocks where they bear no names of walls.
+// "walls left, right", or the number of blocks where they have no names of walls.
 Message walls_of(const std::vector<Moved>& blocks) {
   constexpr std::size_t kMostNames = 6;
   std::vector<std::string> names;
@@ -191,8 +191,8 @@ Message walls_of(const std::vector<Moved>& blocks) {
   return {names.size() == 1 ? "space.wall" : "space.walls", {{"names", list}}};
 }
 
-// Whether a piece turns about a line at the foot of its walls: some corner of them below its centre would hardly move
-// with it. Their lowest stones need not take part.
+// Whether a piece turns about a line at the foot of its walls: some corner of the
+// walls below its centre hardly moves with it. The lowest stones need not take part.
 bool stands_on_its_hinge(const Piece& piece, const std::vector<Wall>& walls) {
   const auto is_of = [&](const Wall& wall) {
     return std::any_of(wall.part.begin(), wall.part.end(), [&](const Moved& b) {
@@ -214,7 +214,7 @@ bool stands_on_its_hinge(const Piece& piece, const std::vector<Wall>& walls) {
   return least <= kRigid * most && foot < piece.centre.y;
 }
 
-// The pieces that turn as the heaviest does, each about a level line at its own foot; how much they weigh.
+// The pieces that turn like the heaviest one, each about a horizontal line at its own foot; and their mass.
 struct Alike {
   std::vector<const Piece*> pieces;
   double mass = 0, all = 0;
@@ -234,7 +234,7 @@ Alike turn_alike(const std::vector<Piece>& pieces, const std::vector<Wall>& wall
   return found;
 }
 
-// Walls that overturn by equal turns about parallel lines, as a slab between them makes them do; "" where they do not.
+// Walls that overturn by equal turns about parallel lines, for example below a common slab; empty where they do not.
 Message overturn_together(const std::vector<Piece>& pieces, const std::vector<Wall>& walls,
                           FailureMode& mode) {
   const Alike alike = turn_alike(pieces, walls);
@@ -286,7 +286,7 @@ Message some_pieces(const std::vector<Piece>& pieces, const std::vector<Wall>& w
   return {"space.pieces", {{"pieces", count}}};
 }
 
-// Parts that rock as rigid pieces, or joints that slip; where neither decides, what the joints did more.
+// Parts that rock as rigid pieces, or joints that slip. Where neither decides, the larger motion of the joints counts.
 Message in_its_plane(const std::vector<Piece>& pieces, const Joints& joints, FailureMode& mode) {
   double rocking = 0, all = 0;
   for (const Piece& piece : pieces) {
@@ -302,8 +302,8 @@ Message in_its_plane(const std::vector<Piece>& pieces, const Joints& joints, Fai
           {{"percent", 100 * (rocks ? rocking / all : slip)}, {"slip_percent", 100 * slip}}};
 }
 
-// Across the walls that take part, where they are thin and parallel; 0 where they are not. A wall is what joints hold
-// together: the plan of two walls side by side tells of their distance, not of their planes.
+// Normal of the walls that take part, if they are thin and parallel; else 0. Each wall is a set of
+// connected blocks, because the plan of two separate walls shows their distance, not their planes.
 Vec3 normal_of(const std::vector<Wall>& walls) {
   double all = 0, parallel = 0, heaviest = 0;
   Vec3 normal;
@@ -320,7 +320,7 @@ Vec3 normal_of(const std::vector<Wall>& walls) {
   return parallel >= (1 - kRigid) * all ? normal : Vec3{};
 }
 
-// The mechanism of the blocks that take part, wall by wall.
+// The mechanism of the blocks that take part, from each of their walls.
 Message mechanism_of(const std::vector<Wall>& walls, const Joints& joints, FailureMode& mode) {
   Piece whole;
   for (const Wall& wall : walls)
@@ -350,7 +350,7 @@ bool is_slab(const Model& model, BlockId block) {
          model.anatomy.block_role[static_cast<std::size_t>(block)] == BlockRole::kSlab;
 }
 
-// A slab outweighs many stones, and a mode is of walls: it counts only where it goes far beyond them.
+// Removes slabs, which outweigh many stones, because a mode is about walls. They stay only where they move far more than the walls.
 void leave_slabs_out(const Model& model, double least, std::vector<Moved>& blocks) {
   double most = 0;
   for (const Moved& b : blocks) most = std::fmax(most, length(b.moved));
@@ -361,8 +361,8 @@ void leave_slabs_out(const Model& model, double least, std::vector<Moved>& block
     std::erase_if(blocks, [&](const Moved& b) { return is_slab(model, b.id); });
 }
 
-// Slabs that move along, but otherwise than the walls that take part: how far the furthest one slips on them, over
-// its own way. The name of the walls leaves that out.
+// Slabs that move differently from the walls that take part: the largest slip on the walls,
+// and its share of the slab's displacement. The name of the walls does not include it.
 struct Slip {
   double share = 0, way = 0;
 };
@@ -385,7 +385,7 @@ Slip slip_of_slabs(const Model& model, const WallReading& wall, const std::vecto
   return slip;
 }
 
-// The walls of which something takes part; a wall is what hangs together of `masonry`.
+// The walls with blocks that take part. A wall is a connected part of `masonry`.
 std::vector<Wall> walls_with(const Model& model, const std::vector<Moved>& masonry,
                              const std::vector<Moved>& part) {
   std::vector<bool> takes(static_cast<std::size_t>(model.n_block));
@@ -427,7 +427,7 @@ FailureMode name_in_space(const Model& model, const State& state) {
   const auto count = static_cast<double>(part.size());
   note(mode, "mass of the wall that takes part", taking / all, kSomeWall);
   if (taking < kStandsFor * moved || taking < kSomeWall * all) {
-    // few stones that went far tell nothing of the wall behind them
+    // a few stones that moved far show nothing about the wall behind them
     mode.sentence = {"space.loose",
                      {{"blocks", count}, {"percent", 100 * taking / all}, {"mm", 1e3 * most}}};
     return mode;

@@ -9,30 +9,30 @@ namespace wythe::study {
 // "overturning", "sliding", "turning", "bending", "none", or "unclear".
 [[nodiscard]] FailureMode name_in_space(const Model& model, const State& state);
 
-// Names of walls that leave their planes, "part breaking away" among them.
+// Whether a name says that walls leave their planes; "part breaking away" is such a name.
 [[nodiscard]] bool leaves_plane(const std::string& name);
-// Names of failures in the plane of walls. Blocks that slide do so in it or out of it: the name does not say.
+// Whether a name says that walls fail in their planes. "sliding" may be in plane or out of plane, so it is none.
 [[nodiscard]] bool stays_in_plane(const std::string& name);
 
-// The walls that take part in what a state shows, and move in their planes.
+// The walls that take part in the motion of a state, and move in their planes.
 struct WallsMoved {
-  std::vector<std::size_t> of;  // into elevations_of()
-  bool is_all = false;          // they are nearly all that takes part, by mass
-  Evidence told;                // the same, for the mode
+  std::vector<std::size_t> of;  // indices into elevations_of()
+  bool is_all = false;          // they are nearly all of the mass that takes part
+  Evidence told;                // that share, for the mode
 };
 [[nodiscard]] WallsMoved moved_in_plane(const Model& model, const State& state,
                                         const std::vector<Elevation>& elevations);
 [[nodiscard]] bool tells_of_planes(const Evidence& evidence);
-// Whether all that takes part in a mode moves in the planes of its walls, by that evidence: names that plane walls have
-// too do not say.
+// Whether all that takes part in a mode moves in the planes of its walls,
+// from that evidence. Names that plane walls have too do not say so.
 [[nodiscard]] bool stays_in_planes(const FailureMode& mode);
 // Whether a wall stands along a push.
 [[nodiscard]] bool is_along(const Elevation& wall, const Vec3& push);
 
-// Walls by their planes as they were built: what a push does to them does not depend on how they fail.
+// Walls by their planes as built, whatever way they fail.
 struct WallsByPush {
-  int walls = 0;              // by the builder's names, else what hangs together
-  int along = 0, across = 0;  // of them, by their planes; the others have none
+  int walls = 0;              // by the builder's names, else by connection
+  int along = 0, across = 0;  // of them, by their planes; other walls have no plane
   [[nodiscard]] bool all_along() const { return along == walls; }
   [[nodiscard]] bool all_across() const { return across > 0 && across == walls; }
 };

@@ -1,7 +1,7 @@
-// Reads what each joint and block did in a state, and sums it along straight lines (5.1) and along beds.
-// Plates and the beam are kept apart as the top; frames and coats are left out, since a name tells of the masonry. For
-// pieces that came off, a rigid motion is fitted to the rest of the wall again and again. Blocks that left it by
-// `parted` are then joined across joints that moved less than that.
+// Reads the motion of each joint and block in a state, and sums it along straight lines (5.1) and
+// along beds. Plates and the beam are kept apart as the top. Frames and coats are left out, because
+// names describe the masonry. For pieces that came off, a rigid motion is fitted repeatedly to the
+// rest of the wall. Blocks that left it by `parted` are then joined across joints that moved less.
 #include "judge/modes/joint_motion.h"
 
 #include <algorithm>
@@ -15,17 +15,17 @@
 namespace wythe::study {
 namespace {
 
-constexpr double kNowhere = 1e300;  // of blocks that are of other walls
+constexpr double kNowhere = 1e300;  // place of blocks of other walls
 
 bool is_masonry(JointKind kind) {
   return kind != JointKind::kLintelChain && kind != JointKind::kLintelBond;
 }
 
-// The slip of a point: of the upper side against the lower along the wall, of the right against the left upwards.
+// The slip of a point: the upper side against the lower along the wall, or the right against the left upwards.
 double slip_of(const Elevation& seen, const JointMotion& j, const Vec3& normal, double slip,
                const Vec3& slip_vector) {
   if (seen.of.empty()) return slip;
-  // n points to b, which is above or below, right or left of a; the face may have turned since the start
+  // n points to b, which is above, below, right or left of a; the face may have turned since the start
   const Vec3 way = seen.seen(slip_vector), to_b = seen.seen(normal);
   const double along =
       j.is_bed ? std::copysign(1.0, to_b.y) * way.x : -std::copysign(1.0, to_b.x) * way.y;
@@ -66,7 +66,7 @@ JointMotion motion_of(const Model& m, const WallReading& wall, const JointReadin
   return j;
 }
 
-// Whether a joint is of the wall, and neither between its leaves nor beside a wall that it meets.
+// Whether a joint belongs to the wall, and lies neither between its leaves nor beside a wall that it meets.
 bool is_seen(const Elevation& seen, const JointShape& shape) {
   constexpr double kAcross = 0.7;
   return seen.of.empty() ||
@@ -82,11 +82,11 @@ WallMotion evaluate_motion(const Model& m, const State& state, const Elevation& 
 
 WallMotion evaluate_motion(const Model& m, const WallReading& now, const Elevation& seen) {
   WallMotion wall;
-  for (JointId j = 0; j < m.n_joint; ++j) {  // contacts of deformable blocks have no part in modes
+  for (JointId j = 0; j < m.n_joint; ++j) {  // contacts of deformable blocks do not count in modes
     const JointShape& shape = now.joints[j].shape;
     if (!is_seen(seen, shape)) continue;
     const JointMotion joint = motion_of(m, now, now.joints[j], seen);
-    // a name says what the masonry does
+    // a name describes the masonry
     if (joint.kind == JointKind::kFrame || joint.kind == JointKind::kCoat) continue;
     const bool is_top = joint.kind == JointKind::kPlate || joint.kind == JointKind::kBeam;
     (is_top ? wall.top : wall.joints).push_back(joint);
@@ -136,8 +136,8 @@ bool is_masonry(const BlockMotion& b) {
          b.role != BlockRole::kCutOut;
 }
 
-// Ways of all blocks against the rigid motion of the half or more of the wall that is nearest to rigid: fitted
-// again and again to the blocks within `parted` of the last fit, or to the nearer half.
+// Displacement of all blocks relative to the rigid motion of the main part of the wall, at least half of
+// it. The motion is fitted repeatedly to the blocks within `parted` of the last fit, or to the nearer half.
 std::vector<double> ways_against_the_rest(const std::vector<BlockMotion>& blocks, double parted) {
   constexpr int kFits = 30;
   std::vector<double> ways(blocks.size(), 0.0), before;
@@ -269,7 +269,7 @@ double open_share(const BedSection& section, double width, double crack) {
 }
 
 double slip_all_across(const BedSection& section, double width) {
-  constexpr double kAll = 0.9;  // a corner may hang on
+  constexpr double kAll = 0.9;  // a corner may still hang on
   std::vector<const JointMotion*> sorted = section.joints;
   std::sort(sorted.begin(), sorted.end(), [](const JointMotion* a, const JointMotion* b) {
     return std::fabs(a->slip) > std::fabs(b->slip);

@@ -1,5 +1,5 @@
-// The motion of joints and blocks in the form that the rules need; scan lines and bed sections over a region. Read
-// by element_states.cpp, mode_flags.cpp and features.cpp.
+// Motion of joints and blocks in the form that the rules need; scan lines and bed
+// sections over a region. Used by element_states.cpp, mode_flags.cpp and features.cpp.
 #pragma once
 
 #include <functional>
@@ -15,7 +15,7 @@ namespace wythe::study {
 struct JointMotion {
   JointKind kind = JointKind::kOther;
   BlockId a = kGroundBlock, b = 0;
-  bool is_bed = false;              // nearer level than upright
+  bool is_bed = false;              // closer to horizontal than to vertical
   bool on_ground = false;           // the foundation: on the ground or a fixed block
   double x = 0, y = 0;              // centre at the start [m]
   double reach_x = 0, reach_y = 0;  // half its extent [m]
@@ -31,11 +31,11 @@ struct JointMotion {
   double bond = 0;      // the greater of its tensile strength and cohesion, times its area [N]
   bool has_slid_off = false;  // pressed, and its faces overlap by less than half
   double share = 1;           // of the wall's thickness there: half in one of two leaves
-  // Along the wall, as if it went through the thickness [m].
+  // Length along the wall, as if the joint went through the thickness [m].
   [[nodiscard]] double length() const { return share * 2 * (is_bed ? reach_x : reach_y); }
 };
 
-// A rigid motion, small: of the point that stood at `at`, and a turn about it.
+// A small rigid motion: the displacement of the point `at`, and a rotation about it.
 struct RigidMotion {
   Vec3 at;     // [m]
   Vec3 moved;  // [m]
@@ -51,30 +51,30 @@ struct WallMotion {
   std::vector<JointMotion> top;     // of the plates and of the beam
   std::vector<BlockMotion> blocks;
 };
-// What is seen of one wall: blocks of others are still there, by their numbers, but have no mass and no place.
+// The motion in the view of one wall. Blocks of other walls keep their numbers, but have no mass and no place.
 [[nodiscard]] WallMotion evaluate_motion(const Model& model, const WallReading& now,
                                          const Elevation& seen);
 [[nodiscard]] WallMotion evaluate_motion(const Model& model, const State& state,
                                          const Elevation& seen = {});
 
-// The rigid motion nearest to that of the blocks chosen, by least squares over their mass; null
-// motion where there is none.
+// The rigid motion that fits the chosen blocks best, by
+// least squares weighted by mass; zero where there is none.
 using Chosen = std::function<bool(const BlockMotion&)>;
 [[nodiscard]] RigidMotion fitted(const std::vector<BlockMotion>& blocks, const Chosen& chosen);
 
-// Blocks that have left the rest of the wall and hang together: their ways against the rigid motion of the
-// rest are `parted` or more, and so is the movement of no joint between them.
+// Connected blocks that have left the rest of the wall: their displacements relative to
+// its rigid motion are `parted` or more, and no joint between them moved by as much.
 struct PieceOff {
   std::vector<std::size_t> blocks;  // of masonry and lintels, into WallMotion::blocks
   double share = 0;                 // of the mass of all masonry and lintels
   double way = 0;                   // mean, of its blocks [m]
   double torn = 0;  // share of the length of the joints around it that opened or slid by `crack`
 };
-// The heaviest first. The rest of the wall is the half or more of it whose motion is nearest to rigid.
+// The heaviest first. The rest of the wall is at least half of it, with a motion as rigid as possible.
 [[nodiscard]] std::vector<PieceOff> pieces_off(const WallMotion& motion, double crack,
                                                double parted);
 
-// Sum of the joints that one straight line through a region crosses; each counts by its share of the thickness.
+// Sum over the joints that one straight line through a region crosses, each weighted by its share of the thickness.
 struct LineSum {
   double at = 0;                          // height of a level line, place of an upright one [m]
   double opening = 0;                     // now [m]
@@ -82,8 +82,8 @@ struct LineSum {
   double slip = 0;                        // signed [m]
   [[nodiscard]] double movement() const;  // opened and slipped together [m]
 };
-// Level lines cross upright joints, upright lines cross bed joints, four lines a `pitch`. Masonry
-// only: lintel chain and bond are left out, and so are joints on the region's own edge.
+// Level lines cross head joints, upright lines cross bed joints, with four lines for each `pitch`.
+// Only masonry counts: lintel chain and bond, and joints on the region's edge are left out.
 enum class Lines { kLevel, kUpright };
 [[nodiscard]] std::vector<LineSum> scan(const std::vector<JointMotion>& joints, const Box& box,
                                         Lines lines, double pitch);
@@ -95,11 +95,11 @@ struct BedSection {
 };
 [[nodiscard]] std::vector<BedSection> bed_sections(const std::vector<JointMotion>& joints,
                                                    const Box& box, double course);
-// Share of `width` whose joints are open by `crack` or more (largest so far).
+// Share of `width` whose joints have opened by `crack` or more so far.
 [[nodiscard]] double open_share(const BedSection& section, double width, double crack);
-// The slip that 0.9 of `width` has at least [m].
+// The slip that 90 % of `width` reaches [m].
 [[nodiscard]] double slip_all_across(const BedSection& section, double width);
-// The plastic slip, one way, that 0.9 of `width` has at least; signed [m].
+// The plastic slip in one direction that 90 % of `width` reaches; signed [m].
 [[nodiscard]] double slid_all_across(const BedSection& section, double width);
 
 }  // namespace wythe::study

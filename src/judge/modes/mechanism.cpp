@@ -1,6 +1,6 @@
-// Weighs each storey's piers by width and the spandrels by length, and scores the shares that are sheared or rock.
-// The scores follow (5.6) of docs/theory/failure_modes.md. The highest one gives the mechanism if it leads by kClear.
-// Otherwise the mechanism is "unclear" and its sentence gives the two nearest. No sheared pier counts as rocking.
+// Weights each storey's piers by width and the spandrels by length, and scores the shares that are sheared or rock. The
+// scores follow (5.6) of docs/theory/failure_modes.md. The highest score gives the mechanism if it leads by kClear. If
+// not, the mechanism is "unclear" and its sentence gives the two highest. A sheared pier does not count as rocking.
 #include "judge/modes/mechanism.h"
 
 #include <algorithm>
@@ -11,9 +11,9 @@ namespace wythe::study {
 namespace {
 
 constexpr double kHalfMoves = 0.5;
-constexpr double kMostMoves = 2.0 / 3;  // of the failed width: "the piers", not "some"
+constexpr double kMostMoves = 2.0 / 3;  // of the failed width: then the name is "the piers"
 
-// What the failed piers do, and the sentence for it.
+// The damage of the failed piers, and the sentence for it.
 struct How {
   const char *name, *code;
 };
@@ -38,7 +38,7 @@ class Reader {
       const double width = p.box.width(), sheared = truth_of(p, true), rocks = sure(p, kRocking);
       storey.width += width;
       storey.sheared += width * sheared;
-      storey.rocks += width * rocks * (1 - sheared);  // a pier in shear is not said to rock
+      storey.rocks += width * rocks * (1 - sheared);  // a sheared pier does not count as rocking
       storey.failed += width * std::max(sheared, rocks);
     }
     for (std::size_t k = 0; k < storeys_.size(); ++k)
@@ -82,7 +82,7 @@ class Reader {
     scores["top sliding"] += s.truth * s.top / s.all();
   }
 
-  // Storeys are a matter of walls that have several and move by their piers.
+  // Storeys are given for walls that have several and fail by their piers.
   [[nodiscard]] std::vector<int> storeys_in(const std::string& name) const {
     return of_piers(name) != nullptr && storeys_.size() > 1 ? failed_ : std::vector<int>{};
   }
@@ -142,7 +142,7 @@ class Reader {
     return broken_off(wall_.motion, wall_.rules).empty() ? Message{"mechanism.cracks"}
                                                          : broken_pieces();
   }
-  // What came off in pieces: how much, how far, with which piers, spandrels and nodes.
+  // The pieces that broke off: mass, distance, and the piers, spandrels and nodes in them.
   [[nodiscard]] Message broken_pieces() const {
     const std::vector<BlockMotion>& blocks = wall_.motion.blocks;
     std::set<std::size_t> off;
@@ -194,7 +194,7 @@ class Reader {
     });
   }
 
-  // What a name says of the piers; nullptr: nothing.
+  // The part of a name that describes the piers; nullptr: none.
   static const How* of_piers(const std::string& name) {
     for (const How* how : {&kBoth, &kShear, &kRock})  // the longer name first
       if (name.ends_with(how->name)) return how;
@@ -212,7 +212,7 @@ class Reader {
     return {"mechanism.in_storeys", {{"how", words}, {"storeys", std::move(storeys)}}};
   }
 
-  // Whether most of the way that the wall's top went was made between foot and head of one storey.
+  // Whether most of the top displacement arises between foot and head of one storey.
   [[nodiscard]] bool takes_the_way(int storey) const {
     const WallParts& parts = wall_.parts;
     double foot = parts.wall.y1, head = parts.wall.y0;

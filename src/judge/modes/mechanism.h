@@ -1,4 +1,4 @@
-// How the wall as a whole moves, from what its parts show. Called by mode_names.cpp.
+// The mechanism of the whole wall, from the damage of its parts. Called by mode_names.cpp.
 //
 // With W the truth that the spandrels are sheared (more than half of their length), M_k that the piers of
 // storey k have failed (more than half of their width is sheared or rocks) and M the largest M_k, the
@@ -18,7 +18,7 @@
 
 namespace wythe::study {
 
-// What has slid all along the wall, and the truth that this was most of its way.
+// The slip along the whole wall, and the truth that it is most of the wall's displacement.
 struct Slips {
   double base = 0, bed = 0, top = 0;  // [m]
   double truth = 0;
@@ -35,7 +35,7 @@ struct WallSigns {
 };
 
 [[nodiscard]] WallMechanism mechanism_of(const WallSigns& wall);
-// Of a wall of two piers and one opening, from the scores of its modes.
+// The mechanism of a wall of two piers and one opening, from the scores of its modes.
 [[nodiscard]] WallMechanism mechanism_of_portal(const FailureMode& mode, const WallSigns& wall);
 
 inline constexpr double kClear = 0.3;  // lead below which a name is "unclear"

@@ -1,5 +1,5 @@
 // Measures how severe a failure is: wider piers, sliding in spandrels, slip of pushed blocks, falls of the force.
-// A fall counts within one crack width of push, as a share of the largest reaction of the whole curve.
+// A fall counts if it lies within one crack width of push; it is a share of the largest reaction of the curve.
 #include "judge/modes/mode_flags.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace wythe::study {
 namespace {
 
-// Share of the spandrel's length in one bed that slides without opening.
+// Share of the spandrel's length that slides in one bed without opening.
 double sliding_band(const Spandrel& s, const WallParts& parts,
                     const std::vector<JointMotion>& joints, const ModeRules& rules) {
   double most = 0;
@@ -25,7 +25,7 @@ double sliding_band(const Spandrel& s, const WallParts& parts,
   return std::min(1.0, most);
 }
 
-// Slip between the blocks that are pushed and their neighbours.
+// Slip between the pushed blocks and their neighbours.
 double node_slip(const Model& model, const std::vector<JointMotion>& joints) {
   std::vector<bool> driven(static_cast<std::size_t>(model.n_block), false);
   for (const Stage& stage : model.stages)

@@ -6,10 +6,10 @@
 //   FM-2  F p q                           both piers          FM-4  s f (1 - p) (1 - q)
 //   FM-5  (1 - s) c r (1 - p) (1 - q)     neither
 //
-// with F = (1 - s) c + s l, l the truth that a pier sheared before the spandrel did, each times (1 - S), beside
-// shares of S for "base sliding", "top sliding", "bed sliding": S is the truth that joints all along the wall have
-// slid by more than half of its displacement. The highest is the name if it leads by kClear. Sheared: a diagonal
-// crack, or sliding.
+// with F = (1 - s) c + s l, where l is the truth that a pier sheared before the spandrel.
+// Each is times (1 - S), beside shares of S for "base sliding", "top sliding", "bed sliding".
+// S is the truth that joints along the whole wall slid by more than half of its displacement.
+// The highest gives the name if it leads by kClear. Sheared: a diagonal crack, or sliding.
 #include "judge/modes/mode_names.h"
 
 #include <algorithm>
@@ -23,7 +23,7 @@
 namespace wythe::study {
 namespace {
 
-// Codes of messages: for a name, and for what happens ("" where nothing is said of it).
+// Codes of messages: for a name, and for the sentence about it ("" where there is none).
 struct Words {
   const char *name, *code, *sentence;
 };
@@ -55,7 +55,7 @@ constexpr Words kWords[] = {{"FM-1", "", "mode.fm_1"},
                             {kWholeWall, "part.whole_wall", ""},
                             {kTopJoint, "part.top_joint", ""}};
 
-// A name for a reader: a kind of damage, a sign, or a wall's own joint; else as it is. "shear + rocking" by its parts.
+// A name in words for a reader: a kind of damage, a sign, or a joint of the whole wall; else unchanged. "shear + rocking" by parts.
 Message words_of(const std::string& name) {
   constexpr std::string_view kAnd = " + ";
   if (const std::size_t at = name.find(kAnd); at != std::string::npos)
@@ -67,14 +67,14 @@ Message words_of(const std::string& name) {
   return as_text(name);
 }
 
-// What happens in a mode.
+// The sentence about a mode.
 Message sentence_of(const std::string& name) {
   for (const Words& w : kWords)
     if (name == w.name && *w.sentence != '\0') return {w.sentence};
   return {"mode.none"};
 }
 
-// Kinds of damage of a wall that is no portal, with and without openings, in the order of Namer::rank_plainly.
+// Kinds of damage of all other walls, with and without openings, in the order of Namer::rank_plainly.
 constexpr const char* kGravestFirst[] = {"pier shear",     "shear",
                                          "spandrel shear", "pier sliding",
                                          "sliding",        "bed sliding",
@@ -88,7 +88,7 @@ using Kinds = std::vector<std::string>;
 using RankedKinds =
     std::vector<std::pair<std::string, double>>;  // with the truth of each, gravest first
 
-// The two gravest kinds whose truth reaches `least`; lesser damage only where there is no other.
+// The two most severe kinds whose truth reaches `least`. Minor damage counts only if there is no other.
 Kinds composed(const RankedKinds& ranked, double least) {
   Kinds kinds;
   for (const auto& [kind, sure] : ranked) {
@@ -127,7 +127,7 @@ class Namer {
     return mode_;
   }
 
-  // Of the wall just named.
+  // The mechanism of the wall just named.
   [[nodiscard]] WallMechanism mechanism() const {
     const WallSigns signs{parts_, elements_, truths_, motion_, rules_, slips()};
     return is_two_pier_wall(parts_) ? mechanism_of_portal(mode_, signs) : mechanism_of(signs);
@@ -140,7 +140,7 @@ class Namer {
   [[nodiscard]] double sheared(const std::string& element) const {
     return std::max(sure(element, kDiagonal), sure(element, kSliding));
   }
-  // The surest element of a kind that shows a sign.
+  // The largest truth of a sign among the elements of a kind.
   [[nodiscard]] double surest(const char* kind, const char* state) const {
     double most = 0;
     for (const ElementState& e : elements_)
@@ -148,7 +148,7 @@ class Namer {
     return most;
   }
 
-  // The slip all along a joint through the whole wall, as far as it counts as sliding [m].
+  // The slip along a joint through the whole wall, if it counts as sliding [m].
   [[nodiscard]] double slip(const char* element, const char* state) const {
     constexpr double kPerMillimetre = 1e-3;
     for (const ElementState& e : elements_)
@@ -157,7 +157,7 @@ class Namer {
           return sure(element, state) * kPerMillimetre * s.value;
     return 0;
   }
-  // Whether that is most of the way the wall has gone.
+  // Truth that this slip is most of the wall's displacement.
   [[nodiscard]] double is_most(double slip) const {
     return way_ > 0 ? ramp(slip / way_, 0.5, rules_) : 0.0;
   }
@@ -178,7 +178,7 @@ class Namer {
     const double r = std::min(sure(left, kRocking), sure(right, kRocking));
     const double c = surest("connection", kFlexural), f = surest("pier", kFlexural);
     const double neither = (1 - p) * (1 - q);
-    // the piers come first: the spandrel is whole and cracked at its ends, or shears later
+    // the piers come first: the spandrel is sound with cracks at its ends, or shears later
     const double first = (1 - s) * c + s * later_;
     mode_.scores = {{"FM-1", first * (p + q - 2 * p * q)},
                     {"FM-2", first * p * q},
@@ -242,7 +242,7 @@ class Namer {
       ranked_.emplace_back(bare ? alone : of_pier, sure);
     };
     const double bed = slips().bed;
-    // what slides all across on most of its way has not failed by the cracks on that way
+    // a wall that mostly slides as a whole has not failed by the cracks of that motion
     const double stays = 1 - slips().truth;
     add("pier shear", "shear", stays * surest("pier", kDiagonal));
     if (!bare)
@@ -261,7 +261,7 @@ class Namer {
                   surest("top joint", kFlexural)}));
   }
 
-  // Any other wall: the two gravest kinds of damage, "pier shear + pier rocking".
+  // Name of any other wall: its two most severe kinds of damage, "pier shear + pier rocking".
   void name_plainly() {
     rank_plainly();
     for (const auto& [kind, sure] : ranked_) mode_.scores[kind] = sure;
@@ -317,7 +317,7 @@ class Namer {
   ElementStates elements_;
   Truths truths_;
   RankedKinds ranked_;
-  double way_ = 0;  // the farthest any block has gone sideways [m]
+  double way_ = 0;  // the largest horizontal displacement of a block [m]
   FailureMode mode_;
 };
 
@@ -341,7 +341,7 @@ FailureMode name_parts(const WallParts& parts, const WallMotion& motion, const M
 
 double spandrel_later(const WallParts& parts, const std::vector<ElementReading>& readings,
                       const ModeRules& rules) {
-  constexpr double kFarther = 1.3;  // of the way then: at once is neither's turn
+  constexpr double kFarther = 1.3;  // ratio of displacements above which the pier came first
   if (!is_two_pier_wall(parts)) return 0;
   const auto first = [&](const char* kind) {
     for (const ElementReading& r : readings)
@@ -370,7 +370,7 @@ Message words_of_mode(const std::string& name) { return words_of(name); }
 
 bool wythe::is_firm(const FailureMode& mode) {
   using namespace study;
-  if (mode.scores.count("FM-1") > 0) {  // the highest score is the name, but of what fell
+  if (mode.scores.count("FM-1") > 0) {  // the highest score gives the name, except after a fall
     if (mode.name != "unclear" && mode.scores.count(mode.name) == 0) return true;
     std::vector<double> scores;
     for (const auto& [name, score] : mode.scores) scores.push_back(score);

@@ -10,12 +10,12 @@
 
 namespace wythe::study {
 
-// Name, scores, sentence, evidence and elements; no flags, no first displacements. `spandrel_later`: the
-// truth that a pier of a portal sheared before its spandrel did, which one state does not show.
+// Name, scores, sentence, evidence and elements, without flags and first displacements. `spandrel_later`:
+// the truth that a pier of a portal sheared before its spandrel; one state cannot show it.
 [[nodiscard]] FailureMode name_parts(const WallParts& parts, const WallMotion& motion,
                                      const ModeRules& rules, double spandrel_later = 0);
 [[nodiscard]] bool is_two_pier_wall(const WallParts& parts);
-// That truth, from the states up to the one that is read, `readings` being their element states.
+// That truth, from the element states `readings` up to the state that is read.
 struct ElementReading {
   double displacement = 0;  // [m]
   ElementStates elements;
@@ -31,7 +31,7 @@ struct Named {
 [[nodiscard]] Named name_wall(const WallParts& parts, const WallMotion& motion,
                               const ModeRules& rules, double spandrel_later = 0);
 
-// A name that a mode was given, for a reader; one that needs no words stays as it is.
+// The name of a mode in words for a reader; a name without words stays unchanged.
 [[nodiscard]] Message words_of_mode(const std::string& name);
 
 }  // namespace wythe::study

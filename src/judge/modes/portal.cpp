@@ -33,7 +33,7 @@ using geometry::Polygon;
 
 constexpr double kStressBlock = 0.85;  // of fc, in the crushed part of a joint
 
-// --- what the wall is ------------------------------------------------------------------------------
+// --- description of the wall ------------------------------------------------------------------------
 
 void add_fault(FaultList& faults, std::string path, std::string value, std::string problem,
                std::string cure) {
@@ -51,7 +51,7 @@ const Stage* push_of(const Model& model) {
   return found;
 }
 
-// Three hinged bodies turn as they must: what holds the pushed blocks otherwise has no place in them.
+// The motion of three hinged bodies is fixed. Other restraints of the pushed blocks are refused.
 void refuse_what_chains_ignore(const Model& model, const Stage& push, const Portal& portal,
                                FaultList& faults) {
   const std::string stage = "stage." + push.spec.name;
@@ -128,7 +128,7 @@ void evaluate_opening(const study::WallParts& parts, const std::vector<study::Bo
   portal.foot = hole.y0, portal.head = hole.y1;
 }
 
-// The weakest joint a pier's foot may crush in.
+// The weakest joint in which a pier's foot may crush.
 void evaluate_strength(const Model& model, Portal& portal) {
   portal.compressive_strength = std::numeric_limits<double>::infinity();
   for (int j = 0; j < model.n_joint; ++j) {
@@ -147,7 +147,7 @@ bool has(const Model& model, BlockRole role) {
   return std::find(roles.begin(), roles.end(), role) != roles.end();
 }
 
-// Foundation joints at more than one height.
+// Whether the masonry has several thicknesses; stands_on_steps(): whether foundation joints lie at several heights.
 bool has_several_thicknesses(const Model& model) {
   const Anatomy& a = model.anatomy;
   for (std::size_t b = 0; b < a.block_role.size(); ++b)
@@ -213,7 +213,7 @@ BodyLoad weight_inside(const Model& model, const Polygon& outline) {
   return weight;
 }
 
-// The part of what acts at a point that a body takes: one half each where two bodies meet upright.
+// The share of a point load that a body takes: one half each where two bodies meet at a vertical line.
 double share_of(const Portal& p, const Polygon& outline, Vec2 at) {
   constexpr double kNear = 1e-6;  // [m], above the round-off of coordinates, below any unit
   const double x = std::clamp(at.x, p.left + 2 * kNear, p.right - 2 * kNear);
@@ -241,7 +241,7 @@ double sum_of_weights(const std::vector<BodyLoad>& loads) {
   return sum;
 }
 
-// Cuts in the frame of the push: s from the end it comes from, along the push.
+// Cuts in the frame of the push: s runs along the push, from the end where it comes from.
 class PortalCutter {
  public:
   PortalCutter(const Model& model, const Portal& portal, bool cracked)
@@ -254,7 +254,7 @@ class PortalCutter {
                                   : portal.right - portal.jamb_left),
         length_(portal.right - portal.left) {}
 
-  // Vertical loads on C1 and C3 by influence area: each side of the spandrel's middle.
+  // Vertical loads on C1 and C3 by influence area: the loads on each side of the spandrel's middle.
   struct Axial {
     double near = 0, far = 0;
   };
@@ -279,7 +279,7 @@ class PortalCutter {
     chain.load_point = p_.load_point;
     chain.direction = p_.direction;
     chain.loaded_body = -1;
-    double most = 0;  // on a jamb the pier, which comes first
+    double most = 0;  // on a jamb the pier takes it, because it comes first
     for (std::size_t i = 0; i < chain.bodies.size(); ++i) {
       const double share = share_of(p_, chain.bodies[i].outline, p_.load_point);
       if (share > most) chain.loaded_body = static_cast<int>(i);
@@ -303,7 +303,7 @@ class PortalCutter {
     return turned_right({at(s0, y0), at(s1, y0), at(s1, y1), at(s0, y1)});
   }
   [[nodiscard]] std::vector<Vec2> near_pier() const { return box(0, near_, p_.foot, p_.top); }
-  // Whole, or above the diagonal that ends at `toe`.
+  // The whole far pier, or its part above the diagonal that ends at `toe`.
   [[nodiscard]] std::vector<Vec2> far_pier(double toe) const {
     if (!cracked_) return box(far_, length_, p_.foot, p_.top);
     std::vector<Vec2> outline{at(far_, p_.head), at(toe, p_.foot)};
@@ -375,8 +375,8 @@ std::vector<NamedNumber> numbers_of(const Portal& p, const PortalCutter::Axial& 
           {"C23_up", shift, "m"}};
 }
 
-// Hinges must open the way they are drawn: both piers with the push, the spandrel against it. So
-// C1 C12 must be steeper than C12 C23 prolonged is: the far pier's lever, (6.8) of the theory page.
+// Hinges must open as drawn: both piers turn with the push, the spandrel against it. So
+// C1 C12 must be steeper than the extension of C12 C23: the far pier's lever, (6.8).
 void check_lever(const Portal& p, const Mechanism& m) {
   const std::vector<Vec2>& c = m.chain.hinges;
   const double width = std::fabs(c[2].x - c[1].x), far = std::fabs(c[3].x - c[2].x);
@@ -389,7 +389,7 @@ void check_lever(const Portal& p, const Mechanism& m) {
          "x (spandrel depth); the limit load of the blocks takes any wall");
 }
 
-// On the near pier the push is where it should be: then the chain itself is not this wall's.
+// If the push is on the near pier, its place is right, and another mechanism governs.
 std::string cure_of_pull(const Portal& p) {
   const bool forward = p.direction > 0;
   const double end = forward ? p.left : p.right, jamb = forward ? p.jamb_left : p.jamb_right;
@@ -403,8 +403,8 @@ std::string cure_of_pull(const Portal& p) {
       forward ? "left" : "right", end, forward ? "-" : "+");
 }
 
-// Refuses a mechanism in which a hinge pulls, since cracks carry no tension: the push then belongs on
-// the other side of the chain.
+// Refuses a mechanism with tension in a hinge, because cracks carry
+// none: the push then belongs on the other side of the chain.
 void check_hinges(const Portal& p, const Mechanism& m) {
   const double force = m.curve.states.front().force;
   const std::vector<Vec2> h = hinge_forces(m.chain, force);
@@ -458,7 +458,7 @@ Portal find_portal(const Model& model) {
   if (model.standing.any())
     add_fault(faults, "wall.opening", "", "is cut by a stage, and macro-blocks know no stages",
               "leave cut out of the openings for the mechanisms");
-  const auto& kinds = model.anatomy.joint_kind;  // mortar alone has no fibres
+  const auto& kinds = model.anatomy.joint_kind;  // only mortar has no fibres
   if (model.layers.n > 0 || std::find(kinds.begin(), kinds.end(), JointKind::kCoat) != kinds.end())
     add_fault(faults, "layer", model.layers.n > 0 ? model.layers.name.front() : "mortar",
               "helps to carry, and macro-blocks know no layers", "leave it out for the mechanisms");

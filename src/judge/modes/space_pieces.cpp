@@ -1,6 +1,6 @@
-// Fits rigid pieces to blocks that moved in space, by least squares over displacement and turn, weighted by mass.
-// Four steps of Gauss and Newton find the turn of a piece. As long as too much is left unexplained, the worst piece is
-// cut in two by height, along or across the wall. Then each block goes to the piece that explains it best.
+// Fits rigid pieces to blocks that moved in space, by least squares over displacement and turn, weighted by
+// mass. Four Gauss-Newton steps find the turn of a piece. While too much stays unexplained, the worst piece
+// is cut in two by height, along or across the wall. Then each block goes to the piece that explains it best.
 #include "judge/modes/space_pieces.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace wythe::study {
 namespace {
 
 constexpr double kTurns =
-    0.5;  // of the shift: what the turn moves the furthest corner, from which a piece turns
+    0.5;  // of the shift: a piece turns if its turn moves the furthest corner by more
 constexpr std::size_t kMostPieces = 4;
 
 Vector<double> vec(Vec3 v) { return {v.x, v.y, v.z}; }
@@ -32,7 +32,7 @@ Vec3 vector_of(Turn q) {
 }
 Turn back(const Turn& q) { return {q.w, -1.0 * q.v}; }
 
-// The solution of a symmetric 3 x 3 system; 0 where it has none.
+// The solution of a symmetric 3 x 3 system; 0 where it is singular.
 Vec3 solve(const std::array<Vec3, 3>& row, Vec3 right) {
   const double det = dot(row[0], cross(row[1], row[2]));
   if (!(std::fabs(det) > 0)) return {};
@@ -40,7 +40,7 @@ Vec3 solve(const std::array<Vec3, 3>& row, Vec3 right) {
   return (right.x * a + right.y * b + right.z * c) / det;
 }
 
-// What a piece says of a block: by its turn, what it leaves of its way and of its own turn.
+// The motion of a block by its piece: arm, displacement by the turn, and the rest of its displacement and turn.
 struct Told {
   Vec3 arm, by_turn, off, twist;
 };
@@ -54,7 +54,7 @@ double missed(const Piece& piece, const Moved& b) {
   return b.mass * (dot(t.off, t.off) + b.radius * b.radius * dot(t.twist, t.twist));
 }
 
-// One step of Gauss and Newton to the turn that explains most.
+// One Gauss-Newton step towards the turn that explains most.
 Vec3 turn_further(const Piece& piece) {
   std::array<Vec3, 3> row{};
   Vec3 right;
@@ -80,7 +80,7 @@ std::vector<Moved> evaluate_blocks(const Model& model, const State& state) {
     const BlockReading now = read_block(model, state, b);
     const Vec3& i = space.inertia[k];
     const double mass = model.mass[k], least = std::fmin(i.x, std::fmin(i.y, i.z));
-    // the longest side has the least inertia about it
+    // the inertia about the longest side is least
     const Vec3 axis = least == i.x   ? space.axis_1[k]
                       : least == i.y ? space.axis_2[k]
                                      : space.axis_3[k];
@@ -140,7 +140,7 @@ Plan plan_of(const std::vector<Moved>& blocks) {
     xx += b.mass * r.x * r.x, xz += b.mass * r.x * r.z, zz += b.mass * r.z * r.z;
     size += b.mass * b.radius * b.radius;
   }
-  if (xx + zz < 1e-6 * size) {  // one above the other: their corners tell
+  if (xx + zz < 1e-6 * size) {  // one above the other: their corners give the plan
     for (const Moved& b : blocks)
       for (const Polyhedron& part : b.body->part)
         for (const Vec3& corner : part.vertex) {
@@ -149,14 +149,14 @@ Plan plan_of(const std::vector<Moved>& blocks) {
         }
   }
   const double half = 0.5 * (xx - zz), root = std::hypot(half, xz), middle = 0.5 * (xx + zz);
-  const double angle = 0.5 * std::atan2(xz, half);  // of the long way
+  const double angle = 0.5 * std::atan2(xz, half);  // direction of the longer side
   return {{-std::sin(angle), 0, std::cos(angle)},
           middle > 0 ? (middle - root) / (middle + root) : 1.0};
 }
 
 namespace {
 
-// The cut of a piece in two, by height, along or across, that explains most.
+// The cut of a piece in two, by height, along or across, that explains most of the motion.
 std::array<Piece, 2> cut_in_two(const Piece& piece) {
   std::array<Piece, 2> best;
   double least = 1e300;
@@ -184,7 +184,7 @@ std::array<Piece, 2> cut_in_two(const Piece& piece) {
   return best;
 }
 
-// Each block goes to the piece that explains it best, until none changes.
+// Moves each block to the piece that explains it best, until none changes.
 void sort_out(std::vector<Piece>& pieces) {
   for (int round = 0; round < 10; ++round) {
     std::vector<Piece> next(pieces.size());

@@ -1,4 +1,4 @@
-// Compares a run with the tested walls of its kind of failure; see wythe/parts/tested_range.h.
+// Compares a run with the tested walls of its failure kind; see wythe/parts/tested_range.h.
 #include "judge/modes/tested_range.h"
 
 #include <algorithm>
@@ -12,17 +12,17 @@ namespace {
 
 using study::TestedKind;
 
-// A wall this much beyond the most extreme test is still like it: the tests of a kind lie further apart.
+// A wall this much beyond the most extreme test still counts as similar, because tests of a kind differ by more.
 constexpr double kNearTested = 1.25;
-constexpr double kUsableLow = 0.9, kUsableHigh = 1.15;  // a bias within them needs no word
+constexpr double kUsableLow = 0.9, kUsableHigh = 1.15;  // a bias between them is not reported
 constexpr double kUsableFactor = 1.65;  // of drifts: exp(0.5); a constant of shear has exp(0.38)
-constexpr int kFew = 3;                 // walls below which a bias is an anecdote
+constexpr int kFew = 3;                 // below so many walls a bias means little
 
 bool is_beyond(double value, double low, double high) {
   return value < low / kNearTested || value > kNearTested * high;
 }
 
-// Mean pressure on the ground before the push, over the strength there; NaN where nothing crushes.
+// Mean pressure on the ground before the push, over the strength there; NaN where no joint crushes.
 double axial_ratio(const Model& model, const Result& result) {
   if (result.snapshots.empty()) return kUnset;
   double force = 0, strength = 0;
@@ -36,7 +36,7 @@ double axial_ratio(const Model& model, const Result& result) {
   return std::isfinite(strength) && strength > 0 ? force / strength : kUnset;
 }
 
-// How much stiffer a joint's points make it in rotation than a continuous one, 3 with its two ends.
+// Ratio of the rotational stiffness of a joint with points to that of a continuous one; 3 with two end points.
 double times_too_stiff(const Model& model, const Result& result) {
   if (result.snapshots.empty() || joint_count(model) == 0) return kUnset;
   const std::vector<PointReading> points = read_points(model, result.snapshots.front().state);
@@ -78,7 +78,7 @@ const char* kind_key(const std::string& kind) {
   return kind == "sliding" ? "range.kind_sliding" : "range.kind_rocking";
 }
 
-// Shear and rocking together are a kind of their own.
+// Shear and rocking together count as a kind of their own.
 std::string drift_kind(const std::string& name) {
   const bool both =
       name.find("shear") != std::string::npos && name.find("rocking") != std::string::npos;
@@ -87,7 +87,7 @@ std::string drift_kind(const std::string& name) {
 
 TestedDrift drift_of(const Model& model, const std::string& kind) {
   TestedDrift out;
-  out.stone = study::is_dry(model);  // the tested stone walls whose units cannot crack
+  out.stone = study::is_dry(model);  // tested stone walls have units that cannot crack
   if (!out.stone && !has_unit_planes(model)) return out;
   for (const study::TestedDriftKind& tested : study::kTestedDrifts) {
     if (kind != tested.kind || out.stone != tested.stone) continue;

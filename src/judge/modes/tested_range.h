@@ -1,4 +1,4 @@
-// compare_with_tests() with a table of one's own; see wythe/parts/tested_range.h.
+// compare_with_tests() with a table given by the caller; see wythe/parts/tested_range.h.
 #pragma once
 
 #include <span>
@@ -8,7 +8,7 @@
 
 namespace wythe::study {
 
-// No joint has any bond, as in the tested stone walls whose units cannot crack.
+// No joint has any bond, as in the tested stone walls with units that cannot crack.
 [[nodiscard]] bool is_dry(const Model& model);
 [[nodiscard]] TestedRange compare_with(std::span<const TestedKind> tests, const Model& model,
                                        const Result& result);

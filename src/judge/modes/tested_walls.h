@@ -1,5 +1,5 @@
-// Written by tools/validation page from validation/walls.csv and predicted.csv: what the tested walls say, by kind of
-// failure (docs/evidence/validation.md).
+// Written by tools/validation page from validation/walls.csv and predicted.csv:
+// results of the tested walls by failure kind (docs/evidence/validation.md).
 #pragma once
 
 #include "wythe/parts/result.h"
@@ -24,7 +24,7 @@ struct TestedDriftKind {
   const char* kind;
   bool stone;
   int walls;
-  double median, low, high;  // nine of ten between
+  double median, low, high;  // low to high contains nine of ten walls
 };
 inline constexpr TestedDriftKind kTestedDrifts[] = {
     {"shear", false, 79, 0.00277, 0.00181, 0.0061},
@@ -34,7 +34,7 @@ inline constexpr TestedDriftKind kTestedDrifts[] = {
     {"mixed", true, 21, 0.0162, 0.0056, 0.047},
     {"rocking", true, 54, 0.0174, 0.0067, 0.045}};
 
-// Predicted over measured drifts by kind: middle ratio, and exp(sd of ln) about it.
+// Predicted over measured drifts by kind: median ratio, and exp(sd of ln) about it.
 struct OwnDrift {
   const char* kind;
   int walls;

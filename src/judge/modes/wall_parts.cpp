@@ -1,6 +1,6 @@
-// Finds openings as holes in a raster of the blocks, orders them in storeys, and divides the masonry into parts.
-// A cell is a quarter of the usual block, which is half a unit long and a course high. Where blocks have no such sizes,
-// medians stand for them. Edges of holes move to the nearest block edge, and rows of openings are filled from below.
+// Finds openings as holes in a raster of the blocks, sorts them into storeys, and divides the masonry into parts. A
+// cell is a quarter of the usual block, which is half a unit long and a course high, or of median size where blocks
+// have no such sizes. Edges of holes move to the nearest block edge, and rows of openings are filled from below.
 #include "judge/modes/wall_parts.h"
 
 #include <algorithm>
@@ -46,7 +46,7 @@ Box hull_of(const std::vector<Outline>& parts) {
   return box;
 }
 
-// What pieces of one unit take along the wall.
+// Extent of the pieces of one unit along the wall.
 struct Range {
   double low = 1e300, high = -1e300;
   void take(const Box& box) { low = std::min(low, box.x0), high = std::max(high, box.x1); }
@@ -84,12 +84,12 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-// Length and height of the usual block: those of the model, else medians. A builder's units that are cut into pieces
-// are seen whole: front.c03u05a and front.c03u05b are one.
+// Length and height of the usual block: those of the model, else medians. The
+// pieces of a cut unit count together: front.c03u05a and front.c03u05b are one.
 struct UsualBlock {
   double column = 0, course = 0;
 };
-// The unit of which a block is a piece: front.c03u05 of front.c03u05a.w1.
+// The unit to which a block belongs: front.c03u05 for front.c03u05a.w1.
 std::string unit_of(const std::string& id, const std::string& wall) {
   const std::string piece = id.substr(0, id.find('.', wall.size() + 1));
   return is_digit(piece.back()) ? piece : piece.substr(0, piece.size() - 1);
@@ -154,11 +154,11 @@ struct Hole {
   double filled = 1;  // share of the box
 };
 
-// The wall painted on cells a quarter of a block wide and high.
+// The wall on a raster of cells that are a quarter of a block wide and high.
 class Raster {
  public:
   Raster(const Model& m, const Elevation& seen, const Frame& f) : wall_(f.wall) {
-    constexpr double kCells = 4;       // a block
+    constexpr double kCells = 4;       // for each block
     constexpr double kMost = 1 << 12;  // cells along a side
     nx_ = count(wall_.width(), f.column, kCells, kMost);
     ny_ = count(wall_.height(), f.course, kCells, kMost);
@@ -244,12 +244,12 @@ class Raster {
 };
 
 struct Opening : Box {
-  bool at_edge = false;  // has masonry on one side only
+  bool at_edge = false;  // masonry on one side only
   int storey = 0;        // from 0
 };
 
-// Upright and as wide as a door beside its height: what hangs over below a cornice or a leaning side is
-// no opening.
+// A gap at the edge counts as an opening if it is upright and as wide as a door
+// against its height. The space below a cornice or an inclined side does not.
 bool is_gap_at_edge(const Hole& hole, const Frame& f) {
   return hole.filled >= 0.75 && hole.box.height() >= 1.9 * f.course &&
          hole.box.width() >= 0.25 * hole.box.height();
@@ -263,13 +263,13 @@ std::vector<Opening> openings_of(const Model& m, const Elevation& seen, const Fr
     Box& box = hole.box;
     box = {nearest(f.xs, box.x0), nearest(f.xs, box.x1), nearest(f.ys, box.y0),
            nearest(f.ys, box.y1)};
-    // anything smaller is a gap between blocks
+    // smaller ones are gaps between blocks
     if (box.width() < 0.9 * f.column || box.height() < 0.9 * f.course) continue;
     if (hole.at_edge && !is_gap_at_edge(hole, f)) continue;
     openings.push_back({box, hole.at_edge, 0});
     widest = std::max(widest, box.width()), highest = std::max(highest, box.height());
   }
-  // a quarter of the largest both ways: the pocket of a joist, a vent
+  // smaller than a quarter of the largest in both directions: the pocket of a joist, a vent
   std::erase_if(openings, [&](const Box& o) {
     constexpr double kQuarter = 0.2501;
     return o.width() <= kQuarter * widest && o.height() <= kQuarter * highest;
@@ -284,8 +284,8 @@ double shared(double a0, double a1, double b0, double b1) {
 }
 bool meet(double a0, double a1, double b0, double b1) { return shared(a0, a1, b0, b1) > 1e-9; }
 
-// Openings in a row: their middles lie below the lowest head and so, since rows are filled upwards, each
-// shares height with every other.
+// Openings of a row: their middles lie below the lowest head. Rows are
+// filled upwards, so each opening overlaps in height with every other.
 struct Row {
   double sill = 0, head = 0;    // lowest and highest
   double lowest_head = 0;       // of its openings
@@ -313,8 +313,8 @@ std::vector<Row> rows_of(const std::vector<Opening>& openings) {
   return rows;
 }
 
-// Two rows that share height are no two storeys: the lesser one's openings, a stair's window or a high
-// gate, go to the other.
+// Two rows that overlap in height are one storey. The openings of the smaller
+// row, such as a staircase window or a high gate, go to the other row.
 std::vector<Row> storeys_of(const std::vector<Opening>& openings) {
   std::vector<Row> rows = rows_of(openings);
   const auto tangled = [&] {
@@ -332,7 +332,7 @@ std::vector<Row> storeys_of(const std::vector<Opening>& openings) {
   return rows;
 }
 
-// What stands open on one side of a pier: stacked openings count as one.
+// The free edge on one side of a pier: stacked openings count as one.
 struct Side {
   double x = 0;          // the pier's edge [m]
   double reach = 0;      // half way over the opening, or the wall's end [m]
@@ -340,7 +340,7 @@ struct Side {
   double sill = 0, head = 0;
 };
 
-// Codes of a kind of part: one alone, one of many, one of many of a storey.
+// Codes for a kind of part: a single one, one of many, one of many in a storey.
 struct Called {
   const char *alone, *number, *of_storey;
 };
@@ -351,7 +351,7 @@ constexpr Called kSpandrel{"part.spandrel", "part.spandrel_number", "part.spandr
 
 class Finder {
  public:
-  // `marks` given so far, by letter.
+  // `marks`: numbers used so far, by letter.
   Finder(const Model& m, const Elevation& seen, int elevation, std::map<std::string, int>& marks)
       : model_(m),
         seen_(seen),
@@ -388,10 +388,10 @@ class Finder {
     add_pier(left, right, 0);
   }
 
-  // Between the openings of a row, and those of others that reach into its height.
+  // Adds piers between the openings of a row, and other openings that reach into its height.
   void add_piers(std::size_t storey) {
     const Row& row = rows_[storey];
-    double foot = row.sill, head = row.head;  // the height that all its own openings share
+    double foot = row.sill, head = row.head;  // the height range that all its openings share
     for (const std::size_t i : row.of)
       foot = std::max(foot, openings_[i].y0), head = std::min(head, openings_[i].y1);
     if (foot >= head) foot = row.sill, head = row.head;
@@ -415,7 +415,7 @@ class Finder {
     if (end.x - left.x > 0.5 * frame_.column) add_pier(left, end, storey);
   }
 
-  // From the lower sill to the lower head beside it; clear from the higher sill.
+  // From the lower sill to the lower head beside the pier; its clear height starts at the higher sill.
   void add_pier(const Side& left, const Side& right, std::size_t storey) {
     const Side& a = left.is_open ? left : right;
     const Side& b = right.is_open ? right : left;
@@ -437,13 +437,13 @@ class Finder {
     parts_.piers.push_back(pier);
   }
 
-  // The ground below the lowest piers; half way down to the heads of the storey below the others.
+  // Base of a pier: the ground below the lowest piers; for others half way down to the heads of the storey below.
   [[nodiscard]] double base_of(const Box& pier, std::size_t storey) const {
     if (storey == 0) return ground_below(pier);
     return std::min(pier.y0, 0.5 * (pier.y0 + rows_[storey - 1].head));
   }
 
-  // Of the lowest ground that the pier stands on; the wall's foot where none is in line with it.
+  // Lowest ground below the pier; the wall's foot where none is in line with it.
   [[nodiscard]] double ground_below(const Box& pier) const {
     double under = 0, lowest = frame_.wall.y1;
     for (const Box& g : frame_.ground) {
@@ -499,7 +499,7 @@ class Finder {
     return static_cast<int>(parts_.connections.size()) - 1;
   }
 
-  // Where the masonry above an opening ends: below a ring beam at its top.
+  // Upper end of the masonry above an opening: below a ring beam at its top.
   [[nodiscard]] double foot_of_ring_beam(const Box& above) const {
     double top = above.y1;
     for (BlockId b = 0; b < model_.n_block; ++b) {
@@ -574,7 +574,7 @@ class Finder {
     }
   }
 
-  // Numbers parts of a kind, anew in each storey; one alone needs no number.
+  // Numbers the parts of a kind, from 1 in each storey; a single one gets no number.
   class Counter {
    public:
     explicit Counter(bool by_storey) : by_storey_(by_storey) {}

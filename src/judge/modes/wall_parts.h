@@ -7,12 +7,12 @@
 //    |[t]  [t]|         |[t]    [t]|      toe         [t], lower corner of a pier
 //    +--------+         +----------+
 //
-// A storey is a row of openings that overlap in height, whatever their places along the wall; piers stand
-// beside the openings of a row, spandrels reach up to the next. The masonry that is neither is a node,
-// above a pier (docs/theory/failure_modes.md, "Parts").
+// A storey is a row of openings that overlap in height, wherever they are along the wall.
+// Piers stand beside the openings of a row, spandrels reach up to the next row. The rest
+// of the masonry, above a pier, is a node (docs/theory/failure_modes.md, "Parts").
 //
-// Needs no grid: blocks are painted on a fine raster and the holes are what stays empty. Called once
-// a model by the readers of element_states.cpp, element_forces.cpp and features.cpp.
+// No grid is needed: blocks are painted on a fine raster, and the holes are the empty cells.
+// Called once for each model by element_states.cpp, element_forces.cpp and features.cpp.
 #pragma once
 
 #include <map>
@@ -43,12 +43,12 @@ struct Part {
 };
 
 struct Pier : Part {
-  double base = 0;          // of the masonry that is read with its foot [m]
+  double base = 0;          // lower end of the masonry that counts as its foot [m]
   int left = 0, right = 0;  // toes, into WallParts::toes
-  // Between the higher sill and the lower head beside it nothing holds it; its own height where
-  // that is less than half of it [m].
+  // The height between the higher sill and the lower head beside it, where masonry
+  // does not hold it. Its own height where that is less than half of it [m].
   double clear_y0 = 0, clear_y1 = 0;
-  // Half way over the openings beside it; the wall's end where there is none [m].
+  // Half way across the openings beside it; the wall's end where there is none [m].
   double reach_x0 = 0, reach_x1 = 0;
 };
 
@@ -71,14 +71,14 @@ struct WallParts {
   std::map<std::string, Message> words;  // of each name, for a reader
 };
 
-// Of one elevation, with names and marks as all of them together have them.
+// Parts of one elevation, with names and marks that are unique over all elevations.
 [[nodiscard]] std::vector<WallParts> find_parts(const Model& model,
                                                 const std::vector<Elevation>& elevations);
-// Of all elevations together. `wall`, `column` and `course` are those of the first one.
+// Parts of all elevations together. `wall`, `column` and `course` are those of the first one.
 [[nodiscard]] WallParts find_parts(const Model& model);
-// All of them with their kinds: "pier", "spandrel", "sill", "node", "connection", "toe".
+// All parts with their kinds: "pier", "spandrel", "sill", "node", "connection", "toe".
 [[nodiscard]] std::vector<std::pair<const Part*, const char*>> all_parts(const WallParts& parts);
-// Openings with masonry on both sides, left to right and upwards; of a wall in its plane.
+// Openings with masonry on both sides of a wall in its plane, from left to right and upwards.
 [[nodiscard]] std::vector<Box> find_openings(const Model& model);
 
 }  // namespace wythe::study

@@ -1,6 +1,6 @@
-// A chain of one or three rigid bodies: positions, rates, and the force that holds it in balance.
+// A chain of one or three rigid bodies: positions, velocities, and the force in equilibrium with its loads.
 //
-//   a = C12 - C1,  b = C23 - C12,  c = C23 - C3 (as they are now)
+//   a = C12 - C1,  b = C23 - C12,  c = C23 - C3 (current positions)
 //   closure      C1 + a + b = C3 + c        positions: C23 is where two circles meet
 //   rates        a + w2 b = w3 c            per unit rate of body 1
 //                w2 = -(a x c)/(b x c),  w3 = (a x b)/(c x b)
@@ -18,8 +18,8 @@
 namespace wythe {
 namespace {
 
-constexpr double kMarch = 2e-4;    // of rotation, looking for the end [rad]
-constexpr double kFarthest = 1.5;  // no chain turns farther [rad]
+constexpr double kMarch = 2e-4;    // step of rotation in the search for the end [rad]
+constexpr double kFarthest = 1.5;  // largest rotation of a chain [rad]
 constexpr int kStates = 500;       // of a curve
 constexpr double kLocked = 1e-9;   // b x c over their lengths
 
@@ -27,7 +27,7 @@ double angle_between(Vec2 from, Vec2 to) {
   return elementary::atan2(cross(from, to), dot(from, to));
 }
 
-// Bodies turned, first of all by `rotation` of the first.
+// Positions of the rotated bodies, for `rotation` of the first one.
 struct Pose {
   std::vector<double> rotation, rate;
   std::vector<Vec2> hinges;
@@ -52,7 +52,7 @@ class Follower {
                 {p0, p1, *p2, p3}};
   }
 
-  // The hinge of the pose that a body turns about, and the velocity of that hinge.
+  // The hinge about which a body rotates in this pose, and the velocity of that hinge.
   struct Pivot {
     Vec2 before, now, velocity;
   };
@@ -66,7 +66,7 @@ class Follower {
     const Pivot p = pivot(pose, body);
     return p.now + turned(at - p.before, pose.rotation[body]);
   }
-  // Per unit rate of the first body.
+  // Velocity of a point of a body, per unit rate of the first body.
   [[nodiscard]] Vec2 velocity(const Pose& pose, std::size_t body, Vec2 at) const {
     const Pivot p = pivot(pose, body);
     const Vec2 arm = turned(at - p.before, pose.rotation[body]);
@@ -101,7 +101,7 @@ class Follower {
  private:
   [[nodiscard]] std::size_t loaded() const { return static_cast<std::size_t>(c_.loaded_body); }
 
-  // Where the circles about p1 and p3 (radii squared) meet, on the side b x c tells.
+  // Intersection of the circles about p1 and p3 (squared radii), on the side given by the sign of b x c.
   static std::optional<Vec2> meet(Vec2 p1, double r1, Vec2 p3, double r3, double side) {
     const Vec2 base = p3 - p1;
     const double length2 = dot(base, base);
@@ -125,7 +125,7 @@ struct End {
   ChainEnd why = ChainEnd::kNoForce;
 };
 
-// Whether the chain still stands at this turn, and if not why.
+// Whether the chain ends at this rotation, and why.
 std::optional<ChainEnd> ends_at(const Follower& follower, double sense, double turn) {
   const std::optional<Pose> pose = follower.pose(sense * turn);
   if (!pose) return ChainEnd::kLocked;

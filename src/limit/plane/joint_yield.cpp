@@ -1,6 +1,6 @@
-// Sets a joint's strength by the assumed bond, friction and crushing, and cuts stress blocks (6.4) by tangents.
-// A joint without tensile strength counts as broken, so even "bonded" gives it residual cohesion and friction. Infinite
-// strengths stay infinite. Each tangent touches the curve at the N of a solution that lies beyond it.
+// Sets a joint's strength by the assumed bond, friction and crushing, and approximates stress blocks (6.4) by tangents.
+// A joint without tensile strength counts as broken: even "bonded" gives it residual cohesion and friction. Infinite
+// strengths stay infinite. Each tangent touches the curve at the N of a solution outside of it.
 #include "limit/plane/joint_yield.h"
 
 #include <cmath>
@@ -50,7 +50,7 @@ YieldModel yield_of(const Model& model, const LimitOptions& options, double time
 }
 
 int cut_stress_blocks(YieldModel& yield, const std::vector<double>& point_force) {
-  constexpr double kTolerance = 1e-9;  // of C l: far below what the load is asked to
+  constexpr double kTolerance = 1e-9;  // of C l: far below the accuracy of the load
   if (!yield.stress_block) return 0;
   int added = 0;
   for (std::size_t j = 0; j < yield.joint.size(); ++j) {

@@ -1,8 +1,8 @@
-// Kinematic theorem: the cheapest mechanism.
+// Kinematic theorem: the mechanism with the least load.
 //
 // Columns: velocities vx, vy, omega of each block | multipliers >= 0, one for each face of a joint's
-// yield surface. Rows: each joint's slip and the opening of its points are what its multipliers make
-// (associated flow: sliding dilates by mu); the load does unit power.
+// yield surface. Rows: slip of each joint and opening of its points follow from its multipliers
+// (associated flow: sliding dilates by mu); the load has unit power.
 //
 //   slip = v_t(b) - v_t(a) = a2 - a1     opening_k = v_n(b) - v_n(a) at point k
 //        = mu (a1 + a2) + u_k - v_k + tangents
@@ -53,7 +53,7 @@ class KinematicProgramme {
   }
 
  private:
-  // Objective: minus the power of the dead loads.
+  // Objective: the power of the dead loads, negative.
   void add_block(std::size_t i) {
     const BlockForce& f = loads_.dead[i];
     const bool across_y = loads_.held_across[i] && loads_.stage->drive_x != 0;
@@ -71,7 +71,7 @@ class KinematicProgramme {
     return lp_.add_column(0, kFree, capacity / u_.force);
   }
 
-  // Velocity along `axis` of block b less that of a, at the joint's centre + xi e.
+  // Velocity of block b relative to a along `axis`, at the joint's centre + xi e.
   [[nodiscard]] std::vector<Entry> relative(int j, std::array<double, 2> axis, double xi) const {
     std::vector<Entry> row;
     const double ex = xi * m_.half_x[j], ey = xi * m_.half_y[j];
@@ -116,7 +116,7 @@ class KinematicProgramme {
     }
   }
 
-  // A link lengthens or shortens at what it bears; where it bears no end, not at all.
+  // A link changes its length at its limit forces; an unlimited one keeps its length.
   void add_link(std::size_t k) {
     const Links& l = m_.links;
     const double length = elementary::hypot(l.span_x[k], l.span_y[k]);
@@ -163,8 +163,8 @@ class KinematicProgramme {
   const YieldModel& y_;
   Units u_;
   LinearProgramme lp_;
-  std::vector<std::vector<std::size_t>> tangents_of_;  // of each joint, into YieldModel::tangent
-  std::vector<double> capacity_;                       // of each multiplier, in force units
+  std::vector<std::vector<std::size_t>> tangents_of_;  // for each joint, into YieldModel::tangent
+  std::vector<double> capacity_;                       // for each multiplier, in force units
 };
 
 }  // namespace

@@ -1,11 +1,11 @@
-// The two linear programmes of limit analysis, each built from its own theorem.
+// The two linear programmes of limit analysis, each derived from its own theorem.
 //
-//   static     max load   such that every block is in balance and every joint within its strength
+//   static     max load   with every block in equilibrium and every joint within its strength
 //   kinematic  min (dissipation - power of dead loads)   such that joints flow by the normality
-//              rule and the load does unit power
+//              rule and the load has unit power
 //
-// Duality makes both answers equal; that they are built from forces here and from velocities there
-// makes the equality a check. Called by limit_load.cpp. In both, forces are in `force` units and
+// By duality both results are equal. One is built from forces, the other from velocities, which
+// makes their equality a check. Called by limit_load.cpp. In both, forces are in `force` units and
 // lengths in `length` units, so that the numbers are near 1.
 // Reference: R. K. Livesley, Int. J. Numer. Methods Eng. 12 (1978) 1853-1871.
 #pragma once
@@ -30,11 +30,11 @@ struct StaticSolution {
   std::vector<double> shear;        // (n_joint) [N]
   std::vector<double> point_force;  // (n_joint x points) [N], compression +
   std::vector<double> link_force;   // (n_link) [N], tension +
-  std::vector<double> ray;          // of the columns, when without limit
+  std::vector<double> ray;          // of the columns, for a load without limit
   double accuracy = 0;
   int rows = 0, columns = 0;
 };
-// Adds tangents to `yield` until its stress blocks hold.
+// Solves the static programme; adds tangents to `yield` until its stress blocks hold.
 [[nodiscard]] StaticSolution solve_static(const Model& model, const LimitLoads& loads,
                                           YieldModel& yield, const Units& units,
                                           const Monitor& monitor = {});
@@ -50,7 +50,7 @@ struct KinematicSolution {
                                                 const YieldModel& yield, const Units& units,
                                                 const Monitor& monitor = {});
 
-// The block that lacks most force when nothing grows, and how much [N]; -1: all stand, where it was solved.
+// The block with the largest unbalanced force without a growing load [N]; -1: all are in equilibrium, if solved.
 struct Unbalanced {
   ProgrammeStatus status = ProgrammeStatus::kFailed;
   BlockId block = -1;

@@ -1,7 +1,7 @@
-// Static theorem: forces in balance within the joints' strength.
+// Static theorem: forces in equilibrium within the strength of joints.
 //
 // Columns: load | per joint: shear s, compressions p_k | per link: its force | per driven block: its
-// force, where driven blocks share one velocity. Rows: balance of each block (x, y, moment), two sliding planes a joint,
+// force, where driven blocks share one velocity. Rows: equilibrium of each block (x, y, moment), two sliding planes a joint,
 // tangents of stress blocks.
 #include <algorithm>
 #include <array>
@@ -13,15 +13,15 @@
 namespace wythe::limit {
 namespace {
 
-constexpr int kRounds = 60;        // of cutting; the tuff wall takes about 10
-constexpr double kSettled = 1e-8;  // a round that moves the load by less is the last
+constexpr int kRounds = 60;        // of tangents; the tuff wall needs about 10
+constexpr double kSettled = 1e-8;  // a round that changes the load by less is the last
 
 class StaticProgramme {
  public:
   StaticProgramme(const Model& m, const LimitLoads& loads, const YieldModel& y, const Units& units)
       : m_(m), loads_(loads), y_(y), u_(units), balance_(3 * static_cast<std::size_t>(m.n_block)) {}
 
-  // `elastic`: unbalanced forces are allowed at a cost, the load is nil.
+  // `elastic`: unbalanced forces are allowed at a cost, and the load is zero.
   void build(bool elastic) {
     load_ = lp_.add_column(elastic ? 0 : -kFree, elastic ? 0 : kFree, elastic ? 0 : -1);
     for (int j = 0; j < m_.n_joint; ++j) add_joint(j);
@@ -64,7 +64,7 @@ class StaticProgramme {
     return answer;
   }
 
-  // After build(true): the largest unbalanced force.
+  // The largest unbalanced force, after build(true).
   Unbalanced worst(const Monitor& monitor) {
     Unbalanced found;
     found.status = lp_.solve(monitor);
@@ -90,7 +90,7 @@ class StaticProgramme {
         {column, value});
   }
 
-  // A unit force (fx, fy) at arm (x, y) of a block, carried by `column`.
+  // Adds a unit force (fx, fy) at arm (x, y) of a block, scaled by `column`.
   void act(BlockId block, int column, std::array<double, 2> force, std::array<double, 2> arm) {
     if (block == kGroundBlock) return;
     put(block, 0, column, force[0]);
@@ -113,7 +113,7 @@ class StaticProgramme {
     }
   }
 
-  // Right behind the columns of the joints.
+  // Columns of links directly follow those of joints.
   void add_link(std::size_t k) {
     const Links& l = m_.links;
     const double length = elementary::hypot(l.span_x[k], l.span_y[k]);

@@ -1,4 +1,4 @@
-// The mortar of layers -> faces beside those of the masonry that it covers, with laws of its own, and its mass
+// Mortar of layers -> faces beside those of the masonry that it covers, with their own laws, and its mass
 // (docs/theory/layers.md, "The mortar").
 //
 //     | unit a | unit b |
@@ -22,10 +22,10 @@ using geometry::FaceKind;
 using geometry::Rect;
 using geometry::Role;
 
-constexpr double kShortest = 1e-3;           // of a face that is covered [m]
+constexpr double kShortest = 1e-3;           // length of a covered face [m]
 constexpr double kShearPerYoungs = 1 / 2.4;  // with Poisson's ratio 0.2
 
-// The rectangle of a layer, by default all of the masonry.
+// The rectangle of a layer, by default the whole masonry.
 Rect box_of(const ModelSpec& spec, const LayerSpec& layer, const Assembly& assembly) {
   Rect all{1e300, 1e300, -1e300, -1e300};
   for (const geometry::Block& block : assembly.blocks)
@@ -36,7 +36,7 @@ Rect box_of(const ModelSpec& spec, const LayerSpec& layer, const Assembly& assem
           std::isnan(layer.height) ? all.y1 : y + layer.height};
 }
 
-// The part of a face inside a rectangle; shorter than kShortest where it lies outside or along an edge.
+// The part of a face inside a rectangle; shorter than kShortest where the face lies outside or on its border.
 Face clipped(Face face, const Rect& box) {
   double from = 0, to = 1;
   const Vec2 d{face.p1.x - face.p0.x, face.p1.y - face.p0.y};
@@ -109,7 +109,7 @@ class CoatBuilder {
     add_mass(layer, box);
     if (coats_.size() == first) {
       const bool has_fibres = layer.fibres.horizontal > 0 || layer.fibres.vertical > 0;
-      if (has_fibres) return;  // the layer is refused for them (layers.cpp)
+      if (has_fibres) return;  // layers.cpp refuses such a layer
       faults_.add({"", fmt::format("layer.{}", number), layer.name,
                    "crosses no joint of the masonry, so it can hold nothing together",
                    "make it larger", 0});
@@ -125,7 +125,7 @@ class CoatBuilder {
           {"thickness_mm", 1e3 * layer.sides * layer.mortar.thickness}}});
   }
 
-  // What the mortar gives over the length of both units lies in the joint: E / distance of their centroids (22.8).
+  // The stiffness of the mortar over the length of both units is put into the joint: E / distance of their centroids (22.8).
   [[nodiscard]] JointMaterial law(const LayerSpec& layer, const Face& face, double length) const {
     const auto i = static_cast<std::size_t>(map_[static_cast<std::size_t>(face.a)]);
     const auto j = static_cast<std::size_t>(map_[static_cast<std::size_t>(face.b)]);

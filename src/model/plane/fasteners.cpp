@@ -1,5 +1,5 @@
-// Each anchor is a link along its axis and one across it, or two in space; each wedge is a jack with the friction of its
-// force (docs/theory/frames.md, "Anchors and wedges").
+// Each anchor is a link along its axis and one across it, in space two; each wedge is a jack with friction
+// (docs/theory/frames.md, "Anchors and wedges").
 #include "model/plane/fasteners.h"
 
 #include <fmt/core.h>
@@ -14,7 +14,7 @@ namespace {
 
 using geometry::FramePart;
 
-constexpr double kOnFace = 1e-3;  // how near a place is to a face that counts as its masonry [m]
+constexpr double kOnFace = 1e-3;  // distance from a face up to which masonry counts [m]
 
 class FastenerCompiler {
  public:
@@ -37,7 +37,7 @@ class FastenerCompiler {
     BlockId segment, masonry;
     Vec2 face, normal, behind;
   };
-  // On both sides of part `k`, `spacing` apart and centred, where masonry lies at the face and `depth` behind it.
+  // Places on both sides of part `k`, `spacing` apart and centred, where masonry lies at the face and `depth` behind it.
   [[nodiscard]] std::vector<Footing> footings(std::size_t k, double spacing, double depth) const {
     const FramePart& part = f_.placed.parts[k];
     const bool upright = std::fabs(part.way.y) > std::fabs(part.way.x);
@@ -61,14 +61,14 @@ class FastenerCompiler {
     return found;
   }
 
-  // A link between the face of the segment and a place in the unit.
+  // Adds a link between the face of the segment and a place in the unit.
   void add(std::string name, LinkKind kind, const Footing& at, Vec2 far, Vec3 span,
            double stiffness, double tension, double press, double jack = 0) {
     add_link(model_.links,
              {std::move(name), kind, at.segment, at.masonry, f_.site.arm(at.segment, at.face),
               f_.site.arm(at.masonry, far), span, false, stiffness, tension, press, jack});
   }
-  // Across its axis: in the frame's plane, and in space across it too.
+  // Adds links across the axis: one in the frame's plane, in space one normal to it too.
   void add_across(const std::string& name, const Footing& at, double stiffness, double strength) {
     add(name, LinkKind::kDowel, at, at.face, f_.site.turned({-at.normal.y, at.normal.x}), stiffness,
         strength, strength);
@@ -94,7 +94,7 @@ class FastenerCompiler {
         const auto name = [&](LinkKind kind) {
           return fmt::format("{} {} {}", f_.placed.name, word_of(kLinkKindWords, kind), count);
         };
-        // pressure goes through the joint
+        // the joint carries compression
         add(name(LinkKind::kAnchor), LinkKind::kAnchor, at, at.behind, f_.site.turned(at.normal),
             a.tension / a.slip, a.tension, 0);
         add_across(name(LinkKind::kDowel), at, a.shear / a.slip, a.shear);
@@ -121,7 +121,7 @@ class FastenerCompiler {
       return fault("wedges", "", "have no masonry above a beam to press on",
                    "leave them out, or let a level part of the frame stand under masonry");
     const auto joint = f_.spec.material.find(f_.frame.joint);
-    if (joint == f_.spec.material.end()) return;  // told elsewhere
+    if (joint == f_.spec.material.end()) return;  // reported elsewhere
     const double each = w.force / static_cast<double>(above.size());
     const double friction = each * elementary::tan(joint->second.residual_friction_angle);
     for (std::size_t i = 0; i < above.size(); ++i) {
@@ -135,7 +135,7 @@ class FastenerCompiler {
          {{"frame", f_.placed.name}, {"count", above.size()}, {"force_kN", 1e-3 * w.force}}});
   }
 
-  // Whether a table is there, with all of its numbers; a fault where some are missing.
+  // Whether a table is present with all its numbers; a fault where some are missing.
   bool is_given(const std::string& table, const std::vector<std::pair<const char*, double>>& keys) {
     const auto missing = [](const auto& key) { return !(key.second > 0); };
     if (std::all_of(keys.begin(), keys.end(), missing)) return false;

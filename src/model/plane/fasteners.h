@@ -9,13 +9,13 @@
 
 namespace wythe {
 
-// What a frame asks of the wall, at places in its plane.
+// What fasteners need of the wall, at places in the frame's plane.
 struct FastenerSite {
-  std::function<std::optional<BlockId>(Vec2)> masonry_at;  // moving, and no stage cuts it out
+  std::function<std::optional<BlockId>(Vec2)> masonry_at;  // a moving block, not cut out by a stage
   std::function<std::optional<BlockId>(Vec2)> segment_at;  // of the frame
   std::function<Vec3(BlockId, Vec2)> arm;                  // of a place, from a block's centroid
-  std::function<Vec3(Vec2)> turned;                        // a direction in the wall's axes
-  std::optional<Vec3> across;                              // the plane, in space
+  std::function<Vec3(Vec2)> turned;                        // a direction, in the axes of the wall
+  std::optional<Vec3> across;                              // normal to the plane, in space
 };
 struct Fastened {
   const ModelSpec& spec;

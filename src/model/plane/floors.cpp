@@ -1,10 +1,10 @@
-// Floors and roofs: what lies on a course, as dead loads on its blocks, and the inertia that goes with it.
+// Floors and roofs: dead loads on the blocks of a course, and the inertia that belongs to them.
 //
-//      q q q q q q q q q q          each block takes what lies on its upper edge, at the middle of the
-//    +----+----+----+----+----+     part that is loaded; where no upper edge is at the level (an opening,
-//    |    |    |    |    |    |     a lintel that stands higher) nothing would carry the floor: a fault
+//      q q q q q q q q q q          each block carries the load on its upper edge, at the middle of the
+//    +----+----+----+----+----+     loaded part. Where no upper edge has this level (an opening,
+//    |    |    |    |    |    |     a higher lintel) nothing would carry the floor: a fault
 //
-// Reads the assembly; called by compile(), before the stages, which put the loads in force.
+// Reads the assembly; compile() calls it before the stages, which apply the loads.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -20,16 +20,16 @@ namespace {
 using geometry::Assembly;
 using geometry::Role;
 
-constexpr double kReachOfLevel = 0.01;  // how far the stated level may lie from the bed joint [m]
-constexpr double kFewMicrons = 5e-6;    // a gap that is round-off of what users write [m]
+constexpr double kReachOfLevel = 0.01;  // distance of the stated level from the bed joint [m]
+constexpr double kFewMicrons = 5e-6;    // a gap due to rounded input [m]
 
-// A stretch of a block's upper side.
+// A part of a block's upper side.
 struct Edge {
   std::size_t block;
   double x0, x1, y;
 };
 
-// What one block takes of a floor, at (x, y): its share of the whole.
+// Share of the floor that one block carries, at (x, y).
 struct Part {
   std::size_t block;
   double x, y, share;
@@ -57,7 +57,7 @@ class FloorCompiler {
     faults_.add({"", path_ + key, std::move(value), std::move(problem), std::move(cure), 0});
   }
 
-  // Outlines run anticlockwise: an upper edge goes to the left.
+  // Finds upper edges: outlines are anticlockwise, so an upper edge runs to the left.
   void find_edges() {
     double top = -std::numeric_limits<double>::infinity();
     base_ = std::numeric_limits<double>::infinity();
@@ -80,7 +80,7 @@ class FloorCompiler {
               [](const Edge& a, const Edge& b) { return a.x0 < b.x0; });
   }
 
-  // What no range of a single key says.
+  // Checks that concern several keys at once.
   bool check_numbers() {
     const FloorSpec& f = *floor_;
     const std::size_t before = faults_.all().size();
@@ -103,13 +103,13 @@ class FloorCompiler {
     return faults_.all().size() == before;
   }
 
-  // The top of the named storey, or y, above the wall's base.
+  // Height of the named storey's top, or y, above the wall's base [m].
   [[nodiscard]] double stated_level() {
     if (floor_->storey.empty()) return floor_->y;
     return top_of_storey(assembly_, floor_->storey, path_, faults_) - base_;
   }
 
-  // The height of the bed joint at the stated level.
+  // Height of the bed joint at the stated level [m].
   [[nodiscard]] double find_level() {
     const double stated = stated_level();
     if (std::isnan(stated)) return kUnset;
@@ -165,7 +165,7 @@ class FloorCompiler {
     if (!parts.empty()) put(parts, level, from, to, zero);
   }
 
-  // x is counted from the wall's left end.
+  // Left end of the wall, the zero of x [m].
   [[nodiscard]] double assembly_left() const {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t b = 0; b < assembly_.blocks.size(); ++b)
@@ -174,7 +174,7 @@ class FloorCompiler {
     return least;
   }
 
-  // Nothing, with a fault, where a stretch has nothing below it.
+  // Shares of a line load; empty with a fault where a part of the line lies on nothing.
   std::vector<Part> line(const std::vector<Edge>& at, double from, double to, double zero) {
     std::vector<Part> parts;
     double reached = from;
@@ -198,7 +198,7 @@ class FloorCompiler {
     return parts;
   }
 
-  // A list with one x twice gives that place two shares of the load, and the others less.
+  // Refuses one x twice in a list: that place would get two shares of the load.
   void refuse_joists_at_one_place() {
     constexpr double kOnePlace = 1e-3;  // [m]
     const std::vector<double>& joists = floor_->joists;
@@ -212,7 +212,7 @@ class FloorCompiler {
         }
   }
 
-  // A joist over a head joint lies on both blocks.
+  // Shares of joists; a joist over a head joint lies on both blocks.
   std::vector<Part> joists(const std::vector<Edge>& at, double from, double to, double zero) {
     std::vector<Part> parts;
     const std::size_t before = faults_.all().size();
@@ -264,7 +264,7 @@ class FloorCompiler {
     if (std::isfinite(floor_->bearing)) note_bearing(name);
   }
 
-  // The plane has no eccentricity across the wall; what the bearing tells is its mean pressure.
+  // Notes the mean pressure of the bearing: the plane has no eccentricity across the wall.
   void note_bearing(const std::string& name) {
     const double pressure = floor_->load / floor_->bearing;
     double strength = std::numeric_limits<double>::infinity();

@@ -50,7 +50,7 @@ double length_of(const Face& face) {
   return elementary::hypot(face.p1.x - face.p0.x, face.p1.y - face.p0.y);
 }
 
-// Turns material names into indices, checking each the first time it is used.
+// Converts names of materials to indices; checks each material at its first use.
 class MaterialTable {
  public:
   MaterialTable(const ModelSpec& spec, Model& model, FaultList& faults)
@@ -73,7 +73,7 @@ class MaterialTable {
     return index_[{name, false}] = append(name, material);
   }
 
-  // The material of face `face`: its own where a field acts on it.
+  // Index of the material of face `number`: its own where a field acts on it.
   int index_of(const Face& face, int number, const FieldValues& fields) {
     const int stated = index_of(face.material, face.shares_bed);
     if (!fields.act_on(face.material)) return stated;
@@ -86,7 +86,7 @@ class MaterialTable {
     return index;
   }
 
-  // What fields make inadmissible: of each key the first joint, and how many more.
+  // Reports values from fields that are inadmissible: for each key the first joint, and the number of others.
   void report_drawn() {
     for (const auto& [path, drawn] : drawn_) {
       const std::string more =
@@ -101,7 +101,7 @@ class MaterialTable {
     }
   }
 
-  // The mortar of a layer: one law for each distance of units.
+  // Index of the law of mortar; one law for each distance of units.
   int coat_index(const Coat& coat) {
     const auto known = std::find_if(coats_.begin(), coats_.end(), [&](const auto& one) {
       const double k = coat.law.normal_stiffness, other = one.first.law.normal_stiffness;
@@ -112,7 +112,7 @@ class MaterialTable {
     return coats_.back().second;
   }
 
-  // A lintel's chain: one derived material for each set of what chain_material() depends on.
+  // Index of the law of a lintel's chain; one law for each set of arguments of chain_material().
   int chain_index(const Face& face, double spacing, double depth) {
     const Chain wanted{face.material, spacing, depth, length_of(face), 0};
     const auto known = std::find_if(chains_.begin(), chains_.end(),
@@ -134,7 +134,7 @@ class MaterialTable {
   }
 
  private:
-  // The law of head joints beside beds of law `bed`.
+  // Index of the law of head joints beside beds with the law `bed`.
   int head_index(const std::string& name, int bed) {
     const JointMaterial law = model_.materials[static_cast<std::size_t>(bed)];
     if (!(law.head_joint_bond < 1)) return bed;
@@ -147,7 +147,7 @@ class MaterialTable {
     double spacing, depth, face;  // [m]
     int index;
   };
-  // The same lengths but for the rounding of coordinates, which must not make two materials.
+  // Whether the lengths agree up to round-off of coordinates, which must not give two materials.
   static bool is_same(const Chain& a, const Chain& b) {
     const auto near = [](double x, double y) { return std::fabs(x - y) <= 1e-9 * std::fabs(x); };
     return a.material == b.material && near(a.spacing, b.spacing) && near(a.depth, b.depth) &&
@@ -164,7 +164,7 @@ class MaterialTable {
 
   struct Drawn {
     MaterialFault first;
-    double x, y;  // of its joint [m]
+    double x, y;  // position of the first joint [m]
     int joints = 0;
   };
   void note(const Face& face, const MaterialFault& fault) {
@@ -179,14 +179,14 @@ class MaterialTable {
   Model& model_;
   FaultList& faults_;
   std::map<std::pair<std::string, bool>, int> index_;  // by name and whether it shares a bed's
-  std::set<std::string> bad_;                          // faulty as stated
+  std::set<std::string> bad_;                          // inadmissible as stated
   std::map<std::string, Drawn> drawn_;                 // by path of a key
   std::vector<Chain> chains_;
-  std::vector<std::pair<Coat, int>> coats_;  // and the index of their law
-  std::set<std::string> has_no_chain_;       // moduli whose lack is told
+  std::vector<std::pair<Coat, int>> coats_;  // with the index of their law
+  std::set<std::string> has_no_chain_;       // materials without moduli, reported once
 };
 
-// Structural depth of the body a chain face belongs to; the face itself where none is stated.
+// Structural depth of the body of a chain's face; length of the face where none is stated.
 double chain_depth(const ModelSpec& spec, const Assembly& assembly, const Face& face) {
   const geometry::Block& block = assembly.blocks[static_cast<std::size_t>(face.b)];
   if (block.ring_beam >= 0) return spec.ring_beam[static_cast<std::size_t>(block.ring_beam)].height;
@@ -202,7 +202,7 @@ bool touches_solid(const Face& face, const BlockMap& map) {
   return solid(face.a) || solid(face.b);
 }
 
-// Order for the step: pairs before ground, then runs of one variant and one material, else as found.
+// Order of joints for the step: pairs before ground, then by variant and material, else as found.
 std::vector<std::size_t> joint_order(const std::vector<Face>& faces, const BlockMap& map,
                                      const std::vector<int>& material, const Model& model) {
   std::vector<std::size_t> order(faces.size());

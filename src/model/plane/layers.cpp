@@ -1,4 +1,4 @@
-// Layers as written -> strands of fibres with nodes on blocks (docs/theory/layers.md).
+// Layers of the model file -> strands of fibres with nodes on blocks (docs/theory/layers.md).
 //
 //   lines across the layer  ->  pieces of a line within each block  ->  nodes on a piece  ->  fibres between nodes
 #include <fmt/core.h>
@@ -17,12 +17,12 @@ namespace {
 
 using geometry::Assembly;
 
-constexpr double kClose = 2e-3;          // pieces of a strand, no further apart [m]
+constexpr double kClose = 2e-3;          // largest distance between pieces of a strand [m]
 constexpr double kShortestPiece = 1e-3;  // of a piece [m]
-constexpr int kMostNodes = 4;            // of a piece
-constexpr double kWidest = 2;            // nodes apart, over the decay length of the bond (22.4)
+constexpr int kMostNodes = 4;            // for each piece
+constexpr double kWidest = 2;            // distance of nodes over decay length of the bond (22.4)
 
-// Where the layer lies, or a block: along a strand from..to, or across.
+// Extent of a layer or block: from..to along a strand, or across it.
 struct Span {
   double from = std::numeric_limits<double>::infinity();
   double to = -std::numeric_limits<double>::infinity();
@@ -35,15 +35,15 @@ struct Piece {
   Span along;
 };
 
-// A line of fibres and the breadth that they stand for.
+// A line of fibres and the width that it represents.
 struct Line {
   double across, breadth;
 };
 
-// All fibres of one direction, both faces together.
+// All fibres in one direction, both faces together.
 struct Fibres {
   bool upright = false;
-  double stiffness = 0, strength = 0;  // E A, f A of a metre across [N/m]
+  double stiffness = 0, strength = 0;  // E A, f A per metre of width [N/m]
 };
 
 class LayerCompiler {
@@ -70,7 +70,7 @@ class LayerCompiler {
     faults_.add({"", path_ + key, std::move(value), std::move(problem), std::move(cure), 0});
   }
 
-  // Pairs of blocks with a joint that bonds them.
+  // Finds pairs of blocks with a bonded joint.
   void find_bonded() {
     for (int j = 0; j < model_.n_pair; ++j) {
       const auto i = static_cast<std::size_t>(j);
@@ -140,7 +140,7 @@ class LayerCompiler {
     return faults_.all().size() == before;
   }
 
-  // The rectangle of a layer, within the masonry.
+  // Computes the rectangle of a layer, within the masonry.
   bool place(const LayerSpec& layer, Span& x, Span& y) {
     const std::size_t before = faults_.all().size();
     Span wall_x, wall_y;
@@ -173,7 +173,7 @@ class LayerCompiler {
     Span x, y;
     if (!check(layer) || !place(layer, x, y)) return;
     const LayerFibreSpec& f = layer.fibres;
-    if (f.horizontal == 0 && f.vertical == 0) return;  // mortar alone
+    if (f.horizontal == 0 && f.vertical == 0) return;  // mortar only
     const double strength =
         std::isnan(f.strength) ? f.youngs_modulus * f.strain_at_rupture : f.strength;
     const std::size_t crossed = model_.layers.cross_a.size();
@@ -201,8 +201,8 @@ class LayerCompiler {
     note(layer, name, model_.layers.cross_a.size() - crossed);
   }
 
-  // Lines of fibres across `over`: between the joints that run along them, so that each course, and each half unit,
-  // has one.
+  // Lines of fibres over the width `over`: between the joints parallel to them, so that each course, or each half
+  // unit, has one.
   [[nodiscard]] std::vector<Line> lines(const Span& over, bool upright) const {
     std::vector<double> at, sizes;
     for (const std::size_t b : masonry()) {
@@ -213,7 +213,7 @@ class LayerCompiler {
     std::nth_element(sizes.begin(), sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2),
                      sizes.end());
     const double block = sizes[sizes.size() / 2];
-    constexpr double kNarrow = 0.4, kBroad = 1.1;  // of a block
+    constexpr double kNarrow = 0.4, kBroad = 1.1;  // of the width of a block
     std::vector<double> cuts = {over.from};
     for (const double c : at)
       if (c - cuts.back() > kNarrow * block && over.to - c > kNarrow * block) cuts.push_back(c);
@@ -228,7 +228,7 @@ class LayerCompiler {
     return lines;
   }
 
-  // Pieces of a line within blocks, from its start on. What touches a line with a side alone has none.
+  // Pieces of a line within blocks, from its start on. A block that only touches the line gives no piece.
   [[nodiscard]] std::vector<Piece> pieces(const Line& line, const Span& over, bool upright) const {
     std::vector<Piece> pieces;
     for (const std::size_t b : masonry()) {
@@ -252,7 +252,7 @@ class LayerCompiler {
     return pieces;
   }
 
-  // The strands of one line: a gap, such as an opening, ends one.
+  // Lays the strands of one line; a gap, such as an opening, ends a strand.
   bool lay(const LayerSpec& layer, const Fibres& fibres, const Line& line, const Span& over) {
     const std::vector<Piece> all = pieces(line, over, fibres.upright);
     std::vector<Piece> strand;
@@ -279,7 +279,7 @@ class LayerCompiler {
 
   [[nodiscard]] std::vector<Node> nodes_of(const LayerSpec& layer, const Fibres& fibres,
                                            const std::vector<Piece>& strand) {
-    const double energy = layer.sides * layer.bond.energy;  // of a metre across and along
+    const double energy = layer.sides * layer.bond.energy;  // per metre across and along
     const double rate = elementary::log(2.0) / layer.bond.slip;
     const double decay_by_rate = std::sqrt(fibres.stiffness / (2 * energy));
     std::vector<Node> nodes;
@@ -366,10 +366,10 @@ class LayerCompiler {
   std::string path_;
   std::set<std::pair<BlockId, BlockId>> bonded_;
 
-  // of the layer at hand
+  // of the current layer
   int strands_ = 0, bonded_crossings_ = 0;
-  double widest_ = 0, spacing_ = 0;   // nodes over what the bond asks for; apart [m]
-  double detaches_ = 0, breaks_ = 0;  // the weaker direction [N/m]
+  double widest_ = 0, spacing_ = 0;   // nodes over the number that the bond requires; distance [m]
+  double detaches_ = 0, breaks_ = 0;  // in the weaker direction [N/m]
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Ties, diaphragms and springs in the user's words -> links between points of blocks (docs/theory/links.md).
+// Ties, diaphragms and springs of the model file -> links between points of blocks (docs/theory/links.md).
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -18,9 +18,9 @@ namespace {
 using geometry::Assembly;
 using geometry::Role;
 
-constexpr double kReach = 0.01;  // how far a point may lie off the wall [m]
+constexpr double kReach = 0.01;  // distance of a point from the wall [m]
 
-// Of a spring, from where its neighbour stands: what moves there is pressed.
+// Direction of a spring, from its neighbour: motion towards the neighbour compresses it.
 Vec3 vector_of(Direction direction) {
   switch (direction) {
     case Direction::kPlusX: return {-1, 0, 0};
@@ -33,13 +33,13 @@ Vec3 vector_of(Direction direction) {
   return {};
 }
 
-// A point of the wall: its block, none where the ground holds it.
+// A point of the wall with its block; no block where the ground holds it.
 struct End {
   BlockId block = kGroundBlock;
   Vec3 at;
 };
 
-// Where the links of a wall in its plane may end.
+// Ends of links in a wall in the plane.
 class PlaneSite {
  public:
   PlaneSite(const ModelSpec&, const Assembly& assembly, const BlockMap& map, const Model& model)
@@ -61,8 +61,8 @@ class PlaneSite {
     return {model_.centroid_x[i], model_.centroid_y[i], 0};
   }
 
-  // The moving block whose box is nearest to a point, of those at the same distance the one with the nearest
-  // middle; or the named one. `below`: of a point between two courses the lower block, which a floor lies on.
+  // The moving block whose box is nearest to a point; of equally near ones the one with the nearest centre; or the named
+  // block. `below`: for a point between two courses take the lower block, on which a floor lies.
   [[nodiscard]] std::optional<std::size_t> body_at(Vec3 p, bool below) const {
     const std::size_t b = block_at({p.x, p.y}, below);
     return b == assembly_.blocks.size() ? std::nullopt : std::optional(b);
@@ -79,7 +79,7 @@ class PlaneSite {
   [[nodiscard]] std::string id_of(std::size_t b) const { return assembly_.blocks[b].id; }
   [[nodiscard]] static bool is_support(std::size_t) { return false; }
 
-  // Places of the points of a diaphragm.
+  // Points of a diaphragm.
   [[nodiscard]] std::vector<PlaceSpec> points_of(const DiaphragmSpec& d, const std::string& path,
                                                  FaultList& faults) const {
     double y = d.y;
@@ -125,7 +125,7 @@ class PlaneSite {
   const Model& model_;
 };
 
-// The same in space; a body of the assembly is a support where its number is not below n_block.
+// Ends of links in space; a body of the assembly is a support where its number is not below n_block.
 class SpaceSite {
  public:
   SpaceSite(const ModelSpec& spec, const geometry::SpaceAssembly& assembly,
@@ -177,7 +177,7 @@ class SpaceSite {
   }
 
  private:
-  // The top of the named storey, or y.
+  // Height of the named storey's top, or y [m].
   [[nodiscard]] double level_of(const DiaphragmSpec& d, const std::string& path,
                                 FaultList& faults) const {
     if (std::isfinite(d.y) == !d.storey.empty())
@@ -232,7 +232,7 @@ class LinkCompiler {
     return given.empty() ? fmt::format("{} {}", kind, k + 1) : given;
   }
 
-  // Whether a number is there and above 0.
+  // Whether a number is present and positive; adds a fault otherwise.
   bool need(const char* key, double value, const char* example) {
     if (value > 0) return true;
     fault(key, std::isnan(value) ? "" : fmt::format("{:g}", value), "is missing",
@@ -292,7 +292,7 @@ class LinkCompiler {
                      "lies on the block of the point before it", "write points further apart");
       const std::string part = ends.size() == 2 ? name : fmt::format("{} {}", name, k);
       add(part, LinkKind::kDiaphragm, ends[k - 1], ends[k], true,
-          elastic ? d.stiffness / long_ : kUnset);  // of a rigid one: bound_step
+          elastic ? d.stiffness / long_ : kUnset);  // rigid ones: set by bound_step
     }
   }
 
@@ -301,7 +301,7 @@ class LinkCompiler {
     const End at = find(".at", s.at);
     need(".stiffness", s.stiffness, "stiffness = \"20 kN/mm\"");
     if (faults_.all().size() > before) return;
-    // the neighbour stands in `direction`: what moves there is pressed
+    // the neighbour stands in `direction`: motion towards it compresses the spring
     const Vec3 from = site_.in_wall(vector_of(s.direction));
     if (!site_.knows(from))
       return fault(".direction", "", "is out of the wall's plane, in which the model is",
@@ -325,7 +325,7 @@ class LinkCompiler {
     add_link(l, {name, kind, a.block, b.block, arm(a), arm(b), b.at - a.at, follows, stiffness});
   }
 
-  // A point that does not move, on the wall or off it.
+  // A fixed point, on the wall or off it.
   End anchor(const PlaceSpec& at) {
     const std::optional<Vec3> point = site_.point_of(at);
     if (!point || site_.is_foreign(at))
@@ -338,7 +338,7 @@ class LinkCompiler {
     return model_.anatomy.block_id[static_cast<std::size_t>(block)];
   }
 
-  // The block at a point, or the middle of a named block.
+  // The block at a point, or the centre of a named block.
   End find(const std::string& key, const PlaceSpec& at, bool below = false) {
     const std::optional<Vec3> point = site_.point_of(at);
     const bool more = std::isfinite(at.width) || std::isfinite(at.height) || at.courses != 1 ||
@@ -380,7 +380,7 @@ class LinkCompiler {
     return {block, point ? *point : site_.centroid(block)};
   }
 
-  // Prestress comes with the first stage of loads.
+  // Finds the stage that applies prestress: the first one with loads.
   void find_stage() {
     const auto drawn = [](double force) { return force > 0; };
     const std::vector<double>& prestress = model_.links.prestress;

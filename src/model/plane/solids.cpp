@@ -21,7 +21,7 @@ using geometry::Rect;
 constexpr double kThinnest = 20;  // longest side of a zone over its shortest
 constexpr int kMostZones = 20000;
 
-// Where the user states the zones of a block.
+// Key path of the zones of a block.
 std::string path_of(const Block& block) {
   if (block.opening >= 0) return fmt::format("wall.opening.{}.lintel", block.opening);
   return "wall.blocks." + block.id;
@@ -63,7 +63,7 @@ class BodyBuilder {
     sound_ = false;
   }
 
-  // Says each material's faults once, whatever the number of blocks.
+  // Reports the faults of each material once, for any number of blocks.
   void check_material(const std::string& name, const JointMaterial& material) {
     const auto [state, is_new] = checked_.try_emplace(name, true);
     if (is_new)
@@ -148,18 +148,18 @@ class BodyBuilder {
   std::map<std::string, bool> checked_;
   std::string path_;
   solids::ZoneMaterial body_;
-  double size_ = 0;  // of a zone, as asked for [m]
+  double size_ = 0;  // requested length of a zone [m]
   bool sound_ = true;
 };
 
-// Where a face and an edge of a body's rim run together.
+// The common part of a face and an edge of a body's rim.
 struct Overlap {
   int p, q;         // nodes
   double from, to;  // along the face, from its start [m]
   double share_0, share_1;
 };
 
-// Cuts a face at the nodes of the body's rim: one contact for each edge it covers.
+// Divides a face at the nodes of the body's rim: one contact for each covered edge.
 class ContactBuilder {
  public:
   ContactBuilder(const Assembly& assembly, const BlockMap& map, Model& model)
@@ -177,7 +177,7 @@ class ContactBuilder {
     body_ = solid_of(map_[static_cast<std::size_t>(mine)]);
     material_ = solid.material;
     thickness_ = assembly_.thickness_of(face);
-    // n from the rigid block to the zones, on the left of the face
+    // n points from the rigid block to the zones, on the left of the face
     p0_ = zone_is_b ? face.p0 : face.p1;
     const Vec2 p1 = zone_is_b ? face.p1 : face.p0;
     length_ = elementary::hypot(p1.x - p0_.x, p1.y - p0_.y);
@@ -186,7 +186,7 @@ class ContactBuilder {
   }
 
  private:
-  // The rim runs round with its zones on the left: along the face where they meet.
+  // The rim has its zones on the left, so where it meets the face it runs along it.
   [[nodiscard]] std::vector<Overlap> overlaps() const {
     const std::vector<std::int32_t>& rim = s_.bodies[static_cast<std::size_t>(body_)].rim;
     std::vector<Overlap> found;
@@ -204,14 +204,14 @@ class ContactBuilder {
     return found;
   }
 
-  // Along and across the face.
+  // Coordinates along and across the face.
   [[nodiscard]] Vec2 seen_from_start(int node) const {
     const auto i = static_cast<std::size_t>(node);
     const Vec2 d{s_.node_x[i] - p0_.x, s_.node_y[i] - p0_.y};
     return {d.x * t_.x + d.y * t_.y, d.y * t_.x - d.x * t_.y};
   }
 
-  // A corner this near to a node is the node.
+  // A corner within this distance of a node coincides with it.
   static constexpr double kSame = 1e-6;  // of an edge
   static double snap(double at, double a, double b) {
     if (std::fabs(at - a) < kSame * (b - a)) return a;
@@ -242,7 +242,7 @@ class ContactBuilder {
   const BlockMap& map_;
   Model& m_;
   Solids& s_;
-  double reach_ = 0;  // how far a node may stand off the face [m]
+  double reach_ = 0;  // distance of a node from the face [m]
   BlockId block_ = 0;
   int body_ = 0, material_ = 0;
   double thickness_ = 0, length_ = 0;

@@ -1,4 +1,4 @@
-// What stands when: openings that a stage cuts, and what is put into them (docs/theory/cutting.md).
+// Which blocks stand in which stage: openings that a stage cuts, and the parts it inserts (docs/theory/cutting.md).
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -41,7 +41,7 @@ class StandingCompiler {
     faults_.add({"", path, value, std::move(problem), std::move(cure), 0});
   }
 
-  // The stages that are named, or 0: none, which no stage of kind cut can be.
+  // Finds the named stages; 0 stands for none, since the first stage can't be of kind cut.
   void find_stages() {
     for (std::size_t k = 0; k < spec_.wall.opening.size(); ++k)
       cut_.push_back(stage_named(fmt::format("wall.opening.{}.cut", k), spec_.wall.opening[k].cut));
@@ -66,7 +66,7 @@ class StandingCompiler {
               "write stage = \"the name of a stage of kind cut\", or cut in its opening");
   }
 
-  // Of a frame along a line in an opening that is cut: the stage of that opening.
+  // Stage of a frame along a line inside an opening that is cut: the stage of that opening.
   [[nodiscard]] int cut_where_it_stands(std::size_t frame) const {
     const auto box_of = [](const geometry::Block& block) {
       return geometry::bounds(block.outline);
@@ -112,7 +112,7 @@ class StandingCompiler {
     }
   }
 
-  // What zones press on stands always: their nodes are not held while a stage lets go of it.
+  // Refuses cuts beside zones: their nodes are not held while a stage releases them.
   void refuse_zones_beside() {
     const Solids& solids = model_.solids;
     for (std::size_t c = 0; c < solids.contact_block.size(); ++c) {
@@ -142,7 +142,7 @@ class StandingCompiler {
       model_.standing.until[i] = cut_[static_cast<std::size_t>(block.cut_from)];
     } else if (block.frame >= 0) {
       model_.standing.from[i] = up_[static_cast<std::size_t>(block.frame)];
-    } else if (block.opening >= 0) {  // a lintel or a sill
+    } else if (block.opening >= 0) {  // lintel or sill
       model_.standing.from[i] = cut_[static_cast<std::size_t>(block.opening)];
     }
   }
@@ -169,7 +169,7 @@ class StandingCompiler {
   const BlockMap& map_;
   Model& model_;
   FaultList& faults_;
-  std::vector<int> cut_, up_;  // of each opening, of each frame: its stage, 0 where none is named
+  std::vector<int> cut_, up_;  // stage of each opening, of each frame; 0: none
   bool any_ = false;
 };
 

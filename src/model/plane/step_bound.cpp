@@ -1,6 +1,6 @@
 // Sums the stiffness that joints, zones, links, frames and layers give each block with all contacts closed.
-// Its largest eigenvalue over the block's inertia bounds omega^2 (4.4); nodes of zones follow (8.7). The order matters.
-// Light blocks gain inertia first, then rigid links take their stiffness from the bound, then light nodes gain inertia.
+// The largest eigenvalue over the block's inertia bounds omega^2 (4.4); nodes of zones follow (8.7). The order matters:
+// light blocks gain inertia first, then rigid links get their stiffness from the bound, then light nodes gain inertia.
 #include "model/plane/step_bound.h"
 
 #include <Eigen/Dense>
@@ -16,7 +16,7 @@
 namespace wythe {
 namespace {
 
-// Stress per displacement, or per rate of it, normal to a joint and along it.
+// Stress per displacement, or per velocity, normal to a joint and along it.
 struct Springs {
   double normal, shear;
 };
@@ -32,7 +32,7 @@ Eigen::Matrix3d point_stiffness(const Springs& springs, double area, double tx, 
   return area * (springs.normal * n * n.transpose() + springs.shear * t * t.transpose());
 }
 
-// Stiffness that joint j's points give to a block whose face centre is at `arm`, in (ux, uy, theta).
+// Stiffness in (ux, uy, theta) that the points of joint j give to a block with `arm` to the face centre.
 Eigen::Matrix3d own_stiffness(const Model& m, std::size_t j, const Springs& springs, double arm_x,
                               double arm_y) {
   const double tx = m.tangent_x[j], ty = m.tangent_y[j];
@@ -45,7 +45,7 @@ Eigen::Matrix3d own_stiffness(const Model& m, std::size_t j, const Springs& spri
   return k;
 }
 
-// Stiffness that the zone contacts give to each rigid block they touch.
+// Stiffness of zone contacts for each rigid block in contact.
 std::vector<Eigen::Matrix3d> contact_stiffness(const Model& m) {
   const Solids& s = m.solids;
   std::vector<Eigen::Matrix3d> sum(static_cast<std::size_t>(m.n_block) + 1,
@@ -62,7 +62,7 @@ std::vector<Eigen::Matrix3d> contact_stiffness(const Model& m) {
   return sum;
 }
 
-// omega^2 at each node: its share of each zone's own frequency, and twice its share of each contact
+// omega^2 at each node: its share of the frequency of each zone, and twice its share of each contact
 // (once on the ground).
 std::vector<double> node_bounds(const Model& m) {
   const Solids& s = m.solids;
@@ -86,7 +86,7 @@ std::vector<double> node_bounds(const Model& m) {
   return stiffness;
 }
 
-// Direction of link `k` at one of its ends, in the (ux, uy, theta) of the block there.
+// Direction of link `k` at one of its ends, in (ux, uy, theta) of the block there.
 Eigen::Vector3d link_row(const Model& m, std::size_t k, bool is_b) {
   const Links& l = m.links;
   const double length = elementary::hypot(l.span_x[k], l.span_y[k]);
@@ -95,7 +95,7 @@ Eigen::Vector3d link_row(const Model& m, std::size_t k, bool is_b) {
   return {x, y, rx * y - ry * x};
 }
 
-// visit(link, block, row) for both ends of every link but those in the ground.
+// visit(link, block, row) for both ends of every link, except ends in the ground.
 template <class Visit>
 void each_link_end(const Model& m, const Visit& visit) {
   for (std::size_t k = 0; k < m.links.a.size(); ++k) {
@@ -105,8 +105,8 @@ void each_link_end(const Model& m, const Visit& visit) {
   }
 }
 
-// Links without a stiffness are rigid diaphragms: as stiff as brings the squared frequency bound of
-// their ends by a tenth of the wall's, and no more.
+// Stiffness of rigid diaphragms, which state none: they raise the squared frequency bound of their ends
+// by a tenth of the wall's, and no more.
 void set_rigid_links(Model& m, double bound) {
   constexpr double kShare = 0.1;
   std::vector<double> least(m.links.a.size(), std::numeric_limits<double>::infinity());
@@ -118,13 +118,13 @@ void set_rigid_links(Model& m, double bound) {
   for (std::size_t k = 0; k < least.size(); ++k)
     if (std::isnan(m.links.stiffness[k])) {
       m.links.stiffness[k] = least[k];
-      if (m.links.kind[k] > LinkKind::kSpring) continue;  // the note of its frame tells of it
+      if (m.links.kind[k] > LinkKind::kSpring) continue;  // noted with its frame
       m.anatomy.notes.push_back(
           {"link.rigid", {{"link", m.links.name[k]}, {"stiffness_kN_per_mm", 1e-6 * least[k]}}});
     }
 }
 
-// Stiffness that links give to each block: whole where the other end is the ground, twice otherwise.
+// Stiffness of links for each block: once where the other end is the ground, twice otherwise.
 std::vector<Eigen::Matrix3d> link_stiffness(const Model& m) {
   std::vector<Eigen::Matrix3d> sum(static_cast<std::size_t>(m.n_block), Eigen::Matrix3d::Zero());
   each_link_end(m, [&](std::size_t k, std::size_t i, const Eigen::Vector3d& row) {
@@ -134,7 +134,7 @@ std::vector<Eigen::Matrix3d> link_stiffness(const Model& m) {
   return sum;
 }
 
-// Stiffness that the sections of frames give to block i: whole where the other side is the ground, twice otherwise.
+// Stiffness of frame sections for block i: once where the other side is the ground, twice otherwise.
 std::vector<Eigen::Matrix3d> frame_stiffness(const Model& m) {
   const Frames& f = m.frames;
   std::vector<Eigen::Matrix3d> sum(static_cast<std::size_t>(f.n > 0 ? m.n_block : 0),
@@ -155,7 +155,7 @@ std::vector<Eigen::Matrix3d> frame_stiffness(const Model& m) {
   return sum;
 }
 
-// Stiffness that the fibres of layers give to each block where they cross joints, twice as of links.
+// Stiffness of fibres of layers for each block where they cross joints, twice as for links.
 std::vector<Eigen::Matrix3d> layer_stiffness(const Model& m) {
   const Layers& l = m.layers;
   std::vector<Eigen::Matrix3d> sum(static_cast<std::size_t>(l.n > 0 ? m.n_block : 0),
@@ -174,8 +174,8 @@ std::vector<Eigen::Matrix3d> layer_stiffness(const Model& m) {
   return sum;
 }
 
-// Stiffness that free contacts can give to a block: on all of its sides that no joint covers, with the stiffest
-// material of its joints. Zero where there are none.
+// Stiffness of possible free contacts for a block: on all sides without a joint, with the stiffest
+// material of its joints. Zero without free contacts.
 Eigen::Matrix3d free_stiffness(const Model& m, std::size_t i) {
   Eigen::Matrix3d k = Eigen::Matrix3d::Zero();
   if (!m.free.any()) return k;
@@ -213,14 +213,14 @@ Eigen::Matrix3d free_stiffness(const Model& m, std::size_t i) {
         covered += 2 * elementary::hypot(m.half_x[j], m.half_y[j]);
     });
     const double area = std::max(0.0, length - covered) * a.block_thickness[i];
-    // two points of Gauss integrate a whole side exactly
+    // two Gauss points integrate over a side exactly
     for (const double share : {0.21132486540518712, 0.7886751345948129})
       k += point_stiffness(springs_of(law), 0.5 * area, tx, ty, px + share * ex, py + share * ey);
   }
   return 2 * k;
 }
 
-// Highest eigenvalue of `k` and what springs_at(joint) gives block i, over its inertia.
+// Largest eigenvalue of `k` plus the stiffness from springs_at(joint) for block i, over its inertia.
 template <class SpringsAt>
 double highest_eigenvalue(const Model& m, std::size_t i, Eigen::Matrix3d k,
                           const SpringsAt& springs_at) {
@@ -240,7 +240,7 @@ double highest_eigenvalue(const Model& m, std::size_t i, Eigen::Matrix3d k,
       .maxCoeff();
 }
 
-// Highest eigenvalue of the block's own stiffness over its inertia: omega^2 [1/s^2]. `more`: on top.
+// Largest eigenvalue of the block's own stiffness over its inertia: omega^2 [1/s^2]. `more` is added to it.
 double own_bound(const Model& m, std::size_t i, const Eigen::Matrix3d& zones,
                  const Eigen::Matrix3d& more = Eigen::Matrix3d::Zero()) {
   return highest_eigenvalue(m, i, 2.0 * zones + more + free_stiffness(m, i), [&](std::size_t j) {
@@ -248,8 +248,8 @@ double own_bound(const Model& m, std::size_t i, const Eigen::Matrix3d& zones,
   });
 }
 
-// Blocks that are not masonry and would rule the step get the inertia that brings their bound down
-// to the masonry's; weights stay. Returns the mass added [kg].
+// Raises the inertia of blocks other than masonry that would determine the time step, until their bound is that
+// of masonry; weights stay. Returns the added mass [kg].
 double raise_light_inertia(Model& m, std::vector<double>& bound, int& raised) {
   double masonry = 0, added = 0;
   for (std::size_t i = 0; i < bound.size(); ++i)
@@ -273,11 +273,11 @@ const SolidBody& body_of(const Solids& s, std::size_t node) {
   return s.bodies[k];
 }
 
-// Of the wall's mass: from here on added inertia drags on a push by more than a percent or two
+// Share of the wall's mass above which added inertia increases the drag of a push by more than a percent or two
 // (docs/decisions/0009).
 constexpr double kMuch = 0.03;
 
-// The same for nodes of zones, against the masonry's bound `limit`; says which body gained what.
+// As raise_light_inertia() for nodes of zones, against the masonry's bound `limit`; a note names each body and its gain.
 void raise_light_nodes(Model& m, double limit, std::vector<double>& bound) {
   Solids& s = m.solids;
   for (const SolidBody& body : s.bodies) {
@@ -306,7 +306,7 @@ void raise_light_nodes(Model& m, double limit, std::vector<double>& bound) {
   }
 }
 
-// Takes the links into the bounds of their blocks; says when one of them rules the step.
+// Adds links to the bounds of their blocks; a note where one of them determines the step.
 void bound_links(Model& m, const std::vector<Eigen::Matrix3d>& zones, std::vector<double>& bound) {
   if (m.links.n == 0) return;
   const double before = *std::max_element(bound.begin(), bound.end());
@@ -325,7 +325,7 @@ void bound_links(Model& m, const std::vector<Eigen::Matrix3d>& zones, std::vecto
         {"step.ruled_by_link", {{"link", m.links.name[worst]}, {"times", times}}});
 }
 
-// Takes the nodes of zones into the bound of the step.
+// Adds the nodes of zones to the bound of the step.
 void bound_nodes(Model& m, double blocks) {
   std::vector<double> bound = node_bounds(m);
   if (bound.empty()) return;

@@ -1,6 +1,6 @@
-// Compiles a wall in space: zones, blocks in principal axes, joints, floors, links, stages, and the step at the end.
-// Free blocks are numbered first and supports after them. Joints between blocks stand before those on supports. Then
-// the variant of the law, the material and the number of points order them. A lintel's section is two joints (11.10).
+// Compiles a wall in space: zones, blocks in principal axes, joints, floors, links, stages, and finally the step.
+// Free blocks are numbered first, then supports. Joints between blocks come before those on supports; within each group
+// variant of the law, material and number of points order them. A lintel's section is two joints (11.10).
 #include "model/space/space.h"
 
 #include "model/coarse_units.h"
@@ -38,7 +38,7 @@ using geometry::JointFace;
 using geometry::Shape;
 using geometry::SpaceAssembly;
 
-// What a wall in space cannot have yet, named.
+// Refuses parts that a wall in space cannot have yet, by name.
 void refuse_plane_parts(const ModelSpec& spec, FaultList& faults) {
   const auto refuse = [&](const char* path, bool is_there) {
     if (is_there)
@@ -56,8 +56,8 @@ void refuse_plane_parts(const ModelSpec& spec, FaultList& faults) {
            std::isfinite(spec.stage[k].contraflexure));
 }
 
-// In space storeys are levels: their drifts are read there, and diaphragms name them. Walls along plan lines have their
-// own masonry.
+// In space storeys are levels for drifts and for diaphragms. Walls along plan lines have their own
+// masonry.
 void check_storeys(const ModelSpec& spec, FaultList& faults) {
   std::set<std::string> names;
   for (std::size_t k = 0; k < spec.storey.size(); ++k) {
@@ -87,14 +87,14 @@ void check_storeys(const ModelSpec& spec, FaultList& faults) {
   }
 }
 
-// A rule for two kinds of block of which the wall has none changes nothing, and nobody would see it.
+// Refuses rules for kinds of blocks that the wall does not have: they would have no effect, unnoticed.
 void check_materials_of_blocks(const ModelSpec& spec, FaultList& faults) {
   geometry::BlockNames names;
   for (const BodySpec& body : spec.body) names.try_emplace(body.material, body.id);
   geometry::check_names(geometry::Shape(spec), names, faults);
 }
 
-// Materials by name, each checked the first time it is used.
+// Materials by name; each is checked at its first use.
 class Materials {
  public:
   Materials(const ModelSpec& spec, Model& model, FaultList& faults)
@@ -123,7 +123,7 @@ class Materials {
     return index;
   }
 
-  // That of face `number`: its own where a field acts on it.
+  // Index of the material of face `number`: its own where a field acts on it.
   std::int32_t index_of(const std::string& name, bool shares_bed, int number, const JointFace& face,
                         const FieldValues& fields) {
     const std::int32_t stated = index_of(name, shares_bed);
@@ -137,7 +137,7 @@ class Materials {
     return index;
   }
 
-  // What fields make inadmissible: of each key the first joint, and how many more.
+  // Reports values from fields that are inadmissible: for each key the first joint, and the number of others.
   void report_drawn() {
     for (const auto& [path, drawn] : drawn_)
       faults_.add(
@@ -151,7 +151,7 @@ class Materials {
            0});
   }
 
-  // A law that follows from a body's moduli.
+  // Index of a law that is derived from the moduli of a body.
   std::int32_t derived(const std::string& name, const JointMaterial& law) {
     const auto known = index_.find({name, false});
     if (known != index_.end()) return known->second;
@@ -159,7 +159,7 @@ class Materials {
   }
 
  private:
-  // The law of head joints beside beds of law `bed`.
+  // Index of the law of head joints beside beds with the law `bed`.
   std::int32_t head_index(const std::string& name, std::int32_t bed) {
     const JointMaterial law = model_.materials[bed];
     if (!(law.head_joint_bond < 1)) return bed;
@@ -169,7 +169,7 @@ class Materials {
 
   struct Drawn {
     MaterialFault first;
-    Vec3 at;  // of its joint [m]
+    Vec3 at;  // position of the first joint [m]
     int joints = 0;
   };
   void note(const std::string& name, const JointFace& face, const MaterialFault& fault) {
@@ -190,11 +190,11 @@ class Materials {
   Model& model_;
   FaultList& faults_;
   std::map<std::string, std::int32_t> index_;
-  std::set<std::string> bad_;           // faulty as stated
+  std::set<std::string> bad_;           // inadmissible as stated
   std::map<std::string, Drawn> drawn_;  // by path of a key
 };
 
-// Numbers bodies: free ones first, in their order, then supports; deformable ones by solid_id().
+// Numbers bodies: free ones first, in order, then supports; deformable ones by solid_id().
 std::vector<BlockId> number(const SpaceAssembly& assembly, Model& model) {
   std::vector<BlockId> id(assembly.body.size());
   int solids = 0;
@@ -249,11 +249,11 @@ void fill_blocks(const ModelSpec& spec, const SpaceAssembly& assembly, const Fie
       anatomy.block_course.push_back(-1);
     }
   model.inertia.assign(static_cast<std::size_t>(model.n_block),
-                       0.0);  // of turns in the plane: not used
+                       0.0);  // of rotations in the plane: not used
   model.turn_freedom.assign(static_cast<std::size_t>(model.n_block), 1.0);
 }
 
-// The frame of a face: t1 along its longest side, so that it does not hang on where the polygon begins.
+// Tangent t1 of a face: along its longest side, so that it does not depend on the first corner of the polygon.
 Vec3 tangent_of(const JointFace& face) {
   Vec3 longest;
   double most = -1;
@@ -265,7 +265,7 @@ Vec3 tangent_of(const JointFace& face) {
   return geometry::unit(in_plane);
 }
 
-// A joint before it gets its place.
+// A joint before its number is known.
 struct Placed {
   const JointFace* face;
   BlockId a, b;
@@ -312,17 +312,17 @@ void append(const Placed& joint, Model& model) {
                                                                 : JointKind::kBed);
 }
 
-// Torsion constant of a rectangle a x b [m^4]; Roark's polynomial, within 0.2 %.
+// Torsion constant of a rectangle a x b [m^4] by Roark's polynomial, within 0.2 %.
 double torsion_constant(double a, double b) {
   if (a < b) std::swap(a, b);
   const double r = b / a, r4 = r * r * r * r;
   return a * b * b * b * (1.0 / 3 - 0.21 * r * (1 - r4 / 12));
 }
 
-// The section between two segments of a lintel, spacing l apart, as two joints with half the area each
-// (docs/theory/space.md, "A lintel that bends"): four points at h/sqrt(6) either way, and one at the centre. With
-// kn = E/l in both the chain has the EA and, about both axes, the EI of the beam; ks is chosen so that both together
-// have its 5/6 GA and the four alone its GJ.
+// The section between two segments of a lintel, at spacing l, as two joints with half the area each
+// (docs/theory/space.md, "A lintel that bends"): one has four points at h/sqrt(6) in both directions, the other its centre. With
+// kn = E/l in both, the chain has the EA and, about both axes, the EI of the beam. ks is chosen so that both together
+// have the beam's 5/6 GA, and the four points alone its GJ.
 std::array<Placed, 2> chain_joints(Placed joint, const std::string& of, const JointMaterial& body,
                                    double spacing, Materials& materials) {
   const Vec3 t2 = cross(joint.normal, joint.tangent);
@@ -353,7 +353,7 @@ std::array<Placed, 2> chain_joints(Placed joint, const std::string& of, const Jo
   return both;
 }
 
-// A face of which one side or both are cut into zones; its material is still to be set.
+// A face with zones on one or both sides; its material is set later.
 void add_solid_face(const SpaceAssembly& assembly, const JointFace& face,
                     const std::vector<BlockId>& id, std::vector<SpaceSolidFace>& faces,
                     FaultList& faults) {
@@ -367,7 +367,7 @@ void add_solid_face(const SpaceAssembly& assembly, const JointFace& face,
                    assembly.moments[rigid].centroid});
 }
 
-// As in the plane (geometry/assembly.cpp).
+// as in the plane (geometry/assembly.cpp)
 void note_foundation(const ModelSpec& spec, Model& model) {
   std::set<std::string> names;
   const std::string& named = spec.wall.joints.joint;
@@ -459,7 +459,7 @@ void fill_joints(const ModelSpec& spec, const SpaceAssembly& assembly,
   note_foundation(spec, model);
 }
 
-// Of each block first the joints of which it is side a, then those of which it is b.
+// Lists for each block first the joints in which it is side a, then those in which it is b.
 void fill_lists(Model& model) {
   std::vector<std::vector<std::int32_t>> of(static_cast<std::size_t>(model.n_block));
   for (const bool is_b : {false, true})
@@ -518,14 +518,14 @@ void fill_storeys(const ModelSpec& spec, const SpaceAssembly& assembly, Model& m
   }
 }
 
-// What lies on a slab is spread as the slab is, so its moments of inertia grow as its mass.
+// Loads on a slab are distributed like the slab, so its moments of inertia grow in proportion to its mass.
 void spread_over_slabs(const std::vector<double>& bare, Model& model) {
   for (std::size_t i = 0; i < bare.size(); ++i)
     if (model.anatomy.block_role[i] == BlockRole::kSlab && model.mass[i] > bare[i])
       model.space.inertia[i] = (model.mass[i] / bare[i]) * model.space.inertia[i];
 }
 
-// Smooth start of pushes that state none: a fifth of the push, at most.
+// Smooth start of pushes that state none: at most a fifth of the push.
 void set_ramps(Model& model) {
   constexpr double kUsual = 0.05;  // [s]
   for (Stage& stage : model.stages) {
@@ -600,7 +600,7 @@ Model compile_space(const ModelSpec& spec, const SpaceAssembly& assembly) {
   measure(assembly, model);
   fill_storeys(spec, assembly, model, faults);
   compile_free_in_space(spec, model, faults);
-  for (std::size_t i = 0; i < model.gravity_mass.size(); ++i)  // of what is cut out none is left
+  for (std::size_t i = 0; i < model.gravity_mass.size(); ++i)  // cut-out masonry has no weight
     if (model.anatomy.block_role[i] != BlockRole::kCutOut)
       model.weight += model.gravity_mass[i] * model.solve.gravity;
   for (const double mass : model.space.solids.node_gravity_mass)

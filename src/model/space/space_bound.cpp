@@ -1,5 +1,5 @@
-// The longest stable step in space: omega^2 <= 2 max lambda(M^-1 K_own), of each block the 6 x 6 stiffness of
-// its own joints (once on a support), for (x - y) k (x - y) <= 2 x k x + 2 y k y (docs/theory/space.md).
+// The longest stable step in space: omega^2 <= 2 max lambda(M^-1 K_own). K_own is the 6 x 6 stiffness of a block's
+// joints (once on a support), since (x - y) k (x - y) <= 2 x k x + 2 y k y (docs/theory/space.md).
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -25,12 +25,12 @@ Vector6 row(Vec3 direction, Vec3 arm) {
   return r;
 }
 
-// Stress per displacement, or per rate of it, normal to a joint and along it.
+// Stress per displacement, or per velocity, normal to a joint and along it.
 struct Springs {
   double normal, shear;
 };
 
-// Stiffness that joint j gives to a block whose centroid sees the face at `arm`.
+// Stiffness of joint j for a block with `arm` from its centroid to the face.
 Matrix6 own_stiffness(const Model& m, std::size_t j, const Springs& springs, Vec3 arm) {
   const Space& s = m.space;
   const Vec3 t1 = s.tangent[j], n = s.normal[j], t2 = cross(n, t1);
@@ -50,8 +50,8 @@ Matrix6 own_stiffness(const Model& m, std::size_t j, const Springs& springs, Vec
   return sum;
 }
 
-// Stiffness that free contacts can give to a block: on all of its facets that no joint covers, with the
-// stiffest material of its joints. Zero where there are none.
+// Stiffness of possible free contacts for a block: on all facets without a joint, with the
+// stiffest material of its joints. Zero without free contacts.
 Matrix6 free_stiffness(const Model& m, const contact::SpaceParts& parts, std::size_t i) {
   Matrix6 sum = Matrix6::Zero();
   const JointMaterial& own = m.materials[m.free.material[i]];
@@ -71,7 +71,7 @@ Matrix6 free_stiffness(const Model& m, const contact::SpaceParts& parts, std::si
       const Vec3 x = vec3(facet.x), y = vec3(facet.y), z = vec3(facet.z);
       double area = 0, covered = 0;
       Matrix6 all = Matrix6::Zero();
-      // triangles, exactly: a third of each at the middle of each side
+      // exact for triangles: a third of each at the middle of each side
       for (auto c = facet.begin + 1; c + 1 < facet.end; ++c) {
         const Vec3 corner[3] = {vec3(parts.corner[facet.begin]), vec3(parts.corner[c]),
                                 vec3(parts.corner[c + 1])};
@@ -96,7 +96,7 @@ Matrix6 free_stiffness(const Model& m, const contact::SpaceParts& parts, std::si
   return 2 * sum;
 }
 
-// Direction and moment of link k at one of its ends, of unit tension.
+// Force and moment of unit tension in link k at one of its ends.
 Vector6 link_row(const Model& m, std::size_t k, bool is_b) {
   const Links& l = m.links;
   const Vec3 span{l.span_x[k], l.span_y[k], l.span_z[k]};
@@ -105,7 +105,7 @@ Vector6 link_row(const Model& m, std::size_t k, bool is_b) {
   return row(geometry::unit(span), arm);
 }
 
-// visit(link, block, row) for both ends of every link but those in the ground.
+// visit(link, block, row) for both ends of every link, except ends in the ground.
 template <class Visit>
 void each_link_end(const Model& m, const Visit& visit) {
   for (std::size_t k = 0; k < m.links.a.size(); ++k) {
@@ -115,7 +115,7 @@ void each_link_end(const Model& m, const Visit& visit) {
   }
 }
 
-// The block's principal axes as columns, each over the root of its inertia: M^(-1/2).
+// The block's principal axes as columns, each divided by the root of its inertia: M^(-1/2).
 Matrix6 to_unit_mass(const Model& m, std::size_t i) {
   const Space& s = m.space;
   Matrix6 turn = Matrix6::Zero();
@@ -131,7 +131,7 @@ Matrix6 to_unit_mass(const Model& m, std::size_t i) {
   return turn;
 }
 
-// Highest eigenvalue of `k` and what springs_at(joint) gives block i, over its inertia.
+// Largest eigenvalue of `k` plus the stiffness from springs_at(joint) for block i, over its inertia.
 template <class SpringsAt>
 double highest_eigenvalue(const Model& m, std::size_t i, Matrix6 k, const SpringsAt& springs_at) {
   const Space& s = m.space;
@@ -155,8 +155,8 @@ double own_bound(const Model& m, std::size_t i, const Matrix6& links) {
   });
 }
 
-// Segments of lintels that would rule the step get the inertia that brings their bound down to the masonry's; weights
-// stay, and a note says how much (docs/decisions/0009).
+// Raises the inertia of lintel segments that would determine the time step, until their bound is that of masonry. Weights
+// stay, and a note gives the added mass (docs/decisions/0009).
 void raise_light_inertia(Model& m, std::vector<double>& bound) {
   constexpr double kMuch = 0.03;
   const auto is_segment = [&](std::size_t i) {
@@ -183,7 +183,7 @@ void raise_light_inertia(Model& m, std::vector<double>& bound) {
                                {{"blocks", raised}, {"of_wall_percent", 100 * added / all}}});
 }
 
-// Adds to `sum`, of each block, what the sections of frames give it: whole on the ground, twice otherwise.
+// Adds to `sum` of each block the stiffness of frame sections: once on the ground, twice otherwise.
 void add_frames(const Model& m, std::vector<Matrix6>& sum) {
   const Frames& f = m.frames;
   for (std::size_t k = 0; k < f.a.size(); ++k) {
@@ -213,7 +213,7 @@ void add_frames(const Model& m, std::vector<Matrix6>& sum) {
   }
 }
 
-// Adds to `sum`, of each block, what the contacts of zones give it, counted twice.
+// Adds to `sum` of each block twice the stiffness of zone contacts.
 void add_contacts(const Model& m, std::vector<Matrix6>& sum) {
   const SpaceSolids& s = m.space.solids;
   for (std::size_t c = 0; c < static_cast<std::size_t>(s.n_contact); ++c) {
@@ -235,10 +235,10 @@ void add_contacts(const Model& m, std::vector<Matrix6>& sum) {
 }
 
 constexpr double kMostRaised =
-    0.03;  // of the wall's mass: what nodes may gain; more of it drags on a push
+    0.03;  // of the wall's mass: most that nodes gain; more would drag on a push
 
-// The bound to which nodes are raised: that of the rigid blocks, `least`, or so much more that they gain no more than
-// kMostRaised of the wall's mass. What they would gain falls as it grows.
+// The bound to which nodes are raised: `least`, that of rigid blocks, or a larger one with which they gain no more than
+// kMostRaised of the wall's mass. The gain decreases as the bound grows.
 double bound_to_raise_to(const Model& m, double least, const std::vector<double>& bound) {
   const SpaceSolids& s = m.space.solids;
   const double wall = std::accumulate(m.mass.begin(), m.mass.end(), 0.0) +
@@ -258,8 +258,8 @@ double bound_to_raise_to(const Model& m, double least, const std::vector<double>
   return high;
 }
 
-// As step_bound.cpp in the plane: nodes that would rule the step against the bound `rigid` of the rigid blocks get
-// inertia, not weight, up to kMostRaised; what that leaves shortens the step. Says which body gained what.
+// As in the plane (step_bound.cpp): nodes that would determine the step against the bound `rigid` of rigid blocks gain
+// inertia but no weight, up to kMostRaised; beyond that the step becomes shorter. A note names each body and its gain.
 void raise_light_nodes(Model& m, double rigid, std::vector<double>& bound) {
   const double limit = bound_to_raise_to(m, rigid, bound);
   SpaceSolids& s = m.space.solids;
@@ -292,7 +292,7 @@ void raise_light_nodes(Model& m, double rigid, std::vector<double>& bound) {
   }
 }
 
-// Takes the nodes of zones into the bound of the step; `blocks`: that of the rigid ones.
+// Adds the nodes of zones to the bound of the step; `blocks` is that of rigid blocks.
 double bound_nodes(Model& m, double blocks) {
   std::vector<double> bound = space_node_bounds(m);
   if (bound.empty()) return blocks;
@@ -314,8 +314,8 @@ double bound_nodes(Model& m, double blocks) {
   return *greatest;
 }
 
-// Links without a stiffness are rigid diaphragms: as stiff as raises the squared frequency of their ends by a tenth
-// of the wall's, and no more (docs/theory/links.md, 9.5).
+// Stiffness of rigid diaphragms, which state none: they raise the squared frequency of their ends by a tenth of
+// the wall's, and no more (docs/theory/links.md, 9.5).
 void set_rigid_links(Model& m, double bound) {
   constexpr double kShare = 0.1;
   std::vector<double> least(m.links.a.size(), 1e300);
@@ -326,13 +326,13 @@ void set_rigid_links(Model& m, double bound) {
   for (std::size_t k = 0; k < least.size(); ++k)
     if (std::isnan(m.links.stiffness[k])) {
       m.links.stiffness[k] = least[k];
-      if (m.links.kind[k] > LinkKind::kSpring) continue;  // the note of its frame tells of it
+      if (m.links.kind[k] > LinkKind::kSpring) continue;  // noted with its frame
       m.anatomy.notes.push_back(
           {"link.rigid", {{"link", m.links.name[k]}, {"stiffness_kN_per_mm", 1e-6 * least[k]}}});
     }
 }
 
-// Takes the links into the bounds of their blocks; says when one of them rules the step.
+// Adds links to the bounds of their blocks; a note where one of them determines the step.
 double bound_links(Model& m, const std::vector<Matrix6>& free, double before) {
   set_rigid_links(m, before);
   std::vector<Matrix6> sum = free;

@@ -1,8 +1,8 @@
-// Loads at points and along lines in space, and floors, which are lines of load (docs/theory/space.md, "Loads").
+// Loads at points and along lines in space; floors are lines of load (docs/theory/space.md, "Loads").
 //
-//        from o-----------------o to         each face below that looks against the load takes the stretch
-//      +----+--|--+----+----+---|+           that lies on it, at the stretch's middle: how far from the middle
-//      |    |     |    |    |    |           of the wall the line runs is the load's eccentricity
+//        from o-----------------o to         each face below, directed against the load, carries its part of
+//      +----+--|--+----+----+---|+           the line at the middle of that part. The distance of the line from
+//      |    |     |    |    |    |           the middle of the wall is the eccentricity of the load
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -18,15 +18,15 @@ namespace {
 using geometry::Facet;
 using geometry::SpaceAssembly;
 
-constexpr double kReachOfLoad = 0.01;  // how far a line may lie off the face that it loads [m]
-constexpr double kFewMicrons = 5e-6;   // a gap that is round-off of what users write [m]
+constexpr double kReachOfLoad = 0.01;  // distance of a line from the face that carries it [m]
+constexpr double kFewMicrons = 5e-6;   // a gap due to rounded input [m]
 
 struct Stretch {
   std::size_t body;
   double from, to;
 };
 
-// The part of a line that lies over a face, from 0 to its length; `away`: how far from its plane, at most.
+// The part of a line over a face, from 0 to its length; `away`: largest distance from the face's plane.
 struct Over {
   double from, to, away;
 };
@@ -60,7 +60,7 @@ class LineUnder {
   [[nodiscard]] double length_of_line() const { return length_; }
   [[nodiscard]] double nearest() const { return nearest_; }
 
-  // Bodies that lie below the line at t, each once.
+  // Bodies below the line at t, each once.
   [[nodiscard]] std::vector<std::size_t> under(double t) const {
     std::vector<std::size_t> bodies;
     for (const Stretch& s : stretch_)
@@ -70,7 +70,7 @@ class LineUnder {
     return bodies;
   }
 
-  // Where what lies below the line changes.
+  // Places at which the bodies below the line change.
   [[nodiscard]] std::vector<double> cuts() const {
     std::vector<double> at{0, length_}, out;
     for (const Stretch& s : stretch_) at.push_back(s.from), at.push_back(s.to);
@@ -106,7 +106,7 @@ std::string metres(Vec3 p) { return fmt::format("({:g}, {:g}, {:g}) m", p.x, p.y
 struct Line {
   Vec3 from, to;
 };
-// The two ends of a line, with a fault where it has none.
+// The two ends of a line; adds a fault where one is missing.
 std::optional<Line> line_of(const PlaceSpec& from, const PlaceSpec& to, const SpacePlaces& places,
                             const std::string& path, FaultList& faults) {
   const std::optional<Vec3> a = places.point_of(from), b = places.point_of(to);
@@ -125,10 +125,10 @@ std::optional<Line> line_of(const PlaceSpec& from, const PlaceSpec& to, const Sp
   return Line{*a, *b};
 }
 
-// Unit vector of a load: down, unless it says along.
+// Unit vector of a load: `along`, or downwards.
 std::optional<Vec3> direction_of(const StageSpec& s, const SpacePlaces& places) {
   if (s.along.empty()) return Vec3{0, -1, 0};
-  if (s.along.size() != 3) return std::nullopt;  // said by the stage
+  if (s.along.size() != 3) return std::nullopt;  // reported with the stage
   const Vec3 d = geometry::unit({s.along[0], s.along[1], s.along[2]});
   return dot(d, d) > 0 ? std::optional(places.in_wall(d)) : std::nullopt;
 }
@@ -272,7 +272,7 @@ class SpaceFloors {
       model_.anatomy.notes.push_back({"floor.inertia", {{"floor", name}, {"mass_kg", mass}}});
   }
 
-  // A joist over a head joint lies on both blocks.
+  // Adds joists; one over a head joint lies on both blocks.
   void lay_joists(const FloorSpec& f, const Line& line, double load, double mass) {
     const LineUnder under(assembly_, line.from, line.to, {0, -1, 0});
     const auto n = static_cast<double>(f.joists.size());

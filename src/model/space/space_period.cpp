@@ -1,5 +1,5 @@
-// The first period of a wall of rigid blocks in space along a direction, as in ../period.cpp: Rayleigh's quotient of the shape
-// in which gravity along it would bend the elastic wall, every joint closed.
+// First period of a wall of rigid blocks in space along a direction, as in ../period.cpp: Rayleigh's quotient of the static
+// displacement under gravity along it, with all joints closed.
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <cmath>
@@ -12,7 +12,7 @@ namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
-// Of one component of a point's jump the six shares of each block's motion; a support has none.
+// Coefficients of one component of a point's jump for the six motions of each block; a support has none.
 struct Row {
   std::int32_t block[2] = {-1, -1};
   double share[2][6] = {};
@@ -60,7 +60,7 @@ Sparse stiffness_of(const Model& m) {
 }  // namespace
 
 double first_period_in_space(const Model& m, Vec3 along) {
-  constexpr int kMostBlocks = 5000;  // beyond, the factors take seconds and gigabytes
+  constexpr int kMostBlocks = 5000;  // beyond this, factorisation takes seconds and gigabytes
   if (m.n_block > kMostBlocks || m.links.n > 0 || m.frames.n > 0 || m.space.solids.n_node > 0)
     return kUnset;
   const Eigen::SimplicialLDLT<Sparse> solver(stiffness_of(m));

@@ -1,6 +1,6 @@
-// Finds bodies by what a place states: an id or its beginning, a box round centroids, or a point; a role narrows each.
-// Numbers of a place are in the axes of the blocks file; in_wall() turns them where z points up there. A coordinate
-// that a point leaves out is that of each body's own centroid.
+// Finds bodies by a stated place: an id or its beginning, a box around centroids, or a point; a role restricts each of them.
+// Numbers of a place are in the axes of the blocks file; in_wall() rotates them where z points up there. A coordinate
+// that a point omits is that of each body's own centroid.
 #include "model/space/space_places.h"
 
 #include "model/space/space_roles.h"
@@ -16,7 +16,7 @@ namespace {
 using geometry::Facet;
 using geometry::SpaceAssembly;
 
-// How far outside of a convex part a point lies; below 0 inside.
+// Distance of a point outside a convex part; negative inside.
 double outside(const Polyhedron& part, Vec3 p) {
   double most = -1e300;
   for (const auto& corners : part.face) {

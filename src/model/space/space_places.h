@@ -1,6 +1,6 @@
-// Places of a model in space in the user's words -> bodies of the assembly, points on them, lines over them.
+// Places of a model file in space -> bodies of the assembly, points on them, lines over them.
 //
-// Called by space_stages.cpp (what is loaded and pushed), space_loads.cpp (points and lines) and links.cpp.
+// Called by space_stages.cpp (loads and pushes), space_loads.cpp (points and lines) and links.cpp.
 // Places and directions of a model file are in the axes of its blocks file, where z may point up.
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace wythe {
 
-inline constexpr double kFacing = 0.5;  // cosine to a direction from which on a face looks that way
+inline constexpr double kFacing = 0.5;  // least cosine of a face's normal to the direction it faces
 
 class SpacePlaces {
  public:
@@ -25,12 +25,12 @@ class SpacePlaces {
   [[nodiscard]] Vec3 in_file(Vec3 in_wall) const;
   [[nodiscard]] const geometry::Box3& box(std::size_t body) const { return box_[body]; }
 
-  // Bodies at a place, supports too; all of them where it says nothing. A role narrows it to free ones that have it.
+  // Bodies at a place, supports included; all bodies where the place states nothing. A role restricts it to free ones.
   [[nodiscard]] std::vector<std::size_t> find(const PlaceSpec& place) const;
-  // The point that a place states, in the wall's axes; none where a coordinate is missing.
+  // The stated point in the axes of the wall; none where a coordinate is missing.
   [[nodiscard]] std::optional<Vec3> point_of(const PlaceSpec& place) const;
-  // The body of `fixed` or free ones that holds the point, or is within 10 mm of it: the nearest, then the one
-  // with the nearest centroid; none beyond.
+  // The fixed (or free) body that contains the point or lies within 10 mm of it: the nearest one, then the one
+  // with the nearest centroid; none farther away.
   [[nodiscard]] std::optional<std::size_t> body_at(Vec3 point, bool fixed) const;
 
  private:
@@ -41,24 +41,24 @@ class SpacePlaces {
   std::vector<geometry::Box3> box_;
 };
 
-// What lies on bodies along a line: pieces of it, each on one face.
+// The parts of a line that lie on bodies, each part on one face.
 struct LinePiece {
   std::size_t body;
   double from, to;  // along the line [m]
-  double share;     // 1, or what falls to this body where the line runs on the edge of several
+  double share;     // 1, or the body's part where the line runs on a common edge
 };
-// Pieces of the line on faces of free bodies that look against `load`, in order. A stretch that lies on nothing is
+// Parts of the line on faces of free bodies directed against `load`, in order. A part without a body below is
 // a fault at `path`, and nothing is returned.
 [[nodiscard]] std::vector<LinePiece> pieces_under(const geometry::SpaceAssembly& assembly,
                                                   Vec3 from, Vec3 to, Vec3 load,
                                                   const std::string& path, FaultList& faults);
 
-// A force or line load of a load stage; nothing, with a fault, where it cannot be placed.
+// Force or line load of a load stage; empty, with a fault, where it has no place.
 [[nodiscard]] std::vector<PointLoad> stated_loads(const StageSpec& stage, const SpacePlaces& places,
                                                   const geometry::SpaceAssembly& assembly,
                                                   const std::vector<BlockId>& id,
                                                   const std::string& path, FaultList& faults);
-// What the floors lay on blocks, for the stage that sets them; adds their inertia to the blocks.
+// Loads of floors on blocks, for the stage that applies them; also adds their inertia to the blocks.
 [[nodiscard]] std::vector<PointLoad> compile_space_floors(const ModelSpec& spec,
                                                           const geometry::SpaceAssembly& assembly,
                                                           const std::vector<BlockId>& id,

@@ -1,6 +1,6 @@
-// Lays the points of a rule on a face, with shares of its area that sum to 1.
-// Shares on a quadrilateral are divided by their sum. On other polygons, points that triangles have in common are one
-// point with the sum of their shares. Corners are coordinates about the centre of the area, where the fan begins.
+// Places the points of a rule on a face, with shares of its area that sum to 1.
+// Shares on a quadrilateral are divided by their sum. On other polygons, coinciding points of triangles become one
+// point with the sum of their shares. Corners are relative to the centre of the area, where the fan begins.
 #include "model/space/space_points.h"
 
 #include <cmath>
@@ -10,7 +10,7 @@ namespace {
 
 Vec2 mix(double a, Vec2 p, double b, Vec2 q) { return {a * p.x + b * q.x, a * p.y + b * q.y}; }
 
-// Adds the weight to a point that stands there already, or a new one.
+// Adds the share to an existing point at this place, or adds a new point.
 void add(FacePoints& points, Vec2 place, double share, double near) {
   for (std::size_t k = 0; k < points.r1.size(); ++k)
     if (std::fabs(points.r1[k] - place.x) <= near && std::fabs(points.r2[k] - place.y) <= near) {

@@ -1,4 +1,4 @@
-// Where the points of a joint face in space stand: the rule of a plane face (quadrature.h) along both
+// Positions of the points on a joint face in space: the rule of a plane face (quadrature.h) in both
 // directions of a quadrilateral; on other polygons a fan of triangles.
 //
 //   quadrilateral   n x n points, weights w_i w_j times the local stretch of its bilinear map
@@ -20,7 +20,7 @@ struct FacePoints {
   std::vector<double> share;   // sums to 1
 };
 
-// `corner`: of a convex polygon about the centre of its area, in order.
+// `corner`: corners of a convex polygon relative to the centre of its area, in order.
 [[nodiscard]] FacePoints points_on(std::span<const Vec2> corner, const QuadratureChoice& choice);
 
 }  // namespace wythe

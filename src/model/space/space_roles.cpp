@@ -1,6 +1,6 @@
-// Parses the ids that builders give, and takes from them the unit, course, lintel and joint material of a body.
-// A [[contact]] rule goes before what the ids say, and one with "ground" goes before that. A role stated in the file
-// goes before the id. An id that a user writes in the same form is read as a builder's.
+// Parses the ids that the builder gives, and derives unit, course, lintel and joint material of a body from them.
+// A [[contact]] rule precedes the ids, and one with "ground" precedes other rules. A role stated in the file precedes
+// the id. An id of the same form that a user writes counts as the builder's.
 #include "model/space/space_roles.h"
 
 #include "core/number.h"
@@ -15,14 +15,14 @@ namespace {
 
 using geometry::Shape;
 
-// Where the digits that end before `end` begin.
+// Index of the first of the digits that end before `end`.
 std::size_t digits_before(const std::string& id, std::size_t end) {
   std::size_t k = end;
   while (k > 0 && id[k - 1] >= '0' && id[k - 1] <= '9') --k;
   return k;
 }
 
-// Joints as a wall's in its plane: level ones, upright ones, crack planes in units.
+// Joint material as in a plane wall: for level joints, vertical joints, and crack planes in units.
 std::string plain_joint(const Shape& shape, const BodySpec& a, const BodySpec& b, Vec3 normal) {
   const MasonryJoints& named = shape.wall.joints;
   const std::string bed = named.joint.empty() ? "joint" : named.joint;
@@ -34,7 +34,7 @@ std::string plain_joint(const Shape& shape, const BodySpec& a, const BodySpec& b
   return upright && !named.head_joint.empty() ? named.head_joint : bed;
 }
 
-// "vault" of "vault.c03u05", "front.arch0" of "front.arch0_4", as the builders name them; "" for any other body.
+// "vault" of "vault.c03u05", "front.arch0" of "front.arch0_4": names from the builder; "" for any other body.
 std::string owner_of(const std::string& id) {
   if (course_of(id)) return id.substr(0, id.rfind(".c"));
   const std::size_t arch = id.rfind(".arch"), number = digits_before(id, id.size());
@@ -43,7 +43,7 @@ std::string owner_of(const std::string& id) {
   return is_voussoir ? id.substr(0, number - 1) : "";
 }
 
-// Between two courses of one arch, vault or dome lies a bed, upright at the crown.
+// Whether a joint is between two courses of one arch, vault or dome: a bed, though vertical at the crown.
 bool is_bed_at_crown(const std::string& a, const std::string& b) {
   const std::string owner = owner_of(a);
   const bool same_course = course_of(a) && course_of(a) == course_of(b);
@@ -53,12 +53,12 @@ bool is_bed_at_crown(const std::string& a, const std::string& b) {
 }  // namespace
 
 std::string unit_of(const std::string& whole) {
-  // ".p2": a part that a slab's pocket cut off
+  // ".p2": a part that the pocket of a slab cut off
   const std::size_t number = digits_before(whole, whole.size());
   const bool is_part =
       number < whole.size() && number > 2 && whole.compare(number - 2, 2, ".p") == 0;
   const std::string piece = is_part ? whole.substr(0, number - 2) : whole;
-  // ".cut0_3": where a stage cuts an opening
+  // ".cut0_3": masonry at a place where a stage cuts an opening
   const std::size_t cut = piece.rfind(".cut");
   const std::string id = cut == std::string::npos ? piece : piece.substr(0, cut);
   const bool in_wythe = id.size() > 3 && id[id.size() - 3] == '.' && id[id.size() - 2] == 'w';
@@ -101,7 +101,7 @@ std::string joint_material_of(const Shape& shape, const BodySpec& a, const BodyS
 }
 
 bool shares_bed(const Shape& shape, const BodySpec& a, const BodySpec& b, Vec3 normal) {
-  constexpr double kAlongAxis = 1e-3;  // slope up to which a face counts as upright
+  constexpr double kAlongAxis = 1e-3;  // slope up to which a face counts as vertical
   if (a.fixed || b.fixed || std::fabs(normal.y) > kAlongAxis) return false;
   if (role_of(a) != BlockRole::kMasonry || role_of(b) != BlockRole::kMasonry) return false;
   if (!shape.wall.joints.head_joint.empty() ||

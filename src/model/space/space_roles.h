@@ -1,6 +1,6 @@
-// What a body in space is, by the names that builders give and the role that a file states.
+// Role of a body in space, from the names that the builder gives and the role that a file states.
 //
-// Called by space.cpp (joints, chains of lintels), field_places.cpp (which joints a field acts on), space_bound.cpp and
+// Called by space.cpp (joints, chains of lintels), field_places.cpp (joints of a field), space_bound.cpp and
 // space_places.cpp (selections by role).
 #pragma once
 
@@ -13,30 +13,30 @@
 
 namespace wythe {
 
-// "front.c03u05" of the pieces "front.c03u05a" and "front.c03u05b", ".w1" and the like kept: a unit in pieces, as the
-// builders name them; "" for any other body.
+// "front.c03u05" for the pieces "front.c03u05a" and "front.c03u05b", with ".w1" and the like: the unit behind pieces, by
+// the builder's names; "" for any other body.
 [[nodiscard]] std::string unit_of(const std::string& id);
 
-// 3 of "front.c03u05", "vault.c03u05" and their pieces, as the builders name them; none of any other body.
+// 3 for "front.c03u05", "vault.c03u05" and their pieces, by the builder's names; none for any other body.
 [[nodiscard]] std::optional<int> course_of(const std::string& id);
 
-// "front.lintel0" of its segments "front.lintel0.s3", as the builders name them; "" for any other body.
+// "front.lintel0" for its segments "front.lintel0.s3", by the builder's names; "" for any other body.
 [[nodiscard]] std::string chain_of(const std::string& id);
 
-// Both are segments of one lintel that bends.
+// Whether both are segments of one lintel that bends.
 [[nodiscard]] bool is_chain(const BodySpec& a, const BodySpec& b);
 
-// Name of the material of a joint between two bodies, its normal from a to b: what [[contact]] says of their materials,
-// else as a wall's in its plane, level ones, upright ones, crack planes in units.
+// Joint material between two bodies with the normal from a to b: by [[contact]], otherwise as in a plane wall
+// for level joints, vertical joints, and crack planes in units.
 [[nodiscard]] std::string joint_material_of(const geometry::Shape& shape, const BodySpec& a,
                                             const BodySpec& b, Vec3 normal);
 
-// An upright joint of masonry that takes its material from the beds, and of it head_joint_bond: neither [[contact]] nor
-// wall.head_joint names another. Joints between two courses of one wall, arch, vault or dome are beds however they lie.
+// Whether a vertical joint of masonry takes its material from the beds, with head_joint_bond: neither [[contact]] nor
+// wall.head_joint names another. Joints between two courses of one wall, arch, vault or dome are beds in any direction.
 [[nodiscard]] bool shares_bed(const geometry::Shape& shape, const BodySpec& a, const BodySpec& b,
                               Vec3 normal);
 
-// As it says itself; else a segment of a lintel, or masonry.
+// The stated role; otherwise a segment of a lintel, or masonry.
 [[nodiscard]] BlockRole role_of(const BodySpec& body);
 
 }  // namespace wythe

@@ -1,6 +1,6 @@
-// Divides hexahedra into zones on the trilinear map of their corners, and cuts joint faces at the zones' sides (8.14).
-// Direction b starts along the edge nearest to upright. Zones of a parallelepiped share one shape. Points of contacts
-// follow those of joints in Space. A face that does not lie on zones to 99.9 % is a fault.
+// Divides hexahedra into zones by the trilinear map of their corners, and cuts joint faces at the sides of zones (8.14).
+// Direction b starts along the edge nearest to vertical. Zones of a parallelepiped share one shape. Points of contacts
+// follow those of joints in Space. A face that lies on zones by less than 99.9 % is a fault.
 #include "model/space/space_solids.h"
 
 #include <fmt/core.h>
@@ -25,17 +25,17 @@ using solids::HexahedronCorners;
 
 constexpr double kThinnest = 20;  // longest side of a zone over its shortest
 constexpr int kMostZones = 20000;
-constexpr double kLeastShape = 0.05;  // Jacobian at a corner over the mean one
-// Ends of a, b, c at the corners of a hexahedron.
+constexpr double kLeastShape = 0.05;  // smallest Jacobian at a corner over the mean one
+// Position of the corners of a hexahedron: at the start (0) or end (1) of a, b, c.
 constexpr int kEnds[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
                              {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
-// Corners of the sides of a hexahedron: where direction k/2 ends at k%2; anticlockwise seen from outside.
+// Corners of the six sides of a hexahedron: side k is where direction k/2 ends at k%2; anticlockwise seen from outside.
 constexpr int kSides[6][4] = {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4},
                               {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}};
 
-// --- the corners of a block in the order of a zone's ------------------------------------------------------
+// --- corners of a block in the order of a zone's ----------------------------------------------------------
 
-// Neighbours along the edges of corner v, of a solid whose faces have four corners each.
+// Corners connected with corner v by edges; all faces of the solid have four corners.
 std::vector<std::int32_t> neighbours(const Polyhedron& part, std::int32_t v) {
   std::vector<std::int32_t> found;
   for (const auto& face : part.face)
@@ -44,7 +44,7 @@ std::vector<std::int32_t> neighbours(const Polyhedron& part, std::int32_t v) {
   return found;
 }
 
-// The corner beside both p and q that is not v; -1 where there is none.
+// The corner connected with both p and q, other than v; -1 where there is none.
 std::int32_t across(const Polyhedron& part, std::int32_t v, std::int32_t p, std::int32_t q) {
   const std::vector<std::int32_t> of_p = neighbours(part, p), of_q = neighbours(part, q);
   for (const std::int32_t n : of_p)
@@ -52,8 +52,8 @@ std::int32_t across(const Polyhedron& part, std::int32_t v, std::int32_t p, std:
   return -1;
 }
 
-// Begins at the corner with the least x + y + z; b is the edge from there nearest to y, and a, b, c are
-// right-handed. False for a solid that is no hexahedron.
+// Orders the corners: the first has the least x + y + z, b is its edge nearest to y, and a, b, c are
+// right-handed. False where the solid is no hexahedron.
 bool order_corners(const BodySpec& body, HexahedronCorners& corners) {
   if (body.part.size() != 1) return false;
   const Polyhedron& part = body.part.front();
@@ -90,7 +90,7 @@ bool order_corners(const BodySpec& body, HexahedronCorners& corners) {
   return true;
 }
 
-// Trilinear, a, b, c from 0 to 1.
+// Trilinear map of the corners, a, b, c from 0 to 1.
 Vec3 place_in(const HexahedronCorners& corners, double a, double b, double c) {
   Vec3 sum;
   for (std::size_t k = 0; k < 8; ++k) {
@@ -101,7 +101,7 @@ Vec3 place_in(const HexahedronCorners& corners, double a, double b, double c) {
   return sum;
 }
 
-// --- a block in zones -------------------------------------------------------------------------------------
+// --- division of a block into zones -----------------------------------------------------------------------
 
 class BodyBuilder {
  public:
@@ -153,7 +153,7 @@ class BodyBuilder {
             "leave zones out, or fixed");
   }
 
-  // Says each material's faults once, whatever the number of blocks.
+  // Reports the faults of each material once, for any number of blocks.
   void check_material(const std::string& name, const JointMaterial& material) {
     const auto [state, is_new] = checked_.try_emplace(name, true);
     if (is_new)
@@ -279,7 +279,7 @@ class BodyBuilder {
 // A side of a zone: its nodes, anticlockwise seen from outside.
 using Side = std::array<std::int32_t, 4>;
 
-// Those on the surface of a body.
+// Sides of zones on the surface of a body.
 std::vector<Side> outer_sides(const SpaceSolids& s, const SpaceSolidBody& body) {
   std::vector<Side> sides;
   for (int k = 0; k < body.count[2]; ++k)
@@ -301,7 +301,7 @@ Vec2 mix(double share, Vec2 p, Vec2 q) {
   return {(1 - share) * p.x + share * q.x, (1 - share) * p.y + share * q.y};
 }
 
-// Shares of the corners of a convex quadrilateral at p: Newton's iteration on its bilinear map.
+// Shape functions of the corners of a convex quadrilateral at p, by Newton's iteration on its bilinear map.
 std::array<double, 4> shares_at(const std::array<Vec2, 4>& q, Vec2 p) {
   double x = 0.5, y = 0.5;
   for (int k = 0; k < 30; ++k) {
@@ -313,7 +313,7 @@ std::array<double, 4> shares_at(const std::array<Vec2, 4>& q, Vec2 p) {
     if (std::fabs(dx) + std::fabs(dy) < 1e-14) break;
   }
   const auto inside = [](double v) {
-    constexpr double kSame = 1e-9;  // a point this near to an edge is on it
+    constexpr double kSame = 1e-9;  // a point within this distance of an edge is on it
     return v < kSame ? 0.0 : v > 1 - kSame ? 1.0 : v;
   };
   x = inside(x), y = inside(y);
@@ -328,7 +328,7 @@ class ContactBuilder {
     s_.point_begin.push_back(m_.n_point());
   }
 
-  // Share of the face's area that found a zone.
+  // Adds contacts of a face; returns the share of its area that lies on zones.
   double add(const SpaceSolidFace& of) {
     const JointFace& face = *of.face;
     const Vec3 normal = of.from_rigid ? face.normal : -1.0 * face.normal;
@@ -340,7 +340,7 @@ class ContactBuilder {
     double found = 0;
     for (const Side& side : sides_[of.body]) {
       std::array<Vec3, 4> corner;
-      for (std::size_t k = 0; k < 4; ++k) corner[k] = s_.node[side[3 - k]];  // seen along n
+      for (std::size_t k = 0; k < 4; ++k) corner[k] = s_.node[side[3 - k]];  // in the sense of n
       const geometry::Facet facet =
           geometry::measured(std::vector<Vec3>(corner.begin(), corner.end()));
       if (dot(facet.normal, normal) < 0.999) continue;
@@ -398,7 +398,7 @@ class ContactBuilder {
   std::vector<std::vector<Side>> sides_;  // of each body
 };
 
-// Of each node the numbers k for which node[k] is that node.
+// For each node the numbers k with node[k] equal to it.
 void list_by_node(int n_node, const std::vector<std::int32_t>& node,
                   std::vector<std::int32_t>& begin, std::vector<std::int32_t>& entry) {
   begin.assign(static_cast<std::size_t>(n_node) + 1, 0);

@@ -1,4 +1,4 @@
-// Deformable blocks in space: hexahedra -> zones, and their faces -> contacts with rigid blocks (as solids.cpp in
+// Deformable blocks in space: hexahedra -> zones, and their faces -> contacts with rigid blocks (solids.cpp in
 // the plane; docs/theory/zones.md, "Zones in space").
 #pragma once
 
@@ -18,18 +18,18 @@ struct SpaceSolidFace {
   std::int32_t body;      // into SpaceSolids::bodies
   std::int32_t material;  // into Model::materials
   Vec3 tangent;           // of the face's frame
-  bool from_rigid;        // the face's normal points from the rigid body to the zones
+  bool from_rigid;        // whether its normal points from the rigid body to the zones
   Vec3 centroid;          // of the rigid body
 };
 
-// Nodes and zones of every body that asks for zones, in their order.
+// Makes nodes and zones of every body that requests zones, in order.
 void compile_space_solids(const ModelSpec& spec, const geometry::SpaceAssembly& assembly,
                           Model& model, FaultList& faults);
-// Their contacts; after the joints, whose points come first. Lists what each node takes part in.
+// Makes their contacts, after the joints, whose points come first; lists zones and contacts of each node.
 void compile_space_contacts(const std::vector<SpaceSolidFace>& faces,
                             const QuadratureChoice& choice, Model& model, FaultList& faults);
 
-// --- the longest step (space_bound.cpp): omega^2 that the zones and contacts of each node allow
+// --- the longest step (space_bound.cpp): omega^2 of each node from its zones and contacts
 [[nodiscard]] std::vector<double> space_node_bounds(const Model& model);
 
 }  // namespace wythe

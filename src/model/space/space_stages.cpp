@@ -1,4 +1,4 @@
-// Stages in the user's words -> loads on bodies and driven bodies, in space.
+// Stages of the model file -> loads on bodies and driven bodies, in space.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 using geometry::OuterFace;
 using geometry::SpaceAssembly;
 
-constexpr double kLoadRamp = 0.1;  // documented default of a load's smooth start [s]
+constexpr double kLoadRamp = 0.1;  // default smooth start of a load, as documented [s]
 
 class SpaceStages {
  public:
@@ -70,7 +70,7 @@ class SpaceStages {
     faults_.add({"", path_ + "." + key, std::move(value), std::move(problem), std::move(cure), 0});
   }
 
-  // Loads and pushes act on rigid blocks.
+  // Refuses loads and pushes on bodies with zones: they act on rigid blocks.
   void refuse_zones(const Stage& stage) {
     std::set<BlockId> solids;
     for (const PointLoad& load : stage.loads)
@@ -105,7 +105,7 @@ class SpaceStages {
             "write a direction without a part upwards");
   }
 
-  // What shakes and histories name.
+  // Places for shakes and histories.
   [[nodiscard]] WallPlaces places() const {
     WallPlaces places;
     places.axis = [this](Direction direction) { return places_.in_wall(vector_of(direction)); };
@@ -121,20 +121,20 @@ class SpaceStages {
                               std::isfinite(p.y) && !std::isfinite(p.height) ? p.y : c.y,
                               std::isfinite(p.z) && !std::isfinite(p.depth) ? p.z : c.z});
     };
-    places.lowest = 1e300;  // of what moves: the supports are the base
+    places.lowest = 1e300;  // of moving blocks: supports are the base
     for (std::size_t k = 0; k < assembly_.body.size(); ++k)
       if (!assembly_.body[k].fixed) places.lowest = std::fmin(places.lowest, places_.box(k).low.y);
     return places;
   }
 
-  // The load factor of a body force goes on from stage to stage; one is enough.
+  // The load factor of a body force continues from stage to stage, so a second one is refused.
   void refuse_second_factor(const StageSpec& s) {
     if (s.kind != StageKind::kBodyForce && s.kind != StageKind::kTilt) return;
     if (has_factor_) fault("kind", "", "is a second body force or tilt", "keep one of them");
     has_factor_ = true;
   }
 
-  // Whether a body stands in the stage at hand.
+  // Whether a body stands in the current stage.
   [[nodiscard]] bool stands(std::size_t k) const {
     const geometry::StageSpan& span = assembly_.span[k];
     const int now = static_cast<int>(model_.stages.size());
@@ -215,8 +215,8 @@ class SpaceStages {
     set_control(stage, fixed);
   }
 
-  // Loads and pushes act on rigid blocks: the mass of a body of zones goes to those that it touches, by the areas
-  // of its contacts, which hand its force on (as in stages.cpp) [kg].
+  // Loads and pushes act on rigid blocks. So the mass of a body of zones goes to the blocks in contact, by the
+  // areas of the contacts that transfer its force (as in stages.cpp) [kg].
   [[nodiscard]] double zone_mass_beside(BlockId block) const {
     const SpaceSolids& s = model_.space.solids;
     double sum = 0;
@@ -235,7 +235,7 @@ class SpaceStages {
     return sum;
   }
 
-  // A body's own mass, that of zones beside it and that of the floors that lie on it already [kg].
+  // Mass of a body, of zones beside it and of floors already on it [kg].
   [[nodiscard]] double mass_on(std::size_t k) const {
     if (assembly_.body[k].fixed || is_solid(id_[k])) return 0;
     double weight = 0;
@@ -245,7 +245,7 @@ class SpaceStages {
     return model_.gravity_mass[id_[k]] + zone_mass_beside(id_[k]) + (g > 0 ? weight / g : 0.0);
   }
 
-  // Of a body's free faces, what looks against the push, laid across it [m^2].
+  // Area of a body's free faces towards the push, projected normal to it [m^2].
   [[nodiscard]] double facing_area(std::size_t k, const Stage& stage) const {
     const Vec3 d{stage.drive_x, stage.drive_y, stage.drive_z};
     double area = 0;

@@ -1,4 +1,4 @@
-// What stands when in space: bodies say which stage cuts them out and which puts them in (docs/theory/cutting.md).
+// Which blocks stand in which stage, in space: bodies name the stages that cut and insert them (docs/theory/cutting.md).
 #include <fmt/core.h>
 
 #include <map>
@@ -40,7 +40,7 @@ class SpaceStanding {
         {"", "wall.blocks." + body.id + "." + key, "", std::move(problem), std::move(cure), 0});
   }
 
-  // The frame of the model that the body is a segment of, or -1.
+  // Index of the frame of which the body is a segment, or -1.
   [[nodiscard]] int frame_at(std::size_t body) const {
     const int k = geometry::frame_of(assembly_, static_cast<int>(body));
     return k < 0 ? k : assembly_.frames[static_cast<std::size_t>(k)].placed.index;
@@ -105,7 +105,7 @@ class SpaceStanding {
   const std::vector<BlockId>& id_;
   Model& model_;
   FaultList& faults_;
-  std::map<std::string, std::string> named_;  // stages, and where the first is named
+  std::map<std::string, std::string> named_;  // stages, each with the first place that names it
 };
 
 }  // namespace

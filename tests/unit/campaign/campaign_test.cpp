@@ -1,4 +1,4 @@
-// Campaigns: the answer depends on the inputs only, never on jobs, order, shard, stop or resume.
+// Campaigns: results depend only on the inputs, never on jobs, order, shard, stop or resume.
 #include "wythe/parts/campaign.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ Model wall() { return compile(model_builder(scenes::small_study(2))({})); }
 
 std::string csv(const std::string& folder) { return samples_csv(read_campaign(folder)); }
 
-// What was refused; "" when nothing was.
+// The message of a refusal; "" if nothing was refused.
 template <class Error, class Call>
 std::string refusal(Call call) {
   try {

@@ -1,4 +1,4 @@
-// A sample that two stores hold is merged where it is equal to the bit in every table, and refused by name where it is not.
+// A sample that two stores contain is merged if it is equal to the bit in every table, and refused with its name if not.
 #include <gtest/gtest.h>
 
 #include <algorithm>

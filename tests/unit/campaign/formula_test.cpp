@@ -1,4 +1,4 @@
-// Formulas of dependent quantities: values by hand, units, and what is said about the wrong ones.
+// Formulas of dependent quantities: values by hand, units, and messages about wrong formulas.
 #include "campaign/draws/formula.h"
 
 #include <gtest/gtest.h>

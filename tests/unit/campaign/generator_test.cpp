@@ -1,4 +1,4 @@
-// Streams of random numbers: those of OpenTURNS 1.20, with which the published samples were drawn.
+// Streams of random numbers equal those of OpenTURNS 1.20, with which the published samples were drawn.
 #include "campaign/draws/generator.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Campaigns of very many samples: what stands for all of them gives the intervals of all, and the page stays readable.
+// Campaigns of very many samples: a selection of them gives the intervals of all, and the page stays readable.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -113,7 +113,7 @@ TEST(ManySamples, a_response_of_one_value_has_no_indices) {
   EXPECT_EQ(s.surrogate_indices.back().verdict, IndexVerdict::kUnexplained);
 }
 
-// What is drawn from sums about the mean is what is drawn from the values.
+// Replicates from sums about the mean equal replicates from the values.
 TEST(ManySamples, mean_and_cov_are_those_of_the_general_bootstrap) {
   const Campaign campaign = many(120);
   const Summary peak = summary_of(statistics_of(campaign), "peak_reaction");

@@ -1,4 +1,4 @@
-// [scatter] of a model: the fields that it makes, and what follows them.
+// [scatter] of a model: the fields that it creates, and the properties that follow them.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -158,7 +158,7 @@ TEST(Scatter, walls_of_another_seed_differ_and_the_same_is_the_same) {
   EXPECT_NE(drawn(1), drawn(2));
 }
 
-// Of the places that two walls share, the part that has the same factor in both.
+// The share of common places that have the same factor in both walls.
 double share_alike(const ModelSpec& a, const ModelSpec& b, const std::string& field) {
   const auto factors = [&](const ModelSpec& spec) {
     FaultList faults;
@@ -214,7 +214,7 @@ TEST(Scatter, a_field_of_the_model_itself_holds) {
   EXPECT_NEAR(spread_of(spec.field.at("own").drawn).cov, 0.1, 0.01);
 }
 
-// What would follow a strength keeps its mean beside a field of another name, and a note says so.
+// A property that would follow a strength keeps its mean if that strength has a field of another name, and a note says so.
 TEST(Scatter, what_does_not_follow_a_field_of_the_model_is_told) {
   const auto notes = [](const std::string& scatter, const std::string& name, const std::string& key,
                         const std::string& more = "cov = 0.1\nby = \"joint\"\n") {
@@ -275,7 +275,7 @@ TEST(Scatter, what_is_written_reads_back_as_the_same_wall) {
     EXPECT_EQ(again.field.at(name).drawn, field.drawn) << name;
 }
 
-// Of forty walls whose mean strengths scatter by `cov`: how many drew a factor above 2, and the first refusal.
+// Forty walls whose mean strengths scatter by `cov`: how many have a factor above 2, and the first refusal.
 struct Means {
   int strong = 0;
   std::string refusal;
@@ -390,7 +390,7 @@ TEST(Scatter, a_wall_of_mean_strength_is_the_model_by_rules_too) {
     }
 }
 
-// What [scatter] and the factor of a wall begin from is the model's, with its settings; not so what a formula sets.
+// [scatter] and the factor of a wall use the model's values, with its settings, but not values set by a formula.
 TEST(Scatter, settings_of_what_scatters_are_its_means) {
   const scenes::TemporaryFolder folder;
   const std::vector<std::string> settings = {"material.joint.tensile_strength=0.5 MPa",

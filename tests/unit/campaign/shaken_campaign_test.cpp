@@ -1,4 +1,4 @@
-// Campaigns over records: what runs, what is stored, and that no bit depends on jobs, shards, resume or order.
+// Campaigns over records: the runs, the stored data, and bits that do not depend on jobs, shards, resume or order.
 #include <gtest/gtest.h>
 
 #include <cmath>

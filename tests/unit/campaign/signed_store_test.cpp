@@ -1,5 +1,5 @@
-// Stores that contradict themselves, by somebody who has computed all checksums anew: each is refused by file, table and
-// column, with an IoError (exit code 4).
+// Stores with contradictions but correct checksums: each is refused
+// with file, table and column, by an IoError (exit code 4).
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 
@@ -137,7 +137,7 @@ TEST_F(SignedStore, declarations_are_compared_word_for_word) {
   }
 }
 
-// What a rule stopped counts again once other samples are merged in: they were asked for.
+// Samples beyond the end of a stop rule count again after a merge with other samples, because they were requested.
 TEST_F(SignedStore, a_rule_that_was_met_ends_with_a_merge) {
   put_back();
   StudySpec more = scenes::small_study(2);

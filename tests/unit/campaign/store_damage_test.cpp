@@ -1,5 +1,5 @@
-// Stores that somebody has changed: read as what they are, or refused by name; never a crash, never a number from
-// beyond an array.
+// Stores that were changed: they are read with their content, or refused
+// with a reason. There is never a crash or a number from beyond an array.
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 
@@ -31,7 +31,7 @@ bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-// What an error of input or store said, "" where there was none; any other error is a failure.
+// The message of an input or store error, "" if there was none; any other error is a failure.
 template <class Call>
 std::string said_by(Call call) {
   try {
@@ -78,7 +78,7 @@ class ChangedStore : public testing::Test {
     fs::create_directories(out_);
     fs::copy_file(store_path(*made_ / "out"), store_path(out_));
   }
-  // How many rows that changed; 0 also where the file itself forbids it.
+  // The number of changed rows; 0 also if the file itself forbids the change.
   std::int64_t change(const std::string& sql) {
     Database database(store_path(out_), Database::Access::kWrite);
     try {
@@ -89,7 +89,7 @@ class ChangedStore : public testing::Test {
     }
     return database.integer("SELECT changes()");
   }
-  // What the commands that read do with such a table; those of lists lie nowhere but in the record.
+  // Reads such a table like the reading commands; tables of lists are only used through the record.
   void use(const std::string& table) {
     static const std::set<std::string> kDrawn = {"study", "input", "sample_input", "curve",
                                                  "state"};
@@ -162,7 +162,7 @@ TEST_F(ChangedStore, counts_are_compared_with_the_wall_and_the_study) {
   }
 }
 
-// What answers without end, computes its cells, or writes when it is written to is no table of a store.
+// A store may not have a table that runs without end, computes its cells, or writes when it is written to.
 TEST_F(ChangedStore, tables_that_compute_are_refused_before_they_are_read) {
   const std::string endless =
       "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n) SELECT i AS sample, 0 AS "

@@ -34,7 +34,7 @@ bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-// What an IoError said; "" when nothing was thrown.
+// The message of an IoError; "" if nothing was thrown.
 template <class Call>
 std::string refusal(Call call) {
   try {
@@ -527,15 +527,29 @@ TEST(Store, a_folder_that_cannot_be_made_is_an_io_error) {
   EXPECT_TRUE(has(said, "cannot be made")) << said;
 }
 
-// Who changes a table has to raise the version: another program would call the new store damaged, and this one
-// theirs. Then the new checksum belongs here.
+// Who changes a table has to raise the version, since another program would call the new store damaged. A response is
+// an exception: its column has the name of its line in responses.h, and a store that lacks it is refused as one of
+// another program (check_tables). So the tables are compared without the columns of responses.
 TEST(StoreSchema, a_version_belongs_to_its_tables) {
+  std::string tables = schema_sql(), view = samples_view_sql(two_samples());
+  const auto remove = [](std::string& text, const std::string& begin, const std::string& ends) {
+    const std::size_t from = text.find(begin);
+    ASSERT_NE(from, std::string::npos) << begin;
+    text.erase(from, text.find_first_of(ends, from + begin.size()) - from);
+  };
+  const auto leave_out = [&](const OutputKey& key, const auto&) {
+    remove(tables, std::string(", ") + key.stored + " ", ",)");
+    if (key.listed != OutputKey::kNowhere)
+      remove(view, std::string(", ") + key.stored + " ", ",\n");
+  };
+  const SampleRecord any;
+  each_response(leave_out, any.responses);
+  each_quasi_static(leave_out, any.quasi_static);
   Hash hash;
-  hash.add(schema_sql());
-  hash.add(samples_view_sql(two_samples()));
+  hash.add(tables);
+  hash.add(view);
   EXPECT_EQ(kSchemaVersion, 1);
-  EXPECT_EQ(hash.text(), "955d08fc98cc8a3f")
-      << "the tables of a store have changed: raise kSchemaVersion";
+  EXPECT_EQ(hash.text(), "?") << "the tables of a store have changed: raise kSchemaVersion";
 }
 
 }  // namespace

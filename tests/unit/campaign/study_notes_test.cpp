@@ -1,4 +1,4 @@
-// Values that no masonry has are noted of a study as of a model, by the same function.
+// Values that no masonry has are noted for a study as for a model, by the same function.
 #include <gtest/gtest.h>
 
 #include <string>

@@ -1,5 +1,5 @@
-// Who reads a store leaves no trace: neither the file nor what SQLite keeps beside it is made, changed or removed, at
-// rest, while a campaign writes, and after it was killed.
+// A reader of a store leaves no trace: neither the file nor SQLite's files beside it are created,
+// changed or removed. This holds at rest, while a campaign writes, and after it was killed.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sqlite3.h>

@@ -1,5 +1,5 @@
-// Crushing under normal and shear stress together, hardening and dilatancy: strengths, areas and energies
-// in closed form (docs/theory/joint_law.md), what is refused, and that nothing comes back.
+// Crushing under normal and shear stress together, hardening and dilatancy: strengths, areas and
+// energies in closed form (docs/theory/joint_law.md), refusals, and no recovery of strength.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 

@@ -18,6 +18,7 @@ using scenes::degrees;
 
 constexpr Softening kSoftenings[] = {Softening::kBilinear, Softening::kExponential,
                                      Softening::kPolynomial, Softening::kPetersson};
+static_assert(std::size(kSoftenings) == std::size(kSofteningWords));
 constexpr Coupling kCouplings[] = {Coupling::kUnion, Coupling::kMaximum, Coupling::kStiffness};
 constexpr Unloading kUnloadings[] = {Unloading::kSecant, Unloading::kElastic};
 
@@ -170,10 +171,7 @@ TEST(ContactLaw, softening_shapes_have_unit_area_and_start_at_one) {
       steepest = std::max(steepest, -contact::soften(k, x).slope);
     EXPECT_NEAR(steepest, contact::steepest_slope(k), 1e-12);
   };
-  check(Softening::kBilinear);
-  check(Softening::kExponential);
-  check(Softening::kPolynomial);
-  check(Softening::kPetersson);
+  for (const Softening softening : kSoftenings) check(softening);
 }
 
 // --- random paths: what may never happen --------------------------------------------------------------

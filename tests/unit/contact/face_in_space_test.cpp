@@ -1,4 +1,4 @@
-// The face between two bodies in space, and the spin of a free body: identities that hold whatever the law.
+// The face between two bodies in space, and the spin of a free body: identities that hold for any law.
 #include "contact/face_in_space.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// The short ways of the joint pass against the long ones: points at rest against update() on random
-// histories of every variant, faces along the tangent against plain vectors (docs/theory/kinematics.md).
+// The fast paths of the joint pass against the full law. Elastic and undamaged points against update() on
+// random histories of every variant, faces along the tangent against plain vectors (docs/theory/kinematics.md).
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -160,8 +160,8 @@ class Walker {
     tally_.open += w + h_.crush >= 0;
   }
 
-  // What a point does is read off its stresses. Slip and crushing below 1e-9 of their elastic part
-  // may vanish in the rounding of the history, and need not be called busy.
+  // The change of a point is read from its stresses. Slip and crushing below 1e-9 of their
+  // elastic part may vanish in the rounding of the history, so they need not count as a change.
   void check_busy(double w, double s, const contact::LawUpdate<double>& answer,
                   const History& now) {
     const double press = m_.kn * (w + h_.crush), shear = m_.ks * (s - h_.plastic_slip);
@@ -302,7 +302,7 @@ ModelSpec skew_stack(Dice& dice) {
   return scenes::turned(spec, dice.between(-scenes::kPi, scenes::kPi));
 }
 
-// Where a block's centroid stands and stood, and how it has turned.
+// Places of a block's centroid at the start and now, and its rotation.
 struct Place {
   Vector start, now;
   double theta;
@@ -346,7 +346,7 @@ JointForces plain_forces(const Model& m, const State& s, std::size_t j) {
   return sum;
 }
 
-// What is left of (2.2) once e lies along t rests on that.
+// The short form of (2.2), with e along t, depends on this.
 TEST(FaceFrame, half_faces_lie_along_the_tangent) {
   Dice dice;
   for (int k = 0; k < 20; ++k) {

@@ -1,5 +1,5 @@
-// A mode II energy that grows with the pressure, GII = a + b sn (docs/theory/joint_law.md, 3.11a): stresses and areas in
-// closed form for every shape, what a pressure that varies does, snap-back, and that b = 0 is the law without it.
+// A mode II energy that grows with the pressure, GII = a + b sn (docs/theory/joint_law.md, 3.11a): stresses
+// and areas in closed form for every shape, a varying pressure, snap-back, and b = 0 as the law without it.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -19,6 +19,7 @@ namespace {
 
 constexpr Softening kSoftenings[] = {Softening::kBilinear, Softening::kExponential,
                                      Softening::kPolynomial, Softening::kPetersson};
+static_assert(std::size(kSoftenings) == std::size(kSofteningWords));
 constexpr double kPressures[] = {0, 0.2e6, 0.7e6, 2e6};  // [Pa]
 constexpr double kB = 0.13e-3;                           // [m]
 
@@ -35,7 +36,7 @@ contact::LawUpdate<double> update(const contact::LawConstants<double>& m, double
       m.choice, [&](auto variant) { return contact::update<decltype(variant)>(m, w, s, h); });
 }
 
-// What (3.10) says of a joint under a pressure that stays.
+// The numbers of (3.10) for a joint under constant pressure.
 struct Under {
   double pressure, residual, drop, energy;
   Under(const JointMaterial& m, double sn)

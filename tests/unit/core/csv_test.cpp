@@ -1,4 +1,4 @@
-// Cells of a CSV file: none is a formula to a spreadsheet, and each reads back as what was written.
+// Cells of a CSV file: no spreadsheet takes one for a formula, and each reads back as it was written.
 #include "io/text/csv.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Elementary functions of our own: their bits, and that they are those functions.
+// Our elementary functions: their bits, and their agreement with the functions that they stand for.
 #include "core/elementary.h"
 
 #include <gtest/gtest.h>
@@ -68,7 +68,7 @@ TEST(Elementary, agree_with_the_library_to_an_ulp_and_a_half) {
   }
 }
 
-// What is exact stays exact, and edges are those of IEEE 754 and C.
+// Exact results stay exact, and edge cases are those of IEEE 754 and C.
 TEST(Elementary, exact_values_and_edges) {
   constexpr double kInf = std::numeric_limits<double>::infinity();
   const auto is_nan = [](double x) { return std::isnan(x); };

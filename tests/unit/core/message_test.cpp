@@ -1,5 +1,5 @@
-// Messages: codes and arguments into words, in every language; into JSON and back; and the one table of
-// words held against the engine's sources, so that nothing is missing, unused or left without a value.
+// Messages: codes and arguments to words, in every language; to JSON and back. The table of words
+// is compared with the engine's sources, so that no text is missing, unused or without a value.
 #include "wythe/parts/message.h"
 
 #include <gtest/gtest.h>
@@ -176,7 +176,7 @@ TEST(MessageTable, every_code_has_words_in_every_language_with_the_same_argument
   }
 }
 
-// What a reader may copy is the same in all of them.
+// Text that a reader may copy is the same in all languages.
 TEST(MessageTable, keys_with_their_values_and_options_are_not_translated) {
   static const std::regex kCode(R"([a-z_.]+ = "[^"]*"|--[a-z-]+)");
   int found = 0;

@@ -1,4 +1,4 @@
-// The team of threads: every chunk is done once, by whoever, and what was written before is seen by all.
+// The team of threads: every chunk runs once, on any thread, and all threads see what was written before.
 #include <gtest/gtest.h>
 
 #include <vector>

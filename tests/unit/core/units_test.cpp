@@ -1,4 +1,4 @@
-// Quantities at the text boundary: units of masonry papers, refusals with their cure, exact return.
+// Quantities as text: units of masonry papers, refusals with their cure, and exact round trips.
 #include <gtest/gtest.h>
 
 #include <cmath>

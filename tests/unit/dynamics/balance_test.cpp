@@ -1,4 +1,4 @@
-// The verdict on the rate of a push, on hand-made curves: each meter has a veto.
+// The verdict on the rate of a push, on artificial curves: each meter has a veto.
 #include "dynamics/meters/balance.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Readings of pushes that turn back, on loops of closed form: rows are made as the recorder makes
-// them, means of the force over windows that end where the push turns.
+// Responses of cyclic pushes, on loops of closed form. Rows are made like those
+// of the recorder: means of the force over windows that end where the push turns.
 #include "dynamics/meters/cyclic.h"
 
 #include <gtest/gtest.h>

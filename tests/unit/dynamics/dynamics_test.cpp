@@ -207,7 +207,8 @@ TEST(Readings, of_a_cyclic_push_are_taken_where_it_turns_farther_than_before) {
   ASSERT_GE(turns.size(), 2U);
   EXPECT_NEAR(turns.front(), 0.3e-3, 2 * 0.1 * result.time_step);
   EXPECT_NEAR(turns.back(), 0.5e-3, 2 * 0.1 * result.time_step);
-  EXPECT_NEAR(name_failure_mode(model, result).read_at, 0.5e-3, 2 * 0.1 * result.time_step);
+  EXPECT_NEAR(result.failure_mode.read_at, 0.5e-3, 2 * 0.1 * result.time_step);
+  EXPECT_EQ(result.failure_mode.name, name_failure_mode(model, result).name);
 }
 
 // --- where the model ends -------------------------------------------------------------------------------
@@ -368,7 +369,7 @@ TEST(Stages, a_push_without_a_velocity_adapts_it) {
   EXPECT_TRUE(std::isnan(compile(spec).stages[1].spec.fast_velocity));
 }
 
-// Of a cracking wall pushed at 20 mm/s and, where it is quieter than `below`, at 100 mm/s.
+// Seconds of a cracking wall that is pushed at 20 mm/s, and at 100 mm/s while its unbalance is less than `below`.
 double push_seconds(double fast, double below) {
   ModelSpec spec = scenes::small_wall(3e-3, 0.02);
   spec.stage.back().ramp = 0.05;

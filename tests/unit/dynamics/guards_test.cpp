@@ -1,5 +1,5 @@
-// What is refused before it costs anything, where it stands, and what is said about it: sizes, places
-// of faults, texts of users in messages.
+// Inputs that are refused early, with place and message:
+// sizes, places of faults, texts of users in messages.
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

@@ -1,4 +1,4 @@
-// What is read off a curve, on hand-made curves, and the verdict on the speed of a push.
+// Responses from artificial curves, and the verdict on the speed of a push.
 #include "dynamics/meters/responses.h"
 
 #include <gtest/gtest.h>

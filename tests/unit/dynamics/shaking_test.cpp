@@ -1,4 +1,4 @@
-// Records, pulses and spectra; the files of records and their faults; what a shake asks and tells.
+// Records, pulses and spectra; the files of records and their faults; inputs and results of a shake.
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>

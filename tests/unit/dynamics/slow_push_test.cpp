@@ -1,4 +1,4 @@
-// What a push says of a slow one beyond its force, on hand-made curves.
+// Whether a slow push would give the same displacement and mode, on artificial curves.
 #include "wythe/parts/slow_push.h"
 
 #include <gtest/gtest.h>
@@ -109,7 +109,7 @@ TEST(SlowPushVerdict, the_way_pushed_in_a_jump_does_not_hang_on_the_rows) {
         << rows;
 }
 
-// What is followed may fly ahead of the drive.
+// A control point may run ahead of the drive.
 TEST(SlowPushVerdict, the_way_pushed_is_that_of_the_drive) {
   Pushed flies = pushed({.unbalance = 0.012});
   flies.model.stages.back().spec.velocity = 0.1 * kVelocity;
@@ -121,7 +121,7 @@ TEST(SlowPushVerdict, unbalance_that_lifts_no_force_off_the_wall_is_no_jump) {
   EXPECT_EQ(pushed({.fall = 2.1, .unbalance = 0.05}).displacement().verdict, "not known");
 }
 
-// Of the unbalanced force local damping leaves 1 - damping to a block that gains speed.
+// Local damping leaves 1 - damping of the unbalanced force to an accelerating block.
 TEST(SlowPushVerdict, damping_makes_a_jump_slower) {
   const Pushed light = pushed({.unbalance = 0.002}),
                heavy = pushed({.unbalance = 0.002, .damping = 0.9});
@@ -130,7 +130,7 @@ TEST(SlowPushVerdict, damping_makes_a_jump_slower) {
               0.002 * 0.01 / 0.003 / 0.1 / 2 * 100, 0.05);
 }
 
-// Up to where it begins the wall was in balance, and a slow push falls no less far.
+// Up to the start of the fall the wall was in balance, and a slow push falls at least as far.
 TEST(SlowPushVerdict, the_fall_itself_is_no_reason_to_doubt_where_it_is) {
   Push fails{.fall = 30, .unbalance = 0.05};
   EXPECT_EQ(pushed(fails).displacement().verdict, "slow enough");

@@ -1,4 +1,4 @@
-// Claims about arches over openings: voussoirs, the masonry cut to them, and what is refused.
+// Claims about arches over openings: voussoirs, the masonry cut to them, and refusals.
 #include "geometry/wall/arches.h"
 
 #include <gtest/gtest.h>

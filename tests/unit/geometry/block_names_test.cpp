@@ -1,5 +1,5 @@
-// Blocks of a file. Names of materials that blocks bear: a slip is refused. It would leave a joint its common law, or a block the unit's density,
-// and nothing would say so. In space: tests/cli/building_in_space_test.py.
+// Names of materials in blocks files: a misspelt one is refused. It would silently leave a joint
+// its common law, or a block the unit's density. In space: tests/cli/building_in_space_test.py.
 #include <gtest/gtest.h>
 
 #include "geometry/assembly.h"

@@ -1,4 +1,4 @@
-// Bodies in space: mass properties, joint faces, and what is refused.
+// Bodies in space: mass properties, joint faces, and refusals.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -165,7 +165,7 @@ TEST(JointFaces, a_cube_half_beside_shares_a_smaller_square) {
   EXPECT_NEAR(free, 12 * 0.36 - 2 * a.faces[0].area, 1e-12);
 }
 
-// By one radian about its own upright axis, then moved by an eighth: LMGC90's corners, given to 1e-5.
+// Turned by one radian about its own vertical axis, then moved by an eighth: LMGC90's corners, given to 1e-5.
 TEST(JointFaces, a_turned_cube_shares_an_octagon) {
   BodySpec above = box_body("above", {-kRay, -kRay, -kRay}, {kRay, kRay, kRay});
   above = Frame::turned(std::cos(0.5), 0, 0, std::sin(0.5), {-kRay / 8, -kRay / 8, 2 * kRay})

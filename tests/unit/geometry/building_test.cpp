@@ -1,5 +1,5 @@
-// Claims about a building's masonry: bare units and their mortar, storeys, joints of their own, regions,
-// and what is said of those that can't be laid.
+// Claims about a building's masonry: bare units and their mortar, storeys,
+// joints of their own, regions, and messages about masonry that cannot be built.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Differences and unions of outlines: areas add up, corners keep their bits, corners a line of the grid apart are one.
+// Differences and unions of outlines: areas add up, corners keep their bits, corners that differ by one grid line are joined.
 #include "geometry/wall/clip.h"
 
 #include <gtest/gtest.h>

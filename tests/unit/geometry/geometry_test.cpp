@@ -1,5 +1,5 @@
 // Claims about the wall's geometry: the paper's grid, openings, lintels, caps, blocks files, faults.
-// The bonds' laws (no overlap, full contact, staggered joints) are in tests/property.
+// The laws of bonds (no overlap, full contact, staggered joints) are in tests/property.
 #include "geometry/assembly.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Ring beams, sills and foundations in steps: where they lie, what joints they have, what is refused.
+// Ring beams, sills and stepped foundations: their places, their joints, and refusals.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -453,8 +453,8 @@ TEST(RingBeam, and_steps_of_the_ground_have_no_macro_blocks_and_say_so_by_name) 
               {"wall.foundation", "ground of one level"});
 }
 
-// From 3 % of the wall's mass on, added inertia drags on a push by more than a percent or two
-// (docs/decisions/0009).
+// From 3 % of the wall's mass on, added inertia changes a
+// push by more than a percent or two (docs/decisions/0009).
 TEST(RingBeam, whose_segments_get_much_inertia_says_that_it_drags) {
   bool dragged = false, raised = false;
   for (const auto& [modulus, width] : {std::pair(30e9, kUnset), std::pair(10e9, kUnset),
@@ -482,7 +482,7 @@ TEST(RingBeam, whose_segments_get_much_inertia_says_that_it_drags) {
   EXPECT_TRUE(raised);
 }
 
-// Of the masonry's weight and joints, it can only carry more (static theorem).
+// A ring beam with the masonry's weight and joints can only carry more (static theorem).
 TEST(RingBeam, counts_as_rigid_in_the_limit_load_and_is_named) {
   ModelSpec spec = scenes::small_wall();
   spec.material["concrete"] = body(spec.wall.unit.density);

@@ -1,4 +1,4 @@
-// A key that would have no effect is refused, or noted, with the reason: what a user writes is done, or told to be left.
+// A key without effect is refused or noted with the reason: each input has an effect, or the user is told that it has none.
 #include <gtest/gtest.h>
 
 #include <algorithm>

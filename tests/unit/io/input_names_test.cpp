@@ -1,4 +1,4 @@
-// Inputs of a study are columns of its results: none may take the name of another column, in any case.
+// Inputs of a study are columns of its results: none may have the name of another column, in any case.
 #include <gtest/gtest.h>
 
 #include <sstream>

@@ -1,4 +1,4 @@
-// What comes from outside, at its worst: not files, too large, too deep, too many, and links where results go.
+// Bad input from outside: not files, too large, too deep, too many, and links where results go.
 #include <gtest/gtest.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
@@ -37,7 +37,7 @@ bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-// What an InputError said; "" where there was none.
+// The message of an InputError; "" if there was none.
 template <class Call>
 std::string refusal(Call call) {
   try {

@@ -1,5 +1,5 @@
-// Blocks files, laws, paths and answers: what is understood, and for each bad input the place, the
-// value and the cure that its message names.
+// Blocks files, laws, paths and responses: valid input, and for
+// each bad input the place, the value and the cure in its message.
 #include <gtest/gtest.h>
 
 #include <array>

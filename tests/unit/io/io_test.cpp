@@ -1,5 +1,5 @@
-// Models: what is understood, and for each bad input the place, the value and the cure that its
-// message names.
+// Models: valid input, and for each bad input the
+// place, the value and the cure in its message.
 #include <gtest/gtest.h>
 
 #include <cmath>

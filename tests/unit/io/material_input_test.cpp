@@ -1,4 +1,4 @@
-// Materials by rule and by typology: what a file asks for, what it gets, and what it is told.
+// Materials by rule and by typology: the requests of a file, the resulting values, and the messages.
 #include <cmath>
 #include <string>
 

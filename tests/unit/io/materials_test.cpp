@@ -69,8 +69,8 @@ TEST(MaterialRules, bond_and_energies_of_a_joint) {
   EXPECT_EQ(by(Role::kJoint, "residual_cohesion", "", {}), 0);
 }
 
-// Where friction drops too, 0.093 mm c may be steeper than ks: 0.27 + 5.87 x 0.19 = 1.3853 MPa,
-// squared over 2 x 7.474 GPa/m = 128.4 N/m, against 25.1.
+// If friction drops too, 0.093 mm c may be steeper than ks: 0.27 + 5.87 x
+// 0.19 = 1.3853 MPa, squared over 2 x 7.474 GPa/m = 128.4 N/m, against 25.1.
 TEST(MaterialRules, energy_of_slip_never_snaps_back) {
   const double phi = std::atan(0.94), residual = std::atan(0.75), ks = 0.4 * 3.55e9 / 0.19;
   const double gii = by(Role::kJoint, "mode_2_energy", "", {0.27e6, phi, residual, ks, 5.87e6, 0});

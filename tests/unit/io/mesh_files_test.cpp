@@ -1,4 +1,4 @@
-// Bodies from files: OBJ, PLY, STL, COMPAS and blocks files in space; their joint faces beside an independent count.
+// Bodies from files: OBJ, PLY, STL, COMPAS and blocks files in space; their joint faces against an independent count.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -317,7 +317,7 @@ TEST_F(BodyFiles, a_blocks_file_has_a_third_dimension) {
   EXPECT_EQ(assembly.faces.size(), 2U);
 }
 
-// What a run writes beside its results is read again to the bit, in the file's axes.
+// The blocks file beside the results of a run is read again to the bit, in the file's axes.
 TEST_F(BodyFiles, what_is_written_back_is_read_to_the_bit) {
   write(at("b.json"), kSpaceJson);
   std::filesystem::copy_file(data("dome.obj"), at("dome.obj"));

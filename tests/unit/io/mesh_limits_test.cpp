@@ -1,4 +1,4 @@
-// Meshes, drawings and records that a careless reader would take hours or all memory for: each is told at once.
+// Meshes, drawings and records that could take hours or all memory: each is refused at once.
 #include <gtest/gtest.h>
 
 #include <cmath>

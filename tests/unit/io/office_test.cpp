@@ -1,5 +1,5 @@
-// Material and floors as an office has them: knowledge levels, coefficients, tests; g1, g2, psi2 q and a span. Numbers
-// by hand from the tables of Circolare 7/2019 (docs/theory/material_rules.md).
+// Materials and floors in design practice: knowledge levels, coefficients, tests; g1, g2, psi2 q
+// and a span. Numbers by hand from the tables of Circolare 7/2019 (docs/theory/material_rules.md).
 #include <cmath>
 #include <string>
 
@@ -98,7 +98,7 @@ TEST(Office, lc2_takes_means_and_a_level_alone_changes_nothing_but_strengths) {
   expect_near(without.youngs_modulus, 1500e6);
 }
 
-// Of three states the two largest act; courses act on f and tau0 alone, so E has 1.5 of the mortar.
+// Of three improvements the two largest act. Courses act only on f and tau0, so E has the 1.5 of the mortar.
 TEST(Office, two_states_act_and_the_third_is_told) {
   const MasonrySpec m = read(stone(R"(use = "circolare_rubble"
 knowledge_level = "LC2"
@@ -225,7 +225,7 @@ injections = true
   EXPECT_EQ(written, write_model(again));
 }
 
-// What the file states beside a level is not the table's: no factor acts on it, and a note says so.
+// A value that the file gives beside a level is not from the table: no factor acts on it, and a note says so.
 TEST(Office, a_value_stated_beside_a_level_is_noted) {
   const auto notes = [](const std::string& masonry, const Texts& set = {}) {
     const std::string text = model(kBrick + masonry);

@@ -1,4 +1,4 @@
-// write_run, prepare_folder and the texts they write, on a hand-made run.
+// write_run, prepare_folder and the texts that they write, on an artificial run.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -49,7 +49,7 @@ class RunFiles : public testing::Test {
   fs::path folder_;
 };
 
-// What an IoError said; "" when nothing was thrown.
+// The message of an IoError; "" if nothing was thrown.
 template <class Call>
 std::string refusal(Call call) {
   try {

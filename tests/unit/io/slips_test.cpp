@@ -1,4 +1,4 @@
-// One slip of the hand in a model gives one message: each line of a model with each of some twenty slips.
+// One typing mistake in a model gives one message: each line of a model with each of some twenty mistakes.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -17,7 +17,7 @@
 namespace wythe::slips_test {
 namespace {
 
-// By rule from tests, with an opening, a storey that is named elsewhere, a load and a push.
+// A wall by rule from tests, with an opening, a storey named elsewhere, a load and a push.
 const char* const kPier = R"([wall]
 length = "2.5 m"
 thickness = "0.25 m"
@@ -206,7 +206,7 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-// How many slips of a text were tried and refused; each with one message and a cure.
+// The numbers of mistakes tried and refused in a text; each refusal has one message and a cure.
 std::pair<int, int> try_slips(const std::string& whole,
                               const std::function<std::string(const std::string&)>& tell) {
   const std::vector<std::string> lines = lines_of(whole);
@@ -387,7 +387,7 @@ TEST(Slips, a_joint_law_alone_is_told_once_too) {
   EXPECT_NE(typo.find("did you mean cohesion?"), std::string::npos) << typo;
 }
 
-// What is right is not mended: a semicolon or slashes within quotes, a colon in a time, several lines of a list.
+// Valid text is not changed: a semicolon or slashes within quotes, a colon in a time, several lines of a list.
 TEST(Slips, marks_within_a_text_are_its_own) {
   EXPECT_EQ(told("note = \"a; b // c: d, True\"\n" + std::string(kPier)), "");
 }

@@ -1,4 +1,4 @@
-// Study files: what is understood, round trips, samples as settings, refusals.
+// Study files: valid input, round trips, samples as settings, refusals.
 #include <gtest/gtest.h>
 
 #include <cmath>

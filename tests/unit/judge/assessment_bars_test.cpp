@@ -1,5 +1,5 @@
-// Where the assessment has no answer: its push must begin at rest and at no force, and samples must share
-// mass and spectrum.
+// Cases without an assessment: its push must begin at rest and
+// without force, and samples must share mass and spectrum.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -289,8 +289,8 @@ TEST(CampaignAssessment, of_a_facade_is_that_of_its_runs) {
   EXPECT_FALSE(accelerations.empty());
 }
 
-// What ends a wall is its weakest pier, not its mean: a pier that drifts more lowers the answer, and one
-// that never reaches its limit makes it a bound.
+// The weakest pier ends a wall, not the mean of piers: a pier with more drift
+// lowers the result, and one that never reaches its limit makes it a bound.
 TEST(CampaignAssessment, follows_the_drift_of_each_pier) {
   const scenes::TemporaryFolder folder;
   const Facade f(folder / "out", 2);
@@ -405,7 +405,7 @@ TEST(CampaignAssessment, has_no_answer_for_samples_pushed_both_ways) {
   EXPECT_TRUE(says(sentence_of(assess_campaign(campaign, base, model)), "24 of 25 samples"));
 }
 
-// Where samples keep no pushed wall: the drift of its piers is not known; of one pier it is that of the wall.
+// Samples without a stored wall: the drift of several piers is not known; that of a single pier is the wall's.
 TEST(CampaignAssessment, of_more_than_one_pier_says_first_that_drifts_are_of_the_whole_wall) {
   const auto assessed = [](const std::string& openings) {
     std::string text = wall_text(kAssessed);

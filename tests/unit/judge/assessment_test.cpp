@@ -1,5 +1,5 @@
-// The assessment against numbers by hand: masses, limit states, fragilities; and what it must
-// refuse, call a bound, or not let be signed.
+// The assessment against numbers by hand: masses, limit states,
+// fragilities; also refusals, bounds, and results that must not be signed.
 #include "wythe/parts/assessment.h"
 
 #include <gtest/gtest.h>

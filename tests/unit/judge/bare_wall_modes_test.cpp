@@ -1,5 +1,5 @@
-// The rules that name failures of bare walls, dry and in mortar: turning about the toe above a stepped
-// crack, sliding past each other, under the beam, in many beds, and off the neighbours' faces.
+// The rules that name failures of bare walls, dry and in mortar: turning about the toe above a
+// stepped crack, sliding, slip under the beam or in many beds, and slip off the neighbours' faces.
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// Forces of piers and spandrels against statics: what the joints of a storey's piers carry together is the
-// load above, exactly, whatever each of them does.
+// Forces of piers and spandrels against statics: the joints of a
+// storey's piers together carry exactly the load above, in any state.
 #include "wythe/parts/element_forces.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Walls in space seen across their planes: the same wall in its plane, as prisms in space and as prisms in a turned
-// world has the same parts, forces, drifts and names; a building has those of each of its walls.
+// Walls in space seen across their planes. A wall in its plane, as prisms in space and as turned
+// prisms has the same parts, forces, drifts and names. A building has those of each of its walls.
 #include "judge/modes/elevations.h"
 
 #include <gtest/gtest.h>
@@ -209,7 +209,7 @@ TEST(Elevations, a_push_in_space_has_the_drifts_and_the_forces_of_the_plane_push
                 0.05 * solid.wall.storeys[k].drift);
 }
 
-// What both may carry, and by which limit.
+// The capacity of both walls, and the governing limit.
 CodeAssessment assessed(ModelSpec spec) {
   spec.assessment.code = "circolare_2019";
   spec.assessment.spectrum.kind = SpectrumKind::kEn1998;

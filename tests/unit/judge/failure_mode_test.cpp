@@ -1,4 +1,4 @@
-// The rules that name failures, on walls moved by hand: each mode and its mirror image.
+// The rules that name failures, on walls moved as rigid bodies: each mode and its mirror image.
 //
 // A mechanism is a set of rigid bodies (scenes/mechanism.h). `turn` is the rotation of a pier that
 // rocks; 0.0128 moves mid-spandrel by 40 mm.

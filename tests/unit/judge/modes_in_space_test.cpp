@@ -1,5 +1,5 @@
-// Names of failures in space: walls moved by hand as each mechanism moves them, and what looks like one and is
-// none.
+// Names of failures in space: walls moved like each
+// mechanism, and motions that look similar but are none.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -339,7 +339,7 @@ TEST_P(ModesInSpace, walls_that_rock_together_in_their_planes_are_told_from_thos
 
 INSTANTIATE_TEST_SUITE_P(Turned, ModesInSpace, testing::Values(0.0, 0.7, 2.5));
 
-// What a push does to walls depends on how they stand, not on the name of what happened.
+// The effect of a push on walls depends on their positions, not on the name of the failure.
 TEST(ModesInSpace, the_push_tells_which_walls_it_goes_across) {
   for (const Frame& frame : {Frame{}, Frame::turned(1, 0, 0.7, 0, {1, 2, 3})}) {
     const Wall one(false, frame), corner(true, frame);

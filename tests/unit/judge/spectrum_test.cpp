@@ -62,7 +62,7 @@ TEST(Spectrum, is_continuous_at_its_corners_and_lower_with_damping) {
   }
 }
 
-// By hand: F0 ag/g = 0.49; SS = 1.70 - 0.6 0.49 = 1.406; CC = 1.05 0.32^-0.33.
+// Numbers by hand: F0 ag/g = 0.49; SS = 1.70 - 0.6 0.49 = 1.406; CC = 1.05 0.32^-0.33.
 TEST(Spectrum, of_ntc_2018_on_subsoil_c_is_that_by_hand) {
   SpectrumSpec spec = en("C", "1", 0.2 * kStandardGravity);
   spec.kind = SpectrumKind::kNtc2018;

@@ -1,4 +1,4 @@
-// A run inside the range of the tested walls gets no note; each way out of it gets its own.
+// A run inside the range of the tested walls has no note; each kind of excess has its own.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The parts a wall is read by, and the names of walls that are not of two piers and one opening.
+// The parts of a wall, and the names of walls other than two piers and one opening.
 #include "judge/modes/wall_parts.h"
 
 #include <gtest/gtest.h>

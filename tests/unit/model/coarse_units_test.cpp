@@ -1,4 +1,4 @@
-// What is said of walls whose units are drawn larger than they were built: only what docs/evidence/block_size.md shows.
+// Notes for walls with units drawn larger than they were built: only claims that docs/evidence/block_size.md supports.
 #include "model/coarse_units.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Random fields of walls in space: covariance of places in plan, statistics over many walls, what
-// courses and units are, and what a field makes of the wall.
+// Random fields of walls in space: covariance of places in plan, statistics
+// over many walls, courses and units, and the effect of a field on the wall.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -90,7 +90,7 @@ std::string refusal(const std::string& fields) {
   return "";
 }
 
-// What the grid draws is linear in w: unit vectors give the columns of its factor.
+// The draw of a grid is linear in w, so unit vectors give the columns of its factor.
 TEST(FieldsInSpace, places_in_plan_have_the_covariance_of_their_distance) {
   std::vector<double> x, z, y;
   for (int row = 0; row < 6; ++row)

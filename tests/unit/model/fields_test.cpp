@@ -1,5 +1,5 @@
-// The table of fields carries every array to all who copy, save, hash or compare it: a line that is added
-// is covered here without a line of its own.
+// The table of fields gives every array to all code that copies, saves, hashes or
+// compares it. A new line of the table is covered here without a line of its own.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Floors: what they lay on which block, who counts their weight, and what is refused.
+// Floors: their loads on blocks, how their weight counts, and refusals.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// Head joints that have a share of their beds' bond (head_joint_bond; docs/theory/material_rules.md, 9.6): the law, which
-// joints take it in the plane and in space, and that what varies in the beds varies in them.
+// Head joints with a share of their beds' bond (head_joint_bond; docs/theory/material_rules.md, 9.6):
+// the law, the joints that have it in the plane and in space, and the same scatter as in the beds.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 

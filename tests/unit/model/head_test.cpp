@@ -1,5 +1,5 @@
-// The head of a pier: a push whose line lies at the point of contraflexure, and the axial force that a head held
-// against rising gives the wall.
+// The head of a pier: a push along a line through the point of contraflexure,
+// and the axial force from a head that is held against rising.
 #include <gtest/gtest.h>
 
 #include <cmath>

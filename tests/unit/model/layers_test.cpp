@@ -1,4 +1,4 @@
-// Layers: strands and nodes on the masonry, what is refused, and what a run says.
+// Layers: strands and nodes on the masonry, refusals, and the results of a run.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Ties, diaphragms and springs against closed forms, and what is refused.
+// Ties, diaphragms and springs against closed forms, and refusals.
 #include <gtest/gtest.h>
 
 #include <cmath>

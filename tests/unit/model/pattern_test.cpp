@@ -1,4 +1,4 @@
-// A push in a pattern of forces: shares, what is prescribed, what is controlled, what is refused.
+// A push with a pattern of forces: shares, prescribed and controlled motion, refusals.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -94,7 +94,7 @@ TEST(Protocol, gives_the_bits_of_its_targets) {
   EXPECT_EQ(targets.back(), 0);
 }
 
-// What is asked of the machine is that of the path, before and after the wall is built.
+// The path of a protocol, and the memory for it, before and after the wall is built.
 TEST(Protocol, is_as_long_as_its_targets) {
   ModelSpec spec = scenes::small_wall(1e-3, 0.1);
   StageSpec push = spec.stage.back();

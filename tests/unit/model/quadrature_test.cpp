@@ -1,4 +1,4 @@
-// Point rules of a face: what they integrate exactly, that both halves are alike, and which a file means.
+// Quadratures of a face: their exact degree, their symmetry, and the key that selects them.
 #include "model/quadrature.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Random fields: factors against covariances, marginals and correlations against closed form over many seeds,
-// what is refused, and what a field makes of a wall.
+// Random fields: factors against covariances, marginals and correlations against
+// closed forms over many seeds, refusals, and the effect of a field on a wall.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -123,7 +123,7 @@ TEST(field_factor, gives_back_its_covariance_to_rounding) {
     }
 }
 
-// What the grid draws is linear in w: unit vectors give the columns of its factor.
+// The draw of a grid is linear in w, so unit vectors give the columns of its factor.
 TEST(field_factor, a_grid_has_the_covariance_of_its_places) {
   std::vector<double> x, y;
   for (int row = 0; row < 7; ++row)

@@ -1,4 +1,4 @@
-// Walls in space: loads at points and along lines, floors, ties, springs and diaphragms, and what is refused.
+// Walls in space: loads at points and along lines, floors, ties, springs and diaphragms, and refusals.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,5 +1,6 @@
-// One line in kCurveColumns is a column everywhere: in the CSV, the store, the page and the reference. And
-// every word of an enumeration that something outside keeps has its value.
+// One line in kCurveColumns is a column everywhere: in the CSV, the store, the
+// page and the reference. Every enumerator that a file stores keeps its value.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -9,7 +10,6 @@
 #include <vector>
 
 #include "campaign/draws/distribution.h"
-#include "campaign/output_keys.h"
 #include "campaign/store/record_rows.h"
 #include "campaign/store/store_schema.h"
 #include "io/results/curve_csv.h"
@@ -20,6 +20,7 @@
 #include "wythe/parts/io.h"
 #include "wythe/parts/limit.h"
 #include "wythe/parts/report.h"
+#include "wythe/parts/responses.h"
 #include "wythe/parts/statistics.h"
 
 namespace wythe::columns_test {
@@ -123,43 +124,46 @@ TEST(Columns, reference_has_each_with_its_unit) {
 
 // --- answers -------------------------------------------------------------------------------------
 
-std::vector<study::OutputKey> answer_keys() {
-  std::vector<study::OutputKey> keys;
-  const auto add = [&](const study::OutputKey& key, const auto&) { keys.push_back(key); };
+std::vector<OutputKey> answer_keys() {
+  std::vector<OutputKey> keys;
+  const auto add = [&](const OutputKey& key, const auto&) { keys.push_back(key); };
   const SampleRecord any;
-  study::each_response(add, any.responses);
-  study::each_quasi_static(add, any.quasi_static);
+  each_response(add, any.responses);
+  each_quasi_static(add, any.quasi_static);
   return keys;
 }
 
 TEST(Answers, each_is_in_the_summary_and_its_reference) {
   const auto summary =
       report::Json::parse(summary_json(scenes::sample_model(), scenes::sample_result()));
-  const std::string page = text_of("results.md");
-  for (const study::OutputKey& key : answer_keys()) {
+  EXPECT_NE(text_of("results.md").find(responses_table()), std::string::npos)
+      << "the table is not that of each_response(): make docs";
+  for (const OutputKey& key : answer_keys()) {
     std::string path = "/" + std::string(key.summary);
     if (const auto dot = path.find('.'); dot != std::string::npos) path[dot] = '/';
     EXPECT_TRUE(summary.contains(report::Json::json_pointer(path))) << path;
-    const bool is_nested = std::string(key.summary).find('.') != std::string::npos;
-    EXPECT_TRUE(is_nested || page.find("`" + std::string(key.summary) + "`") != std::string::npos)
+    EXPECT_NE(responses_table().find(fmt::format("| `{}` | {} |", key.summary, key.unit)),
+              std::string::npos)
         << path;
+    EXPECT_NE(std::string(key.meaning), "") << path;
   }
 }
 
 TEST(Answers, each_has_columns_of_its_own_in_the_store_its_view_and_the_csv) {
   const Campaign none;
   const std::string schema = study::schema_sql(), view = study::samples_view_sql(none.samples),
-                    csv = samples_csv(none), page = text_of("store.md");
+                    csv = samples_csv(none);
   std::set<std::string> stored, columns;
-  for (const study::OutputKey& key : answer_keys()) {
+  for (const OutputKey& key : answer_keys()) {
     EXPECT_TRUE(stored.insert(key.stored).second) << key.stored;
     EXPECT_NE(schema.find(std::string(", ") + key.stored + " "), std::string::npos) << key.stored;
-    if (key.listed == study::Listed::kNowhere) continue;
+    if (key.listed == OutputKey::kNowhere) continue;
     EXPECT_TRUE(columns.insert(key.column).second) << key.column;
     EXPECT_NE(view.find(std::string(" AS ") + key.column), std::string::npos) << key.column;
-    EXPECT_NE(page.find(std::string("`") + key.column + "`"), std::string::npos) << key.column;
+    EXPECT_NE(responses_table().find(std::string("`") + key.column + "`"), std::string::npos)
+        << key.column;
     EXPECT_EQ(csv.find(std::string(",") + key.column + ",") != std::string::npos,
-              key.listed == study::Listed::kCsv)
+              key.listed == OutputKey::kCsv)
         << key.column;
   }
 }
@@ -169,7 +173,7 @@ TEST(Answers, of_the_statistics_are_those_of_the_samples) {
   for (const Quantity& q : quantities()) {
     if (std::string(q.name) == "displacement_at_50_percent") continue;  // a fraction, asked for
     std::size_t found = 0;
-    for (const study::OutputKey& key : answer_keys())
+    for (const OutputKey& key : answer_keys())
       found += key_of(q) == key.column && q.to_unit == key.to_unit;
     EXPECT_EQ(found, 1U) << key_of(q);
   }

@@ -1,4 +1,4 @@
-// What a state says of blocks, joints and points (wythe/parts/reading.h), and the vectors it says it in.
+// Readings of blocks, joints and points in a state (wythe/parts/reading.h), and their vectors.
 #include "wythe/parts/reading.h"
 
 #include <gtest/gtest.h>

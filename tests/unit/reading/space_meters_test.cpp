@@ -1,4 +1,4 @@
-// What the meters of a wall in space may vouch for: balance, runaways, walls side by side.
+// The meters of a wall in space: balance, runaways, walls side by side.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// The page and the file of a campaign: whatever it holds, names as text. What the page's scripts draw
-// is tested in a browser (tests/web).
+// The page and the file of a campaign: any content, names as text. The
+// drawings by the page's scripts are tested in a browser (tests/web).
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -28,7 +28,7 @@ int count(const std::string& text, const std::string& part) {
 std::string data_of(const Campaign& campaign) {
   return campaign_data(campaign, statistics_of(campaign));
 }
-// What a reader without scripts sees.
+// The part of the page without scripts.
 std::string head_of(const Campaign& campaign, const std::string& language = "en") {
   const std::string page = report_page(data_of(campaign), language);
   const std::size_t from = page.find("<main");

@@ -1,5 +1,5 @@
-// The headline of runs and campaigns from data written by hand: what makes the numbers doubtful stands
-// before any of them, what is not known is never a number, and a wall of many parts takes one sentence.
+// The headline of runs and campaigns from artificial data: reasons for doubt come before all
+// numbers, an unknown value is never a number, and a wall of many parts gets one sentence.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

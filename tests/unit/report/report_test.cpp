@@ -1,5 +1,5 @@
-// The report of a hand-made run: the page's headline, its data, names as text, languages; and the SVG
-// pictures of a wall. What the page's scripts draw is tested in a browser (tests/web).
+// The report of an artificial run: the page's headline, its data, names as text, languages; and the
+// SVG pictures of a wall. The drawings by the page's scripts are tested in a browser (tests/web).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -59,7 +59,7 @@ std::string unclosed_tag(const std::string& markup) {
 std::string data_of(const Result& result) {
   return run_data(scenes::sample_spec(), scenes::sample_model(), result);
 }
-// What a reader without scripts sees.
+// The part of the page without scripts.
 std::string static_part(const std::string& page) {
   const std::size_t from = page.find("<main");
   return page.substr(from, page.find("</main>") + 7 - from);
@@ -483,7 +483,7 @@ TEST(Said, a_message_is_a_text_in_each_language) {
   EXPECT_EQ(translated(Message{}), "");
 }
 
-// What a file says in English and as data, a page says in every language.
+// A text that a file has in English and as data is on a page in every language.
 TEST(Said, data_beside_a_text_take_its_place) {
   Json json = Json::parse(R"({"peak": 7, "reason": "peak", "reason_message": {"code": "event.peak"},
     "old": "as it was", "rows": [{"why": "x", "why_message": {"code": "no.such_code"}}],

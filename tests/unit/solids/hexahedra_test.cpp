@@ -1,5 +1,5 @@
-// Zones in space on their own: patch test, rigid motion, forces as the slope of the energy, bending and twist of
-// one zone against closed forms (docs/theory/zones.md, "Zones in space").
+// Zones in space alone: patch test, rigid motion, forces as the gradient of the energy,
+// bending and twist of one zone against closed forms (docs/theory/zones.md, "Zones in space").
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>

@@ -1,5 +1,5 @@
-// Deformable blocks in files and in results: what is read and written, what is refused and with which
-// place, value and cure, and what the run says about limits and steps.
+// Deformable blocks in files and results: reading and writing, refusals with
+// place, value and cure, and the run's messages about limits and steps.
 #include <gtest/gtest.h>
 
 #include <cmath>

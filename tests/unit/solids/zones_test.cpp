@@ -1,5 +1,5 @@
-// Zones on their own: patch test, rigid motion, forces as the gradient of the strain energy,
-// triangulation, moduli and their messages.
+// Zones alone: patch test, rigid motion, forces as the gradient
+// of the strain energy, triangulation, moduli and their messages.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// How inputs and responses go together: ranks, lower bounds among them, partial correlations, bins.
+// Relations of inputs and responses: ranks, also with lower bounds, partial correlations, bins.
 #include "statistics/correlation.h"
 
 #include <gtest/gtest.h>

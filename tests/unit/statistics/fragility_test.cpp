@@ -1,4 +1,4 @@
-// Fragilities of a campaign: which samples say what, and when nothing is told.
+// Fragilities of a campaign: the outcome of each sample, and cases without a result.
 #include <gtest/gtest.h>
 
 #include <algorithm>

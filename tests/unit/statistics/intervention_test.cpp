@@ -1,4 +1,4 @@
-// Before and after against closed forms: ratios of pairs, limits, bounds, silence, swapped sides, the same wall twice.
+// Before and after against closed forms: ratios of pairs, limits, bounds, no answer, swapped sides, the same wall twice.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

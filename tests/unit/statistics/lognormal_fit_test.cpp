@@ -1,4 +1,4 @@
-// The lognormal fit of brackets: against optima found another way, its refusals, and how often its intervals hold.
+// The lognormal fit of brackets: against optima from another method, its refusals, and the coverage of its intervals.
 #include "statistics/lognormal_fit.h"
 
 #include <gtest/gtest.h>

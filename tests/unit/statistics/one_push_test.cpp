@@ -1,4 +1,4 @@
-// What one push cannot tell and many that wait can: which pushes those are, and what is advised where they are not.
+// Cautions about one push that many adapting pushes replace: which pushes these are, and the advice for other pushes.
 #include "statistics/one_push.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Statistics of samples under records, from campaigns written by hand: brackets, counts, what does not count.
+// Statistics of samples under records, from artificial campaigns: brackets, counts, shakes that do not count.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Statistics of a campaign: hand values, groups, stop rule, what an odd campaign says.
+// Statistics of a campaign: values by hand, groups, the stop rule, unusual campaigns.
 #include "wythe/parts/statistics.h"
 
 #include <gtest/gtest.h>

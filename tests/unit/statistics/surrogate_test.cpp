@@ -1,4 +1,4 @@
-// Terms that least angle regression chooses, where the right ones are known.
+// Terms selected by least angle regression, where the right ones are known.
 #include "statistics/surrogate.h"
 
 #include <gtest/gtest.h>

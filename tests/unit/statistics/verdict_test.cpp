@@ -1,5 +1,5 @@
-// The verdict from many walls: which direction and pattern decide, what lost walls and bounds do to the share, and
-// when nothing may be signed. Walls are made up; only their capacities count.
+// The verdict from many walls: the deciding direction and pattern, the effect of lost walls and bounds
+// on the share, and cases that must not be signed. Walls are artificial; only their capacities count.
 #include "wythe/parts/verdict.h"
 
 #include <gtest/gtest.h>
@@ -558,8 +558,8 @@ TEST(Walls, that_would_decide_are_stated) {
   EXPECT_EQ(walls_to_decide({}), 0);
 }
 
-// To look again and again costs certainty: the chance that the last interval holds the share, over every way the walls
-// may fall, from 8 walls on.
+// Repeated checks reduce certainty. This is the probability that the last interval
+// contains the share, over every possible sequence of walls, from 8 walls on.
 TEST(Walls, that_grow_hold_the_share_almost_as_often_as_said) {
   std::map<std::pair<int, int>, std::pair<int, Interval>> known;
   const auto look = [&](int k, int n, double width) -> const std::pair<int, Interval>& {

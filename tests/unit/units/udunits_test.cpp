@@ -1,5 +1,5 @@
-// The vocabulary and the parser of units against UDUNITS-2, from which both were taken over: every word of its XML files
-// with every prefix, a list of expressions, and made-up ones, right and wrong.
+// The vocabulary and the parser of units against UDUNITS-2, from which both come: every word of
+// its XML files with every prefix, a list of expressions, and random ones, valid and invalid.
 #include <gtest/gtest.h>
 #include <udunits2.h>
 
@@ -27,7 +27,7 @@ extern "C" const char* ut_form_plural(
 namespace wythe::udunits_test {
 namespace {
 
-// What a text is: "" for no unit, "shifted" and "logarithm" for what no factor converts, else its product of SI base units.
+// The meaning of a text: "" for no unit, "shifted" and "logarithm" if no factor converts it, else its product of SI base units.
 struct Meaning {
   std::string what;
   double factor = 1;
@@ -207,7 +207,7 @@ TEST(UnitsOfUdunits, every_word_with_every_prefix) {
   EXPECT_GT(all.within_one, 0.98 * all.units);
 }
 
-// What may stand between and behind names, with the blanks that it bears.
+// Possible text between and after names, with its blanks.
 // clang-format off
 constexpr const char* kWays[] = {
     "", "1", "/s", "1/s", "1 / s", " /s", "per s", "m", "m2", "m-2", "m+2", "m^2", "m**2", "m^-2", "m**+2", "m ^2",

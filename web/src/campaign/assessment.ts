@@ -1,4 +1,4 @@
-// At which peak ground acceleration the samples reach each limit state: curves with their bands, the samples'
+// The peak ground acceleration at which the samples reach each limit state: curves with their bands, the samples'
 // own steps, and the numbers.
 import { h, type Child } from "../dom";
 import { Figure, legend, swatch } from "../figure";
@@ -28,7 +28,7 @@ export function pgaFragility(campaign: Campaign): Child {
   ];
 }
 
-// The share reached is a step at each sample's acceleration.
+// The share of samples that reached it, with a step at each sample's acceleration.
 function steps(samples: PgaFragility["samples"]): Point[] {
   const out: Point[] = [[0, 0]];
   samples.pga_g.forEach((x, i) => {

@@ -16,7 +16,7 @@ interface Envelope {
   high: number[];
 }
 
-// Mean and extremes of the curves that go on, where at least half of them do.
+// Mean and extremes of the curves that go this far, if at least half of them do.
 function envelopeOf(samples: Sample[], rows: (s: Sample) => number, end: number): Envelope {
   const e: Envelope = { x: [], mean: [], low: [], high: [] };
   for (let i = 0; i <= kGrid; ++i) {
@@ -234,7 +234,7 @@ export class Curves {
   }
 }
 
-// Which of the code's limits the lines are, or that they all lie beyond the chart.
+// Names the drift limits of the code on the lines, or says that they all lie beyond the chart.
 function limitWords(all: DriftLimit[], inRange: DriftLimit[], short: boolean): string {
   if (all.length === 0) return "";
   const clause = phrase(all[0].clause);
@@ -252,7 +252,7 @@ export function meanCurves(campaign: Campaign): HTMLElement | null {
   const byDrift = campaign.loadHeight > 0;
   const groups = Object.keys(curves).filter((g) => g !== "all" || campaign.modes.length < 2);
   if (campaign.answered.length < 2) return null;
-  // a mean stands on at least half of its curves
+  // a mean needs at least half of its curves
   const kept = (c: MeanCurve): number[] =>
     c.n.map((_, i) => i).filter((i) => 2 * c.n[i] >= c.curves);
   const x = (c: MeanCurve): number[] => kept(c).map((i) => (byDrift ? c.drift_percent[i]! : c.displacement_mm[i]));
@@ -271,7 +271,7 @@ export function meanCurves(campaign: Campaign): HTMLElement | null {
       legend([
         [swatch("mean all"), say("means.mean")],
         [swatch("spread all", "box"), say("means.band")],
-        // only of lines that are in the chart
+        // only for lines in the chart
         ...["life safety", "near collapse"]
           .filter((state) => limits.some((l) => l.state === state))
           .map((state): [SVGSVGElement, Child] => [

@@ -1,4 +1,4 @@
-// A campaign as its page uses it: samples with curves, inputs, modes; and what the reader has chosen.
+// A campaign as its page uses it: samples with curves, inputs, modes; and the reader's choices.
 import type { Bundle, Numbers } from "../bundle";
 import type { CampaignHeader } from "../headers/campaign";
 import type { Maybe } from "../headers/common";
@@ -12,10 +12,10 @@ export interface Sample {
   answered: boolean;
   mode: string;
   sentence: Said;
-  readAt: number | null; // displacement at which the mode was read [mm]
-  readEarly: boolean; // short of where it was asked, the push having ended
+  readAt: number | null; // displacement for which the mode was evaluated [mm]
+  readEarly: boolean; // before the requested one, because the push had ended
   response: (number | null)[];
-  censored: boolean[]; // known only from below
+  censored: boolean[]; // the value is a lower bound
   stateHash: string;
   displacement: Numbers;
   reaction: Numbers; // [mm], [kN]
@@ -29,7 +29,7 @@ export interface Input {
   distribution?: string;
   formula?: string;
   density: { x: number[]; y: number[] } | null;
-  values: Numbers; // one a drawn sample, in the unit shown
+  values: Numbers; // one for each drawn sample, in the displayed unit
 }
 export interface Quantity {
   name: string;
@@ -38,14 +38,14 @@ export interface Quantity {
   key: QuantityKey;
 }
 
-// Share of censored values up to which a mean hardly moves.
+// Share of lower bounds up to which a mean hardly changes.
 export const kFew = 0.05;
-// Where the force still rises at the end of a push, its peak is a lower bound too.
+// If the force still rises at the end of a push, its peak is a lower bound too.
 const kOfPeak = ["peak_reaction", "displacement_at_peak"];
 
 const isPaperMode = (mode: string): boolean => /^FM-[1-5]$/.test(mode);
 
-// Style class of a mode's colour: FM-1 ... FM-5 have their own, other names take turns.
+// Style class of a mode's colour: FM-1 ... FM-5 have their own, other names share the rest in turn.
 export function modeClass(modes: string[], mode: string): string {
   if (isPaperMode(mode)) return `m${mode[3]}`;
   if (mode === "unclear") return "m0";
@@ -69,7 +69,7 @@ export class Bounds {
   get many(): boolean {
     return this.count > kFew * this.of;
   }
-  // An order statistic (least, median, ...) of recorded values is exact below all that are censored.
+  // Whether an order statistic (least, median, ...) of recorded values is a lower bound: it is exact only below all bounds.
   reach(value: number | null): boolean {
     return value !== null && value >= this.least * (1 - 1e-6);
   }
@@ -89,7 +89,7 @@ export class Campaign {
   readonly modes: string[];
   readonly loadHeight: number;
 
-  // what the reader has chosen, and who wants to know
+  // the reader's choices, and their listeners
   readonly hidden = new Set<string>();
   selected: Sample | null = null;
   picked = false; // by the reader, not by the page
@@ -155,11 +155,11 @@ export class Campaign {
       return { ...input, unit, values, density };
     });
   }
-  // Of very many samples the page shows some; "" where it shows all.
+  // A note that only some of very many samples are shown; "" where all are.
   get thinned(): string {
     return this.header.thinned ? say("thinned", this.header.thinned) : "";
   }
-  // What the statistics say of an input, in the page's units.
+  // The statistics of an input, in the page's units.
   statisticsOf(name: string): { cov: Maybe; mean: Maybe; min: Maybe; max: Maybe } {
     const of: Partial<InputSummary> = this.statistics.inputs.find((i) => i.name === name) ?? {};
     const factor = pageUnit(of.unit ?? "")[1];
@@ -167,7 +167,7 @@ export class Campaign {
     return { cov: of.cov ?? null, mean: scaled(of.mean), min: scaled(of.min), max: scaled(of.max) };
   }
 
-  // What the samples of these modes know of a quantity only from below.
+  // The lower bounds of a quantity among the samples of these modes.
   bounds(quantity: Quantity, modes: string[] = this.modes): Bounds {
     const at = this.quantities.indexOf(quantity);
     const of = this.answered.filter((s) => modes.includes(s.mode));
@@ -195,7 +195,7 @@ export class Campaign {
   onSample(tell: () => void): void {
     this.sampleListeners.push(tell);
   }
-  // Percent of drift in a millimetre; 0 where the load's height is not known.
+  // Percent of drift for each millimetre; 0 where the load's height is not known.
   get driftPerMillimetre(): number {
     return this.loadHeight > 0 ? 0.1 / this.loadHeight : 0;
   }
@@ -204,7 +204,7 @@ export class Campaign {
 export const inputLabel = (input: { name: string; unit: string }): string =>
   input.unit ? `${input.name} [${input.unit}]` : input.name;
 export const quantityLabel = (q: Quantity): string => `${say(`quantity.${q.name}`)} [${q.unit}]`;
-// "all" before the groups, whatever their names.
+// "all" first, then the groups.
 export const allFirst = (groups: string[]): string[] => [
   ...groups.filter((g) => g === "all"),
   ...groups.filter((g) => g !== "all"),
@@ -221,7 +221,7 @@ export function rowsToEighty(s: Sample): number {
   return s.reaction.length;
 }
 
-// Reaction at a displacement, straight between rows; NaN beyond the last row.
+// Reaction at a displacement, linear between rows; NaN beyond the last row.
 export function reactionAt(s: Sample, displacement: number, rows = s.displacement.length): number {
   const d = s.displacement;
   if (rows < 2 || displacement > d[rows - 1]) return NaN;

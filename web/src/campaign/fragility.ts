@@ -1,5 +1,5 @@
-// Fragility: the probability of an event given one input or two, with the samples it is read from; which
-// input to measure next; indices by a surrogate.
+// Fragility: the probability of an event given one input or two, with
+// its samples; the input to measure next; indices by a surrogate.
 import { h, type Child } from "../dom";
 import { Figure, legend, swatch } from "../figure";
 import type { Fragility as Event, FragilityInput, FragilityPair } from "../headers/statistics";
@@ -11,7 +11,7 @@ import { withInterval } from "./statistics";
 
 const kLevels = [0.1, 0.5, 0.9];
 const kBest = 3; // inputs listed for a response
-const kDoubt = 0.05; // p below which a law is said not to fit, above which an influence is not seen
+const kDoubt = 0.05; // p below which a law does not fit, and above which an influence is not significant
 
 export function eventLabel(campaign: Campaign, event: Event): string {
   if (event.response === "failure_mode") return modeLabel(event.mode!);
@@ -20,7 +20,7 @@ export function eventLabel(campaign: Campaign, event: Event): string {
   return `${what} > ${qty(event.greater_than, event.unit!)}`;
 }
 
-// A sample's height in the figure: those with the event above, those without below, none on another.
+// A sample's height in the figure: samples with the event above, those without below, spread to avoid overlaps.
 const scatter = (sample: number): number => ((sample * 0.618034) % 1) * 0.08 + 0.02;
 const heightOf = (outcome: number, sample: number): number =>
   outcome === 1 ? 1 + scatter(sample) : outcome === 0 ? -scatter(sample) : 0.5;
@@ -32,7 +32,7 @@ const lookOf = (campaign: Campaign, event: Event, outcome: number): string => {
 class Fragility {
   private readonly events: Event[];
   private event: Event;
-  private input!: FragilityInput; // as offer() finds it
+  private input!: FragilityInput; // set by offer()
   private pair: FragilityPair | null = null;
   private readonly words = h("span");
   private readonly pairWords = h("span");
@@ -43,7 +43,7 @@ class Fragility {
 
   constructor(private readonly campaign: Campaign) {
     this.events = campaign.statistics.fragility as Event[];
-    // the first that an input decides, or else tells something of
+    // the first event with an input that separates it, or else with a fit
     const has = (is: (i: FragilityInput) => unknown): Event | undefined => this.events.find((e) => e.inputs.some(is));
     this.event =
       has((i) => i.verdict === "separated" || (i.fits[0]?.influence_p ?? 1) < kDoubt) ??
@@ -113,10 +113,10 @@ class Fragility {
     return h("div", { class: "pair" }, this.single.element, this.double.element);
   }
 
-  // Fills the choices of the event: the input that tells most first shown, the pair that adds most.
+  // Fills the choices of the event: the most significant input first, and the pair that adds most.
   private offer(): void {
     const { inputs, pairs } = this.event;
-    // an input that parts the samples tells the most
+    // an input that separates the samples comes first
     const doubt = (i: FragilityInput): number => (i.verdict === "separated" ? -1 : (i.fits[0]?.influence_p ?? 2));
     this.input = [...inputs].sort((a, b) => doubt(a) - doubt(b))[0];
     const gain = (p: FragilityPair): number => p.added_p ?? 2;
@@ -138,7 +138,7 @@ class Fragility {
   private at(name: string, sample: number): number {
     return this.inputOf(name).values[sample - 1];
   }
-  // Two inputs to show, also where no pair is told.
+  // Two inputs to show, also if no pair has a result.
   private names(): string[] {
     const all = this.event.inputs.map((i) => i.input);
     return this.pair?.inputs ?? [all[0], all[1] ?? all[0]];
@@ -180,7 +180,7 @@ class Fragility {
     const { event, input } = this,
       words = [say("fragility.lead", { n: event.seen, of: event.n })];
     if (input.verdict !== "told") {
-      // the two ends may be close: more digits than elsewhere
+      // the two ends may be close, so they have more digits than other values
       const gap = (input.parted_between ?? []).map((v) => num(v === null ? v : v * factor, 5));
       words.push(
         say(`fragility_verdict.${input.verdict.replace(" ", "_")}`, {
@@ -263,7 +263,7 @@ class Fragility {
           ].join(" ");
     return plot.svg;
   }
-  // Straight lines of equal probability, within the box of the samples: log-odds = c + s1 a + s2 b.
+  // Lines of equal probability, within the box of the samples: log-odds = c + s1 a + s2 b.
   private levels(plot: Plot, a: Input, b: Input, [left, right]: Point, [low, high]: Point): void {
     const unitOf = (name: string): string => {
       const unit = this.event.inputs.find((i) => i.input === name)!.unit;
@@ -298,7 +298,7 @@ export function fragility(campaign: Campaign): Child {
   return new Fragility(campaign).element;
 }
 
-// Per cent; an estimate of a share scatters below 0 where there is none.
+// Per cent; the estimate of a share scatters below 0 if there is no influence.
 const percent = (value: number | null, interval: (number | null)[]): { show: Child; sort: number | null } => ({
   show: withInterval(
     Math.max(0, value ?? 0),
@@ -313,10 +313,10 @@ const responseOf = (campaign: Campaign, key: string): string => {
   return q ? say(`quantity.${q.name}`) : key;
 };
 
-// Which input to measure next: what the samples say would be gained.
+// The input to measure next: the estimated gain from each.
 export function measuring(campaign: Campaign): Child {
   const all = campaign.statistics.measuring ?? [];
-  // of each response the best few
+  // the best few of each response
   const rows = all.filter(
     (m, i) =>
       m.variance_share !== null &&
@@ -358,7 +358,7 @@ export function measuring(campaign: Campaign): Child {
   ];
 }
 
-// First-order and total indices by a surrogate, or why there are none.
+// First-order and total indices by a surrogate, or the reason why there are none.
 export function surrogateIndices(campaign: Campaign): Child {
   const all = campaign.statistics.surrogate_indices ?? [];
   if (all.length === 0) return null;

@@ -1,4 +1,4 @@
-// Inputs: their histograms (Fig. 7), against every answer (Fig. 15, 16), what they decide.
+// Inputs: their histograms (Fig. 7), scatter against every response (Fig. 15, 16), and their influence.
 import { h, later, onScreen, type Child } from "../dom";
 import { Figure, hideTip, legend, pointIn, showTip, swatch } from "../figure";
 import type { Correlation, FirstOrder, Rank } from "../headers/statistics";
@@ -156,7 +156,7 @@ const correlationOf = (campaign: Campaign, group: string, response: string, inpu
     (c) => c.group === group && c.response === response && c.input === input,
   );
 
-// The random input that goes most with a response.
+// The random input with the largest correlation to a response.
 function strongest(campaign: Campaign, response: string): Input {
   const rank = (i: Input): number =>
     Math.abs(correlationOf(campaign, "all", response, i.name)?.spearman ?? 0);
@@ -245,7 +245,7 @@ class Scatter {
       title: `${quantityLabel(this.quantity)} – ${inputLabel(this.input)}`,
     });
     for (const s of this.visible()) {
-      if (!Number.isFinite(this.y(s))) continue; // a force that was never in balance
+      if (!Number.isFinite(this.y(s))) continue; // no force in balance
       const chosen = this.campaign.picked && this.campaign.selected === s;
       plot.dot(
         this.x(s),
@@ -473,7 +473,7 @@ export function sensitivity(campaign: Campaign): HTMLElement | null {
 const kEntangled = 0.1; // as in wythe/parts/statistics.h
 const kNamed = 4;
 
-// Inputs that were drawn together share their influence: a word of caution beside the bars.
+// Inputs that are correlated share their influence: a caution beside the bars.
 export function entangled(campaign: Campaign): Child {
   const pairs = campaign.statistics.input_correlation.filter(
     (c) => c.spearman !== null && Math.abs(c.spearman) > kEntangled,

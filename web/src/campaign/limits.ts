@@ -1,5 +1,5 @@
-// The code's drift limits as upright lines, their labels in as many rows above the chart as keep them
-// apart: in words where there is room, else by value alone (the caption tells which is which).
+// The code's drift limits as vertical lines, with labels in as few rows above the chart as avoid
+// overlaps. Labels have words if there is room, else only values (the caption then explains them).
 import { svg } from "../dom";
 import type { DriftLimit } from "../headers/statistics";
 import { kLeft, type Plot, type Range } from "../plot";
@@ -13,7 +13,7 @@ interface Limit {
 interface Label {
   limit: Limit;
   row: number;
-  atRight: boolean; // ends at its line
+  atRight: boolean; // the label ends at its line
 }
 export interface LimitRows {
   labels: Label[];
@@ -21,13 +21,13 @@ export interface LimitRows {
   short: boolean; // values alone
 }
 
-const kPixel = 6.3, // of a letter
+const kPixel = 6.3, // width of a letter
   kRow = 15,
   kMostRows = 3;
 
 const percent = (value: number): string => `${num(value, 4)}\u202f%`;
 
-// What shares a value shares a line.
+// Limits with one value share a line.
 function merged(limits: DriftLimit[]): Limit[] {
   const values = [...new Set(limits.map((l) => l.limit_drift_percent))].sort((a, b) => a - b);
   return values.map((value) => {
@@ -49,8 +49,8 @@ export const limitList = (limits: DriftLimit[]): string =>
 const wordsOf = (limit: Limit, short: boolean): string =>
   short ? percent(limit.value) : `${percent(limit.value)} ${limit.words}`;
 
-// Each label in the lowest row where it meets no other, the rightmost first. In words: null where they
-// take too many rows, or where a line would pass through one on its way up to its own.
+// Each label is in the lowest row where it overlaps no other, the rightmost first. With words:
+// null if they need too many rows, or if a line would pass through a label on its way up.
 function placed(limits: Limit[], x: (v: number) => number, right: number, short: boolean): Label[] | null {
   const ends: [number, number][][] = [];
   const labels: Label[] = [];
@@ -71,7 +71,7 @@ function placed(limits: Limit[], x: (v: number) => number, right: number, short:
   return labels;
 }
 
-// For a chart `width` wide whose axis shows `span`, with `right` pixels beside it.
+// For a chart of width `width` whose axis shows `span`, with `right` pixels beside it.
 export function limitRows(
   limits: DriftLimit[],
   span: Range,

@@ -1,11 +1,11 @@
-// How far the names of the failure modes hang on how they are read, and how severe the damage is.
+// How far the names of failure modes depend on the rules of evaluation, and how severe the damage is.
 import { h, type Child } from "../dom";
 import { sortable, table } from "../tables";
 import { phrase, qty, say } from "../texts";
 import type { Campaign } from "./data";
 import { withInterval } from "./statistics";
 
-// Readings that change no name are counted, not listed.
+// Evaluations that change no name are counted, not listed.
 export function nameSensitivity(campaign: Campaign): Child {
   const all = campaign.statistics.name_sensitivity;
   if (all.length === 0) return null;

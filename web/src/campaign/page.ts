@@ -1,5 +1,5 @@
-// The page of a campaign, in the order a reader asks: how strong, how far, how it fails, what decides
-// it, how sure, one sample, from what.
+// The page of a campaign, in the order of a reader's questions: strength,
+// displacement, failure, influences, certainty, single samples, inputs.
 import type { Bundle } from "../bundle";
 import { h, later, type Child } from "../dom";
 import type { CampaignHeader } from "../headers/campaign";
@@ -42,7 +42,7 @@ function unanswered(campaign: Campaign): Child {
   ];
 }
 
-// What the names of the modes mean, as the samples say it.
+// The meanings of the modes, from the samples.
 function modeWords(campaign: Campaign): Child {
   const rows = campaign.modes.map((mode) => {
     const sample = campaign.answered.find((s) => s.mode === mode && s.sentence !== "")!;
@@ -91,7 +91,7 @@ function provenance(campaign: Campaign): Child {
   ];
 }
 
-// Walls under records answer other questions than walls that are pushed.
+// Walls under records have other sections than pushed walls.
 function shakenSections(campaign: Campaign): Section[] {
   return [
     projectSection(campaign.header),
@@ -104,7 +104,7 @@ function shakenSections(campaign: Campaign): Section[] {
   ];
 }
 
-// Where samples stand one by one: of very many not all.
+// A note where samples are shown one by one, but not all of them.
 const some = (campaign: Campaign): Child =>
   campaign.thinned ? h("p", { class: "note thinned" }, campaign.thinned) : null;
 

@@ -1,4 +1,4 @@
-// One sample of a campaign: its curve, its inputs, its wall at every stored state, how to run it alone.
+// One sample of a campaign: its curve, its inputs, its wall in every stored state, and the command to run it alone.
 import { h, svg, type Child } from "../dom";
 import { Figure } from "../figure";
 import type { SampleFrame } from "../headers/campaign";
@@ -142,7 +142,7 @@ export class SamplePanel {
       }),
     }).element;
   }
-  // Where on the curve the wall beside it stands.
+  // Marks the displacement of the shown wall on the curve.
   private moveCursor(s: Sample): void {
     if (!this.plot || !this.cursor) return;
     const frame = this.framesOf(s).find((f) => f.at === this.view?.look.frame);
@@ -167,7 +167,7 @@ export class SamplePanel {
       "facts",
     );
   }
-  // The stored states of a sample that are in the page, with their places among all frames.
+  // The stored states of a sample in the page, with their indices among all frames.
   private framesOf(s: Sample): (SampleFrame & { at: number })[] {
     const all = this.campaign.header.frames ?? [];
     return all.map((f, at) => ({ ...f, at })).filter((f) => f.sample === s.sample);
@@ -189,7 +189,7 @@ export class SamplePanel {
     this.view.show(last.at);
     return this.place;
   }
-  // Its wall with its damage, at the state that is nearest to where its mode was read; null: no state is here.
+  // Its wall with its damage, in the state nearest to the displacement of its failure mode; null if the page has no state.
   pictureOf(s: Sample, width: number, tallest: number): HTMLElement | null {
     const frames = this.framesOf(s);
     if (frames.length > 0) this.view ??= this.viewOfAll(this.campaign.header.frames ?? []);
@@ -200,7 +200,7 @@ export class SamplePanel {
   }
   private viewOfAll(all: SampleFrame[]): View | null {
     const info = all.map((f) => ({
-      // "20 mm" says no more than the displacement
+      // "20 mm" would repeat the displacement
       label: [say("sample.n", { n: f.sample }), f.asked_mm != null ? "" : phrase(f.label ?? "")]
         .filter((w) => w !== "")
         .join(", "),
@@ -210,7 +210,7 @@ export class SamplePanel {
     const onFrame = (): void => void (this.campaign.selected && this.moveCursor(this.campaign.selected));
     return viewOf(this.campaign.bundle, { id: "sample-wall", tallest: 520, info, onFrame }, this.wall);
   }
-  // The wall at every stored state, for paper alone.
+  // The wall in every stored state, only for paper.
   private printStates(): HTMLElement {
     const place = h("div", { class: "print-only pictures" });
     aroundPrint(

@@ -1,5 +1,5 @@
-// A campaign over records: how often each limit state is reached, the response at each intensity, where the scatter
-// comes from, and which shakes do not count.
+// A campaign over records: how often each limit state is reached, the response
+// at each intensity, the sources of scatter, and shakes that do not count.
 import { h, type Child } from "../dom";
 import { Figure, legend, swatch } from "../figure";
 import type { Shake } from "../headers/campaign";
@@ -62,7 +62,7 @@ function words(campaign: Campaign, f: ShakenFragility): string {
 function draw(campaign: Campaign, f: ShakenFragility, width: number, height: number): SVGSVGElement {
   const key = keyOf(campaign),
     at = f.counts.map((c) => c[`intensity${key}`]);
-  // where every sample has reached it, one intensity more is enough
+  // beyond the first intensity at which every sample has reached it, no further one is needed
   const last = f.counts.map((c) => c.n > 0 && c.share! < 1).lastIndexOf(true);
   const most = at[Math.min(last + 2, at.length - 1)];
   const plot = new Plot({

@@ -1,5 +1,5 @@
-// The sheet of a campaign that is handed over: what must not be signed, how strong the walls are and how they
-// fail, at which ground acceleration they reach their limits, from which assumptions. One A4 page.
+// The printed sheet of a campaign: cautions against signing, strength and failure of the
+// walls, the ground acceleration of each limit state, and the assumptions. One A4 page.
 import { append, h, svg, type Child } from "../dom";
 import { legend, swatch } from "../figure";
 import type { ModelInputs } from "../headers/inputs";
@@ -24,7 +24,7 @@ export function campaignSheet(campaign: Campaign, panel: SamplePanel | null): Se
   return sheetOf(campaign.header, (onPaper) => sheet(campaign, panel, onPaper));
 }
 
-// Whether somebody may put a name under the numbers.
+// Whether the numbers may be signed.
 export function standingOf(campaign: Campaign): { standing: Standing; first: string } {
   const said = (standing: Standing, key: string): { standing: Standing; first: string } => ({
     standing,
@@ -73,7 +73,7 @@ function sheet(campaign: Campaign, panel: SamplePanel | null, onPaper: boolean):
 
 // --- pictures ------------------------------------------------------------------------------------------
 
-// The wall whose peak is nearest to the median, among those whose states are here.
+// The wall whose peak is nearest to the median, among walls with states in the page.
 function typical(campaign: Campaign): Sample[] {
   const peaks = campaign.answered.filter((s) => s.response[0] !== null);
   const sorted = peaks.map((s) => s.response[0]!).sort((a, b) => a - b);
@@ -97,7 +97,7 @@ function pictures(campaign: Campaign, panel: SamplePanel | null, onPaper: boolea
   return shown.length > 0 ? h("div", { class: "a4-pictures" }, shown) : null;
 }
 
-// The chart of the limit state that was asked, beside the modes; on paper there is no room for a table across.
+// The chart of the requested limit state, beside the modes; on paper there is no space for a wide table.
 function fragilityRow(campaign: Campaign, onPaper: boolean): HTMLElement {
   const a = campaign.statistics.assessment,
     asked = a?.limit_states?.find((f) => f.is_checked && f.median_pga_g !== null);
@@ -122,7 +122,7 @@ const figure = (f: PgaFragility, tall: number): HTMLElement =>
 const demandWords = (f: PgaFragility): string =>
   f.demand_pga_g === null ? "" : say("pga.caption.demand", { pga: qty(f.demand_pga_g, "g") });
 
-// Every curve, and over them the median with the 16 and 84 % of those that go so far.
+// Every curve, with the median and the 16 and 84 % quantiles of those that go so far.
 function curves(campaign: Campaign, width: number, height: number): HTMLElement {
   const all = campaign.answered;
   const x = rangeOf([0, ...all.map((s) => s.displacement[s.displacement.length - 1])]),

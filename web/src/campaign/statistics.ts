@@ -8,7 +8,7 @@ import { capital, num, phrase, qty, say } from "../texts";
 import { drawLimits, limitRows } from "./limits";
 import { allFirst, atLeast, modeLabel, quantityLabel, type Campaign, type Quantity } from "./data";
 
-// A value with its interval small beneath it.
+// A value with its interval below it in small print.
 export function withInterval(
   value: number | null,
   interval: (number | null)[] | null | undefined,
@@ -28,7 +28,7 @@ export function withInterval(
   ];
 }
 
-// At which displacement the modes of these samples were read.
+// The displacement for which the modes of these samples were evaluated.
 export function readWords(campaign: Campaign): string {
   const asked = campaign.statistics.read_modes_at_mm;
   if (!asked) return "";
@@ -116,7 +116,7 @@ function rowsOfTable(campaign: Campaign, q: Quantity): (Cell | Child)[][] {
       c = all[q.key];
     if (!c || c.n === 0) return [];
     const known = campaign.bounds(q, all.modes);
-    // a value, "≥" where censored ones make it a lower bound; intervals only of what is known
+    // a value, with "≥" where lower bounds make it one; intervals only of known values
     const cell = (key: "mean" | "median" | "survival_mean", bound: boolean): Cell => ({
       show: [
         atLeast(bound),
@@ -212,7 +212,7 @@ export function tableThree(campaign: Campaign): HTMLElement {
 // --- exceedance ------------------------------------------------------------------------------------
 
 const phi = (z: number): number => 0.5 * erfc(-z / Math.SQRT2);
-// Numerical Recipes' Chebyshev fit, off by less than 1.2e-7.
+// Chebyshev fit of Numerical Recipes, error below 1.2e-7.
 function erfc(x: number): number {
   const t = 1 / (1 + 0.5 * Math.abs(x));
   const y =
@@ -244,7 +244,7 @@ export function exceedance(campaign: Campaign, name: string): HTMLElement | null
   const factor = byDrift ? campaign.driftPerMillimetre : 1;
   const median = e.lognormal[`median_${q.unit}`] as number | null,
     beta = e.lognormal.beta;
-  // of a drift the axis, its caption and the code's limits are in per cent
+  // for a drift, the axis, its caption and the code's limits are in per cent
   const height = qty(campaign.loadHeight, "m");
   const medianWords =
     byDrift && median !== null ? `${qty(median * factor, "%")} (${qty(median, q.unit)})` : qty(median, q.unit);
@@ -310,7 +310,7 @@ export function exceedance(campaign: Campaign, name: string): HTMLElement | null
   }).element;
 }
 
-// Where every push ended before the limit its share is only known from below, or not at all.
+// If every push ended before the limit, its share is only a bound, or not known.
 function shareBelow(d: DriftLimit): Child {
   if (d.share_below === null) return say("limit.share.unknown");
   if (!d.share_below_is_lower_bound) return withInterval(d.share_below, d.share_below_interval, 3, 100);
@@ -359,7 +359,7 @@ interface Median {
   high: number | null;
 }
 
-// Medians over the walls of this model, with the interval by order statistics: what one wall cannot tell.
+// Medians over the walls of this model, with the interval by order statistics; a single wall cannot show it.
 export function medians(campaign: Campaign): Child {
   const walls = campaign.statistics.walls;
   if (!walls || campaign.answered.length < 2) return null;
@@ -435,7 +435,7 @@ export function running(campaign: Campaign): HTMLElement | null {
       caption.textContent =
         say("running.caption") +
         (known.count > 0 ? ` ${say("running.censored", { n: known.count, of: known.of })}` : "");
-      // the wide intervals of the first few samples would flatten the rest
+      // the wide intervals of the first few samples would compress the others
       const from = Math.min(9, r.n.length - 1);
       const y = rangeOf([...r.mean.slice(from), ...r.low.slice(from), ...r.high.slice(from)], 0.05);
       const plot = new Plot({

@@ -1,4 +1,4 @@
-// What a code asks of one wall: `assessment` of a run's summary (src/io/results/assessment_json.cpp).
+// The assessment of one wall by a code: `assessment` of a run's summary (src/io/results/assessment_json.cpp).
 import type { Said } from "../texts";
 import type { Bilinear, Mass, Maybe, Noted } from "./common";
 
@@ -22,7 +22,7 @@ export interface Criterion {
   name: string;
   words: Said;
   clause: string;
-  verified: boolean; // against the code's print
+  verified: boolean; // checked against the code's text
   value: Maybe; // in `unit`
   unit: string;
   displacement_mm: Maybe;
@@ -48,7 +48,7 @@ export interface LimitStateCheck {
   criteria: Criterion[];
 }
 
-// Of the system of one degree of freedom.
+// The system with one degree of freedom.
 export interface Equivalent {
   mass_kg: number;
   participation_factor: number;
@@ -63,7 +63,7 @@ export interface Demand {
   q: number;
   elastic_displacement_mm: number;
   equivalent_displacement_mm: number;
-  displacement_mm: number; // of the point of control
+  displacement_mm: number; // of the control point
 }
 
 interface Asked extends Noted {
@@ -76,7 +76,7 @@ interface Asked extends Noted {
   limit_state: string;
   confidence_factor: number;
   masonry_share: number;
-  spectrum?: Spectrum; // none: no demand is given
+  spectrum?: Spectrum; // absent if no demand is given
 }
 
 export interface Judged extends Asked {
@@ -87,7 +87,7 @@ export interface Judged extends Asked {
   demand?: Demand;
   limit_states: LimitStateCheck[];
 }
-// The code has no answer: `reason` says why.
+// The code gives no result: `reason` says why.
 export interface Unjudged extends Asked {
   decides?: undefined;
   mass?: undefined;

@@ -16,7 +16,7 @@ export interface StudyInput {
   density: { x: number[]; y: number[] } | null;
 }
 
-// What follows `rows` is there of answered samples alone.
+// Members after `rows` exist only for answered samples.
 export interface SampleHead {
   sample: number;
   status: string;
@@ -28,7 +28,7 @@ export interface SampleHead {
   read_at_mm?: Maybe;
   read_early?: boolean;
   still_rising?: boolean;
-  response?: Maybe[]; // by the header's quantities, in their units
+  response?: Maybe[]; // in the order of the header's quantities, in their units
   censored?: boolean[];
   verdict?: Said;
   judgement?: string;
@@ -68,8 +68,8 @@ export interface CampaignHeader extends PageHeader {
   records?: string[];
   inputs: StudyInput[];
   drawn: number; // walls
-  thinned?: { n: number; of: number }; // samples that are shown, of all
+  thinned?: { n: number; of: number }; // number of samples shown, and of all
   samples: SampleHead[];
-  model?: ModelInputs; // with the walls; no walls: none
+  model?: ModelInputs; // with the walls; absent without them
   frames?: SampleFrame[];
 }

@@ -1,10 +1,10 @@
-// What several headers have: numbers that may be unknown, heads of a project, systems of one degree of freedom.
+// Parts of several headers: numbers that may be unknown, project data, systems with one degree of freedom.
 import type { Said } from "../texts";
 
 export type Maybe = number | null; // null: not known, or without a limit
-export type Interval = Maybe[]; // low and high; an end that is open is null
+export type Interval = Maybe[]; // low and high; an open end is null
 
-// Only what the model file names.
+// Only the entries that the model file has.
 export interface Project {
   title?: string;
   client?: string;
@@ -40,7 +40,7 @@ export interface Mass {
   shape_read_at_mm: Maybe;
 }
 
-// What a code does not cover, and what its numbers rest on.
+// Effects that a code does not cover, and the basis of its numbers.
 export interface Noted {
   notes: Said[];
 }

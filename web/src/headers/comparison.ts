@@ -19,7 +19,7 @@ export interface Gain {
   middle_third: Maybe;
   high_third: Maybe;
 }
-// What differs in one response, in its unit.
+// The differences in one response, in its unit.
 export interface PairedResponse {
   unit: string;
   pairs: number;

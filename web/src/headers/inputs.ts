@@ -1,9 +1,9 @@
-// What the user stated and what the model made of it (src/report/model_inputs.cpp).
+// The user's inputs and the values that the model derived (src/report/model_inputs.cpp).
 import type { Said } from "../texts";
 
-export type Shown = number | Said | null; // "unlimited" stands for infinity, null for what is not stated
+export type Shown = number | Said | null; // "unlimited" stands for infinity, null for an input that is not given
 export type InputRow = [key: string, value: Shown, unit: string];
-export type MaterialRow = [key: string, unit: string, cells: Shown[]]; // a cell a material
+export type MaterialRow = [key: string, unit: string, cells: Shown[]]; // one cell for each material
 
 export interface Opening {
   name: string;
@@ -25,7 +25,7 @@ export interface Storey {
   height: number;
   thickness: number;
 }
-// What lies on the wall, ties it or holds it.
+// Loads on the wall, ties and restraints.
 export interface Carried {
   kind: string;
   name: string;
@@ -37,7 +37,7 @@ export interface StageInputs {
   kind: string;
   rows: InputRow[];
 }
-// Where a value comes from that the file does not give.
+// The origin of a value that the file does not give.
 export type OriginRow = [
   table: string,
   key: string,
@@ -57,7 +57,7 @@ export interface NoteGroup {
 export interface ModelInputs {
   wall: InputRow[];
   openings: Opening[];
-  storeys?: Storey[]; // not in pages of earlier programs, nor the others that may be missing
+  storeys?: Storey[]; // absent in pages of earlier programs, like the other optional members
   carried?: Carried[];
   materials: { names: string[]; rows: MaterialRow[] };
   masonry?: InputRow[];

@@ -5,7 +5,7 @@ import type { Made, Maybe } from "./common";
 import type { ModelInputs } from "./inputs";
 import type { PageHeader } from "./page";
 
-// Numbers of a load: forces under NAME_kN, factors of loads under NAME alone.
+// Numbers of a load: forces as NAME_kN, load factors as NAME.
 type LoadUnder<Name extends string> = { [key in Name | `${Name}_kN`]?: Maybe };
 
 export interface LimitLoad extends LoadUnder<"static" | "kinematic"> {
@@ -39,7 +39,7 @@ export interface Bracket extends LoadUnder<"low" | "high" | "least_peak" | "most
   nominal: boolean;
 }
 
-// Curves of runs that fail alike, at equal displacement; percentiles are not in pages of earlier programs.
+// Curves of runs with the same failure, at equal displacement; pages of earlier programs have no percentiles.
 export interface Envelope {
   displacement_mm: number[];
   low_kN: number[];
@@ -75,7 +75,7 @@ export interface OpinionOnRuns {
   envelopes?: Record<string, Envelope>; // by failure mode
 }
 
-// Of a mechanism whose numbers a code asks for.
+// A mechanism with numbers for a code.
 export interface MechanismAssessment {
   clause: string;
   alpha0: Maybe;
@@ -108,7 +108,7 @@ export interface LocalState {
 // A part that falls on its face.
 export interface LocalPart {
   name: string;
-  by: string; // "part", "found", or what holds it
+  by: string; // "part", "found", or the kind of hold
   clause: string;
   may_be_signed: boolean;
   sentence: Said;
@@ -133,7 +133,7 @@ export interface LocalPart {
 
 export interface Opinion {
   mechanisms: Mechanism[];
-  local?: LocalPart[]; // not in pages of earlier programs
+  local?: LocalPart[]; // absent in pages of earlier programs
   limit_loads: LimitLoad[];
   refused?: { what: Said; why: string }[];
   notes?: Said[];

@@ -1,15 +1,15 @@
-// What the header of every page has, and the wall in it (src/report/bundle.cpp, wall_arrays.cpp, space_arrays.cpp).
+// The header of every page, with the wall in it (src/report/bundle.cpp, wall_arrays.cpp, space_arrays.cpp).
 import type { Load, SolidLink, Vec } from "../space";
 import type { Said } from "../texts";
 import type { Field, Link, Member, MemberSection, Part } from "../wall";
 
-// Where an array lies in the bytes.
+// The place of an array in the bytes.
 export interface Place {
   type: "float32" | "int32" | "int16" | "uint8";
   at: number;
   count: number;
   step?: number; // of rounded values
-  steps?: number[]; // or of each of as many equal parts
+  steps?: number[]; // or one for each of as many equal parts
 }
 
 export interface SpaceHead {
@@ -29,7 +29,7 @@ export interface WallHead {
   blocks: number;
   joints: number;
   pairs: number;
-  roles?: string[]; // by their numbers; not in pages of earlier programs
+  roles?: string[]; // in the order of their numbers; absent in pages of earlier programs
   kinds?: string[];
   bodies?: number; // deformable blocks, the last of them
   nodes?: number;
@@ -44,7 +44,7 @@ export interface WallHead {
   pushed?: { end: number; length: number }[];
   parts?: Omit<Part, "blocks">[];
   fields?: Omit<Field, "values" | "steps">[];
-  space?: SpaceHead; // the wall is not in its plane
+  space?: SpaceHead; // if the wall is not in its plane
 }
 
 export interface PageHeader {

@@ -7,7 +7,7 @@ import type { PageHeader } from "./page";
 
 // --- summary ---------------------------------------------------------------------------------------
 
-// Arrays of one length, by the share of the peak that is left.
+// Arrays of equal length, by the remaining share of the peak.
 export interface DriftCapacity {
   left: number[];
   first_mm: Maybe[];
@@ -29,7 +29,7 @@ export interface Dip {
   before_peak: boolean;
 }
 
-// Of one direction of a push that turns back.
+// One direction of a cyclic push.
 export interface Direction {
   peak_reaction_kN: Maybe;
   displacement_at_peak_mm: Maybe;
@@ -66,7 +66,7 @@ export interface Cyclic {
   work_J: number;
 }
 
-// What was measured at a part, against its threshold.
+// A measure of a part and its threshold.
 export interface Measured {
   element: string;
   measure: string;
@@ -119,14 +119,14 @@ export interface Energy {
   gap_ratio: Maybe;
 }
 
-// Whether a slow push would show the same.
+// Whether a slow push would give the same result.
 export interface SlowPush {
   verdict: string;
   reason: Said;
 }
 export interface QuasiStatic {
   verdict: Said;
-  judgement?: string; // not in results of earlier programs
+  judgement?: string; // absent in results of earlier programs
   unbalance_ratio_mean: Maybe;
   unbalance_ratio_max: Maybe;
   kinetic_ratio_mean: Maybe;
@@ -182,7 +182,7 @@ export interface Shaking {
   largest_opening_mm: Maybe;
   largest_slip_mm: Maybe;
   points: ShakenPoint[];
-  storeys?: ShakenStorey[]; // not in results of earlier programs
+  storeys?: ShakenStorey[]; // absent in results of earlier programs
   records: AppliedRecord[];
   sentence: Said;
 }
@@ -225,10 +225,10 @@ export interface Summary {
 // --- header ----------------------------------------------------------------------------------------
 
 export interface RunFrame {
-  labels: Said[]; // "peak", "20 mm"; none of those between
+  labels: Said[]; // "peak", "20 mm"; empty for states between
   displacement_mm: number;
   reaction_kN: number;
-  time_s?: number; // of a shake, since it began
+  time_s?: number; // of a shake, since its beginning
 }
 
 export interface RunHeader extends PageHeader {

@@ -4,13 +4,13 @@ import type { Interval, Mass, Maybe, Noted, Project } from "./common";
 
 export type QuantityKey = `${string}_kN` | `${string}_mm`; // "peak_reaction_kN", "initial_stiffness_kN_per_mm"
 
-// --- answers ---------------------------------------------------------------------------------------
+// --- results ---------------------------------------------------------------------------------------
 
 // In the unit of the quantity's key.
 export interface ResponseSummary {
   n: number;
   without_value: number;
-  censored?: number; // of what may be known only from below, as what follows "survival"
+  censored?: number; // of lower bounds, for quantities that may have some; also those after "survival"
   mean: Maybe;
   mean_interval: Interval;
   cov: Maybe;
@@ -63,7 +63,7 @@ export interface Walls {
 export interface Running {
   n: number[];
   mean: Maybe[];
-  low: Maybe[]; // null of the first few
+  low: Maybe[]; // null for the first few
   high: Maybe[];
 }
 export interface MeanCurve {
@@ -79,7 +79,7 @@ export interface MeanCurve {
 export interface Exceedance {
   n: number;
   censored: number;
-  [value: `value_${string}`]: number[]; // "value_mm"
+  [value: `value_${string}`]: number[]; // by the quantity, as "value_mm"
   probability: number[];
   low: number[];
   high: number[];
@@ -124,7 +124,7 @@ export interface Flag {
   share_interval: Interval;
 }
 
-// --- inputs against answers ------------------------------------------------------------------------
+// --- inputs and results ----------------------------------------------------------------------------
 
 export interface InputSummary {
   name: string;
@@ -184,13 +184,13 @@ export interface FragilityInput {
 export interface FragilityPair {
   inputs: [string, string];
   verdict: string;
-  intercept?: Maybe; // of log-odds; these are told, or not there
+  intercept?: Maybe; // of log-odds; either all of these exist, or none
   slope_1?: Maybe;
   slope_2?: Maybe;
   added_p?: Maybe;
   fit_p?: Maybe;
 }
-// The probability of an event, of walls that are pushed.
+// The probability of an event, for pushed walls.
 export interface Fragility {
   response: string;
   mode?: string; // or a threshold in `unit`
@@ -205,7 +205,7 @@ export interface Fragility {
   share: Maybe;
   share_interval: Interval;
   sample: number[];
-  outcome: number[]; // 1, 0; between: not known
+  outcome: number[]; // 1, 0; between: unknown
   inputs: FragilityInput[];
   pairs: FragilityPair[];
 }
@@ -238,13 +238,13 @@ export interface SurrogateIndices {
 
 // --- walls under records ---------------------------------------------------------------------------
 
-// The end of a key, by the study's measure: of each pair of keys the page has the one of its measure.
+// The end of a key for the study's measure: of each pair of keys the page has only that one.
 export type IntensityUnit = "_m_per_s" | "_m_per_s2";
 type ByUnit<Name extends string, Value> = { [key in `${Name}${IntensityUnit}`]: Value };
 
 export type ScatterPart = "record_to_record" | "wall_to_wall" | "rest";
 export type Scatter = { verdict: string; records: number; walls: number; bracket?: Maybe } & {
-  [part in ScatterPart]?: Maybe; // these are told, or not there
+  [part in ScatterPart]?: Maybe; // either all of these exist, or none
 } & { [part in `${ScatterPart}_interval`]?: Interval };
 
 export interface ShakenCount extends ByUnit<"intensity", number> {
@@ -254,7 +254,7 @@ export interface ShakenCount extends ByUnit<"intensity", number> {
   share: Maybe;
   share_interval: Interval;
 }
-// How a limit state is reached; what is not told has counts alone.
+// Statistics of reaching a limit state; without a result there are only counts.
 export interface ShakenFragility
   extends Partial<ByUnit<"median", Maybe>>,
     Partial<ByMedianInterval>,
@@ -296,15 +296,15 @@ export interface ShakingStatistics {
   collapsed: number;
   lost: LostShake[];
   damping_of_shakes?: Said[];
-  measure?: string; // of what is asked over intensities
+  measure?: string; // of the response over intensities
   period_s?: Maybe;
   damping?: Maybe;
   intensities: ShakenIntensity[];
 }
 
-// --- what a code says ------------------------------------------------------------------------------
+// --- assessment ------------------------------------------------------------------------------------
 
-// By peak ground acceleration.
+// Over peak ground acceleration.
 export interface PgaFragility {
   limit_state: string;
   is_checked: boolean;
@@ -331,7 +331,7 @@ export interface CampaignAssessment extends Noted {
   mass: Mass;
   sentence: Said;
   cautions: Said[];
-  reason: Said; // "": there is an answer
+  reason: Said; // "": there is a result
   limit_states: PgaFragility[];
 }
 
@@ -363,7 +363,7 @@ export interface Statistics {
   correlation: Correlation[];
   first_order: FirstOrder[];
   mode_against_input: ModeAgainstInput[];
-  fragility?: Fragility[] | ShakenFragility[]; // the second of walls under records
+  fragility?: Fragility[] | ShakenFragility[]; // the second for walls under records
   shaking?: ShakingStatistics;
   assessment?: CampaignAssessment;
   measuring?: Measuring[];

@@ -1,0 +1,8 @@
+// The joints of four walls side by side, as kernels_avx2.cpp. Of their own, because both compile for a minute and a half.
+#include "dynamics/executors/kernel_set.h"
+
+namespace wythe::dynamics {
+
+template struct PassesOf<ManyWalls<Pack<xsimd::avx2>>>;
+
+}  // namespace wythe::dynamics
