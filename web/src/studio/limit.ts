@@ -46,11 +46,11 @@ export class LiveLimit {
       this.forget();
       this.show(h("p", { class: "soft" }, say("studio.limit.late", { seconds: kPatience / 1000 })));
     }, kPatience);
-    void this.engine.ask({ task: "limit", texts: { model: text, only: ["lp"] }, want: ["mechanisms", "dry svg"], first: true }).then((answer) => {
+    void this.engine.ask({ task: "limit", texts: { model: text, only: ["lp"] }, want: ["mechanisms", "dry svg"], first: true }).then(async (answer) => {
       if (asked !== this.asked) return;
       window.clearTimeout(this.timer);
-      delete document.documentElement.dataset.limiting;
-      this.answered(answer);
+      await this.answered(answer, () => asked === this.asked);
+      if (asked === this.asked) delete document.documentElement.dataset.limiting;
     });
   }
   // What `check` says of the same text.
@@ -59,7 +59,7 @@ export class LiveLimit {
     if (this.load) this.tell(this.load);
   }
 
-  private answered(answer: Answer): void {
+  private async answered(answer: Answer, isNewest: () => boolean): Promise<void> {
     const opinion = JSON.parse(answer.texts.mechanisms || "{}") as { limit_loads?: LimitLoad[]; refused?: { why: string }[] };
     const load = opinion.limit_loads?.find((l) => l.name === "dry");
     if (answer.code !== 0 || !load) {
@@ -68,8 +68,8 @@ export class LiveLimit {
     }
     this.load = load;
     this.tell(load);
-    const picture = readPicture(answer.texts["dry svg"] ?? "", 1);
-    if (!picture) return;
+    const picture = await readPicture(answer.texts["dry svg"] ?? "", 1, isNewest);
+    if (!picture || !isNewest()) return;
     this.picture.setAttribute("viewBox", `0 0 ${picture.width} ${picture.height}`);
     this.picture.replaceChildren(picture.shapes);
   }

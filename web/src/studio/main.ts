@@ -137,15 +137,17 @@ function check(): void {
   }
   const text = project.text;
   limit.ask(text);
-  checker.ask({ task: "check", texts: { model: text, language }, want: ["check", "svg"] }, (answer) => {
-    if (text !== project.text) return;
+  checker.ask({ task: "check", texts: { model: text, language }, want: ["check", "svg"] }, async (answer) => {
+    const isNewest = (): boolean => text === project.text;
+    const c = answer.code === 0 ? JSON.parse(answer.texts.check) : null;
+    const drawn = c && isNewest() ? await readPicture(answer.texts.svg ?? "", c.length_m, isNewest) : null;
+    if (!isNewest()) return;
     delete document.documentElement.dataset.checking;
-    if (answer.code === 0) {
-      const c = JSON.parse(answer.texts.check);
+    if (c) {
       status.textContent = say("studio.counts", { blocks: whole(c.blocks), weight: qty(c.weight_kN, "kN"), seconds: qty(c.expected_seconds, "s", 2) });
       showNotes(c.notes ?? []);
       limit.weighs(c.weight_kN);
-      stones = readPicture(answer.texts.svg ?? "", c.length_m);
+      stones = drawn;
       if (!canvas.readOnly) canvas.setPicture(stones);
       showFaults([]);
     } else if (answer.code === 2) {

@@ -35,6 +35,9 @@ export class Push {
   private answer: Answer | null = null; // pictures and report
   private pushed: Pushed | null = null; // what is shown
   private length = 1; // of that wall [m]
+  private turn = 0; // of pictures: those of an earlier one are not shown any more
+  private reading = false;
+  private next: (() => string) | null = null; // the newest picture that waits
   private ofText = ""; // the text that was pushed
   readonly family: Family;
   private readonly beside: Beside;
@@ -177,7 +180,7 @@ export class Push {
   }
   private hear(p: Progress): void {
     if (p.svg !== undefined) {
-      if (this.watching && !this.isStale && !document.hidden) this.show(readPicture(p.svg, this.length));
+      if (this.watching && !this.isStale && !document.hidden) void this.reveal(() => p.svg!);
       return;
     }
     if (p.held) return void this.root.classList.toggle("held", this.paused);
@@ -200,7 +203,7 @@ export class Push {
   // The wall as it is pushed, or the drawing meanwhile.
   private watch(on: boolean): void {
     this.watching = on;
-    if (!on) this.show(null);
+    if (!on) this.hide();
     this.refresh();
   }
   // To twice the displacement: an edit of the file as any other, and a push.
@@ -268,6 +271,28 @@ export class Push {
     if (end >= 0 && !this.isStale) this.showState(end);
   }
 
+  // The picture under way is finished before the newest one: who goes along the states sees them pass.
+  private async reveal(text: () => string): Promise<void> {
+    this.next = text;
+    if (this.reading) return;
+    this.reading = true;
+    document.documentElement.dataset.reading = "yes"; // until the picture is the newest
+    while (this.next) {
+      const turn = this.turn;
+      const now = this.next();
+      this.next = null;
+      const shown = await readPicture(now, this.length, () => turn === this.turn);
+      if (turn === this.turn) this.show(shown);
+    }
+    this.reading = false;
+    delete document.documentElement.dataset.reading;
+  }
+  private hide(): void {
+    ++this.turn;
+    this.next = null;
+    this.show(null);
+  }
+
   showState(k: number): void {
     const state = this.states[k];
     if (!state) return;
@@ -277,7 +302,8 @@ export class Push {
     this.curve.cursor = state.displacement_mm;
     this.curve.draw();
     this.root.classList.remove("stale");
-    if (this.answer) this.show(readPicture(textIn(this.answer, picture(k)), this.length));
+    const { answer } = this;
+    if (answer) void this.reveal(() => textIn(answer, picture(k)));
   }
   // The state nearest to a displacement on the curve.
   private pick(mm: number): void {
@@ -296,7 +322,7 @@ export class Push {
     this.watching = false;
     this.curve.cursor = null;
     this.curve.draw();
-    this.show(null);
+    this.hide();
     this.watchButton.setAttribute("aria-pressed", "false");
   }
   openReport(): void {
