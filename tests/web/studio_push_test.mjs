@@ -76,6 +76,7 @@ test("an edit marks the result as that of the wall before", async () => {
   await page.getByLabel("Thickness").fill("0.5");
   await page.getByLabel("Thickness").press("Enter");
   assert.equal(await page.locator(".push.stale").count(), 1);
+  assert.match(await page.locator(".result").innerText(), /The wall has changed since/);
   await page.locator(".canvas").focus();
   await page.keyboard.press("Control+z");
   assert.equal(await page.locator(".push.stale").count(), 0);

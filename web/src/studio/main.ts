@@ -404,12 +404,21 @@ document.addEventListener("drop", (e) => {
   } else if (dropped) void openFile(dropped);
 });
 new ResizeObserver(() => canvas.fit()).observe(canvas.root);
+// Paper is white and has another width: drawing and curve are scaled to it.
+window.addEventListener("beforeprint", () => {
+  document.documentElement.dataset.theme = "light";
+  for (const { root } of [canvas, push.curve]) root.setAttribute("viewBox", `0 0 ${root.clientWidth} ${root.clientHeight}`);
+});
+window.addEventListener("afterprint", () => {
+  showTheme();
+  for (const { root } of [canvas, push.curve]) root.removeAttribute("viewBox");
+});
 
 // --- the page ----------------------------------------------------------------------------------------------------
 
 const tabs = (["numbers", "file"] as const).map((name) => h("button", { class: "tab", type: "button", role: "tab", "data-pane": name, "aria-controls": `pane-${name}`, onclick: () => showPane(name) }, say(`studio.pane.${name}`)));
 document.body.prepend(
-  h("header", { class: "top" },
+  h("header", { class: "top", onfocusin: (e: FocusEvent) => (e.target as Element).scrollIntoView({ block: "nearest", inline: "nearest" }) }, // it may scroll sideways
     h("h1", {}, say("studio.title")),
     h("div", { class: "top-group" }, starters, button("open", () => input.click()), button("save", () => store.save(store.fileName(title()), project.text)), button("share", () => void share())),
     h("div", { class: "top-group" }, undo, redo),

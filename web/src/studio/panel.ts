@@ -127,7 +127,6 @@ export class Panel {
     if (load) fields.push(this.quantity(say(`studio.load.${load.key}`), () => loadOf(project.doc!)?.value ?? "", (v) => setValue(project.text, load.path, quoted(v))));
     if (countAt(project.doc!, ["floor"]) > 0) fields.push(h("p", { class: "hint" }, say("studio.floors", { count: countAt(project.doc!, ["floor"]) })));
     if (push) {
-      fields.push(this.choice(say("studio.direction"), [["+x", say("studio.right")], ["-x", say("studio.leftwards")]], () => pushOf(project.doc!)?.direction ?? "+x", (v) => setDirection(project.text, project.drawing!, v)));
       if (push.until !== null) {
         const drift = h("output", { class: "hint" });
         const path: Path = ["stage", push.stage, "until"];
@@ -138,6 +137,7 @@ export class Panel {
           drift.textContent = say("studio.drift", { drift: num((100 * until()) / height, 2) });
         } });
       }
+      fields.push(this.choice(say("studio.direction"), [["+x", say("studio.right")], ["-x", say("studio.leftwards")]], () => pushOf(project.doc!)?.direction ?? "+x", (v) => setDirection(project.text, project.drawing!, v), true));
     } else fields.push(h("p", { class: "hint" }, say("studio.nopush")));
     return this.group(say("studio.load"), fields);
   }

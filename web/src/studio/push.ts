@@ -43,6 +43,7 @@ export class Push {
   private readonly beside: Beside;
   private readonly compare = new Compare();
   private readonly words = h("div", { class: "result-words", role: "status", "aria-live": "polite" });
+  private readonly older = h("p", { class: "soft", hidden: true }, say("studio.family.stale"));
   private readonly slider = h("input", { type: "range", min: 0, max: 0, step: 1, value: 0, "aria-label": say("studio.state") });
   private readonly at = h("output", { class: "soft" });
   private readonly states_row: HTMLElement;
@@ -74,7 +75,7 @@ export class Push {
     this.root = h("section", { class: "push", "aria-label": say("studio.push") },
       this.bar,
       h("div", { class: "curve-box" }, this.curve.root, this.curve.legend),
-      h("div", { class: "result", tabindex: "0", role: "group", "aria-label": say("studio.result") }, this.family.root, this.states_row, this.actions, this.words));
+      h("div", { class: "result", tabindex: "0", role: "group", "aria-label": say("studio.result") }, this.family.root, this.states_row, this.actions, this.older, this.words));
     this.say(h("p", { class: "soft" }, say("studio.push.before")));
     this.refresh();
   }
@@ -111,6 +112,7 @@ export class Push {
     const { beside, curve, family } = this;
     const shown = this.pushed !== null && !this.running;
     const fresh = shown && !this.isStale;
+    this.older.hidden = !shown || fresh;
     this.back.hidden = !shown;
     this.pauseButton.hidden = this.watchButton.hidden = !this.running;
     this.pauseButton.textContent = say(this.paused ? "studio.button.goon" : "studio.button.pause");
