@@ -4,6 +4,7 @@ import { h, svg } from "../dom";
 import { qty, say } from "../texts";
 import type { Answer, Engine } from "./engine";
 import { readPicture } from "./picture";
+import type { Fault } from "./project";
 import { faultsOf } from "./push";
 import { said } from "./said";
 
@@ -63,8 +64,8 @@ export class LiveLimit {
     const opinion = JSON.parse(answer.texts.mechanisms || "{}") as { limit_loads?: LimitLoad[]; refused?: { why: string }[] };
     const load = opinion.limit_loads?.find((l) => l.name === "dry");
     if (answer.code !== 0 || !load) {
-      const why = problemIn(faultsOf(answer)[0]?.problem ?? opinion.refused?.[0]?.why ?? answer.texts.error ?? "");
-      return this.show(h("p", { class: "soft" }, why === "" ? say("studio.limit.none") : [`${say("studio.limit.none")}: `, said(why)]));
+      const [place, why] = reasonOf(faultsOf(answer)[0], opinion.refused?.[0]?.why ?? answer.texts.error ?? "");
+      return this.show(h("p", { class: "soft" }, why === "" ? say("studio.limit.none") : [`${say("studio.limit.none")}: `, place !== "" && [h("code", {}, place), " "], said(why)]));
     }
     this.load = load;
     this.tell(load);
@@ -88,8 +89,10 @@ export class LiveLimit {
   }
 }
 
-// Of "path = value: problem; cure", as the engine puts its reasons together.
-const problemIn = (reason: string): string => {
-  const parts = /^(?:wall|stage|solve|frame|layer|crushing)[\w.]*(?: = [^:]*)?: (.*)$/.exec(reason);
-  return parts ? parts[1].split("; ")[0] : reason;
-};
+// What has no limit load, as the file says it, and why. The engine may put both into one sentence: "path = value: problem; cure".
+function reasonOf(fault: Fault | undefined, reason: string): [string, string] {
+  const words = fault?.problem ?? reason;
+  const parts = /^((?:wall|stage|solve|frame|layer|crushing)[\w.]*(?: = [^:]*)?): (.*)$/.exec(words);
+  if (parts) return [parts[1], parts[2].split("; ")[0]];
+  return [fault?.value ? `${fault.path} = ${fault.value}` : (fault?.path ?? ""), words];
+}

@@ -144,7 +144,7 @@ function check(): void {
     if (!isNewest()) return;
     delete document.documentElement.dataset.checking;
     if (c) {
-      status.textContent = say("studio.counts", { blocks: whole(c.blocks), weight: qty(c.weight_kN, "kN"), seconds: qty(c.expected_seconds, "s", 2) });
+      status.textContent = say("studio.counts", { blocks: whole(c.blocks), weight: qty(c.weight_kN, "kN"), seconds: c.expected_seconds < 120 ? qty(c.expected_seconds, "s", 2) : qty(c.expected_seconds / 60, "min", 2) });
       showNotes(c.notes ?? []);
       limit.weighs(c.weight_kN);
       stones = drawn;
