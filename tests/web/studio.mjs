@@ -140,10 +140,10 @@ export async function openStudio(browser, file, options = {}) {
 }
 export const launch = launchBrowser;
 
-// Waits until the stones belong to the text as it is.
+// Waits until the stones belong to the text as it is, or to the state of the push that is shown.
 export async function stonesOf(page) {
   await page.waitForFunction(
-    () => ["typing", "checking"].every((mark) => document.documentElement.dataset[mark] === undefined),
+    () => ["typing", "checking", "reading"].every((mark) => document.documentElement.dataset[mark] === undefined),
     null,
     { timeout: kPatience },
   );
@@ -184,6 +184,9 @@ class StandIn {
   scrollIntoView() {}
   appendChild(child) {
     this.children.push(child);
+  }
+  append(...all) {
+    this.children.push(...all);
   }
   replaceChildren(...all) {
     this.children = all;

@@ -7,7 +7,7 @@ import path from "node:path";
 import { pathToFileURL } from "node:url";
 import { after, before, test } from "node:test";
 import { axe, folder, root, run, shots, viewerModule, wantsPictures } from "./helpers.mjs";
-import { launch, openStudio, stonesOf, studioPage, write } from "./studio.mjs";
+import { kPatience, kWall, launch, openStudio, stonesOf, studioPage, textOf, write } from "./studio.mjs";
 
 let browser, file;
 before(async () => {
@@ -57,6 +57,139 @@ for (const [k, [width, height]] of [[1440, 900], [820, 1180], [390, 844]].entrie
       assert.deepEqual(page.faults, []);
       await page.end();
     });
+
+// One picture after the other of what a push finds: two results side by side, the other way, eight walls, a family with its slider.
+const kShort = kWall.replace('"4 mm"', '"1 mm"');
+async function push(page) {
+  await page.locator(".primary").click();
+  await page.waitForFunction(() => document.querySelector(".primary.running") === null && /kN/.test(document.querySelector(".key")?.textContent ?? ""), null, { timeout: kPatience });
+  await stonesOf(page);
+}
+for (const [width, height] of [[1440, 900], [820, 1180], [390, 844]])
+  for (const scheme of ["light", "dark"])
+    test(`what a push finds: ${width} px, ${scheme}`, async () => {
+      const page = await openStudio(browser, file, { width, height, scheme, touch: width < 1000 });
+      const isFine = async (name) => {
+        assert.deepEqual(await violations(page), [], name);
+        assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth), `${name}: wider than the screen`);
+        await picture(page, `studio_${name}_${width}_${scheme}`);
+      };
+      const action = (name) => page.locator(`[data-action="${name}"]`);
+      await write(page, kShort);
+      await push(page);
+      await isFine("result");
+      await action("keep").click();
+      await write(page, kShort.replace('thickness = "0.4 m"', 'thickness = "0.5 m"'));
+      await push(page);
+      await action("other").click();
+      await page.waitForSelector(".line.other", { timeout: kPatience });
+      await action("walls").click();
+      await page.waitForFunction(() => document.querySelectorAll(".one-wall").length === 8, null, { timeout: kPatience });
+      await isFine("compare");
+      await page.getByTitle("Vary Thickness").click();
+      await action("family").click();
+      await page.waitForFunction(() => document.querySelectorAll(".curve-box path.member").length === 5, null, { timeout: kPatience });
+      await isFine("family");
+      await page.locator(".starters").selectOption("frame");
+      await stonesOf(page);
+      await page.locator('[data-opening="0"]').click();
+      await page.getByRole("button", { name: "Anchor it in the masonry" }).click();
+      await stonesOf(page);
+      await isFine("frame");
+      await page.locator(".starters").selectOption("facade");
+      await stonesOf(page);
+      await page.locator('[data-part="floor 0"]').focus();
+      await isFine("floor");
+      await page.locator('.tool-button:has-text("Photo")').click();
+      await isFine("photo");
+      await page.getByRole("button", { name: "Keys" }).click();
+      await isFine("keys");
+      assert.deepEqual(page.faults, []);
+      await page.end();
+    });
+
+// As an enlarged page of 1440 x 900 has it, and a phone that lies.
+for (const [width, height] of [[720, 450], [844, 390], [360, 225]])
+  test(`a small window, ${width} x ${height}: one column, one row at its top, and what Tab reaches is seen`, async () => {
+    const page = await openStudio(browser, file, { width, height });
+    await write(page, kShort);
+    await push(page);
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth), "wider than the screen");
+    const bar = await page.locator(".top").boundingBox();
+    assert.ok(bar.height < 60, `${bar.height} px`);
+    const hidden = [];
+    for (let ends = 0; ends < 2; ) { // from the button that was pressed to the end, and once round
+      await page.keyboard.press("Tab");
+      const at = await page.evaluate(() => {
+        const e = document.activeElement;
+        if (e === document.body) return null;
+        e.dataset.reached = "yes";
+        const box = e.getBoundingClientRect(),
+          bar = document.querySelector(".top");
+        const isSeen = bar.contains(e) ? box.left >= -1 && box.right <= innerWidth + 1 : box.bottom > bar.getBoundingClientRect().bottom && box.top < innerHeight;
+        const isMarked = e instanceof SVGElement || getComputedStyle(e).outlineStyle !== "none";
+        return { name: e.getAttribute("aria-label") ?? e.textContent, fine: isSeen && isMarked };
+      });
+      if (at === null) ++ends;
+      else if (!at.fine) hidden.push(at.name);
+    }
+    assert.deepEqual(hidden, []);
+    const missed = await page.evaluate(() =>
+      [...document.querySelectorAll("button, input, select, textarea, summary")].filter((e) => e.checkVisibility() && !e.disabled && e.tabIndex >= 0 && !e.dataset.reached).map((e) => e.getAttribute("aria-label") ?? e.textContent),
+    );
+    assert.deepEqual(missed, []);
+    assert.deepEqual(page.faults, []);
+    await page.end();
+  });
+
+test("a thumb looks, pushes and changes a number on a phone", async () => {
+  const page = await openStudio(browser, file, { width: 390, height: 844, touch: true });
+  await write(page, kShort);
+  const session = await page.context().newCDPSession(page);
+  const touch = (type, ...points) => session.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+  const wide = async () => (await page.locator(".outline").boundingBox()).width;
+  const before = await wide();
+  await touch("touchStart", [170, 250], [220, 250]); // two fingers part
+  for (let k = 1; k <= 5; ++k) await touch("touchMove", [170 - 10 * k, 250], [220 + 10 * k, 250]);
+  await touch("touchEnd");
+  assert.ok((await wide()) > 2 * before, `${before} px, then ${await wide()}`);
+  await page.getByRole("button", { name: "Fit", exact: true }).tap();
+  assert.ok(Math.abs((await wide()) - before) < 1);
+  await page.getByLabel("Thickness").tap();
+  await page.getByLabel("Thickness").fill("0.5");
+  await page.locator('.tab:has-text("Numbers")').tap(); // the field is left, without Enter
+  assert.match(await textOf(page), /thickness = "0\.5 m"/);
+  await stonesOf(page);
+  await page.locator(".primary").tap();
+  await page.waitForFunction(() => document.querySelector(".primary.running") === null && document.querySelector(".key"), null, { timeout: kPatience });
+  const slider = page.getByLabel("State of the push");
+  await slider.scrollIntoViewIfNeeded();
+  const box = await slider.boundingBox();
+  const last = await slider.inputValue();
+  await page.touchscreen.tap(box.x + 0.3 * box.width, box.y + box.height / 2);
+  assert.ok(Number(await slider.inputValue()) < Number(last), `${await slider.inputValue()} of ${last}`);
+  await stonesOf(page);
+  assert.equal(await page.locator(".canvas.cracked").count(), 1);
+  assert.deepEqual(page.faults, []);
+  await page.end();
+});
+
+test("on paper there are the drawing, the answer and the numbers, dark or not, and no buttons", async () => {
+  const page = await openStudio(browser, file, { scheme: "dark" });
+  await write(page, kShort);
+  await push(page);
+  await page.evaluate(() => {
+    window.addEventListener("beforeprint", () => (window.onPaper = [document.querySelector(".canvas").getAttribute("viewBox"), document.documentElement.dataset.theme]));
+  });
+  await page.pdf({ format: "A4" });
+  assert.deepEqual(await page.evaluate(() => window.onPaper), [await page.evaluate(() => `0 0 ${document.querySelector(".canvas").clientWidth} ${document.querySelector(".canvas").clientHeight}`), "light"]);
+  assert.equal(await page.getAttribute("html", "data-theme"), "dark");
+  assert.equal(await page.locator(".canvas").getAttribute("viewBox"), null);
+  await page.emulateMedia({ media: "print" });
+  assert.equal(await page.locator("button:visible").count(), 0);
+  for (const part of [".canvas", ".curve-box .curve", ".key", ".numbers"]) assert.ok(await page.locator(part).first().isVisible(), part);
+  await page.end();
+});
 
 test("no other language has an English word left of the page's own, and an unknown one is English", async () => {
   for (const [locale, button] of [["it-IT", "Spingi"], ["de-AT", "Schieben"], ["fr-FR", "Pousser"], ["es-ES", "Empujar"], ["pt-PT", "Empurrar"], ["fi-FI", "Push"]]) {

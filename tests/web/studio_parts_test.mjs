@@ -336,6 +336,96 @@ test("section and force of a tie stand in the panel, with what follows", async (
   await isBuilt();
 });
 
+// Numbers of parts that the panel has, each written into the file.
+const kNumbers = `
+[[floor]]
+name = "one"
+y = "1.46 m"
+x = "0.25 m"
+width = "2 m"
+load = "12 kN/m"
+bearing = "150 mm"
+thrust = "8 kN"
+mass = "1200 kg/m"
+
+[[floor]]
+name = "other"
+y = "2.19 m"
+g1 = "2.6 kN/m^2"
+g2 = "1.4 kN/m^2"
+q = "2 kN/m^2"
+psi2 = 0.3
+span = "4.8 m"
+
+[[tie]]
+name = "tie"
+from = { x = "0.3 m", y = "2 m" }
+to = { x = "3.5 m", y = "2 m" }
+area = "491 mm^2"
+youngs_modulus = "200 GPa"
+yield_strength = "235 MPa"
+anchor_strength = "80 kN"
+prestress = "60 MPa"
+
+[[frame]]
+name = "frame"
+round = "door"
+feet = "fixed"
+profile = "HEB 120"
+count = 2
+beam_profile = "IPE 200"
+beam_count = 3
+grade = "S275"
+yield_strength = "275 MPa"
+joint = "steel_contact"
+gap = "5 mm"
+stage = "push"
+
+[frame.anchors]
+spacing = "400 mm"
+depth = "200 mm"
+tension = "12 kN"
+shear = "15 kN"
+slip = "1 mm"
+
+[frame.wedges]
+force = "80 kN"
+spacing = "400 mm"
+`;
+// Keys of a table of the model file that may be left out, by its page, which the program writes.
+function mayBeLeftOut(table) {
+  const page = fs.readFileSync(path.join(root, "docs/reference/model.md"), "utf8").split(/\n## /).find((part) => part.startsWith(`\`[[${table}]]\``) || part.startsWith(`\`${table} = `));
+  const rows = page.split("\n").filter((line) => /^\| `\w+` \|/.test(line)).map((line) => line.split(" | "));
+  return rows.filter((row) => row.length >= 5 && !/^(required|needed)/.test(row[3])).map((row) => row[0].match(/\w+/)[0]);
+}
+
+test("an emptied field leaves its number out of the file where that may be, and only there", async () => {
+  const { find, parse } = await viewerModule("studio/toml");
+  await begin("portal");
+  const text = (await textOf(page)).replace("\n[[stage]]", `${kNumbers}\n[[stage]]`);
+  const noNumbers = ["name", "psi2", "profile", "beam_profile", "grade", "round", "stage", "y"];
+  for (const [shown, tables] of [["floor 0", ["floor"]], ["floor 1", ["floor"]], ["tie 0", ["tie"]], ["opening 0", ["frame", "frame.anchors", "frame.wedges"]]]) {
+    await write(page, text);
+    await page.locator(".canvas").focus();
+    await page.keyboard.press("Escape");
+    const [kind, k] = shown.split(" ");
+    await (kind === "opening" ? opening(k) : part(shown)).focus(); // by a key, which selects it
+    const fields = page.locator(".numbers .group").first().locator("input[type=text]");
+    for (const label of await fields.evaluateAll((all) => all.map((input) => input.getAttribute("aria-label")))) {
+      await field(label).first().fill("");
+      await field(label).first().press("Enter");
+    }
+    const now = parse(await textOf(page));
+    for (const table of tables) {
+      const [list, inner] = table.split(".");
+      const at = [list, list === "floor" ? Number(k) : 0, ...(inner ? [inner] : [])];
+      const optional = mayBeLeftOut(table);
+      const stay = [...find(parse(text), at).keys.keys()].filter((key) => !optional.includes(key) || noNumbers.includes(key));
+      assert.deepEqual([...find(now, at).keys.keys()], stay, shown);
+    }
+  }
+});
+
 test("ties that hang on blocks, floors without a level and what the page does not know stay as they are", async () => {
   await begin("facade");
   const odd = `\n[[tie]]\nfrom = { block = "b12" }\nto = { x = "3 m", y = "1 m" }\nwhatever = 7 # ?\n\n[[floor]]\nname = "nowhere"\nload = "<b>1</b>"\n`;

@@ -40,7 +40,7 @@ test("the slider shows the wall at each state; arrows go along; Escape goes back
   const slider = page.getByLabel("State of the push");
   assert.ok(Number(await slider.getAttribute("max")) >= 15);
   const d = () => page.locator(".stones .stone0").getAttribute("d");
-  await page.waitForSelector(".canvas.cracked");
+  await stonesOf(page);
   const end = await d();
   assert.ok((await page.locator(".stones .crack").count()) > 0);
   // cracks that look alike are one path; the one under the pointer says what it is
@@ -54,6 +54,7 @@ test("the slider shows the wall at each state; arrows go along; Escape goes back
   assert.match(await crack.locator("title").textContent(), /: open [\d.]+ mm, slip [\d.]+ mm, damage 1$/);
   await slider.focus();
   await page.keyboard.press("Home");
+  await stonesOf(page);
   assert.notEqual(await d(), end);
   assert.equal(await page.locator(".stones .crack").count(), 0);
   await page.locator(".canvas").focus();
@@ -75,6 +76,7 @@ test("an edit marks the result as that of the wall before", async () => {
   await page.getByLabel("Thickness").fill("0.5");
   await page.getByLabel("Thickness").press("Enter");
   assert.equal(await page.locator(".push.stale").count(), 1);
+  assert.match(await page.locator(".result").innerText(), /The wall has changed since/);
   await page.locator(".canvas").focus();
   await page.keyboard.press("Control+z");
   assert.equal(await page.locator(".push.stale").count(), 0);

@@ -84,4 +84,30 @@ test("the limit load is that of dry joints, and a refusal is shown with its reas
   assert.match(words, /has no answer for this wall:\s+it cannot stand/);
   assert.doesNotMatch(words, /99/);
   assert.match(await shown(2, { faults: JSON.stringify([{ problem: "the load can grow without end" }]) }), /:\s+the load can grow without end/);
+  assert.match(await shown(2, { faults: JSON.stringify([{ path: "wall.unit.length", value: "4 mn", problem: "the unit mn is not known" }]) }), /:\s+wall\.unit\.length = 4 mn\s+the unit mn is not known/);
+  assert.match(await shown(0, { mechanisms: JSON.stringify({ refused: [{ what: "dry", why: "layer = west: detaches and breaks; leave it out" }] }) }), /:\s+layer = west\s+detaches and breaks\s*$/);
+});
+
+test("a picture of 5000 stones is read in slices of equal length, nothing of it is lost, and one that nobody wants is left", async () => {
+  const { kSlice, readPicture } = await viewerModule("studio/picture");
+  const stone = (k) => `M${k}.0 10.0L${k + 1}.0 10.0L${k + 1}.0 20.0L${k}.0 20.0Z`;
+  const stones = Array.from({ length: 5000 }, (_, k) => stone(k)).join("");
+  const cracks = Array.from({ length: 8000 }, (_, k) => `<line class="crack open" stroke-width="1.1" opacity="1.00" x1="${k}.0" y1="10.0" x2="${k}.0" y2="20.0"><title>bed: open 0.1 mm</title></line>\n`);
+  const text = `<svg viewBox="0 0 732 452"><path class="stone0" d="${stones}"/>${cracks.join("")}<path class="rest" d="M46 406L46 46L686 46L686 406"/></svg>`;
+  let drawn = "";
+  const slices = [];
+  Node.prototype.setAttribute = (name, value) => name === "d" && (drawn += value);
+  const picture = await readPicture(text, 8, undefined, async () => {
+    slices.push(drawn);
+    drawn = "";
+  });
+  slices.push(drawn);
+  Node.prototype.setAttribute = () => undefined;
+  assert.ok(slices.length >= text.length / kSlice, `${slices.length} slices of ${text.length} characters`);
+  assert.ok(slices.every((slice) => slice.length < 2 * kSlice), slices.map((slice) => slice.length).join());
+  assert.equal(slices.join(""), stones + Array.from({ length: 8000 }, (_, k) => `M${k}.0 10.0L${k}.0 20.0`).join(""));
+  assert.equal(picture.metre, 80);
+  let pauses = 0;
+  assert.equal(await readPicture(text, 8, () => false, async () => void ++pauses), null);
+  assert.equal(pauses, 1);
 });

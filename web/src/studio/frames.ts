@@ -89,7 +89,7 @@ export function setGap(text: string, k: number, gap: number): string {
 
 // What a frame may have beside, in a table of its own: its keys, and numbers to begin with (docs/howto/frame.md).
 export const kExtras = {
-  anchors: { keys: ["spacing", "depth", "tension", "shear", "slip"], first: '{ spacing = "400 mm", depth = "150 mm", tension = "12 kN", shear = "15 kN" }' },
+  anchors: { keys: ["spacing", "depth", "tension", "shear"], first: '{ spacing = "400 mm", depth = "150 mm", tension = "12 kN", shear = "15 kN" }' },
   wedges: { keys: ["force", "spacing"], first: '{ force = "80 kN", spacing = "400 mm" }' },
 };
 export type Extra = keyof typeof kExtras;

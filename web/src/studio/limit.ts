@@ -4,6 +4,7 @@ import { h, svg } from "../dom";
 import { qty, say } from "../texts";
 import type { Answer, Engine } from "./engine";
 import { readPicture } from "./picture";
+import type { Fault } from "./project";
 import { faultsOf } from "./push";
 import { said } from "./said";
 
@@ -46,11 +47,11 @@ export class LiveLimit {
       this.forget();
       this.show(h("p", { class: "soft" }, say("studio.limit.late", { seconds: kPatience / 1000 })));
     }, kPatience);
-    void this.engine.ask({ task: "limit", texts: { model: text, only: ["lp"] }, want: ["mechanisms", "dry svg"], first: true }).then((answer) => {
+    void this.engine.ask({ task: "limit", texts: { model: text, only: ["lp"] }, want: ["mechanisms", "dry svg"], first: true }).then(async (answer) => {
       if (asked !== this.asked) return;
       window.clearTimeout(this.timer);
-      delete document.documentElement.dataset.limiting;
-      this.answered(answer);
+      await this.answered(answer, () => asked === this.asked);
+      if (asked === this.asked) delete document.documentElement.dataset.limiting;
     });
   }
   // What `check` says of the same text.
@@ -59,17 +60,17 @@ export class LiveLimit {
     if (this.load) this.tell(this.load);
   }
 
-  private answered(answer: Answer): void {
+  private async answered(answer: Answer, isNewest: () => boolean): Promise<void> {
     const opinion = JSON.parse(answer.texts.mechanisms || "{}") as { limit_loads?: LimitLoad[]; refused?: { why: string }[] };
     const load = opinion.limit_loads?.find((l) => l.name === "dry");
     if (answer.code !== 0 || !load) {
-      const why = problemIn(faultsOf(answer)[0]?.problem ?? opinion.refused?.[0]?.why ?? answer.texts.error ?? "");
-      return this.show(h("p", { class: "soft" }, why === "" ? say("studio.limit.none") : [`${say("studio.limit.none")}: `, said(why)]));
+      const [place, why] = reasonOf(faultsOf(answer)[0], opinion.refused?.[0]?.why ?? answer.texts.error ?? "");
+      return this.show(h("p", { class: "soft" }, why === "" ? say("studio.limit.none") : [`${say("studio.limit.none")}: `, place !== "" && [h("code", {}, place), " "], said(why)]));
     }
     this.load = load;
     this.tell(load);
-    const picture = readPicture(answer.texts["dry svg"] ?? "", 1);
-    if (!picture) return;
+    const picture = await readPicture(answer.texts["dry svg"] ?? "", 1, isNewest);
+    if (!picture || !isNewest()) return;
     this.picture.setAttribute("viewBox", `0 0 ${picture.width} ${picture.height}`);
     this.picture.replaceChildren(picture.shapes);
   }
@@ -88,8 +89,10 @@ export class LiveLimit {
   }
 }
 
-// Of "path = value: problem; cure", as the engine puts its reasons together.
-const problemIn = (reason: string): string => {
-  const parts = /^(?:wall|stage|solve|frame|layer|crushing)[\w.]*(?: = [^:]*)?: (.*)$/.exec(reason);
-  return parts ? parts[1].split("; ")[0] : reason;
-};
+// What has no limit load, as the file says it, and why. The engine may put both into one sentence: "path = value: problem; cure".
+function reasonOf(fault: Fault | undefined, reason: string): [string, string] {
+  const words = fault?.problem ?? reason;
+  const parts = /^((?:wall|stage|solve|frame|layer|crushing)[\w.]*(?: = [^:]*)?): (.*)$/.exec(words);
+  if (parts) return [parts[1], parts[2].split("; ")[0]];
+  return [fault?.value ? `${fault.path} = ${fault.value}` : (fault?.path ?? ""), words];
+}

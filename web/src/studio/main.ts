@@ -137,15 +137,17 @@ function check(): void {
   }
   const text = project.text;
   limit.ask(text);
-  checker.ask({ task: "check", texts: { model: text, language }, want: ["check", "svg"] }, (answer) => {
-    if (text !== project.text) return;
+  checker.ask({ task: "check", texts: { model: text, language }, want: ["check", "svg"] }, async (answer) => {
+    const isNewest = (): boolean => text === project.text;
+    const c = answer.code === 0 ? JSON.parse(answer.texts.check) : null;
+    const drawn = c && isNewest() ? await readPicture(answer.texts.svg ?? "", c.length_m, isNewest) : null;
+    if (!isNewest()) return;
     delete document.documentElement.dataset.checking;
-    if (answer.code === 0) {
-      const c = JSON.parse(answer.texts.check);
-      status.textContent = say("studio.counts", { blocks: whole(c.blocks), weight: qty(c.weight_kN, "kN"), seconds: qty(c.expected_seconds, "s", 2) });
+    if (c) {
+      status.textContent = say("studio.counts", { blocks: whole(c.blocks), weight: qty(c.weight_kN, "kN"), seconds: c.expected_seconds < 120 ? qty(c.expected_seconds, "s", 2) : qty(c.expected_seconds / 60, "min", 2) });
       showNotes(c.notes ?? []);
       limit.weighs(c.weight_kN);
-      stones = readPicture(answer.texts.svg ?? "", c.length_m);
+      stones = drawn;
       if (!canvas.readOnly) canvas.setPicture(stones);
       showFaults([]);
     } else if (answer.code === 2) {
@@ -402,12 +404,21 @@ document.addEventListener("drop", (e) => {
   } else if (dropped) void openFile(dropped);
 });
 new ResizeObserver(() => canvas.fit()).observe(canvas.root);
+// Paper is white and has another width: drawing and curve are scaled to it.
+window.addEventListener("beforeprint", () => {
+  document.documentElement.dataset.theme = "light";
+  for (const { root } of [canvas, push.curve]) root.setAttribute("viewBox", `0 0 ${root.clientWidth} ${root.clientHeight}`);
+});
+window.addEventListener("afterprint", () => {
+  showTheme();
+  for (const { root } of [canvas, push.curve]) root.removeAttribute("viewBox");
+});
 
 // --- the page ----------------------------------------------------------------------------------------------------
 
 const tabs = (["numbers", "file"] as const).map((name) => h("button", { class: "tab", type: "button", role: "tab", "data-pane": name, "aria-controls": `pane-${name}`, onclick: () => showPane(name) }, say(`studio.pane.${name}`)));
 document.body.prepend(
-  h("header", { class: "top" },
+  h("header", { class: "top", onfocusin: (e: FocusEvent) => (e.target as Element).scrollIntoView({ block: "nearest", inline: "nearest" }) }, // it may scroll sideways
     h("h1", {}, say("studio.title")),
     h("div", { class: "top-group" }, starters, button("open", () => input.click()), button("save", () => store.save(store.fileName(title()), project.text)), button("share", () => void share())),
     h("div", { class: "top-group" }, undo, redo),

@@ -8,11 +8,14 @@ import { renameOpening } from "./frames";
 import { frameFields, partGroup, partShape } from "./part_panel";
 import { removePart } from "./parts";
 import type { Project } from "./project";
-import { countAt, find, quoted, setValue, valueAt, type Path } from "./toml";
+import { countAt, find, quoted, removeAt, setValue, valueAt, type Doc, type Path } from "./toml";
 import { lengthOf, readQuantity, typedLength, typedQuantity, writeQuantity } from "./units";
 import type { Varied } from "./varied";
 
 const kBonds = ["running", "stack", "flemish", "english", "header"];
+
+// Something else than a quantity stands there: "unlimited", "rule".
+export const isWord = (doc: Doc, path: Path): boolean => find(doc, path) !== undefined && readQuantity(valueAt(doc, path)) === null;
 
 interface Field {
   root: HTMLElement;
@@ -124,7 +127,6 @@ export class Panel {
     if (load) fields.push(this.quantity(say(`studio.load.${load.key}`), () => loadOf(project.doc!)?.value ?? "", (v) => setValue(project.text, load.path, quoted(v))));
     if (countAt(project.doc!, ["floor"]) > 0) fields.push(h("p", { class: "hint" }, say("studio.floors", { count: countAt(project.doc!, ["floor"]) })));
     if (push) {
-      fields.push(this.choice(say("studio.direction"), [["+x", say("studio.right")], ["-x", say("studio.leftwards")]], () => pushOf(project.doc!)?.direction ?? "+x", (v) => setDirection(project.text, project.drawing!, v)));
       if (push.until !== null) {
         const drift = h("output", { class: "hint" });
         const path: Path = ["stage", push.stage, "until"];
@@ -135,6 +137,7 @@ export class Panel {
           drift.textContent = say("studio.drift", { drift: num((100 * until()) / height, 2) });
         } });
       }
+      fields.push(this.choice(say("studio.direction"), [["+x", say("studio.right")], ["-x", say("studio.leftwards")]], () => pushOf(project.doc!)?.direction ?? "+x", (v) => setDirection(project.text, project.drawing!, v), true));
     } else fields.push(h("p", { class: "hint" }, say("studio.nopush")));
     return this.group(say("studio.load"), fields);
   }
@@ -151,14 +154,16 @@ export class Panel {
     if (text === null) this.tell(say("studio.hinder.file"));
     else this.edit(text, null);
   }
-  // A text field whose words `take` turns into an edit; null: it cannot be read.
-  // A number may be varied.
-  private entry(label: string, unit: string, show: () => string, take: (text: string) => string | null, more: { step?: (by: number) => string | null; wide?: boolean; vary?: () => Omit<Varied, "name"> | null } = {}): HTMLElement {
-    const { step, vary } = more;
-    const input = h("input", { type: "text", "aria-label": label, "aria-description": unit === "" ? undefined : unit, autocomplete: "off", spellcheck: "false", inputmode: unit === "" ? undefined : "decimal" });
+  // A text field whose words `take` turns into an edit; null: it cannot be read. Emptied, a key that the file may leave out goes
+  // (`unset`). A number may be varied.
+  private entry(label: string, unit: string, show: () => string, take: (text: string) => string | null, more: { step?: (by: number) => string | null; wide?: boolean; vary?: () => Omit<Varied, "name"> | null; unset?: Path } = {}): HTMLElement {
+    const { step, vary, unset } = more;
+    const input = h("input", { type: "text", "aria-label": label, "aria-description": unit === "" ? undefined : unit, autocomplete: "off", spellcheck: "false", inputmode: unit === "" ? undefined : "decimal", placeholder: unset && say("studio.unset") });
     const commit = (): void => {
       if (input.value === input.dataset.shown) return;
-      const text = take(input.value);
+      const empty = unset !== undefined && input.value.trim() === "";
+      const text = empty ? this.without(unset) : take(input.value);
+      if (empty) input.value = input.dataset.shown ?? "";
       input.setAttribute("aria-invalid", String(text === null));
       if (text !== null) this.edit(text);
     };
@@ -192,29 +197,42 @@ export class Panel {
     this.fields.push({ root, refresh });
     return root;
   }
-  length(label: string, show: () => number, set: (value: number) => string | null, step: "half" | "course" | number, unit = "m"): HTMLElement {
+  private without(path: Path): string {
+    const { text, doc } = this.project;
+    return doc && find(doc, path) ? removeAt(text, path) : text;
+  }
+  // `unset`: the key of a number that the file may leave out.
+  length(label: string, show: () => number, set: (value: number) => string | null, step: "half" | "course" | number, unit = "m", unset?: Path): HTMLElement {
     const by = (): number => (typeof step === "number" ? step : this.project.drawing![step]);
     const safe = (v: number | null): string | null => (v === null || v < 0 || v > 1e4 ? null : set(v));
     const plain = (v: number): string => (Number.isFinite(v) ? writeQuantity(v, unit, unit === "m" ? "0.00" : "").split(" ")[0] : "");
     return this.entry(label, unit, () => plain(show()), (text) => safe(typedLength(/[a-z]/i.test(text) ? text : `${text} ${unit}`)), {
       step: (n) => safe(show() + n * by()),
       vary: () => ({ unit, whole: false, now: () => Number(plain(show()) || NaN), text: (v) => safe(lengthOf(`${v} ${unit}`)) }),
+      unset,
     });
   }
-  quantity(label: string, show: () => string, set: (value: string) => string | null): HTMLElement {
+  // `like`: a quantity of its kind, for where there is none.
+  quantity(label: string, show: () => string, set: (value: string) => string | null, like = "", unset?: Path): HTMLElement {
     return this.entry(label, "", show, (text) => {
-      const value = typedQuantity(text, show());
+      const value = typedQuantity(text, show() || like);
       return value === null ? null : set(value);
-    }, { vary: () => {
+    }, { unset, vary: () => {
       const unit = readQuantity(show())?.unit;
       // in another unit by now it is another number
       const now = (): number => (readQuantity(show())?.unit === unit ? parseFloat(show()) : NaN);
       return unit ? { unit, whole: false, now, text: (v) => set(`${v} ${unit}`) } : null;
     } });
   }
-  number(label: string, show: () => number, set: (value: number) => string): HTMLElement {
+  // A quantity that the file may leave out; null where it says it in words.
+  optional(label: string, path: Path, unit: string): HTMLElement | null {
+    const show = (): string => String(valueAt(this.project.doc!, path) ?? "");
+    if (isWord(this.project.doc!, path)) return null;
+    return this.quantity(label, show, (v) => setValue(this.project.text, path, quoted(v)), `1 ${unit}`, path);
+  }
+  number(label: string, show: () => number, set: (value: number) => string, unset?: Path): HTMLElement {
     const safe = (n: number): string | null => (Number.isInteger(n) && n >= 1 && n < 100 ? set(n) : null);
-    return this.entry(label, "", () => String(show()), (text) => safe(Number(text)), { step: (by) => safe(show() + by), vary: () => ({ unit: "", whole: true, now: show, text: safe }) });
+    return this.entry(label, "", () => String(show()), (text) => safe(Number(text)), { step: (by) => safe(show() + by), vary: () => ({ unit: "", whole: true, now: show, text: safe }), unset });
   }
   // What follows from the numbers.
   hint(show: () => string): HTMLElement {

@@ -4,12 +4,12 @@ import { say } from "../texts";
 import { setLength, type Selected } from "./drawing";
 import { holdOf, kHolds, moveFloor, setFloorSpan, setHold, type Hold } from "./floors";
 import { addExtra, addFrame, frameOf, isPutUp, kExtras, kFeet, kGrades, removeExtra, removeFrame, setGap, setProfile, type Extra } from "./frames";
-import type { Panel } from "./panel";
+import { isWord, type Panel } from "./panel";
 import { kProfiles, profileNamed } from "./profiles";
 import type { Project } from "./project";
 import { moveStoreyLine, renameStorey, setStoreyHeight } from "./storeys";
 import { forceOf, setTieEnds, setTieForce } from "./ties";
-import { find, quoted, removeAt, setValue, valueAt, type Path } from "./toml";
+import { find, quoted, removeAt, setValue, valueAt, type Doc, type Path } from "./toml";
 import { lengthOf, readQuantity, writeQuantity } from "./units";
 import { amount, kUnread } from "./words";
 
@@ -18,10 +18,12 @@ export function partShape({ selection, doc, drawing }: Project): string {
   if (!selection || !doc || !drawing) return "";
   if (selection.kind === "opening") {
     const frame = frameOf(drawing, selection.k);
-    return [frame, isPutUp(doc, frame), ...["profile", "beam_profile", "grade", "yield_strength", "anchors", "anchors.slip", "wedges"].map((key) => find(doc, ["frame", frame, ...key.split(".")]) !== undefined)].join();
+    const at: Path = ["frame", frame];
+    return [frame, isPutUp(doc, frame), ...["profile", "beam_profile", "grade", "yield_strength", "anchors", "wedges"].map((key) => find(doc, [...at, key]) !== undefined), ...["yield_strength", "anchors.slip"].map((key) => isWord(doc, [...at, ...key.split(".")]))].join();
   }
-  const keys: Partial<Record<string, string[]>> = { storey: ["thickness"], floor: ["load", "g1", "g2", "q", "psi2", "span", "bearing", "thrust", "mass", "joists"], tie: ["anchor_strength", "yield_strength"] };
-  return (keys[selection.kind] ?? []).map((key) => (find(doc, [selection.kind, selection.k, key]) ? 1 : 0)).join("");
+  const at: Path = [selection.kind, selection.k];
+  const words = [...Object.keys(kFloorUnits), "anchor_strength", "yield_strength"].map((key) => isWord(doc, [...at, key]));
+  return [...words, sumsUp(doc, at), find(doc, [...at, "thickness"]) !== undefined].join();
 }
 
 export function partGroup(panel: Panel, part: Selected): HTMLElement {
@@ -43,32 +45,32 @@ function storeyGroup(panel: Panel, k: number): HTMLElement {
     panel.text(say("studio.name"), () => storey().name, (name) => renameStorey(project.text, d(), k, name), true),
     k > 0 && panel.length(say("studio.above.base"), () => storey().foot, (y) => (y > d().storeys[k - 1].foot && y < storey().foot + storey().height ? moveStoreyLine(project.text, d(), k, y) : null), "course"),
     panel.length(say("studio.height"), () => storey().height, (v) => (v > 0 ? setStoreyHeight(project.text, d(), k, v) : null), "course"),
-    panel.length(say("studio.thickness"), thickness, (v) => setValue(project.text, own, quoted(writeQuantity(v, "m", "0.00"))), 0.01),
+    panel.length(say("studio.thickness"), thickness, (v) => setValue(project.text, own, quoted(writeQuantity(v, "m", "0.00"))), 0.01, "m", own),
     find(project.doc!, own) && h("button", { class: "button", type: "button", onclick: () => panel.edit(removeAt(project.text, own)) }, say("studio.storey.aswall")),
     k > 0 && removal(panel, { kind: "storey", k }, say("studio.storey.remove")),
   );
 }
 
+// What a floor may say of itself. Its load is a number, or the sum of others.
+const kSum = ["g1", "g2", "q", "span"];
+const kFloorUnits: Record<string, string> = { load: "kN/m", g1: "kN/m^2", g2: "kN/m^2", q: "kN/m^2", span: "m", bearing: "mm", thrust: "kN", mass: "kg/m" };
+const sumsUp = (doc: Doc, at: Path): boolean => !find(doc, [...at, "load"]) && kSum.some((key) => find(doc, [...at, key]));
+
 function floorGroup(panel: Panel, k: number): HTMLElement {
   const { project } = panel;
   const d = () => project.drawing!;
   const floor = () => d().floors[Math.min(k, d().floors.length - 1)];
-  // only what the file says of it, in its own units
-  const own = (key: string): HTMLElement | null => {
-    const path: Path = ["floor", k, key];
-    if (find(project.doc!, path) === undefined) return null;
-    const show = (): string => String(valueAt(project.doc!, path) ?? "");
-    if (readQuantity(show())) return panel.quantity(say(`studio.floor.${key}`), show, (v) => setValue(project.text, path, quoted(v)));
-    return null;
-  };
+  const at: Path = ["floor", k];
+  const has = (key: string): boolean => find(project.doc!, [...at, key]) !== undefined;
+  const keys = [...(sumsUp(project.doc!, at) ? kSum : ["load", ...kSum.filter(has)]), "bearing", "thrust", "mass"];
   const inside = (y: number): boolean => y > 0 && y <= d().height + 1e-6;
   return panel.group(
     say("studio.floor"),
     panel.text(say("studio.name"), () => floor().name, (name) => setValue(project.text, ["floor", k, "name"], quoted(name)), true),
     panel.length(say("studio.above.base"), () => floor().y, (y) => (inside(y) ? moveFloor(project.text, d(), k, y) : null), "course"),
-    ["load", "g1", "g2", "q", "span", "bearing", "thrust", "mass"].map(own),
-    panel.length(say("studio.left"), () => floor().x, (x) => (x < d().length ? setFloorSpan(project.text, d(), k, x, Math.min(floor().width, d().length - x)) : null), "half"),
-    panel.length(say("studio.width"), () => floor().width, (w) => (w > 0 && floor().x + w <= d().length + 1e-6 ? setFloorSpan(project.text, d(), k, floor().x, w) : null), "half"),
+    keys.map((key) => panel.optional(say(`studio.floor.${key}`), [...at, key], kFloorUnits[key])),
+    panel.length(say("studio.left"), () => floor().x, (x) => (x < d().length ? setFloorSpan(project.text, d(), k, x, Math.min(floor().width, d().length - x)) : null), "half", "m", [...at, "x"]),
+    panel.length(say("studio.width"), () => floor().width, (w) => (w > 0 && floor().x + w <= d().length + 1e-6 ? setFloorSpan(project.text, d(), k, floor().x, w) : null), "half", "m", [...at, "width"]),
     panel.choice(say("studio.floor.hold"), kHolds.map((hold) => [hold, say(`studio.floor.hold.${hold}`)]), () => holdOf(d(), k), (hold) => setHold(project.text, d(), k, hold as Hold), true),
     panel.hint(() => (say("studio.floor.sum", { load: amount(floor().load, 1e-3, "kN/m"), whole: amount(floor().load, floor().width / 1000, "kN") }))),
     removal(panel, { kind: "floor", k }, say("studio.delete")),
@@ -79,8 +81,7 @@ function tieGroup(panel: Panel, k: number): HTMLElement {
   const { project } = panel;
   const tie = () => project.drawing!.ties[Math.min(k, project.drawing!.ties.length - 1)];
   const at = (key: string): Path => ["tie", k, key];
-  const quantity = (key: string): HTMLElement | null =>
-    readQuantity(valueAt(project.doc!, at(key))) ? panel.quantity(say(`studio.tie.${key}`), () => String(valueAt(project.doc!, at(key)) ?? ""), (v) => setValue(project.text, at(key), quoted(v))) : null;
+  const area = (): string => String(valueAt(project.doc!, at("area")) ?? "");
   const end = (which: "from" | "to"): HTMLElement | null =>
     tie()[which] && panel.length(say(`studio.tie.${which}`), () => tie()[which]?.x ?? NaN, (x) => setLength(project.text, [...at(which), "x"], x), "half");
   const force = (): string => {
@@ -102,10 +103,10 @@ function tieGroup(panel: Panel, k: number): HTMLElement {
     end("from"),
     end("to"),
     tie().from && tie().to && panel.length(say("studio.above.base"), () => tie().from?.y ?? NaN, level, "course"),
-    quantity("area"),
-    panel.quantity(say("studio.tie.force"), force, (v) => setTieForce(project.text, tie(), k, readQuantity(v)?.value ?? -1)),
-    quantity("yield_strength"),
-    quantity("anchor_strength"),
+    readQuantity(area()) && panel.quantity(say("studio.tie.area"), area, (v) => setValue(project.text, at("area"), quoted(v))),
+    panel.quantity(say("studio.tie.force"), force, (v) => setTieForce(project.text, tie(), k, readQuantity(v)?.value ?? -1), "", at("prestress")),
+    panel.optional(say("studio.tie.yield_strength"), at("yield_strength"), "MPa"),
+    panel.optional(say("studio.tie.anchor_strength"), at("anchor_strength"), "kN"),
     panel.hint(sum),
     removal(panel, { kind: "tie", k }, say("studio.delete")),
   );
@@ -121,9 +122,8 @@ export function frameFields(panel: Panel, k: number): Child[] {
   const word = (key: string): string => String(valueAt(project.doc!, at(key)) ?? "");
   const names = kProfiles.map(([name]): [string, string] => [name, name]);
   const count = (key: string): HTMLElement =>
-    panel.number(say(`studio.frame.${key}`), () => Number(valueAt(project.doc!, at(key)) || valueAt(project.doc!, at("count")) || 1), (n) => setValue(project.text, at(key), String(n)));
+    panel.number(say(`studio.frame.${key}`), () => Number(valueAt(project.doc!, at(key)) || valueAt(project.doc!, at("count")) || 1), (n) => setValue(project.text, at(key), String(n)), at(key));
   const has = (key: string): boolean => find(project.doc!, at(key)) !== undefined;
-  const strength = (): string => word("yield_strength");
   return [
     h("h3", {}, say("studio.frame")),
     ...(find(project.doc!, at("profile"))
@@ -136,8 +136,8 @@ export function frameFields(panel: Panel, k: number): Child[] {
     count("count"),
     has("beam_profile") && count("beam_count"),
     has("grade") && panel.choice(say("studio.frame.grade"), kGrades.map((g) => [g, g]), () => word("grade"), (g) => setValue(project.text, at("grade"), quoted(g))),
-    readQuantity(strength()) && panel.quantity(say("studio.tie.yield_strength"), strength, (v) => setValue(project.text, at("yield_strength"), quoted(v))),
-    panel.length(say("studio.frame.gap"), () => project.drawing!.frames[frame]?.gap ?? 0, (v) => setGap(project.text, frame, v), 0.001, "mm"),
+    (has("yield_strength") || !has("grade")) && panel.optional(say("studio.tie.yield_strength"), at("yield_strength"), "MPa"),
+    panel.length(say("studio.frame.gap"), () => project.drawing!.frames[frame]?.gap ?? 0, (v) => setGap(project.text, frame, v), 0.001, "mm", at("gap")),
     extraFields(panel, frame, "anchors"),
     (has("wedges") || isPutUp(project.doc!, frame)) && extraFields(panel, frame, "wedges"),
     h("button", { class: "button wide", type: "button", onclick: () => panel.edit(removeFrame(project.text, frame)) }, say("studio.frame.remove")),
@@ -154,6 +154,7 @@ function extraFields(panel: Panel, frame: number, extra: Extra): Child[] {
   return [
     h("h3", {}, say(`studio.frame.${extra}`)),
     kExtras[extra].keys.filter((key) => readQuantity(show(key)())).map((key) => panel.quantity(say(`studio.frame.${extra}.${key}`), show(key), (v) => setValue(project.text, at(key), quoted(v)))),
+    extra === "anchors" && panel.optional(say("studio.frame.anchors.slip"), at("slip"), "mm"),
     press(`studio.frame.${extra}.remove`, removeExtra),
   ];
 }

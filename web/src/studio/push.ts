@@ -35,11 +35,15 @@ export class Push {
   private answer: Answer | null = null; // pictures and report
   private pushed: Pushed | null = null; // what is shown
   private length = 1; // of that wall [m]
+  private turn = 0; // of pictures: those of an earlier one are not shown any more
+  private reading = false;
+  private next: (() => string) | null = null; // the newest picture that waits
   private ofText = ""; // the text that was pushed
   readonly family: Family;
   private readonly beside: Beside;
   private readonly compare = new Compare();
   private readonly words = h("div", { class: "result-words", role: "status", "aria-live": "polite" });
+  private readonly older = h("p", { class: "soft", hidden: true }, say("studio.family.stale"));
   private readonly slider = h("input", { type: "range", min: 0, max: 0, step: 1, value: 0, "aria-label": say("studio.state") });
   private readonly at = h("output", { class: "soft" });
   private readonly states_row: HTMLElement;
@@ -71,7 +75,7 @@ export class Push {
     this.root = h("section", { class: "push", "aria-label": say("studio.push") },
       this.bar,
       h("div", { class: "curve-box" }, this.curve.root, this.curve.legend),
-      h("div", { class: "result", tabindex: "0", role: "group", "aria-label": say("studio.result") }, this.family.root, this.states_row, this.actions, this.words));
+      h("div", { class: "result", tabindex: "0", role: "group", "aria-label": say("studio.result") }, this.family.root, this.states_row, this.actions, this.older, this.words));
     this.say(h("p", { class: "soft" }, say("studio.push.before")));
     this.refresh();
   }
@@ -108,6 +112,7 @@ export class Push {
     const { beside, curve, family } = this;
     const shown = this.pushed !== null && !this.running;
     const fresh = shown && !this.isStale;
+    this.older.hidden = !shown || fresh;
     this.back.hidden = !shown;
     this.pauseButton.hidden = this.watchButton.hidden = !this.running;
     this.pauseButton.textContent = say(this.paused ? "studio.button.goon" : "studio.button.pause");
@@ -177,7 +182,7 @@ export class Push {
   }
   private hear(p: Progress): void {
     if (p.svg !== undefined) {
-      if (this.watching && !this.isStale && !document.hidden) this.show(readPicture(p.svg, this.length));
+      if (this.watching && !this.isStale && !document.hidden) void this.reveal(() => p.svg!);
       return;
     }
     if (p.held) return void this.root.classList.toggle("held", this.paused);
@@ -200,7 +205,7 @@ export class Push {
   // The wall as it is pushed, or the drawing meanwhile.
   private watch(on: boolean): void {
     this.watching = on;
-    if (!on) this.show(null);
+    if (!on) this.hide();
     this.refresh();
   }
   // To twice the displacement: an edit of the file as any other, and a push.
@@ -268,6 +273,28 @@ export class Push {
     if (end >= 0 && !this.isStale) this.showState(end);
   }
 
+  // The picture under way is finished before the newest one: who goes along the states sees them pass.
+  private async reveal(text: () => string): Promise<void> {
+    this.next = text;
+    if (this.reading) return;
+    this.reading = true;
+    document.documentElement.dataset.reading = "yes"; // until the picture is the newest
+    while (this.next) {
+      const turn = this.turn;
+      const now = this.next();
+      this.next = null;
+      const shown = await readPicture(now, this.length, () => turn === this.turn);
+      if (turn === this.turn) this.show(shown);
+    }
+    this.reading = false;
+    delete document.documentElement.dataset.reading;
+  }
+  private hide(): void {
+    ++this.turn;
+    this.next = null;
+    this.show(null);
+  }
+
   showState(k: number): void {
     const state = this.states[k];
     if (!state) return;
@@ -277,7 +304,8 @@ export class Push {
     this.curve.cursor = state.displacement_mm;
     this.curve.draw();
     this.root.classList.remove("stale");
-    if (this.answer) this.show(readPicture(textIn(this.answer, picture(k)), this.length));
+    const { answer } = this;
+    if (answer) void this.reveal(() => textIn(answer, picture(k)));
   }
   // The state nearest to a displacement on the curve.
   private pick(mm: number): void {
@@ -296,7 +324,7 @@ export class Push {
     this.watching = false;
     this.curve.cursor = null;
     this.curve.draw();
-    this.show(null);
+    this.hide();
     this.watchButton.setAttribute("aria-pressed", "false");
   }
   openReport(): void {
