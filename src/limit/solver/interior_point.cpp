@@ -23,9 +23,6 @@ using Matrix = Eigen::SparseMatrix<double>;
 using Order = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int>;
 
 constexpr int kIterations = 150;   // 30 to 80 are usual
-constexpr double kWanted = 1e-9;   // of residuals, and of the gap between both objectives
-constexpr double kBest = 1e-14;    // beyond what is wanted, as long as iterations halve it
-constexpr double kEnough = 1e-7;   // where round-off allows no more
 constexpr int kPatience = 5;       // iterations without a better point
 constexpr double kAstray = 100;    // times as far off as the best point
 constexpr double kRegular = 1e-9;  // on the systems' diagonal; refinement takes it back
@@ -59,8 +56,9 @@ struct Iterate {
 
 class InteriorPoint {
  public:
-  explicit InteriorPoint(const InequalityForm& f)
-      : n_(static_cast<int>(f.c.size())),
+  InteriorPoint(const InequalityForm& f, const Tolerance& tolerance)
+      : tolerance_(tolerance),
+        n_(static_cast<int>(f.c.size())),
         p_(static_cast<int>(f.b.size())),
         m_(static_cast<int>(f.h.size())),
         a_(matrix_of(f.equal, p_, n_)),
@@ -92,7 +90,8 @@ class InteriorPoint {
       if (i == 0) first = residual;
       if (residual < best.accuracy) keep(i, residual, best);
       if (residual < 0.5 * before) halved = i;
-      if (best.accuracy < kBest || (best.accuracy < kWanted && i > halved + 1)) break;
+      if (best.accuracy < tolerance_.best || (best.accuracy < tolerance_.wanted && i > halved + 1))
+        break;
       // what is left falls on the way to a solution and on that to a proof that there is none
       const double left = merit();
       if (residual < before || left < least) {
@@ -101,8 +100,8 @@ class InteriorPoint {
         least = std::min(least, left);
       }
       // round-off has the upper hand: from the best point on with a stiffer system
-      const bool astray =
-          !(residual < kAstray * best.accuracy) && !(left < kAstray * std::max(least, kWanted));
+      const bool astray = !(residual < kAstray * best.accuracy) &&
+                          !(left < kAstray * std::max(least, tolerance_.wanted));
       if (astray || i - better > kPatience) {
         if (regular_ >= kMostRegular) break;
         regular_ *= 10;
@@ -110,7 +109,8 @@ class InteriorPoint {
         q_ = best_point;
         take_residuals();
       }
-      const double done = elementary::log(first / best.accuracy) / elementary::log(first / kWanted);
+      const double done =
+          elementary::log(first / best.accuracy) / elementary::log(first / tolerance_.wanted);
       if (monitor && monitor(std::clamp(done, 0.0, 1.0))) {
         best.status = ProgrammeStatus::kStopped;
         return best;
@@ -118,7 +118,8 @@ class InteriorPoint {
       factorise();
       step();
     }
-    best.status = best.accuracy < kEnough ? ProgrammeStatus::kOptimal : ProgrammeStatus::kFailed;
+    best.status =
+        best.accuracy < tolerance_.enough ? ProgrammeStatus::kOptimal : ProgrammeStatus::kFailed;
     return best;
   }
 
@@ -151,6 +152,7 @@ class InteriorPoint {
     answer.y = list_of(q_.y / q_.tau);
     answer.z = list_of(row_scale_.cwiseProduct(q_.z) / q_.tau);
     answer.objective = scale_ * primal_objective_ / q_.tau;
+    answer.dual_objective = scale_ * dual_objective_ / q_.tau;
     answer.accuracy = residual;
     answer.iterations = iteration;
   }
@@ -337,7 +339,7 @@ class InteriorPoint {
       const double error = std::max({largest(left.x), largest(left.y), largest(left.z)});
       if (!(error <= before)) break;
       found = next;
-      if (error < 1e-11 * scale || error > 0.7 * before) break;
+      if (error < tolerance_.linear * scale || error > 0.7 * before) break;
       before = error;
     }
     return found;
@@ -400,6 +402,7 @@ class InteriorPoint {
     return alpha;
   }
 
+  Tolerance tolerance_;
   int n_, p_, m_;
   Matrix a_, g_, at_, gt_;
   Vector c_, b_, h_;
@@ -419,8 +422,9 @@ class InteriorPoint {
 
 }  // namespace
 
-InteriorSolution interior_point(const InequalityForm& form, const Monitor& monitor) {
-  return InteriorPoint(form).solve(monitor);
+InteriorSolution interior_point(const InequalityForm& form, const Monitor& monitor,
+                                const Tolerance& tolerance) {
+  return InteriorPoint(form, tolerance).solve(monitor);
 }
 
 }  // namespace wythe::limit

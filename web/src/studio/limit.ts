@@ -46,7 +46,7 @@ export class LiveLimit {
       this.forget();
       this.show(h("p", { class: "soft" }, say("studio.limit.late", { seconds: kPatience / 1000 })));
     }, kPatience);
-    void this.engine.ask({ task: "limit", texts: { model: text, only: ["lp"] }, want: ["mechanisms", "dry svg"], first: true }).then((answer) => {
+    void this.engine.ask({ task: "limit", texts: { model: text, only: ["lp"] }, numbers: { quick: 1 }, want: ["mechanisms", "dry svg"] }).then((answer) => {
       if (asked !== this.asked) return;
       window.clearTimeout(this.timer);
       delete document.documentElement.dataset.limiting;
