@@ -7,6 +7,7 @@
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -321,28 +322,58 @@ class InteriorPoint {
   struct Three {
     Vector x, y, z;
   };
-  // Solves and refines until the residual no longer falls.
-  [[nodiscard]] Three solve_system(const Three& right) const {
-    Three found{Vector::Zero(n_), Vector::Zero(p_), Vector::Zero(m_)}, left = right;
-    const double scale = std::max({largest(right.x), largest(right.y), largest(right.z)});
-    double before = std::numeric_limits<double>::infinity();
-    Vector d(n_ + p_ + m_);
-    for (int i = 0; i < kRefinements; ++i) {
-      d << left.x, left.y, left.z;
-      d = order_ * d;
-      factor_.solve(d);
-      d = back_ * d;
-      const Three next{found.x + d.head(n_), found.y + d.segment(n_, p_), found.z + d.tail(m_)};
-      left.x = right.x - at_ * next.y - gt_ * next.z;
-      left.y = right.y - a_ * next.x;
-      left.z = right.z - g_ * next.x + cones_.squared_times(next.z);
-      const double error = std::max({largest(left.x), largest(left.y), largest(left.z)});
-      if (!(error <= before)) break;
-      found = next;
-      if (error < tolerance_.linear * scale || error > 0.7 * before) break;
-      before = error;
+  // A right side, and what is found so far.
+  struct Refined {
+    Three right, found, left;
+    double scale = 0, before = std::numeric_limits<double>::infinity();
+    bool ends = false;
+  };
+
+  // Solves and refines until the residual no longer falls. Right sides go through the factor together.
+  template <std::size_t N>
+  [[nodiscard]] std::array<Three, N> solve_systems(std::array<Three, N> right) const {
+    std::array<Refined, N> all;
+    for (std::size_t k = 0; k < N; ++k) {
+      Refined& r = all[k];
+      r.found = {Vector::Zero(n_), Vector::Zero(p_), Vector::Zero(m_)};
+      r.left = r.right = std::move(right[k]);
+      r.scale = std::max({largest(r.right.x), largest(r.right.y), largest(r.right.z)});
     }
+    std::array<Vector, N> d;
+    std::vector<Vector*> under_way;
+    for (int i = 0; i < kRefinements; ++i) {
+      under_way.clear();
+      for (std::size_t k = 0; k < N; ++k) {
+        if (all[k].ends) continue;
+        d[k].resize(n_ + p_ + m_);
+        d[k] << all[k].left.x, all[k].left.y, all[k].left.z;
+        d[k] = order_ * d[k];
+        under_way.push_back(&d[k]);
+      }
+      if (under_way.empty()) break;
+      if (under_way.size() == 2)
+        factor_.solve(*under_way[0], *under_way[1]);
+      else
+        factor_.solve(*under_way[0]);
+      for (std::size_t k = 0; k < N; ++k)
+        if (!all[k].ends) add(back_ * d[k], all[k]);
+    }
+    std::array<Three, N> found;
+    for (std::size_t k = 0; k < N; ++k) found[k] = std::move(all[k].found);
     return found;
+  }
+
+  void add(const Vector& d, Refined& r) const {
+    Three next{r.found.x + d.head(n_), r.found.y + d.segment(n_, p_), r.found.z + d.tail(m_)};
+    r.left.x = r.right.x - at_ * next.y - gt_ * next.z;
+    r.left.y = r.right.y - a_ * next.x;
+    r.left.z = r.right.z - g_ * next.x + cones_.squared_times(next.z);
+    const double error = std::max({largest(r.left.x), largest(r.left.y), largest(r.left.z)});
+    r.ends = !(error <= r.before);
+    if (r.ends) return;
+    r.found = std::move(next);
+    r.ends = error < tolerance_.linear * r.scale || error > 0.7 * r.before;
+    r.before = error;
   }
 
   // --- the step: predictor and corrector, after Mehrotra ------------------------------------------
@@ -353,9 +384,9 @@ class InteriorPoint {
 
   void step() {
     const double mu = mean_product();
-    const Three one = solve_system({-c_, b_, h_});
+    Three one, two;
     const auto fall = [&](const Three& t) { return c_.dot(t.x) + b_.dot(t.y) + h_.dot(t.z); };
-    const double denominator = q_.kappa / q_.tau - fall(one);
+    double denominator = 0;
     Iterate d;
     double sigma = 0, alpha = 0;
     for (const bool corrects : {false, true}) {
@@ -366,7 +397,15 @@ class InteriorPoint {
         tk += sigma * mu - d.kappa * d.tau;
       }
       const double rest = 1 - sigma;
-      const Three two = solve_system({-rest * rx_, rest * ry_, rest * rz_ - cones_.lead(sz, q_.z)});
+      const Three right{-rest * rx_, rest * ry_, rest * rz_ - cones_.lead(sz, q_.z)};
+      if (corrects) {
+        two = std::move(solve_systems<1>({right})[0]);
+      } else {
+        auto both = solve_systems<2>({Three{-c_, b_, h_}, right});
+        one = std::move(both[0]);
+        two = std::move(both[1]);
+        denominator = q_.kappa / q_.tau - fall(one);
+      }
       d.tau = (-rest * rt_ + tk / q_.tau + fall(two)) / denominator;
       d.x = two.x + d.tau * one.x;
       d.y = two.y + d.tau * one.y;
