@@ -1,10 +1,10 @@
 // A worker of a page: the engine's script and job.mjs stand before it (page.mjs). One question at a time.
 //
-//   to it:   {wasm}, answered by {ready, version}; then {id, task, texts, numbers, want, bytes, tables, pieces, first}, and {pause} while it is at it
+//   to it:   {wasm}, answered by {ready, version}; then {id, task, texts, numbers, want, bytes, tables, pieces}, and {pause} while it is at it
 //   from it: {id, progress} a few times a second; {id, code, texts, bytes, tables}
 //
 // `pieces`: a run is stopped a few times a second and goes on, with the same bits. In between it shows the wall as it stands
-// (progress.svg), and pauses where it is told to, which it says (progress.held). `bytes`: texts that come as UTF-8, not copied. `first`: of several analyses the first is enough.
+// (progress.svg), and pauses where it is told to, which it says (progress.held). `bytes`: texts that come as UTF-8, not copied.
 const kPiece = 350; // of a run in pieces, at least [ms]
 const kShare = 4; // a piece takes so many times what the stop after it costs
 let engine;
@@ -35,7 +35,7 @@ onmessage = async ({ data }) => {
   }
 };
 
-async function answer({ id, task, texts, numbers, want, bytes, tables, pieces, first }) {
+async function answer({ id, task, texts, numbers, want, bytes, tables, pieces }) {
   const job = openJob(engine, task, { texts, numbers: pieces ? { ...numbers, goes_on: 1 } : numbers });
   let last = null; // progress
   let until = Infinity; // end of the piece [ms]
@@ -48,7 +48,6 @@ async function answer({ id, task, texts, numbers, want, bytes, tables, pieces, f
       until = now + length;
       stopped = 0;
     }
-    if (first && last && last.what !== what) return true;
     last = { what, share, displacement_mm, reaction_kN };
     postMessage({ id, progress: last });
     if (now < until) return false;
@@ -67,10 +66,8 @@ async function answer({ id, task, texts, numbers, want, bytes, tables, pieces, f
       stopped = performance.now() - cost;
       code = job.do(tell);
     }
-    // stopped with no answer: the first analysis was refused. The reasons come with all of them.
-    if (first && code === 3 && job.answers().texts.error !== "") return await answer({ id, task, texts, numbers, want, bytes, tables, pieces });
     const answers = job.answers({ texts: want, bytes, tables });
-    postMessage({ id, code: first && code === 3 ? 0 : code, ...answers }, Object.values(answers.bytes ?? {}).map((b) => b.buffer));
+    postMessage({ id, code, ...answers }, Object.values(answers.bytes ?? {}).map((b) => b.buffer));
   } finally {
     job.free();
   }

@@ -2,4 +2,5 @@
 #pragma once
 
 #include "wythe/parts/limit.h"
+#include "wythe/parts/quick_limit.h"
 #include "wythe/parts/second_opinion.h"

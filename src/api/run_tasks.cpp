@@ -164,10 +164,12 @@ State moved_by(const Model& model, const LimitResult& limit) {
 
 bool do_limit(Job& job) {
   job.in.check("limit", {"model", "file", "set", "out", "language", "only"},
-               {"assessment", "replace"}, false);
+               {"assessment", "quick", "replace"}, false);
   const std::string language = job.in.one("language", "en"), out = job.in.out_folder();
   check_language(language, "language");
-  OpinionAsked asked{job.in.all("only"), job.in.real("assessment", 0) != 0};
+  OpinionAsked asked{.only = job.in.all("only"),
+                     .assessment = job.in.real("assessment", 0) != 0,
+                     .quick = job.in.real("quick", 0) != 0};
   check_asked(asked, "only");
   const GivenModel given = read_given(job.in);
   asked.parts = asks_for_parts(asked) && has_parts(given.spec, given.model);

@@ -88,17 +88,19 @@ class StaticProgramme {
   StaticProgramme(const Model& m, const SpaceLoads& loads, const SpaceYield& y, const Units& u)
       : m_(m), loads_(loads), y_(y), u_(u), balance_(6 * static_cast<std::size_t>(m.n_block)) {}
 
-  // `elastic`: unbalanced forces are allowed at a cost, and the load is zero.
-  void build(bool elastic) {
-    load_ = lp_.add_column(elastic ? 0 : -kFree, elastic ? 0 : kFree, elastic ? 0 : -1);
+  // The load is a variable for kLoad only, else it is zero; for kUnbalanced, unbalanced forces have a cost.
+  void build(Purpose purpose) {
+    const bool grows = purpose == Purpose::kLoad;
+    load_ = lp_.add_column(grows ? -kFree : 0, grows ? kFree : 0, grows ? -1 : 0);
     for (int j = 0; j < m_.n_joint; ++j) add_joint(j);
     for (std::size_t k = 0; k < y_.link.size(); ++k) add_link(k);
     add_loads();
-    if (elastic) add_slack();
+    if (purpose == Purpose::kUnbalanced) add_slack();
     for (std::size_t i = 0; i < loads_.dead.size(); ++i) {
       const auto wanted = parts(loads_.dead[i].force, loads_.dead[i].moment, u_.length);
       for (std::size_t c = 0; c < 6; ++c)
-        lp_.add_row(balance_[6 * i + c], -wanted[c] / u_.force, -wanted[c] / u_.force);
+        balance_row_.push_back(
+            lp_.add_row(balance_[6 * i + c], -wanted[c] / u_.force, -wanted[c] / u_.force));
     }
     if (!sum_.empty()) lp_.add_row(sum_, 0, 0);
     add_circles();
@@ -115,9 +117,9 @@ class StaticProgramme {
     }
   }
 
-  SpaceStaticSolution solve(const Monitor& monitor) {
+  SpaceStaticSolution solve(const Monitor& monitor, const Tolerance& tolerance) {
     SpaceStaticSolution answer;
-    answer.status = lp_.solve(monitor);
+    answer.status = lp_.solve(monitor, tolerance);
     answer.accuracy = lp_.accuracy();
     answer.rows = lp_.rows();
     answer.columns = lp_.columns();
@@ -132,10 +134,15 @@ class StaticProgramme {
     }
     for (std::size_t k = 0; k < y_.link.size(); ++k)
       answer.link_force.push_back(x[static_cast<std::size_t>(column(m_.n_point())) + k] * u_.force);
+    answer.dual = mechanism(answer);
     return answer;
   }
 
-  // The largest unbalanced force, after build(true).
+  ProgrammeStatus stands(const Monitor& monitor, const Tolerance& tolerance) {
+    return lp_.solve(monitor, tolerance);
+  }
+
+  // The largest unbalanced force, after build(Purpose::kUnbalanced).
   Unbalanced worst(const Monitor& monitor) {
     Unbalanced found;
     found.status = lp_.solve(monitor);
@@ -152,6 +159,25 @@ class StaticProgramme {
   }
 
  private:
+  [[nodiscard]] SpaceKinematicSolution mechanism(const SpaceStaticSolution& forces) const {
+    SpaceKinematicSolution m;
+    m.status = forces.status;
+    m.accuracy = forces.accuracy;
+    m.load = -lp_.dual_objective() * (loads_.is_force ? u_.force : 1.0);
+    const double scale = loads_.is_force ? 1.0 : 1.0 / u_.force;
+    const auto velocity = [&](std::size_t block, std::size_t axis) {
+      return lp_.multipliers()[static_cast<std::size_t>(balance_row_[6 * block + axis])];
+    };
+    m.dissipation = m.load;
+    for (std::size_t i = 0; i < loads_.dead.size(); ++i) {
+      const BodyForce& f = loads_.dead[i];
+      m.velocity.push_back(scale * Vec3{velocity(i, 0), velocity(i, 1), velocity(i, 2)});
+      m.spin.push_back(scale / u_.length * Vec3{velocity(i, 3), velocity(i, 4), velocity(i, 5)});
+      m.dissipation += dot(f.force, m.velocity[i]) + dot(f.moment, m.spin[i]);
+    }
+    return m;
+  }
+
   [[nodiscard]] static int column(int point) { return 1 + 3 * point; }
 
   [[nodiscard]] int carrier(const std::vector<double>& ray) const {
@@ -250,7 +276,8 @@ class StaticProgramme {
   const SpaceYield& y_;
   Units u_;
   LinearProgramme lp_;
-  std::vector<std::vector<Entry>> balance_;  // rows of each block
+  std::vector<std::vector<Entry>> balance_;  // force and moment rows of each block
+  std::vector<int> balance_row_;             // of the programme
   std::vector<Entry> sum_;
   int load_ = 0;
   std::size_t slack_ = 0;
@@ -484,10 +511,10 @@ Units units_of(const Model& model, const SpaceLoads& loads) {
 
 SpaceStaticSolution solve_static(const Model& model, const SpaceLoads& loads,
                                  const SpaceYield& yield, const Units& units,
-                                 const Monitor& monitor) {
+                                 const Monitor& monitor, const Tolerance& tolerance) {
   StaticProgramme programme(model, loads, yield, units);
-  programme.build(false);
-  SpaceStaticSolution answer = programme.solve(monitor);
+  programme.build(Purpose::kLoad);
+  SpaceStaticSolution answer = programme.solve(monitor, tolerance);
   if (answer.status == ProgrammeStatus::kOptimal)
     answer.friction_excess = friction_excess(model, units, answer, yield);
   return answer;
@@ -501,10 +528,17 @@ SpaceKinematicSolution solve_kinematic(const Model& model, const SpaceLoads& loa
   return programme.solve(monitor);
 }
 
+ProgrammeStatus find_rest(const Model& model, const SpaceLoads& loads, const SpaceYield& yield,
+                          const Units& units, const Monitor& monitor, const Tolerance& tolerance) {
+  StaticProgramme programme(model, loads, yield, units);
+  programme.build(Purpose::kRest);
+  return programme.stands(monitor, tolerance);
+}
+
 Unbalanced find_unbalanced(const Model& model, const SpaceLoads& loads, const SpaceYield& yield,
                            const Units& units, const Monitor& monitor) {
   StaticProgramme programme(model, loads, yield, units);
-  programme.build(true);
+  programme.build(Purpose::kUnbalanced);
   return programme.worst(monitor);
 }
 

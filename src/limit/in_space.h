@@ -38,9 +38,19 @@ struct SpaceYield {
                                      double times = 1);
 [[nodiscard]] Units units_of(const Model& model, const SpaceLoads& loads);
 
+struct SpaceKinematicSolution {
+  ProgrammeStatus status = ProgrammeStatus::kFailed;
+  double load = 0, dissipation = 0, accuracy = 0;
+  std::vector<Vec3> velocity, spin;  // (n_block), per unit velocity of the load [-], [1/m]
+};
+[[nodiscard]] SpaceKinematicSolution solve_kinematic(const Model& model, const SpaceLoads& loads,
+                                                     const SpaceYield& yield, const Units& units,
+                                                     const Monitor& monitor = {});
+
 struct SpaceStaticSolution {
   ProgrammeStatus status = ProgrammeStatus::kFailed;
   double load = 0;
+  SpaceKinematicSolution dual;  // multipliers of the balance are velocities of a mechanism
   std::vector<double> compression, shear_1, shear_2;  // (n_point) [N]
   std::vector<double> link_force;                     // (n_link), tension + [N]
   double friction_excess = 0;  // largest relative excess of a shear over its circle
@@ -51,16 +61,13 @@ struct SpaceStaticSolution {
 };
 [[nodiscard]] SpaceStaticSolution solve_static(const Model& model, const SpaceLoads& loads,
                                                const SpaceYield& yield, const Units& units,
-                                               const Monitor& monitor = {});
+                                               const Monitor& monitor = {},
+                                               const Tolerance& tolerance = kExact);
 
-struct SpaceKinematicSolution {
-  ProgrammeStatus status = ProgrammeStatus::kFailed;
-  double load = 0, dissipation = 0, accuracy = 0;
-  std::vector<Vec3> velocity, spin;  // (n_block), per unit velocity of the load [-], [1/m]
-};
-[[nodiscard]] SpaceKinematicSolution solve_kinematic(const Model& model, const SpaceLoads& loads,
-                                                     const SpaceYield& yield, const Units& units,
-                                                     const Monitor& monitor = {});
+// Whether forces without the growing load balance every block.
+[[nodiscard]] ProgrammeStatus find_rest(const Model& model, const SpaceLoads& loads,
+                                        const SpaceYield& yield, const Units& units,
+                                        const Monitor& monitor, const Tolerance& tolerance);
 
 [[nodiscard]] Unbalanced find_unbalanced(const Model& model, const SpaceLoads& loads,
                                          const SpaceYield& yield, const Units& units,

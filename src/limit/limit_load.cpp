@@ -1,4 +1,4 @@
-// limit_load(): both programmes, and the reason where there is no answer.
+// limit_load(): both programmes, and the reason where there is no answer. quick_limit_load(): one of them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,11 +10,22 @@
 #include "limit/standing.h"
 #include "wythe/parts/error.h"
 #include "wythe/parts/limit.h"
+#include "wythe/parts/quick_limit.h"
 
 namespace wythe {
 namespace {
 
 using namespace limit;
+
+// How far to search, and whether the static programme's dual is the kinematic answer.
+struct Search {
+  Tolerance tolerance;
+  bool by_dual;
+  double gap;   // of both theorems, relative, at most [-]
+  double tilt;  // by which the tangent of a limit tilt may still change
+};
+constexpr Search kFull{kExact, false, 1e-6, 1e-10};
+constexpr Search kFast{kQuick, true, 0.1 * kQuickError, 0.1 * kQuickError};
 
 [[noreturn]] void refuse(std::string path, std::string value, std::string problem,
                          std::string cure) {
@@ -131,15 +142,15 @@ struct Programmes {
   StaticSolution by_forces;
 };
 
-Programmes solve_by_forces(const Model& model, const LimitOptions& options, double secant,
-                           const LimitMonitor& monitor) {
+Programmes solve_by_forces(const Model& model, const LimitOptions& options, const Search& search,
+                           double secant, const LimitMonitor& monitor) {
   Programmes p{limit_loads(model, secant, options.loads_are_masses),
                yield_of(model, options, secant),
                {},
                {}};
   p.units = units_of(model, p.loads, p.yield);
   const Monitor part_monitor = monitor_from(monitor, 0, 0.5);
-  p.by_forces = solve_static(model, p.loads, p.yield, p.units, part_monitor);
+  p.by_forces = solve_static(model, p.loads, p.yield, p.units, part_monitor, search.tolerance);
   if (p.by_forces.status == ProgrammeStatus::kStopped) throw LimitStopped();
   if (p.by_forces.status == ProgrammeStatus::kInfeasible)
     refuse_unbalanced(model, find_unbalanced(model, p.loads, p.yield, p.units, part_monitor));
@@ -166,14 +177,15 @@ std::string carrier_text(const Model& model, int carrier) {
 }
 
 SpaceProgrammes solve_by_forces_in_space(const Model& model, const LimitOptions& options,
-                                         double secant, const LimitMonitor& monitor) {
+                                         const Search& search, double secant,
+                                         const LimitMonitor& monitor) {
   SpaceProgrammes p{space_loads(model, secant, options.loads_are_masses),
                     space_yield(model, options, secant),
                     {},
                     {}};
   p.units = units_of(model, p.loads);
   const Monitor part_monitor = monitor_from(monitor, 0, 0.5);
-  p.by_forces = solve_static(model, p.loads, p.yield, p.units, part_monitor);
+  p.by_forces = solve_static(model, p.loads, p.yield, p.units, part_monitor, search.tolerance);
   if (p.by_forces.status == ProgrammeStatus::kStopped) throw LimitStopped();
   if (p.by_forces.status == ProgrammeStatus::kInfeasible)
     refuse_unbalanced(model, find_unbalanced(model, p.loads, p.yield, p.units, part_monitor));
@@ -186,15 +198,14 @@ SpaceProgrammes solve_by_forces_in_space(const Model& model, const LimitOptions&
 
 // `solve(secant)` gives the programmes for one factor of the loads that do not turn.
 template <class Solve>
-auto solve_tilted(const Solve& solve) {
+auto solve_tilted(const Search& search, const Solve& solve) {
   constexpr int kTilts = 60;
-  constexpr double kSame = 1e-10;
   auto p = solve(1.0);
   if (p.loads.stage->spec.kind != StageKind::kTilt) return p;
   for (int i = 0; i < kTilts && p.by_forces.status == ProgrammeStatus::kOptimal; ++i) {
     const double before = p.by_forces.load;
     p = solve(secant_of(before));
-    if (std::fabs(p.by_forces.load - before) <= kSame * secant_of(before)) return p;
+    if (std::fabs(p.by_forces.load - before) <= search.tilt * secant_of(before)) return p;
   }
   refuse("stage", p.loads.stage->spec.name, "the wall's limit tilt could not be found",
          "use a body force, which needs no second look");
@@ -206,6 +217,21 @@ bool is_tilt(const Programmes& p) {
   return p.loads.stage->spec.kind == StageKind::kTilt;
 }
 
+// Whether the wall stands without the growing load, in the plane or in space. The programme of unbalanced forces takes
+// longer, and names the block that does not.
+template <class Loads, class Yield>
+void check_rest(const Model& model, const Search& search, const Loads& loads, const Yield& yield,
+                const Units& units, const LimitMonitor& monitor) {
+  const Monitor part_monitor = monitor_from(monitor, 1, 1);
+  if (search.by_dual) {
+    const ProgrammeStatus found =
+        find_rest(model, loads, yield, units, part_monitor, search.tolerance);
+    if (found == ProgrammeStatus::kStopped) throw LimitStopped();
+    if (found == ProgrammeStatus::kOptimal) return;
+  }
+  check_it_stands_alone(model, find_unbalanced(model, loads, yield, units, part_monitor));
+}
+
 template <class Static, class Kinematic>
 void check_solved(const Static& by_forces, const Kinematic& by_motion) {
   if (by_forces.status != ProgrammeStatus::kOptimal ||
@@ -215,7 +241,7 @@ void check_solved(const Static& by_forces, const Kinematic& by_motion) {
 
 // What both programmes say of a wall, in the plane or in space.
 template <class Programmes, class Kinematic>
-LimitResult answer_of(const LimitOptions& options, const Programmes& p,
+LimitResult answer_of(const LimitOptions& options, const Search& search, const Programmes& p,
                       const Kinematic& by_motion) {
   LimitResult answer;
   answer.options = options;
@@ -230,8 +256,8 @@ LimitResult answer_of(const LimitOptions& options, const Programmes& p,
   answer.rows = p.by_forces.rows;
   answer.columns = p.by_forces.columns;
   answer.accuracy = std::max(p.by_forces.accuracy, by_motion.accuracy);
-  const double least = 1e-6 * (p.loads.is_force ? p.units.force : 1.0);
-  if (std::fabs(answer.kinematic - answer.load) > 1e-6 * std::fabs(answer.load) + least)
+  const double least = search.gap * (p.loads.is_force ? p.units.force : 1.0);
+  if (std::fabs(answer.kinematic - answer.load) > search.gap * std::fabs(answer.load) + least)
     refuse("wall", "",
            fmt::format("its limit load is not known: the theorems give {:.6g} and {:.6g}",
                        answer.load, answer.kinematic),
@@ -239,22 +265,24 @@ LimitResult answer_of(const LimitOptions& options, const Programmes& p,
   return answer;
 }
 
-LimitResult limit_in_plane(const Model& model, const LimitOptions& options,
+LimitResult limit_in_plane(const Model& model, const LimitOptions& options, const Search& search,
                            const LimitMonitor& monitor) {
-  const Programmes p =
-      solve_tilted([&](double secant) { return solve_by_forces(model, options, secant, monitor); });
+  const Programmes p = solve_tilted(search, [&](double secant) {
+    return solve_by_forces(model, options, search, secant, monitor);
+  });
   const KinematicSolution by_motion =
-      solve_kinematic(model, p.loads, p.yield, p.units, monitor_from(monitor, 0.5, 1));
+      search.by_dual
+          ? p.by_forces.dual
+          : solve_kinematic(model, p.loads, p.yield, p.units, monitor_from(monitor, 0.5, 1));
   if (by_motion.status == ProgrammeStatus::kStopped) throw LimitStopped();
   if (by_motion.status == ProgrammeStatus::kInfeasible)
     refuse_unlimited(model, p.by_forces, p.yield);
   check_solved(p.by_forces, by_motion);
-  const Monitor part_monitor = monitor_from(monitor, 1, 1);
-  check_it_stands_alone(
-      model, is_tilt(p) ? find_unbalanced(model, limit_loads(model), yield_of(model, options),
-                                          p.units, part_monitor)
-                        : find_unbalanced(model, p.loads, p.yield, p.units, part_monitor));
-  LimitResult answer = answer_of(options, p, by_motion);
+  if (is_tilt(p))
+    check_rest(model, search, limit_loads(model), yield_of(model, options), p.units, monitor);
+  else
+    check_rest(model, search, p.loads, p.yield, p.units, monitor);
+  LimitResult answer = answer_of(options, search, p, by_motion);
   answer.shear_force = p.by_forces.shear;
   answer.point_force = p.by_forces.point_force;
   answer.link_force = p.by_forces.link_force;
@@ -265,24 +293,26 @@ LimitResult limit_in_plane(const Model& model, const LimitOptions& options,
   return answer;
 }
 
-LimitResult limit_in_space(const Model& model, const LimitOptions& options,
+LimitResult limit_in_space(const Model& model, const LimitOptions& options, const Search& search,
                            const LimitMonitor& monitor) {
   if (options.crushing == CrushingChoice::kStressBlock)
     refuse("crushing", "stress block", "is for walls in their plane",
            "let each contact point carry its share of fc A");
-  const SpaceProgrammes p = solve_tilted(
-      [&](double secant) { return solve_by_forces_in_space(model, options, secant, monitor); });
+  const SpaceProgrammes p = solve_tilted(search, [&](double secant) {
+    return solve_by_forces_in_space(model, options, search, secant, monitor);
+  });
   const SpaceKinematicSolution by_motion =
-      solve_kinematic(model, p.loads, p.yield, p.units, monitor_from(monitor, 0.5, 1));
+      search.by_dual
+          ? p.by_forces.dual
+          : solve_kinematic(model, p.loads, p.yield, p.units, monitor_from(monitor, 0.5, 1));
   if (by_motion.status == ProgrammeStatus::kStopped) throw LimitStopped();
   if (by_motion.status == ProgrammeStatus::kInfeasible) refuse_unlimited("some joint");
   check_solved(p.by_forces, by_motion);
-  const Monitor part_monitor = monitor_from(monitor, 1, 1);
-  check_it_stands_alone(
-      model, is_tilt(p) ? find_unbalanced(model, space_loads(model), space_yield(model, options),
-                                          p.units, part_monitor)
-                        : find_unbalanced(model, p.loads, p.yield, p.units, part_monitor));
-  LimitResult answer = answer_of(options, p, by_motion);
+  if (is_tilt(p))
+    check_rest(model, search, space_loads(model), space_yield(model, options), p.units, monitor);
+  else
+    check_rest(model, search, p.loads, p.yield, p.units, monitor);
+  LimitResult answer = answer_of(options, search, p, by_motion);
   answer.point_force = p.by_forces.compression;
   answer.shear_force = p.by_forces.shear_1;
   answer.shear_force_2 = p.by_forces.shear_2;
@@ -299,18 +329,16 @@ LimitResult limit_in_space(const Model& model, const LimitOptions& options,
   return answer;
 }
 
-}  // namespace
-
-LimitResult limit_load(const Model& model, const LimitOptions& options,
-                       const LimitMonitor& monitor) {
+LimitResult limit_of(const Model& model, const LimitOptions& options, const Search& search,
+                     const LimitMonitor& monitor) {
   if (model.standing.any()) {
     const StandingWall wall(model);
-    LimitResult answer = limit_load(wall.model, options, monitor);
+    LimitResult answer = limit_of(wall.model, options, search, monitor);
     wall.spread_out(answer);
     return answer;
   }
   if (!model.solids.bodies.empty()) {
-    LimitResult answer = limit_load(with_rigid_bodies(model), options, monitor);
+    LimitResult answer = limit_of(with_rigid_bodies(model), options, search, monitor);
     keep_first(model, answer);
     return answer;
   }
@@ -334,10 +362,22 @@ LimitResult limit_load(const Model& model, const LimitOptions& options,
                "\" is a share of the blocks' weight",
            "give gravity, or push with a force");
   const auto start = std::chrono::steady_clock::now();
-  LimitResult answer = model.in_space() ? limit_in_space(model, options, monitor)
-                                        : limit_in_plane(model, options, monitor);
+  LimitResult answer = model.in_space() ? limit_in_space(model, options, search, monitor)
+                                        : limit_in_plane(model, options, search, monitor);
   answer.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return answer;
+}
+
+}  // namespace
+
+LimitResult limit_load(const Model& model, const LimitOptions& options,
+                       const LimitMonitor& monitor) {
+  return limit_of(model, options, kFull, monitor);
+}
+
+LimitResult quick_limit_load(const Model& model, const LimitOptions& options,
+                             const LimitMonitor& monitor) {
+  return limit_of(model, options, kFast, monitor);
 }
 
 }  // namespace wythe

@@ -7,6 +7,7 @@
 #include "core/text.h"
 #include "limit/limit_loads.h"
 #include "wythe/parts/error.h"
+#include "wythe/parts/quick_limit.h"
 #include "wythe/parts/reading.h"
 
 namespace wythe {
@@ -155,9 +156,13 @@ SecondOpinion second_opinion(const Model& model, const OpinionAsked& asked,
   SecondOpinion opinion;
   opinion.notes = left_aside(model);
   add_mechanisms(asked, model, opinion);
-  const std::vector<LimitCase> cases = is_asked(asked, kLimitLoads)
-                                           ? limit_cases(model, asked.assessment)
-                                           : std::vector<LimitCase>{};
+  std::vector<LimitCase> cases;
+  if (is_asked(asked, kLimitLoads)) cases = limit_cases(model, asked.assessment);
+  if (asked.quick && !cases.empty()) {
+    cases.resize(1);
+    opinion.notes.push_back({"limit.quick"});
+  }
+  const auto load_of = asked.quick ? quick_limit_load : limit_load;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const Message what{"limit.of_case", {{"case", Message{cases[i].code}}}};
     LimitMonitor monitor{.stop = stop};
@@ -167,7 +172,7 @@ SecondOpinion second_opinion(const Model& model, const OpinionAsked& asked,
     };
     attempt(opinion, what, [&] {
       if (stop != nullptr && *stop) throw LimitStopped();
-      opinion.limits.push_back({cases[i].name, limit_load(model, cases[i].options, monitor)});
+      opinion.limits.push_back({cases[i].name, load_of(model, cases[i].options, monitor)});
     });
   }
   throw_if_nothing(asked, opinion, stop);

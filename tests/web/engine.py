@@ -65,8 +65,6 @@ def answer(question):
     last, begun = {}, time.monotonic()
 
     def progress(_, what, share, displacement, reaction):
-        if question.get("first") and last and last["what"] != what.decode():
-            return 1
         last.update(what=what.decode(), share=share, displacement_mm=displacement, reaction_kN=reaction)
         say({"id": question["id"], "progress": last})
         return 1 if pieces and time.monotonic() > begun + PIECE else 0
@@ -79,11 +77,6 @@ def answer(question):
         pause()
         begun = time.monotonic()
         code = library.wythe_do(job, heard, None)
-    if question.get("first") and code == STOPPED:
-        code = 0
-        if text(job, "error"):  # the first analysis was refused
-            library.wythe_free(job)
-            return answer({**question, "first": False})
     # faults first: to ask for a text that there is not is a fault of its own
     texts = {name: text(job, name) for name in ["faults", "error", *([*question.get("want", []), *question.get("bytes", [])] if code == 0 else [])]}
     tables, rows = {}, ctypes.c_size_t()

@@ -1,4 +1,4 @@
-// The worker of a page (apps/wasm/worker.js) with an engine that is given: what it answers when analyses or the engine itself fail.
+// The worker of a page (apps/wasm/worker.js) whose engine fails, and the limit load that a page shows of an answer.
 import assert from "node:assert/strict";
 import fs from "node:fs";
 import path from "node:path";
@@ -8,57 +8,24 @@ import { root, viewerModule } from "./helpers.mjs";
 import { standInForPage } from "./studio.mjs";
 
 const script = fs.readFileSync(path.join(root, "apps/wasm/worker.js"), "utf8");
-// A worker, and what it says; `analyses` are those of a limit task, each refused or not.
-function worker(analyses, wytheEngine = async () => ({ UTF8ToString: () => "test", _wythe_version: () => 0 })) {
-  const said = [];
+// What a worker throws that is given this engine.
+function thrownWith(wytheEngine) {
   let threw;
   const thrown = new Promise((done) => (threw = done));
-  const openJob = () => {
-    let answered,
-      stopped = false; // once and for all, as in the engine
-    return {
-      do(tell) {
-        answered = [];
-        for (const { name, refused } of analyses) {
-          stopped ||= tell(name, 0.1, 0, 0);
-          if (!stopped && !refused) answered.push(name);
-        }
-        return stopped ? 3 : answered.length > 0 ? 0 : 2;
-      },
-      answers: () => ({ texts: { error: answered.length > 0 ? "" : stopped ? "stopped by the user" : "it cannot stand", limits: answered.join() }, tables: {} }),
-      free() {},
-    };
-  };
   class Module {}
   const context = vm.createContext({
-    postMessage: (m) => said.push(m), performance, wytheEngine, openJob,
+    wytheEngine,
     setTimeout: (does) => setTimeout(() => { try { does(); } catch (error) { threw(error); } }),
     WebAssembly: { Module, instantiate: () => Promise.reject(new Error("no memory for it")) },
   });
   vm.runInContext(script, context);
-  return { said, thrown, context, begun: context.onmessage({ data: { wasm: new Module() } }) };
+  void context.onmessage({ data: { wasm: new Module() } });
+  return thrown;
 }
-const ask = async ({ context, said, begun }) => {
-  await begun;
-  await context.onmessage({ data: { id: 1, task: "limit", first: true, texts: {} } });
-  return said.at(-1);
-};
-
-test("of several analyses the first is enough", async () => {
-  const answer = await ask(worker([{ name: "dry" }, { name: "crushing" }]));
-  assert.equal(answer.code, 0);
-  assert.equal(answer.texts.limits, "dry");
-});
-
-test("where the first one is refused, its reason is told, not that it was stopped", async () => {
-  const answer = await ask(worker([{ name: "dry", refused: true }, { name: "crushing", refused: true }]));
-  assert.equal(answer.code, 2);
-  assert.equal(answer.texts.error, "it cannot stand");
-});
 
 test("an engine that cannot be made is an error of the worker, so that the page hears of it", async () => {
   const made = ({ instantiateWasm }) => new Promise((done) => instantiateWasm({}, done));
-  assert.match(String(await worker([], made).thrown), /no memory for it/);
+  assert.match(String(await thrownWith(made)), /no memory for it/);
 });
 
 let LiveLimit;

@@ -16,6 +16,7 @@ struct OpinionAsked {
   std::vector<std::string>
       only;  // "infinite", "macro_block_1", "macro_block_2", "lp", "parts"; empty: all
   bool assessment = false;  // of each mechanism, after Circolare 7/2019
+  bool quick = false;       // the first limit load alone, to kQuickError (quick_limit.h)
   bool parts =
       false;  // the caller adds checks of parts (local_check.h), so other analyses may fail
 };

@@ -19,25 +19,13 @@
 
 namespace wythe::limit {
 
+// What a static programme asks: the largest load; whether the wall stands without it; what forces it then lacks.
+enum class Purpose { kLoad, kRest, kUnbalanced };
+
 struct Units {
   double force = 1, length = 1;
 };
 [[nodiscard]] Units units_of(const Model& model, const LimitLoads& loads, const YieldModel& yield);
-
-struct StaticSolution {
-  ProgrammeStatus status = ProgrammeStatus::kFailed;
-  double load = 0;
-  std::vector<double> shear;        // (n_joint) [N]
-  std::vector<double> point_force;  // (n_joint x points) [N], compression +
-  std::vector<double> link_force;   // (n_link) [N], tension +
-  std::vector<double> ray;          // of the columns, for a load without limit
-  double accuracy = 0;
-  int rows = 0, columns = 0;
-};
-// Solves the static programme; adds tangents to `yield` until its stress blocks hold.
-[[nodiscard]] StaticSolution solve_static(const Model& model, const LimitLoads& loads,
-                                          YieldModel& yield, const Units& units,
-                                          const Monitor& monitor = {});
 
 struct KinematicSolution {
   ProgrammeStatus status = ProgrammeStatus::kFailed;
@@ -49,6 +37,28 @@ struct KinematicSolution {
 [[nodiscard]] KinematicSolution solve_kinematic(const Model& model, const LimitLoads& loads,
                                                 const YieldModel& yield, const Units& units,
                                                 const Monitor& monitor = {});
+
+struct StaticSolution {
+  ProgrammeStatus status = ProgrammeStatus::kFailed;
+  double load = 0;
+  KinematicSolution dual;           // multipliers of the balance are velocities of a mechanism
+  std::vector<double> shear;        // (n_joint) [N]
+  std::vector<double> point_force;  // (n_joint x points) [N], compression +
+  std::vector<double> link_force;   // (n_link) [N], tension +
+  std::vector<double> ray;          // of the columns, for a load without limit
+  double accuracy = 0;
+  int rows = 0, columns = 0;
+};
+// Solves the static programme; adds tangents to `yield` until its stress blocks hold.
+[[nodiscard]] StaticSolution solve_static(const Model& model, const LimitLoads& loads,
+                                          YieldModel& yield, const Units& units,
+                                          const Monitor& monitor = {},
+                                          const Tolerance& tolerance = kExact);
+
+// Whether forces without the growing load balance every block.
+[[nodiscard]] ProgrammeStatus find_rest(const Model& model, const LimitLoads& loads,
+                                        const YieldModel& yield, const Units& units,
+                                        const Monitor& monitor, const Tolerance& tolerance);
 
 // The block with the largest unbalanced force without a growing load [N]; -1: all are in equilibrium, if solved.
 struct Unbalanced {

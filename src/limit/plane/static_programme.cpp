@@ -21,13 +21,14 @@ class StaticProgramme {
   StaticProgramme(const Model& m, const LimitLoads& loads, const YieldModel& y, const Units& units)
       : m_(m), loads_(loads), y_(y), u_(units), balance_(3 * static_cast<std::size_t>(m.n_block)) {}
 
-  // `elastic`: unbalanced forces are allowed at a cost, and the load is zero.
-  void build(bool elastic) {
-    load_ = lp_.add_column(elastic ? 0 : -kFree, elastic ? 0 : kFree, elastic ? 0 : -1);
+  // The load is a variable for kLoad only, else it is zero; for kUnbalanced, unbalanced forces have a cost.
+  void build(Purpose purpose) {
+    const bool grows = purpose == Purpose::kLoad;
+    load_ = lp_.add_column(grows ? -kFree : 0, grows ? kFree : 0, grows ? -1 : 0);
     for (int j = 0; j < m_.n_joint; ++j) add_joint(j);
     for (std::size_t k = 0; k < y_.link.size(); ++k) add_link(k);
     add_loads();
-    if (elastic) add_slack();
+    if (purpose == Purpose::kUnbalanced) add_slack();
     add_balance();
     for (int j = 0; j < m_.n_joint; ++j) add_sliding(j);
     add_tangents();
@@ -44,9 +45,9 @@ class StaticProgramme {
     }
   }
 
-  StaticSolution solve(const Monitor& monitor) {
+  StaticSolution solve(const Monitor& monitor, const Tolerance& tolerance) {
     StaticSolution answer;
-    answer.status = lp_.solve(monitor);
+    answer.status = lp_.solve(monitor, tolerance);
     answer.accuracy = lp_.accuracy();
     answer.rows = lp_.rows();
     answer.columns = lp_.columns();
@@ -61,10 +62,15 @@ class StaticProgramme {
     }
     for (std::size_t k = 0; k < y_.link.size(); ++k)
       answer.link_force.push_back(x[static_cast<std::size_t>(shear(m_.n_joint)) + k] * u_.force);
+    answer.dual = mechanism(answer);
     return answer;
   }
 
-  // The largest unbalanced force, after build(true).
+  ProgrammeStatus stands(const Monitor& monitor, const Tolerance& tolerance) {
+    return lp_.solve(monitor, tolerance);
+  }
+
+  // The largest unbalanced force, after build(Purpose::kUnbalanced).
   Unbalanced worst(const Monitor& monitor) {
     Unbalanced found;
     found.status = lp_.solve(monitor);
@@ -82,6 +88,27 @@ class StaticProgramme {
   }
 
  private:
+  [[nodiscard]] KinematicSolution mechanism(const StaticSolution& forces) const {
+    KinematicSolution m;
+    m.status = forces.status;
+    m.accuracy = forces.accuracy;
+    m.load = -lp_.dual_objective() * (loads_.is_force ? u_.force : 1.0);
+    const double scale = loads_.is_force ? 1.0 : 1.0 / u_.force;
+    const auto velocity = [&](std::size_t block, std::size_t axis) {
+      const int row = balance_row_[3 * block + axis];
+      return row < 0 ? 0.0 : scale * lp_.multipliers()[static_cast<std::size_t>(row)];
+    };
+    m.dissipation = m.load;
+    for (std::size_t i = 0; i < loads_.dead.size(); ++i) {
+      m.vx.push_back(velocity(i, 0));
+      m.vy.push_back(velocity(i, 1));
+      m.omega.push_back(velocity(i, 2) / u_.length);
+      const BlockForce& f = loads_.dead[i];
+      m.dissipation += f.fx * m.vx[i] + f.fy * m.vy[i] + f.moment * m.omega[i];
+    }
+    return m;
+  }
+
   [[nodiscard]] int shear(int j) const { return 1 + j * static_cast<int>(1 + y_.points()); }
   [[nodiscard]] int point(int j, std::size_t k) const { return shear(j) + 1 + static_cast<int>(k); }
 
@@ -165,7 +192,7 @@ class StaticProgramme {
       for (int axis = 0; axis < 3; ++axis) {
         const auto row = 3 * i + static_cast<std::size_t>(axis);
         const double right = wanted[axis] / u_.force;
-        if (!is_held(i, axis)) lp_.add_row(balance_[row], right, right);
+        balance_row_.push_back(is_held(i, axis) ? -1 : lp_.add_row(balance_[row], right, right));
       }
     }
     if (!sum_.empty()) lp_.add_row(sum_, 0, 0);
@@ -187,6 +214,7 @@ class StaticProgramme {
   Units u_;
   LinearProgramme lp_;
   std::vector<std::vector<Entry>> balance_;  // rows x, y, moment of each block
+  std::vector<int> balance_row_;             // of the programme; -1: held
   std::vector<Entry> sum_;
   int load_ = 0;
   std::size_t slack_ = 0, tangents_ = 0;
@@ -206,25 +234,33 @@ Units units_of(const Model& model, const LimitLoads& loads, const YieldModel& yi
 }
 
 StaticSolution solve_static(const Model& model, const LimitLoads& loads, YieldModel& yield,
-                            const Units& units, const Monitor& monitor) {
+                            const Units& units, const Monitor& monitor,
+                            const Tolerance& tolerance) {
   StaticProgramme programme(model, loads, yield, units);
-  programme.build(false);
-  StaticSolution answer = programme.solve(monitor);
+  programme.build(Purpose::kLoad);
+  StaticSolution answer = programme.solve(monitor, tolerance);
   for (int round = 0; round < kRounds && answer.status == ProgrammeStatus::kOptimal; ++round) {
     if (cut_stress_blocks(yield, answer.point_force) == 0) break;
     const double before = answer.load;
     programme.add_tangents();
-    answer = programme.solve(monitor);
+    answer = programme.solve(monitor, tolerance);
     if (std::fabs(answer.load - before) <= kSettled * std::fabs(before)) break;
   }
   if (answer.status == ProgrammeStatus::kOptimal) drop_idle_tangents(yield, answer.point_force);
   return answer;
 }
 
+ProgrammeStatus find_rest(const Model& model, const LimitLoads& loads, const YieldModel& yield,
+                          const Units& units, const Monitor& monitor, const Tolerance& tolerance) {
+  StaticProgramme programme(model, loads, yield, units);
+  programme.build(Purpose::kRest);
+  return programme.stands(monitor, tolerance);
+}
+
 Unbalanced find_unbalanced(const Model& model, const LimitLoads& loads, const YieldModel& yield,
                            const Units& units, const Monitor& monitor) {
   StaticProgramme programme(model, loads, yield, units);
-  programme.build(true);
+  programme.build(Purpose::kUnbalanced);
   return programme.worst(monitor);
 }
 

@@ -7,6 +7,7 @@
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -23,9 +24,6 @@ using Matrix = Eigen::SparseMatrix<double>;
 using Order = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int>;
 
 constexpr int kIterations = 150;   // 30 to 80 are usual
-constexpr double kWanted = 1e-9;   // of residuals, and of the gap between both objectives
-constexpr double kBest = 1e-14;    // beyond what is wanted, as long as iterations halve it
-constexpr double kEnough = 1e-7;   // where round-off allows no more
 constexpr int kPatience = 5;       // iterations without a better point
 constexpr double kAstray = 100;    // times as far off as the best point
 constexpr double kRegular = 1e-9;  // on the systems' diagonal; refinement takes it back
@@ -59,8 +57,9 @@ struct Iterate {
 
 class InteriorPoint {
  public:
-  explicit InteriorPoint(const InequalityForm& f)
-      : n_(static_cast<int>(f.c.size())),
+  InteriorPoint(const InequalityForm& f, const Tolerance& tolerance)
+      : tolerance_(tolerance),
+        n_(static_cast<int>(f.c.size())),
         p_(static_cast<int>(f.b.size())),
         m_(static_cast<int>(f.h.size())),
         a_(matrix_of(f.equal, p_, n_)),
@@ -92,7 +91,8 @@ class InteriorPoint {
       if (i == 0) first = residual;
       if (residual < best.accuracy) keep(i, residual, best);
       if (residual < 0.5 * before) halved = i;
-      if (best.accuracy < kBest || (best.accuracy < kWanted && i > halved + 1)) break;
+      if (best.accuracy < tolerance_.best || (best.accuracy < tolerance_.wanted && i > halved + 1))
+        break;
       // what is left falls on the way to a solution and on that to a proof that there is none
       const double left = merit();
       if (residual < before || left < least) {
@@ -101,8 +101,8 @@ class InteriorPoint {
         least = std::min(least, left);
       }
       // round-off has the upper hand: from the best point on with a stiffer system
-      const bool astray =
-          !(residual < kAstray * best.accuracy) && !(left < kAstray * std::max(least, kWanted));
+      const bool astray = !(residual < kAstray * best.accuracy) &&
+                          !(left < kAstray * std::max(least, tolerance_.wanted));
       if (astray || i - better > kPatience) {
         if (regular_ >= kMostRegular) break;
         regular_ *= 10;
@@ -110,7 +110,8 @@ class InteriorPoint {
         q_ = best_point;
         take_residuals();
       }
-      const double done = elementary::log(first / best.accuracy) / elementary::log(first / kWanted);
+      const double done =
+          elementary::log(first / best.accuracy) / elementary::log(first / tolerance_.wanted);
       if (monitor && monitor(std::clamp(done, 0.0, 1.0))) {
         best.status = ProgrammeStatus::kStopped;
         return best;
@@ -118,7 +119,8 @@ class InteriorPoint {
       factorise();
       step();
     }
-    best.status = best.accuracy < kEnough ? ProgrammeStatus::kOptimal : ProgrammeStatus::kFailed;
+    best.status =
+        best.accuracy < tolerance_.enough ? ProgrammeStatus::kOptimal : ProgrammeStatus::kFailed;
     return best;
   }
 
@@ -151,6 +153,7 @@ class InteriorPoint {
     answer.y = list_of(q_.y / q_.tau);
     answer.z = list_of(row_scale_.cwiseProduct(q_.z) / q_.tau);
     answer.objective = scale_ * primal_objective_ / q_.tau;
+    answer.dual_objective = scale_ * dual_objective_ / q_.tau;
     answer.accuracy = residual;
     answer.iterations = iteration;
   }
@@ -319,28 +322,58 @@ class InteriorPoint {
   struct Three {
     Vector x, y, z;
   };
-  // Solves and refines until the residual no longer falls.
-  [[nodiscard]] Three solve_system(const Three& right) const {
-    Three found{Vector::Zero(n_), Vector::Zero(p_), Vector::Zero(m_)}, left = right;
-    const double scale = std::max({largest(right.x), largest(right.y), largest(right.z)});
-    double before = std::numeric_limits<double>::infinity();
-    Vector d(n_ + p_ + m_);
-    for (int i = 0; i < kRefinements; ++i) {
-      d << left.x, left.y, left.z;
-      d = order_ * d;
-      factor_.solve(d);
-      d = back_ * d;
-      const Three next{found.x + d.head(n_), found.y + d.segment(n_, p_), found.z + d.tail(m_)};
-      left.x = right.x - at_ * next.y - gt_ * next.z;
-      left.y = right.y - a_ * next.x;
-      left.z = right.z - g_ * next.x + cones_.squared_times(next.z);
-      const double error = std::max({largest(left.x), largest(left.y), largest(left.z)});
-      if (!(error <= before)) break;
-      found = next;
-      if (error < 1e-11 * scale || error > 0.7 * before) break;
-      before = error;
+  // A right side, and what is found so far.
+  struct Refined {
+    Three right, found, left;
+    double scale = 0, before = std::numeric_limits<double>::infinity();
+    bool ends = false;
+  };
+
+  // Solves and refines until the residual no longer falls. Right sides go through the factor together.
+  template <std::size_t N>
+  [[nodiscard]] std::array<Three, N> solve_systems(std::array<Three, N> right) const {
+    std::array<Refined, N> all;
+    for (std::size_t k = 0; k < N; ++k) {
+      Refined& r = all[k];
+      r.found = {Vector::Zero(n_), Vector::Zero(p_), Vector::Zero(m_)};
+      r.left = r.right = std::move(right[k]);
+      r.scale = std::max({largest(r.right.x), largest(r.right.y), largest(r.right.z)});
     }
+    std::array<Vector, N> d;
+    std::vector<Vector*> under_way;
+    for (int i = 0; i < kRefinements; ++i) {
+      under_way.clear();
+      for (std::size_t k = 0; k < N; ++k) {
+        if (all[k].ends) continue;
+        d[k].resize(n_ + p_ + m_);
+        d[k] << all[k].left.x, all[k].left.y, all[k].left.z;
+        d[k] = order_ * d[k];
+        under_way.push_back(&d[k]);
+      }
+      if (under_way.empty()) break;
+      if (under_way.size() == 2)
+        factor_.solve(*under_way[0], *under_way[1]);
+      else
+        factor_.solve(*under_way[0]);
+      for (std::size_t k = 0; k < N; ++k)
+        if (!all[k].ends) add(back_ * d[k], all[k]);
+    }
+    std::array<Three, N> found;
+    for (std::size_t k = 0; k < N; ++k) found[k] = std::move(all[k].found);
     return found;
+  }
+
+  void add(const Vector& d, Refined& r) const {
+    Three next{r.found.x + d.head(n_), r.found.y + d.segment(n_, p_), r.found.z + d.tail(m_)};
+    r.left.x = r.right.x - at_ * next.y - gt_ * next.z;
+    r.left.y = r.right.y - a_ * next.x;
+    r.left.z = r.right.z - g_ * next.x + cones_.squared_times(next.z);
+    const double error = std::max({largest(r.left.x), largest(r.left.y), largest(r.left.z)});
+    r.ends = !(error <= r.before);
+    if (r.ends) return;
+    r.found = std::move(next);
+    r.ends = error < tolerance_.linear * r.scale || error > 0.7 * r.before;
+    r.before = error;
   }
 
   // --- the step: predictor and corrector, after Mehrotra ------------------------------------------
@@ -351,9 +384,9 @@ class InteriorPoint {
 
   void step() {
     const double mu = mean_product();
-    const Three one = solve_system({-c_, b_, h_});
+    Three one, two;
     const auto fall = [&](const Three& t) { return c_.dot(t.x) + b_.dot(t.y) + h_.dot(t.z); };
-    const double denominator = q_.kappa / q_.tau - fall(one);
+    double denominator = 0;
     Iterate d;
     double sigma = 0, alpha = 0;
     for (const bool corrects : {false, true}) {
@@ -364,7 +397,15 @@ class InteriorPoint {
         tk += sigma * mu - d.kappa * d.tau;
       }
       const double rest = 1 - sigma;
-      const Three two = solve_system({-rest * rx_, rest * ry_, rest * rz_ - cones_.lead(sz, q_.z)});
+      const Three right{-rest * rx_, rest * ry_, rest * rz_ - cones_.lead(sz, q_.z)};
+      if (corrects) {
+        two = std::move(solve_systems<1>({right})[0]);
+      } else {
+        auto both = solve_systems<2>({Three{-c_, b_, h_}, right});
+        one = std::move(both[0]);
+        two = std::move(both[1]);
+        denominator = q_.kappa / q_.tau - fall(one);
+      }
       d.tau = (-rest * rt_ + tk / q_.tau + fall(two)) / denominator;
       d.x = two.x + d.tau * one.x;
       d.y = two.y + d.tau * one.y;
@@ -400,6 +441,7 @@ class InteriorPoint {
     return alpha;
   }
 
+  Tolerance tolerance_;
   int n_, p_, m_;
   Matrix a_, g_, at_, gt_;
   Vector c_, b_, h_;
@@ -419,8 +461,9 @@ class InteriorPoint {
 
 }  // namespace
 
-InteriorSolution interior_point(const InequalityForm& form, const Monitor& monitor) {
-  return InteriorPoint(form).solve(monitor);
+InteriorSolution interior_point(const InequalityForm& form, const Monitor& monitor,
+                                const Tolerance& tolerance) {
+  return InteriorPoint(form, tolerance).solve(monitor);
 }
 
 }  // namespace wythe::limit

@@ -37,16 +37,27 @@ struct InequalityForm {
   int circles = 0;        // of three rows each, the last ones of G
 };
 
+// How far a search goes [-].
+struct Tolerance {
+  double wanted = 1e-9;   // of residuals, and of the gap between both objectives
+  double best = 1e-14;    // beyond what is wanted, as long as iterations halve it
+  double enough = 1e-7;   // where round-off allows no more
+  double linear = 1e-11;  // of the residual of a linear system, to its right side
+};
+inline constexpr Tolerance kExact{};
+inline constexpr Tolerance kQuick{.wanted = 1e-7, .best = 1e-7, .enough = 1e-6, .linear = 1e-9};
+
 struct InteriorSolution {
   ProgrammeStatus status = ProgrammeStatus::kFailed;
   std::vector<double> x;     // after kUnbounded a direction in which c.x falls for ever
   std::vector<double> y, z;  // of the dual
-  double objective = 0;
+  double objective = 0, dual_objective = 0;
   double accuracy = 0;  // what is left of the residuals and of the gap between both objectives
   int iterations = 0;
 };
 
 [[nodiscard]] InteriorSolution interior_point(const InequalityForm& form,
-                                              const Monitor& monitor = {});
+                                              const Monitor& monitor = {},
+                                              const Tolerance& tolerance = kExact);
 
 }  // namespace wythe::limit

@@ -144,17 +144,29 @@ void LinearProgramme::take_dual(const InteriorSolution& answer) {
       solution_[j] = (d.is_free[j] ? answer.y : answer.z)[static_cast<std::size_t>(d.place[j])];
 }
 
-ProgrammeStatus LinearProgramme::solve(const Monitor& monitor) {
+// form() numbers the equations in the order of their rows.
+void LinearProgramme::take_multipliers(const InteriorSolution& answer) {
+  multipliers_.assign(row_low_.size(), 0);
+  std::size_t equation = 0;
+  for (std::size_t r = 0; r < row_low_.size(); ++r)
+    if (row_low_[r] == row_high_[r]) multipliers_[r] = answer.y[equation++];
+}
+
+ProgrammeStatus LinearProgramme::solve(const Monitor& monitor, const Tolerance& tolerance) {
   ray_.clear();
   const bool by_dual = is_plain();
-  const InteriorSolution answer = interior_point(by_dual ? dual_form() : form(), monitor);
+  const InteriorSolution answer =
+      interior_point(by_dual ? dual_form() : form(), monitor, tolerance);
   accuracy_ = answer.accuracy;
   if (answer.status == ProgrammeStatus::kOptimal) {
     objective_ = by_dual ? -answer.objective : answer.objective;
-    if (by_dual)
+    dual_objective_ = answer.dual_objective;
+    if (by_dual) {
       take_dual(answer);
-    else
+    } else {
       solution_ = answer.x;
+      take_multipliers(answer);
+    }
   }
   if (answer.status == ProgrammeStatus::kUnbounded && !by_dual) ray_ = answer.x;
   if (!by_dual) return answer.status;

@@ -36,8 +36,12 @@ class LinearProgramme {
   }
 
   // `monitor` is called several times a second.
-  ProgrammeStatus solve(const Monitor& monitor = {});
+  ProgrammeStatus solve(const Monitor& monitor = {}, const Tolerance& tolerance = kExact);
   [[nodiscard]] double objective() const { return objective_; }
+  // Of the programme's own dual, and the multipliers of the rows with equal bounds there (rows; others 0). Not of a
+  // programme of equations alone.
+  [[nodiscard]] double dual_objective() const { return dual_objective_; }
+  [[nodiscard]] const std::vector<double>& multipliers() const { return multipliers_; }
   [[nodiscard]] const std::vector<double>& solution() const { return solution_; }  // (columns)
   // What is left of the residuals and of the gap of the programme's own dual.
   [[nodiscard]] double accuracy() const { return accuracy_; }
@@ -60,14 +64,15 @@ class LinearProgramme {
   std::vector<double> value_;
   std::vector<CircleRows> circle_rows_;
   std::vector<int> circle_columns_;  // the first of each three
-  double objective_ = 0, accuracy_ = 0;
-  std::vector<double> solution_, ray_;
+  double objective_ = 0, dual_objective_ = 0, accuracy_ = 0;
+  std::vector<double> solution_, multipliers_, ray_;
   [[nodiscard]] bool is_plain() const;
   [[nodiscard]] InequalityForm form() const;
   [[nodiscard]] InequalityForm dual_form() const;
   void add_circles(InequalityForm& form) const;
   [[nodiscard]] DualPlaces dual_places() const;
   void take_dual(const InteriorSolution& answer);
+  void take_multipliers(const InteriorSolution& answer);
 };
 
 }  // namespace wythe::limit

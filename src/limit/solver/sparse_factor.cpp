@@ -87,4 +87,25 @@ void SparseFactor::solve(Eigen::VectorXd& x) const {
   }
 }
 
+void SparseFactor::solve(Eigen::VectorXd& x, Eigen::VectorXd& y) const {
+  for (int k = 0; k < n_; ++k) {
+    const double u = x[k], v = y[k];
+    for (int p = l_begin_[k]; p < l_begin_[k + 1]; ++p) {
+      const int row = l_row_[p];
+      x[row] -= l_value_[p] * u;
+      y[row] -= l_value_[p] * v;
+    }
+  }
+  for (int k = n_; k-- > 0;) {
+    double u = x[k] * d_[k], v = y[k] * d_[k];
+    for (int p = l_begin_[k]; p < l_begin_[k + 1]; ++p) {
+      const int row = l_row_[p];
+      u -= l_value_[p] * x[row];
+      v -= l_value_[p] * y[row];
+    }
+    x[k] = u;
+    y[k] = v;
+  }
+}
+
 }  // namespace wythe::limit

@@ -18,6 +18,7 @@ class SparseFactor {
   // Of the values of a matrix with that pattern.
   void factorise(const double* value);
   void solve(Eigen::VectorXd& x) const;
+  void solve(Eigen::VectorXd& x, Eigen::VectorXd& y) const;  // the bits of one after the other
 
  private:
   // Columns of L that row k meets, each before those it changes.

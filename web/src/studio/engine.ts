@@ -10,7 +10,6 @@ export interface Question {
   bytes?: string[]; // of those that come as bytes: long ones, which textIn() reads when they are needed
   tables?: string[]; // and of the tables
   pieces?: boolean; // a run that shows the wall on its way, and that can pause
-  first?: boolean; // of several analyses the first is enough
 }
 export interface Progress {
   what: string;

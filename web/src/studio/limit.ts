@@ -47,7 +47,7 @@ export class LiveLimit {
       this.forget();
       this.show(h("p", { class: "soft" }, say("studio.limit.late", { seconds: kPatience / 1000 })));
     }, kPatience);
-    void this.engine.ask({ task: "limit", texts: { model: text, only: ["lp"] }, want: ["mechanisms", "dry svg"], first: true }).then(async (answer) => {
+    void this.engine.ask({ task: "limit", texts: { model: text, only: ["lp"] }, numbers: { quick: 1 }, want: ["mechanisms", "dry svg"] }).then(async (answer) => {
       if (asked !== this.asked) return;
       window.clearTimeout(this.timer);
       await this.answered(answer, () => asked === this.asked);
