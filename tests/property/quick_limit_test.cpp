@@ -111,7 +111,10 @@ RC_GTEST_PROP(quick_limit, is_the_exact_load_to_its_error, ()) {
           *rc::gen::element(JointStrength::kDry, JointStrength::kDry, JointStrength::kBonded),
       .crushing = *rc::gen::element(CrushingChoice::kNone, CrushingChoice::kPoints)};
   const Answer exact = answer_of(model, options, false), quick = answer_of(model, options, true);
-  RC_ASSERT(quick.refusal == exact.refusal);
+  // the tilts before the last one differ, and with them which of its refusals a tilt comes to first
+  const bool tilts = model.stages.back().spec.kind == StageKind::kTilt;
+  RC_ASSERT(tilts ? quick.refusal.empty() == exact.refusal.empty()
+                  : quick.refusal == exact.refusal);
   if (!exact.refusal.empty()) return;
   const double load = exact.limit.load, error = kQuickError * std::fabs(load);
   RC_ASSERT(std::fabs(quick.limit.load - load) <= error);
@@ -126,7 +129,7 @@ RC_GTEST_PROP(quick_limit, mechanism_flows_and_gives_the_load, ()) {
   for (auto& [name, joint] : spec.material) joint.residual_cohesion = 0;
   const Model model = compile(spec);
   const Answer quick = answer_of(model, {}, true);
-  if (!quick.refusal.empty()) return;
+  RC_PRE(quick.refusal.empty());
   RC_ASSERT(broken_flow(model, quick.limit) < kQuickError);
 }
 

@@ -9,7 +9,7 @@ namespace wythe {
 inline constexpr double kQuickError = 1e-4;
 
 // As limit_load(), by the static programme alone: its dual gives `kinematic` and the mechanism, and whether the wall
-// stands without the load is asked with the load left out. A wall without an answer is refused in the same words.
+// stands without the load is asked with the load left out. A wall without an answer is refused, too.
 [[nodiscard]] LimitResult quick_limit_load(const Model& model, const LimitOptions& options,
                                            const LimitMonitor& monitor = {});
 
