@@ -71,6 +71,20 @@ class SpaceFrameCompiler {
             .across = frame.plane.across};
   }
 
+  // A section in numbers, which the plane needs less of. Beams without their own have the columns' section.
+  void need_across(const SectionSpec& section, const std::string& key) {
+    if (!(section.area > 0)) return;
+    const auto need = [&](const char* name, double value, const char* why, const char* example) {
+      if (!(value > 0))
+        faults_.add({"", path_ + "." + key + "." + name, "", std::string("is missing: ") + why,
+                     std::string("write ") + name + " = \"" + example + "\", or name a profile",
+                     0});
+    };
+    need("weak_second_moment", section.weak_second_moment,
+         "in space a member bends across its plane", "2003 cm^4");
+    need("torsion_constant", section.torsion_constant, "in space a member twists", "59.3 cm^4");
+  }
+
   void add(const SpaceFrame& frame) {
     const auto index = static_cast<std::size_t>(frame.placed.index);
     const FrameSpec& spec = spec_.frame[index];
@@ -79,14 +93,8 @@ class SpaceFrameCompiler {
     const FrameSteel steel = frame_steel(spec, path_, faults_);
     check_frame_gap(spec_, spec, path_, faults_);
     const auto sections = geometry::sections_of(spec, index, faults_);
-    if (sections)
-      for (const auto& [key, section] :
-           {std::pair("section", sections->column), {"beam_section", sections->beam}})
-        if (!(section.weak_second_moment > 0) || !(section.torsion_constant > 0))
-          faults_.add({"", path_ + "." + key + ".weak_second_moment", "",
-                       "is missing, or torsion_constant is: in space a member bends across its "
-                       "plane and twists",
-                       "write both, or name a profile", 0});
+    need_across(spec.section, "section");
+    need_across(spec.beam_section, "beam_section");
     if (faults_.all().size() > before || !sections) return;
     Frames& f = model_.frames;
     const std::int32_t first = add_members(frame.placed, *sections, steel, f);
