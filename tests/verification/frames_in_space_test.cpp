@@ -311,6 +311,17 @@ TEST(FramesInSpace, a_post_across_the_opening_comes_with_the_cut) {
   EXPECT_EQ(along_a_line(plane).frame[0].stage, "");
 }
 
+// As one `round` the opening: where it stands is said in numbers.
+TEST(FramesInSpace, a_frame_in_its_own_hole_comes_with_the_cut) {
+  ModelSpec plane = scenes::cut_under_load(plane_wall());
+  const OpeningSpec window = plane.wall.opening[0];
+  plane.frame[0].round = "";
+  plane.frame[0].hole = {window.x, window.y, window.width, window.height};
+  EXPECT_EQ(along_a_line(plane).frame[0].stage, "cut");
+  plane.frame[0].hole.x += window.width;  // beside it
+  EXPECT_EQ(along_a_line(plane).frame[0].stage, "");
+}
+
 TEST(FramesInSpace, touch_a_deformable_block_with_their_own_joint) {
   ModelSpec spec = yard();
   FrameSpec column = portal(FrameFeet::kFixed);
