@@ -5,6 +5,11 @@
 #include "wythe/parts/error.h"
 #include "wythe/parts/model.h"
 
+namespace wythe::geometry {
+struct Section;
+struct FrameSections;
+}  // namespace wythe::geometry
+
 namespace wythe {
 
 // Number of each assembly block among the moving rigid blocks; kGroundBlock for supports, solid_id()
@@ -83,6 +88,16 @@ struct FrameSteel {
                                      FaultList& faults);
 void check_frame_gap(const ModelSpec& spec, const FrameSpec& frame, const std::string& path,
                      FaultList& faults);
+// Section of a member: an upright one is a column.
+[[nodiscard]] const geometry::Section& section_of(const geometry::FramePart& part,
+                                                  const geometry::FrameSections& sections);
+// The frame's name and members; the number of the first one.
+std::int32_t add_members(const geometry::PlacedFrame& placed,
+                         const geometry::FrameSections& sections, const FrameSteel& steel,
+                         Frames& frames);
+// What a section has in the frame's plane, its fibres and its place, and counts it; `first`: of add_members().
+void add_fibres(const geometry::FrameJoint& joint, std::int32_t first, const FrameSteel& steel,
+                Frames& frames);
 void note_frame(const geometry::PlacedFrame& placed, const FrameSpec& frame, Model& model);
 // compiles sections between segments of frames.
 void compile_frames(const ModelSpec& spec, const geometry::Assembly& assembly, const BlockMap& map,

@@ -143,7 +143,23 @@ Json links_of(const Model& model) {
   return list;
 }
 
-// Members of frames, and the places of their sections on their blocks.
+// Two directions of the plane that a section of a frame stands in, as its members have it: along the wall and up.
+struct PlaneWays {
+  Vec3 along{1, 0, 0}, up{0, 1, 0};
+};
+PlaneWays plane_of(const Model& model, std::size_t section) {
+  if (dimension_of(model) == 2) return {};
+  const Frames& f = model.frames;
+  const FrameMember& member = f.members[static_cast<std::size_t>(f.member[section])];
+  // a foot at the end of the way looks back along it
+  const bool back = f.a[section] == kGroundBlock && f.place[section] > 0.5 * member.length;
+  const double forth = back ? -1 : 1, x = member.direction_x, y = member.direction_y;
+  const Vec3 way = forth * Vec3{f.axis_x[section], f.axis_y[section], f.axis_z[section]};
+  const Vec3 left = forth * f.left[section];
+  return {x * way - y * left, y * way + x * left};
+}
+
+// Members of frames, and sections along them where they stand on their block; in space also the plane of each.
 void add_members(Json& wall, const Model& model) {
   const Frames& f = model.frames;
   const State rest = initial_state(model);
@@ -157,11 +173,15 @@ void add_members(Json& wall, const Model& model) {
   for (std::size_t k = 0; k < f.a.size(); ++k) {
     const BlockReading block = read_block(model, rest, f.b[k]);
     const Vec3 arm = read[k].where - block.start - block.moved;
+    const auto [along, up] = plane_of(model, k);
     sections.push_back({{"member", f.member[k]},
                         {"place", f.place[k]},
                         {"a", f.a[k]},
                         {"b", f.b[k]},
-                        {"arm", {arm.x, arm.y}}});
+                        {"arm", {dot(arm, along), dot(arm, up)}}});
+    if (dimension_of(model) == 3)
+      members[static_cast<std::size_t>(f.member[k])].update(
+          {{"along", {along.x, along.y, along.z}}, {"up", {up.x, up.y, up.z}}});
     if (f.outer_stiffness[k] == 0) sections.back()["hinged"] = true;
   }
   wall["members"] = members;
@@ -195,7 +215,7 @@ void add_wall(Bundle& bundle, const Model& model) {
     wall["contacts"] = s.n_contact;
   }
   if (model.links.n > 0 && dimension_of(model) == 2) wall["links"] = links_of(model);
-  if (model.frames.n > 0 && dimension_of(model) == 2) add_members(wall, model);
+  if (model.frames.n > 0) add_members(wall, model);
   if (!a.storey_top.empty()) wall["storeys"] = storeys_of(a);
   if (dimension_of(model) == 3) {
     add_space(bundle, model, wall);
@@ -260,7 +280,8 @@ int states_kept(int states, int room, int samples_after) {
 
 double state_numbers(const Model& m) {
   if (dimension_of(m) == 3)
-    return 6.0 * (m.n_block + m.space.solids.n_zone + m.space.n_support) + 5.0 * joint_count(m);
+    return 6.0 * (m.n_block + m.space.solids.n_zone + m.space.n_support) + 5.0 * joint_count(m) +
+           4.0 * m.frames.n;
   return 3.0 * m.n_block + 4.0 * (m.n_joint + m.solids.n_contact) + 2.0 * m.solids.n_node +
          2.0 * m.solids.n_zone + m.links.n + 4.0 * m.frames.n;
 }
@@ -282,6 +303,13 @@ std::vector<bool> states_shown(const std::vector<bool>& labelled, int most) {
 void FrameArrays::add(const Model& model, const State& state) {
   ++count_;
   in_space_ = dimension_of(model) == 3;
+  if (with_forces_)
+    for (const FrameReading& section : read_frames(model, state)) {
+      section_normal_.push_back(section.normal);
+      section_shear_.push_back(section.shear);
+      section_moment_.push_back(section.moment);
+      section_use_.push_back(section.use);
+    }
   if (in_space_) return space_.add(model, state);
   const WallReading wall = read_wall(model, state);
   for (const BlockReading& block : wall.blocks) {
@@ -301,13 +329,6 @@ void FrameArrays::add(const Model& model, const State& state) {
   }
   if (model.links.n > 0)
     for (const LinkReading& link : read_links(model, state)) link_force_.push_back(link.force);
-  if (with_forces_)
-    for (const FrameReading& section : read_frames(model, state)) {
-      section_normal_.push_back(section.normal);
-      section_shear_.push_back(section.shear);
-      section_moment_.push_back(section.moment);
-      section_use_.push_back(section.use);
-    }
   for (const JointReading& joint : wall.joints) {
     // a joint between separated blocks is not drawn as a crack: the page gets an opening of -1
     const bool shown = !joint.handed_over;
@@ -323,6 +344,12 @@ void FrameArrays::add(const Model& model, const State& state) {
 }
 
 void FrameArrays::write(Bundle& bundle) const {
+  if (!section_use_.empty()) {
+    bundle.add_rounded("frame.section_normal", section_normal_);
+    bundle.add_rounded("frame.section_shear", section_shear_);
+    bundle.add_rounded("frame.section_moment", section_moment_);
+    bundle.add_rounded("frame.section_use", section_use_);
+  }
   if (in_space_) return space_.write(bundle, count_);
   bundle.add_rounded("frame.ux", ux_);
   bundle.add_rounded("frame.uy", uy_);
@@ -342,11 +369,6 @@ void FrameArrays::write(Bundle& bundle) const {
   bundle.add_rounded("frame.compression", compression_);
   bundle.add_rounded("frame.shear", shear_);
   bundle.add_rounded("frame.eccentricity", eccentricity_);
-  if (section_use_.empty()) return;
-  bundle.add_rounded("frame.section_normal", section_normal_);
-  bundle.add_rounded("frame.section_shear", section_shear_);
-  bundle.add_rounded("frame.section_moment", section_moment_);
-  bundle.add_rounded("frame.section_use", section_use_);
 }
 
 }  // namespace wythe::report

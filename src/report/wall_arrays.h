@@ -68,7 +68,7 @@ class FrameArrays {
   std::vector<double> section_normal_, section_shear_;  // (n_frame, n_section) of frames [N]
   std::vector<double> section_moment_, section_use_;    // [N m], share; signs as in FrameReading
   bool in_space_ = false;
-  SpaceFrames space_;  // used alone in space
+  SpaceFrames space_;  // in space these and the sections' alone
 };
 
 }  // namespace wythe::report

@@ -333,13 +333,10 @@ ModelSpec along_a_line(ModelSpec plane, int wythes) {
   wall.line = {{0, 0}, {plane.wall.length, 0}};
   wall.opening = plane.wall.opening;
   wall.wythes = wythes;
-  const double courses = std::round(plane.wall.height / plane.wall.unit.height);
   plane.wall.opening.clear();
   plane.wall.length = kUnset;
   for (FrameSpec& frame : plane.frame) frame.wall = "w";
   for (StageSpec& stage : plane.stage) {
-    // else the foot of a window is pressed too
-    if (std::isfinite(stage.pressure)) stage.on.block = fmt::format("w.c{:02.0f}*", courses - 1);
     if (stage.at.block.empty() && std::isfinite(stage.at.x)) stage.at.z = 0;
   }
   lay_bodies({.plan_wall = {wall}, .slab = {}, .arch = {}, .dome = {}}, plane);

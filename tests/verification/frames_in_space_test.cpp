@@ -311,6 +311,17 @@ TEST(FramesInSpace, a_post_across_the_opening_comes_with_the_cut) {
   EXPECT_EQ(along_a_line(plane).frame[0].stage, "");
 }
 
+// As one `round` the opening: where it stands is said in numbers.
+TEST(FramesInSpace, a_frame_in_its_own_hole_comes_with_the_cut) {
+  ModelSpec plane = scenes::cut_under_load(plane_wall());
+  const OpeningSpec window = plane.wall.opening[0];
+  plane.frame[0].round = "";
+  plane.frame[0].hole = {window.x, window.y, window.width, window.height};
+  EXPECT_EQ(along_a_line(plane).frame[0].stage, "cut");
+  plane.frame[0].hole.x += window.width;  // beside it
+  EXPECT_EQ(along_a_line(plane).frame[0].stage, "");
+}
+
 TEST(FramesInSpace, touch_a_deformable_block_with_their_own_joint) {
   ModelSpec spec = yard();
   FrameSpec column = portal(FrameFeet::kFixed);
@@ -356,11 +367,6 @@ TEST(FramesInSpace, what_cannot_be_is_refused_with_its_place) {
   EXPECT_EQ(fault_of(spec),
             "frame.0.wedges: are driven in while a stage puts the frame up, and this one stands "
             "from the start");
-  spec.frame[0] = slender(FrameFeet::kFixed);
-  spec.frame[0].section.torsion_constant = kUnset;
-  EXPECT_EQ(fault_of(spec),
-            "frame.0.section.weak_second_moment: is missing, or torsion_constant is: in space a "
-            "member bends across its plane and twists");
   spec.frame[0] = portal(FrameFeet::kFixed);
   spec.stage = {scenes::gravity_stage(), push("ground", kAlong, 1e-3, 5e-4)};
   EXPECT_EQ(fault_of(spec),
@@ -373,6 +379,31 @@ TEST(FramesInSpace, what_cannot_be_is_refused_with_its_place) {
   EXPECT_EQ(
       fault_of(spec),
       "frame.0.feet: frame F1: has no ground to hold its feet: its plane cuts no fixed block");
+}
+
+// Beams that have no section of their own have the columns', and no key of their own that could be mended.
+TEST(FramesInSpace, a_section_in_numbers_that_lacks_one_across_is_told_once) {
+  ModelSpec spec = yard();
+  spec.frame = {slender(FrameFeet::kFixed)};
+  const auto told = [&] {
+    std::vector<std::string> all;
+    try {
+      (void)compile(spec);
+    } catch (const InputError& error) {
+      for (const Fault& fault : error.faults()) all.push_back(fault.path + ": " + fault.problem);
+    }
+    return all;
+  };
+  const std::string twists = ".torsion_constant: is missing: in space a member twists";
+  spec.frame[0].section.torsion_constant = kUnset;
+  EXPECT_EQ(told(), std::vector<std::string>{"frame.0.section" + twists});
+  spec.frame[0].beam_section = spec.frame[0].section;
+  spec.frame[0].section.torsion_constant = 1e-6;
+  EXPECT_EQ(told(), std::vector<std::string>{"frame.0.beam_section" + twists});
+  spec.frame[0].beam_section = {};
+  spec.frame[0].section.weak_second_moment = kUnset;
+  EXPECT_EQ(told(), std::vector<std::string>{"frame.0.section.weak_second_moment: is missing: in "
+                                             "space a member bends across its plane"});
 }
 
 TEST(FramesInSpace, a_place_that_is_half_stated_or_stated_twice_is_refused) {

@@ -1,4 +1,5 @@
-// Frames on the page of a run: N, V, M and use drawn along their members, against frames.csv and closed forms.
+// Frames on the page of a run, in the plane and in space: N, V, M and use drawn along their members, against frames.csv
+// and closed forms.
 import assert from "node:assert/strict";
 import fs from "node:fs";
 import path from "node:path";
@@ -11,6 +12,14 @@ function howToWall() {
   const blocks = [...text.matchAll(/```toml\n([^]*?)```/g)].map((m) => m[1]);
   return blocks.slice(0, 2).join("\n").replace('until = "20 mm"', 'until = "3 mm"\nvelocity = "10 mm/s"').replace('profile = "HEB 120"', 'profile = "HEB 100"');
 }
+
+// The same along a line in plan that no axis of the model runs along.
+const inSpace = () =>
+  howToWall()
+    .replace('length = "3.6 m"\n', "")
+    .replace("[[wall.opening]]", '[[plan_wall]]\nname = "front"\nline = [["1 m", "2 m"], ["3.16 m", "4.88 m"]]\n\n[[plan_wall.opening]]')
+    .replace('round = "shop"', 'round = "shop"\nwall = "front"')
+    .replace('at = { x = "0 m", y = "2.7 m" }', 'at = { block = "front.c13*" }\nalong = [0.6, 0, 0.8]');
 
 // A portal over a block that it does not touch, pushed at its left corner, under a larger one that nothing loads. The
 // section is slender, so that neither shear nor axial force lengthens anything: HEB 200 with 40 times its areas.
@@ -51,7 +60,9 @@ gravity = "0 m/s^2"
 raise_light_inertia = false
 `;
 
-let browser, page, table;
+let browser;
+const kWalls = { framed: howToWall, framed_in_space: inSpace },
+  walls = {}; // of each: its table and its page
 function make(name, text) {
   fs.mkdirSync(folder("inputs"), { recursive: true });
   fs.rmSync(folder(name), { recursive: true, force: true });
@@ -64,11 +75,16 @@ function make(name, text) {
 }
 
 before(async () => {
-  table = make("framed", howToWall());
-  browser = await launch();
-  page = await open(browser, pageOf("framed"));
+  browser = await launch("--use-angle=swiftshader", "--enable-unsafe-swiftshader");
+  for (const [name, text] of Object.entries(kWalls)) {
+    const table = make(name, text());
+    walls[name] = { table, page: await open(browser, pageOf(name)) };
+  }
 });
 after(() => browser?.close());
+const inBoth = (name, check) => {
+  for (const wall of Object.keys(kWalls)) test(`${name} (${wall})`, () => check(walls[wall]));
+};
 
 const show = (p, what) => p.locator(`#frame-forces button[data-carried=${what}]`).click();
 // Of each member: the values, and where the axis and the ends of the ordinates are [px].
@@ -84,7 +100,7 @@ const lines = (p) =>
     const axes = [...figure.querySelectorAll(".member-axis")];
     return tips.map((line, i) => ({ values: line.dataset.values.split(" ").map(Number), tips: points(line), at: points(axes[i]) }));
   });
-const atDisplacement = (mm) => {
+const atDisplacement = (table, mm) => {
   const off = table.map((row) => Math.abs(row.displacement_mm - mm)),
     least = Math.min(...off);
   assert.ok(least <= 1e-3 * mm + 1e-6, `no row at ${mm} mm`);
@@ -92,7 +108,7 @@ const atDisplacement = (mm) => {
   return table.filter((row) => row.displacement_mm === at);
 };
 
-test("every state has the values of frames.csv, with their signs", async () => {
+inBoth("every state has the values of frames.csv, with their signs", async ({ page, table }) => {
   const csv = (await downloaded(page, () => page.locator("#frame-forces [data-export=csv]").click())).toString().trim().split("\n");
   const head = csv[0].split(","),
     rows = csv.slice(1).map((line) => line.split(","));
@@ -102,7 +118,7 @@ test("every state has the values of frames.csv, with their signs", async () => {
   assert.ok(displacements.length > 20, `${displacements.length} states`);
   for (const mm of displacements.filter((d) => d > 0.01)) {
     const here = rows.filter((r) => Number(r[0]) === mm),
-      wanted = atDisplacement(mm);
+      wanted = atDisplacement(table, mm);
     assert.equal(here.length, wanted.length);
     here.forEach((r, k) => {
       assert.deepEqual([r[1], r[2]], [wanted[k].frame, wanted[k].member]);
@@ -114,9 +130,9 @@ test("every state has the values of frames.csv, with their signs", async () => {
   }
 });
 
-test("ordinates are as long as their values, the moment on the side that is stretched", async () => {
+inBoth("ordinates are as long as their values, the moment on the side that is stretched", async ({ page, table }) => {
   const columns = { moment: "M_kNm", shear: "V_kN", normal: "N_kN" };
-  const last = atDisplacement(table[table.length - 1].displacement_mm);
+  const last = atDisplacement(table, table[table.length - 1].displacement_mm);
   await page.locator("#frame-forces .time input").focus();
   await page.keyboard.press("End");
   for (const [what, column] of Object.entries(columns)) {
@@ -143,8 +159,8 @@ test("ordinates are as long as their values, the moment on the side that is stre
   }
 });
 
-test("the largest value of each diagram is written beside it, with its unit", async () => {
-  const last = atDisplacement(table[table.length - 1].displacement_mm);
+inBoth("the largest value of each diagram is written beside it, with its unit", async ({ page, table }) => {
+  const last = atDisplacement(table, table[table.length - 1].displacement_mm);
   for (const [what, column, unit] of [["moment", "M_kNm", "kNm"], ["shear", "V_kN", "kN"], ["normal", "N_kN", "kN"]]) {
     await show(page, what);
     const most = last.reduce((a, b) => (Math.abs(b[column]) > Math.abs(a[column]) ? b : a));
@@ -168,9 +184,9 @@ test("the largest value of each diagram is written beside it, with its unit", as
   }
 });
 
-test("use colours the segments, and the table has the largest of each member", async () => {
+inBoth("use colours the segments, and the table has the largest of each member", async ({ page, table }) => {
   await show(page, "use");
-  const last = atDisplacement(table[table.length - 1].displacement_mm);
+  const last = atDisplacement(table, table[table.length - 1].displacement_mm);
   const bounds = [0.1, 0.25, 0.5, 0.75, 0.9, 1];
   const classes = await page.locator("svg.frame-forces .member-use").evaluateAll((all) => all.map((e) => e.classList[1]));
   const most = Math.max(...last.map((row) => row.use));
@@ -189,6 +205,7 @@ test("use colours the segments, and the table has the largest of each member", a
 });
 
 test("the keyboard chooses what is drawn and steps through the push", async () => {
+  const { page } = walls.framed;
   const moment = page.locator("#frame-forces button[data-carried=moment]");
   await moment.focus();
   await page.keyboard.press("Enter");
@@ -207,6 +224,7 @@ test("the keyboard chooses what is drawn and steps through the push", async () =
 });
 
 test("the drawing exports as SVG and PNG with its own colours", async () => {
+  const { page } = walls.framed;
   const press = (kind) => downloaded(page, () => page.locator(`#frame-forces [data-export=${kind}]`).click());
   for (const what of ["moment", "use"]) {
     await show(page, what);
@@ -219,6 +237,7 @@ test("the drawing exports as SVG and PNG with its own colours", async () => {
 });
 
 test("no fault of accessibility; a phone scrolls nothing sideways; paper has all three diagrams", async () => {
+  const { page } = walls.framed;
   for (const [width, scheme] of [[1440, "light"], [1440, "dark"], [390, "light"]]) {
     const other = await open(browser, pageOf("framed"), { width, scheme });
     assert.deepEqual(await violations(other), []);
@@ -297,4 +316,31 @@ test("the moment of a portal is drawn on the right side, as large as the textboo
   for (const m of await lines(other)) assert.deepEqual(new Set(m.values), new Set([0]));
   assert.deepEqual(other.faults, []);
   await other.context().close();
+});
+
+// Masonry round the frame is what its plane cuts; where the wall was cut out there is none.
+test("a frame in space stands among the units of its wall", async () => {
+  const { page } = walls.framed_in_space;
+  await show(page, "moment");
+  const { units, inside } = await page.locator("svg.frame-forces").evaluate((picture) => {
+    const box = (path) => path.getBBox(),
+      members = [...picture.querySelectorAll(".member-axis")].map(box);
+    const [left, , right] = members,
+      behind = [...picture.querySelectorAll(".behind path")].map(box);
+    const middle = (b) => [b.x + b.width / 2, b.y + b.height / 2];
+    const holds = ([x, y]) => x > left.x + 15 && x < right.x - 15 && y > left.y + 15;
+    return { units: behind.length, inside: behind.filter((b) => holds(middle(b))).length };
+  });
+  assert.ok(units > 100, `${units} outlines`);
+  assert.equal(inside, 0);
+  assert.deepEqual(page.faults, []);
+  for (const what of ["moment", "use"]) {
+    await show(page, what);
+    await screenshot(page, `frame_in_space_${what}`, "#frames");
+  }
+  assert.deepEqual(await violations(page), []);
+  const phone = await open(browser, pageOf("framed_in_space"), { width: 390 });
+  assert.ok(await phone.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth));
+  await screenshot(phone, "frame_in_space_390", "#frames");
+  await phone.context().close();
 });

@@ -8,7 +8,7 @@
 // is that of the frame's largest value of all states, so that a diagram grows with the push.
 import { append, svg } from "./dom";
 import { fixed, qty } from "./texts";
-import { bodyCss, stepOf, type Pose, type Carried, type Frames, type MemberSection, type Wall } from "./wall";
+import { bodyCss, stepOf, type BlockPose, type Blocks, type Carried, type FramedStates, type MemberSection } from "./wall";
 import type { Canvas } from "./wall2d";
 
 export const kUseSteps = [0.1, 0.25, 0.5, 0.75, 0.9, 1];
@@ -30,11 +30,11 @@ export interface Station {
 }
 
 const kFrameRole = "frame";
-export const isFrameBlock = (wall: Wall, b: number): boolean => wall.role[b] === kFrameRole;
+export const isFrameBlock = (wall: Blocks, b: number): boolean => wall.role[b] === kFrameRole;
 type Numbered = ArrayLike<number>;
 
 // Sections of each member of a frame, in the member's direction.
-export const alongMembers = (wall: Wall, frame: string): MemberSection[][] =>
+export const alongMembers = (wall: Blocks, frame: string): MemberSection[][] =>
   wall.members
     .map((member, m) =>
       member.frame === frame ? wall.sections.filter((s) => s.member === m).sort((s, t) => s.place - t.place) : [],
@@ -42,7 +42,7 @@ export const alongMembers = (wall: Wall, frame: string): MemberSection[][] =>
     .filter((sections) => sections.length > 0);
 
 // The largest absolute value in a frame over all states, in the unit of the page.
-export function largestCarried(frames: Frames, frame: string, what: Carried): number {
+export function largestCarried(frames: FramedStates, frame: string, what: Carried): number {
   const mine = alongMembers(frames.wall, frame).flatMap((m) => m.map((s) => frames.wall.sections.indexOf(s)));
   let largest = 0;
   for (let f = 0; f < frames.count; ++f) {
@@ -57,7 +57,7 @@ export function stationsOf(
   sections: MemberSection[],
   values: Numbered,
   what: Carried,
-  pose: Pose,
+  pose: BlockPose,
   canvas: Canvas,
   long: number,
 ): Station[] {
@@ -186,7 +186,7 @@ function placeNumber(s: Station, wide: number, taken: Box[], lines: Place[], can
   return best;
 }
 
-function drawNumbers(members: Station[][], what: Carried, pose: Pose, canvas: Canvas): SVGElement[] {
+function drawNumbers(members: Station[][], what: Carried, pose: BlockPose, canvas: Canvas): SVGElement[] {
   const taken: Box[] = [],
     [unit] = kUnitOf[what],
     { sections } = pose.wall;
@@ -220,7 +220,7 @@ function drawNumbers(members: Station[][], what: Carried, pose: Pose, canvas: Ca
 // --- the drawing ---------------------------------------------------------------------------------------------
 
 // Segments coloured by their use, each between its two sections.
-function drawUse(members: Station[][], pose: Pose, canvas: Canvas): SVGElement[] {
+function drawUse(members: Station[][], pose: BlockPose, canvas: Canvas): SVGElement[] {
   const { sections } = pose.wall;
   return segmentsOf(pose.wall, members).map((b) => {
     const mine = members.flat().filter((s) => sections[s.index].a === b || sections[s.index].b === b);
@@ -228,17 +228,17 @@ function drawUse(members: Station[][], pose: Pose, canvas: Canvas): SVGElement[]
     return svg("path", { class: `member-use r${stepOf(use, kUseSteps)}`, d: outlineOf(pose, b, canvas) });
   });
 }
-function cornersOf(pose: Pose, b: number, canvas: Canvas): Place[] {
+function cornersOf(pose: BlockPose, b: number, canvas: Canvas): Place[] {
   const { outlineBegin } = pose.wall;
   return Array.from({ length: outlineBegin[b + 1] - outlineBegin[b] }, (_, i) => {
     const [x, y] = pose.corner(b, outlineBegin[b] + i);
     return [canvas.X(x), canvas.Y(y)];
   });
 }
-export const outlineOf = (pose: Pose, b: number, canvas: Canvas): string =>
+export const outlineOf = (pose: BlockPose, b: number, canvas: Canvas): string =>
   `M${cornersOf(pose, b, canvas).map(point).join("L")}Z`;
 // Blocks of members.
-const segmentsOf = (wall: Wall, members: Station[][]): number[] =>
+const segmentsOf = (wall: Blocks, members: Station[][]): number[] =>
   [...new Set(members.flat().flatMap((s) => [wall.sections[s.index].a, wall.sections[s.index].b]))].filter((b) => b >= 0);
 
 // The foot of a frame on the ground: fixed or hinged.
@@ -255,10 +255,10 @@ function drawFoot({ a, hinged }: MemberSection, [x, y]: Place): SVGElement[] {
 
 // The members of one frame with their forces in a state; `reach`: pixels of the largest ordinate.
 export function drawMembers(
-  wall: Wall,
-  frames: Frames,
+  wall: Blocks,
+  frames: FramedStates,
   { name, state, what, largest }: { name: string; state: number; what: Carried; largest: number },
-  pose: Pose,
+  pose: BlockPose,
   canvas: Canvas,
   reach: number,
 ): SVGElement {

@@ -105,7 +105,7 @@ class RunPage {
       cyclesSection(this.s),
       shakeSection(this.bundle),
       { id: "failure", title: say("section.failure"), content: this.failure() },
-      { id: "frames", title: say("section.frames"), content: FramesView.of(this.bundle, this.flat) },
+      { id: "frames", title: say("section.frames"), content: FramesView.of(this.bundle, this.view) },
       { id: "layers", title: say("section.layers"), content: layersSaid(this.header) },
       { id: "energy", title: say("section.energy"), content: energySection(this.header) },
       { id: "trust", title: say("section.trust"), content: trustSection(this.s, this.curve) },

@@ -1,5 +1,5 @@
-// The forces of frames in a run: N, V, M and use drawn on the wall, in
-// every state, and in a table. Paper has the three diagrams side by side.
+// The forces of frames in a run: N, V, M and use drawn on the wall, in every state, and in a table. Paper has
+// the three diagrams side by side. In a wall in space each frame is drawn in its own plane.
 import type { Bundle } from "./bundle";
 import { append, fresh, h, svg, type Child } from "./dom";
 import { Figure, legend, swatch } from "./figure";
@@ -7,11 +7,13 @@ import type { RunHeader } from "./headers/run";
 import { alongMembers, drawMembers, kUnitOf, kUseSteps, largestCarried, outlineOf, isFrameBlock } from "./members";
 import { aroundPrint } from "./page";
 import { Player } from "./player";
+import { hasCarried, SliceStates } from "./space_slice";
+import { SpaceView } from "./spaceview";
 import { table } from "./tables";
 import { capital, fixed, num, phrase, qty, say, sentence } from "./texts";
-import { bodyCss, fittingScale, isCutOut, kCarried, Pose, type Carried, type Frames, type Wall } from "./wall";
+import { BlockPose, bodyCss, fittingScale, isCutOut, kCarried, type Blocks, type Carried, type FramedStates } from "./wall";
 import type { Canvas } from "./wall2d";
-import { scaleWords, type FrameInfo, type WallView } from "./wallview";
+import { scaleWords, WallView, type FrameInfo, type View } from "./wallview";
 
 const kTallest = 460, // of a drawing [px]
   kReach = 56, // of the largest ordinate [px]
@@ -23,10 +25,10 @@ const quantity = (value: number, what: Carried): string =>
   what === "use" ? fixed(value) : qty(value, kUnitOf[what][0], 3);
 
 export class FramesView {
-  private readonly wall: Wall;
-  private readonly frames: Frames;
+  private readonly names: string[];
   private readonly info: FrameInfo[];
-  private readonly scale: number;
+  private frames!: FramedStates; // of the frame that is shown
+  private scale = 1;
   private readonly player = new Player((frame) => this.show(frame));
   private readonly state = h("output", { class: "wall-caption" });
   private readonly numbers = h("div", { id: "frame-numbers" });
@@ -37,22 +39,23 @@ export class FramesView {
   private only = "";
   private frame: number;
 
-  // null: no frame, or no state with one.
-  static of(bundle: Bundle<RunHeader>, view: WallView | null): Child {
-    if (!view || view.spec.wall.members.length === 0 || view.spec.frames.count === 0) return null;
-    if (!bundle.has("frame.section_use")) return null;
-    return new FramesView(bundle, view).content();
+  // null: no frame, or no state of one.
+  static of(bundle: Bundle<RunHeader>, view: View | null): Child {
+    if (!hasCarried(bundle)) return null;
+    if (view instanceof WallView) return new FramesView(bundle, view, () => view.spec.frames).content();
+    if (view instanceof SpaceView)
+      return new FramesView(bundle, view, (name) => new SliceStates(bundle, view.spec.states, name)).content();
+    return null;
   }
 
   private constructor(
     private readonly bundle: Bundle<RunHeader>,
-    view: WallView,
+    view: View,
+    private readonly statesOf: (name: string) => FramedStates,
   ) {
-    this.wall = view.spec.wall;
-    this.frames = view.spec.frames;
     this.info = view.spec.info;
-    this.scale = fittingScale(this.wall, this.frames);
-    this.only = this.names[0];
+    this.names = [...new Set(bundle.header.wall!.members!.map((m) => m.frame))];
+    this.choose(this.names[0]);
     this.figure = this.makeFigure();
     this.player.choose(0, this.frames.count - 1);
     this.frame = this.hardest();
@@ -62,8 +65,13 @@ export class FramesView {
       () => this.tell(),
     );
   }
-  private get names(): string[] {
-    return [...new Set(this.wall.members.map((m) => m.frame))];
+  private get wall(): Blocks {
+    return this.frames.wall;
+  }
+  private choose(name: string): void {
+    this.only = name;
+    this.frames = this.statesOf(name);
+    this.scale = fittingScale(this.wall, this.frames);
   }
   // The state with the largest use in the chosen frame.
   private hardest(): number {
@@ -139,7 +147,7 @@ export class FramesView {
       this.names.map((name) => h("option", { value: name }, name)),
     );
     which.addEventListener("change", () => {
-      this.only = which.value;
+      this.choose(which.value);
       this.show(this.frame);
     });
     return h("label", {}, h("span", {}, say("frames.which")), which);
@@ -193,7 +201,7 @@ export class FramesView {
   private draw(what: Carried, width: number, tallest: number): { canvas: Canvas; layer: SVGElement } {
     const reach = Math.min(kReach, 0.12 * width),
       canvas = this.canvasOf(width, tallest, reach),
-      pose = new Pose(this.wall, this.frames.at(this.frame), this.scale);
+      pose = new BlockPose(this.wall, this.frames.at(this.frame), this.scale);
     const clip = fresh("clip"),
       walls = svg("g", { class: "behind", "clip-path": `url(#${clip})` });
     for (let b = 0; b < this.wall.blocks; ++b)

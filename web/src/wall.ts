@@ -60,6 +60,8 @@ export interface Member {
   words: Said;
   length: number;
   way: [number, number];
+  along?: [number, number, number]; // of a wall in space: its plane
+  up?: [number, number, number];
 }
 export interface MemberSection {
   member: number;
@@ -70,31 +72,36 @@ export interface MemberSection {
   arm: [number, number];
 }
 
-export interface Wall {
-  links: Link[];
+// Blocks in a plane, and the frames among them: of a wall in space a slice (space_slice.ts).
+export interface Blocks {
   members: Member[];
   sections: MemberSection[];
-  storeys: { name: string; top: number }[]; // from the ground up [m]
-  parts: Part[];
-  fields: Field[];
-  allFields: Field[];
   length: number;
   height: number;
-  thickness: number;
-  courses: number;
   blocks: number;
-  joints: number;
-  pairs: number;
-  push: [number, number] | null;
-  driven: Numbers | null; // in parts, with an arrow each: up to `end`, `length` relative to the longest
-  pushed: { end: number; length: number }[];
   outlineBegin: Numbers;
   outlineX: Numbers;
   outlineY: Numbers;
   centroidX: Numbers;
   centroidY: Numbers;
-  blockThickness: Numbers;
   role: string[]; // "masonry", "lintel", "plate", "beam", "ring_beam", "sill"
+  mesh: Mesh | null;
+}
+
+export interface Wall extends Blocks {
+  links: Link[];
+  storeys: { name: string; top: number }[]; // from the ground up [m]
+  parts: Part[];
+  fields: Field[];
+  allFields: Field[];
+  thickness: number;
+  courses: number;
+  joints: number;
+  pairs: number;
+  push: [number, number] | null;
+  driven: Numbers | null; // in parts, an arrow each: up to `end`, `length` over the longest
+  pushed: { end: number; length: number }[];
+  blockThickness: Numbers;
   jointA: Numbers;
   jointB: Numbers;
   kind: string[]; // "bed", "head", ...
@@ -107,7 +114,6 @@ export interface Wall {
   supportBegin: Numbers;
   supportX: Numbers;
   supportY: Numbers;
-  mesh: Mesh | null;
   bounds: { x0: number; x1: number; y0: number; y1: number };
 }
 
@@ -213,8 +219,16 @@ export function readWall(bundle: Bundle): Wall | null {
 export const kCarried = ["moment", "shear", "normal", "use"] as const;
 export type Carried = (typeof kCarried)[number];
 
+// States of blocks in a plane, and what sections of frames carry in each: [N], [N], [N m], share of what they bear.
+export interface FramedStates {
+  readonly count: number;
+  readonly wall: Blocks;
+  at(frame: number): Places;
+  carried(what: Carried, frame: number): Numbers;
+}
+
 // Values of every frame, one after the other: (n_frame, n_block) and (n_frame, n_joint).
-export class Frames {
+export class Frames implements FramedStates {
   readonly count: number;
   private readonly arrays: Record<string, Numbers> = {};
   readonly hasForces: boolean;
@@ -291,17 +305,19 @@ export class Frames {
       linkForce: "link_force" in this.arrays ? this.slice("link_force", frame, this.wall.links.length) : null,
     };
   }
-  // Forces of frame sections in a state: [N], [N], [N m], use.
   carried(what: Carried, frame: number): Numbers {
     return this.slice(`section_${what}`, frame, this.wall.sections.length);
   }
 }
-export interface Frame {
+// Where blocks are.
+export interface Places {
   ux: Numbers;
   uy: Numbers;
   theta: Numbers;
   nodeUx: Numbers | null;
   nodeUy: Numbers | null;
+}
+export interface Frame extends Places {
   opening: Numbers;
   slip: Numbers;
   damage: Numbers;
@@ -316,14 +332,14 @@ export interface Frame {
 
 const kQuarter = Math.PI / 2;
 // Poses of all blocks at a magnification: centroid, cosine and sine.
-export class Pose {
+export class BlockPose {
   readonly x: Float64Array;
   readonly y: Float64Array;
   readonly c: Float64Array;
   readonly s: Float64Array;
   constructor(
-    readonly wall: Wall,
-    readonly frame: Frame,
+    readonly wall: Blocks,
+    readonly frame: Places,
     readonly scale: number,
   ) {
     const n = wall.blocks;
@@ -350,6 +366,22 @@ export class Pose {
       ay = this.wall.outlineY[i] - this.wall.centroidY[b];
     return [this.x[b] + this.c[b] * ax - this.s[b] * ay, this.y[b] + this.s[b] * ax + this.c[b] * ay];
   }
+  node(mesh: Mesh, n: number): [number, number] {
+    const { nodeUx, nodeUy } = this.frame;
+    return [
+      mesh.nodeX[n] + this.scale * (nodeUx ? nodeUx[n] : 0),
+      mesh.nodeY[n] + this.scale * (nodeUy ? nodeUy[n] : 0),
+    ];
+  }
+}
+
+// The same with what lies between blocks.
+export class Pose extends BlockPose {
+  declare readonly wall: Wall;
+  declare readonly frame: Frame;
+  constructor(wall: Wall, frame: Frame, scale: number) {
+    super(wall, frame, scale);
+  }
   // Both ends of a link; for a spring both are where it holds its block.
   link(l: Link): [[number, number], [number, number]] {
     const of = (b: number, [x, y]: [number, number]): [number, number] => [
@@ -361,13 +393,6 @@ export class Pose {
     if (l.a >= 0) return [of(l.a, l.arm_a), end];
     const { centroidX, centroidY } = this.wall;
     return [[centroidX[l.b] + l.arm_b[0] - l.along[0], centroidY[l.b] + l.arm_b[1] - l.along[1]], end];
-  }
-  node(mesh: Mesh, n: number): [number, number] {
-    const { nodeUx, nodeUy } = this.frame;
-    return [
-      mesh.nodeX[n] + this.scale * (nodeUx ? nodeUx[n] : 0),
-      mesh.nodeY[n] + this.scale * (nodeUy ? nodeUy[n] : 0),
-    ];
   }
   private contact(mesh: Mesh, c: number, xi: number): [number, number] {
     const [px, py] = this.node(mesh, mesh.contactP[c]),
@@ -396,14 +421,14 @@ export class Pose {
 }
 
 // Whether a stage cuts this masonry out of the wall; no view shows it.
-export const isCutOut = (wall: Wall, b: number): boolean => wall.role[b] === "cut_out";
+export const isCutOut = (wall: Blocks, b: number): boolean => wall.role[b] === "cut_out";
 
 // Style of a block that is not masonry, else "".
 export const bodyCss = (role: string): string =>
   role === "lintel" || role === "sill" ? "timber" : role === "masonry" ? "" : "plate";
 
 // A round magnification with which the largest displacement is about 5 % of the wall.
-export function fittingScale(wall: Wall, frames: Frames, frame = frames.count - 1): number {
+export function fittingScale(wall: Blocks, frames: FramedStates, frame = frames.count - 1): number {
   if (frames.count === 0) return 1;
   const { ux, uy } = frames.at(frame);
   let largest = 0;

@@ -589,10 +589,13 @@ class FrameInWall {
     frame_.round = "";
   }
 
-  // Whether a part of the frame, as deep as its section, reaches into the hole (as in model/plane/standing.cpp).
+  // Whether it reaches into the hole: its own hole, or a part of its line, as deep as its section (as in
+  // model/plane/standing.cpp).
   [[nodiscard]] bool stands_in(const Rect& hole) const {
     constexpr double kTouch = 1e-6;  // [m]
-    FaultList told;                  // faults of placing the frame
+    const HoleSpec& own = frame_.hole;
+    if (overlaps({own.x, own.y, own.x + own.width, own.y + own.height}, hole, kTouch)) return true;
+    FaultList told;  // where the frame is placed
     const FrameSections sections = sections_of(frame_, index_, told).value_or(FrameSections{});
     for (std::size_t k = 1; k < frame_.line.size(); ++k) {
       const auto &p = frame_.line[k - 1], &q = frame_.line[k];

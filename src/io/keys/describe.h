@@ -397,7 +397,8 @@ void describe_load(Visitor& v, StageSpec& s) {
              .doc = "Vertical load on the top of each pier, downwards."});
   v.quantity("pressure", s.pressure, {.unit = "Pa", .shown = "MPa", .range = kNotNegative,
              .kinds = kLoadStage, .fallback = "one of the loads, or floors", .example = "0.3 MPa",
-             .doc = "Vertical pressure on the whole wall top, downwards."});
+             .doc = "Vertical pressure on the whole wall top, downwards. In space on all faces that look towards `face` and have "
+                    "nothing before them: a window sill has its head before it. With `on` all free faces of the blocks there."});
   v.quantity("beam_load", s.beam_load, {.unit = "N", .shown = "kN", .range = kNotNegative,
              .kinds = kLoadStage, .fallback = "one of the loads, or floors", .example = "100 kN",
              .doc = "Vertical load on the centre of the loading beam, downwards."});

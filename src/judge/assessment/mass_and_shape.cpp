@@ -107,13 +107,19 @@ double mass_of(const Model& model, BlockId block) {
   return model.solids.bodies.empty() ? of_nodes(model.space.solids) : of_nodes(model.solids);
 }
 
+// Steel is no masonry, and goes with the wall all the same.
+bool is_of_frame(const Model& model, BlockId block) {
+  return block < model.n_block &&
+         model.anatomy.block_role[static_cast<std::size_t>(block)] == BlockRole::kFrame;
+}
+
 std::vector<MovingMass> moving_masses(const AssessmentSpec& spec, const Model& model,
                                       double control, MassAndShape& out) {
   std::vector<MovingMass> parts;
   const State rest = initial_state(model);
   const double foot = study::foot_of(model);
   for (const BlockId b : study::moving_blocks(model)) {
-    const double mass = spec.masonry_share * mass_of(model, b);
+    const double mass = (is_of_frame(model, b) ? 1 : spec.masonry_share) * mass_of(model, b);
     parts.push_back({mass, read_block(model, rest, b).start.y - foot, b});
     out.blocks += mass;
   }

@@ -65,16 +65,7 @@ class FrameCompiler {
       if (assembly_.blocks[b].frame == placed.index)
         block[static_cast<std::size_t>(assembly_.blocks[b].segment)] = map_[b];
     Frames& f = model_.frames;
-    const auto first = static_cast<std::int32_t>(f.members.size());
-    for (const FramePart& part : placed.parts) {
-      const bool upright = std::fabs(part.way.y) > std::fabs(part.way.x);
-      const Section& s = upright ? sections->column : sections->beam;
-      f.members.push_back({static_cast<int>(f.name.size()), part.words, part.length, part.from.x,
-                           part.from.y, part.way.x, part.way.y, s.area, s.shear_area,
-                           s.second_moment, s.plastic_modulus, steel.youngs, steel.yield,
-                           s.second_moment / s.plastic_modulus});
-    }
-    f.name.push_back(placed.name);
+    const std::int32_t first = add_members(placed, *sections, steel, f);
     for (const FrameJoint& joint : placed.joints) add_section(placed, joint, first, block, steel);
     for (std::size_t k = 0; k < block.size(); ++k) {
       const Vec2 moved = placed.moved[k];
@@ -122,7 +113,6 @@ class FrameCompiler {
                    const std::vector<BlockId>& block, const FrameSteel& steel) {
     Frames& f = model_.frames;
     const FramePart& part = placed.parts[static_cast<std::size_t>(joint.part)];
-    const FrameMember& member = f.members[static_cast<std::size_t>(first + joint.part)];
     // the ground is side a
     const bool back = joint.b == geometry::kGround;
     const int a = back ? joint.b : joint.a, b = back ? joint.a : joint.b;
@@ -151,19 +141,7 @@ class FrameCompiler {
     f.axis_y.push_back(back ? -part.way.y : part.way.y);
     f.rest_x.push_back(moved_b.x - moved_a.x);
     f.rest_y.push_back(moved_b.y - moved_a.y);
-    const double d = member.fibre;
-    const double outer = joint.hinged ? 0 : member.second_moment / (2 * d * d);
-    const double middle = member.area - 2 * outer;
-    f.outer_stiffness.push_back(steel.youngs * outer / joint.length);
-    f.middle_stiffness.push_back(steel.youngs * middle / joint.length);
-    f.shear_stiffness.push_back(steel.shear * member.shear_area / joint.length);
-    f.fibre.push_back(d);
-    f.outer_yield.push_back(steel.yield * outer);
-    f.middle_yield.push_back(steel.yield * middle);
-    f.member.push_back(first + joint.part);
-    f.place.push_back(joint.place);
-    f.length.push_back(joint.length);
-    ++f.n;
+    add_fibres(joint, first, steel, f);
   }
 
   const ModelSpec& spec_;
@@ -200,6 +178,42 @@ FrameSteel frame_steel(const FrameSpec& frame, const std::string& path, FaultLis
   take("youngs_modulus", frame.youngs_modulus, steel.youngs, "\"210 GPa\"");
   take("shear_modulus", frame.shear_modulus, steel.shear, "\"81 GPa\"");
   return steel;
+}
+
+const Section& section_of(const FramePart& part, const geometry::FrameSections& sections) {
+  return std::fabs(part.way.y) > std::fabs(part.way.x) ? sections.column : sections.beam;
+}
+
+std::int32_t add_members(const PlacedFrame& placed, const geometry::FrameSections& sections,
+                         const FrameSteel& steel, Frames& frames) {
+  const auto first = static_cast<std::int32_t>(frames.members.size());
+  for (const FramePart& part : placed.parts) {
+    const Section& s = section_of(part, sections);
+    frames.members.push_back({static_cast<int>(frames.name.size()), part.words, part.length,
+                              part.from.x, part.from.y, part.way.x, part.way.y, s.area,
+                              s.shear_area, s.second_moment, s.plastic_modulus, steel.youngs,
+                              steel.yield, s.second_moment / s.plastic_modulus});
+  }
+  frames.name.push_back(placed.name);
+  return first;
+}
+
+void add_fibres(const FrameJoint& joint, std::int32_t first, const FrameSteel& steel,
+                Frames& frames) {
+  const FrameMember& member = frames.members[static_cast<std::size_t>(first + joint.part)];
+  const double d = member.fibre;
+  const double outer = joint.hinged ? 0 : member.second_moment / (2 * d * d);
+  const double middle = member.area - 2 * outer;
+  frames.outer_stiffness.push_back(steel.youngs * outer / joint.length);
+  frames.middle_stiffness.push_back(steel.youngs * middle / joint.length);
+  frames.shear_stiffness.push_back(steel.shear * member.shear_area / joint.length);
+  frames.fibre.push_back(d);
+  frames.outer_yield.push_back(steel.yield * outer);
+  frames.middle_yield.push_back(steel.yield * middle);
+  frames.member.push_back(first + joint.part);
+  frames.place.push_back(joint.place);
+  frames.length.push_back(joint.length);
+  ++frames.n;
 }
 
 // A gap is open at the start: what can pull across it would have to be broken first.

@@ -71,6 +71,20 @@ class SpaceFrameCompiler {
             .across = frame.plane.across};
   }
 
+  // A section in numbers, which the plane needs less of. Beams without their own have the columns' section.
+  void need_across(const SectionSpec& section, const std::string& key) {
+    if (!(section.area > 0)) return;
+    const auto need = [&](const char* name, double value, const char* why, const char* example) {
+      if (!(value > 0))
+        faults_.add({"", path_ + "." + key + "." + name, "", std::string("is missing: ") + why,
+                     std::string("write ") + name + " = \"" + example + "\", or name a profile",
+                     0});
+    };
+    need("weak_second_moment", section.weak_second_moment,
+         "in space a member bends across its plane", "2003 cm^4");
+    need("torsion_constant", section.torsion_constant, "in space a member twists", "59.3 cm^4");
+  }
+
   void add(const SpaceFrame& frame) {
     const auto index = static_cast<std::size_t>(frame.placed.index);
     const FrameSpec& spec = spec_.frame[index];
@@ -79,30 +93,13 @@ class SpaceFrameCompiler {
     const FrameSteel steel = frame_steel(spec, path_, faults_);
     check_frame_gap(spec_, spec, path_, faults_);
     const auto sections = geometry::sections_of(spec, index, faults_);
-    if (sections)
-      for (const auto& [key, section] :
-           {std::pair("section", sections->column), {"beam_section", sections->beam}})
-        if (!(section.weak_second_moment > 0) || !(section.torsion_constant > 0))
-          faults_.add({"", path_ + "." + key + ".weak_second_moment", "",
-                       "is missing, or torsion_constant is: in space a member bends across its "
-                       "plane and twists",
-                       "write both, or name a profile", 0});
+    need_across(spec.section, "section");
+    need_across(spec.beam_section, "beam_section");
     if (faults_.all().size() > before || !sections) return;
     Frames& f = model_.frames;
-    const auto first = static_cast<std::int32_t>(f.members.size());
-    std::vector<Section> own;
-    for (const FramePart& part : frame.placed.parts) {
-      const bool upright = std::fabs(part.way.y) > std::fabs(part.way.x);
-      const Section& s = upright ? sections->column : sections->beam;
-      own.push_back(s);
-      f.members.push_back({static_cast<int>(f.name.size()), part.words, part.length, part.from.x,
-                           part.from.y, part.way.x, part.way.y, s.area, s.shear_area,
-                           s.second_moment, s.plastic_modulus, steel.youngs, steel.yield,
-                           s.second_moment / s.plastic_modulus});
-    }
-    f.name.push_back(frame.placed.name);
+    const std::int32_t first = add_members(frame.placed, *sections, steel, f);
     for (const FrameJoint& joint : frame.placed.joints)
-      add_section(frame, joint, first, own[static_cast<std::size_t>(joint.part)], steel);
+      add_section(frame, joint, first, *sections, steel);
     for (std::size_t k = 0; k < frame.placed.segments.size(); ++k) {
       const Vec3 moved = frame.plane.turned(frame.placed.moved[k]);
       if (moved.x == 0 && moved.y == 0 && moved.z == 0) continue;
@@ -126,9 +123,10 @@ class SpaceFrameCompiler {
   }
 
   void add_section(const SpaceFrame& frame, const FrameJoint& joint, std::int32_t first,
-                   const Section& section, const FrameSteel& steel) {
+                   const geometry::FrameSections& sections, const FrameSteel& steel) {
     Frames& f = model_.frames;
     const FramePart& part = frame.placed.parts[static_cast<std::size_t>(joint.part)];
+    const Section& section = section_of(part, sections);
     const bool back = joint.b == geometry::kGround;  // the ground is side a
     const int a = back ? joint.b : joint.a, b = back ? joint.a : joint.b;
     const Vec3 at = frame.plane.place(
@@ -154,22 +152,11 @@ class SpaceFrameCompiler {
     f.axis_x.push_back(axis.x), f.axis_y.push_back(axis.y), f.axis_z.push_back(axis.z);
     f.rest_x.push_back(rest.x), f.rest_y.push_back(rest.y), f.rest_z.push_back(rest.z);
     f.left.push_back(frame.plane.turned({-way.y, way.x}));
-    const double d = section.second_moment / section.plastic_modulus;
-    const double outer = joint.hinged ? 0 : section.second_moment / (2 * d * d);
-    const double middle = section.area - 2 * outer, turns = joint.hinged ? 0 : 1;
-    f.outer_stiffness.push_back(steel.youngs * outer / joint.length);
-    f.middle_stiffness.push_back(steel.youngs * middle / joint.length);
-    f.shear_stiffness.push_back(steel.shear * section.shear_area / joint.length);
+    const double turns = joint.hinged ? 0 : 1;
+    add_fibres(joint, first, steel, f);
     f.aside_stiffness.push_back(steel.shear * section.weak_shear_area / joint.length);
     f.lean_stiffness.push_back(turns * steel.youngs * section.weak_second_moment / joint.length);
     f.twist_stiffness.push_back(steel.shear * section.torsion_constant / joint.length);
-    f.fibre.push_back(d);
-    f.outer_yield.push_back(steel.yield * outer);
-    f.middle_yield.push_back(steel.yield * middle);
-    f.member.push_back(first + joint.part);
-    f.place.push_back(joint.place);
-    f.length.push_back(joint.length);
-    ++f.n;
   }
 
   const ModelSpec& spec_;

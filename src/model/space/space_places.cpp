@@ -32,6 +32,41 @@ double outside(const BodySpec& body, Vec3 p) {
   return least;
 }
 
+// The part of the way from a point on that lies on the inner side of planes.
+class WayInside {
+ public:
+  WayInside(Vec3 from, Vec3 way) : from_(from), way_(way) {}
+  void cut(Vec3 normal, double outside) {
+    constexpr double kLevel = 1e-9;  // [m]
+    const double speed = dot(normal, way_);
+    if (std::fabs(speed) < kLevel)
+      leave_ = outside > -kLevel ? enter_ : leave_;
+    else if (speed > 0)
+      leave_ = std::fmin(leave_, -outside / speed);
+    else
+      enter_ = std::fmax(enter_, -outside / speed);
+  }
+  [[nodiscard]] bool is_long() const { return leave_ > enter_ + 1e-6; }  // [m]
+  [[nodiscard]] bool meets(const geometry::Box3& box) {
+    for (const Vec3 n : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
+      cut(n, dot(n, from_ - box.high));
+      cut(-1.0 * n, dot(n, box.low - from_));
+    }
+    return is_long();
+  }
+  [[nodiscard]] bool meets(const Polyhedron& part) {
+    for (const auto& corners : part.face) {
+      const Facet facet = geometry::facet_of(part, corners);
+      cut(facet.normal, dot(from_ - facet.centre, facet.normal));
+    }
+    return is_long();
+  }
+
+ private:
+  Vec3 from_, way_;
+  double enter_ = 0, leave_ = 1e300;
+};
+
 bool is_named(const BodySpec& body, const std::string& pattern) {
   if (pattern.ends_with("*")) return body.id.starts_with(pattern.substr(0, pattern.size() - 1));
   return body.id == pattern;
@@ -85,6 +120,17 @@ std::optional<Vec3> SpacePlaces::point_of(const PlaceSpec& place) const {
   if (!std::isfinite(place.x) || !std::isfinite(place.y) || !std::isfinite(place.z))
     return std::nullopt;
   return in_wall({place.x, place.y, place.z});
+}
+
+bool SpacePlaces::is_covered(Vec3 point, Vec3 way, const std::vector<bool>& counts) const {
+  for (std::size_t k = 0; k < box_.size(); ++k) {
+    if (!counts[k] || !WayInside(point, way).meets(box_[k])) continue;
+    const std::vector<Polyhedron>& parts = assembly_.body[k].part;
+    if (std::any_of(parts.begin(), parts.end(),
+                    [&](const Polyhedron& part) { return WayInside(point, way).meets(part); }))
+      return true;
+  }
+  return false;
 }
 
 std::optional<std::size_t> SpacePlaces::body_at(Vec3 p, bool fixed) const {

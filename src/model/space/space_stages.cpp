@@ -163,11 +163,15 @@ class SpaceStages {
       looks = places_.in_wall(vector_of(word->value));
     }
     const std::vector<std::size_t> bodies = places_.find(s.on);
+    const bool any_face = bodies.size() < assembly_.body.size();  // `on` narrows
+    std::vector<bool> standing(assembly_.body.size());
+    for (std::size_t k = 0; k < standing.size(); ++k) standing[k] = stands(k);
     for (const OuterFace& face : assembly_.outer) {
       const auto k = static_cast<std::size_t>(face.body);
       if (assembly_.body[k].fixed || dot(face.normal, looks) < kFacing || !stands(k)) continue;
       if (!std::binary_search(bodies.begin(), bodies.end(), k)) continue;
       const geometry::Facet facet = geometry::measured(face.polygon);
+      if (!any_face && places_.is_covered(facet.centre, looks, standing)) continue;
       const Vec3 arm = facet.centre - assembly_.moments[k].centroid;
       const Vec3 f = -s.pressure * face.area * face.normal;
       stage.loads.push_back({id_[k], arm.x, arm.y, f.x, f.y, arm.z, f.z});

@@ -552,6 +552,22 @@ TEST(MassAndShape, counts_the_share_of_the_masonry_alone) {
   EXPECT_NEAR(m.loads, 2000, 1e-9);
 }
 
+// A post of 1 m of 100 kg/m beside the wall's end, from its foot to its top: its segments' heights are those of a rod.
+TEST(MassAndShape, counts_the_mass_of_a_steel_frame_without_the_share_of_the_masonry) {
+  const std::string frame = R"([[frame]]
+line = [["1.05 m", "0 m"], ["1.05 m", "1 m"]]
+feet = "fixed"
+section = { height = "100 mm", width = "100 mm", area = "21 cm^2", shear_area = "8 cm^2", second_moment = "350 cm^4", plastic_modulus = "83 cm^3", mass = "100 kg/m" }
+grade = "S235"
+joint = "joint"
+)";
+  ModelSpec spec = parse_model(wall_text(kAssessed + frame), "wall.toml");
+  spec.assessment.masonry_share = 0.5;
+  const MassAndShape m = mass_and_linear_shape(spec.assessment, compile(spec));
+  EXPECT_NEAR(m.blocks, 200 + 100, 1e-9);
+  EXPECT_NEAR(m.participating, (200 + 100) * 0.5 / 0.875 + 2000 / 0.875 + 300, 1e-9);
+}
+
 Result pushed(const Model& model) {
   State state = initial_state(model);
   return solve(model, state);

@@ -112,6 +112,30 @@ TEST(SpaceLoads, a_force_goes_where_along_says) {
   EXPECT_NEAR(under(r, "c1u1").shear, 100, 0.01);
 }
 
+// A window: the sill lies below the head, and is pressed only where it is named.
+TEST(SpaceLoads, a_pressure_presses_the_faces_that_nothing_stands_before) {
+  ModelSpec spec = two_courses();
+  spec.body = {box("ground", {-1, -0.2, -1}, {4, 0.2, 3}, true),
+               box("left", {0, 0, 0}, {0.4, 0.6, 0.3}), box("right", {0.8, 0, 0}, {0.4, 0.6, 0.3}),
+               box("sill", {0.4, 0, 0}, {0.4, 0.3, 0.3}),
+               box("head", {0, 0.6, 0}, {1.2, 0.3, 0.3})};
+  spec.stage.push_back(load_stage("snow"));
+  spec.stage.back().pressure = 10e3;
+  const auto pressed = [&] {
+    const Model model = compile(spec);
+    std::vector<std::string> ids;
+    for (const PointLoad& load : model.stages[1].loads)
+      ids.push_back(model.anatomy.block_id[static_cast<std::size_t>(load.block)]);
+    return ids;
+  };
+  EXPECT_EQ(pressed(), std::vector<std::string>{"head"});
+  spec.stage.back().face = "-x";  // not the reveal of the right pier, which looks at the left one
+  EXPECT_EQ(pressed(), (std::vector<std::string>{"left", "head"}));
+  spec.stage.back().face = "";
+  spec.stage.back().on = block("sill");
+  EXPECT_EQ(pressed(), std::vector<std::string>{"sill"});
+}
+
 TEST(SpaceLoads, a_line_load_falls_to_each_block_by_the_length_on_it) {
   ModelSpec spec = two_courses();
   spec.stage.push_back(load_stage("wall above"));
