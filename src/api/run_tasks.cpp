@@ -11,8 +11,10 @@
 #include "api/run_answers.h"
 #include "core/files.h"
 #include "core/limits.h"
+#include "dynamics/stages/wall_run.h"
 #include "limit/limit_loads.h"
 #include "wythe/parts/error.h"
+#include "wythe/parts/failure_mode.h"
 #include "wythe/parts/folders.h"
 #include "wythe/parts/formats.h"
 #include "wythe/parts/io.h"
@@ -85,7 +87,7 @@ bool solve_on(Job& job, const std::shared_ptr<RunUnderWay>& run) {
       state_then = state;
       record_then = record;
     };
-  done.result = solve(done.model, run->state, run->options, std::move(run->record));
+  done.result = dynamics::run_stages(done.model, run->state, run->options, std::move(run->record));
   const bool stopped = done.result.status == SolveStatus::kInterrupted;
   if (stopped && run->goes_on) {
     job.stop = false;
@@ -96,6 +98,8 @@ bool solve_on(Job& job, const std::shared_ptr<RunUnderWay>& run) {
       job.out.text_later("svg", [run] { return wall_svg(run->done->model, run->state, 1); });
     return true;
   }
+  // Here and not at each stop: it reads all states of the push so far.
+  done.result.failure_mode = name_failure_mode(done.model, done.result);
   read_result(done.spec, done.model, done.result);
   if (run->results) write_done(run->language, *run->results, done);
   answer_run(job, run->done, run->language);

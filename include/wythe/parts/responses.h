@@ -183,16 +183,16 @@ void each_response(const Visitor& v, R& r) {
   v(OutputKey{"displacement_at_80_percent_m", "displacement_at_80_percent_mm", "mm",
       "displacement capacity: the first fall below 0.8 of the peak, after the peak, that lasts (docs/theory/drift.md), in reaction "
       "and base shear, straight between rows; where the wall collapsed before, its last displacement; a lower bound where "
-      "censored_80 is 1",
+      "censored_80 is true",
       OutputKey::kCsv, "displacement_at_80_percent_mm", 1e3}, displacement_at_80);
   v(OutputKey{"censored_80", "censored_80", "",
-      "1: the push ended before the force had fallen below 0.8 of the peak to stay",
+      "true (1): the push ended before the force had fallen below 0.8 of the peak to stay",
       OutputKey::kCsv, "censored_80"}, censored_80);
   v(OutputKey{"displacement_max_m", "displacement_max_mm", "mm",
-      "first of the rows that stay below 0.2 of the peak to the end; a lower bound, the last displacement, where censored_max is 1",
+      "first of the rows that stay below 0.2 of the peak to the end; a lower bound, the last displacement, where censored_max is true",
       OutputKey::kCsv, "displacement_max_mm", 1e3}, displacement_max);
   v(OutputKey{"censored_max", "censored_max", "",
-      "1: the push ended before the force stayed below 0.2 of the peak",
+      "true (1): the push ended before the force stayed below 0.2 of the peak",
       OutputKey::kCsv, "censored_max"}, censored_max);
   v(OutputKey{"initial_stiffness_N_per_m", "initial_stiffness_kN_per_mm", "kN/mm",
       "slope of the straight line nearest to the rise from 0.1 to 0.3 of the peak, in the mean of reaction and base shear; none "
@@ -203,10 +203,10 @@ void each_response(const Visitor& v, R& r) {
       OutputKey::kCsv, "drift_max_percent", 1e2}, drift_max);
   v(OutputKey{"collapse_displacement_m", "collapse.displacement_mm", "mm",
       "largest displacement at which the wall still stood: displacement_max where the reaction stays below 0.2 of the peak, else "
-      "the last one; a lower bound where censored_collapse is 1",
+      "the last one; a lower bound where collapse.censored is true",
       OutputKey::kCsv, "collapse_displacement_mm", 1e3}, collapse.displacement);
   v(OutputKey{"collapse_censored", "collapse.censored", "",
-      "1: the run ended before the wall collapsed",
+      "true (1): the run ended before the wall collapsed",
       OutputKey::kCsv, "censored_collapse"}, collapse.censored);
   v(OutputKey{"collapse_criterion", "collapse.criterion", "",
       "what ended the wall",
@@ -218,7 +218,7 @@ void each_response(const Visitor& v, R& r) {
       "why there is no capacity; empty where there is one",
       OutputKey::kView, "peak_reason"}, peak_reason);
   v(OutputKey{"censored_peak", "censored_peak", "",
-      "1: the capacity lies in the last hundredth of the path, or the load never brought the wall down, so it is a lower bound",
+      "true (1): the capacity lies in the last hundredth of the path, or the load never brought the wall down, so it is a lower bound",
       OutputKey::kView, "censored_peak"}, censored_peak);
   v(OutputKey{"peak_raw_N", "peak_raw_kN", "kN",
       "largest reaction of any row, jolts and rebounds included",
@@ -227,7 +227,7 @@ void each_response(const Visitor& v, R& r) {
       "displacement at the largest reaction of any row",
       OutputKey::kNowhere, "", 1e3}, displacement_at_peak_raw);
   v(OutputKey{"load_height_m", "load_height_m", "m",
-      "height of the driven blocks' centroids, over which drifts are measured; 0 without a push, and then no drifts"}, load_height);
+      "height of the driven blocks' centroids, over which drifts are measured; 0 without a push, and then drifts are 0"}, load_height);
   v(OutputKey{"drift_at_peak", "drift_percent_at_peak", "%",
       "displacement at the capacity over the load height",
       OutputKey::kView, "drift_at_peak_percent", 1e2}, drift_at_peak);
@@ -253,20 +253,20 @@ void each_response(const Visitor& v, R& r) {
       "du: displacement at 0.8 of the peak",
       OutputKey::kNowhere, "", 1e3}, bilinear.ultimate_displacement);
   v(OutputKey{"bilinear_ductility", "bilinear.ductility", "–",
-      "du / dy; a lower bound where bilinear_censored is 1"}, bilinear.ductility);
+      "du / dy; a lower bound where bilinear.censored is true"}, bilinear.ductility);
   v(OutputKey{"bilinear_censored", "bilinear.censored", "",
-      "1: 0.8 of the peak was never crossed"}, bilinear.censored);
+      "true (1): 0.8 of the peak was never crossed"}, bilinear.censored);
   v(OutputKey{"first_fall_80_percent_m", "first_fall_80_percent_mm", "mm",
       "the first fall of all below 0.8 of the peak, also one that is made good again",
       OutputKey::kCsv, "first_fall_80_percent_mm", 1e3}, first_fall_80);
   v(OutputKey{"censored_first_80", "censored_first_80", "",
-      "1: the force was never below 0.8 of the peak, so the first fall is a lower bound",
+      "true (1): the force was never below 0.8 of the peak, so the first fall is a lower bound",
       OutputKey::kCsv, "censored_first_80"}, censored_first_80);
   v(OutputKey{"last_fall_80_percent_m", "last_fall_80_percent_mm", "mm",
       "the last fall below 0.8 of the peak, after which the force never came back",
       OutputKey::kView, "last_fall_80_percent_mm", 1e3}, last_fall_80);
   v(OutputKey{"censored_last_80", "censored_last_80", "",
-      "1: at the end of the push the force was above 0.8 of the peak, so the last fall is a lower bound",
+      "true (1): at the end of the push the force was above 0.8 of the peak, so the last fall is a lower bound",
       OutputKey::kView, "censored_last_80"}, censored_last_80);
 }
 
