@@ -45,7 +45,7 @@ struct Tolerance {
   double linear = 1e-11;  // of the residual of a linear system, to its right side
 };
 inline constexpr Tolerance kExact{};
-inline constexpr Tolerance kQuick{.wanted = 1e-7, .best = 1e-7, .enough = 1e-6, .linear = 1e-9};
+inline constexpr Tolerance kQuick{.wanted = 1e-8, .best = 1e-8, .enough = 1e-7, .linear = 1e-9};
 
 struct InteriorSolution {
   ProgrammeStatus status = ProgrammeStatus::kFailed;
