@@ -25,7 +25,7 @@ void note_idle_laws(const ModelSpec& spec, Model& model) {
     model.anatomy.notes.push_back({"material.idle", {{"materials", joined(idle, ", ")}}});
 }
 
-// Materials of blocks, lintels, arches, sills and ring beams.
+// Materials of blocks, lintels, arches, sills, ring beams and mortars of layers.
 std::set<std::string> materials_of_blocks(const ModelSpec& spec) {
   std::set<std::string> names = {"masonry"};
   for (const auto& block : spec.block) names.insert(block.material);
@@ -35,6 +35,7 @@ std::set<std::string> materials_of_blocks(const ModelSpec& spec) {
   for (const OpeningSpec& opening : spec.wall.opening)
     names.insert({opening.lintel.material, opening.arch.material, opening.sill.material});
   for (const RingBeamSpec& beam : spec.ring_beam) names.insert(beam.material);
+  for (const LayerSpec& layer : spec.layer) names.insert(layer.mortar.joint);
   return names;
 }
 

@@ -11,6 +11,7 @@
 #include "scenes/scenes.h"
 #include "verification/record.h"
 #include "wythe/parts/error.h"
+#include "wythe/parts/io.h"
 #include "wythe/parts/limit.h"
 #include "wythe/parts/mechanism.h"
 #include "wythe/parts/reading.h"
@@ -168,6 +169,50 @@ TEST(Coats, what_cannot_be_is_refused_with_its_place) {
   spec = plastered();
   spec.layer[0].mortar.thickness = kUnset;
   EXPECT_EQ(fault_of(spec), "layer.0.mortar.thickness: is missing");
+}
+
+// Its stiffness is that of the layer (22.8), whatever its material says, and its energies are checked with that.
+TEST(Coats, the_material_of_mortar_needs_no_stiffness) {
+  const auto text = [](const std::string& stiffness) {
+    return R"(wall = { length = "1.5 m", height = "2 m", thickness = "0.25 m", unit = { length = "250 mm", height = "125 mm", split = "none", density = "1800 kg/m^3" } }
+layer = [{ sides = 2, mortar = { thickness = "30 mm", youngs_modulus = "12 GPa", joint = "plaster" } }]
+stage = [{ name = "gravity" }]
+[material.joint]
+use = "limestone_dry"
+normal_stiffness = "5 GPa/m"
+shear_stiffness = "2 GPa/m"
+friction_tan = 0.6
+residual_friction_tan = 0.6
+compressive_strength = "unlimited"
+[material.plaster]
+tensile_strength = "2 MPa"
+cohesion = "2 MPa"
+residual_cohesion = "0 MPa"
+friction_tan = 0.8
+residual_friction_tan = 0.6
+mode_1_energy = "100 N/m"
+mode_2_energy = "1000 N/m"
+compressive_strength = "unlimited"
+)" + stiffness;
+  };
+  const Model without = compile(parse_model(text(""), "wall.toml"));
+  // with this one the energies would be too small
+  const Model soft = compile(parse_model(
+      text("normal_stiffness = \"0.1 GPa/m\"\nshear_stiffness = \"0.1 GPa/m\"\n"), "wall.toml"));
+  EXPECT_EQ(without.materials.back().normal_stiffness, soft.materials.back().normal_stiffness);
+  for (const Message& note : without.anatomy.notes)
+    EXPECT_NE(note.code, "material.of_nothing") << text_of(note);
+  const auto is_refused = [&] {
+    std::string other = text("");
+    other.replace(other.find("plaster\" }"), 7, "joint");
+    try {
+      (void)parse_model(other, "wall.toml");
+    } catch (const InputError& error) {
+      return error.faults().front().path == "material.plaster";
+    }
+    return false;
+  };
+  EXPECT_TRUE(is_refused()) << "a law of joints that lacks its stiffnesses";
 }
 
 // Mortar alone has no fibres, and is a layer all the same.

@@ -1,6 +1,8 @@
 // The joint law's own check (check_joint_material), with each fault placed at its key.
 #include <algorithm>
 #include <array>
+#include <set>
+#include <string>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -37,6 +39,15 @@ bool is_law(const TableReader& reader) {
                      [&](std::string_view name) { return reader.has(name); });
 }
 
+// Of the mortar of a layer: the layer has its stiffness, and checks its energies with that (model/plane/coats.cpp).
+constexpr double kAnyStiffness = 1e30;  // [Pa/m], at which no energy is too small
+bool is_mortar(TableReader& reader) {
+  const std::set<std::string, std::less<>>& names = reader.context().mortars;
+  return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+    return reader.below("use") == under(under("material", name), "use");
+  });
+}
+
 // A refused value stays unset, so the law would report it as missing as well.
 bool has_law_fault(TableReader& reader) {
   return std::any_of(kLawKeys.begin(), kLawKeys.end(), [&](std::string_view name) {
@@ -68,8 +79,10 @@ void finish(TableReader& reader, JointMaterial& material) {
   const bool has_no_typology = context.has_fault_at("masonry.use") ||
                                context.has_fault_at("masonry.knowledge_level") ||
                                context.has_fault_at(reader.below("use"));
+  JointMaterial checked = material;
+  if (is_mortar(reader)) checked.normal_stiffness = checked.shear_stiffness = kAnyStiffness;
   std::vector<MaterialFault> missing;
-  for (const MaterialFault& fault : check_joint_material(material)) {
+  for (const MaterialFault& fault : check_joint_material(checked)) {
     // After a refused value, only keys that are missing for certain are reported.
     if (half_read && reader.has(fault.key)) continue;
     if (has_no_typology && !reader.has(fault.key)) continue;

@@ -216,6 +216,18 @@ void refuse_idle(const ModelSpec& spec, const ReadContext& context) {
 
 }  // namespace
 
+namespace {
+// The materials of the mortar of layers: of [[layer]] the names under mortar.joint.
+std::set<std::string, std::less<>> mortars_in(const toml::table& root) {
+  std::set<std::string, std::less<>> names;
+  if (const toml::array* layers = root["layer"].as_array())
+    for (const toml::node& layer : *layers)
+      if (const toml::table* table = layer.as_table())
+        if (const auto name = (*table)["mortar"]["joint"].value<std::string>()) names.insert(*name);
+  return names;
+}
+}  // namespace
+
 BuilderSpec parse_builder(const std::string& file, const toml::table& root, const ModelSpec& spec) {
   ReadContext silent{file};
   TableReader reader(silent, root, "");
@@ -264,6 +276,7 @@ ModelSpec parse_model(const std::string& toml_text, const std::string& file_name
   io::read_names_as_meant(context, root, io::known_names<ModelSpec>());
   io::resolve_materials(context, root);
   io::resolve_floors(context, root);
+  context.mortars = io::mortars_in(root);
   ModelSpec spec;
   spec.folder = std::filesystem::path(file_name).parent_path().string();
   io::parse_table(context, root, "", spec);

@@ -46,6 +46,8 @@ struct ReadContext {
   std::set<std::string, std::less<>> asked = {};
   // Values whose rule lacks an input with a reported fault; they are no faults themselves.
   std::set<std::string, std::less<>> follow_ups = {};
+  // Materials of the mortar of layers, which gives them its own stiffness: the layer checks them.
+  std::set<std::string, std::less<>> mortars = {};
   const std::map<std::string, std::string>* records = nullptr;  // content of record files, by name
 
   // Adds a fault at `path`; if an override set that path, it is the override's fault.
