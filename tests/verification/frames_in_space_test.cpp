@@ -406,6 +406,20 @@ TEST(FramesInSpace, a_section_in_numbers_that_lacks_one_across_is_told_once) {
                                              "space a member bends across its plane"});
 }
 
+// A section in numbers states it, else it is that in the plane.
+TEST(FramesInSpace, the_shear_area_across_the_plane_may_be_stated) {
+  ModelSpec spec = yard();
+  spec.frame = {slender(FrameFeet::kFixed)};
+  const double area = spec.frame[0].section.shear_area;
+  const auto aside = [&] { return compile(spec).frames.aside_stiffness.front(); };
+  const double as_in_plane = aside();
+  EXPECT_EQ(as_in_plane, compile(spec).frames.shear_stiffness.front());
+  spec.frame[0].section.weak_shear_area = 3 * area;
+  EXPECT_NEAR(aside(), 3 * as_in_plane, 1e-12 * as_in_plane);
+  spec.frame[0].section.weak_shear_area = -area;
+  EXPECT_EQ(fault_of(spec), "frame.0.section.weak_shear_area: must be positive");
+}
+
 TEST(FramesInSpace, a_place_that_is_half_stated_or_stated_twice_is_refused) {
   ModelSpec spec = yard();
   spec.frame = {portal(FrameFeet::kFixed)};

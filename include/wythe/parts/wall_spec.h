@@ -186,8 +186,8 @@ struct SectionSpec {
   double second_moment = kUnset;              // I [m^4]
   double plastic_modulus = kUnset;            // Wpl [m^3]
   double mass = kUnset;                       // [kg/m]
-  // for bending out of the wall's plane and torsion, of frames in space [m^4]
-  double weak_second_moment = kUnset, torsion_constant = kUnset;
+  // for bending and shear out of the wall's plane and torsion, of frames in space [m^4], [m^2]
+  double weak_second_moment = kUnset, torsion_constant = kUnset, weak_shear_area = kUnset;
 };
 
 // Supports of a frame's columns: clamped to the ground, hinged to it, on a base beam, or resting on the blocks below.

@@ -31,7 +31,8 @@ bool is_stated(const SectionSpec& s) {
   return !std::isnan(s.height) || !std::isnan(s.width) || !std::isnan(s.area) ||
          !std::isnan(s.shear_area) || !std::isnan(s.second_moment) ||
          !std::isnan(s.plastic_modulus) || !std::isnan(s.mass) ||
-         !std::isnan(s.weak_second_moment) || !std::isnan(s.torsion_constant);
+         !std::isnan(s.weak_second_moment) || !std::isnan(s.torsion_constant) ||
+         !std::isnan(s.weak_shear_area);
 }
 
 std::optional<Section> stated_section(const SectionSpec& s, const std::string& path,
@@ -47,10 +48,18 @@ std::optional<Section> stated_section(const SectionSpec& s, const std::string& p
   need("second_moment", s.second_moment, "m^4", "5696 cm^4");
   need("plastic_modulus", s.plastic_modulus, "m^3", "642.5 cm^3");
   need("mass", s.mass, "kg/m", "61.3 kg/m");
+  if (!std::isnan(s.weak_shear_area)) need("weak_shear_area", s.weak_shear_area, "m^2", "50 cm^2");
   if (faults.all().size() > before) return std::nullopt;
-  const Section found{s.height,           s.width,           s.area, s.shear_area,
-                      s.second_moment,    s.plastic_modulus, s.mass, s.weak_second_moment,
-                      s.torsion_constant, s.shear_area};
+  const Section found{s.height,
+                      s.width,
+                      s.area,
+                      s.shear_area,
+                      s.second_moment,
+                      s.plastic_modulus,
+                      s.mass,
+                      s.weak_second_moment,
+                      s.torsion_constant,
+                      std::isnan(s.weak_shear_area) ? s.shear_area : s.weak_shear_area};
   // The outer fibres have the area I / 2 d^2 each, at d = I / Wpl (frames.md, 20.1).
   const double fibre = s.second_moment / s.plastic_modulus;
   if (s.second_moment > s.area * fibre * fibre || fibre > s.height / 2) {

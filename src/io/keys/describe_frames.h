@@ -28,6 +28,8 @@ void describe(Visitor& v, SectionSpec& s) {
              .fallback = "required in space", .example = "2003 cm^4", .doc = "I for bending across the wall's plane, in space."});
   v.quantity("torsion_constant", s.torsion_constant, {.unit = "m^4", .shown = "cm^4", .range = kPositive,
              .fallback = "required in space", .example = "59.3 cm^4", .doc = "It, in space."});
+  v.quantity("weak_shear_area", s.weak_shear_area, {.unit = "m^2", .shown = "cm^2", .range = kPositive,
+             .fallback = "shear_area", .example = "50 cm^2", .doc = "As across the wall's plane, in space: 5/6 of both flanges or of a rectangle."});
 }
 
 template <class Visitor>
