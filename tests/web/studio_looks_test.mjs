@@ -65,48 +65,53 @@ async function push(page) {
   await page.waitForFunction(() => document.querySelector(".primary.running") === null && /kN/.test(document.querySelector(".key")?.textContent ?? ""), null, { timeout: kPatience });
   await stonesOf(page);
 }
-for (const [width, height] of [[1440, 900], [820, 1180], [390, 844]])
-  for (const scheme of ["light", "dark"])
-    test(`what a push finds: ${width} px, ${scheme}`, async () => {
-      const page = await openStudio(browser, file, { width, height, scheme, touch: width < 1000 });
-      const isFine = async (name) => {
-        assert.deepEqual(await violations(page), [], name);
-        assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth), `${name}: wider than the screen`);
-        await picture(page, `studio_${name}_${width}_${scheme}`);
-      };
-      const action = (name) => page.locator(`[data-action="${name}"]`);
-      await write(page, kShort);
-      await push(page);
-      await isFine("result");
-      await action("keep").click();
-      await write(page, kShort.replace('thickness = "0.4 m"', 'thickness = "0.5 m"'));
-      await push(page);
-      await action("other").click();
-      await page.waitForSelector(".line.other", { timeout: kPatience });
-      await action("walls").click();
-      await page.waitForFunction(() => document.querySelectorAll(".one-wall").length === 8, null, { timeout: kPatience });
-      await isFine("compare");
-      await page.getByTitle("Vary Thickness").click();
-      await action("family").click();
-      await page.waitForFunction(() => document.querySelectorAll(".curve-box path.member").length === 5, null, { timeout: kPatience });
-      await isFine("family");
-      await page.locator(".starters").selectOption("frame");
-      await stonesOf(page);
-      await page.locator('[data-opening="0"]').click();
-      await page.getByRole("button", { name: "Anchor it in the masonry" }).click();
-      await stonesOf(page);
-      await isFine("frame");
-      await page.locator(".starters").selectOption("facade");
-      await stonesOf(page);
-      await page.locator('[data-part="floor 0"]').focus();
-      await isFine("floor");
-      await page.locator('.tool-button:has-text("Photo")').click();
-      await isFine("photo");
-      await page.getByRole("button", { name: "Keys" }).click();
-      await isFine("keys");
-      assert.deepEqual(page.faults, []);
-      await page.end();
-    });
+test("what a push finds, on a desktop and a phone, in both themes", async () => {
+  const page = await openStudio(browser, file);
+  const isFine = async (name) => {
+    for (const [width, height] of [[1440, 900], [390, 844]])
+      for (const colorScheme of ["light", "dark"]) {
+        await page.setViewportSize({ width, height });
+        await page.emulateMedia({ colorScheme });
+        await page.waitForSelector(`html[data-theme="${colorScheme}"]`);
+        assert.deepEqual(await violations(page), [], `${name}, ${width} px, ${colorScheme}`);
+        assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth), `${name}, ${width} px: wider than the screen`);
+        await picture(page, `studio_${name}_${width}_${colorScheme}`);
+      }
+    await page.setViewportSize({ width: 1440, height: 900 });
+  };
+  const action = (name) => page.locator(`[data-action="${name}"]`);
+  await write(page, kShort);
+  await push(page);
+  await isFine("result");
+  await action("keep").click();
+  await write(page, kShort.replace('thickness = "0.4 m"', 'thickness = "0.5 m"'));
+  await push(page);
+  await action("other").click();
+  await page.waitForSelector(".line.other", { timeout: kPatience });
+  await action("walls").click();
+  await page.waitForFunction(() => document.querySelectorAll(".one-wall").length === 8, null, { timeout: kPatience });
+  await isFine("compare");
+  await page.getByTitle("Vary Thickness").click();
+  await action("family").click();
+  await page.waitForFunction(() => document.querySelectorAll(".curve-box path.member").length === 5, null, { timeout: kPatience });
+  await isFine("family");
+  await page.locator(".starters").selectOption("frame");
+  await stonesOf(page);
+  await page.locator('[data-opening="0"]').click();
+  await page.getByRole("button", { name: "Anchor it in the masonry" }).click();
+  await stonesOf(page);
+  await isFine("frame");
+  await page.locator(".starters").selectOption("facade");
+  await stonesOf(page);
+  await page.locator('[data-part="floor 0"]').focus();
+  await isFine("floor");
+  await page.locator('.tool-button:has-text("Photo")').click();
+  await isFine("photo");
+  await page.getByRole("button", { name: "Keys" }).click();
+  await isFine("keys");
+  assert.deepEqual(page.faults, []);
+  await page.end();
+});
 
 // As an enlarged page of 1440 x 900 has it, and a phone that lies.
 for (const [width, height] of [[720, 450], [844, 390], [360, 225]])
