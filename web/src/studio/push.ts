@@ -279,15 +279,18 @@ export class Push {
     if (this.reading) return;
     this.reading = true;
     document.documentElement.dataset.reading = "yes"; // until the picture is the newest
-    while (this.next) {
-      const turn = this.turn;
-      const now = this.next();
-      this.next = null;
-      const shown = await readPicture(now, this.length, () => turn === this.turn);
-      if (turn === this.turn) this.show(shown);
+    try {
+      while (this.next) {
+        const turn = this.turn;
+        const now = this.next();
+        this.next = null;
+        const shown = await readPicture(now, this.length, () => turn === this.turn);
+        if (turn === this.turn) this.show(shown);
+      }
+    } finally {
+      this.reading = false;
+      delete document.documentElement.dataset.reading;
     }
-    this.reading = false;
-    delete document.documentElement.dataset.reading;
   }
   private hide(): void {
     ++this.turn;
