@@ -48,6 +48,39 @@ test("each row has six sentences whose places are those of the English one", () 
   }
 });
 
+// Pieces of the sources' texts between their places: "must be at least {} {}" gives "must be at least ". Texts side by side are one.
+function piecesOfSources() {
+  const all = new Set();
+  const add = (text) => text.split(/\$?\{[^{} ]*\}/).forEach((piece) => all.add(piece));
+  const read = (file) => fs.readFileSync(file, "utf8").replace(/^\s*\/\/.*$/gm, "").replace(/"\s*\n\s*"/g, "");
+  for (const entry of fs.readdirSync(path.join(root, "src"), { recursive: true }))
+    if (/\.(cpp|h)$/.test(entry))
+      for (const [, text] of read(path.join(root, "src", entry)).matchAll(/"((?:[^"\\\n]|\\.)*)"/g)) add(text.replace(/\\(["\\])/g, "$1"));
+  for (const [, text] of read(path.join(root, "web/src/studio/toml.ts")).matchAll(/fault\(["`]([^"`]*)["`]\)/g)) add(text);
+  all.delete("");
+  return [...all];
+}
+// Whether a text may come out of pieces: it lies in one, or the end of one, whole ones and the start of one make it.
+function mayComeOf(text, pieces, whole, joined) {
+  const goesOn = (at) => {
+    const left = text.slice(at);
+    if (pieces.some((piece) => piece.startsWith(left))) return true;
+    for (let end = at + 2; end < text.length; ++end) if (whole.has(text.slice(at, end)) && goesOn(end)) return true;
+    return false;
+  };
+  const heads = Array.from({ length: text.length - 1 }, (_, k) => text.slice(0, k + 1));
+  return joined.includes(text) || heads.some((head) => pieces.some((piece) => piece.endsWith(head)) && goesOn(head.length));
+}
+
+test("the words of each row stand in the sources of the engine or of the studio", () => {
+  const pieces = piecesOfSources();
+  const [whole, joined] = [new Set(pieces), pieces.join("\n")];
+  const comes = (english) => english.split(/\{[a-z]?\d\}/).every((part) => part.trim() === "" || mayComeOf(part, pieces, whole, joined));
+  assert.ok(!comes("must be true or false without quotes")); // the engine has a comma there
+  const rows = JSON.parse(fs.readFileSync(path.join(root, "web/src/studio/fault_words.json"), "utf8"));
+  assert.deepEqual(rows.map(([english]) => english).filter((english) => !comes(english)), []);
+});
+
 // What is drawn or written, and what may be wrong with it.
 const kFaulty = {
   "brick_portal/model.toml": [
