@@ -98,7 +98,8 @@ const kFaulty = {
   ],
   "brick_facade/model.toml": [
     ['height = "3.40 m"', 'height = "2 m"'], ['name = "first floor"', 'name = "ground floor"'], ['storey = "ground floor"', 'storey = "cellar"'], ['storey = "ground floor"            #', 'y = "1 m" #'], ['load = "12 kN/m"', 'load = "12 kN/m^2"'],
-    ['load = "12 kN/m"', 'load = "12 kN/m"\nx = "5 m"\nwidth = "9 m"'], ['load = "12 kN/m"\n', ""], ['[wall]\n', '[wall]\nheight = "7 m"\n'],
+    ['load = "12 kN/m"', 'load = "12 kN/m"\nx = "5 m"\nwidth = "9 m"'], ['load = "12 kN/m"\n', ""],
+    ['load = "12 kN/m"', 'g1 = "2.6 kN/m^2"'], ['load = "12 kN/m"', 'load = "12 kN/m"\npsi2 = 0.3'], ['load = "12 kN/m"', 'g1 = "2.6 kN/m"\ng2 = "1.4 kN/m^2"\nq = "2 kN/m^2"\npsi2 = 3\nspan = "0 m"'], ['load = "12 kN/m"', 'mass = "rule"'], ['[wall]\n', '[wall]\nheight = "7 m"\n'],
   ],
   "opening/after.toml": [
     ['round = "shop"', 'round = "door"'], ['feet = "fixed"', 'feet = "free"'], ['profile = "HEB 120"', 'profile = "HEB 121"'], ['profile = "HEB 120"', 'profile = "HEB 500"'], ['grade = "S275"', 'grade = "S999"'], ['joint = "steel_contact"', 'joint = "j"'],
