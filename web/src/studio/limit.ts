@@ -6,7 +6,7 @@ import type { Answer, Engine } from "./engine";
 import { readPicture } from "./picture";
 import type { Fault } from "./project";
 import { faultsOf } from "./push";
-import { said } from "./said";
+import { isKnown, said } from "./said";
 
 export const kPatience = 3000; // for a limit load [ms]
 
@@ -90,9 +90,12 @@ export class LiveLimit {
 }
 
 // What has no limit load, as the file says it, and why. The engine may put both into one sentence: "path = value: problem; cure".
-function reasonOf(fault: Fault | undefined, reason: string): [string, string] {
+// Names may have colons, so the place ends at the first one after which a known problem stands.
+export function reasonOf(fault: Fault | undefined, reason: string): [string, string] {
   const words = fault?.problem ?? reason;
-  const parts = /^((?:wall|stage|solve|frame|layer|crushing)[\w.]*(?: = [^:]*)?): (.*)$/.exec(words);
-  if (parts) return [parts[1], parts[2].split("; ")[0]];
+  for (let at = words.indexOf(": "); at >= 0; at = words.indexOf(": ", at + 1)) {
+    const problem = words.slice(at + 2).split("; ")[0];
+    if (isKnown(problem)) return [words.slice(0, at), problem];
+  }
   return [fault?.value ? `${fault.path} = ${fault.value}` : (fault?.path ?? ""), words];
 }

@@ -155,15 +155,19 @@ export class Panel {
     else this.edit(text, null);
   }
   // A text field whose words `take` turns into an edit; null: it cannot be read. Emptied, a key that the file may leave out goes
-  // (`unset`). A number may be varied.
-  private entry(label: string, unit: string, show: () => string, take: (text: string) => string | null, more: { step?: (by: number) => string | null; wide?: boolean; vary?: () => Omit<Varied, "name"> | null; unset?: Path } = {}): HTMLElement {
-    const { step, vary, unset } = more;
+  // (`unset`), unless words say why it must stay (`needed`). A number may be varied.
+  private entry(label: string, unit: string, show: () => string, take: (text: string) => string | null, more: { step?: (by: number) => string | null; wide?: boolean; vary?: () => Omit<Varied, "name"> | null; unset?: Path; needed?: string } = {}): HTMLElement {
+    const { step, vary, unset, needed } = more;
     const input = h("input", { type: "text", "aria-label": label, "aria-description": unit === "" ? undefined : unit, autocomplete: "off", spellcheck: "false", inputmode: unit === "" ? undefined : "decimal", placeholder: unset && say("studio.unset") });
     const commit = (): void => {
       if (input.value === input.dataset.shown) return;
       const empty = unset !== undefined && input.value.trim() === "";
       const text = empty ? this.without(unset) : take(input.value);
       if (empty) input.value = input.dataset.shown ?? "";
+      if (empty && needed) {
+        input.removeAttribute("aria-invalid");
+        return this.tell(needed);
+      }
       input.setAttribute("aria-invalid", String(text === null));
       if (text !== null) this.edit(text);
     };
@@ -213,11 +217,11 @@ export class Panel {
     });
   }
   // `like`: a quantity of its kind, for where there is none.
-  quantity(label: string, show: () => string, set: (value: string) => string | null, like = "", unset?: Path): HTMLElement {
+  quantity(label: string, show: () => string, set: (value: string) => string | null, like = "", unset?: Path, needed?: string): HTMLElement {
     return this.entry(label, "", show, (text) => {
       const value = typedQuantity(text, show() || like);
       return value === null ? null : set(value);
-    }, { unset, vary: () => {
+    }, { unset, needed, vary: () => {
       const unit = readQuantity(show())?.unit;
       // in another unit by now it is another number
       const now = (): number => (readQuantity(show())?.unit === unit ? parseFloat(show()) : NaN);
@@ -225,10 +229,17 @@ export class Panel {
     } });
   }
   // A quantity that the file may leave out; null where it says it in words.
-  optional(label: string, path: Path, unit: string): HTMLElement | null {
+  optional(label: string, path: Path, unit: string, needed?: string): HTMLElement | null {
     const show = (): string => String(valueAt(this.project.doc!, path) ?? "");
     if (isWord(this.project.doc!, path)) return null;
-    return this.quantity(label, show, (v) => setValue(this.project.text, path, quoted(v)), `1 ${unit}`, path);
+    return this.quantity(label, show, (v) => setValue(this.project.text, path, quoted(v)), `1 ${unit}`, path, needed);
+  }
+  // A number from 0 to 1 without a unit, which the file may leave out.
+  share(label: string, path: Path, needed?: string): HTMLElement {
+    const show = (): string => String(valueAt(this.project.doc!, path) ?? "");
+    const safe = (v: number): string | null => (v >= 0 && v <= 1 ? setValue(this.project.text, path, String(v)) : null);
+    const read = (text: string): number => (text.trim() === "" ? NaN : Number(text.replace(",", ".")));
+    return this.entry(label, "", show, (text) => safe(read(text)), { unset: path, needed, vary: () => (Number.isFinite(read(show())) ? { unit: "", whole: false, now: () => read(show()), text: safe } : null) });
   }
   number(label: string, show: () => number, set: (value: number) => string, unset?: Path): HTMLElement {
     const safe = (n: number): string | null => (Number.isInteger(n) && n >= 1 && n < 100 ? set(n) : null);

@@ -51,8 +51,8 @@ function storeyGroup(panel: Panel, k: number): HTMLElement {
   );
 }
 
-// What a floor may say of itself. Its load is a number, or the sum of others.
-const kSum = ["g1", "g2", "q", "span"];
+// What a floor may say of itself. Its load is a number, or the sum of others, which needs them all.
+const kSum = ["g1", "g2", "q", "psi2", "span"];
 const kFloorUnits: Record<string, string> = { load: "kN/m", g1: "kN/m^2", g2: "kN/m^2", q: "kN/m^2", span: "m", bearing: "mm", thrust: "kN", mass: "kg/m" };
 const sumsUp = (doc: Doc, at: Path): boolean => !find(doc, [...at, "load"]) && kSum.some((key) => find(doc, [...at, key]));
 
@@ -62,13 +62,15 @@ function floorGroup(panel: Panel, k: number): HTMLElement {
   const floor = () => d().floors[Math.min(k, d().floors.length - 1)];
   const at: Path = ["floor", k];
   const has = (key: string): boolean => find(project.doc!, [...at, key]) !== undefined;
-  const keys = [...(sumsUp(project.doc!, at) ? kSum : ["load", ...kSum.filter(has)]), "bearing", "thrust", "mass"];
+  const sum = sumsUp(project.doc!, at);
+  const keys = [...(sum ? kSum : ["load", ...kSum.filter(has)]), "bearing", "thrust", "mass"];
+  const needed = (key: string): string | undefined => (sum && kSum.includes(key) ? say("studio.floor.needed") : undefined);
   const inside = (y: number): boolean => y > 0 && y <= d().height + 1e-6;
   return panel.group(
     say("studio.floor"),
     panel.text(say("studio.name"), () => floor().name, (name) => setValue(project.text, ["floor", k, "name"], quoted(name)), true),
     panel.length(say("studio.above.base"), () => floor().y, (y) => (inside(y) ? moveFloor(project.text, d(), k, y) : null), "course"),
-    keys.map((key) => panel.optional(say(`studio.floor.${key}`), [...at, key], kFloorUnits[key])),
+    keys.map((key) => (key === "psi2" ? panel.share(say("studio.floor.psi2"), [...at, key], needed(key)) : panel.optional(say(`studio.floor.${key}`), [...at, key], kFloorUnits[key], needed(key)))),
     panel.length(say("studio.left"), () => floor().x, (x) => (x < d().length ? setFloorSpan(project.text, d(), k, x, Math.min(floor().width, d().length - x)) : null), "half", "m", [...at, "x"]),
     panel.length(say("studio.width"), () => floor().width, (w) => (w > 0 && floor().x + w <= d().length + 1e-6 ? setFloorSpan(project.text, d(), k, floor().x, w) : null), "half", "m", [...at, "width"]),
     panel.choice(say("studio.floor.hold"), kHolds.map((hold) => [hold, say(`studio.floor.hold.${hold}`)]), () => holdOf(d(), k), (hold) => setHold(project.text, d(), k, hold as Hold), true),

@@ -33,6 +33,8 @@ let rows: Row[] | null = null;
 const all = (): Row[] =>
   (rows ??= [...table].sort((a, b) => b[0].replace(/\{\w+\}/g, "").length - a[0].replace(/\{\w+\}/g, "").length).map(rowOf));
 
+export const isKnown = (english: string): boolean => all().some(({ pattern }) => pattern.test(english));
+
 // null: it is not in the table.
 export function inWords(english: string, language = languageNow()): string | null {
   const at = kLanguages.indexOf(language);
