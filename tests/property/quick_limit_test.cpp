@@ -113,8 +113,9 @@ RC_GTEST_PROP(quick_limit, is_the_exact_load_to_its_error, ()) {
   const Answer exact = answer_of(model, options, false), quick = answer_of(model, options, true);
   // the tilts before the last one differ, and with them which of its refusals a tilt comes to first
   const bool tilts = model.stages.back().spec.kind == StageKind::kTilt;
-  RC_ASSERT(tilts ? quick.refusal.empty() == exact.refusal.empty()
-                  : quick.refusal == exact.refusal);
+  const bool alike = tilts ? quick.refusal.empty() == exact.refusal.empty()
+                           : quick.refusal == exact.refusal;
+  RC_ASSERT(alike);
   if (!exact.refusal.empty()) return;
   const double load = exact.limit.load, error = kQuickError * std::fabs(load);
   RC_ASSERT(std::fabs(quick.limit.load - load) <= error);
