@@ -158,5 +158,22 @@ TEST(QuickLimit, walls_in_space) {
   EXPECT_NEAR(power, static_cast<double>(model.stages.back().driven.size()), kQuickError);
 }
 
+// A block on ice leans on a low stop: what turns it about the stop's top is its weight alone.
+TEST(QuickLimit, without_friction_in_space) {
+  ModelSpec spec =
+      scenes::in_space({scenes::box("floor", {-2, -0.2, -2}, {4, 0.2, 4}, true),
+                        scenes::box("stop", {0.15, 0, -0.1}, {0.2, 0.3, 0.2}, true),
+                        scenes::box("b", {-0.15, 0, -0.1}, {0.3, 1.2, 0.2})},
+                       scenes::dry_joint(1e9, 4e8, 0));
+  spec.stage = {scenes::gravity_stage(), body_force()};
+  const Model model = compile(spec);
+  const LimitResult exact = limit_load(model, {}), quick = quick_limit_load(model, {});
+  EXPECT_NEAR(exact.load, 0.15 / (0.6 - 0.3), 1e-6);
+  EXPECT_NEAR(quick.load / exact.load, 1, kQuickError);
+  EXPECT_NEAR(quick.kinematic / exact.load, 1, kQuickError);
+  const auto block = static_cast<std::size_t>(model.n_block - 1);
+  EXPECT_NEAR(quick.vx[block] / exact.vx[block], 1, kQuickError);
+}
+
 }  // namespace
 }  // namespace wythe::quick_limit_test

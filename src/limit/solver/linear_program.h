@@ -38,8 +38,7 @@ class LinearProgramme {
   // `monitor` is called several times a second.
   ProgrammeStatus solve(const Monitor& monitor = {}, const Tolerance& tolerance = kExact);
   [[nodiscard]] double objective() const { return objective_; }
-  // Of the programme's own dual, and the multipliers of the rows with equal bounds there (rows; others 0). Not of a
-  // programme of equations alone.
+  // Of the programme's own dual, and the multipliers of the rows with equal bounds there (rows; others 0).
   [[nodiscard]] double dual_objective() const { return dual_objective_; }
   [[nodiscard]] const std::vector<double>& multipliers() const { return multipliers_; }
   [[nodiscard]] const std::vector<double>& solution() const { return solution_; }  // (columns)
