@@ -160,6 +160,8 @@ ProgrammeStatus LinearProgramme::solve(const Monitor& monitor, const Tolerance& 
   const InteriorSolution answer =
       interior_point(by_dual ? dual_form() : form(), monitor, tolerance);
   accuracy_ = answer.accuracy;
+  error_ = answer.error;
+  residual_ = by_dual ? answer.dual_residual : answer.residual;
   if (answer.status == ProgrammeStatus::kOptimal) {
     objective_ = by_dual ? -answer.objective : answer.objective;
     dual_objective_ = by_dual ? -answer.objective : answer.dual_objective;

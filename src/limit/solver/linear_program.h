@@ -44,6 +44,10 @@ class LinearProgramme {
   [[nodiscard]] const std::vector<double>& solution() const { return solution_; }  // (columns)
   // What is left of the residuals and of the gap of the programme's own dual.
   [[nodiscard]] double accuracy() const { return accuracy_; }
+  // Of the objective, to first order: that gap, and residuals times their multipliers.
+  [[nodiscard]] double error() const { return error_; }
+  // Sum of the residuals of rows and bounds.
+  [[nodiscard]] double residual() const { return residual_; }
   // After kUnbounded: a direction in which the objective falls for ever (columns), may be empty.
   [[nodiscard]] const std::vector<double>& ray() const { return ray_; }
 
@@ -63,7 +67,7 @@ class LinearProgramme {
   std::vector<double> value_;
   std::vector<CircleRows> circle_rows_;
   std::vector<int> circle_columns_;  // the first of each three
-  double objective_ = 0, dual_objective_ = 0, accuracy_ = 0;
+  double objective_ = 0, dual_objective_ = 0, accuracy_ = 0, error_ = 0, residual_ = 0;
   std::vector<double> solution_, multipliers_, ray_;
   [[nodiscard]] bool is_plain() const;
   [[nodiscard]] InequalityForm form() const;
