@@ -121,6 +121,7 @@ class StaticProgramme {
     SpaceStaticSolution answer;
     answer.status = lp_.solve(monitor, tolerance);
     answer.accuracy = lp_.accuracy();
+    answer.error = lp_.error() * (loads_.is_force ? u_.force : 1.0);
     answer.rows = lp_.rows();
     answer.columns = lp_.columns();
     if (answer.status == ProgrammeStatus::kUnbounded) answer.carrier = carrier(lp_.ray());
@@ -138,8 +139,11 @@ class StaticProgramme {
     return answer;
   }
 
-  ProgrammeStatus stands(const Monitor& monitor, const Tolerance& tolerance) {
-    return lp_.solve(monitor, tolerance);
+  // After build(Purpose::kRest). kFailed: too much is left unbalanced to tell.
+  ProgrammeStatus stands(const Monitor& monitor) {
+    const ProgrammeStatus found = lp_.solve(monitor);
+    const bool is_unsure = found == ProgrammeStatus::kOptimal && lp_.residual() >= kBalanced;
+    return is_unsure ? ProgrammeStatus::kFailed : found;
   }
 
   // The largest unbalanced force, after build(Purpose::kUnbalanced).
@@ -155,7 +159,7 @@ class StaticProgramme {
       if (unbalanced * u_.force > found.force)
         found = {found.status, static_cast<BlockId>(row / 6), unbalanced * u_.force};
     }
-    return total < 1e-6 ? Unbalanced{found.status} : found;
+    return total < kBalanced ? Unbalanced{found.status} : found;
   }
 
  private:
@@ -529,10 +533,10 @@ SpaceKinematicSolution solve_kinematic(const Model& model, const SpaceLoads& loa
 }
 
 ProgrammeStatus find_rest(const Model& model, const SpaceLoads& loads, const SpaceYield& yield,
-                          const Units& units, const Monitor& monitor, const Tolerance& tolerance) {
+                          const Units& units, const Monitor& monitor) {
   StaticProgramme programme(model, loads, yield, units);
   programme.build(Purpose::kRest);
-  return programme.stands(monitor, tolerance);
+  return programme.stands(monitor);
 }
 
 Unbalanced find_unbalanced(const Model& model, const SpaceLoads& loads, const SpaceYield& yield,

@@ -55,6 +55,7 @@ struct SpaceStaticSolution {
   std::vector<double> link_force;                     // (n_link), tension + [N]
   double friction_excess = 0;  // largest relative excess of a shear over its circle
   double accuracy = 0;
+  double error = 0;  // of the load, to first order
   int carrier =
       -1;  // of a load without limit: the joint that carries most of it, links after joints
   int rows = 0, columns = 0;
@@ -67,7 +68,7 @@ struct SpaceStaticSolution {
 // Whether forces without the growing load balance every block.
 [[nodiscard]] ProgrammeStatus find_rest(const Model& model, const SpaceLoads& loads,
                                         const SpaceYield& yield, const Units& units,
-                                        const Monitor& monitor, const Tolerance& tolerance);
+                                        const Monitor& monitor);
 
 [[nodiscard]] Unbalanced find_unbalanced(const Model& model, const SpaceLoads& loads,
                                          const SpaceYield& yield, const Units& units,

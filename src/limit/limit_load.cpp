@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <exception>
 
 #include "limit/in_space.h"
 #include "limit/plane/programmes.h"
@@ -21,11 +22,12 @@ using namespace limit;
 struct Search {
   Tolerance tolerance;
   bool by_dual;
-  double gap;   // of both theorems, relative, at most [-]
-  double tilt;  // by which the tangent of a limit tilt may still change
 };
-constexpr Search kFull{kExact, false, 1e-6, 1e-10};
-constexpr Search kFast{kQuick, true, 0.1 * kQuickError, 0.1 * kQuickError};
+constexpr Search kFull{kExact, false}, kFast{kQuick, true};
+constexpr double kGap = 1e-6;  // of both theorems, relative, at most [-]
+
+// A quick search whose answer may be wrong by more than kQuickError.
+struct Unsure : std::exception {};
 
 [[noreturn]] void refuse(std::string path, std::string value, std::string problem,
                          std::string cure) {
@@ -152,6 +154,7 @@ Programmes solve_by_forces(const Model& model, const LimitOptions& options, cons
   const Monitor part_monitor = monitor_from(monitor, 0, 0.5);
   p.by_forces = solve_static(model, p.loads, p.yield, p.units, part_monitor, search.tolerance);
   if (p.by_forces.status == ProgrammeStatus::kStopped) throw LimitStopped();
+  if (search.by_dual && p.by_forces.status == ProgrammeStatus::kFailed) throw Unsure();
   if (p.by_forces.status == ProgrammeStatus::kInfeasible)
     refuse_unbalanced(model, find_unbalanced(model, p.loads, p.yield, p.units, part_monitor));
   if (p.by_forces.status == ProgrammeStatus::kUnbounded) {
@@ -187,6 +190,7 @@ SpaceProgrammes solve_by_forces_in_space(const Model& model, const LimitOptions&
   const Monitor part_monitor = monitor_from(monitor, 0, 0.5);
   p.by_forces = solve_static(model, p.loads, p.yield, p.units, part_monitor, search.tolerance);
   if (p.by_forces.status == ProgrammeStatus::kStopped) throw LimitStopped();
+  if (search.by_dual && p.by_forces.status == ProgrammeStatus::kFailed) throw Unsure();
   if (p.by_forces.status == ProgrammeStatus::kInfeasible)
     refuse_unbalanced(model, find_unbalanced(model, p.loads, p.yield, p.units, part_monitor));
   if (p.by_forces.status == ProgrammeStatus::kUnbounded) {
@@ -205,7 +209,9 @@ auto solve_tilted(const Search& search, const Solve& solve) {
   for (int i = 0; i < kTilts && p.by_forces.status == ProgrammeStatus::kOptimal; ++i) {
     const double before = p.by_forces.load;
     p = solve(secant_of(before));
-    if (std::fabs(p.by_forces.load - before) <= search.tilt * secant_of(before)) return p;
+    const double change =
+        search.by_dual ? 0.1 * kQuickError * std::fabs(before) : 1e-10 * secant_of(before);
+    if (std::fabs(p.by_forces.load - before) <= change) return p;
   }
   refuse("stage", p.loads.stage->spec.name, "the wall's limit tilt could not be found",
          "use a body force, which needs no second look");
@@ -224,8 +230,7 @@ void check_rest(const Model& model, const Search& search, const Loads& loads, co
                 const Units& units, const LimitMonitor& monitor) {
   const Monitor part_monitor = monitor_from(monitor, 1, 1);
   if (search.by_dual) {
-    const ProgrammeStatus found =
-        find_rest(model, loads, yield, units, part_monitor, search.tolerance);
+    const ProgrammeStatus found = find_rest(model, loads, yield, units, part_monitor);
     if (found == ProgrammeStatus::kStopped) throw LimitStopped();
     if (found == ProgrammeStatus::kOptimal) return;
   }
@@ -250,14 +255,17 @@ LimitResult answer_of(const LimitOptions& options, const Search& search, const P
     const double least = 1e-9 * (p.loads.is_force ? p.units.force : 1.0);
     return std::fabs(load) < least ? 0.0 : load;
   };
+  if (search.by_dual && p.by_forces.error > kQuickError * std::fabs(p.by_forces.load))
+    throw Unsure();
   answer.load = without_round_off(p.by_forces.load);
   answer.kinematic = without_round_off(by_motion.load);
   answer.dissipation = by_motion.dissipation;
   answer.rows = p.by_forces.rows;
   answer.columns = p.by_forces.columns;
   answer.accuracy = std::max(p.by_forces.accuracy, by_motion.accuracy);
-  const double least = search.gap * (p.loads.is_force ? p.units.force : 1.0);
-  if (std::fabs(answer.kinematic - answer.load) > search.gap * std::fabs(answer.load) + least)
+  const double least = kGap * (p.loads.is_force ? p.units.force : 1.0);
+  const double gap = std::fabs(answer.kinematic - answer.load);
+  if (!search.by_dual && gap > kGap * std::fabs(answer.load) + least)
     refuse("wall", "",
            fmt::format("its limit load is not known: the theorems give {:.6g} and {:.6g}",
                        answer.load, answer.kinematic),
@@ -377,7 +385,12 @@ LimitResult limit_load(const Model& model, const LimitOptions& options,
 
 LimitResult quick_limit_load(const Model& model, const LimitOptions& options,
                              const LimitMonitor& monitor) {
-  return limit_of(model, options, kFast, monitor);
+  if (options.crushing == CrushingChoice::kStressBlock) return limit_load(model, options, monitor);
+  try {
+    return limit_of(model, options, kFast, monitor);
+  } catch (const Unsure&) {
+    return limit_load(model, options, monitor);
+  }
 }
 
 }  // namespace wythe

@@ -77,8 +77,9 @@ bool presses_before(const Model& model, const Stage& grows) {
   return false;
 }
 
-// Cases from fully broken bond to full bond at all joints at once.
-std::vector<LimitCase> limit_cases(const Model& model, bool assessment) {
+// Cases from fully broken bond to full bond at all joints at once; the first alone where it is quick.
+std::vector<LimitCase> limit_cases(const Model& model, const OpinionAsked& asked) {
+  if (!is_asked(asked, kLimitLoads)) return {};
   std::vector<LimitCase> cases = {
       {"dry", "strength.dry", {}},
       {"dry, residual friction, crushing",
@@ -87,9 +88,10 @@ std::vector<LimitCase> limit_cases(const Model& model, bool assessment) {
   if (has_bond(model))
     cases.push_back({"bonded", "strength.bonded", {.strength = JointStrength::kBonded}});
   const Stage* grows = limit::growing_stage(model);
-  if (assessment && grows != nullptr && grows->spec.kind == StageKind::kBodyForce &&
+  if (asked.assessment && grows != nullptr && grows->spec.kind == StageKind::kBodyForce &&
       presses_before(model, *grows))
     cases.push_back({"dry, loads are masses", "strength.dry_masses", {.loads_are_masses = true}});
+  if (asked.quick) cases.resize(1);
   return cases;
 }
 
@@ -145,8 +147,7 @@ bool asks_for_parts(const OpinionAsked& asked) {
 }
 
 OpinionCost cost_of(const Model& model, const OpinionAsked& asked) {
-  if (!is_asked(asked, kLimitLoads)) return {};
-  const auto loads = static_cast<int>(limit_cases(model, asked.assessment).size());
+  const auto loads = static_cast<int>(limit_cases(model, asked).size());
   return {loads, expected_seconds(model) * loads};
 }
 
@@ -156,12 +157,7 @@ SecondOpinion second_opinion(const Model& model, const OpinionAsked& asked,
   SecondOpinion opinion;
   opinion.notes = left_aside(model);
   add_mechanisms(asked, model, opinion);
-  std::vector<LimitCase> cases;
-  if (is_asked(asked, kLimitLoads)) cases = limit_cases(model, asked.assessment);
-  if (asked.quick && !cases.empty()) {
-    cases.resize(1);
-    opinion.notes.push_back({"limit.quick"});
-  }
+  const std::vector<LimitCase> cases = limit_cases(model, asked);
   const auto load_of = asked.quick ? quick_limit_load : limit_load;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const Message what{"limit.of_case", {{"case", Message{cases[i].code}}}};
@@ -175,6 +171,7 @@ SecondOpinion second_opinion(const Model& model, const OpinionAsked& asked,
       opinion.limits.push_back({cases[i].name, load_of(model, cases[i].options, monitor)});
     });
   }
+  if (asked.quick && !opinion.limits.empty()) opinion.notes.push_back({"limit.quick"});
   throw_if_nothing(asked, opinion, stop);
   return opinion;
 }

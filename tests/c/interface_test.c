@@ -109,6 +109,19 @@ static void go_on(const char* model) {
   wythe_free(pieces);
 }
 
+/* asked for quickly there is one load, and a note that says so */
+static void quick_limit(const char* model) {
+  wythe_job* job = wythe_new("limit");
+  set(job, "file", model);
+  set(job, "only", "lp");
+  wythe_set_number(job, "quick", 1);
+  CHECK(wythe_do(job, NULL, NULL) == WYTHE_DONE);
+  const char* found = wythe_text(job, "mechanisms", NULL);
+  CHECK(has(found, "\"dry\"") && !has(found, "residual friction, crushing"));
+  CHECK(has(found, "asked for quickly"));
+  wythe_free(job);
+}
+
 /* the picture of a limit load is of the wall that stands while the load grows: with the lintel put in */
 static void limit_after_a_cut(void) {
   const char* model =
@@ -170,6 +183,7 @@ int main(int count_of_arguments, char** arguments) {
   run(arguments[1]);
   stop(arguments[1]);
   go_on(arguments[1]);
+  quick_limit(arguments[1]);
   limit_after_a_cut();
   faults();
   misuse();

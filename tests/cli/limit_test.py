@@ -248,6 +248,16 @@ cov = 0.02
         self.assertNotIn("nan", done.stdout)
         self.assertNotIn("-0 kN", done.stdout)
 
+    def test_without_friction_in_space_the_load_is_nothing(self):
+        done = self.limit("--out", self.out(), "--only", "lp", "--set", "material.joint.friction_tan=0",
+                          "--set", "material.joint.residual_friction_tan=0",
+                          model=pathlib.Path(SOURCE) / "examples/wall_with_returns/model.toml")
+        loads = json.loads((self.out() / "mechanisms.json").read_text())["limit_loads"]
+        self.assertGreater(len(loads), 0, done.stderr)
+        for load in loads:
+            self.assertAlmostEqual(load["static"], 0, places=6)
+            self.assertAlmostEqual(load["kinematic"], 0, places=6)
+
     def test_a_run_of_another_wall_is_told(self):
         run = self.out("run")
         self.assertEqual(wythe("run", self.model, "--out", run, "--quiet").returncode, 0)

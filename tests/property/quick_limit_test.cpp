@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "limit/plane/programmes.h"
 #include "scenes/places.h"
 #include "scenes/scenes.h"
 #include "wythe/parts/error.h"
@@ -113,8 +114,9 @@ RC_GTEST_PROP(quick_limit, is_the_exact_load_to_its_error, ()) {
   const Answer exact = answer_of(model, options, false), quick = answer_of(model, options, true);
   // the tilts before the last one differ, and with them which of its refusals a tilt comes to first
   const bool tilts = model.stages.back().spec.kind == StageKind::kTilt;
-  RC_ASSERT(tilts ? quick.refusal.empty() == exact.refusal.empty()
-                  : quick.refusal == exact.refusal);
+  const bool alike =
+      tilts ? quick.refusal.empty() == exact.refusal.empty() : quick.refusal == exact.refusal;
+  RC_ASSERT(alike);
   if (!exact.refusal.empty()) return;
   const double load = exact.limit.load, error = kQuickError * std::fabs(load);
   RC_ASSERT(std::fabs(quick.limit.load - load) <= error);
@@ -155,6 +157,67 @@ TEST(QuickLimit, walls_in_space) {
   double power = 0;  // of the unit load
   for (const BlockId b : model.stages.back().driven) power += quick.vx[static_cast<std::size_t>(b)];
   EXPECT_NEAR(power, static_cast<double>(model.stages.back().driven.size()), kQuickError);
+}
+
+// A block on ice leans on a low stop: what turns it about the stop's top is its weight alone.
+TEST(QuickLimit, without_friction_in_space) {
+  ModelSpec spec = scenes::in_space({scenes::box("floor", {-2, -0.2, -2}, {4, 0.2, 4}, true),
+                                     scenes::box("stop", {0.15, 0, -0.1}, {0.2, 0.3, 0.2}, true),
+                                     scenes::box("b", {-0.15, 0, -0.1}, {0.3, 1.2, 0.2})},
+                                    scenes::dry_joint(1e9, 4e8, 0));
+  spec.stage = {scenes::gravity_stage(), body_force()};
+  const Model model = compile(spec);
+  const LimitResult exact = limit_load(model, {}), quick = quick_limit_load(model, {});
+  EXPECT_NEAR(exact.load, 0.15 / (0.6 - 0.3), 1e-6);
+  EXPECT_NEAR(quick.load / exact.load, 1, kQuickError);
+  EXPECT_NEAR(quick.kinematic / exact.load, 1, kQuickError);
+  const auto block = static_cast<std::size_t>(model.n_block - 1);
+  EXPECT_NEAR(quick.vx[block] / exact.vx[block], 1, kQuickError);
+}
+
+// A wall of light stones under a load of a thousand of them, slippery joints: small loads beside large forces.
+TEST(QuickLimit, small_loads_beside_heavy_weights) {
+  for (const double friction : {0.05, 0.5, 5.0}) {
+    ModelSpec plane = scenes::small_wall(2e-3, 0.02, 200e3);
+    for (auto& [name, joint] : plane.material) {
+      joint.friction_angle = joint.residual_friction_angle = scenes::degrees(friction);
+      joint.residual_cohesion = 0;
+    }
+    ModelSpec space =
+        scenes::prisms(scenes::half_units({.columns = 6, .courses = 6, .hole = 0},
+                                          scenes::dry_joint(20e9, 8e9, scenes::degrees(friction))));
+    space.stage = {scenes::gravity_stage(),
+                   scenes::push_stage("r5c0", Direction::kPlusX, 0.01, 0.01)};
+    for (ModelSpec* spec : {&plane, &space}) {
+      for (const bool pushes : {true, false}) {
+        if (!pushes) spec->stage.back() = body_force();
+        const Model model = compile(*spec);
+        const Answer exact = answer_of(model, {}, false), quick = answer_of(model, {}, true);
+        ASSERT_EQ(quick.refusal, exact.refusal);
+        const double error = kQuickError * std::fabs(exact.limit.load);
+        EXPECT_NEAR(quick.limit.load, exact.limit.load, error);
+        EXPECT_NEAR(quick.limit.kinematic, exact.limit.load, error);
+      }
+    }
+  }
+}
+
+// What a coarse search says of its own error is what decides whether the exact one follows.
+TEST(QuickLimit, a_coarse_search_knows_its_error) {
+  ModelSpec spec = scenes::small_wall(2e-3, 0.02, 20e3);
+  spec.stage.back() = body_force();
+  const Model model = compile(spec);
+  const limit::LimitLoads loads = limit::limit_loads(model);
+  limit::YieldModel yield = limit::yield_of(model, {});
+  const limit::Units units = limit::units_of(model, loads, yield);
+  const double exact = limit::solve_static(model, loads, yield, units).load;
+  for (const double wanted : {1e-2, 1e-4, 1e-6}) {
+    const limit::StaticSolution coarse = limit::solve_static(
+        model, loads, yield, units, {}, {.wanted = wanted, .best = wanted, .enough = wanted});
+    ASSERT_EQ(coarse.status, limit::ProgrammeStatus::kOptimal);
+    EXPECT_LE(std::fabs(coarse.load - exact), coarse.error);
+    EXPECT_LE(std::fabs(coarse.dual.load - exact), coarse.error);
+  }
 }
 
 }  // namespace

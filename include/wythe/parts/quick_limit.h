@@ -9,7 +9,8 @@ namespace wythe {
 inline constexpr double kQuickError = 1e-4;
 
 // As limit_load(), by the static programme alone: its dual gives `kinematic` and the mechanism, and whether the wall
-// stands without the load is asked with the load left out. A wall without an answer is refused, too.
+// stands without the load is asked with the load left out. A wall without an answer is refused, too. limit_load()
+// answers where the error could be larger, and with stress blocks.
 [[nodiscard]] LimitResult quick_limit_load(const Model& model, const LimitOptions& options,
                                            const LimitMonitor& monitor = {});
 

@@ -22,6 +22,9 @@ namespace wythe::limit {
 // What a static programme asks: the largest load; whether the wall stands without it; what forces it then lacks.
 enum class Purpose { kLoad, kRest, kUnbalanced };
 
+// Blocks stand where no more is left unbalanced over all of them [units of force].
+inline constexpr double kBalanced = 1e-6;
+
 struct Units {
   double force = 1, length = 1;
 };
@@ -47,6 +50,7 @@ struct StaticSolution {
   std::vector<double> link_force;   // (n_link) [N], tension +
   std::vector<double> ray;          // of the columns, for a load without limit
   double accuracy = 0;
+  double error = 0;  // of the load, to first order
   int rows = 0, columns = 0;
 };
 // Solves the static programme; adds tangents to `yield` until its stress blocks hold.
@@ -58,7 +62,7 @@ struct StaticSolution {
 // Whether forces without the growing load balance every block.
 [[nodiscard]] ProgrammeStatus find_rest(const Model& model, const LimitLoads& loads,
                                         const YieldModel& yield, const Units& units,
-                                        const Monitor& monitor, const Tolerance& tolerance);
+                                        const Monitor& monitor);
 
 // The block with the largest unbalanced force without a growing load [N]; -1: all are in equilibrium, if solved.
 struct Unbalanced {

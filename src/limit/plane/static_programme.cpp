@@ -49,6 +49,7 @@ class StaticProgramme {
     StaticSolution answer;
     answer.status = lp_.solve(monitor, tolerance);
     answer.accuracy = lp_.accuracy();
+    answer.error = lp_.error() * (loads_.is_force ? u_.force : 1.0);
     answer.rows = lp_.rows();
     answer.columns = lp_.columns();
     if (answer.status == ProgrammeStatus::kUnbounded) answer.ray = lp_.ray();
@@ -66,8 +67,11 @@ class StaticProgramme {
     return answer;
   }
 
-  ProgrammeStatus stands(const Monitor& monitor, const Tolerance& tolerance) {
-    return lp_.solve(monitor, tolerance);
+  // After build(Purpose::kRest). kFailed: too much is left unbalanced to tell.
+  ProgrammeStatus stands(const Monitor& monitor) {
+    const ProgrammeStatus found = lp_.solve(monitor);
+    const bool is_unsure = found == ProgrammeStatus::kOptimal && lp_.residual() >= kBalanced;
+    return is_unsure ? ProgrammeStatus::kFailed : found;
   }
 
   // The largest unbalanced force, after build(Purpose::kUnbalanced).
@@ -83,7 +87,7 @@ class StaticProgramme {
       if (unbalanced * u_.force > found.force)
         found = {found.status, static_cast<BlockId>(row / 3), unbalanced * u_.force};
     }
-    if (total < 1e-6) return {found.status};
+    if (total < kBalanced) return {found.status};
     return found;
   }
 
@@ -251,10 +255,10 @@ StaticSolution solve_static(const Model& model, const LimitLoads& loads, YieldMo
 }
 
 ProgrammeStatus find_rest(const Model& model, const LimitLoads& loads, const YieldModel& yield,
-                          const Units& units, const Monitor& monitor, const Tolerance& tolerance) {
+                          const Units& units, const Monitor& monitor) {
   StaticProgramme programme(model, loads, yield, units);
   programme.build(Purpose::kRest);
-  return programme.stands(monitor, tolerance);
+  return programme.stands(monitor);
 }
 
 Unbalanced find_unbalanced(const Model& model, const LimitLoads& loads, const YieldModel& yield,

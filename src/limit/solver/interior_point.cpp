@@ -155,6 +155,13 @@ class InteriorPoint {
     answer.objective = scale_ * primal_objective_ / q_.tau;
     answer.dual_objective = scale_ * dual_objective_ / q_.tau;
     answer.accuracy = residual;
+    const double left =
+        std::fabs(q_.x.dot(rx_)) + std::fabs(q_.y.dot(ry_)) + std::fabs(q_.z.dot(rz_));
+    answer.error =
+        scale_ / q_.tau * (std::fabs(primal_objective_ - dual_objective_) + left / q_.tau);
+    answer.residual =
+        scale_ / q_.tau * (ry_.lpNorm<1>() + rz_.cwiseQuotient(row_scale_).lpNorm<1>());
+    answer.dual_residual = rx_.lpNorm<1>() / q_.tau;
     answer.iterations = iteration;
   }
 

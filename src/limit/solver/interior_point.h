@@ -53,6 +53,9 @@ struct InteriorSolution {
   std::vector<double> y, z;  // of the dual
   double objective = 0, dual_objective = 0;
   double accuracy = 0;  // what is left of the residuals and of the gap between both objectives
+  double error = 0;  // of the objective, to first order: that gap, and residuals times multipliers
+  // Sums of the residuals of A x = b and G x + s = h, and of the dual.
+  double residual = 0, dual_residual = 0;
   int iterations = 0;
 };
 

@@ -142,6 +142,8 @@ void LinearProgramme::take_dual(const InteriorSolution& answer) {
   for (std::size_t j = 0; j < low_.size(); ++j)
     if (d.place[j] >= 0)
       solution_[j] = (d.is_free[j] ? answer.y : answer.z)[static_cast<std::size_t>(d.place[j])];
+  multipliers_.clear();
+  for (const double u : answer.x) multipliers_.push_back(-u);
 }
 
 // form() numbers the equations in the order of their rows.
@@ -158,9 +160,11 @@ ProgrammeStatus LinearProgramme::solve(const Monitor& monitor, const Tolerance& 
   const InteriorSolution answer =
       interior_point(by_dual ? dual_form() : form(), monitor, tolerance);
   accuracy_ = answer.accuracy;
+  error_ = answer.error;
+  residual_ = by_dual ? answer.dual_residual : answer.residual;
   if (answer.status == ProgrammeStatus::kOptimal) {
     objective_ = by_dual ? -answer.objective : answer.objective;
-    dual_objective_ = answer.dual_objective;
+    dual_objective_ = by_dual ? -answer.objective : answer.dual_objective;
     if (by_dual) {
       take_dual(answer);
     } else {

@@ -38,13 +38,16 @@ class LinearProgramme {
   // `monitor` is called several times a second.
   ProgrammeStatus solve(const Monitor& monitor = {}, const Tolerance& tolerance = kExact);
   [[nodiscard]] double objective() const { return objective_; }
-  // Of the programme's own dual, and the multipliers of the rows with equal bounds there (rows; others 0). Not of a
-  // programme of equations alone.
+  // Of the programme's own dual, and the multipliers of the rows with equal bounds there (rows; others 0).
   [[nodiscard]] double dual_objective() const { return dual_objective_; }
   [[nodiscard]] const std::vector<double>& multipliers() const { return multipliers_; }
   [[nodiscard]] const std::vector<double>& solution() const { return solution_; }  // (columns)
   // What is left of the residuals and of the gap of the programme's own dual.
   [[nodiscard]] double accuracy() const { return accuracy_; }
+  // Of the objective, to first order: that gap, and residuals times their multipliers.
+  [[nodiscard]] double error() const { return error_; }
+  // Sum of the residuals of rows and bounds.
+  [[nodiscard]] double residual() const { return residual_; }
   // After kUnbounded: a direction in which the objective falls for ever (columns), may be empty.
   [[nodiscard]] const std::vector<double>& ray() const { return ray_; }
 
@@ -64,7 +67,7 @@ class LinearProgramme {
   std::vector<double> value_;
   std::vector<CircleRows> circle_rows_;
   std::vector<int> circle_columns_;  // the first of each three
-  double objective_ = 0, dual_objective_ = 0, accuracy_ = 0;
+  double objective_ = 0, dual_objective_ = 0, accuracy_ = 0, error_ = 0, residual_ = 0;
   std::vector<double> solution_, multipliers_, ray_;
   [[nodiscard]] bool is_plain() const;
   [[nodiscard]] InequalityForm form() const;
