@@ -127,8 +127,9 @@ class Key {
   }
   void add(const SectionSpec& section) {
     const auto& [height, width, area, shear_area, second_moment, plastic_modulus, mass, weak,
-                 torsion] = section;
-    add_all(height, width, area, shear_area, second_moment, plastic_modulus, mass, weak, torsion);
+                 torsion, weak_shear] = section;
+    add_all(height, width, area, shear_area, second_moment, plastic_modulus, mass, weak, torsion,
+            weak_shear);
   }
   void add(const FoundationStep& step) { add_all(step.x, step.y); }
   void add(const ArchSpec& arch) {
