@@ -238,8 +238,8 @@ def header(found):
     """The table as the program holds it."""
     def number(value):
         return "kUnset" if value is None else f"{value:.3g}"
-    lines = ["// Written by tools/validation page from validation/walls.csv and predicted.csv: what the tested walls say, by kind of",
-             "// failure (docs/evidence/validation.md).", "#pragma once", "", '#include "wythe/parts/result.h"', "", "namespace wythe::study {", "",
+    lines = ["// Written by tools/validation page from validation/walls.csv and predicted.csv:",
+             "// results of the tested walls by failure kind (docs/evidence/validation.md).", "#pragma once", "", '#include "wythe/parts/result.h"', "", "namespace wythe::study {", "",
              "struct TestedKind {", "  const char* kind;", "  int walls;",
              "  double bias, bias_low, bias_high, scatter;  // of predicted over measured peaks",
              "  double slender_low, slender_high;           // height over length of the walls",

@@ -41,6 +41,14 @@ function outlineIn(s: Solids, part: number, { from, along, up, normal }: Plane):
   return met.sort((p, q) => Math.atan2(p[1] - my, p[0] - mx) - Math.atan2(q[1] - my, q[0] - mx));
 }
 
+// A large wall has more numbers than a call may have arguments.
+function extent(numbers: number[]): number {
+  let low = Infinity,
+    high = -Infinity;
+  for (const x of numbers) (low = Math.min(low, x)), (high = Math.max(high, x));
+  return high - low;
+}
+
 export class SliceStates implements FramedStates {
   readonly count: number;
   readonly wall: Blocks;
@@ -79,8 +87,8 @@ export class SliceStates implements FramedStates {
     this.wall = {
       members,
       sections: sections.map((section) => ({ ...section, a: block(section.a), b: block(section.b) })),
-      length: Math.max(...x) - Math.min(...x),
-      height: Math.max(...y) - Math.min(...y),
+      length: extent(x),
+      height: extent(y),
       blocks: this.body.length,
       outlineBegin: Int32Array.from(begin),
       outlineX: Float32Array.from(x),

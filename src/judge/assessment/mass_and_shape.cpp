@@ -107,10 +107,17 @@ double mass_of(const Model& model, BlockId block) {
   return model.solids.bodies.empty() ? of_nodes(model.space.solids) : of_nodes(model.solids);
 }
 
-// Steel is no masonry, and goes with the wall all the same.
-bool is_of_frame(const Model& model, BlockId block) {
-  return block < model.n_block &&
-         model.anatomy.block_role[static_cast<std::size_t>(block)] == BlockRole::kFrame;
+// Whether masonry_share applies. Frames, slabs, ring beams, beams and plates move with the wall as a whole.
+bool is_masonry(const Model& model, BlockId block) {
+  if (block >= model.n_block) return true;  // deformable blocks
+  switch (model.anatomy.block_role[static_cast<std::size_t>(block)]) {
+    case BlockRole::kPlate:
+    case BlockRole::kBeam:
+    case BlockRole::kRingBeam:
+    case BlockRole::kSlab:
+    case BlockRole::kFrame: return false;
+    default: return true;
+  }
 }
 
 std::vector<MovingMass> moving_masses(const AssessmentSpec& spec, const Model& model,
@@ -119,7 +126,7 @@ std::vector<MovingMass> moving_masses(const AssessmentSpec& spec, const Model& m
   const State rest = initial_state(model);
   const double foot = study::foot_of(model);
   for (const BlockId b : study::moving_blocks(model)) {
-    const double mass = (is_of_frame(model, b) ? 1 : spec.masonry_share) * mass_of(model, b);
+    const double mass = (is_masonry(model, b) ? spec.masonry_share : 1) * mass_of(model, b);
     parts.push_back({mass, read_block(model, rest, b).start.y - foot, b});
     out.blocks += mass;
   }

@@ -115,7 +115,12 @@ class CoatBuilder {
                    "make it larger", 0});
       return;
     }
-    for (const MaterialFault& f : check_joint_material(coats_.back().law))
+    // The softest joint has the most elastic energy at its strength, so it asks for the most fracture energy.
+    const auto softest = std::min_element(coats_.begin() + static_cast<std::ptrdiff_t>(first),
+                                          coats_.end(), [](const Coat& a, const Coat& b) {
+                                            return a.law.normal_stiffness < b.law.normal_stiffness;
+                                          });
+    for (const MaterialFault& f : check_joint_material(softest->law))
       faults_.add({"", fmt::format("material.{}.{}", layer.mortar.joint, f.key), f.value, f.problem,
                    f.cure, 0});
     model_.anatomy.notes.push_back(

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <tuple>
+#include <utility>
 
 #include "model/parts.h"
 #include "model/shaking.h"
@@ -143,6 +145,36 @@ class SpaceStages {
 
   // --- loads ------------------------------------------------------------------------------------------
 
+  // Whether a place says anything; one that does may name every body.
+  [[nodiscard]] static bool is_stated(const PlaceSpec& p) {
+    return std::isfinite(p.x) || std::isfinite(p.y) || std::isfinite(p.z) ||
+           std::isfinite(p.width) || std::isfinite(p.height) || std::isfinite(p.depth) ||
+           !p.block.empty() || p.beam || !p.role.empty();
+  }
+
+  // Area and centroid of what of a face has no standing body before it. The face is taken in triangles round its middle,
+  // each open where nothing stands before its centroid.
+  [[nodiscard]] std::pair<double, Vec3> open_part(const geometry::OuterFace& face, Vec3 middle,
+                                                  Vec3 looks,
+                                                  const std::vector<bool>& standing) const {
+    double open = 0;
+    bool all = true;
+    Vec3 moment{};
+    for (std::size_t i = 0; i < face.polygon.size(); ++i) {
+      const Vec3 p = face.polygon[i], q = face.polygon[(i + 1) % face.polygon.size()];
+      const Vec3 centroid = (1 / 3.0) * (middle + p + q);
+      if (places_.is_covered(centroid, looks, standing)) {
+        all = false;
+        continue;
+      }
+      const double area = 0.5 * length(cross(p - middle, q - middle));
+      open += area;
+      moment = moment + area * centroid;
+    }
+    if (all) return {face.area, middle};
+    return {open, open > 0 ? (1 / open) * moment : middle};
+  }
+
   void set_loads(Stage& stage) {
     const StageSpec& s = stage.spec;
     for (const auto& [key, load] :
@@ -163,7 +195,6 @@ class SpaceStages {
       looks = places_.in_wall(vector_of(word->value));
     }
     const std::vector<std::size_t> bodies = places_.find(s.on);
-    const bool any_face = bodies.size() < assembly_.body.size();  // `on` narrows
     std::vector<bool> standing(assembly_.body.size());
     for (std::size_t k = 0; k < standing.size(); ++k) standing[k] = stands(k);
     for (const OuterFace& face : assembly_.outer) {
@@ -171,9 +202,12 @@ class SpaceStages {
       if (assembly_.body[k].fixed || dot(face.normal, looks) < kFacing || !stands(k)) continue;
       if (!std::binary_search(bodies.begin(), bodies.end(), k)) continue;
       const geometry::Facet facet = geometry::measured(face.polygon);
-      if (!any_face && places_.is_covered(facet.centre, looks, standing)) continue;
-      const Vec3 arm = facet.centre - assembly_.moments[k].centroid;
-      const Vec3 f = -s.pressure * face.area * face.normal;
+      double area = face.area;
+      Vec3 centre = facet.centre;
+      if (!is_stated(s.on)) std::tie(area, centre) = open_part(face, facet.centre, looks, standing);
+      if (!(area > 0)) continue;
+      const Vec3 arm = centre - assembly_.moments[k].centroid;
+      const Vec3 f = -s.pressure * area * face.normal;
       stage.loads.push_back({id_[k], arm.x, arm.y, f.x, f.y, arm.z, f.z});
     }
     if (stage.loads.empty())

@@ -568,6 +568,19 @@ joint = "joint"
   EXPECT_NEAR(m.participating, (200 + 100) * 0.5 / 0.875 + 2000 / 0.875 + 300, 1e-9);
 }
 
+// Slabs, ring beams and plates move with the wall as a whole.
+TEST(MassAndShape, counts_what_is_no_masonry_without_its_share) {
+  ModelSpec spec = parse_model(wall_text(kAssessed), "wall.toml");
+  Model model = compile(spec);
+  const double all = mass_and_linear_shape(spec.assessment, model).blocks;
+  spec.assessment.masonry_share = 0.5;
+  EXPECT_NEAR(mass_and_linear_shape(spec.assessment, model).blocks, 0.5 * all, 1e-9);
+  for (const BlockRole role : {BlockRole::kSlab, BlockRole::kRingBeam, BlockRole::kPlate}) {
+    for (BlockRole& of_block : model.anatomy.block_role) of_block = role;
+    EXPECT_NEAR(mass_and_linear_shape(spec.assessment, model).blocks, all, 1e-9);
+  }
+}
+
 Result pushed(const Model& model) {
   State state = initial_state(model);
   return solve(model, state);

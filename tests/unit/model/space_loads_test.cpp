@@ -134,6 +134,34 @@ TEST(SpaceLoads, a_pressure_presses_the_faces_that_nothing_stands_before) {
   spec.stage.back().face = "";
   spec.stage.back().on = block("sill");
   EXPECT_EQ(pressed(), std::vector<std::string>{"sill"});
+  spec.stage.back().on = block("*");  // names all, and says so
+  EXPECT_EQ(pressed(), (std::vector<std::string>{"left", "right", "sill", "head"}));
+}
+
+// What stands before a part of a face takes that part alone, wherever the middle of the face lies.
+TEST(SpaceLoads, a_pressure_presses_the_open_part_of_a_face) {
+  const auto force_on = [](std::vector<BodySpec> above, const std::string& id) {
+    ModelSpec spec = two_courses();
+    spec.body = {box("ground", {-1, -0.2, -1}, {8, 0.2, 8}, true),
+                 box("slab", {0, 0, 0}, {6, 0.2, 3})};
+    for (BodySpec& body : above) spec.body.push_back(body);
+    spec.stage.push_back(load_stage("snow"));
+    spec.stage.back().pressure = 10e3;
+    const Model model = compile(spec);
+    double force = 0;
+    for (const PointLoad& load : model.stages[1].loads)
+      if (model.anatomy.block_id[static_cast<std::size_t>(load.block)] == id) force -= load.fy;
+    return force;
+  };
+  EXPECT_NEAR(force_on({}, "slab"), 180e3, 1e-6);
+  // two slabs of a roof that meet over the middle of the floor
+  EXPECT_EQ(
+      force_on({box("post", {0, 0.2, 0}, {0.3, 2, 3}), box("post 2", {5.7, 0.2, 0}, {0.3, 2, 3}),
+                box("roof", {0, 2.2, 0}, {3, 0.2, 3}), box("roof 2", {3, 2.2, 0}, {3, 0.2, 3})},
+               "slab"),
+      0);
+  // a ridge beam over its middle leaves the most of it open
+  EXPECT_GT(force_on({box("ridge", {2.9, 0.2, 0}, {0.2, 0.2, 3})}, "slab"), 80e3);
 }
 
 TEST(SpaceLoads, a_line_load_falls_to_each_block_by_the_length_on_it) {

@@ -351,7 +351,7 @@ TEST(Parts, that_are_named_and_fall_are_not_met_whatever_the_pushes_carry) {
   // and with walls that are not met either, both are said
   const WallsVerdict both = with_parts(0.1, named({part_of("gable", 0.62)}));
   EXPECT_EQ(both.verdict, AssessmentVerdict::kFails);
-  EXPECT_NE(text_of(both.sentence).find("gable falls"), std::string::npos);
+  EXPECT_NE(text_of(both.sentence).find("gable overturns"), std::string::npos);
   EXPECT_NE(text_of(both.sentence).find("not met in 8 of 8 walls"), std::string::npos);
   // one that falls by itself has no limit state
   LocalCheck fallen = part_of("parapet", 0);

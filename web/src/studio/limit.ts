@@ -90,10 +90,10 @@ export class LiveLimit {
 }
 
 // What has no limit load, as the file says it, and why. The engine may put both into one sentence: "path = value: problem; cure".
-// Names may have colons, so the place ends at the first one after which a known problem stands.
+// Names may have colons, so the place ends at the last one after which a known problem stands.
 export function reasonOf(fault: Fault | undefined, reason: string): [string, string] {
   const words = fault?.problem ?? reason;
-  for (let at = words.indexOf(": "); at >= 0; at = words.indexOf(": ", at + 1)) {
+  for (let at = words.lastIndexOf(": "); at >= 0; at = at === 0 ? -1 : words.lastIndexOf(": ", at - 1)) {
     const problem = words.slice(at + 2).split("; ")[0];
     if (isKnown(problem)) return [words.slice(0, at), problem];
   }

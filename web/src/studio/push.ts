@@ -279,18 +279,21 @@ export class Push {
     if (this.reading) return;
     this.reading = true;
     document.documentElement.dataset.reading = "yes"; // until the picture is the newest
-    try {
-      while (this.next) {
-        const turn = this.turn;
-        const now = this.next();
-        this.next = null;
-        const shown = await readPicture(now, this.length, () => turn === this.turn);
+    let failure: unknown = null; // of one picture; the newest one is shown all the same
+    while (this.next) {
+      const turn = this.turn;
+      const now = this.next;
+      this.next = null;
+      try {
+        const shown = await readPicture(now(), this.length, () => turn === this.turn);
         if (turn === this.turn) this.show(shown);
+      } catch (error) {
+        failure = error;
       }
-    } finally {
-      this.reading = false;
-      delete document.documentElement.dataset.reading;
     }
+    this.reading = false;
+    delete document.documentElement.dataset.reading;
+    if (failure) throw failure;
   }
   private hide(): void {
     ++this.turn;
