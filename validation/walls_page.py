@@ -249,13 +249,13 @@ def header(found):
     lines[-1] = lines[-1][:-1] + "};"
     lines += ["", "// Drift at which walls of a kind have lost 20 % of their peak [-]: validation/drift_constants.csv.",
               "struct TestedDriftKind {", "  const char* kind;", "  bool stone;", "  int walls;",
-              "  double median, low, high;  // nine of ten between", "};",
+              "  double median, low, high;  // low to high contains nine of ten walls", "};",
               "inline constexpr TestedDriftKind kTestedDrifts[] = {"]
     lines += [f'    {{"{row["kind"]}", {"true" if row["masonry"] == "stone" else "false"}, {row["walls"]}, '
               + ", ".join(f"{float(row[key + '_percent']) / 100:.4g}" for key in ("median", "low", "high")) + "},"
               for row in walls.read_csv(CONSTANTS)]
     lines[-1] = lines[-1][:-1] + "};"
-    lines += ["", "// Predicted over measured drifts by kind: middle ratio, and exp(sd of ln) about it.",
+    lines += ["", "// Predicted over measured drifts by kind: median ratio, and exp(sd of ln) about it.",
               "struct OwnDrift {", "  const char* kind;", "  int walls;", "  double ratio, factor;", "};",
               "inline constexpr OwnDrift kOwnDrifts[] = {"]
     lines += [f'    {{"{kind}", {n}, {number(ratio)}, {number(factor)}}},' for kind, n, ratio, factor in own_drifts(found)]

@@ -160,14 +160,17 @@ class SpaceStages {
     double open = 0;
     bool all = true;
     Vec3 moment{};
-    for (std::size_t i = 0; i < face.polygon.size(); ++i) {
-      const Vec3 p = face.polygon[i], q = face.polygon[(i + 1) % face.polygon.size()];
-      const Vec3 centroid = (1 / 3.0) * (middle + p + q);
+    const std::size_t corners = face.polygon.size();
+    for (std::size_t i = 0; i < 2 * corners;
+         ++i) {  // two triangles to each edge, off the axes of symmetry
+      const Vec3 from = face.polygon[i / 2], to = face.polygon[(i / 2 + 1) % corners];
+      const Vec3 half = 0.5 * (from + to), other = i % 2 == 0 ? from : to;
+      const Vec3 centroid = (1 / 3.0) * (middle + half + other);
       if (places_.is_covered(centroid, looks, standing)) {
         all = false;
         continue;
       }
-      const double area = 0.5 * length(cross(p - middle, q - middle));
+      const double area = 0.5 * length(cross(half - middle, other - middle));
       open += area;
       moment = moment + area * centroid;
     }
