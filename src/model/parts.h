@@ -1,6 +1,9 @@
 // The steps of compile(): each fills its group of Model's arrays from the assembly.
 #pragma once
 
+#include <algorithm>
+#include <iterator>
+
 #include "geometry/assembly.h"
 #include "wythe/parts/error.h"
 #include "wythe/parts/model.h"
@@ -18,6 +21,13 @@ using BlockMap = std::vector<BlockId>;
 [[nodiscard]] constexpr BlockId solid_id(int body) { return -2 - body; }
 [[nodiscard]] constexpr bool is_solid(BlockId block) { return block < kGroundBlock; }
 [[nodiscard]] constexpr int solid_of(BlockId block) { return -2 - block; }
+
+// Whether a place says anything. One that does may still name every block.
+[[nodiscard]] inline bool is_stated(const PlaceSpec& p) {
+  const double numbers[] = {p.x, p.y, p.z, p.width, p.height, p.depth};
+  return std::any_of(std::begin(numbers), std::end(numbers), [](double v) { return is_set(v); }) ||
+         !p.block.empty() || p.beam || !p.role.empty();
+}
 
 // A note on head joints with less than the full bond of their beds.
 [[nodiscard]] Message head_bond_note(const std::string& name, const JointMaterial& bed);

@@ -21,11 +21,6 @@ namespace {
 
 constexpr double kLeastShake = 1e-4;  // less is no earthquake [g]
 
-bool says_something(const PlaceSpec& p) {
-  return is_set(p.x) || is_set(p.y) || is_set(p.z) || is_set(p.width) || !p.block.empty() ||
-         p.beam || !p.role.empty();
-}
-
 double in_metres(RecordUnit unit, double gravity) {
   switch (unit) {
     case RecordUnit::kGravity: return gravity;
@@ -108,7 +103,7 @@ class ShakeCompiler {
       weigh(motions[k], k);
       GroundMotion motion = scaled(std::move(motions[k]), factor);
       if (faults_.all().size() == before) look_at(motion, k);
-      if (says_something(s.record[k].at))
+      if (is_stated(s.record[k].at))
         drive(std::move(motion), k);
       else
         add_to_base(std::move(motion), k);
@@ -300,7 +295,7 @@ class ShakeCompiler {
   void note_coarse(const GroundMotion& m, std::size_t k) {
     constexpr double kUsual = 0.0201;  // [s] between samples; older records have 0.02
     const RecordSpec& r = stage_.spec.record[k];
-    const bool compared = geometry_of(model_).dimension == 2 && !says_something(r.at);
+    const bool compared = geometry_of(model_).dimension == 2 && !is_stated(r.at);
     if (compared || r.pulse != PulseShape::kNone || m.time.size() < 3) return;
     const double step = m.duration() / static_cast<double>(m.time.size() - 1);
     if (step > kUsual)

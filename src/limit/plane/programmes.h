@@ -25,6 +25,14 @@ enum class Purpose { kLoad, kRest, kUnbalanced };
 // Blocks stand where no more is left unbalanced over all of them [units of force].
 inline constexpr double kBalanced = 1e-6;
 
+// Solves a programme of Purpose::kRest, of a wall in the plane or in space. kFailed: too much is left unbalanced to tell.
+[[nodiscard]] inline ProgrammeStatus solve_rest(LinearProgramme& programme,
+                                                const Monitor& monitor) {
+  const ProgrammeStatus found = programme.solve(monitor);
+  const bool is_unsure = found == ProgrammeStatus::kOptimal && programme.residual() >= kBalanced;
+  return is_unsure ? ProgrammeStatus::kFailed : found;
+}
+
 struct Units {
   double force = 1, length = 1;
 };

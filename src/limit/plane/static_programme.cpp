@@ -67,12 +67,8 @@ class StaticProgramme {
     return answer;
   }
 
-  // After build(Purpose::kRest). kFailed: too much is left unbalanced to tell.
-  ProgrammeStatus stands(const Monitor& monitor) {
-    const ProgrammeStatus found = lp_.solve(monitor);
-    const bool is_unsure = found == ProgrammeStatus::kOptimal && lp_.residual() >= kBalanced;
-    return is_unsure ? ProgrammeStatus::kFailed : found;
-  }
+  // After build(Purpose::kRest).
+  ProgrammeStatus stands(const Monitor& monitor) { return solve_rest(lp_, monitor); }
 
   // The largest unbalanced force, after build(Purpose::kUnbalanced).
   Unbalanced worst(const Monitor& monitor) {

@@ -145,15 +145,8 @@ class SpaceStages {
 
   // --- loads ------------------------------------------------------------------------------------------
 
-  // Whether a place says anything; one that does may name every body.
-  [[nodiscard]] static bool is_stated(const PlaceSpec& p) {
-    return std::isfinite(p.x) || std::isfinite(p.y) || std::isfinite(p.z) ||
-           std::isfinite(p.width) || std::isfinite(p.height) || std::isfinite(p.depth) ||
-           !p.block.empty() || p.beam || !p.role.empty();
-  }
-
-  // Area and centroid of what of a face has no standing body before it. The face is taken in triangles round its middle,
-  // each open where nothing stands before its centroid.
+  // Area and centroid of what of a face has no standing body before it. The face is taken in two triangles to
+  // each edge, whose centroids lie off its axes of symmetry; each is open where nothing stands before its centroid.
   [[nodiscard]] std::pair<double, Vec3> open_part(const geometry::OuterFace& face, Vec3 middle,
                                                   Vec3 looks,
                                                   const std::vector<bool>& standing) const {
@@ -161,8 +154,7 @@ class SpaceStages {
     bool all = true;
     Vec3 moment{};
     const std::size_t corners = face.polygon.size();
-    for (std::size_t i = 0; i < 2 * corners;
-         ++i) {  // two triangles to each edge, off the axes of symmetry
+    for (std::size_t i = 0; i < 2 * corners; ++i) {
       const Vec3 from = face.polygon[i / 2], to = face.polygon[(i / 2 + 1) % corners];
       const Vec3 half = 0.5 * (from + to), other = i % 2 == 0 ? from : to;
       const Vec3 centroid = (1 / 3.0) * (middle + half + other);
