@@ -52,6 +52,12 @@ test("a key that is missing comes after its sisters, a table where it belongs", 
   assert.ok(top.startsWith("# a remark\n"));
 });
 
+// A panel may still show an opening that is gone: a table of the list's name would spoil the file.
+test("a member that a list does not have takes no key", () => {
+  for (const text of ['[[wall.opening]]\nx = "1 m"\n', "wall = { opening = [{ x = 1 }] }\n", "[wall]\n"])
+    for (const path of [["wall", "opening", 3, "x"], ["wall", "opening", 3, "sill", "kind"]]) assert.equal(toml.setValue(text, path, '"2 m"'), text);
+});
+
 test("inline tables and lists in a line are edited where they stand", () => {
   const text = '[wall]\nopening = [ { x = "1 m", y = "0 m" }, { x = "3 m" } ] # two\n';
   assert.equal(toml.setValue(text, ["wall", "opening", 1, "x"], '"4 m"'), text.replace("3 m", "4 m"));

@@ -319,6 +319,8 @@ export function setValue(text: string, path: Path, literal: string): string {
     const end = text.indexOf("\n", section.body);
     return end < 0 ? `${text}\n${pair}\n` : inserted(text, end, `\n${pair}`);
   }
+  // a member that its list does not have (any more) takes no key
+  if (parent.some((step, k) => typeof step === "number" && !find(doc, parent.slice(0, k + 1)))) return text;
   const table = find(doc, parent);
   if (table?.kind === "table" && table.inline && table.to > table.from) {
     const last = Math.max(table.from, ...[...table.keys.values()].map((e) => endOf(e.node)));
