@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <exception>
+#include <limits>
 
 #include "limit/in_space.h"
 #include "limit/plane/programmes.h"
@@ -200,18 +201,31 @@ SpaceProgrammes solve_by_forces_in_space(const Model& model, const LimitOptions&
   return p;
 }
 
-// `solve(secant)` gives the programmes for one factor of the loads that do not turn.
+// `solve(secant)` gives the programmes for one factor of the loads that do not turn. A tilt is the root of the load that
+// they give at it less its own tangent, found by secants: a wall that stands dry has one root alone (theory 6.1).
 template <class Solve>
 auto solve_tilted(const Search& search, const Solve& solve) {
-  constexpr int kTilts = 60;
+  constexpr int kTilts = 40;
+  constexpr double kVertical = 1e3;  // tangent of the steepest tilt [-]
   auto p = solve(1.0);
   if (p.loads.stage->spec.kind != StageKind::kTilt) return p;
+  double before = 0, excess_before = p.by_forces.load, tangent = p.by_forces.load;
+  double stands = 0, falls = std::numeric_limits<double>::infinity();
   for (int i = 0; i < kTilts && p.by_forces.status == ProgrammeStatus::kOptimal; ++i) {
-    const double before = p.by_forces.load;
-    p = solve(secant_of(before));
-    const double change =
-        search.by_dual ? 0.1 * kQuickError * std::fabs(before) : 1e-10 * secant_of(before);
-    if (std::fabs(p.by_forces.load - before) <= change) return p;
+    p = solve(secant_of(tangent));
+    const double excess = p.by_forces.load - tangent;
+    const double slope = (excess - excess_before) / (tangent - before);
+    const double error =
+        search.by_dual ? 0.1 * kQuickError * std::fabs(tangent) : 1e-9 * secant_of(tangent);
+    if (excess == 0 || (slope < 0 && std::fabs(excess) <= -slope * error)) return p;
+    (excess > 0 ? stands : falls) = tangent;
+    if (stands >= kVertical)
+      refuse("stage", p.loads.stage->spec.name, "no tilt up to 90 degrees brings the wall down",
+             "push it by a force that grows");
+    before = tangent, excess_before = excess;
+    tangent -= excess / slope;
+    if (slope < 0 && tangent > stands && tangent < falls) continue;
+    tangent = std::isfinite(falls) ? 0.5 * (stands + falls) : 8 * p.by_forces.load;
   }
   refuse("stage", p.loads.stage->spec.name, "the wall's limit tilt could not be found",
          "use a body force, which needs no second look");

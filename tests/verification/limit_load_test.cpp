@@ -12,6 +12,7 @@
 #include "wythe/parts/error.h"
 #include "wythe/parts/io.h"
 #include "wythe/parts/limit.h"
+#include "wythe/parts/quick_limit.h"
 #include "wythe/parts/solve.h"
 
 namespace wythe::verification::limit_load_test {
@@ -309,23 +310,39 @@ TEST(LimitLoad, a_beam_kept_level_rocks_the_panel_on_both_its_corners) {
       << "the same said of the push";
 }
 
-// On a tilting ground strengths and weights do not grow alike: W sin = c A + W cos tan phi.
-TEST(LimitLoad, bonded_slab_on_a_tilting_ground) {
-  ModelSpec spec = scenes::block_on_ground(1.0, 0.1, scenes::paper_joint(), 0.31, 400000);
+// A slab with bond on a tilting ground.
+Model tilted_slab(double density) {
+  ModelSpec spec = scenes::block_on_ground(1.0, 0.1, scenes::paper_joint(), 0.31, density);
   StageSpec tilt;
   tilt.name = "tilt";
   tilt.kind = StageKind::kTilt;
   tilt.tilt_rate = 0.01;
   tilt.tilt_until = 1.5;
-  const double weight = 1.0 * 0.1 * 0.31 * 400000 * kGravity;
-  double angle = 0;  // bisection of the closed form
-  for (double step = 0.8; step > 1e-15; step /= 2)
-    if (weight * std::sin(angle + step) <
-        0.15e6 * 0.31 + weight * std::cos(angle + step) * std::tan(degrees(16.2)))
-      angle += step;
-  const double load =
-      limit_load(compile(with_stages(spec, tilt)), {.strength = JointStrength::kBonded}).load;
-  EXPECT_NEAR(load, std::tan(angle), 1e-6 * std::tan(angle));
+  return compile(with_stages(spec, tilt));
+}
+constexpr LimitOptions kBond{.strength = JointStrength::kBonded};
+
+// Strengths and weights do not grow alike: W sin = c A + W cos tan phi. Over the cosine, x = tan phi + b sqrt(1 + x^2) with
+// b = c A/W, a quadratic equation. With b near 1 each tilt changes the next by nearly as much as itself.
+TEST(LimitLoad, bonded_slab_on_a_tilting_ground) {
+  const double m = std::tan(degrees(16.2));
+  for (const double density : {400000.0, 200000.0, 160000.0, 154000.0}) {
+    const double b = 0.15e6 * 0.31 / (1.0 * 0.1 * 0.31 * density * kGravity);
+    const double x = (m + b * std::sqrt(1 + m * m - b * b)) / (1 - b * b);
+    const Model model = tilted_slab(density);
+    EXPECT_NEAR(limit_load(model, kBond).load, x, 1e-6 * x) << b;
+    EXPECT_NEAR(quick_limit_load(model, kBond).load, x, 2e-4 * x) << b;
+  }
+}
+
+// With b > 1 it stays on a vertical face.
+TEST(LimitLoad, no_tilt_brings_down_what_stays_on_a_vertical_face) {
+  try {
+    FAIL() << limit_load(tilted_slab(140000), kBond).load;
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("no tilt up to 90 degrees"), std::string::npos)
+        << error.what();
+  }
 }
 
 TEST(LimitLoad, loads_that_come_after_the_push_do_not_hold_it) {
