@@ -39,7 +39,7 @@ export function lastPoints(name, kind) {
 
 // --- browser -----------------------------------------------------------------------------------------
 
-export const browserPath = process.env.CHROMIUM ?? "/usr/bin/chromium";
+export const browserPath = process.env.CHROMIUM ?? "/usr/bin/chromium-headless-shell";
 const kArguments = [
   "--no-sandbox",
   "--no-first-run",

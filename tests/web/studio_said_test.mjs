@@ -7,7 +7,7 @@ import path from "node:path";
 import { createInterface } from "node:readline";
 import { after, before, test } from "node:test";
 import { root, viewerModule } from "./helpers.mjs";
-import { kLibrary } from "./studio.mjs";
+import { kLibrary, kPython } from "./studio.mjs";
 
 const kOthers = ["it", "de", "fr", "es", "pt"];
 // Places that hold English words, or what a page cannot do: the other languages go without.
@@ -23,7 +23,7 @@ let inWords, reasonOf, engine, lines;
 before(async () => {
   ({ inWords } = await viewerModule("studio/said"));
   ({ reasonOf } = await viewerModule("studio/limit"));
-  engine = spawn("python3", [path.join(root, "tests/web/engine.py"), kLibrary], { stdio: ["pipe", "pipe", "inherit"] });
+  engine = spawn(kPython, [path.join(root, "tests/web/engine.py"), kLibrary], { stdio: ["pipe", "pipe", "inherit"] });
   lines = createInterface({ input: engine.stdout })[Symbol.asyncIterator]();
 });
 after(() => engine?.kill("SIGKILL"));
