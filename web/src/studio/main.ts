@@ -43,7 +43,8 @@ const remember = (key: string, value: string): void => {
   }
 };
 
-const language = [remembered("language"), navigator.language.slice(0, 2)].find((code) => kLanguages.some(([known]) => known === code)) ?? "en";
+const asked = new URLSearchParams(location.search).get("language"); // by a page that may remember nothing
+const language = [remembered("language"), asked, navigator.language.slice(0, 2)].find((code) => kLanguages.some(([known]) => known === code)) ?? "en";
 speak(language);
 document.documentElement.lang = language;
 document.title = say("studio.title");
@@ -111,10 +112,7 @@ starters.addEventListener("change", () => {
   starters.value = "";
 });
 const languages = h("select", { class: "language", "aria-label": say("studio.language") }, ...kLanguages.map(([code, name]) => h("option", { value: code, selected: code === language }, name)));
-languages.addEventListener("change", () => {
-  remember("language", languages.value);
-  location.reload(); // the wall is kept
-});
+languages.addEventListener("change", () => void speakAnother());
 const input = h("input", { type: "file", accept: ".toml,text/plain", hidden: true, "aria-label": say("studio.do.open"), tabindex: "-1" });
 input.addEventListener("change", () => {
   if (input.files?.[0]) void openFile(input.files[0]);
@@ -203,10 +201,26 @@ project.listen((why) => {
 
 // What a page opens with is kept elsewhere, or stands in its address, until it is edited.
 let starting = true;
+let isKept = true;
 function edited(): void {
   store.forgetLink();
-  if (!store.keep(project.text)) tell(say("studio.notkept"));
+  const wasKept = isKept;
+  isKept = store.keep(project.text);
+  if (wasKept && !isKept) tell(say("studio.notkept"));
 }
+// The page is loaded anew. A wall that the browser does not keep goes along in the address.
+async function speakAnother(): Promise<void> {
+  remember("language", languages.value);
+  if (isKept) return location.reload();
+  const link = await store.linkTo(project.text);
+  isKept = true; // from here on
+  location.replace(link.replace(/(\?[^#]*)?#/, `?language=${languages.value}#`));
+}
+// Before the page goes, what was typed last counts. A wall that is kept nowhere is asked about.
+window.addEventListener("beforeunload", (e) => {
+  (document.activeElement as HTMLElement | null)?.blur();
+  if (!isKept) e.preventDefault();
+});
 function showCracks(picture: Picture | null): void {
   canvas.readOnly = picture !== null;
   canvas.showOpenings = picture === null;
@@ -443,7 +457,7 @@ async function start(): Promise<void> {
   const kept = store.kept();
   let text = kept ?? store.given;
   let told = kept === null ? "" : say("studio.restored");
-  let last = kept ?? store.keptPlain(); // what an undo brings back
+  let last = store.keptByAnother() ?? kept ?? store.keptPlain(); // what an undo brings back
   let linked = false; // another's wall: the photo stays hidden
   if (store.hasLink())
     try {

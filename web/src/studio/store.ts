@@ -26,25 +26,33 @@ const kPlain = "wythe.studio.text";
 export const given = modelOfPage();
 const kHere = given === null ? kPlain : `${kPlain}.${hashOf(given)}`;
 
-const read = (key: string): string | null => {
+const read = (from: () => Storage, key: string): string | null => {
   try {
-    return localStorage.getItem(key);
+    return from().getItem(key);
   } catch {
     return null;
   }
 };
-// false: the browser keeps nothing (no room, or not allowed).
-export function keep(text: string): boolean {
+// All tabs of a page share the browser's storage, and the last edit of any stands there. A tab's own comes back when it is loaded again.
+const all = (): Storage => localStorage,
+  own = (): Storage => sessionStorage;
+function keepIn(to: () => Storage, text: string): boolean {
   try {
-    if (text === given) localStorage.removeItem(kHere); // the page itself has it
-    else localStorage.setItem(kHere, text);
+    if (text === given) to().removeItem(kHere); // the page itself has it
+    else to().setItem(kHere, text);
     return true;
   } catch {
     return false;
   }
 }
-export const kept = (): string | null => read(kHere);
-export const keptPlain = (): string | null => read(kPlain);
+// false: the browser keeps nothing (no room, or not allowed).
+export function keep(text: string): boolean {
+  keepIn(own, text);
+  return keepIn(all, text);
+}
+export const kept = (): string | null => read(own, kHere) ?? read(all, kHere);
+export const keptByAnother = (): string | null => read(all, kHere);
+export const keptPlain = (): string | null => read(all, kPlain);
 
 const kMark = "#w=";
 export const hasLink = (): boolean => location.hash.startsWith(kMark);
