@@ -49,6 +49,8 @@ export interface Engine {
   rest(): void; // nothing is asked for a while
 }
 export const kStopped = 3;
+const kNoMemory = 5; // a worker gives none back
+const kDefect = 6; // of the engine itself
 
 interface Message extends Partial<Answer> {
   ready?: boolean;
@@ -66,10 +68,10 @@ export class WorkerEngine implements Engine {
     const id = ++this.count;
     const answer = new Promise<Answer>((done) => (this.waiting = { id, done, progress }));
     try {
-      const worker = await (this.worker ??= started((m) => this.hear(m), (why) => this.end(6, why)));
+      const worker = await (this.worker ??= started((m) => this.hear(m), (why) => this.end(kDefect, why)));
       if (this.waiting?.id === id) worker.postMessage({ id, ...question });
     } catch (error) {
-      if (this.waiting?.id === id) this.end(6, error instanceof Error ? error.message : String(error));
+      if (this.waiting?.id === id) this.end(kDefect, error instanceof Error ? error.message : String(error));
     }
     return answer;
   }
@@ -98,7 +100,8 @@ export class WorkerEngine implements Engine {
     if (!waiting || m.id !== waiting.id) return;
     if (m.progress) return waiting.progress?.(m.progress);
     this.waiting = null;
-    waiting.done({ code: m.code ?? 6, texts: m.texts ?? {}, bytes: m.bytes ?? {}, tables: m.tables ?? {} });
+    if ((m.code ?? kDefect) >= kNoMemory) this.rest(); // it is spent: the next question has a worker of its own
+    waiting.done({ code: m.code ?? kDefect, texts: m.texts ?? {}, bytes: m.bytes ?? {}, tables: m.tables ?? {} });
   }
 }
 
