@@ -132,6 +132,21 @@ test("files: saved with every byte, opened, dropped, and refused where they are 
   assert.match(await textOf(page), /name = "opened"/);
 });
 
+test("a file with line ends of Windows is opened as one step, and looking at it is none", async () => {
+  await begin("pier");
+  const before = await textOf(page);
+  const opened = before.replace('name = "brick pier"', 'name = "of Windows"');
+  const name = `windows_${process.pid}.toml`;
+  await page.locator('input[type="file"]').first().setInputFiles({ name, mimeType: "", buffer: Buffer.from(opened.replaceAll("\n", "\r\n")) });
+  await page.waitForFunction(() => document.querySelector(".file-text").value.includes('name = "of Windows"'));
+  await page.locator('[data-pane="file"].tab').click();
+  await page.locator(".file-text").click();
+  await page.locator(".canvas").focus();
+  assert.equal(await textOf(page), opened);
+  await page.keyboard.press("Control+z");
+  assert.equal(await textOf(page), before);
+});
+
 test("a model that wythe studio put into the page opens once, and what became of it is kept", async () => {
   const model = `${fs.readFileSync(path.join(root, "examples/brick_pier/model.toml"), "utf8")}# dà, größer, </script>\n`;
   const own = path.join(folder("studio"), "with_model.html");

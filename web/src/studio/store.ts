@@ -4,11 +4,14 @@ import { fromLink, toLink } from "./packed";
 
 const kLongest = 1 << 20; // of a file that is opened [bytes]
 
+// The field of the text knows one kind of line end: with another it would differ from the file for ever.
+const plain = (text: string): string => text.replace(/\r\n?/g, "\n");
+
 // The model that `wythe studio MODEL.toml` put into this page, in hexadecimal digits; null where there is none.
 function modelOfPage(): string | null {
   const digits = document.getElementById("wythe-model")?.textContent?.trim() ?? "";
   if (!/^([0-9a-f]{2})+$/.test(digits)) return null;
-  return new TextDecoder().decode(Uint8Array.from(digits.match(/../g)!, (pair) => parseInt(pair, 16)));
+  return plain(new TextDecoder().decode(Uint8Array.from(digits.match(/../g)!, (pair) => parseInt(pair, 16))));
 }
 // 64 bits of a text, so that pages of different models have different places.
 function hashOf(text: string): string {
@@ -74,5 +77,5 @@ export const fileName = (title: string): string =>
 // A text of a file; throws where it is none or too long.
 export async function readFile(file: File): Promise<string> {
   if (file.size > kLongest) throw new Error("too long");
-  return new TextDecoder("utf-8", { fatal: true }).decode(await file.arrayBuffer());
+  return plain(new TextDecoder("utf-8", { fatal: true }).decode(await file.arrayBuffer()));
 }
