@@ -24,6 +24,7 @@ export interface Answer {
   texts: Record<string, string>;
   bytes?: Record<string, Uint8Array>;
   tables: Record<string, Record<string, Float64Array>>;
+  address?: string; // of the page, where it has been opened
 }
 export function textIn(answer: Answer, name: string): string {
   const bytes = answer.bytes?.[name];

@@ -337,9 +337,9 @@ export class Push {
     const { answer } = this;
     if (!answer || !hasPage(answer)) return;
     const page = (answer.bytes?.page as Uint8Array<ArrayBuffer> | undefined) ?? answer.texts.page;
-    const url = URL.createObjectURL(new Blob([page], { type: "text/html" }));
-    window.open(url, "_blank", "noopener");
-    setTimeout(() => URL.revokeObjectURL(url), 60_000);
+    // it stays as long as this page, so that the report can be loaded again and saved
+    answer.address ??= URL.createObjectURL(new Blob([page], { type: "text/html" }));
+    window.open(answer.address, "_blank", "noopener");
   }
 }
 
