@@ -192,6 +192,34 @@ test("numbers beside the drawing: lengths, bond, material, load, push", async ()
   await has(/length = "4\.20 m"/);
 });
 
+test("the masonry says where its numbers come from, and at which knowledge level", async () => {
+  await begin("portal");
+  const origins = page.locator(".origins");
+  await origins.locator("summary").click();
+  assert.match(await origins.innerText(), /masonry_strength 7\.92\smPa\s+typical: Magenes and Calvi 1992, CoV 0\.17[^]*normal_stiffness 40\.97\sGPa\/m\s+derived: kn_from_e/i);
+  assert.equal(await field("Knowledge level").count(), 0);
+  await field("Typical values of").selectOption("circolare_brick_lime");
+  await field("Knowledge level").selectOption("LC2");
+  await has(/use = "circolare_brick_lime"[^]*\nknowledge_level = "LC2"/);
+  await stonesOf(page);
+  assert.equal(await field("Initial shear strength").count(), 0); // the table has it
+  await field("Compressive strength of units, normalised").fill("8"); // this it does not have
+  await field("Compressive strength of units, normalised").press("Enter");
+  await has(/\nunit_strength = "8 MPa"/);
+  await stonesOf(page);
+  assert.equal(await page.locator(".fault").count(), 0);
+  assert.match(await origins.innerText(), /Table C8\.5\.I, LC2/);
+  await field("Knowledge level").selectOption("");
+  assert.doesNotMatch(await textOf(page), /knowledge_level/);
+  await field("Knowledge level").selectOption("LC1");
+  await field("Typical values of").focus();
+  await field("Typical values of").selectOption("clay_brick_old");
+  assert.doesNotMatch(await textOf(page), /knowledge_level/);
+  assert.equal(await page.evaluate(() => document.activeElement.getAttribute("aria-label")), "Typical values of"); // other fields, the same focus
+  await begin("tuff");
+  assert.equal(await origins.isVisible(), false);
+});
+
 test("the palette and the sheet of keys", async () => {
   await page.locator(".canvas").focus();
   await page.keyboard.press("Control+k");

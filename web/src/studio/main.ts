@@ -135,12 +135,13 @@ function check(): void {
   }
   const text = project.text;
   limit.ask(text);
-  checker.ask({ task: "check", texts: { model: text, language }, want: ["check", "svg"] }, async (answer) => {
+  checker.ask({ task: "check", texts: { model: text, language }, want: ["check", "svg", "model"] }, async (answer) => {
     const isNewest = (): boolean => text === project.text;
     const c = answer.code === 0 ? JSON.parse(answer.texts.check) : null;
     const drawn = c && isNewest() ? await readPicture(answer.texts.svg ?? "", c.length_m, isNewest) : null;
     if (!isNewest()) return;
     delete document.documentElement.dataset.checking;
+    panel.took(c ? (answer.texts.model ?? "") : "");
     if (c) {
       status.textContent = say("studio.counts", { blocks: whole(c.blocks), weight: qty(c.weight_kN, "kN"), seconds: c.expected_seconds < 120 ? qty(c.expected_seconds, "s", 2) : qty(c.expected_seconds / 60, "min", 2) });
       showNotes(c.notes ?? []);
@@ -165,6 +166,7 @@ function showFaults(found: Fault[]): void {
   faults = found;
   list.show(found);
   file.mark(found);
+  panel.lacks(found);
   canvas.faulty = new Map(found.filter((f) => openingOf(f) >= 0).map((f) => [openingOf(f), saidOf(f.problem)]));
   canvas.faultyParts = new Map(found.map((f) => [f.path.split(".").slice(0, 2).join(" "), saidOf(f.problem)]));
   canvas.root.classList.toggle("outdated", found.length > 0);
