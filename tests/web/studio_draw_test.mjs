@@ -41,6 +41,17 @@ test("it opens with an example, its stones and its weight", async () => {
   assert.match(await status(), /^876 blocks · 35\.1\skN/);
 });
 
+test("nine examples and an empty wall to begin with: each is drawn, and the engine takes it", async () => {
+  const names = await page.locator(".starters option").evaluateAll((all) => all.map((option) => option.value).filter(Boolean));
+  assert.equal(names.length, 10);
+  for (const name of names) {
+    await begin(name);
+    assert.match(await status(), /blocks/, name);
+    assert.equal(await page.locator(".fault").count(), 0, name);
+    assert.equal(await page.locator('.tool-button:has-text("Door")').isEnabled(), true, name);
+  }
+});
+
 test("a wall from nothing: its size by the mouse, its stones at once", async () => {
   await begin("empty");
   await page.keyboard.press("w");
