@@ -172,6 +172,18 @@ test("twice as far is an edit of the file and a push", { skip }, async () => {
   assert.equal(await page.locator(".push.stale").count(), 1);
 });
 
+test("half as fast is an edit of the file and a push", { skip }, async () => {
+  await push();
+  await ended();
+  await action("slower").click();
+  await page.waitForSelector(".primary.running");
+  assert.match(await textOf(page), /velocity = "0\.5 mm\/s"/);
+  await ended();
+  await page.locator(".canvas").focus();
+  await page.keyboard.press("Control+z");
+  assert.equal(await textOf(page), kWall);
+});
+
 test("eight walls stop at once, and with an edit", { skip }, async () => {
   await page.keyboard.press("Control+y");
   await stonesOf(page);

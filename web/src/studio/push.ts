@@ -6,7 +6,7 @@ import { languageNow, num, phrase, qty, say } from "../texts";
 import { Beside } from "./beside";
 import { Compare, type Pushed } from "./compare";
 import { Curve } from "./curve";
-import { pushOf, setLength } from "./drawing";
+import { pushOf, setLength, slower } from "./drawing";
 import type { Answer, Engine, Progress } from "./engine";
 import { hasEngine, kStopped, pieceOf, textIn } from "./engine";
 import { Family } from "./family";
@@ -55,6 +55,7 @@ export class Push {
   private readonly watchButton = this.action("watch", () => this.watch(!this.watching));
   private readonly otherButton = this.action("other", () => (this.beside.running === "other" ? this.beside.stop() : void this.beside.pushOtherWay()));
   private readonly fartherButton = this.action("farther", () => this.pushFarther());
+  private readonly slowerButton = this.action("slower", () => this.pushAnew(slower(this.project.text)));
   private readonly wallsButton = this.action("walls", () => (this.beside.running === "walls" ? this.beside.stop() : void this.beside.pushWalls()));
   private readonly keepButton = this.action("keep", () => this.keep());
 
@@ -118,12 +119,13 @@ export class Push {
     this.pauseButton.textContent = say(this.paused ? "studio.button.goon" : "studio.button.pause");
     this.watchButton.setAttribute("aria-pressed", String(this.watching));
     this.watchButton.disabled = this.isStale;
-    this.otherButton.hidden = this.wallsButton.hidden = this.fartherButton.hidden = !shown;
+    this.otherButton.hidden = this.wallsButton.hidden = this.fartherButton.hidden = this.slowerButton.hidden = !shown;
     this.otherButton.textContent = say(beside.running === "other" ? "studio.button.stop" : "studio.button.other");
     this.otherButton.disabled = beside.running === "walls" || family.running || !fresh || !beside.canTurn;
     this.wallsButton.textContent = say(beside.running === "walls" ? "studio.button.stop" : "studio.button.walls");
     this.wallsButton.disabled = beside.running === "other" || family.running || !fresh;
     this.fartherButton.disabled = !fresh || !(this.until() > 0) || !this.project.drawable;
+    this.slowerButton.disabled = !fresh || !this.project.drawable || slower(this.project.text) === null;
     this.keepButton.hidden = !shown && this.compare.kept === null;
     this.keepButton.textContent = say(this.compare.kept ? "studio.button.unkeep" : "studio.button.keep");
     this.keepButton.setAttribute("aria-pressed", String(this.compare.kept !== null));
@@ -208,13 +210,16 @@ export class Push {
     if (!on) this.hide();
     this.refresh();
   }
-  // To twice the displacement: an edit of the file as any other, and a push.
   private pushFarther(): void {
     const push = this.project.doc && pushOf(this.project.doc);
     const until = lengthOf(push?.until);
-    if (!push || !until || this.running) return;
+    if (push && until) this.pushAnew(setLength(this.project.text, ["stage", push.stage, "until"], 2 * until));
+  }
+  // An edit of the file as any other, and a push.
+  private pushAnew(text: string | null): void {
+    if (text === null || this.running) return;
     this.project.endStep();
-    this.project.change(setLength(this.project.text, ["stage", push.stage, "until"], 2 * until));
+    this.project.change(text);
     void this.start();
   }
   private keep(): void {
