@@ -186,6 +186,10 @@ test("numbers beside the drawing: lengths, bond, material, load, push", async ()
   await field("Length").fill("4,2");
   await field("Length").press("Enter");
   await has(/length = "4\.20 m"/);
+  await page.keyboard.press("Control+z"); // the focus is in the field still
+  await has(/length = "3\.50 m"/);
+  await page.keyboard.press("Control+y");
+  await has(/length = "4\.20 m"/);
   await field("Thickness").fill("38 cm");
   await field("Thickness").press("Enter");
   await has(/thickness = "0\.38 m"/);

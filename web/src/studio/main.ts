@@ -409,7 +409,8 @@ document.addEventListener("keydown", (e) => {
   const onButton = target.matches("button, summary, [type=range], [type=checkbox]") && (e.key === "Enter" || e.key === " " || e.key.startsWith("Arrow"));
   if (onButton && !e.ctrlKey) return;
   if (inField && e.key === "Escape") return canvas.root.focus();
-  if (commands.key(e, inField && !(e.ctrlKey || e.metaKey) ? true : inField)) e.preventDefault();
+  const isUntouched = (e.ctrlKey || e.metaKey) && target instanceof HTMLInputElement && target.dataset.shown === target.value; // Ctrl+Z is of the wall
+  if (commands.key(e, inField && !isUntouched)) e.preventDefault();
 });
 document.addEventListener("dragover", (e) => e.preventDefault());
 document.addEventListener("drop", (e) => {
