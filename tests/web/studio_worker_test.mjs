@@ -52,6 +52,22 @@ test("after a defect or without memory the next question has a worker of its own
   assert.deepEqual(made.map((worker) => worker.isEnded === true), [true, true, false]);
 });
 
+test("a question that takes long is ended by a newer one, and only the newest of those is asked", async () => {
+  const { Latest } = await viewerModule("studio/engine");
+  const asked = [];
+  let stop;
+  const engine = { stop: () => stop(), ask: (question) => (asked.push(question), question === "long" ? new Promise((done) => (stop = () => done({ code: 3 }))) : Promise.resolve({ code: 0 })) };
+  const latest = new Latest(engine, 0);
+  const answered = await new Promise((done) => {
+    for (const question of ["long", "overtaken", "newest"]) latest.ask(question, () => done(question));
+  });
+  assert.equal(answered, "newest");
+  assert.deepEqual(asked, ["long", "newest"]);
+  stop = () => assert.fail("nothing is under way");
+  await new Promise((done) => latest.ask("short", done));
+  await new Promise((done) => setTimeout(done));
+});
+
 let LiveLimit;
 before(async () => {
   standInForPage();

@@ -106,23 +106,33 @@ export class WorkerEngine implements Engine {
   }
 }
 
-// Asks for the newest of many questions: one that is overtaken while the engine is busy is never asked.
+const kLeft = 1000; // for a question that is overtaken [ms]
+
+// Asks for the newest of many questions: one that is overtaken while the engine is busy is never asked, and the one under way is
+// ended where it takes long, as that of a wall of a million stones.
 export class Latest {
   private busy = false;
   private next: (() => void) | null = null;
-  constructor(private readonly engine: Engine) {}
+  private timer = 0;
+  constructor(
+    private readonly engine: Engine,
+    private readonly left = kLeft,
+  ) {}
   ask(question: Question, done: (a: Answer) => void): void {
     const go = async (): Promise<void> => {
       this.busy = true;
       const answer = await this.engine.ask(question);
       this.busy = false;
+      window.clearTimeout(this.timer);
+      this.timer = 0;
       const next = this.next;
       this.next = null;
       if (next) next();
       else done(answer);
     };
-    if (this.busy) this.next = go;
-    else void go();
+    if (!this.busy) return void go();
+    this.next = go;
+    this.timer ||= window.setTimeout(() => this.engine.stop(), this.left);
   }
 }
 
