@@ -1,6 +1,7 @@
 // The studio with its own engine, as it is handed on: stones, a push and a report without a network, with the bits of the program.
 import assert from "node:assert/strict";
 import fs from "node:fs";
+import http from "node:http";
 import path from "node:path";
 import { after, before, test } from "node:test";
 import { gzipSync } from "node:zlib";
@@ -88,4 +89,23 @@ test("the tuff wall is drawn by the mouse and pushed until it cracks and on: pea
   await isAsTheProgram(page, summaryOf("tuff", text));
   assert.deepEqual(page.faults, []);
   await page.end();
+});
+
+test("from a web server it opens as from a disk, and asks for nothing more", { skip }, async (t) => {
+  const server = http.createServer((_, answer) => answer.setHeader("content-type", "text/html; charset=utf-8").end(fs.readFileSync(file)));
+  await new Promise((done) => server.listen(0, "127.0.0.1", done));
+  const address = `http://127.0.0.1:${server.address().port}/`;
+  const page = await browser.newPage({ locale: "en-GB" });
+  const wrong = [];
+  page.on("pageerror", (error) => wrong.push(error.message));
+  page.on("console", (m) => m.type() === "error" && wrong.push(m.text()));
+  page.on("request", (r) => !/^(data|blob):/.test(r.url()) && r.url() !== address && wrong.push(r.url()));
+  const start = performance.now();
+  await page.goto(address);
+  await page.waitForFunction(() => /^\d+ blocks/.test(document.querySelector(".status")?.textContent ?? ""), null, { timeout: kPatience });
+  t.diagnostic(`${((performance.now() - start) / 1000).toFixed(2)} s from opening the page to the first stones`);
+  assert.equal(await page.locator(".stones .stone0").count(), 1);
+  assert.deepEqual(wrong, []);
+  await page.close();
+  await new Promise((done) => server.close(done));
 });

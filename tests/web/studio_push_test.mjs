@@ -64,7 +64,7 @@ test("the slider shows the wall at each state; arrows go along; Escape goes back
   assert.equal(await page.locator(".canvas.cracked").count(), 0);
 });
 
-test("the report opens from the page, with the same sentence, and can be loaded again however late", async () => {
+test("the report opens from the page with the same sentence, can be loaded again however late, and has its sheet", async () => {
   await page.evaluate(() => {
     const { setTimeout } = window;
     window.setTimeout = (does, ms, ...rest) => setTimeout(does, ms > 10_000 ? 0 : ms, ...rest); // what is put off for long is done at once
@@ -75,6 +75,9 @@ test("the report opens from the page, with the same sentence, and can be loaded 
   assert.equal((await page.locator(".result-words .answer").innerText()).replace(/\s+/g, " "), answer);
   await popup.reload();
   await popup.waitForSelector("html[data-ready]", { timeout: kPatience });
+  await popup.emulateMedia({ media: "print" }); // on paper it begins with the sheet of A4
+  await popup.evaluate(() => window.dispatchEvent(new Event("beforeprint")));
+  await popup.locator("#sheet .a4").waitFor();
   await popup.close();
 });
 
