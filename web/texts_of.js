@@ -1,6 +1,7 @@
 // Where a page has its texts from. A report reads those of its language from an element that the engine fills
 // (texts_for_page, src/report/texts.h). The studio carries all languages of what it says, out of src/report/assets/texts.json.
-const kShared = ["theme", "theme.auto", "theme.light", "theme.dark", "unlimited", "run.resists"];
+const kStrengths = ["unit_strength", "mortar_strength", "masonry_strength", "initial_shear_strength", "friction_tan", "youngs_modulus", "vertical_stress"];
+const kShared = [...kStrengths.map((key) => `input.${key}`), "theme", "theme.auto", "theme.light", "theme.dark", "unlimited", "run.resists", "origin.title", "origin.typical", "origin.derived"];
 
 // Failure modes as the engine names them.
 const kModes = ["unclear", "rocking", "flexure", "flexural crack", "flexural cracks", "rocking or flexure", "shear", "pier shear", "spandrel shear", "diagonal shear crack",

@@ -110,6 +110,10 @@ test("the package installs from its tarball and answers", { skip }, () => {
   execFileSync("npm", ["install", "--offline", "--no-audit", "--no-fund", path.join(out, packed.filename)], { cwd: out, stdio: "pipe" });
   const version = execFileSync("npx", ["--offline", "wythe", "--version"], { cwd: out, encoding: "utf8" });
   assert.match(version, /^wythe \d+\.\d+\.\d+ /);
+  const pier = path.join(root, "examples/brick_pier/model.toml");
+  const pushed = execFileSync("npx", ["--offline", "wythe", "run", pier, "--out", "pushed", "--set", "stage.push.until=0.02 mm"], { cwd: out, encoding: "utf8" });
+  assert.match(pushed, /^pushed: .*, state [0-9a-f]{16}\nreport: /);
+  assert.match(fs.readFileSync(path.join(out, "pushed/report.html"), "utf8"), /<header id="headline"/);
   fs.writeFileSync(
     path.join(out, "use.mjs"),
     `import { load } from "wythe";
@@ -119,8 +123,8 @@ const { code, texts } = wythe.do("check", { texts: { model: fs.readFileSync(proc
 console.log(code, JSON.parse(texts.check).blocks);
 `,
   );
-  const told = execFileSync(process.execPath, ["use.mjs", path.join(root, "examples/brick_pier/model.toml")], { cwd: out, encoding: "utf8" });
-  const blocks = Number(/blocks\D+(\d+)/.exec(run("check", path.join(root, "examples/brick_pier/model.toml")))?.[1] ?? NaN);
+  const told = execFileSync(process.execPath, ["use.mjs", pier], { cwd: out, encoding: "utf8" });
+  const blocks = Number(/blocks\D+(\d+)/.exec(run("check", pier))?.[1] ?? NaN);
   assert.equal(told.split(" ")[0], "0");
   if (!Number.isNaN(blocks)) assert.equal(Number(told.split(" ")[1]), blocks);
 });

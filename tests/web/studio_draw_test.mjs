@@ -41,6 +41,17 @@ test("it opens with an example, its stones and its weight", async () => {
   assert.match(await status(), /^876 blocks · 35\.1\skN/);
 });
 
+test("nine examples and an empty wall to begin with: each is drawn, and the engine takes it", async () => {
+  const names = await page.locator(".starters option").evaluateAll((all) => all.map((option) => option.value).filter(Boolean));
+  assert.equal(names.length, 10);
+  for (const name of names) {
+    await begin(name);
+    assert.match(await status(), /blocks/, name);
+    assert.equal(await page.locator(".fault").count(), 0, name);
+    assert.equal(await page.locator('.tool-button:has-text("Door")').isEnabled(), true, name);
+  }
+});
+
 test("a wall from nothing: its size by the mouse, its stones at once", async () => {
   await begin("empty");
   await page.keyboard.press("w");
@@ -175,6 +186,10 @@ test("numbers beside the drawing: lengths, bond, material, load, push", async ()
   await field("Length").fill("4,2");
   await field("Length").press("Enter");
   await has(/length = "4\.20 m"/);
+  await page.keyboard.press("Control+z"); // the focus is in the field still
+  await has(/length = "3\.50 m"/);
+  await page.keyboard.press("Control+y");
+  await has(/length = "4\.20 m"/);
   await field("Thickness").fill("38 cm");
   await field("Thickness").press("Enter");
   await has(/thickness = "0\.38 m"/);
@@ -190,6 +205,34 @@ test("numbers beside the drawing: lengths, bond, material, load, push", async ()
   await field("Length").press("Enter");
   assert.equal(await field("Length").getAttribute("aria-invalid"), "true");
   await has(/length = "4\.20 m"/);
+});
+
+test("the masonry says where its numbers come from, and at which knowledge level", async () => {
+  await begin("portal");
+  const origins = page.locator(".origins");
+  await origins.locator("summary").click();
+  assert.match(await origins.innerText(), /masonry_strength 7\.92\smPa\s+typical: Magenes and Calvi 1992, CoV 0\.17[^]*normal_stiffness 40\.97\sGPa\/m\s+derived: kn_from_e/i);
+  assert.equal(await field("Knowledge level").count(), 0);
+  await field("Typical values of").selectOption("circolare_brick_lime");
+  await field("Knowledge level").selectOption("LC2");
+  await has(/use = "circolare_brick_lime"[^]*\nknowledge_level = "LC2"/);
+  await stonesOf(page);
+  assert.equal(await field("Initial shear strength").count(), 0); // the table has it
+  await field("Compressive strength of units, normalised").fill("8"); // this it does not have
+  await field("Compressive strength of units, normalised").press("Enter");
+  await has(/\nunit_strength = "8 MPa"/);
+  await stonesOf(page);
+  assert.equal(await page.locator(".fault").count(), 0);
+  assert.match(await origins.innerText(), /Table C8\.5\.I, LC2/);
+  await field("Knowledge level").selectOption("");
+  assert.doesNotMatch(await textOf(page), /knowledge_level/);
+  await field("Knowledge level").selectOption("LC1");
+  await field("Typical values of").focus();
+  await field("Typical values of").selectOption("clay_brick_old");
+  assert.doesNotMatch(await textOf(page), /knowledge_level/);
+  assert.equal(await page.evaluate(() => document.activeElement.getAttribute("aria-label")), "Typical values of"); // other fields, the same focus
+  await begin("tuff");
+  assert.equal(await origins.isVisible(), false);
 });
 
 test("the palette and the sheet of keys", async () => {

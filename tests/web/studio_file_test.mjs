@@ -132,6 +132,21 @@ test("files: saved with every byte, opened, dropped, and refused where they are 
   assert.match(await textOf(page), /name = "opened"/);
 });
 
+test("a file with line ends of Windows is opened as one step, and looking at it is none", async () => {
+  await begin("pier");
+  const before = await textOf(page);
+  const opened = before.replace('name = "brick pier"', 'name = "of Windows"');
+  const name = `windows_${process.pid}.toml`;
+  await page.locator('input[type="file"]').first().setInputFiles({ name, mimeType: "", buffer: Buffer.from(opened.replaceAll("\n", "\r\n")) });
+  await page.waitForFunction(() => document.querySelector(".file-text").value.includes('name = "of Windows"'));
+  await page.locator('[data-pane="file"].tab').click();
+  await page.locator(".file-text").click();
+  await page.locator(".canvas").focus();
+  assert.equal(await textOf(page), opened);
+  await page.keyboard.press("Control+z");
+  assert.equal(await textOf(page), before);
+});
+
 test("a model that wythe studio put into the page opens once, and what became of it is kept", async () => {
   const model = `${fs.readFileSync(path.join(root, "examples/brick_pier/model.toml"), "utf8")}# dà, größer, </script>\n`;
   const own = path.join(folder("studio"), "with_model.html");
@@ -233,6 +248,51 @@ test("a model that the browser has no room to keep opens again, not another wall
   assert.equal(await visit(other, a), `${pier}# full\n`);
   await add(other, "# more\n");
   await other.locator(".notice", { hasText: /keeps nothing/ }).waitFor();
-  assert.equal(await visit(other, a), `${pier}# full\n`);
+  assert.equal(await visit(other, a), `${pier}# full\n# more\n`); // the tab's own
+  const second = await other.context().newPage();
+  assert.equal(await visit(second, a), `${pier}# full\n`);
   await other.end();
+});
+
+test("a number that was typed and not entered is there after a reload", async () => {
+  const other = await openStudio(browser, file, { impatient: true });
+  await other.getByLabel("Thickness", { exact: true }).fill("0.38");
+  await other.reload();
+  await other.waitForSelector("html[data-ready]");
+  assert.match(await textOf(other), /thickness = "0\.38 m"/);
+  await other.end();
+});
+
+test("where the browser keeps nothing, closing asks and another language takes the wall along", async () => {
+  const other = await openStudio(browser, file, { impatient: true });
+  await other.evaluate(() => {
+    Storage.prototype.setItem = () => {
+      throw new DOMException("full", "QuotaExceededError");
+    };
+  });
+  await other.locator(".canvas").click(); // a page that nobody touched asks nothing
+  await add(other, "# mine\n");
+  const mine = await textOf(other);
+  const [dialog] = await Promise.all([other.waitForEvent("dialog"), other.close({ runBeforeUnload: true })]);
+  assert.equal(dialog.type(), "beforeunload");
+  await dialog.dismiss();
+  await other.locator(".language").selectOption("it");
+  await other.waitForSelector('html[data-ready][lang="it"]');
+  assert.equal(await textOf(other), mine);
+  await other.end();
+});
+
+test("of two tabs each has its own wall back, and undo brings that of the other", async () => {
+  const one = await openStudio(browser, file, { impatient: true });
+  const two = await one.context().newPage();
+  await visit(two, file);
+  await add(one, "# one\n");
+  await add(two, "# two\n");
+  const [first, second] = [await textOf(one), await textOf(two)];
+  await one.reload();
+  await one.waitForSelector("html[data-ready]");
+  assert.equal(await textOf(one), first);
+  await undo(one);
+  assert.equal(await textOf(one), second);
+  await one.end();
 });

@@ -172,6 +172,18 @@ test("twice as far is an edit of the file and a push", { skip }, async () => {
   assert.equal(await page.locator(".push.stale").count(), 1);
 });
 
+test("half as fast is an edit of the file and a push", { skip }, async () => {
+  await push();
+  await ended();
+  await action("slower").click();
+  await page.waitForSelector(".primary.running");
+  assert.match(await textOf(page), /velocity = "0\.5 mm\/s"/);
+  await ended();
+  await page.locator(".canvas").focus();
+  await page.keyboard.press("Control+z");
+  assert.equal(await textOf(page), kWall);
+});
+
 test("eight walls stop at once, and with an edit", { skip }, async () => {
   await page.keyboard.press("Control+y");
   await stonesOf(page);
@@ -238,4 +250,18 @@ test("a family of curves: as many walls with another thickness, one of them take
   await page.keyboard.press("y");
   await family.waitFor();
   await page.keyboard.press("Escape");
+});
+
+test("automatic: a wall is pushed when it rests, beside the drawing, and an edit begins anew", { skip }, async () => {
+  await write(page, kWall.replace('"4 mm"', '"40 mm"'));
+  await action("itself").click();
+  await page.waitForSelector(".primary.running");
+  const edited = kWall.replace('thickness = "0.4 m"', 'thickness = "0.7 m"');
+  await write(page, edited);
+  const peak = `${three(program("run", edited)("summary.json").peak_reaction_kN)}\u202fkN`;
+  await page.waitForFunction((peak) => !document.querySelector(".primary.running") && document.querySelector(".key")?.textContent.includes(peak), peak, { timeout: kPatience });
+  assert.equal(await page.locator(".canvas.cracked").count(), 0);
+  await page.getByLabel("State of the push").press("Home");
+  await page.waitForSelector(".canvas.cracked");
+  await action("itself").click();
 });

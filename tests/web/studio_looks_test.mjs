@@ -282,6 +282,17 @@ test("a page without an engine draws and says so", async () => {
   await page.close();
 });
 
+test("a browser that is too old or runs no scripts is told which ones will do", async () => {
+  for (const [options, isTold] of [[{ javaScriptEnabled: false }, true], [{}, true], [{ locale: "en" }, false]]) {
+    const context = await browser.newContext(options);
+    const page = await context.newPage();
+    if (!options.locale) await page.addInitScript(() => delete window.DecompressionStream);
+    await page.goto(pathToFileURL(file).href);
+    for (const lang of ["en", "it", "de", "fr", "es", "pt"]) assert.equal(await page.locator(`#old [lang="${lang}"]`).isVisible(), isTold, lang);
+    await context.close();
+  }
+});
+
 test("the page is small and asks for nothing", () => {
   const page = fs.readFileSync(file, "utf8");
   assert.ok(Buffer.byteLength(page) < 400e3, `${Buffer.byteLength(page)} bytes`);

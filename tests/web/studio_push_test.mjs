@@ -64,11 +64,20 @@ test("the slider shows the wall at each state; arrows go along; Escape goes back
   assert.equal(await page.locator(".canvas.cracked").count(), 0);
 });
 
-test("the report opens from the page, with the same sentence", async () => {
+test("the report opens from the page with the same sentence, can be loaded again however late, and has its sheet", async () => {
+  await page.evaluate(() => {
+    const { setTimeout } = window;
+    window.setTimeout = (does, ms, ...rest) => setTimeout(does, ms > 10_000 ? 0 : ms, ...rest); // what is put off for long is done at once
+  });
   const [popup] = await Promise.all([page.context().waitForEvent("page"), page.getByRole("button", { name: "Open the report" }).click()]);
   await popup.waitForSelector("html[data-ready]", { timeout: kPatience });
   const answer = (await popup.locator("#headline .answer").innerText()).replace(/\s+/g, " ");
   assert.equal((await page.locator(".result-words .answer").innerText()).replace(/\s+/g, " "), answer);
+  await popup.reload();
+  await popup.waitForSelector("html[data-ready]", { timeout: kPatience });
+  await popup.emulateMedia({ media: "print" }); // on paper it begins with the sheet of A4
+  await popup.evaluate(() => window.dispatchEvent(new Event("beforeprint")));
+  await popup.locator("#sheet .a4").waitFor();
   await popup.close();
 });
 

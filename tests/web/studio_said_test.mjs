@@ -133,6 +133,40 @@ test("faults of drawn walls and edited files, and their cures, are said in each 
   assert.equal(inWords("what nobody has written down", "de"), null);
 });
 
+test("what the file does not state of its masonry has its source, its level or its rule", async () => {
+  const { originsIn } = await viewerModule("studio/origins");
+  const { find, parse } = await viewerModule("studio/toml");
+  const taken = async (name) => (await ask("check", { model: example(name) }, ["model"])).texts.model;
+  const of = (tables, name, key) => tables.find((table) => table.name === name).origins.find((o) => o.key === key);
+  const portal = await taken("brick_portal/model.toml");
+  const tables = originsIn(portal);
+  assert.deepEqual(tables.map((table) => table.name), ["masonry", "material.joint", "material.unit"]);
+  assert.deepEqual(of(tables, "masonry", "masonry_strength"), { key: "masonry_strength", value: "7.92 MPa", kind: "typical", by: "Magenes and Calvi 1992, CoV 0.17" });
+  assert.deepEqual(of(tables, "material.joint", "cohesion"), { key: "cohesion", value: "0.21 MPa", kind: "derived", by: "c_from_fv0" });
+  for (const { name, origins } of tables) assert.equal(origins.length, find(parse(portal), [...name.split("."), "origin"]).items.length, name);
+  const palazzina = originsIn(await taken("palazzina/model.toml"));
+  assert.equal(of(palazzina, "masonry", "friction_tan").by, "Circolare 21 January 2019 n. 7, Table C8.5.I, LC2");
+  assert.deepEqual(originsIn(await taken("tuff_wall/model.toml")), []);
+  assert.deepEqual(originsIn(""), []);
+});
+
+test("with the numbers that the panel asks for, an empty wall of any masonry of the list is built", async () => {
+  const { kAsked } = await viewerModule("studio/masonry");
+  const { kMaterials } = await viewerModule("studio/materials");
+  const { parse, setValue, valueAt } = await viewerModule("studio/toml");
+  const values = { unit_strength: '"15 MPa"', mortar_strength: '"2 MPa"', masonry_strength: '"4 MPa"', initial_shear_strength: '"0.15 MPa"', friction_tan: "0.6", youngs_modulus: '"2 GPa"', tensile_strength: '"1 MPa"' };
+  const empty = /kEmpty = `([^`]*)`/.exec(fs.readFileSync(path.join(root, "web/src/studio/starters.ts"), "utf8"))[1];
+  for (const masonry of kMaterials) {
+    let text = empty.replace("clay_brick_old", masonry);
+    for (const [key] of kAsked) {
+      const at = key.split(".");
+      if (valueAt(parse(text), at) === undefined) text = setValue(text, at, values[at.at(-1)]);
+    }
+    const { code, texts } = await ask("check", { model: text });
+    assert.equal(code, 0, `${masonry}: ${texts.faults}`);
+  }
+});
+
 test("why a limit load has no answer is said in each language", async () => {
   const { texts } = await ask("limit", { model: example("opening/after.toml"), only: ["lp"] });
   const [{ problem }] = JSON.parse(texts.faults);

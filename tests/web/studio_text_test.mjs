@@ -112,6 +112,16 @@ test("sizes keep their units and decimals, and the push goes along with the wall
   assert.deepEqual(drawing.pushOf(toml.parse(back)), drawing.pushOf(toml.parse(text)));
 });
 
+test("half as fast: what the file says is halved, a push that adapts gets both its speeds, anything else is left", () => {
+  const stage = (lines) => `[wall]\nlength = "3 m"\n[[stage]]\nname = "push"\nat = { x = "0 m" }\n${lines}until = "20 mm"\n`;
+  assert.equal(drawing.slower(stage('velocity = "10 mm/s" # fast\n')), stage('velocity = "5 mm/s"  # fast\n').replace("  #", " #"));
+  assert.equal(drawing.slower(stage('velocity = "2 mm/s"\nfast_velocity = "0.04 m/s"\n')), stage('velocity = "1 mm/s"\nfast_velocity = "0.02 m/s"\n'));
+  const adapts = toml.parse(drawing.slower(stage("")));
+  assert.deepEqual(["velocity", "fast_velocity"].map((key) => toml.valueAt(adapts, ["stage", 0, key])), ["0.05 mm/s", "2.5 mm/s"]);
+  assert.equal(drawing.slower(stage('velocity = "some"\n')), null);
+  assert.equal(drawing.slower('[wall]\nlength = "3 m"\n'), null);
+});
+
 test("storeys: openings stand on their floor, the last storey takes the height", () => {
   const text = example("brick_facade");
   const d = drawing.readDrawing(toml.parse(text));

@@ -28,6 +28,46 @@ test("an engine that cannot be made is an error of the worker, so that the page 
   assert.match(String(await thrownWith(made)), /no memory for it/);
 });
 
+test("after a defect or without memory the next question has a worker of its own; no other answer ends one", async () => {
+  const { WorkerEngine } = await viewerModule("studio/engine");
+  const getElementById = (id) => ({ textContent: id === "wythe-worker" ? "/* answered here */" : "" });
+  globalThis.document = { ...globalThis.document, getElementById };
+  const made = [];
+  globalThis.Worker = class {
+    constructor() {
+      made.push(this);
+    }
+    postMessage(question) {
+      const data = "wasm" in question ? { ready: true } : { id: question.id, code: Number(question.texts.code) };
+      setTimeout(() => this.onmessage({ data }));
+    }
+    terminate() {
+      this.isEnded = true;
+    }
+  };
+  const engine = new WorkerEngine();
+  const codes = [];
+  for (const code of ["0", "2", "6", "5", "0"]) codes.push((await engine.ask({ task: "check", texts: { code } })).code);
+  assert.deepEqual(codes, [0, 2, 6, 5, 0]);
+  assert.deepEqual(made.map((worker) => worker.isEnded === true), [true, true, false]);
+});
+
+test("a question that takes long is ended by a newer one, and only the newest of those is asked", async () => {
+  const { Latest } = await viewerModule("studio/engine");
+  const asked = [];
+  let stop;
+  const engine = { stop: () => stop(), ask: (question) => (asked.push(question), question === "long" ? new Promise((done) => (stop = () => done({ code: 3 }))) : Promise.resolve({ code: 0 })) };
+  const latest = new Latest(engine, 0);
+  const answered = await new Promise((done) => {
+    for (const question of ["long", "overtaken", "newest"]) latest.ask(question, () => done(question));
+  });
+  assert.equal(answered, "newest");
+  assert.deepEqual(asked, ["long", "newest"]);
+  stop = () => assert.fail("nothing is under way");
+  await new Promise((done) => latest.ask("short", done));
+  await new Promise((done) => setTimeout(done));
+});
+
 let LiveLimit;
 before(async () => {
   standInForPage();

@@ -276,6 +276,23 @@ export function setDirection(text: string, d: Drawing, direction: string): strin
   return out;
 }
 
+// A push at half its speed. One that adapts has the engine's two speeds, which are not in the file. null: it cannot be read.
+const kSpeeds = { velocity: "0.1 mm/s", fast_velocity: "5 mm/s" };
+export function slower(text: string): string | null {
+  const doc = parse(text);
+  const push = pushOf(doc);
+  if (!push) return null;
+  const stated = (key: string): unknown => valueAt(doc, ["stage", push.stage, key]);
+  let out = text;
+  for (const key of ["velocity", "fast_velocity"] as const) {
+    if (stated(key) === undefined && stated("velocity") !== undefined) continue; // one speed throughout
+    const speed = readQuantity(stated(key) ?? kSpeeds[key]);
+    if (speed?.base !== "m/s") return null;
+    out = setValue(out, ["stage", push.stage, key], quoted(writeQuantity(speed.value / 2, speed.unit)));
+  }
+  return out;
+}
+
 // The load on the top: the first stage that has one.
 export const kLoads = ["pier_load", "beam_load", "pressure"] as const;
 export interface Load {

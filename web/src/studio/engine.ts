@@ -24,6 +24,7 @@ export interface Answer {
   texts: Record<string, string>;
   bytes?: Record<string, Uint8Array>;
   tables: Record<string, Record<string, Float64Array>>;
+  address?: string; // of the page, where it has been opened
 }
 export function textIn(answer: Answer, name: string): string {
   const bytes = answer.bytes?.[name];
@@ -49,6 +50,8 @@ export interface Engine {
   rest(): void; // nothing is asked for a while
 }
 export const kStopped = 3;
+const kNoMemory = 5; // a worker gives none back
+const kDefect = 6; // of the engine itself
 
 interface Message extends Partial<Answer> {
   ready?: boolean;
@@ -66,10 +69,10 @@ export class WorkerEngine implements Engine {
     const id = ++this.count;
     const answer = new Promise<Answer>((done) => (this.waiting = { id, done, progress }));
     try {
-      const worker = await (this.worker ??= started((m) => this.hear(m), (why) => this.end(6, why)));
+      const worker = await (this.worker ??= started((m) => this.hear(m), (why) => this.end(kDefect, why)));
       if (this.waiting?.id === id) worker.postMessage({ id, ...question });
     } catch (error) {
-      if (this.waiting?.id === id) this.end(6, error instanceof Error ? error.message : String(error));
+      if (this.waiting?.id === id) this.end(kDefect, error instanceof Error ? error.message : String(error));
     }
     return answer;
   }
@@ -98,27 +101,38 @@ export class WorkerEngine implements Engine {
     if (!waiting || m.id !== waiting.id) return;
     if (m.progress) return waiting.progress?.(m.progress);
     this.waiting = null;
-    waiting.done({ code: m.code ?? 6, texts: m.texts ?? {}, bytes: m.bytes ?? {}, tables: m.tables ?? {} });
+    if ((m.code ?? kDefect) >= kNoMemory) this.rest(); // it is spent: the next question has a worker of its own
+    waiting.done({ code: m.code ?? kDefect, texts: m.texts ?? {}, bytes: m.bytes ?? {}, tables: m.tables ?? {} });
   }
 }
 
-// Asks for the newest of many questions: one that is overtaken while the engine is busy is never asked.
+const kLeft = 1000; // for a question that is overtaken [ms]
+
+// Asks for the newest of many questions: one that is overtaken while the engine is busy is never asked, and the one under way is
+// ended where it takes long, as that of a wall of a million stones.
 export class Latest {
   private busy = false;
   private next: (() => void) | null = null;
-  constructor(private readonly engine: Engine) {}
+  private timer = 0;
+  constructor(
+    private readonly engine: Engine,
+    private readonly left = kLeft,
+  ) {}
   ask(question: Question, done: (a: Answer) => void): void {
     const go = async (): Promise<void> => {
       this.busy = true;
       const answer = await this.engine.ask(question);
       this.busy = false;
+      window.clearTimeout(this.timer);
+      this.timer = 0;
       const next = this.next;
       this.next = null;
       if (next) next();
       else done(answer);
     };
-    if (this.busy) this.next = go;
-    else void go();
+    if (!this.busy) return void go();
+    this.next = go;
+    this.timer ||= window.setTimeout(() => this.engine.stop(), this.left);
   }
 }
 

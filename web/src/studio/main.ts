@@ -43,7 +43,8 @@ const remember = (key: string, value: string): void => {
   }
 };
 
-const language = [remembered("language"), navigator.language.slice(0, 2)].find((code) => kLanguages.some(([known]) => known === code)) ?? "en";
+const asked = new URLSearchParams(location.search).get("language"); // by a page that may remember nothing
+const language = [remembered("language"), asked, navigator.language.slice(0, 2)].find((code) => kLanguages.some(([known]) => known === code)) ?? "en";
 speak(language);
 document.documentElement.lang = language;
 document.title = say("studio.title");
@@ -111,10 +112,7 @@ starters.addEventListener("change", () => {
   starters.value = "";
 });
 const languages = h("select", { class: "language", "aria-label": say("studio.language") }, ...kLanguages.map(([code, name]) => h("option", { value: code, selected: code === language }, name)));
-languages.addEventListener("change", () => {
-  remember("language", languages.value);
-  location.reload(); // the wall is kept
-});
+languages.addEventListener("change", () => void speakAnother());
 const input = h("input", { type: "file", accept: ".toml,text/plain", hidden: true, "aria-label": say("studio.do.open"), tabindex: "-1" });
 input.addEventListener("change", () => {
   if (input.files?.[0]) void openFile(input.files[0]);
@@ -137,12 +135,13 @@ function check(): void {
   }
   const text = project.text;
   limit.ask(text);
-  checker.ask({ task: "check", texts: { model: text, language }, want: ["check", "svg"] }, async (answer) => {
+  checker.ask({ task: "check", texts: { model: text, language }, want: ["check", "svg", "model"] }, async (answer) => {
     const isNewest = (): boolean => text === project.text;
     const c = answer.code === 0 ? JSON.parse(answer.texts.check) : null;
     const drawn = c && isNewest() ? await readPicture(answer.texts.svg ?? "", c.length_m, isNewest) : null;
     if (!isNewest()) return;
     delete document.documentElement.dataset.checking;
+    panel.took(c ? (answer.texts.model ?? "") : "");
     if (c) {
       status.textContent = say("studio.counts", { blocks: whole(c.blocks), weight: qty(c.weight_kN, "kN"), seconds: c.expected_seconds < 120 ? qty(c.expected_seconds, "s", 2) : qty(c.expected_seconds / 60, "min", 2) });
       showNotes(c.notes ?? []);
@@ -150,6 +149,7 @@ function check(): void {
       stones = drawn;
       if (!canvas.readOnly) canvas.setPicture(stones);
       showFaults([]);
+      push.ready();
     } else if (answer.code === 2) {
       status.textContent = say("studio.notbuilt");
       showFaults(faultsOf(answer));
@@ -167,6 +167,7 @@ function showFaults(found: Fault[]): void {
   faults = found;
   list.show(found);
   file.mark(found);
+  panel.lacks(found);
   canvas.faulty = new Map(found.filter((f) => openingOf(f) >= 0).map((f) => [openingOf(f), saidOf(f.problem)]));
   canvas.faultyParts = new Map(found.map((f) => [f.path.split(".").slice(0, 2).join(" "), saidOf(f.problem)]));
   canvas.root.classList.toggle("outdated", found.length > 0);
@@ -203,10 +204,26 @@ project.listen((why) => {
 
 // What a page opens with is kept elsewhere, or stands in its address, until it is edited.
 let starting = true;
+let isKept = true;
 function edited(): void {
   store.forgetLink();
-  if (!store.keep(project.text)) tell(say("studio.notkept"));
+  const wasKept = isKept;
+  isKept = store.keep(project.text);
+  if (wasKept && !isKept) tell(say("studio.notkept"));
 }
+// The page is loaded anew. A wall that the browser does not keep goes along in the address.
+async function speakAnother(): Promise<void> {
+  remember("language", languages.value);
+  if (isKept) return location.reload();
+  const link = await store.linkTo(project.text);
+  isKept = true; // from here on
+  location.replace(link.replace(/(\?[^#]*)?#/, `?language=${languages.value}#`));
+}
+// Before the page goes, what was typed last counts. A wall that is kept nowhere is asked about.
+window.addEventListener("beforeunload", (e) => {
+  (document.activeElement as HTMLElement | null)?.blur();
+  if (!isKept) e.preventDefault();
+});
 function showCracks(picture: Picture | null): void {
   canvas.readOnly = picture !== null;
   canvas.showOpenings = picture === null;
@@ -392,7 +409,8 @@ document.addEventListener("keydown", (e) => {
   const onButton = target.matches("button, summary, [type=range], [type=checkbox]") && (e.key === "Enter" || e.key === " " || e.key.startsWith("Arrow"));
   if (onButton && !e.ctrlKey) return;
   if (inField && e.key === "Escape") return canvas.root.focus();
-  if (commands.key(e, inField && !(e.ctrlKey || e.metaKey) ? true : inField)) e.preventDefault();
+  const isUntouched = (e.ctrlKey || e.metaKey) && target instanceof HTMLInputElement && target.dataset.shown === target.value; // Ctrl+Z is of the wall
+  if (commands.key(e, inField && !isUntouched)) e.preventDefault();
 });
 document.addEventListener("dragover", (e) => e.preventDefault());
 document.addEventListener("drop", (e) => {
@@ -443,7 +461,7 @@ async function start(): Promise<void> {
   const kept = store.kept();
   let text = kept ?? store.given;
   let told = kept === null ? "" : say("studio.restored");
-  let last = kept ?? store.keptPlain(); // what an undo brings back
+  let last = store.keptByAnother() ?? kept ?? store.keptPlain(); // what an undo brings back
   let linked = false; // another's wall: the photo stays hidden
   if (store.hasLink())
     try {

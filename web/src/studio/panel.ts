@@ -3,11 +3,12 @@ import { h, svg, type Child } from "../dom";
 import { num, say } from "../texts";
 import { headOf, kHeads, riseOf, setHead, setRise, type Head } from "./arches";
 import { isDoor, loadOf, pushOf, setDirection, setLength, setOpening, setWallSize, type Box, type Selected } from "./drawing";
-import { kMaterials } from "./materials";
+import { lackingOf, masonryGroup, masonryShape } from "./masonry";
 import { renameOpening } from "./frames";
 import { frameFields, partGroup, partShape } from "./part_panel";
+import { originsIn, showOrigins } from "./origins";
 import { removePart } from "./parts";
-import type { Project } from "./project";
+import type { Fault, Project } from "./project";
 import { countAt, find, quoted, removeAt, setValue, valueAt, type Doc, type Path } from "./toml";
 import { lengthOf, readQuantity, typedLength, typedQuantity, writeQuantity } from "./units";
 import type { Varied } from "./varied";
@@ -27,6 +28,8 @@ export class Panel {
   private fields: Field[] = [];
   private shape = ""; // of what is shown: another one is built anew
   private last = ""; // label of the number that was used last
+  private lacking = new Set<string>(); // keys that the engine asks for
+  private readonly origins = h("details", { class: "origins wide", hidden: true });
 
   constructor(
     readonly project: Project,
@@ -45,12 +48,20 @@ export class Panel {
     return button !== undefined;
   }
 
+  // The model with every value that the engine took; "" where it took none.
+  took(model: string): void {
+    showOrigins(this.origins, originsIn(model));
+  }
+  lacks(found: Fault[]): void {
+    this.lacking = lackingOf(found);
+    this.refresh();
+  }
   refresh(): void {
     const { project } = this;
     const doc = project.doc;
     const load = doc && loadOf(doc);
     const push = doc && pushOf(doc);
-    const shape = [project.drawing?.openings.length ?? -1, project.selection?.kind, project.selection?.k, partShape(project), project.drawing?.openings[project.selected]?.arch?.kind, load?.key, load?.path[1], push?.stage, push?.until !== null, project.drawing?.storeys.length, find(doc ?? { text: "", root: { kind: "table", inline: false, from: 0, to: 0, keys: new Map() }, sections: [] }, ["masonry"]) !== undefined].join();
+    const shape = [project.drawing?.openings.length ?? -1, project.selection?.kind, project.selection?.k, partShape(project), project.drawing?.openings[project.selected]?.arch?.kind, load?.key, load?.path[1], push?.stage, push?.until !== null, project.drawing?.storeys.length, masonryShape(doc, this.lacking)].join();
     if (shape !== this.shape) {
       this.shape = shape;
       this.build();
@@ -66,7 +77,9 @@ export class Panel {
     if (!project.drawing) return this.root.replaceChildren();
     const k = project.selected;
     const part = project.selection && project.selection.kind !== "opening" ? [partGroup(this, project.selection)] : [];
-    this.root.replaceChildren(...(k >= 0 ? [this.openingGroup(k)] : part), this.wallGroup(), this.masonryGroup(), this.loadGroup());
+    const had = this.root.contains(document.activeElement) ? document.activeElement?.getAttribute("aria-label") : null;
+    this.root.replaceChildren(...(k >= 0 ? [this.openingGroup(k)] : part), this.wallGroup(), masonryGroup(this, this.lacking, this.origins), this.loadGroup());
+    if (had) this.root.querySelector<HTMLElement>(`[aria-label="${CSS.escape(had)}"]`)?.focus(); // the field of that name, if there is one still
   }
   group(title: string, ...fields: Child[]): HTMLElement {
     return h("section", { class: "group" }, h("h2", {}, title), h("div", { class: "fields" }, fields));
@@ -108,15 +121,6 @@ export class Panel {
       this.choice(say("studio.bond"), kBonds.map((b) => [b, say(`studio.bond.${b}`)]), () => String(valueAt(project.doc!, ["wall", "bond"]) ?? "running"), (b) => setValue(project.text, ["wall", "bond"], quoted(b))),
       own(say("studio.unit.length"), ["wall", "unit", "length"]),
       own(say("studio.unit.height"), ["wall", "unit", "height"]),
-    );
-  }
-  private masonryGroup(): HTMLElement {
-    const { project } = this;
-    if (find(project.doc!, ["masonry"]) === undefined)
-      return this.group(say("studio.masonry"), h("p", { class: "hint" }, say("studio.masonry.numbers")));
-    return this.group(
-      say("studio.masonry"),
-      this.choice(say("studio.material"), kMaterials.map((m) => [m, say(`studio.material.${m}`)]), () => String(valueAt(project.doc!, ["masonry", "use"]) ?? ""), (m) => setValue(project.text, ["masonry", "use"], quoted(m)), true),
     );
   }
   private loadGroup(): HTMLElement {

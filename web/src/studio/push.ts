@@ -6,7 +6,7 @@ import { languageNow, num, phrase, qty, say } from "../texts";
 import { Beside } from "./beside";
 import { Compare, type Pushed } from "./compare";
 import { Curve } from "./curve";
-import { pushOf, setLength } from "./drawing";
+import { pushOf, setLength, slower } from "./drawing";
 import type { Answer, Engine, Progress } from "./engine";
 import { hasEngine, kStopped, pieceOf, textIn } from "./engine";
 import { Family } from "./family";
@@ -24,6 +24,7 @@ interface StoredState {
 const kStates = 16; // pictures along the push, besides those that the file asks for
 const kMostStates = 60; // pictures that are asked for; the answer has those that there are
 const kFrames = 40; // of the report's film
+const kRest = 1500; // without an edit, before a push begins by itself [ms]
 
 export class Push {
   readonly root: HTMLElement;
@@ -39,6 +40,8 @@ export class Push {
   private reading = false;
   private next: (() => string) | null = null; // the newest picture that waits
   private ofText = ""; // the text that was pushed
+  private itself = false; // a push begins by itself
+  private rest = 0; // its timer
   readonly family: Family;
   private readonly beside: Beside;
   private readonly compare = new Compare();
@@ -55,8 +58,10 @@ export class Push {
   private readonly watchButton = this.action("watch", () => this.watch(!this.watching));
   private readonly otherButton = this.action("other", () => (this.beside.running === "other" ? this.beside.stop() : void this.beside.pushOtherWay()));
   private readonly fartherButton = this.action("farther", () => this.pushFarther());
+  private readonly slowerButton = this.action("slower", () => this.pushAnew(slower(this.project.text)));
   private readonly wallsButton = this.action("walls", () => (this.beside.running === "walls" ? this.beside.stop() : void this.beside.pushWalls()));
   private readonly keepButton = this.action("keep", () => this.keep());
+  private readonly itselfButton = this.action("itself", () => this.pushItself(!this.itself));
 
   constructor(
     private readonly project: Project,
@@ -88,8 +93,21 @@ export class Push {
   private say(...what: Node[]): void {
     this.words.replaceChildren(...what);
   }
+  // The engine takes the wall as it is: it is pushed by itself, beside the drawing, if that was asked for and nothing changes for a while.
+  ready(): void {
+    window.clearTimeout(this.rest);
+    if (!this.itself || this.running || (this.pushed && !this.isStale)) return;
+    this.rest = window.setTimeout(() => void this.start(false), kRest);
+  }
+  private pushItself(on: boolean): void {
+    this.itself = on;
+    this.ready();
+    this.refresh();
+  }
   // The wall was edited: what is shown belongs to the one before.
   edited(): void {
+    window.clearTimeout(this.rest);
+    if (this.itself && this.running && this.isStale) this.stop();
     this.family.edited();
     if (this.ofText === "") return this.refresh();
     const stale = this.isStale;
@@ -118,15 +136,17 @@ export class Push {
     this.pauseButton.textContent = say(this.paused ? "studio.button.goon" : "studio.button.pause");
     this.watchButton.setAttribute("aria-pressed", String(this.watching));
     this.watchButton.disabled = this.isStale;
-    this.otherButton.hidden = this.wallsButton.hidden = this.fartherButton.hidden = !shown;
+    this.otherButton.hidden = this.wallsButton.hidden = this.fartherButton.hidden = this.slowerButton.hidden = !shown;
     this.otherButton.textContent = say(beside.running === "other" ? "studio.button.stop" : "studio.button.other");
     this.otherButton.disabled = beside.running === "walls" || family.running || !fresh || !beside.canTurn;
     this.wallsButton.textContent = say(beside.running === "walls" ? "studio.button.stop" : "studio.button.walls");
     this.wallsButton.disabled = beside.running === "other" || family.running || !fresh;
     this.fartherButton.disabled = !fresh || !(this.until() > 0) || !this.project.drawable;
+    this.slowerButton.disabled = !fresh || !this.project.drawable || slower(this.project.text) === null;
     this.keepButton.hidden = !shown && this.compare.kept === null;
     this.keepButton.textContent = say(this.compare.kept ? "studio.button.unkeep" : "studio.button.keep");
     this.keepButton.setAttribute("aria-pressed", String(this.compare.kept !== null));
+    this.itselfButton.setAttribute("aria-pressed", String(this.itself));
     curve.name = say("studio.now");
     curve.lines = [...(this.compare.kept === this.pushed ? [] : this.compare.line()), ...(beside.other ? [beside.other] : []), ...family.lines];
     curve.walls = beside.walls;
@@ -137,12 +157,15 @@ export class Push {
     this.compare.show(this.running ? null : this.pushed);
   }
 
-  async start(): Promise<void> {
+  // `watch`: the drawing shows the wall as it is pushed.
+  async start(watch = true): Promise<void> {
     if (this.running) return;
+    window.clearTimeout(this.rest);
     const { project, curve } = this;
     const text = (this.ofText = project.text);
     this.length = project.drawing?.length ?? 1;
-    this.running = this.watching = true;
+    this.running = true;
+    this.watching = watch;
     this.paused = false;
     this.states = [];
     this.answer = this.pushed = null;
@@ -167,7 +190,7 @@ export class Push {
     this.running = this.watching = this.paused = false;
     this.root.classList.remove("held");
     this.bar.hidden = true;
-    if (answer.code === 0) this.done(answer, name);
+    if (answer.code === 0) this.done(answer, name, watched);
     else {
       if (watched) this.leave();
       if (answer.code === kStopped) this.say(h("p", {}, say("studio.stopped")));
@@ -208,13 +231,16 @@ export class Push {
     if (!on) this.hide();
     this.refresh();
   }
-  // To twice the displacement: an edit of the file as any other, and a push.
   private pushFarther(): void {
     const push = this.project.doc && pushOf(this.project.doc);
     const until = lengthOf(push?.until);
-    if (!push || !until || this.running) return;
+    if (push && until) this.pushAnew(setLength(this.project.text, ["stage", push.stage, "until"], 2 * until));
+  }
+  // An edit of the file as any other, and a push.
+  private pushAnew(text: string | null): void {
+    if (text === null || this.running) return;
     this.project.endStep();
-    this.project.change(setLength(this.project.text, ["stage", push.stage, "until"], 2 * until));
+    this.project.change(text);
     void this.start();
   }
   private keep(): void {
@@ -244,7 +270,7 @@ export class Push {
     return [`output.states=[${all.join(", ")}]`];
   }
 
-  private done(answer: Answer, name: string): void {
+  private done(answer: Answer, name: string, watched: boolean): void {
     const summary = JSON.parse(answer.texts.summary ?? "{}");
     const { curve } = this;
     if (answer.tables.curve) curve.points = pointsOf(answer);
@@ -270,7 +296,9 @@ export class Push {
     this.slider.max = String(this.states.length - 1);
     this.states_row.hidden = this.states.length === 0;
     const end = this.states.length - 1;
-    if (end >= 0 && !this.isStale) this.showState(end);
+    this.slider.value = String(end);
+    this.at.textContent = "";
+    if (end >= 0 && watched && !this.isStale) this.showState(end); // else somebody draws
   }
 
   // The picture under way is finished before the newest one: who goes along the states sees them pass.
@@ -337,9 +365,9 @@ export class Push {
     const { answer } = this;
     if (!answer || !hasPage(answer)) return;
     const page = (answer.bytes?.page as Uint8Array<ArrayBuffer> | undefined) ?? answer.texts.page;
-    const url = URL.createObjectURL(new Blob([page], { type: "text/html" }));
-    window.open(url, "_blank", "noopener");
-    setTimeout(() => URL.revokeObjectURL(url), 60_000);
+    // it stays as long as this page, so that the report can be loaded again and saved
+    answer.address ??= URL.createObjectURL(new Blob([page], { type: "text/html" }));
+    window.open(answer.address, "_blank", "noopener");
   }
 }
 

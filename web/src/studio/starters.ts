@@ -1,6 +1,7 @@
 // Walls to begin with: the program's own examples, and an empty one.
 import arch from "../../../examples/arch/model.toml?raw";
 import facade from "../../../examples/brick_facade/model.toml?raw";
+import palazzina from "../../../examples/palazzina/model.toml?raw";
 import pier from "../../../examples/brick_pier/model.toml?raw";
 import portal from "../../../examples/brick_portal/model.toml?raw";
 import frame from "../../../examples/opening/after.toml?raw";
@@ -56,6 +57,7 @@ export const kStarters: [name: string, text: string][] = [
   ["pier", pier],
   ["tuff", tuff],
   ["facade", facade],
+  ["palazzina", palazzina],
   ["arch", arch],
   ["tied", tied],
   ["ring", ring],

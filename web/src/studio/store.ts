@@ -4,11 +4,14 @@ import { fromLink, toLink } from "./packed";
 
 const kLongest = 1 << 20; // of a file that is opened [bytes]
 
+// The field of the text knows one kind of line end: with another it would differ from the file for ever.
+const plain = (text: string): string => text.replace(/\r\n?/g, "\n");
+
 // The model that `wythe studio MODEL.toml` put into this page, in hexadecimal digits; null where there is none.
 function modelOfPage(): string | null {
   const digits = document.getElementById("wythe-model")?.textContent?.trim() ?? "";
   if (!/^([0-9a-f]{2})+$/.test(digits)) return null;
-  return new TextDecoder().decode(Uint8Array.from(digits.match(/../g)!, (pair) => parseInt(pair, 16)));
+  return plain(new TextDecoder().decode(Uint8Array.from(digits.match(/../g)!, (pair) => parseInt(pair, 16))));
 }
 // 64 bits of a text, so that pages of different models have different places.
 function hashOf(text: string): string {
@@ -26,25 +29,33 @@ const kPlain = "wythe.studio.text";
 export const given = modelOfPage();
 const kHere = given === null ? kPlain : `${kPlain}.${hashOf(given)}`;
 
-const read = (key: string): string | null => {
+const read = (from: () => Storage, key: string): string | null => {
   try {
-    return localStorage.getItem(key);
+    return from().getItem(key);
   } catch {
     return null;
   }
 };
-// false: the browser keeps nothing (no room, or not allowed).
-export function keep(text: string): boolean {
+// All tabs of a page share the browser's storage, and the last edit of any stands there. A tab's own comes back when it is loaded again.
+const all = (): Storage => localStorage,
+  own = (): Storage => sessionStorage;
+function keepIn(to: () => Storage, text: string): boolean {
   try {
-    if (text === given) localStorage.removeItem(kHere); // the page itself has it
-    else localStorage.setItem(kHere, text);
+    if (text === given) to().removeItem(kHere); // the page itself has it
+    else to().setItem(kHere, text);
     return true;
   } catch {
     return false;
   }
 }
-export const kept = (): string | null => read(kHere);
-export const keptPlain = (): string | null => read(kPlain);
+// false: the browser keeps nothing (no room, or not allowed).
+export function keep(text: string): boolean {
+  keepIn(own, text);
+  return keepIn(all, text);
+}
+export const kept = (): string | null => read(own, kHere) ?? read(all, kHere);
+export const keptByAnother = (): string | null => read(all, kHere);
+export const keptPlain = (): string | null => read(all, kPlain);
 
 const kMark = "#w=";
 export const hasLink = (): boolean => location.hash.startsWith(kMark);
@@ -66,5 +77,5 @@ export const fileName = (title: string): string =>
 // A text of a file; throws where it is none or too long.
 export async function readFile(file: File): Promise<string> {
   if (file.size > kLongest) throw new Error("too long");
-  return new TextDecoder("utf-8", { fatal: true }).decode(await file.arrayBuffer());
+  return plain(new TextDecoder("utf-8", { fatal: true }).decode(await file.arrayBuffer()));
 }

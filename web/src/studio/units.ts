@@ -1,8 +1,9 @@
 // Quantities as a model file writes them ("5.10 m"), and lengths as people type them ("1,25", "80 cm").
 
-// How much of the base unit one of these is. Bases: m, m^2, N, Pa, N/m, kg/m, kg/m^2, kg/m^3.
+// How much of the base unit one of these is. Bases: m, m/s, m^2, N, Pa, N/m, kg/m, kg/m^2, kg/m^3.
 const kFactors: Record<string, [base: string, factor: number]> = {
   m: ["m", 1], dm: ["m", 0.1], cm: ["m", 0.01], mm: ["m", 0.001], ft: ["m", 0.3048], in: ["m", 0.0254],
+  "m/s": ["m/s", 1], "cm/s": ["m/s", 0.01], "mm/s": ["m/s", 0.001],
   N: ["N", 1], kN: ["N", 1e3], MN: ["N", 1e6],
   Pa: ["Pa", 1], kPa: ["Pa", 1e3], MPa: ["Pa", 1e6], GPa: ["Pa", 1e9],
   "N/mm^2": ["Pa", 1e6], "N/mm2": ["Pa", 1e6], "N/m^2": ["Pa", 1], "kN/m^2": ["Pa", 1e3],
