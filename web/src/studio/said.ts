@@ -15,7 +15,7 @@ const kPlaces: Record<string, string> = {
   c: `${kToken}(?:[ ,]+${kToken})*`,
   l: "(?:#|\\[|[\"'\\w.-]+ *=)(?:(?!, (?:or|if|say|one|on|in|its) | (?:or|and|beside|to|where) |; ).)*",
   w: "[\\w.<>*-]+",
-  k: "[\\w.<>\\[\\]*, +-]+",
+  k: "[\\w.<>\\[\\]*/, +-]+",
   s: "\\S{1,3}",
   p: ".+",
 };
