@@ -160,6 +160,7 @@ test("faults of drawn walls and edited files, and their cures, are said in each 
   assert.equal(inWords("opening 1 (w) overlaps opening 0 (door)", "de"), "Öffnung 1 (w) überschneidet Öffnung 0 (door)");
   assert.equal(inWords('add cohesion = "0.15 MPa" (0 for a dry joint), compressive_strength = "3.96 MPa" or "unlimited"; or ask for rules, missing = "rule"; or take typical values, use = "NAME" (wythe materials)', "de"),
     'cohesion = "0.15 MPa" (0 für eine trockene Fuge), compressive_strength = "3.96 MPa" oder "unlimited" hinzufügen; oder Regeln verlangen, missing = "rule"; oder typische Werte nehmen, use = "NAME"');
+  assert.equal(inWords("= a table", "de"), "= eine Tabelle"); // a value
   assert.equal(inWords("opening 1 (w) is what nobody has written down", "de"), null); // an opening's name says no more than that
   assert.equal(inWords("what nobody has written down", "de"), null);
 });
