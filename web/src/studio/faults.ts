@@ -2,7 +2,7 @@
 import { h } from "../dom";
 import { say } from "../texts";
 import type { Fault, Project } from "./project";
-import { said } from "./said";
+import { inWords, said } from "./said";
 import { find, quoted, setValue, type Doc, type Path } from "./toml";
 
 export function pathOf(text: string): Path {
@@ -47,7 +47,8 @@ export class FaultList {
   private item(fault: Fault): HTMLElement {
     const { project } = this;
     const edits = editsOf(fault, project.broken ? null : project.doc);
-    const what = [fault.path, fault.value !== "" && `= ${fault.value}`].filter(Boolean).join(" ");
+    const value = `= ${fault.value}`; // the table has those that the engine says in words
+    const what = [fault.path, fault.value !== "" && (inWords(value) ?? value)].filter(Boolean).join(" ");
     return h(
       "li", {},
       h("button", { class: "fault", type: "button", onclick: () => this.go(fault) },

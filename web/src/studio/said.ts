@@ -1,18 +1,23 @@
 // What the engine says of a faulty file, in the page's language. The engine has its faults in English; fault_words.json has the same
-// sentences in all languages, with places for what differs: {1} anything, {o1} an opening, {c1} text of a file, {k1} names,
-// {s1} a sign. What is not in the table stays English and is marked so.
+// sentences in all languages, with places for what differs: {1} anything, {o1} an opening, {n1} its number, {c1} text of a file, {l1} a line of it,
+// {w1} a name, {k1} names, {s1} a sign, {p1} parts that have rows of their own. What is not in the table stays English and is marked so.
 import { h, type Child } from "../dom";
 import { languageNow, say } from "../texts";
 import table from "./fault_words.json";
 
 const kLanguages = ["en", "it", "de", "fr", "es", "pt"]; // of the rows
-const kToken = '(?:"[^"]*"|\\[[^\\]]*\\]|\\{[^}]*\\}|[\\w.]+ =|[-+]?\\d[\\w.+-]*|true|false)';
+const kToken = '(?:"[^"]*"|\\[(?:[^\\[\\]]|\\[[^\\]]*\\])*\\]|\\{(?:[^{}]|\\{[^}]*\\})*\\}|[\\w.-]+ *=|[-+]?\\d[\\w.+-]*|true|false)';
+const kNumbered = "\\d+(?: \\((?:[^()]|\\([^()]*\\))*\\))?"; // an opening's number, and its name
 const kPlaces: Record<string, string> = {
   "": ".+?",
-  o: "opening \\d+(?: \\(.*?\\))?",
+  o: `opening ${kNumbered}`,
+  n: kNumbered,
   c: `${kToken}(?:[ ,]+${kToken})*`,
-  k: "[\\w.<>\\[\\]*, -]+",
+  l: "(?:#|\\[|[\"'\\w.-]+ *=)(?:(?!, (?:or|if|say|one|on|in|its) | (?:or|and|beside|to|where) |; ).)*",
+  w: "[\\w.<>*-]+",
+  k: "[\\w.<>\\[\\]*/, +-]+",
   s: "\\S{1,3}",
+  p: ".+",
 };
 interface Row {
   pattern: RegExp;
@@ -43,8 +48,9 @@ export function inWords(english: string, language = languageNow()): string | nul
     const found = pattern.exec(english);
     if (!found) continue;
     return words[at].replace(/\{(\d)\}/g, (_, place: string) => {
-      const k = places.indexOf(place);
-      return kinds[k] === "o" ? (inWords(found[k + 1], language) ?? found[k + 1]) : found[k + 1];
+      const k = places.indexOf(place),
+        inside = kinds[k] === "o" ? [found[k + 1]] : kinds[k] === "p" ? found[k + 1].split(", ") : [];
+      return inside.length > 0 ? inside.map((part) => inWords(part, language) ?? part).join(", ") : found[k + 1];
     });
   }
   return null;
