@@ -53,7 +53,9 @@ export class Panel {
     showOrigins(this.origins, originsIn(model));
   }
   lacks(found: Fault[]): void {
-    this.lacking = lackingOf(found);
+    const lacking = lackingOf(found);
+    if ([...lacking].join() === [...this.lacking].join()) return; // a refresh would take away what is typed and wrong
+    this.lacking = lacking;
     this.refresh();
   }
   refresh(): void {
