@@ -93,11 +93,13 @@ Slip foreign_mark(std::string_view line) {
                                      {"off", "false"}}) {
     const std::string_view word(theirs);
     const std::size_t at = bare.rfind(word);
-    const auto is_end = [&](std::size_t i) {
-      return i >= bare.size() || bare[i] == ' ' || bare[i] == '}' || bare[i] == ',';
-    };
-    if (equals == std::string::npos || at == std::string::npos || at < equals ||
-        !is_end(at + word.size()) || (bare[at - 1] != ' ' && bare[at - 1] != '='))
+    if (equals == std::string::npos || at == std::string::npos || at < equals) continue;
+    // the whole value, not one word of a text without quotes
+    const std::size_t before = bare.find_last_not_of(' ', at - 1);
+    const std::size_t after = bare.find_first_not_of(' ', at + word.size());
+    if (std::string_view("=[,").find(bare[before]) == std::string_view::npos ||
+        (after != std::string::npos &&
+         std::string_view("}],").find(bare[after]) == std::string_view::npos))
       continue;
     std::string cured(line);
     return {fmt::format("has {} where TOML has {}", theirs, ours),
