@@ -86,9 +86,8 @@ std::optional<Section> one_section(const std::string& profile, const SectionSpec
       profile.empty() ? stated_section(section, path_of(index, prefix + "section"), faults)
                       : profile_named(profile);
   if (!profile.empty() && !found)
-    add_fault(faults, key, "\"" + profile + "\"", "is no profile that is rolled",
-              name_advice(profile, profile_names()) + " Or write its numbers: " + prefix +
-                  "section = { ... }");
+    add_fault(faults, key, "\"" + profile + "\"", "is not in the table of profiles",
+              profile_advice(profile) + " Or write its numbers: " + prefix + "section = { ... }");
   if (!found) return found;
   found->width *= count;
   found->area *= count, found->shear_area *= count;

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "core/ascii.h"
 #include "core/elementary.h"
+#include "core/text.h"
 
 namespace wythe::geometry {
 namespace {
@@ -167,6 +169,17 @@ std::string key_of(const std::string& name) {
   return key;
 }
 
+// "HEB 600": ("HEB", 600); "SHS 100x5": ("SHS", 100).
+std::pair<std::string, int> series_and_size(const std::string& name) {
+  const std::string key = key_of(name);
+  std::size_t at = 0;
+  while (at < key.size() && !is_digit(key[at])) ++at;
+  int size = 0;
+  for (std::size_t i = at; i < key.size() && is_digit(key[i]) && size < 100000; ++i)
+    size = 10 * size + (key[i] - '0');
+  return {key.substr(0, at), size};
+}
+
 template <class Table>
 std::optional<Section> found_in(const Table& table, const std::string& key) {
   for (const auto& profile : table)
@@ -189,6 +202,18 @@ std::vector<std::string> profile_names() {
   for (const Channel& p : kChannels) names.emplace_back(p.name);
   for (const Tube& p : kTubes) names.emplace_back(p.name);
   return names;
+}
+
+std::string profile_advice(const std::string& name) {
+  const std::vector<std::string> names = profile_names();
+  const auto [series, size] = series_and_size(name);
+  std::vector<std::string> alike;
+  for (const std::string& other : names)
+    if (series_and_size(other).first == series) alike.push_back(other);
+  if (!alike.empty() &&
+      (size < series_and_size(alike.front()).second || size > series_and_size(alike.back()).second))
+    return "the table has " + alike.front() + " to " + alike.back() + ".";
+  return name_advice(name, names);
 }
 
 }  // namespace wythe::geometry

@@ -32,5 +32,7 @@ struct Section {
 [[nodiscard]] std::optional<Section> profile_named(const std::string& name);
 // Names as in the table.
 [[nodiscard]] std::vector<std::string> profile_names();
+// What to write for a profile that is not in the table: the sizes that its series has there, or the name that is meant.
+[[nodiscard]] std::string profile_advice(const std::string& name);
 
 }  // namespace wythe::geometry

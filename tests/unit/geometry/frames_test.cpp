@@ -345,7 +345,12 @@ name = "gravity"
 
 TEST(Frames, bad_input_is_named_located_and_cured) {
   expect_refused([](ModelSpec& s) { s.frame[0].profile = "HEB 210"; },
-                 {"frame.0.profile", "no profile that is rolled", "HEB 2"});
+                 {"frame.0.profile", "not in the table of profiles", "HEB 2"});
+  // rolled, but larger than what the table has: no smaller one is meant
+  expect_refused([](ModelSpec& s) { s.frame[0].profile = "HEB 600"; },
+                 {"frame.0.profile", "the table has HEB 100 to HEB 500. Or write its numbers"});
+  expect_refused([](ModelSpec& s) { s.frame[0].profile = "upn 20"; },
+                 {"frame.0.profile", "the table has UPN"});
   expect_refused([](ModelSpec& s) { s.frame[0].profile = ""; },
                  {"frame.0.profile", "missing", "HEB 200"});
   expect_refused([](ModelSpec& s) { s.frame[0].grade = "S236"; },
