@@ -463,6 +463,11 @@ class Verdict {
           parts, [](const LocalCheck& part) { return part.verdict == AssessmentVerdict::kFails; });
       if (!falls.empty())
         out_.cautions.push_back({"verdict.caution.part_found", {{"parts", std::move(falls)}}});
+      // Data left out must not give the better verdict.
+      std::vector<Message> names;
+      for (const Refusal& part : parts.refused) names.push_back(name_of(parts, part));
+      if (!names.empty())
+        out_.cautions.push_back({"verdict.caution.part_unchecked", {{"parts", std::move(names)}}});
       return;
     }
     std::vector<std::pair<Message, std::vector<Message>>> kinds;  // the first, and names of parts
