@@ -324,24 +324,28 @@ std::vector<DriftOfTests> tests_of(const Model& model) {
   return out;
 }
 
-// Warns if the control point lies below the roof: a failure above it would not be seen.
+// Warns if what the curve follows lies below the roof: a failure above it would not be seen. A push in a pattern
+// follows a mean of the blocks that it pushes, or its control point. Storeys state where the roof is. Levels of a
+// push do not: without storeys the roof is the top of the wall.
 void caution_of_control(const ModelSpec& spec, const Model& model, JudgedPush& push) {
   const Stage* stage = push_of(model);
   if (stage == nullptr || !(stage->load_height > 0)) return;
-  if (stage->control < 0 && stage->spec.pattern != Pattern::kNone) return;  // mean of all blocks
-  std::vector<double> levels = levels_of(spec, *stage);
-  if (levels.empty()) {
-    const double foot = foot_of(model);
+  const double foot = foot_of(model);
+  const auto top_of = [&](const std::vector<BlockId>& blocks) {
     double top = 0;
-    for (const BlockId b : moving_blocks(model))
-      top = std::fmax(top, extent_of(model, b).high - foot);
-    levels = {top};
-  }
-  const double roof = levels.back(), below = levels.size() > 1 ? levels[levels.size() - 2] : 0;
+    for (const BlockId b : blocks) top = std::fmax(top, extent_of(model, b).high - foot);
+    return top;
+  };
+  const std::vector<double> levels = levels_of(spec, *stage);
+  const double roof =
+      spec.storey.empty() || levels.empty() ? top_of(moving_blocks(model)) : levels.back();
+  const double below = levels.size() > 1 ? levels[levels.size() - 2] : 0;
+  const bool is_mean = stage->control < 0 && stage->spec.pattern != Pattern::kNone;
+  const double followed = is_mean ? top_of(stage->driven) : stage->load_height;
   constexpr double kHalf = 0.5;  // of the uppermost storey
-  if (stage->load_height >= roof - kHalf * (roof - below)) return;
-  push.cautions.push_back(
-      {"assessment.caution.control", {{"height_m", stage->load_height}, {"roof_m", roof}}});
+  if (followed >= roof - kHalf * (roof - below)) return;
+  push.cautions.push_back({is_mean ? "assessment.caution.levels" : "assessment.caution.control",
+                           {{"height_m", followed}, {"roof_m", roof}}});
 }
 
 // Keeps the piers of walls along the push. The drift of a pier is along its own wall, so others do not count.

@@ -639,6 +639,23 @@ TEST(Assessment, is_not_signed_where_the_control_point_lies_below_the_roof) {
   }
 }
 
+// Without storeys the wall's top is the roof: levels at its foot alone push a wall that seems ever stronger.
+TEST(Assessment, is_not_signed_where_the_highest_level_pushed_lies_far_below_the_top) {
+  for (const auto& [levels, below] : {std::pair{"\"0.2 m\"", true}, std::pair{"\"0.9 m\"", false},
+                                      std::pair{"\"0.2 m\", \"0.9 m\"", false}}) {
+    std::string text = wall_text(kAssessed);
+    const std::string at = "at = { x = \"0 m\", y = \"0.9 m\" }";
+    text.replace(text.find(at), at.size(),
+                 std::string("pattern = \"mass_height\"\nlevels = [") + levels + "]");
+    const ModelSpec spec = parse_model(text, "wall.toml");
+    const CodeAssessment a = assess_run(spec, compile(spec), {});
+    const bool found = std::any_of(a.cautions.begin(), a.cautions.end(), [](const Message& say) {
+      return say.code == "assessment.caution.levels";
+    });
+    EXPECT_EQ(found, below) << levels << ": " << text_of(a.sentence);
+  }
+}
+
 TEST(Assessment, of_a_wall_pushed_to_the_left_is_that_of_its_mirror_image) {
   const ModelSpec right = parse_model(wall_text(kAssessed), "wall.toml"),
                   left = parse_model(wall_text(kAssessed, "1 m", "-x"), "wall.toml");
