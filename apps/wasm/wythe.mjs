@@ -1,9 +1,10 @@
 #!/usr/bin/env node
-// wythe for Node on any system: run, check and limit with the engine as WebAssembly. Files and bits are those of the program.
+// wythe for Node on any system: run, check, limit and report with the engine as WebAssembly. Files and bits are those of the program.
 //
 //   wythe run MODEL.toml --out DIR [--set KEY=VALUE ...] [--lang LANGUAGE] [--replace] [--quiet]
 //   wythe check MODEL.toml [--set KEY=VALUE ...]
 //   wythe limit MODEL.toml --out DIR [--set KEY=VALUE ...] [--only NAME ...] [--assessment] [--lang LANGUAGE]
+//   wythe report DIR [--lang LANGUAGE]
 import path from "node:path";
 import { load } from "./index.mjs";
 
@@ -11,6 +12,7 @@ const HOST = "/host"; // where the engine sees the machine's files
 const USAGE = `usage: wythe run MODEL.toml --out DIR [--set KEY=VALUE ...] [--lang LANGUAGE] [--replace] [--quiet]
        wythe check MODEL.toml [--set KEY=VALUE ...]
        wythe limit MODEL.toml --out DIR [--set KEY=VALUE ...] [--only NAME ...] [--assessment] [--lang LANGUAGE]
+       wythe report DIR [--lang LANGUAGE]
        wythe --version
 
 Campaigns, comparisons and checkpoints need the program itself: see the site's page "Install".`;
@@ -21,15 +23,17 @@ const OPTIONS = {
   run: { values: ["out", "lang"], lists: ["set"], flags: ["replace", "quiet"] },
   check: { values: [], lists: ["set"], flags: [] },
   limit: { values: ["out", "lang"], lists: ["set", "only"], flags: ["replace", "assessment", "quiet"] },
+  report: { values: ["lang"], lists: [], flags: [] },
 };
 
 function parse(command, words) {
   const known = OPTIONS[command];
+  const given = command === "report" ? "folder" : "model";
   const options = { set: [], only: [] };
   for (let k = 0; k < words.length; ++k) {
     const [name, stated] = words[k].startsWith("--") ? words[k].slice(2).split(/=(.*)/s) : [undefined, undefined];
     if (name === undefined) {
-      if (options.model !== undefined) throw new Wrong(`${words[k]}: one model at a time`);
+      if (options.model !== undefined) throw new Wrong(`${words[k]}: one ${given} at a time`);
       options.model = words[k];
     } else if (known.flags.includes(name) && stated === undefined) {
       options[name] = true;
@@ -42,7 +46,7 @@ function parse(command, words) {
       throw new Wrong(`--${name}: is no option of wythe ${command}`);
     }
   }
-  if (options.model === undefined) throw new Wrong("MODEL.toml: is missing");
+  if (options.model === undefined) throw new Wrong(`${command === "report" ? "DIR" : "MODEL.toml"}: is missing`);
   if (known.values.includes("out") && !options.out) throw new Wrong("--out: is missing; write the folder for the results");
   return options;
 }
@@ -77,7 +81,8 @@ async function main(words) {
   const out = options.out && path.resolve(options.out);
   if (out && path.parse(out).root !== root) throw new Wrong(`--out: ${out} is on another drive than the model`);
   const wythe = await loaded(root);
-  const texts = { file: seenByEngine(file, root), set: options.set };
+  const seen = seenByEngine(file, root);
+  const texts = command === "report" ? { folder: seen } : { file: seen, set: options.set };
   if (options.lang) texts.language = options.lang;
   if (options.only.length > 0) texts.only = options.only;
   if (out) texts.out = seenByEngine(out, root);
@@ -90,7 +95,7 @@ async function main(words) {
     process.stderr.write(`\r${what} ${Math.round(100 * share)} %  ${mm.toFixed(2)} mm  ${kN.toFixed(1)} kN   `);
     return false;
   };
-  const want = { run: ["summary"], check: ["check"], limit: ["mechanisms"] }[command];
+  const want = { run: ["summary"], check: ["check"], limit: ["mechanisms"], report: [] }[command];
   const { code, texts: told } = wythe.do(command, { texts, numbers }, { texts: want }, progress);
   if (shown > 0) process.stderr.write("\r\u001b[K");
   if (told.error) console.error(told.error.replaceAll(`${HOST}/`, root));
@@ -101,6 +106,7 @@ async function main(words) {
     const peak = summary.peak_reaction_kN === null ? "no peak known" : `peak ${summary.peak_reaction_kN.toPrecision(4)} kN`;
     console.log(`${options.out}: ${peak}, state ${summary.state_hash}`);
   }
+  if (command === "report") console.log(`report ${path.join(options.model, "report.html")}`);
   if (options.out) console.log(`report: ${path.join(options.out, "report.html")}`);
   return 0;
 }

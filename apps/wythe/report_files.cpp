@@ -13,14 +13,7 @@
 #include "wythe/study.h"
 
 namespace wythe::app {
-namespace {
-
 namespace fs = std::filesystem;
-
-constexpr const char* kData = "/report.data";
-constexpr const char* kPage = "/report.html";
-
-}  // namespace
 
 int report(const ReportArguments& a) {
   check_language(a.language);
@@ -31,22 +24,8 @@ int report(const ReportArguments& a) {
           write_campaign_files(store, read_answers(store), a.language, hold_for_test));
     return compare({.folders = {a.folder}, .out = a.folder, .language = a.language});
   }
-  finish_replacement(a.folder);
-  if (!fs::exists(a.folder + kData))
-    throw InputError({{.file = a.folder,
-                       .path = "",
-                       .value = "",
-                       .problem = "holds neither a campaign (campaign.db) nor the data of a report "
-                                  "(report.data)",
-                       .cure = "name a folder that run, campaign, replay or limit wrote"}});
-  std::string page;
-  try {
-    page = report_page(read_data(a.folder + kData), a.language);
-  } catch (const IoError& error) {
-    throw IoError(a.folder + kData + ": " + error.what());
-  }
-  write_text(a.folder + kPage, page);
-  fmt::print("report {}{}\n", readable(a.folder), kPage);
+  rewrite_page(a.folder, a.language);
+  fmt::print("report {}/report.html\n", readable(a.folder));
   return 0;
 }
 

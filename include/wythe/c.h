@@ -48,7 +48,7 @@ enum wythe_code {
 
 typedef struct wythe_job wythe_job;
 
-/* Makes a job for a task: "run", "check", "limit", "contact", "batch", "campaign", "results", "replay", "keys".
+/* Makes a job for a task: "run", "check", "limit", "contact", "report", "batch", "campaign", "results", "replay", "keys".
  * NULL where memory is exhausted. wythe_do refuses an unknown task. */
 WYTHE_API wythe_job* wythe_new(const char* task);
 WYTHE_API void wythe_free(wythe_job* job);

@@ -46,6 +46,26 @@ void write_page(const std::string& folder, const std::string& name, const std::s
   write_text(folder + "/" + name + ".html", report_page(data, language));
 }
 
+void rewrite_page(const std::string& folder, const std::string& language) {
+  check_language(language);
+  finish_replacement(folder);
+  const std::string data = folder + "/report.data";
+  if (!std::filesystem::exists(data))
+    throw InputError({{.file = folder,
+                       .path = "",
+                       .value = "",
+                       .problem = "holds neither a campaign (campaign.db) nor the data of a report "
+                                  "(report.data)",
+                       .cure = "name a folder that run, campaign, replay or limit wrote"}});
+  std::string page;
+  try {
+    page = report_page(read_data(data), language);
+  } catch (const IoError& error) {
+    throw IoError(data + ": " + error.what());
+  }
+  write_text(folder + "/report.html", page);
+}
+
 void write_run_report(const std::string& folder, const ModelSpec& spec, const Model& model,
                       const Result& result, const std::string& language) {
   write_page(folder, "report", run_data(spec, model, result), language);

@@ -262,6 +262,16 @@ bool do_contact(Job& job) {
   return false;
 }
 
+bool do_report(Job& job) {
+  job.in.check("report", {"folder", "language"}, {}, false);
+  const std::string folder = job.in.one("folder");
+  if (folder.empty())
+    throw InputError(
+        {{.path = "folder", .problem = "is missing", .cure = "name a folder of results"}});
+  rewrite_page(folder, job.in.one("language", "en"));
+  return false;
+}
+
 bool do_keys(Job& job) {
   job.in.check("keys", {}, {}, false);
   job.out.put("keys", keys_json());
@@ -271,11 +281,8 @@ bool do_keys(Job& job) {
 }  // namespace
 
 const Tasks& run_tasks() {
-  static const Tasks kTasks = {{"run", do_run},
-                               {"check", do_check},
-                               {"limit", do_limit},
-                               {"contact", do_contact},
-                               {"keys", do_keys}};
+  static const Tasks kTasks = {{"run", do_run},         {"check", do_check},   {"limit", do_limit},
+                               {"contact", do_contact}, {"report", do_report}, {"keys", do_keys}};
   return kTasks;
 }
 

@@ -91,6 +91,24 @@ test("results of another model are refused, and a run leaves none of the run bef
   assert.deepEqual(fs.readdirSync(path.dirname(out)), ["run"]);
 });
 
+test("a page is written again in another language, as the native program writes it", { skip }, () => {
+  const out = path.join(inFolder("engine_report"), "run");
+  assert.equal(command("run", path.join(root, "examples/brick_pier/model.toml"), "--out", out, "--quiet", "--set", "stage.push.until=0.02 mm").status, 0);
+  const page = path.join(out, "report.html");
+  const english = fs.readFileSync(page, "utf8");
+  const told = command("report", out, "--lang", "it");
+  assert.equal(told.status, 0, told.stderr);
+  assert.ok(told.stdout.includes(page), told.stdout);
+  const italian = fs.readFileSync(page, "utf8");
+  assert.notEqual(italian, english);
+  run("report", out, "--lang", "it");
+  assert.equal(fs.readFileSync(page, "utf8"), italian);
+  const nothing = command("report", path.dirname(out));
+  assert.equal(nothing.status, 2);
+  assert.match(nothing.stderr, /holds neither a campaign/);
+  assert.match(command("report", out, "--lang", "xx").stderr, /is no language of the report/);
+});
+
 test("what the command cannot do it says", { skip }, () => {
   const nothing = command();
   assert.equal(nothing.status, 2);

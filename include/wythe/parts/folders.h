@@ -31,6 +31,8 @@ void check_language(const std::string& language, const std::string& option = "--
 // Writes NAME.html and NAME.data, from which the page can be made again.
 void write_page(const std::string& folder, const std::string& name, const std::string& data,
                 const std::string& language);
+// Writes report.html of a folder again from its report.data. InputError: there is none.
+void rewrite_page(const std::string& folder, const std::string& language);
 // Writes report.html and report.data of a run, beside the files of write_run (io.h).
 void write_run_report(const std::string& folder, const ModelSpec& spec, const Model& model,
                       const Result& result, const std::string& language);
