@@ -17,6 +17,7 @@ const kEnglishAlone = {
   "the load can grow without end: no mechanism exists, {1} carries any force": "1",
   "give each {1} a name of its own": "1",
   "write larger units or a smaller wall, or state what may be used: {1}": "1",
+  "openings or teeth {w1} a strip of masonry too thin to lay at {2}": "1",
   "can't read {1}: {2}": "2",
   "= {1} (derived by {w2} from {3})": "3",
   "= {1} (typical of {w2} {3})": "3",
@@ -123,6 +124,12 @@ const kFaulty = {
     ...["3 Pa", "log(ft)", "ft + 1", "(ft"].map((formula) => ["\n[output]", `\n[field.ft]\npath = "material.joint.tensile_strength"\ncov = 0.3\nby = "joint"\n[field.c]\npath = "material.joint.cohesion"\nformula = "${formula}"\n[output]`]),
     // slips of TOML
     ...['height = "2.92 m" // of it', "a = { x = 1,", "[wall,unit]", "height = True", "; height", 'height of = "3 m"', "height = .5", "height = \u201c2.92 m\u201d", "height = 2,92", "height = 3 m", "height = [1, 2", 'height = "a'].map((line) => ['height = "2.92 m"', line]),
+    ["\n[masonry]", '\n[[ring_beam]]\ny = "2 m"\nheight = "73 mm"\nmaterial = "timber"\n[masonry]'], ["\n[masonry]", '\n[[region]]\njoint = "joint"\n[masonry]'],
+    ["\n[masonry]", '\n[[region]]\npolygon = [["0 m", "0 m"], ["1 m", "0 m"], ["2 m", "0 m"]]\njoint = "joint"\n[masonry]'], ["\n[masonry]", '\n[[wall.foundation]]\nx = "0 m"\ny = "0 m"\n[[wall.foundation]]\nx = "1.5 m"\ny = "4 m"\n[masonry]'],
+    ["\n[masonry]", '\n[[floor]]\ny = "2.92 m"\nload = "3 kN/m"\njoists = ["0.3 m", "0.3 m"]\n[masonry]'], ["\n[masonry]", '\n[[diaphragm]]\nkind = "rigid"\ny = "2.6 m"\nx = ["0.2 m"]\n[masonry]'], ["\n[masonry]", '\n[[spring]]\nat = { x = "0.1 m", y = "2.6 m" }\ndirection = "+z"\nstiffness = "20 kN/mm"\n[masonry]'],
+    ["\n[masonry]", '\n[[layer]]\nsides = 2\nx = "9 m"\nwidth = "1 m"\nfibres = { vertical = "46 mm^2/m", youngs_modulus = "72 GPa" }\nbond = { energy = "400 N/m", slip = "0.2 mm" }\n[masonry]'], ["\n[masonry]", '\n[field.f]\npath = "material.timber_face.normal_stiffness"\ndistribution = "normal"\ncov = 3\nalong = "1 m"\nacross = "1 m"\n[masonry]'],
+    ['until = "20 mm"', 'amplitudes = ["4 mm", "2 mm"]\ncycles = 2'], ['until = "20 mm"', 'until = "20 mm"\ncontraflexure = 0.5'], ['until = "20 mm"', 'until = "20 mm"\n[solve]\nground = "0 m"'], ["\n[output]", '\n[[stage]]\nname = "q"\nrecord = { accelerations = [0, 1, 0], times = [0, 1], unit = "g", direction = "+x" }\n[output]'],
+    ['bond = "timber_face"', 'model = "zones"\nzones = 60\nzone_length = "200 mm"'], ['compressive_strength = "unlimited"', 'compressive_strength = "unlimited"\ncompression_cap = 9'], ['until = "20 mm"', 'until = "1900 mm"\n[output]\nwindow = "0.001 mm"\n[more]'],
   ],
   "brick_facade/model.toml": [
     ['height = "3.40 m"', 'height = "2 m"'], ['name = "first floor"', 'name = "ground floor"'], ['storey = "ground floor"', 'storey = "cellar"'], ['storey = "ground floor"            #', 'y = "1 m" #'], ['load = "12 kN/m"', 'load = "12 kN/m^2"'],
@@ -133,7 +140,16 @@ const kFaulty = {
     ['round = "shop"', 'round = "door"'], ['feet = "fixed"', 'feet = "free"'], ['profile = "HEB 120"', 'profile = "HEB 121"'], ['profile = "HEB 120"', 'profile = "HEB 500"'], ['grade = "S275"', 'grade = "S999"'], ['joint = "steel_contact"', 'joint = "j"'],
     ['grade = "S275"', 'grade = "S275"\ngap = "80 mm"'], ['grade = "S275"', 'grade = "S275"\ngap = "8 mm"\nanchors = { spacing = "400 mm", depth = "150 mm", tension = "12 kN", shear = "15 kN" }'],
     ['grade = "S275"', 'grade = "S275"\nanchors = { spacing = "400 mm", depth = "2 m", tension = "12 kN", shear = "15 kN" }'], ['cut = "works"', 'cut = "work"'],
+    ['at = { x = "0 m", y = "2.7 m" }', 'at = { x = "0 m", y = "2.7 m", z = "1 m" }\nalong = [1, 0, 1]'], ['feet = "fixed"', 'feet = "fixed"\nwall = "front"'], ['feet = "fixed"', 'feet = "fixed"\nsection = { height = "120 mm" }'],
   ],
+  "palazzina/model.toml": [['corner_period = "0.32 s"', 'corner_period = "9 s"'], ['amplification = 2.45 ', "amplification = 0.5 "]],
+  "corner/model.toml": [
+    ['["1.125 m", "0 m"]]', '["1.2 m", "0 m"]]'], ['["0 m", "1.125 m"]]', '["0.5 m", "1.125 m"]]'], ['[["0 m", "0 m"], ["0 m", "1.125 m"]]', '[["0 m", "0.05 m"], ["0 m", "1.125 m"]]'], ['name = "side"', 'name = "side"\nbase = "0.3 m"'], ['name = "side"', 'name = "a.b"'], ['name = "side"', 'name = "side"\nthrough_courses = 3'],
+    ["[material.joint]", '[[plan_wall]]\nname = "up"\nline = [["0.2 m", "0 m"], ["0.8 m", "0 m"]]\nbase = "1.5 m"\n[material.joint]'], ['direction = "-z"', 'direction = "-y"'], ["[solve]", '[[stage]]\nname = "press"\npressure = "1 MPa"\nface = "up"\n[solve]'], ["[material.joint]", '[wall.beam]\nheight = "0.2 m"\ndensity = "2400 kg/m^3"\n[material.joint]'],
+    ["[material.joint]", '[[floor]]\nfrom = { x = "0 m", y = "0.93 m", z = "0 m" }\nto = { x = "1 m", y = "0.93 m", z = "0 m" }\nload = "12 kN/m"\n[material.joint]'], ["[material.joint]", '[[frame]]\nname = "F"\nwall = "front"\nline = [["0.1 m", "0.5 m"], ["0.8 m", "0.5 m"]]\nfeet = "fixed"\nprofile = "HEB 100"\ngrade = "S275"\njoint = "joint"\n[material.joint]'],
+  ],
+  "stone_house/model.toml": [['walls = ["front", "back"]', 'walls = ["front", "right"]'], ['walls = ["front", "back"]', 'walls = ["front", "bak"]'], ['level = "2.0 m"', 'level = "1.9 m"'], ['bearing = "125 mm"', 'bearing = "400 mm"'], ['x = "0.75 m"\ny = "0 m"\nwidth', 'x = "7.5 m"\ny = "0 m"\nwidth'], ['name = "back"', 'name = "back"\ngable = "1 m"\nmeets = "toothd"']],
+  "barrel_vault/model.toml": [['rise = "0.8 m"', 'rise = "8 m"'], ["[material.joint]", '[[arch]]\nname = "w"\nspan = "3 m"\nrise = "0.8 m"\ndepth = "300 mm"\nwidth = "1.8 m"\nvoussoirs = 13\nunits = 3\n[material.joint]'], ["[material.joint]", '[[arch]]\nname = "w"\nz = "9 m"\nspan = "3 m"\ndepth = "300 mm"\nwidth = "1.8 m"\nvoussoirs = 3\nspringers = false\n[material.joint]']],
 };
 
 test("faults of drawn walls and edited files, and their cures, are said in each language", async () => {
@@ -162,6 +178,8 @@ test("faults of drawn walls and edited files, and their cures, are said in each 
     'cohesion = "0.15 MPa" (0 für eine trockene Fuge), compressive_strength = "3.96 MPa" oder "unlimited" hinzufügen; oder Regeln verlangen, missing = "rule"; oder typische Werte nehmen, use = "NAME"');
   assert.equal(inWords("= a table", "de"), "= eine Tabelle"); // a value
   assert.equal(inWords("opening 1 (w) is what nobody has written down", "de"), null); // an opening's name says no more than that
+  assert.equal(inWords("the sill of opening 0 (a) reaches into ring beam 1", "it"), "il davanzale dell’apertura 0 (a) e il cordolo 1 si sovrappongono");
+  assert.equal(inWords("frame F1: is no corner of its own", "de"), null); // a part without a row
   assert.equal(inWords("what nobody has written down", "de"), null);
 });
 
@@ -208,6 +226,8 @@ test("why a limit load has no answer is said in each language", async () => {
     ["layer = a = b; c: detaches and breaks, and limit analysis knows no layers; leave it out", "layer = a = b; c", "detaches and breaks, and limit analysis knows no layers"],
     ["wall: its linear programme was not solved: round-off is larger than the answer; look for joints", "wall", "its linear programme was not solved: round-off is larger than the answer"],
     ["wall: its limit load is not known: the theorems give 1.25e+03 and 1e+04; look for joints or blocks", "wall", "its limit load is not known: the theorems give 1.25e+03 and 1e+04"],
+    ["wall.blocks.right.lintel0.zones: is a deformable block in space, and limit analysis in space knows rigid blocks alone; leave zones out", "wall.blocks.right.lintel0.zones", "is a deformable block in space, and limit analysis in space knows rigid blocks alone"],
+    ["stage: what grows moves a support, and a limit load needs a force; run it", "stage", "what grows moves a support, and a limit load needs a force"],
     ["stage = tilt: east: the wall's limit tilt could not be found; use a body force", "stage = tilt: east", "the wall's limit tilt could not be found"],
   ];
   for (const [words, place, why] of cases) {

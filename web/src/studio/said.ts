@@ -1,6 +1,7 @@
 // What the engine says of a faulty file, in the page's language. The engine has its faults in English; fault_words.json has the same
 // sentences in all languages, with places for what differs: {1} anything, {o1} an opening, {n1} its number, {c1} text of a file, {l1} a line of it,
-// {w1} a name, {k1} names, {s1} a sign, {p1} parts that have rows of their own. What is not in the table stays English and is marked so.
+// {w1} a name, {k1} names, {d1} a number, {s1} a sign, {p1} parts that may have rows of their own, {r1} one that has. What is not in the table
+// stays English and is marked so.
 import { h, type Child } from "../dom";
 import { languageNow, say } from "../texts";
 import table from "./fault_words.json";
@@ -16,8 +17,10 @@ const kPlaces: Record<string, string> = {
   l: "(?:#|\\[|[\"'\\w.-]+ *=)(?:(?!, (?:or|if|say|one|on|in|its) | (?:or|and|beside|to|where) |; ).)*",
   w: "[\\w.<>*-]+",
   k: "[\\w.<>\\[\\]*/, +-]+",
+  d: "[-+.\\de]+",
   s: "\\S{1,3}",
   p: ".+",
+  r: ".+?",
 };
 interface Row {
   pattern: RegExp;
@@ -38,8 +41,14 @@ let rows: Row[] | null = null;
 const all = (): Row[] =>
   (rows ??= [...table].sort((a, b) => b[0].replace(/\{\w+\}/g, "").length - a[0].replace(/\{\w+\}/g, "").length).map(rowOf));
 
-export const isKnown = (english: string): boolean => all().some(({ pattern }) => pattern.test(english));
+export const isKnown = (english: string): boolean => inWords(english, kLanguages[1]) !== null;
 
+function partInWords(kind: string, part: string, language: string): string | null {
+  if (kind === "r") return inWords(part, language);
+  if (kind === "o") return inWords(part, language) ?? part;
+  if (kind === "p") return part.split(", ").map((one) => inWords(one, language) ?? one).join(", ");
+  return part;
+}
 // null: it is not in the table.
 export function inWords(english: string, language = languageNow()): string | null {
   const at = kLanguages.indexOf(language);
@@ -47,11 +56,8 @@ export function inWords(english: string, language = languageNow()): string | nul
   for (const { pattern, kinds, places, words } of all()) {
     const found = pattern.exec(english);
     if (!found) continue;
-    return words[at].replace(/\{(\d)\}/g, (_, place: string) => {
-      const k = places.indexOf(place),
-        inside = kinds[k] === "o" ? [found[k + 1]] : kinds[k] === "p" ? found[k + 1].split(", ") : [];
-      return inside.length > 0 ? inside.map((part) => inWords(part, language) ?? part).join(", ") : found[k + 1];
-    });
+    const parts = kinds.map((kind, k) => partInWords(kind, found[k + 1], language));
+    if (!parts.includes(null)) return words[at].replace(/\{(\d)\}/g, (_, place: string) => parts[places.indexOf(place)]!);
   }
   return null;
 }
