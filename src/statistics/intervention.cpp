@@ -1,7 +1,8 @@
 // Before and after: compares each change of a model with the model before, for each way of pushing, and with limits.
 //
 // A change is the geometric mean of after / before over pairs of walls. It is within its limits
-// if its whole interval is. With bounds, lost pairs or too few pairs there is no answer.
+// if its whole interval is. With bounds, lost pairs or too few pairs there is no answer. A change after which a wall falls
+// before it resists is not within them.
 // Called by write_models (api); theory: docs/theory/statistics.md, "Before and after".
 #include <algorithm>
 #include <cmath>
@@ -13,6 +14,7 @@
 #include "judge/modes/mode_names.h"
 #include "statistics/intervals.h"
 #include "wythe/parts/comparison.h"
+#include "wythe/parts/result.h"
 
 namespace wythe {
 namespace {
@@ -90,6 +92,16 @@ CheckedChange check_of(const PairedComparison& all, const std::vector<std::size_
                                        [&](const auto& r) { return r.quantity == quantity; });
     const int lost = static_cast<int>(option.lost.size()) + option.not_run;
     Change change = change_of(*response, lost, out.least, out.most);
+    // The wall before answers and the changed one falls before it resists: a strength of nothing, not an unknown one.
+    const auto falls = std::count_if(option.lost.begin(), option.lost.end(), [](const LostPair& p) {
+      return p.base_answered && !p.option_answered &&
+             p.option_status == word_of(kSolveStatusWords, SolveStatus::kCollapsed);
+    });
+    if (falls > 0)
+      change.answer = ChangeAnswer::kNo,
+      change.why = {"compare.why_falls",
+                    {{"n", static_cast<int>(falls)},
+                     {"all", response->pairs + response->without_value + lost}}};
     change.push = option.push;
     out.way.push_back(std::move(change));
   }

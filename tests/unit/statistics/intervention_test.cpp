@@ -188,6 +188,25 @@ TEST(Intervention, a_model_against_itself_is_no_change) {
   EXPECT_EQ(text_of(found.sentence).find('+'), std::string::npos) << found.sentence;
 }
 
+// An opening is cut and the wall falls, before any push: its strength is nothing, and not unknown.
+TEST(Intervention, a_changed_wall_that_falls_does_not_keep_within_the_limits) {
+  for (const char* status : {"collapsed", "not_settled"}) {
+    ComparedModels models = models_of(1.2, 1.2);
+    SampleRecord& after = models.way[1].stores[1].campaign.records[3];
+    after.status = status, after.responses.peak_reaction = kUnset;
+    const bool falls = after.status == "collapsed";
+    const Intervention found = compare_models(models).intervention.at(0);
+    EXPECT_EQ(found.answer, falls ? ChangeAnswer::kNo : ChangeAnswer::kNotKnown) << status;
+    EXPECT_EQ(
+        text_of(found.sentence).find("in 1 of 6 pairs the changed wall falls") != std::string::npos,
+        falls)
+        << text_of(found.sentence);
+    // a wall that falls before and after the change shows nothing of the change
+    models.way[1].stores[0].campaign.records[3] = after;
+    EXPECT_EQ(compare_models(models).intervention.at(0).answer, ChangeAnswer::kNotKnown) << status;
+  }
+}
+
 TEST(Intervention, another_failure_is_told_with_its_counts) {
   const std::string said =
       text_of(compare_models(models_of(1.2, 1.2, "FM-4")).intervention.at(0).sentence);
