@@ -348,6 +348,20 @@ void caution_of_control(const ModelSpec& spec, const Model& model, JudgedPush& p
                            {{"height_m", followed}, {"roof_m", roof}}});
 }
 
+// Warns of a spectrum damped by more than the 5 % of the codes, which lowers the demand.
+void caution_of_damping(const AssessmentSpec& spec, JudgedPush& push) {
+  constexpr double kOfCodes = 0.05;  // of critical [-]
+  const SpectraSpec& states = spec.spectra;
+  double most = 0;
+  for (const SpectrumSpec* spectrum :
+       {&spec.spectrum, &states.operational, &states.damage_limitation, &states.life_safety,
+        &states.near_collapse})
+    if (spectrum->kind == SpectrumKind::kEn1998 || spectrum->kind == SpectrumKind::kNtc2018)
+      most = std::fmax(most, spectrum->damping);
+  if (most > kOfCodes * (1 + 1e-9))
+    push.cautions.push_back({"assessment.caution.spectrum_damping", {{"percent", 100 * most}}});
+}
+
 // Keeps the piers of walls along the push. The drift of a pier is along its own wall, so others do not count.
 void keep_piers_along(const Model& model, JudgedPush& push) {
   std::set<std::string> along;
@@ -397,6 +411,7 @@ CodeAssessment study::judged(const ModelSpec& spec, const Model& model, JudgedPu
   push.undivided = undivided_strengths(spec);
   push.knowledge_level = knowledge_level_of(spec);
   caution_of_control(spec, model, push);
+  caution_of_damping(spec.assessment, push);
   const bool in_space = dimension_of(model) == 3;
   push.drifts = wall.storeys;
   push.storeys_known = !wall.storeys.empty();

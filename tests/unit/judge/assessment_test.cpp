@@ -656,6 +656,18 @@ TEST(Assessment, is_not_signed_where_the_highest_level_pushed_lies_far_below_the
   }
 }
 
+TEST(Assessment, is_not_signed_where_the_spectrum_is_damped_by_more_than_the_codes_take) {
+  for (const double damping : {0.02, 0.05, 0.3}) {
+    ModelSpec spec = parse_model(wall_text(kAssessed), "wall.toml");
+    spec.assessment.spectrum.damping = damping;
+    const CodeAssessment a = assess_run(spec, compile(spec), {});
+    const bool found = std::any_of(a.cautions.begin(), a.cautions.end(), [](const Message& say) {
+      return say.code == "assessment.caution.spectrum_damping";
+    });
+    EXPECT_EQ(found, damping > 0.05) << damping << text_of(a.sentence);
+  }
+}
+
 TEST(Assessment, of_a_wall_pushed_to_the_left_is_that_of_its_mirror_image) {
   const ModelSpec right = parse_model(wall_text(kAssessed), "wall.toml"),
                   left = parse_model(wall_text(kAssessed, "1 m", "-x"), "wall.toml");
