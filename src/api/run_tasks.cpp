@@ -266,8 +266,11 @@ bool do_report(Job& job) {
   job.in.check("report", {"folder", "language"}, {}, false);
   const std::string folder = job.in.one("folder");
   if (folder.empty())
-    throw InputError(
-        {{.path = "folder", .problem = "is missing", .cure = "name a folder of results"}});
+    throw InputError({{.file = "",
+                       .path = "folder",
+                       .value = "",
+                       .problem = "is missing",
+                       .cure = "name the folder of results"}});
   rewrite_page(folder, job.in.one("language", "en"));
   return false;
 }
