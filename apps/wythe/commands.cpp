@@ -290,7 +290,7 @@ int run(const RunArguments& arguments) {
   State state = start.from.state;
   if (start.is_resumed && !arguments.quiet)
     fmt::print("goes on after {} steps, in stage \"{}\"\n", state.step,
-               model.stages[static_cast<std::size_t>(state.stage)].spec.name);
+               model.stages[state.stage].spec.name);
   const StopSignal stop;  // until the results are written
   SolveOptions options;
   options.threads = threads_of(arguments.threads);
@@ -362,8 +362,8 @@ int check(const CheckArguments& arguments) {
       model.anatomy.lost_joints, model.anatomy.masonry_blocks_before_lintels);
   print_storeys(spec);
   fmt::print("time step {:.3g} s (stiffest block {})   about {} steps, {} on one core{}\n",
-             e.time_step, model.anatomy.block_id[static_cast<std::size_t>(model.stiffest_block)],
-             e.steps, duration_text(e.seconds), bound_of(model, e));
+             e.time_step, model.anatomy.block_id[model.stiffest_block], e.steps,
+             duration_text(e.seconds), bound_of(model, e));
   print_stiff_planes(std::move(spec), e);
   return 0;
 }

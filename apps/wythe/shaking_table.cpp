@@ -68,7 +68,7 @@ double print_shakes_asked(const StudySpec& study, const SampleTable& samples,
   std::vector<Message> notes;
   const ShakeCount count = count_shakes(study);
   for (int s = 0; s < samples.n_sample(); ++s) {
-    double& one = seconds[static_cast<std::size_t>(case_of(study, s).record)];
+    double& one = seconds[case_of(study, s).record];
     if (one < 0) one = 0;
     if (one > 0) continue;
     try {
@@ -79,8 +79,7 @@ double print_shakes_asked(const StudySpec& study, const SampleTable& samples,
     }
   }
   print_notes(notes, true);
-  for (int s = 0; s < samples.n_sample(); ++s)
-    least += seconds[static_cast<std::size_t>(case_of(study, s).record)];
+  for (int s = 0; s < samples.n_sample(); ++s) least += seconds[case_of(study, s).record];
   const double each = least / std::max(1, samples.n_sample());
   least = each * count.least, most = each * count.most;
   fmt::print("{} records, {} of intensity, {} limit states\n", shaking.record.size(),

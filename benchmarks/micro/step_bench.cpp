@@ -56,7 +56,7 @@ void law_alone(benchmark::State& bench) {
       contact::History<double> h{s.kappa[p], s.crush[p],        s.plastic_slip[p],
                                  s.slip[p],  s.shear_damage[p], s.tension_set[p],
                                  0};
-      const auto& law = wall.law[static_cast<std::size_t>(wall.model.joint_material[p / per])];
+      const auto& law = wall.law[wall.model.joint_material[p / per]];
       const auto now =
           contact::update<contact::PaperVariant>(law, at[p].opening + swing, at[p].slip + swing, h);
       s.kappa[p] = h.kappa;
@@ -166,7 +166,7 @@ void engine_space(benchmark::State& bench, const SpaceWall& wall, int lanes,
   controls.damping = 0.8;
   controls.push = &wall.push();
   for (int lane = 0; lane < lanes; ++lane) {
-    processor.load_wall(lane, wall.model, states[static_cast<std::size_t>(lane)]);
+    processor.load_wall(lane, wall.model, states[lane]);
     processor.access(lane)->choose_driven(wall.push().driven);
     processor.set(lane, controls);
   }

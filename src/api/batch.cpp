@@ -132,7 +132,7 @@ std::vector<SampleRecord> run_batch(const BatchSpec& batch, const std::atomic<bo
                               const int sample = job.sample();
                               SampleRecord record = study::record_of(job.finish(), samples, sample);
                               const std::lock_guard lock(mutex);
-                              records[static_cast<std::size_t>(sample - 1)] = std::move(record);
+                              records[sample - 1] = std::move(record);
                               ++done;
                               if (progress) progress(done, total);
                             }});

@@ -115,9 +115,7 @@ const std::vector<double>* Answers::column(const std::string& name, const std::s
   const Table* found = table(name);
   if (found == nullptr) return nullptr;
   const auto at = std::find(found->column.begin(), found->column.end(), column);
-  return at == found->column.end()
-             ? nullptr
-             : &found->value[static_cast<std::size_t>(at - found->column.begin())];
+  return at == found->column.end() ? nullptr : &found->value[at - found->column.begin()];
 }
 
 std::string Answers::tables_json() {

@@ -66,7 +66,7 @@ void SpaceParts::add(const Polyhedron& part, const Vec3& centre, double inset) {
 void SpaceParts::add_shape(const std::vector<Vec>& vertex, const Polyhedron& part, double inset) {
   for (const std::vector<std::int32_t>& face : part.face) {
     std::vector<Vec> corners;
-    for (const std::int32_t v : face) corners.push_back(vertex[static_cast<std::size_t>(v)]);
+    for (const std::int32_t v : face) corners.push_back(vertex[v]);
     Vec area{0, 0, 0}, middle{0, 0, 0};
     for (std::size_t i = 0; i < corners.size(); ++i) {
       area = area + cross(corners[i] - corners[0], corners[(i + 1) % corners.size()] - corners[0]);
@@ -118,8 +118,7 @@ struct Cut {
   std::array<int, kMostCorners> side;
   int n = 0;
   void push(const Vec& c, int s) {
-    if (n < kMostCorners)
-      corner[static_cast<std::size_t>(n)] = c, side[static_cast<std::size_t>(n)] = s, ++n;
+    if (n < kMostCorners) corner[n] = c, side[n] = s, ++n;
   }
 };
 
@@ -160,8 +159,7 @@ struct Cover {
 void add_piece(const Cut& polygon, const Vec& normal, SpaceOverlap& sum, Cover& cover) {
   double squares = 0;
   for (int i = 1; i + 1 < polygon.n; ++i) {
-    const Vec &a = polygon.corner[0], &b = polygon.corner[static_cast<std::size_t>(i)],
-              &c = polygon.corner[static_cast<std::size_t>(i + 1)];
+    const Vec &a = polygon.corner[0], &b = polygon.corner[i], &c = polygon.corner[i + 1];
     // its normal points down: clockwise seen from above
     const double area = -0.5 * ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
     const double da = -a.z, db = -b.z, dc = -c.z, all = da + db + dc;
@@ -235,10 +233,8 @@ SpaceOverlap overlap_on(const SpacePart& ref, int number, const SpacePart& other
     const double before = sum.cover;
     add_piece(polygon, normal, sum, cover);
     for (int i = 0; i < polygon.n; ++i)
-      if (const int k = polygon.side[static_cast<std::size_t>(i)]; k >= 0)
-        add_side(polygon.corner[static_cast<std::size_t>(i)],
-                 polygon.corner[static_cast<std::size_t>(i + 1 == polygon.n ? 0 : i + 1)], side[k],
-                 sum);
+      if (const int k = polygon.side[i]; k >= 0)
+        add_side(polygon.corner[i], polygon.corner[i + 1 == polygon.n ? 0 : i + 1], side[k], sum);
     if (with_polygon && sum.cover - before > largest) {
       largest = sum.cover - before;
       sum.polygon.assign(polygon.corner.begin(), polygon.corner.begin() + polygon.n);

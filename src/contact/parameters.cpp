@@ -44,8 +44,7 @@ double Tangents::of(double angle) {
 }
 
 const LawConstants<double>& Laws::of(std::int32_t material) {
-  if (material != last_)
-    law_ = constants_of(materials_[static_cast<std::size_t>(material)], tangents_);
+  if (material != last_) law_ = constants_of(materials_[material], tangents_);
   last_ = material;
   return law_;
 }

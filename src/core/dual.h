@@ -15,7 +15,7 @@ struct Dual {
 
   Dual() = default;
   Dual(double v) : value(v) {}  // NOLINT: constants mix freely with duals
-  Dual(double v, int variable) : value(v) { partial[static_cast<std::size_t>(variable)] = 1.0; }
+  Dual(double v, int variable) : value(v) { partial[variable] = 1.0; }
 };
 
 namespace detail {

@@ -74,7 +74,7 @@ consteval Coefficients<kCount> inverse_factorials(int first, int step, double si
   double of_term = 1;
   for (int n = 1, k = 0; k < kCount; ++n) {
     if (n - 1 == first + k * step) {
-      c[static_cast<std::size_t>(k++)] = of_term * one;
+      c[k++] = of_term * one;
       of_term *= sign;
     }
     one = one / Twofold{double(n), 0};
@@ -87,7 +87,7 @@ consteval Coefficients<kCount> inverse_odds(double sign) {
   Coefficients<kCount> c{};
   double of_term = 1;
   for (int k = 0; k < kCount; ++k, of_term *= sign)
-    c[static_cast<std::size_t>(k)] = Twofold{of_term, 0} / Twofold{2.0 * k + 1, 0};
+    c[k] = Twofold{of_term, 0} / Twofold{2.0 * k + 1, 0};
   return c;
 }
 

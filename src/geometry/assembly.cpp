@@ -45,7 +45,7 @@ void add_segments(const std::vector<Rect>& segments, const std::string& id, Bloc
 
 void add_lintel_and_sill(const Shape& shape, const PlacedOpening& opening, const Storey& storey,
                          std::vector<Block>& blocks) {
-  const OpeningSpec& spec = shape.wall.opening[static_cast<std::size_t>(opening.index)];
+  const OpeningSpec& spec = shape.wall.opening[opening.index];
   const std::string number = std::to_string(opening.index);
   Block block;
   block.thickness = storey.thickness;
@@ -67,14 +67,14 @@ void add_ring_beam(const Shape& shape, const PlacedRingBeam& beam, int storey,
   block.storey = storey;
   block.ring_beam = beam.index;
   block.role = Role::kRingBeam;
-  block.material = shape.ring_beam[static_cast<std::size_t>(beam.index)].material;
+  block.material = shape.ring_beam[beam.index].material;
   add_segments(beam.segment, "ring" + std::to_string(beam.index), block, blocks);
 }
 
 void add_voussoirs(const Shape& shape, const PlacedOpening& opening,
                    const std::vector<Storey>& storeys, std::vector<Block>& blocks) {
-  const Storey& storey = storeys[static_cast<std::size_t>(opening.storey)];
-  const ArchSpec& arch = shape.wall.opening[static_cast<std::size_t>(opening.index)].arch;
+  const Storey& storey = storeys[opening.storey];
+  const ArchSpec& arch = shape.wall.opening[opening.index].arch;
   for (std::size_t k = 0; k < opening.arch.voussoirs(); ++k) {
     Block block;
     block.id = "arch" + std::to_string(opening.index) + "_" + std::to_string(k);
@@ -115,7 +115,7 @@ void note_wide_frames(const Shape& shape, Assembly& assembly) {
   for (const PlacedFrame& frame : assembly.frames) {
     double widest = 0;
     for (const Block& segment : frame.segments) widest = std::max(widest, segment.thickness);
-    const std::string& name = shape.frame[static_cast<std::size_t>(frame.index)].name;
+    const std::string& name = shape.frame[frame.index].name;
     if (widest > assembly.thickness * (1 + 1e-9))
       assembly.report.notes.push_back(
           {"frame.wide",
@@ -145,7 +145,7 @@ void add_cut_out(const PlacedOpening& opening, const std::vector<Storey>& storey
 }
 
 bool is_cut(const Shape& shape, const PlacedOpening& opening) {
-  return !shape.wall.opening[static_cast<std::size_t>(opening.index)].cut.empty();
+  return !shape.wall.opening[opening.index].cut.empty();
 }
 
 void lay_blocks(const Shape& shape, const Plan& plan, Assembly& assembly) {
@@ -168,11 +168,9 @@ void lay_blocks(const Shape& shape, const Plan& plan, Assembly& assembly) {
   if (holes.size() > bare) masonry = lay_masonry(storeys, holes);
   assembly.blocks = std::move(masonry.blocks);
   for (const PlacedOpening& opening : openings)
-    add_lintel_and_sill(shape, opening, storeys[static_cast<std::size_t>(opening.storey)],
-                        assembly.blocks);
+    add_lintel_and_sill(shape, opening, storeys[opening.storey], assembly.blocks);
   for (const PlacedRingBeam& beam : ring_beams)
-    add_ring_beam(shape, beam, storeys[static_cast<std::size_t>(beam.storey)].index,
-                  assembly.blocks);
+    add_ring_beam(shape, beam, storeys[beam.storey].index, assembly.blocks);
   for (const PlacedOpening& opening : openings) {
     if (opening.arch.empty()) continue;
     masonry.joined_pieces += cut_masonry(opening.arch, storeys, assembly.blocks);
@@ -455,8 +453,8 @@ void note_lost(const std::vector<LostContact>& lost, Assembly& assembly) {
     const bool apart = l.gap > 0;
     assembly.report.notes.push_back(
         {apart ? "joint.lost_apart" : "joint.lost_short",
-         {{"a", assembly.blocks[static_cast<std::size_t>(l.a)].id},
-          {"b", assembly.blocks[static_cast<std::size_t>(l.b)].id},
+         {{"a", assembly.blocks[l.a].id},
+          {"b", assembly.blocks[l.b].id},
           {apart ? "gap_mm" : "overlap_mm", 1e3 * (apart ? l.gap : l.overlap)}}});
   }
   if (lost.size() > 5) {
@@ -468,7 +466,7 @@ void note_foundation(const Shape& shape, Assembly& assembly) {
   if (shape.material.contains("foundation")) return;
   std::set<std::string> names;
   for (const Face& face : assembly.faces) {
-    const Block& block = assembly.blocks[static_cast<std::size_t>(face.b)];
+    const Block& block = assembly.blocks[face.b];
     if (face.kind == FaceKind::kFoundation && face.material == bed_material(shape, block))
       names.insert("[material." + face.material + "]");
   }
@@ -488,28 +486,27 @@ double density_of(const Shape& shape, const Block& block) {
   if (block.role == Role::kRingBeam) {
     // the weight is that of the stated section, though its courses may be higher or lower
     const Rect laid = bounds(block.outline);
-    return shape.material.at(block.material) *
-           shape.ring_beam[static_cast<std::size_t>(block.ring_beam)].height / (laid.y1 - laid.y0);
+    return shape.material.at(block.material) * shape.ring_beam[block.ring_beam].height /
+           (laid.y1 - laid.y0);
   }
   if (!std::isnan(block.own_density)) return block.own_density;
   if (is_chain(block)) return shape.material.at(block.material);
   if (is_voussoir(block) && block.material != "masonry") return shape.material.at(block.material);
   if (block.region >= 0) {
-    const double own = shape.region[static_cast<std::size_t>(block.region)].density;
+    const double own = shape.region[block.region].density;
     if (!std::isnan(own)) return own;
   }
   if (uses_blocks_file(shape)) return density_in_file(shape, block.material);
   if (block.storey >= 0) {
-    const double own = shape.storey[static_cast<std::size_t>(block.storey)].unit.density;
+    const double own = shape.storey[block.storey].unit.density;
     if (!std::isnan(own)) return own;
   }
   return shape.wall.unit.density;
 }
 
 double Assembly::thickness_of(const Face& face) const {
-  const double above = blocks[static_cast<std::size_t>(face.b)].thickness;
-  return face.a == kGround ? above
-                           : std::min(above, blocks[static_cast<std::size_t>(face.a)].thickness);
+  const double above = blocks[face.b].thickness;
+  return face.a == kGround ? above : std::min(above, blocks[face.a].thickness);
 }
 
 namespace {
@@ -517,7 +514,7 @@ namespace {
 // Masonry that a stage cuts out never stands together with lintel, sill and frame of its opening.
 void part_cut_out(const std::vector<Block>& blocks, ContactSearch& search) {
   const auto part = [&](const auto& contact) {
-    const auto side = [&](int i) -> const Block& { return blocks[static_cast<std::size_t>(i)]; };
+    const auto side = [&](int i) -> const Block& { return blocks[i]; };
     const auto takes_place = [](const Block& b, const Block& of) {
       return of.cut_from >= 0 &&
              (b.role == Role::kFrame || (is_chain(b) && b.opening == of.cut_from));

@@ -193,7 +193,7 @@ Message described(const Model& given) {
   for (const Stage& stage : model.stages) {
     for (const PointLoad& p : stage.loads) {
       down -= p.fy;
-      at -= p.fy * (model.centroid_x[static_cast<std::size_t>(p.block)] + p.arm_x);
+      at -= p.fy * (model.centroid_x[p.block] + p.arm_x);
     }
   }
   std::vector<Message> parts = {{"wall.blocks",

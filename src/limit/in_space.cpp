@@ -110,8 +110,7 @@ class StaticProgramme {
     for (int j = 0; j < m_.n_joint; ++j) {
       const JointYield& y = y_.joint[j];
       if (!slides(y) || !resists(y)) continue;
-      for (int p = m_.space.point_begin[j];
-           p < m_.space.point_begin[static_cast<std::size_t>(j) + 1]; ++p)
+      for (int p = m_.space.point_begin[j]; p < m_.space.point_begin[j + 1]; ++p)
         lp_.add_circle({{{{column(p), y.friction}}, {{column(p) + 1, 1}}, {{column(p) + 2, 1}}}},
                        capacity_of(m_, y, p, 0) / u_.force);
     }
@@ -166,7 +165,7 @@ class StaticProgramme {
     m.load = -lp_.dual_objective() * (loads_.is_force ? u_.force : 1.0);
     const double scale = loads_.is_force ? 1.0 : 1.0 / u_.force;
     const auto velocity = [&](std::size_t block, std::size_t axis) {
-      return lp_.multipliers()[static_cast<std::size_t>(balance_row_[6 * block + axis])];
+      return lp_.multipliers()[balance_row_[6 * block + axis]];
     };
     m.dissipation = m.load;
     for (std::size_t i = 0; i < loads_.dead.size(); ++i) {
@@ -184,8 +183,7 @@ class StaticProgramme {
     int joint = -1;
     double most = 0;
     for (int j = 0; j < m_.n_joint; ++j)
-      for (int p = m_.space.point_begin[j];
-           p < m_.space.point_begin[static_cast<std::size_t>(j) + 1]; ++p)
+      for (int p = m_.space.point_begin[j]; p < m_.space.point_begin[j + 1]; ++p)
         for (int c = 0; c < 3; ++c)
           if (const std::size_t k = static_cast<std::size_t>(column(p) + c);
               k < ray.size() && std::fabs(ray[k]) > most) {
@@ -213,8 +211,7 @@ class StaticProgramme {
 
   void add_joint(int j) {
     const JointYield& y = y_.joint[j];
-    for (int p = m_.space.point_begin[j]; p < m_.space.point_begin[static_cast<std::size_t>(j) + 1];
-         ++p) {
+    for (int p = m_.space.point_begin[j]; p < m_.space.point_begin[j + 1]; ++p) {
       const double share = m_.space.point_share[p] / u_.force;
       const Place place = place_of(m_, j, p);
       const Vec3 ways[] = {place.n, place.t1, place.t2};
@@ -290,8 +287,7 @@ double friction_excess(const Model& m, const Units& units, const SpaceStaticSolu
   for (int j = 0; j < m.n_joint; ++j) {
     const JointYield& y = yield.joint[j];
     if (!slides(y)) continue;
-    for (int p = m.space.point_begin[j]; p < m.space.point_begin[static_cast<std::size_t>(j) + 1];
-         ++p) {
+    for (int p = m.space.point_begin[j]; p < m.space.point_begin[j + 1]; ++p) {
       const double s = elementary::hypot(answer.shear_1[p], answer.shear_2[p]);
       const double radius = capacity_of(m, y, p, answer.compression[p]);
       if (s - radius > kNothing * units.force)
@@ -313,9 +309,7 @@ class SpaceProgramme {
       for (const double part : parts(f.force, f.moment, u_.length))
         lp_.add_column(-kFree, kFree, -part / u_.force);
     for (int j = 0; j < m_.n_joint; ++j)
-      for (int p = m_.space.point_begin[j];
-           p < m_.space.point_begin[static_cast<std::size_t>(j) + 1]; ++p)
-        add_point(j, p);
+      for (int p = m_.space.point_begin[j]; p < m_.space.point_begin[j + 1]; ++p) add_point(j, p);
     for (std::size_t k = 0; k < y_.link.size(); ++k) add_link(k);
     add_unit_power();
   }
@@ -450,8 +444,8 @@ SpaceLoads space_loads(const Model& model, double secant, bool loads_are_masses)
   if (loads.is_force && !grows.driven.empty() && grows.driven.front() >= model.n_block)
     refuse("what grows moves a support, and a limit load needs a force",
            "run it, or add a push on blocks or a body_force stage");
-  loads.dead.resize(static_cast<std::size_t>(model.n_block));
-  loads.growing.resize(static_cast<std::size_t>(model.n_block));
+  loads.dead.resize(model.n_block);
+  loads.growing.resize(model.n_block);
   const Vec3 gravity = space_gravity_before(model, loads.stage);
   for (std::size_t i = 0; i < loads.dead.size(); ++i)
     loads.dead[i].force = model.gravity_mass[i] * gravity;

@@ -41,16 +41,15 @@ struct Unsure : std::exception {};
 
 std::string name_of(const Model& model, BlockId block) {
   if (block == kGroundBlock) return "the ground";
-  if (block >= model.n_block)
-    return model.space.body[static_cast<std::size_t>(block)].id;  // a support
-  return model.anatomy.block_id[static_cast<std::size_t>(block)];
+  if (block >= model.n_block) return model.space.body[block].id;  // a support
+  return model.anatomy.block_id[block];
 }
 
 std::string joint_text(const Model& model, int joint) {
   const auto j = static_cast<std::size_t>(joint);
   return fmt::format("the joint between {} and {} ({})", name_of(model, model.joint_a[j]),
                      name_of(model, model.joint_b[j]),
-                     model.material_names[static_cast<std::size_t>(model.joint_material[j])]);
+                     model.material_names[model.joint_material[j]]);
 }
 
 bool has_joint(const Model& model, BlockId block) {
@@ -177,7 +176,7 @@ struct SpaceProgrammes {
 std::string carrier_text(const Model& model, int carrier) {
   if (carrier < 0) return "its joints";
   if (carrier < model.n_joint) return joint_text(model, carrier);
-  return model.links.name[static_cast<std::size_t>(carrier - model.n_joint)];
+  return model.links.name[carrier - model.n_joint];
 }
 
 SpaceProgrammes solve_by_forces_in_space(const Model& model, const LimitOptions& options,

@@ -43,7 +43,7 @@ void add_dead_loads(const Model& model, double secant, LimitLoads& loads) {
   for (const Stage& stage : model.stages) {
     if (&stage == loads.stage) break;
     for (const PointLoad& p : stage.loads) {
-      BlockForce& f = loads.dead[static_cast<std::size_t>(p.block)];
+      BlockForce& f = loads.dead[p.block];
       f.fx += secant * p.fx;
       f.fy += secant * p.fy;
       f.moment += secant * (p.arm_x * p.fy - p.arm_y * p.fx);
@@ -73,7 +73,7 @@ void push_loads(const Model& model, LimitLoads& loads) {
     for (const PointLoad& p : stage.loads) {
       if (!(p.fy < 0)) continue;  // an uplift is no mass
       const double fx = -p.fy * loads.stage->drive_x, fy = -p.fy * loads.stage->drive_y;
-      BlockForce& f = loads.growing[static_cast<std::size_t>(p.block)];
+      BlockForce& f = loads.growing[p.block];
       f.fx += fx, f.fy += fy;
       f.moment += p.arm_x * fy - p.arm_y * fx;
     }
@@ -100,15 +100,15 @@ void add_block(const Solids& solids, const SolidBody& body, Model& model) {
   model.anatomy.block_id.push_back(body.id);
   model.anatomy.block_role.push_back(body.role);
   model.anatomy.block_course.push_back(-1);
-  const auto shape = solids.zone_shape[static_cast<std::size_t>(body.first_zone)];
-  model.anatomy.block_thickness.push_back(solids.shapes[static_cast<std::size_t>(shape)].thickness);
+  const auto shape = solids.zone_shape[body.first_zone];
+  model.anatomy.block_thickness.push_back(solids.shapes[shape].thickness);
   const Vec2 centroid = geometry::moments(outline).centroid;
   model.centroid_x.push_back(centroid.x);
   model.centroid_y.push_back(centroid.y);
   double mass = 0, heavy = 0;
   for (int k = 0; k < body.n_node; ++k) {
-    mass += solids.node_mass[static_cast<std::size_t>(body.first_node + k)];
-    heavy += solids.node_gravity_mass[static_cast<std::size_t>(body.first_node + k)];
+    mass += solids.node_mass[body.first_node + k];
+    heavy += solids.node_gravity_mass[body.first_node + k];
   }
   model.mass.push_back(mass);
   model.gravity_mass.push_back(heavy);
@@ -145,8 +145,7 @@ void list_joints_of_blocks(Model& model) {
   for (int side = 0; side < 2; ++side) {
     const std::vector<BlockId>& blocks = side == 0 ? model.joint_a : model.joint_b;
     for (int j = 0; j < model.n_joint; ++j)
-      if (const BlockId b = blocks[static_cast<std::size_t>(j)]; b != kGroundBlock)
-        of[static_cast<std::size_t>(b)].push_back(2 * j + side);
+      if (const BlockId b = blocks[j]; b != kGroundBlock) of[b].push_back(2 * j + side);
   }
   model.block_begin.assign(1, 0);
   model.block_entry.clear();
@@ -305,7 +304,7 @@ double expected_seconds(const Model& model) {
 
 bool has_bond(const Model& model) {
   const auto bonds = [&](std::int32_t material) {
-    const JointMaterial& m = model.materials[static_cast<std::size_t>(material)];
+    const JointMaterial& m = model.materials[material];
     return m.tensile_strength > 0 && std::isfinite(m.tensile_strength);
   };
   const auto& contacts = model.solids.contact_material;

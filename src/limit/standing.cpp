@@ -18,7 +18,7 @@ std::vector<int> numbered(int count, const Stays& stays) {
   std::vector<int> number(static_cast<std::size_t>(count), -1);
   int next = 0;
   for (int i = 0; i < count; ++i)
-    if (stays(i)) number[static_cast<std::size_t>(i)] = next++;
+    if (stays(i)) number[i] = next++;
   return number;
 }
 
@@ -42,7 +42,7 @@ void spread(std::vector<double>& list, const std::vector<int>& number) {
   if (list.empty()) return;
   std::vector<double> all(number.size(), 0.0);
   for (std::size_t i = 0; i < number.size(); ++i)
-    if (number[i] >= 0) all[i] = list[static_cast<std::size_t>(number[i])];
+    if (number[i] >= 0) all[i] = list[number[i]];
   list = std::move(all);
 }
 
@@ -52,8 +52,8 @@ void keep_outlines(const std::vector<int>& block, Anatomy& a) {
   for (std::size_t i = 0; i < block.size(); ++i) {
     if (block[i] < 0) continue;
     for (int k = a.outline_begin[i]; k < a.outline_begin[i + 1]; ++k) {
-      x.push_back(a.outline_x[static_cast<std::size_t>(k)]);
-      y.push_back(a.outline_y[static_cast<std::size_t>(k)]);
+      x.push_back(a.outline_x[k]);
+      y.push_back(a.outline_y[k]);
     }
     begin.push_back(static_cast<int>(x.size()));
   }
@@ -82,8 +82,7 @@ StandingWall::StandingWall(const Model& whole) : model(whole) {
     const PointRange range = points_of(whole, j);
     for (PointId p = range.begin; p < range.end; ++p) stays_.push_back(joint_[j] >= 0);
   }
-  point_ = numbered(static_cast<int>(stays_.size()),
-                    [&](int p) { return stays_[static_cast<std::size_t>(p)]; });
+  point_ = numbered(static_cast<int>(stays_.size()), [&](int p) { return stays_[p]; });
   take_out();
 }
 
@@ -121,8 +120,7 @@ void StandingWall::take_out() {
 
   // supports, and the ground of zones, have numbers after the blocks
   const auto renumber = [&](BlockId& id) {
-    if (id >= 0)
-      id = id < blocks ? block_[static_cast<std::size_t>(id)] : id - blocks + model.n_block;
+    if (id >= 0) id = id < blocks ? block_[id] : id - blocks + model.n_block;
   };
   for (std::vector<BlockId>* ids : {&model.joint_a, &model.joint_b, &model.links.a, &model.links.b,
                                     &model.solids.contact_block, &model.space.solids.contact_block})
@@ -134,9 +132,7 @@ void StandingWall::take_out() {
     keep(model.space.face, joint_);
   }
   for (Stage& stage : model.stages) {
-    const auto is_gone = [&](BlockId id) {
-      return id >= 0 && id < blocks && block_[static_cast<std::size_t>(id)] < 0;
-    };
+    const auto is_gone = [&](BlockId id) { return id >= 0 && id < blocks && block_[id] < 0; };
     for (std::vector<PointLoad>* loads : {&stage.loads, &stage.carried}) {
       std::erase_if(*loads, [&](const PointLoad& load) { return is_gone(load.block); });
       for (PointLoad& load : *loads) renumber(load.block);
@@ -151,8 +147,8 @@ void StandingWall::list_joints() {
   std::vector<std::vector<std::int32_t>> of(static_cast<std::size_t>(model.n_block));
   for (const int side : {0, 1})
     for (int j = 0; j < model.n_joint; ++j) {
-      const BlockId id = (side == 0 ? model.joint_a : model.joint_b)[static_cast<std::size_t>(j)];
-      if (id >= 0 && id < model.n_block) of[static_cast<std::size_t>(id)].push_back(2 * j + side);
+      const BlockId id = (side == 0 ? model.joint_a : model.joint_b)[j];
+      if (id >= 0 && id < model.n_block) of[id].push_back(2 * j + side);
     }
   model.block_begin.assign(1, 0);
   model.block_entry.clear();

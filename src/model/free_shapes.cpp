@@ -49,8 +49,7 @@ class Shapes {
 
 Polygon outline_of(const std::vector<double>& x, const std::vector<double>& y, int from, int to) {
   Polygon outline;
-  for (int i = from; i < to; ++i)
-    outline.push_back({x[static_cast<std::size_t>(i)], y[static_cast<std::size_t>(i)]});
+  for (int i = from; i < to; ++i) outline.push_back({x[i], y[i]});
   return outline;
 }
 
@@ -102,7 +101,7 @@ void choose_materials(Model& m) {
   f.material.assign(f.thickness.size(), -1);
   for (std::size_t j = 0; j < m.joint_a.size(); ++j) {
     if (m.anatomy.joint_kind[j] == JointKind::kLintelChain) continue;
-    common[static_cast<std::size_t>(m.joint_material[j])] += m.area[j];
+    common[m.joint_material[j]] += m.area[j];
     for (const BlockId side : {m.joint_a[j], m.joint_b[j]}) {
       if (side == kGroundBlock) continue;  // supports in space have numbers
       const auto i = static_cast<std::size_t>(side);
@@ -164,12 +163,12 @@ void compile_free(const ModelSpec& spec, const geometry::Assembly& assembly, Mod
 
 std::int32_t support_of(const Model& m, JointId joint) {
   const FreeShapes& f = m.free;
-  const auto at = [](std::int64_t i) { return static_cast<std::size_t>(i); };
-  const auto j = at(joint), b = at(m.joint_b[j]);
+  const auto j = static_cast<std::size_t>(joint), b = static_cast<std::size_t>(m.joint_b[j]);
   const double x = m.centroid_x[b] + m.arm_b_x[j] + f.bevel * m.tangent_y[j];
   const double y = m.centroid_y[b] + m.arm_b_y[j] - f.bevel * m.tangent_x[j];
   const auto holds = [&](std::int32_t part) {
-    const auto first = at(f.corner_begin[at(part)]), end = at(f.corner_begin[at(part) + 1]);
+    const auto first = static_cast<std::size_t>(f.corner_begin[part]),
+               end = static_cast<std::size_t>(f.corner_begin[part + 1]);
     for (std::size_t i = first; i < end; ++i) {
       const std::size_t next = i + 1 == end ? first : i + 1;
       const double ex = f.corner_x[next] - f.corner_x[i], ey = f.corner_y[next] - f.corner_y[i];
@@ -178,32 +177,30 @@ std::int32_t support_of(const Model& m, JointId joint) {
     return true;
   };
   for (std::int32_t body = m.n_block; body < m.n_block + f.n_fixed; ++body)
-    for (auto part = f.part_begin[at(body)]; part < f.part_begin[at(body) + 1]; ++part)
+    for (auto part = f.part_begin[body]; part < f.part_begin[body + 1]; ++part)
       if (holds(part)) return body;
   return -1;
 }
 
 std::int32_t free_material_of(const Model& m, std::int32_t a, std::int32_t b) {
-  const auto at = [](std::int64_t i) { return static_cast<std::size_t>(i); };
-  const auto kn = [&](std::int32_t material) { return m.materials[at(material)].normal_stiffness; };
-  std::int32_t material = m.free.material[at(a)];
-  if (kn(m.free.material[at(b)]) < kn(material)) material = m.free.material[at(b)];
+  const auto kn = [&](std::int32_t material) { return m.materials[material].normal_stiffness; };
+  std::int32_t material = m.free.material[a];
+  if (kn(m.free.material[b]) < kn(material)) material = m.free.material[b];
   double largest = 0;
-  for (auto e = m.block_begin[at(a)]; e < m.block_begin[at(a) + 1]; ++e) {
-    const JointId j = m.block_entry[at(e)] >> 1;
-    const BlockId other = m.joint_a[at(j)] == a ? m.joint_b[at(j)] : m.joint_a[at(j)];
-    if (!(m.area[at(j)] > largest)) continue;
+  for (auto e = m.block_begin[a]; e < m.block_begin[a + 1]; ++e) {
+    const JointId j = m.block_entry[e] >> 1;
+    const BlockId other = m.joint_a[j] == a ? m.joint_b[j] : m.joint_a[j];
+    if (!(m.area[j] > largest)) continue;
     if (other == kGroundBlock ? b < m.n_block || support_of(m, j) != b : other != b) continue;
-    largest = m.area[at(j)];
-    material = m.joint_material[at(j)];
+    largest = m.area[j];
+    material = m.joint_material[j];
   }
   return material;
 }
 
 contact::FreeLaw free_law_of(const Model& m, std::int32_t a, std::int32_t b) {
-  const auto at = [](std::int64_t i) { return static_cast<std::size_t>(i); };
-  return contact::free_law(contact::constants_of(m.materials[at(free_material_of(m, a, b))]),
-                           std::min(m.free.thickness[at(a)], m.free.thickness[at(b)]));
+  return contact::free_law(contact::constants_of(m.materials[free_material_of(m, a, b)]),
+                           std::min(m.free.thickness[a], m.free.thickness[b]));
 }
 
 // --- in space -------------------------------------------------------------------------------------------

@@ -13,9 +13,8 @@ namespace {
 
 std::pair<double, double> heights_in_plane(const Model& m, BlockId b) {
   const Anatomy& a = m.anatomy;
-  const auto [low, high] =
-      std::minmax_element(a.outline_y.begin() + a.outline_begin[b],
-                          a.outline_y.begin() + a.outline_begin[static_cast<std::size_t>(b) + 1]);
+  const auto [low, high] = std::minmax_element(a.outline_y.begin() + a.outline_begin[b],
+                                               a.outline_y.begin() + a.outline_begin[b + 1]);
   return {*low, *high};
 }
 

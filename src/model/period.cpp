@@ -76,7 +76,7 @@ class Elastic {
 
   void joints() {
     for (std::size_t j = 0; j < m_.area.size(); ++j) {
-      const JointMaterial& material = m_.materials[static_cast<std::size_t>(m_.joint_material[j])];
+      const JointMaterial& material = m_.materials[m_.joint_material[j]];
       for (std::size_t p = 0; p < m_.point_xi.size(); ++p) {
         const double ex = m_.point_xi[p] * m_.half_x[j], ey = m_.point_xi[p] * m_.half_y[j];
         const auto along = [&](double dx, double dy, double stiffness) {
@@ -125,7 +125,7 @@ class Elastic {
   void zones() {
     const Solids& s = m_.solids;
     for (std::size_t z = 0; z < s.zone_shape.size(); ++z) {
-      const ZoneShape& shape = s.shapes[static_cast<std::size_t>(s.zone_shape[z])];
+      const ZoneShape& shape = s.shapes[s.zone_shape[z]];
       for (std::size_t i = 0; i < 8; ++i)
         for (std::size_t j = 0; j < 8; ++j)
           entries_.emplace_back(freedom(s.corner[i / 2][z], i % 2),
@@ -136,7 +136,7 @@ class Elastic {
   void contacts() {
     const Solids& s = m_.solids;
     for (std::size_t c = 0; c < s.contact_area.size(); ++c) {
-      const auto& material = m_.materials[static_cast<std::size_t>(s.contact_material[c])];
+      const auto& material = m_.materials[s.contact_material[c]];
       const double tx = s.contact_tangent_x[c], ty = s.contact_tangent_y[c];
       for (const bool second : {false, true}) {
         const double share = second ? s.share_1[c] : s.share_0[c];
@@ -184,7 +184,7 @@ class Elastic {
       mass[3 * i + 2] = m_.inertia[b];
     }
     for (int k = 0; k < m_.solids.n_node; ++k)
-      mass[freedom(k, 0)] = mass[freedom(k, 1)] = m_.solids.node_mass[static_cast<std::size_t>(k)];
+      mass[freedom(k, 0)] = mass[freedom(k, 1)] = m_.solids.node_mass[k];
     return mass;
   }
 

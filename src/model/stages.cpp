@@ -268,7 +268,7 @@ class StageCompiler {
       if (map_[b] == kGroundBlock) continue;
       if (is_solid(map_[b])) return refuse_zones(b, "at");
       stage.driven.push_back(map_[b]);
-      height += model_.centroid_y[static_cast<std::size_t>(map_[b])];
+      height += model_.centroid_y[map_[b]];
     }
     if (stage.driven.empty()) {
       fault("at", "", "finds no moving block to push",
@@ -313,7 +313,7 @@ class StageCompiler {
     const std::vector<double> zones = zone_mass_on_blocks();
     const auto weighs = [&](std::size_t b) {
       if (!all) return mass_of(b);
-      return mass_of(b) + floor_mass_on(b) + zones[static_cast<std::size_t>(map_[b])];
+      return mass_of(b) + floor_mass_on(b) + zones[map_[b]];
     };
     std::vector<double> force;  // on each driven block
     double total = 0, height = 0;
@@ -358,15 +358,14 @@ class StageCompiler {
         if (is_of(s.contact_p[c])) area += s.contact_area[c];
       for (std::size_t c = 0; c < s.contact_p.size(); ++c)
         if (is_of(s.contact_p[c]) && s.contact_block[c] <= model_.n_block)  // else a reported fault
-          on[static_cast<std::size_t>(s.contact_block[c])] +=
-              mass_of_zones(body) * s.contact_area[c] / area;
+          on[s.contact_block[c]] += mass_of_zones(body) * s.contact_area[c] / area;
     }
     return on;
   }
   [[nodiscard]] double mass_of_zones(const SolidBody& body) const {
     double mass = 0;
     for (int node = body.first_node; node < body.first_node + body.n_node; ++node)
-      mass += model_.solids.node_gravity_mass[static_cast<std::size_t>(node)];
+      mass += model_.solids.node_gravity_mass[node];
     return mass;
   }
 
@@ -451,12 +450,11 @@ class StageCompiler {
     if (!(model_.solve.gravity > 0)) return;
     for (const Stage& before : model_.stages)
       for (const PointLoad& load : before.loads)
-        add(-load.fy / model_.solve.gravity,
-            model_.centroid_y[static_cast<std::size_t>(load.block)] + load.arm_y - bottom);
+        add(-load.fy / model_.solve.gravity, model_.centroid_y[load.block] + load.arm_y - bottom);
   }
 
   [[nodiscard]] double mass_of(std::size_t b) const {
-    return is_solid(map_[b]) ? 0.0 : model_.gravity_mass[static_cast<std::size_t>(map_[b])];
+    return is_solid(map_[b]) ? 0.0 : model_.gravity_mass[map_[b]];
   }
 
   // Finds the block whose displacement the push follows.

@@ -65,11 +65,10 @@ std::vector<FrameReading> frames_in_space(const Model& m, const State& s) {
   for (std::size_t k = 0; k < read.size(); ++k) {
     const SpaceSectionJump jump = section_in_space(m, s, k);
     const contact::SectionForces pull = section_forces_in_space(f, s, k, jump);
-    const FrameMember& member = m.frames.members[static_cast<std::size_t>(f.member[k])];
+    const FrameMember& member = m.frames.members[f.member[k]];
     FrameReading& now = read[k];
     const Vec3 arm{f.arm_b_x[k], f.arm_b_y[k], f.arm_b_z[k]};
-    now.where = m.space.centroid[static_cast<std::size_t>(f.b[k])] + arm +
-                moved_in_space(m, s, f.b[k], arm);
+    now.where = m.space.centroid[f.b[k]] + arm + moved_in_space(m, s, f.b[k], arm);
     if (!m.standing.joins(f.a[k], f.b[k], s.stage)) continue;  // not installed yet
     // a foot at the end of the member, where the ground is side a, has its axis reversed
     const bool back = f.a[k] == kGroundBlock && f.place[k] > 0.5 * member.length;
@@ -100,7 +99,7 @@ std::vector<FrameReading> frames_in_plane(const Model& m, const State& s) {
                                   f.fibre[k],           f.outer_yield[k],      f.middle_yield[k]};
     const contact::SectionForces pull =
         contact::section_forces(law, jump, s.frame_left[k], s.frame_middle[k], s.frame_right[k]);
-    const FrameMember& member = m.frames.members[static_cast<std::size_t>(f.member[k])];
+    const FrameMember& member = m.frames.members[f.member[k]];
     // a foot at the end of the member has its axis reversed
     const double forth = f.axis_x[k] * member.direction_x + f.axis_y[k] * member.direction_y;
     FrameReading& now = read[k];

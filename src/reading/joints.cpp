@@ -244,7 +244,7 @@ Vec3 reading::force_in_plane(const Model& model, const JointReading& joint,
   const JointShape& shape = joint.shape;
   const Vec3 force = joint.compression * shape.normal - joint.shear * shape.along;
   if (shape.a == kGroundBlock) return force;
-  const auto turn = [&](BlockId b) { return wall.blocks[static_cast<std::size_t>(b)].turned.by; };
+  const auto turn = [&](BlockId b) { return wall.blocks[b].turned.by; };
   return turned(force,
                 {shape.b >= model.n_block ? turn(shape.a) : 0.5 * (turn(shape.a) + turn(shape.b))});
 }

@@ -38,7 +38,7 @@ LinkReading reading::link_in_space(const Model& m, const State& s, std::size_t k
           ? contact::force_of_link({l.stiffness[k], l.tension[k], l.compression[k]},
                                    line.elongation, s.link_plastic[k], s.link_drawn[k])
           : contact::LinkForce{0, 0};
-  const Vec3 c = m.space.centroid[static_cast<std::size_t>(l.b[k])];
+  const Vec3 c = m.space.centroid[l.b[k]];
   const Vec3 end =
       c + Vec3{l.arm_b_x[k], l.arm_b_y[k], l.arm_b_z[k]} + Vec3{b.moved.x, b.moved.y, b.moved.z};
   const Vector<double> gone = span + (b.moved - a.moved);

@@ -112,7 +112,7 @@ std::vector<Vec3> gaps_in_space(const Model& m, const State& s, JointId j) {
   const contact::FaceGap<double> gap = gap_of(m, s, j).gap;
   std::vector<Vec3> gaps;
   for (auto p = static_cast<std::size_t>(m.space.point_begin[j]);
-       p < static_cast<std::size_t>(m.space.point_begin[static_cast<std::size_t>(j) + 1]); ++p)
+       p < static_cast<std::size_t>(m.space.point_begin[j + 1]); ++p)
     gaps.push_back(vec3(gap.j + m.space.point_r1[p] * gap.a + m.space.point_r2[p] * gap.b));
   return gaps;
 }
@@ -139,7 +139,7 @@ std::vector<PointReading> points_in_space(const Model& m, const State& s) {
     const bool stands =
         m.standing.joins(m.joint_a[j], m.joint_b[j], s.stage);  // otherwise nothing is read
     for (auto p = static_cast<std::size_t>(m.space.point_begin[j]);
-         p < static_cast<std::size_t>(m.space.point_begin[static_cast<std::size_t>(j) + 1]); ++p) {
+         p < static_cast<std::size_t>(m.space.point_begin[j + 1]); ++p) {
       const double r1 = m.space.point_r1[p], r2 = m.space.point_r2[p];
       if (stands)
         points[p] =
@@ -204,7 +204,7 @@ JointReading joint_in_space(const Model& m, JointId j, const std::vector<PointRe
 
 Vec3 force_in_space(const Model& m, const JointReading& joint, const WallReading& wall) {
   const JointShape& shape = joint.shape;
-  const auto turn = [&](BlockId b) { return wall.blocks[static_cast<std::size_t>(b)].turned.by; };
+  const auto turn = [&](BlockId b) { return wall.blocks[b].turned.by; };
   Rotation now;
   if (shape.a != kGroundBlock)
     now.by = shape.b >= m.n_block ? turn(shape.a) : 0.5 * (turn(shape.a) + turn(shape.b));

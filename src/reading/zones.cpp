@@ -29,13 +29,12 @@ ZoneVectors<double> displacements(const Solids& m, const State& s, std::size_t z
 }
 
 const ZoneShape& shape_of(const Solids& m, std::size_t zone) {
-  return m.shapes[static_cast<std::size_t>(m.zone_shape[zone])];
+  return m.shapes[m.zone_shape[zone]];
 }
 
 double mean_of(const SolidBody& body, const std::vector<double>& values, int column) {
   double sum = 0;
-  for (int j = 0; j <= body.rows; ++j)
-    sum += values[static_cast<std::size_t>(body.node(column, j))];
+  for (int j = 0; j <= body.rows; ++j) sum += values[body.node(column, j)];
   return sum / (body.rows + 1);
 }
 
@@ -84,7 +83,7 @@ std::vector<BeyondLimit> beyond_limits_in_plane(const Model& model, const State&
   const std::vector<ZoneReading> zones = read_zones(model, state);
   for (const SolidBody& body : bodies)
     for (int z = body.first_zone; z < body.first_zone + body.n_zone; ++z) {
-      const ZoneReading& zone = zones[static_cast<std::size_t>(z)];
+      const ZoneReading& zone = zones[z];
       const auto [greatest, least] = principal_stresses(zone);
       const auto& at = zone.corner;
       const Vec3 middle = 0.25 * (at[0] + at[1] + at[2] + at[3]);

@@ -248,7 +248,7 @@ void add_walls(Bundle& bundle, const Campaign& campaign, const Shown& shown,
     const int kept = states_kept(stored, most - arrays.count(), waiting);
     if (with_fields && kept > 0) add_fields(bundle, spec, model, r.sample);
     for (int i = stored - kept; i < stored; ++i) {
-      const Snapshot& s = states[static_cast<std::size_t>(i)];
+      const Snapshot& s = states[i];
       arrays.add(model, s.state);
       frames.push_back({{"sample", r.sample},
                         {"label", s.label},

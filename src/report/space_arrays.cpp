@@ -31,7 +31,7 @@ Vec3 middle_of(const Model& model) {
     high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
   };
   for (int b = 0; b < model.n_block; ++b)
-    for (const Polyhedron& part : model.space.body[static_cast<std::size_t>(b)].part)
+    for (const Polyhedron& part : model.space.body[b].part)
       for (const Vec3& v : part.vertex) widen(v);
   for (const Vec3& v : model.space.solids.node) widen(v);
   return 0.5 * (low + high);
@@ -84,8 +84,7 @@ std::vector<BodySpec> bodies_shown(const Model& model) {
       body.material = of.body.material;
       Polyhedron& part = body.part.emplace_back();
       for (std::size_t k = 0; k < 8; ++k)
-        part.vertex.push_back(
-            s.node[static_cast<std::size_t>(s.corner[8 * static_cast<std::size_t>(z) + k])]);
+        part.vertex.push_back(s.node[s.corner[8 * static_cast<std::size_t>(z) + k]]);
       part.face = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
                    {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
     }
@@ -100,7 +99,7 @@ BlockId shown_as(const Model& model, BlockId id) {
 
 // The zone that contains all four nodes of a contact's side.
 std::int32_t zone_of(const SpaceSolids& s, std::size_t contact) {
-  const SpaceSolidBody& body = s.bodies[static_cast<std::size_t>(s.contact_body[contact])];
+  const SpaceSolidBody& body = s.bodies[s.contact_body[contact]];
   for (std::int32_t z = body.first_zone; z < body.first_zone + body.n_zone; ++z) {
     const auto corner = s.corner.begin() + 8 * static_cast<std::ptrdiff_t>(z);
     int found = 0;

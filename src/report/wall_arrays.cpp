@@ -109,7 +109,7 @@ void add_joints(Bundle& bundle, const Model& model) {
   bundle.add("wall.kind", std::span<const std::uint8_t>(kind));
   add_column(bundle, "wall.half_x", joints, [](const auto& j) { return j.half.x; });
   add_column(bundle, "wall.half_y", joints, [](const auto& j) { return j.half.y; });
-  joints.resize(static_cast<std::size_t>(model.n_joint));  // contacts have nodes, not arms
+  joints.resize(model.n_joint);  // contacts have nodes, not arms
   add_column(bundle, "wall.arm_a_x", joints, [](const auto& j) { return j.arm_a.x; });
   add_column(bundle, "wall.arm_a_y", joints, [](const auto& j) { return j.arm_a.y; });
   add_column(bundle, "wall.arm_b_x", joints, [](const auto& j) { return j.arm_b.x; });
@@ -150,7 +150,7 @@ struct PlaneWays {
 PlaneWays plane_of(const Model& model, std::size_t section) {
   if (dimension_of(model) == 2) return {};
   const Frames& f = model.frames;
-  const FrameMember& member = f.members[static_cast<std::size_t>(f.member[section])];
+  const FrameMember& member = f.members[f.member[section]];
   // a foot at the end of the way looks back along it
   const bool back = f.a[section] == kGroundBlock && f.place[section] > 0.5 * member.length;
   const double forth = back ? -1 : 1, x = member.direction_x, y = member.direction_y;
@@ -166,7 +166,7 @@ void add_members(Json& wall, const Model& model) {
   const std::vector<FrameReading> read = read_frames(model, rest);
   Json members = Json::array(), sections = Json::array();
   for (const FrameMember& member : f.members)
-    members.push_back({{"frame", f.name[static_cast<std::size_t>(member.frame)]},
+    members.push_back({{"frame", f.name[member.frame]},
                        {"words", translated(member.words)},
                        {"length", member.length},
                        {"way", {member.direction_x, member.direction_y}}});
@@ -180,7 +180,7 @@ void add_members(Json& wall, const Model& model) {
                         {"b", f.b[k]},
                         {"arm", {dot(arm, along), dot(arm, up)}}});
     if (dimension_of(model) == 3)
-      members[static_cast<std::size_t>(f.member[k])].update(
+      members[f.member[k]].update(
           {{"along", {along.x, along.y, along.z}}, {"up", {up.x, up.y, up.z}}});
     if (f.outer_stiffness[k] == 0) sections.back()["hinged"] = true;
   }

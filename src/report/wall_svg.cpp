@@ -86,9 +86,7 @@ struct BlockPaths {
   std::string timber, plates;
   std::string& of(BlockRole role, int tint) {
     const bool is_timber = role == BlockRole::kLintel || role == BlockRole::kSill;
-    return role == BlockRole::kMasonry ? stones[static_cast<std::size_t>(tint)]
-           : is_timber                 ? timber
-                                       : plates;
+    return role == BlockRole::kMasonry ? stones[tint] : is_timber ? timber : plates;
   }
   [[nodiscard]] std::string drawn() const {
     std::string out;
@@ -126,7 +124,7 @@ std::string draw_seen(const Model& model, const study::Elevation& wall, double s
   };
   for (BlockId b = 0; b < model.n_block; ++b)
     if (wall.holds(b) && model.standing.holds(b, 0))
-      add(b, paths.of(model.anatomy.block_role[static_cast<std::size_t>(b)], tint_of(model, b)));
+      add(b, paths.of(model.anatomy.block_role[b], tint_of(model, b)));
   for (const BlockId body : wall.bodies) add(body, paths.timber);
   return paths.drawn();
 }
@@ -432,7 +430,7 @@ std::string draw_elevations(const Model& model, const std::vector<study::Elevati
 std::vector<PushPart> push_parts(const Model& model, const Stage& push) {
   if (push.spec.pattern == Pattern::kNone) return {{push.driven}};
   constexpr double kThirds = 3;  // of all blocks
-  const auto y_of = [&](BlockId b) { return model.centroid_y[static_cast<std::size_t>(b)]; };
+  const auto y_of = [&](BlockId b) { return model.centroid_y[b]; };
   std::map<long, std::pair<PushPart, double>> parts;  // by level or third, with the sum of shares
   double bottom = std::numeric_limits<double>::infinity();
   for (const double y : model.anatomy.outline_y) bottom = std::min(bottom, y);

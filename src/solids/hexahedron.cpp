@@ -87,7 +87,7 @@ HexahedronMotion hexahedron_motion(const HexahedronShape& shape, const Hexahedro
   mean = 0.125 * mean;
   Matrix f = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   for (int i = 0; i < 8; ++i) {
-    const Vector<double> v = u[static_cast<std::size_t>(i)] - mean;
+    const Vector<double> v = u[i] - mean;
     const double row[3] = {v.x, v.y, v.z};
     for (int a = 0; a < 3; ++a)
       for (int b = 0; b < 3; ++b) f[a][b] += row[a] * shape.gradient[i][b];
@@ -142,7 +142,7 @@ std::array<double, 6> hexahedron_stress(const HexahedronShape& shape, const Hexa
   const HexahedronMotion m = hexahedron_motion(shape, u);
   double strain[6] = {};
   for (int i = 0; i < 8; ++i) {
-    const Vector<double>& d = m.d[static_cast<std::size_t>(i)];
+    const Vector<double>& d = m.d[i];
     const double gx = shape.gradient[i][0], gy = shape.gradient[i][1], gz = shape.gradient[i][2];
     strain[0] += gx * d.x;
     strain[1] += gy * d.y;

@@ -36,7 +36,7 @@ double share_at(int i, const double (&x)[3]) {
 Shares places_of(const HexahedronCorners& corners) {
   Shares place;
   for (int i = 0; i < 8; ++i) {
-    const Vec3& p = corners[static_cast<std::size_t>(i)];
+    const Vec3& p = corners[i];
     place.row(i) << p.x, p.y, p.z;
   }
   return place;
@@ -76,8 +76,7 @@ void each_point(const Visit& visit) {
 Matrix24 stiffness_of(const Shares& place, const Elasticity6& elasticity) {
   Eigen::Matrix<double, 6, 6> d;
   for (int i = 0; i < 6; ++i)
-    for (int j = 0; j < 6; ++j)
-      d(i, j) = elasticity[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+    for (int j = 0; j < 6; ++j) d(i, j) = elasticity[i][j];
   const double middle[3] = {0, 0, 0};
   const Matrix3 j0 = jacobian_at(place, middle);
   const Matrix3 inverse_0 = j0.inverse();

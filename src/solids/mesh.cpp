@@ -31,8 +31,8 @@ void add_zone(const std::array<std::int32_t, 4>& corner, Solids& s) {
   const ZoneShape& shape = s.shapes.back();
   for (std::size_t k = 0; k < 4; ++k) {
     s.corner[k].push_back(corner[k]);
-    s.node_mass[static_cast<std::size_t>(corner[k])] += shape.share[k] * shape.mass;
-    s.node_gravity_mass[static_cast<std::size_t>(corner[k])] += shape.share[k] * shape.mass;
+    s.node_mass[corner[k]] += shape.share[k] * shape.mass;
+    s.node_gravity_mass[corner[k]] += shape.share[k] * shape.mass;
   }
   s.zone_shape.push_back(static_cast<std::int32_t>(s.shapes.size()) - 1);
   ++s.n_zone;
@@ -64,10 +64,9 @@ void list_by_node(int n_node, int count, const NodeOf& node_of, const PlaceOf& p
   begin.assign(static_cast<std::size_t>(n_node) + 1, 0);
   for (int k = 0; k < count; ++k) ++begin[static_cast<std::size_t>(node_of(k)) + 1];
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  entry.resize(static_cast<std::size_t>(count));
+  entry.resize(count);
   std::vector<std::int32_t> next(begin.begin(), begin.end() - 1);
-  for (int k = 0; k < count; ++k)
-    entry[static_cast<std::size_t>(next[static_cast<std::size_t>(node_of(k))]++)] = place_of(k);
+  for (int k = 0; k < count; ++k) entry[next[node_of(k)]++] = place_of(k);
 }
 
 }  // namespace
@@ -121,8 +120,7 @@ void join_nodes(Solids& s) {
   };
   const auto contact_place = [](int k) { return k / 2 * 4 + k % 2 * 2; };
   list_by_node(
-      s.n_node, 4 * s.n_zone,
-      [&](int k) { return s.corner[static_cast<std::size_t>(k % 4)][at(k, 4)]; }, zone_place,
+      s.n_node, 4 * s.n_zone, [&](int k) { return s.corner[k % 4][at(k, 4)]; }, zone_place,
       s.zone_begin, s.zone_entry);
   list_by_node(
       s.n_node, 2 * s.n_contact,

@@ -208,7 +208,7 @@ PairedResponse response_of(const PairedComparison& all, const Pairs& pairs,
     if (slow.contains(pair.sample)) trusted.push_back(pair);
     if (!study::enters_means(out, pair)) continue;
     for (std::size_t k = 0; k < input.size(); ++k)
-      input[k].push_back(all.value[static_cast<std::size_t>(pair.sample - 1)][k]);
+      input[k].push_back(all.value[pair.sample - 1][k]);
   }
   const PairedResponse of_slow = study::paired_response(trusted, quantity.can_be_censored, 0);
   out.slow_enough = of_slow.pairs;

@@ -39,8 +39,7 @@ OfWalls of_walls(const std::vector<Reading>& readings) {
   const double at_most = middle_of(high);
   out.median.value = at_most == out.at_least ? at_most : std::numeric_limits<double>::infinity();
   if (const int k = study::order_of_median(out.n); k > 0)
-    out.median.interval = {low[static_cast<std::size_t>(k - 1)],
-                           high[high.size() - static_cast<std::size_t>(k)]};
+    out.median.interval = {low[k - 1], high[high.size() - static_cast<std::size_t>(k)]};
   if (out.bounds == 0 && low.front() > 0) {
     for (const double value : low) logs.add(std::log(value));
     out.log_scatter = logs.standard_deviation();

@@ -175,8 +175,7 @@ void take_median(PairedResponse& r) {
   int k = -1;
   while (fair_tail(k + 1, r.pairs) <= kLevel / 2) ++k;
   if (k < 0) return;  // fewer than six pairs
-  r.median_interval = {low[static_cast<std::size_t>(k)],
-                       high[static_cast<std::size_t>(r.pairs - 1 - k)]};
+  r.median_interval = {low[k], high[r.pairs - 1 - k]};
 }
 
 void take_shares(PairedResponse& r, int lost) {

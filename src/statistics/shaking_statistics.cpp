@@ -60,16 +60,14 @@ std::vector<Shaken> shaken_of(const Campaign& campaign) {
   const std::vector<StudyRecord>& records = campaign.study.shaking.record;
   std::vector<int> order(records.size()), rank(records.size());
   std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](int a, int b) {
-    return records[static_cast<std::size_t>(a)].name < records[static_cast<std::size_t>(b)].name;
-  });
-  for (std::size_t i = 0; i < order.size(); ++i)
-    rank[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
+  std::sort(order.begin(), order.end(),
+            [&](int a, int b) { return records[a].name < records[b].name; });
+  for (std::size_t i = 0; i < order.size(); ++i) rank[order[i]] = static_cast<int>(i);
   std::vector<Shaken> out;
   for (const SampleRecord& sample : campaign.records) {
     if (sample.shakes.empty()) continue;
     Shaken one{&sample, case_of(campaign.study, sample.sample - 1), 0, {}};
-    if (one.of.record >= 0) one.record_rank = rank[static_cast<std::size_t>(one.of.record)];
+    if (one.of.record >= 0) one.record_rank = rank[one.of.record];
     for (const ShakeResult& shake : sample.shakes) one.shakes.push_back(&shake);
     std::stable_sort(one.shakes.begin(), one.shakes.end(),
                      [](const auto* a, const auto* b) { return a->intensity < b->intensity; });
@@ -252,7 +250,7 @@ class Replicates {
     std::vector<int*> place;
     for (auto& [key, number] : count) number = 0, place.push_back(&number);
     for (std::size_t i = 0; i < place.size(); ++i)
-      ++*place[static_cast<std::size_t>(bits.below(static_cast<int>(place.size())))];
+      ++*place[bits.below(static_cast<int>(place.size()))];
   }
   // Sum of the variances by records and by walls, each for a sample, and its degrees of freedom (Satterthwaite).
   template <class Of>

@@ -57,9 +57,9 @@ class GrowingFit {
     Vector q = column, r = Vector::Zero(k);
     for (int round = 0; round < 2; ++round)  // a second time, against rounding
       for (Index j = 0; j < k; ++j) {
-        const double share = direction_[static_cast<std::size_t>(j)].dot(q);
+        const double share = direction_[j].dot(q);
         r[j] += share;
-        q -= share * direction_[static_cast<std::size_t>(j)];
+        q -= share * direction_[j];
       }
     const double left = q.norm();
     if (left < kSame) return false;
@@ -138,7 +138,7 @@ std::vector<Term> chosen_terms(const Columns& inputs, const std::vector<double>&
   Eigen::MatrixXd x(n, count);
   Vector mean(count), length(count);
   for (Index j = 0; j < count; ++j) {
-    x.col(j) = Eigen::Map<const Vector>(values[static_cast<std::size_t>(j)].data(), n);
+    x.col(j) = Eigen::Map<const Vector>(values[j].data(), n);
     mean[j] = x.col(j).mean();
     x.col(j).array() -= mean[j];
     length[j] = x.col(j).norm();
@@ -150,7 +150,7 @@ std::vector<Term> chosen_terms(const Columns& inputs, const std::vector<double>&
   std::vector<Index> taken;
   std::vector<double> sign;
   std::vector<bool> open(terms.size(), true);
-  const auto is_open = [&](Index j) { return open[static_cast<std::size_t>(j)]; };
+  const auto is_open = [&](Index j) { return open[j]; };
 
   std::vector<Term> best = {Term(inputs.size(), 0)};
   double smallest = fit.left_out_error();
@@ -162,14 +162,14 @@ std::vector<Term> chosen_terms(const Columns& inputs, const std::vector<double>&
       if (is_open(j) && (next < 0 || std::fabs(correlation[j]) > std::fabs(correlation[next])))
         next = j;
     if (next < 0 || !(std::fabs(correlation[next]) > kNothing * first)) return best;
-    open[static_cast<std::size_t>(next)] = false;
+    open[next] = false;
     if (!fit.add(x.col(next), mean[next], length[next])) continue;
     taken.push_back(next), sign.push_back(correlation[next] < 0 ? -1 : 1);
     const double error = fit.left_out_error();
     if (error < smallest) {
       smallest = error;
       best.resize(1);
-      for (const Index j : taken) best.push_back(terms[static_cast<std::size_t>(j)]);
+      for (const Index j : taken) best.push_back(terms[j]);
     }
     if (!(error <= kWorse * smallest)) return best;
 

@@ -122,7 +122,7 @@ TEST(Collapse, walls_side_by_side_have_the_bits_of_those_alone) {
         for (; next < models.size() && solver.has_room(); ++next)
           solver.add_wall(static_cast<int>(next), models[next], states[next], options);
         const auto done = solver.next();
-        EXPECT_EQ(done.result.state_hash, alone[static_cast<std::size_t>(done.ticket)])
+        EXPECT_EQ(done.result.state_hash, alone[done.ticket])
             << "wall " << done.ticket << " of " << width << (in_space ? " in space" : "");
       }
     }

@@ -90,7 +90,7 @@ TEST(Lanes, a_sample_alone_has_the_bits_it_has_among_others) {
   const SampleTable samples = draw_samples(study);
   for (int sample = 1; sample <= 5; ++sample) {
     const SampleRun alone = run_sample(study, samples, sample, model_builder(study), {});
-    EXPECT_EQ(alone.result.state_hash, together[static_cast<std::size_t>(sample - 1)].state_hash);
+    EXPECT_EQ(alone.result.state_hash, together[sample - 1].state_hash);
   }
 }
 
@@ -329,7 +329,7 @@ TEST(Lanes, samples_with_fields_do_not_depend_on_lanes_or_jobs) {
   for (int sample = 1; sample <= 5; ++sample) {
     EXPECT_EQ(settings_of(stored, sample - 1), settings_of(samples, sample - 1));
     const SampleRun alone = run_sample(study, samples, sample, model_builder(study), {});
-    EXPECT_EQ(alone.result.state_hash, first[static_cast<std::size_t>(sample - 1)].state_hash);
+    EXPECT_EQ(alone.result.state_hash, first[sample - 1].state_hash);
   }
 }
 

@@ -122,7 +122,7 @@ TEST(SpaceBits, a_wall_has_the_same_bits_in_any_lane_beside_others) {
         ++next;
       }
       const auto done = solver.next();
-      EXPECT_EQ(done.result.state_hash, alone[static_cast<std::size_t>(done.ticket)])
+      EXPECT_EQ(done.result.state_hash, alone[done.ticket])
           << "wall " << done.ticket << " of " << width << " lanes";
       ++ended;
     }

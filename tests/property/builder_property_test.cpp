@@ -128,8 +128,8 @@ TEST(Builder, butted_walls_at_an_angle_are_cut_by_the_face_they_stand_against) {
             << what;
         double shared = 0;
         for (const JointFace& face : built.assembly.faces) {
-          const auto wall_of = [&](int k) { return built.body[static_cast<std::size_t>(k)].wall; };
-          const bool fixed = built.assembly.body[static_cast<std::size_t>(face.a)].fixed;
+          const auto wall_of = [&](int k) { return built.body[k].wall; };
+          const bool fixed = built.assembly.body[face.a].fixed;
           if (!fixed && wall_of(face.a) != wall_of(face.b)) shared += face.area;
         }
         EXPECT_NEAR(shared, 1.2 * 0.2 / s, 1e-9) << what;
@@ -168,8 +168,7 @@ TEST(Builder, teeth_lie_on_the_other_wall_by_turns) {
   const Built b = build(plan({wall("a", {{0, 0}, {2.025, 0}}), wall("b", {{0, 0}, {0, 1.425}})}));
   std::map<int, double> bedded;  // by the upper course: area between the two walls
   for (const JointFace& face : b.assembly.faces) {
-    const BuiltBody &p = b.body[static_cast<std::size_t>(face.a)],
-                    &q = b.body[static_cast<std::size_t>(face.b)];
+    const BuiltBody &p = b.body[face.a], &q = b.body[face.b];
     if (std::fabs(face.normal.y) > 0.99 && p.wall != q.wall && !p.body.fixed)
       bedded[std::max(p.course, q.course)] += face.area;
   }
@@ -231,9 +230,8 @@ TEST(Builder, wythes_fill_the_volume_and_headers_tie_them) {
     std::map<int, std::set<int>> touched;  // by a body of the whole thickness: wythes
     for (const JointFace& face : b.assembly.faces)
       for (const auto& [own, other] : {std::pair(face.a, face.b), {face.b, face.a}}) {
-        const BuiltBody& built = b.body[static_cast<std::size_t>(own)];
-        if (!built.body.fixed && built.wythe == 0)
-          touched[own].insert(b.body[static_cast<std::size_t>(other)].wythe);
+        const BuiltBody& built = b.body[own];
+        if (!built.body.fixed && built.wythe == 0) touched[own].insert(b.body[other].wythe);
       }
     return std::count_if(touched.begin(), touched.end(), [](const auto& entry) {
       return entry.second.contains(1) && entry.second.contains(2);

@@ -143,7 +143,7 @@ TEST(FreeContact, the_search_finds_every_pair_of_boxes_that_meet) {
   std::size_t meeting = 0;
   for (std::int32_t i = 0; i < 290; ++i)
     for (std::int32_t j = i + 1; j < 300; ++j) {
-      const auto &a = boxes[static_cast<std::size_t>(i)], &b = boxes[static_cast<std::size_t>(j)];
+      const auto &a = boxes[i], &b = boxes[j];
       bool meet = true;
       for (int d = 0; d < 2; ++d)
         meet = meet && a.low[d] <= b.high[d] + 0.2 && b.low[d] <= a.high[d] + 0.2;

@@ -120,7 +120,7 @@ std::map<int, std::set<long>> heads_by_course(const Assembly& wall) {
   std::map<int, std::set<long>> heads;
   for (const Face& face : wall.faces) {
     if (face.kind != FaceKind::kHead) continue;
-    const int course = wall.blocks[static_cast<std::size_t>(face.a)].course;
+    const int course = wall.blocks[face.a].course;
     heads[course].insert(micrometres(face.p0.x));
   }
   return heads;
@@ -189,7 +189,7 @@ std::map<int, std::set<long>> planes_by_course(const Assembly& wall) {
   std::map<int, std::set<long>> planes;
   for (const Face& face : wall.faces)
     if (face.kind == FaceKind::kSplit)
-      planes[wall.blocks[static_cast<std::size_t>(face.a)].course].insert(micrometres(face.p0.x));
+      planes[wall.blocks[face.a].course].insert(micrometres(face.p0.x));
   return planes;
 }
 

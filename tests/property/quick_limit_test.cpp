@@ -158,7 +158,7 @@ TEST(QuickLimit, walls_in_space) {
   EXPECT_NEAR(quick.kinematic / exact.load, 1, kQuickError);
   EXPECT_NE(quick.load, exact.load) << "the quick search gave up, and the exact one answered";
   double power = 0;  // of the unit load
-  for (const BlockId b : model.stages.back().driven) power += quick.vx[static_cast<std::size_t>(b)];
+  for (const BlockId b : model.stages.back().driven) power += quick.vx[b];
   EXPECT_NEAR(power, static_cast<double>(model.stages.back().driven.size()), kQuickError);
 }
 

@@ -56,7 +56,7 @@ struct End {
 
 // The features that a wall is using in this state.
 std::set<std::string> middle_of(const Model& model, const State& state, const RunRecord& record) {
-  const StageSpec& stage = model.stages[static_cast<std::size_t>(state.stage)].spec;
+  const StageSpec& stage = model.stages[state.stage].spec;
   const char* kinds[] = {"gravity", "load", "push", "body force", "tilt", "hold", "shake", "cut"};
   std::set<std::string> found = {kinds[static_cast<int>(stage.kind)]};
   const bool settles = stage.kind == StageKind::kGravity || stage.kind == StageKind::kLoad;

@@ -66,9 +66,7 @@ Built build(const BuilderSpec& spec, bool z_up = false) {
   std::vector<BodySpec> bodies;
   for (const BuiltBody& built : b.body) bodies.push_back(built.body);
   b.assembly = assemble(bodies, b.faults);
-  const auto is_deck = [&](int k) {
-    return b.body[static_cast<std::size_t>(k)].body.role == "slab";
-  };
+  const auto is_deck = [&](int k) { return b.body[k].body.role == "slab"; };
   for (std::size_t k = 0; k < b.assembly.body.size() && k < b.assembly.moments.size(); ++k)
     if (!b.assembly.body[k].fixed)
       (is_deck(static_cast<int>(k)) ? b.deck : b.walls) += b.assembly.moments[k].volume;

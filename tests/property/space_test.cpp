@@ -181,9 +181,9 @@ TEST(SpaceWorld, a_face_cut_in_two_carries_the_same_while_it_is_elastic) {
     Vec3 force, moment;
     const WallReading wall = read_wall(x.model, x.state);
     for (JointId j = x.model.n_pair; j < x.model.n_joint; ++j)
-      for (const PointReading& p : wall.points_of(wall.joints[static_cast<std::size_t>(j)])) {
-        const Vec3 f = x.model.area[static_cast<std::size_t>(j)] * p.share *
-                       (p.shear_vector + p.normal_stress * Vec3{0, 1, 0});
+      for (const PointReading& p : wall.points_of(wall.joints[j])) {
+        const Vec3 f =
+            x.model.area[j] * p.share * (p.shear_vector + p.normal_stress * Vec3{0, 1, 0});
         force = force + f, moment = moment + cross(p.where, f);
       }
     return std::pair(force, moment);

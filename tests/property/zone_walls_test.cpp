@@ -48,7 +48,7 @@ TEST(ZoneWalls, rigid_and_deformable_blocks_are_springs_in_series) {
     rig.state.load_scale[load] = 1;
     rig.settle(1e-10);
     const double expected = kLoad / kArea * (5 / kKn + 2 * 0.2 / kE);
-    EXPECT_NEAR(-rig.state.uy[static_cast<std::size_t>(top)] / expected, 1, 1e-7)
+    EXPECT_NEAR(-rig.state.uy[top] / expected, 1, 1e-7)
         << zones << " zones";  // settled to 1e-10 of the contact forces
   }
 }
@@ -97,8 +97,7 @@ TEST(ZoneWalls, even_pressure_passes_faces_whose_corners_do_not_match) {
 
 TEST(ZoneWalls, contacts_keep_linear_and_angular_momentum) {
   Model model = compile(column(3, {"b1"}, 2));
-  for (JointId j = model.n_pair; j < model.n_joint; ++j)
-    model.area[static_cast<std::size_t>(j)] = 0;  // no ground
+  for (JointId j = model.n_pair; j < model.n_joint; ++j) model.area[j] = 0;  // no ground
   Rig rig(std::move(model));
   rig.controls.damping = 0;
   const Model& m = rig.model;
@@ -272,8 +271,7 @@ TEST(ZoneWalls, bearing_and_top_of_a_lintel_take_their_own_bonds) {
     const auto p = static_cast<std::size_t>(m.solids.contact_p[c]);
     const auto q = static_cast<std::size_t>(m.solids.contact_q[c]);
     const bool below = m.solids.node_y[p] < body.y0 + 1e-9 && m.solids.node_y[q] < body.y0 + 1e-9;
-    const std::string& name =
-        m.material_names[static_cast<std::size_t>(m.solids.contact_material[c])];
+    const std::string& name = m.material_names[m.solids.contact_material[c]];
     EXPECT_EQ(name, below ? "sand" : "joint");
     ++(below ? sand : joint);
   }

@@ -207,7 +207,7 @@ TEST(ZonesInSpace, a_lintel_of_zones_bears_as_a_chain_does) {
   const auto sag = [](const Outcome& end) {
     double most = 0;
     for (BlockId b = 0; b < end.model.n_block; ++b)
-      if (end.model.anatomy.block_id[static_cast<std::size_t>(b)].find(".c09") != std::string::npos)
+      if (end.model.anatomy.block_id[b].find(".c09") != std::string::npos)
         most = std::fmax(most, -read_block(end.model, end.state, b).moved.y);
     return most;
   };

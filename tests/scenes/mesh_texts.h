@@ -24,7 +24,7 @@ inline std::vector<std::array<Vec3, 3>> triangles_of(const std::vector<BodySpec>
     for (const Polyhedron& part : body.part)
       for (const auto& f : part.face)
         for (std::size_t k = 1; k + 1 < f.size(); ++k) {
-          const auto v = [&](std::size_t i) { return part.vertex[static_cast<std::size_t>(f[i])]; };
+          const auto v = [&](std::size_t i) { return part.vertex[f[i]]; };
           all.push_back({v(0), v(k), v(k + 1)});
         }
   return all;

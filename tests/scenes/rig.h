@@ -69,7 +69,7 @@ class Rig {
     dynamics::choose_driven(view(), driven_);
   }
   [[nodiscard]] PointReading point(JointId joint, int k) const {
-    return read_points(model, state)[static_cast<std::size_t>(points_of(model, joint).begin + k)];
+    return read_points(model, state)[points_of(model, joint).begin + k];
   }
   [[nodiscard]] EnergyLedger energy() const {
     return dynamics::energy_ledger(model, state, controls.mass_scaling);

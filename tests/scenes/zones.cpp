@@ -15,14 +15,14 @@ namespace {
 solids::ZoneVectors<double> of_zone(const Solids& s, const NodeVectors& u, std::size_t zone) {
   solids::ZoneVectors<double> v{};
   for (std::size_t k = 0; k < 4; ++k) {
-    v.x[k] = u.x[static_cast<std::size_t>(s.corner[k][zone])];
-    v.y[k] = u.y[static_cast<std::size_t>(s.corner[k][zone])];
+    v.x[k] = u.x[s.corner[k][zone]];
+    v.y[k] = u.y[s.corner[k][zone]];
   }
   return v;
 }
 
 const ZoneShape& shape_of(const Solids& s, std::size_t zone) {
-  return s.shapes[static_cast<std::size_t>(s.zone_shape[zone])];
+  return s.shapes[s.zone_shape[zone]];
 }
 
 }  // namespace
@@ -79,8 +79,8 @@ NodeVectors forces_of_zones(const Solids& s, const NodeVectors& u) {
   for (std::size_t z = 0; z < s.zone_shape.size(); ++z) {
     const auto f = solids::zone_force(shape_of(s, z), of_zone(s, u, z));
     for (std::size_t k = 0; k < 4; ++k) {
-      sum.x[static_cast<std::size_t>(s.corner[k][z])] += f.x[k];
-      sum.y[static_cast<std::size_t>(s.corner[k][z])] += f.y[k];
+      sum.x[s.corner[k][z]] += f.x[k];
+      sum.y[s.corner[k][z]] += f.y[k];
     }
   }
   return sum;
@@ -102,8 +102,8 @@ NodeVectors solved(const Solids& s, const NodeVectors& load) {
   for (std::size_t z = 0; z < s.zone_shape.size(); ++z)
     for (int i = 0; i < 8; ++i)
       for (int j = 0; j < 8; ++j) {
-        const int a = 2 * s.corner[static_cast<std::size_t>(i / 2)][z] + i % 2;
-        const int b = 2 * s.corner[static_cast<std::size_t>(j / 2)][z] + j % 2;
+        const int a = 2 * s.corner[i / 2][z] + i % 2;
+        const int b = 2 * s.corner[j / 2][z] + j % 2;
         if (is_free(a) && is_free(b)) entries.emplace_back(a, b, shape_of(s, z).stiffness[i][j]);
       }
   Eigen::VectorXd f(2 * s.n_node);
@@ -119,8 +119,8 @@ NodeVectors solved(const Solids& s, const NodeVectors& load) {
   const Eigen::VectorXd answer = factors.solve(f);
   NodeVectors u(s);
   for (int i = 0; i < s.n_node; ++i) {
-    u.x[static_cast<std::size_t>(i)] = answer(2 * i);
-    u.y[static_cast<std::size_t>(i)] = answer(2 * i + 1);
+    u.x[i] = answer(2 * i);
+    u.y[i] = answer(2 * i + 1);
   }
   return u;
 }

@@ -43,7 +43,7 @@ struct Column {
 [[nodiscard]] inline Eigen::SparseMatrix<double> stiffness_of_zones(const SpaceSolids& s) {
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t zone = 0; zone < static_cast<std::size_t>(s.n_zone); ++zone) {
-    const HexahedronShape& shape = s.shapes[static_cast<std::size_t>(s.zone_shape[zone])];
+    const HexahedronShape& shape = s.shapes[s.zone_shape[zone]];
     for (std::size_t i = 0; i < 24; ++i)
       for (std::size_t j = 0; j < 24; ++j)
         entries.emplace_back(3 * s.corner[8 * zone + i / 3] + static_cast<int>(i % 3),
@@ -65,10 +65,10 @@ struct Column {
   std::vector<Eigen::Triplet<double>> entries;
   for (int j = 0; j < k.outerSize(); ++j)
     for (Eigen::SparseMatrix<double>::InnerIterator e(k, j); e; ++e)
-      if (!held[static_cast<std::size_t>(e.row())] && !held[static_cast<std::size_t>(e.col())])
+      if (!held[e.row()] && !held[e.col()])
         entries.emplace_back(static_cast<int>(e.row()), static_cast<int>(e.col()), e.value());
   for (int i = 0; i < k.rows(); ++i)
-    if (held[static_cast<std::size_t>(i)]) {
+    if (held[i]) {
       entries.emplace_back(i, i, 1.0);
       right(i) = 0;
     }

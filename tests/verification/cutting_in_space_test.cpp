@@ -248,7 +248,7 @@ TEST(CuttingInSpace, a_prop_comes_without_force_and_goes_without_a_trace) {
   double weight = 0;
   for (const JointReading& joint : read_wall(propped.model, propped.state).joints)
     if (!joint.handed_over && joint.shape.kind == JointKind::kFoundation &&
-        propped.model.standing.from[static_cast<std::size_t>(joint.shape.b)] > 0)
+        propped.model.standing.from[joint.shape.b] > 0)
       weight += joint.compression;
   // of its own weight the joint above holds a part; the beam, four times as heavy, gives it nothing
   const double own = 2000 * 9.81 * 0.2 * 0.5 * 0.2;

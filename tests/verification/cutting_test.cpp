@@ -190,7 +190,7 @@ TEST(Cutting, a_lintel_is_put_in_without_force_and_then_bears) {
     double force = 0;
     for (const JointReading& joint : read_wall(r.model, r.state).joints)
       if (joint.shape.kind == JointKind::kLintelBond && joint.shape.b >= 0 &&
-          r.model.anatomy.block_role[static_cast<std::size_t>(joint.shape.b)] == BlockRole::kLintel)
+          r.model.anatomy.block_role[joint.shape.b] == BlockRole::kLintel)
         force += joint.compression;
     return force;
   };
@@ -239,8 +239,7 @@ TEST(Cutting, a_sill_of_a_window_rests_on_the_masonry_of_the_door_below_it) {
   int faces = 0;
   for (std::size_t j = 0; j < model.joint_a.size(); ++j) {
     const auto role = [&](BlockId block) {
-      return block < 0 ? BlockRole::kMasonry
-                       : model.anatomy.block_role[static_cast<std::size_t>(block)];
+      return block < 0 ? BlockRole::kMasonry : model.anatomy.block_role[block];
     };
     faces +=
         role(model.joint_a[j]) == BlockRole::kCutOut && role(model.joint_b[j]) == BlockRole::kSill;

@@ -235,7 +235,7 @@ TEST(Frames, a_post_under_axial_force_bears_the_moment_of_its_three_fibres) {
     Ran r{compile(spec), {}, {}};
     BlockId tip = 0;
     for (BlockId b = 0; b < r.model.n_block; ++b)
-      if (r.model.anatomy.block_id[static_cast<std::size_t>(b)] == "frame0_7") tip = b;
+      if (r.model.anatomy.block_id[b] == "frame0_7") tip = b;
     r.model.stages[0].loads.push_back({tip, 0, 0, 0, -n * squash});
     r.state = initial_state(r.model);
     r.result = solve(r.model, r.state);

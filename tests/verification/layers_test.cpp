@@ -259,7 +259,7 @@ TEST(Layers, two_faces_are_twice_one) {
 // The whole run: the column is pulled in two by its uppermost block.
 TEST(Layers, a_column_that_is_pulled_apart_keeps_its_ledger) {
   ModelSpec spec = column(20, kBreadth);
-  for (int k = 10; k < 20; ++k) spec.block[static_cast<std::size_t>(k)].material = "upper";
+  for (int k = 10; k < 20; ++k) spec.block[k].material = "upper";
   JointMaterial weak = scenes::dry_joint(2e10, 1e10, 0.5);
   spec.material["weak"] = weak;
   spec.contact = {{{"masonry", "upper"}, "weak"}};

@@ -115,8 +115,7 @@ TEST(LimitInSpace, joint_forces_balance_every_block_and_respect_friction) {
   for (int j = 0; j < m.n_joint; ++j) {
     const auto u = static_cast<std::size_t>(j);
     const Vec3 t2 = cross(s.normal[u], s.tangent[u]);
-    const double mu =
-        std::tan(m.materials[static_cast<std::size_t>(m.joint_material[u])].friction_angle);
+    const double mu = std::tan(m.materials[m.joint_material[u]].friction_angle);
     for (int p = s.point_begin[u]; p < s.point_begin[u + 1]; ++p) {
       const auto k = static_cast<std::size_t>(p);
       const double n = answer.point_force[k], s1 = answer.shear_force[k],

@@ -447,8 +447,8 @@ TEST(LimitLoad, joint_forces_balance_every_block_and_respect_friction) {
     const double tx = model.tangent_x[j], ty = model.tangent_y[j];
     double normal = 0;
     for (int k = 0; k < 2; ++k) {
-      const double p = answer.point_force[static_cast<std::size_t>(2 * j + k)];
-      const double s = answer.shear_force[static_cast<std::size_t>(j)] / 2, xi = k == 0 ? -1 : 1;
+      const double p = answer.point_force[2 * j + k];
+      const double s = answer.shear_force[j] / 2, xi = k == 0 ? -1 : 1;
       EXPECT_GE(p, -1e-6 * model.weight);
       normal += p;
       const double px = p * -ty + s * tx, py = p * tx + s * ty;  // on b
@@ -464,8 +464,7 @@ TEST(LimitLoad, joint_forces_balance_every_block_and_respect_friction) {
       act(model.joint_b[j], 1, model.arm_b_x[j], model.arm_b_y[j]);
       act(model.joint_a[j], -1, model.arm_a_x[j], model.arm_a_y[j]);
     }
-    EXPECT_LE(std::fabs(answer.shear_force[static_cast<std::size_t>(j)]),
-              0.65 * normal + 1e-6 * model.weight);
+    EXPECT_LE(std::fabs(answer.shear_force[j]), 0.65 * normal + 1e-6 * model.weight);
   }
   for (std::size_t i = 0; i < fx.size(); ++i) {
     EXPECT_NEAR(fx[i], 0, 1e-6 * model.weight);

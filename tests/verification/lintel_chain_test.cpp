@@ -51,7 +51,7 @@ void lift_off(Model& m) {
   std::vector<std::int32_t> begin{0}, entry;
   for (std::size_t i = 0; i + 1 < m.block_begin.size(); ++i) {
     for (auto e = m.block_begin[i]; e < m.block_begin[i + 1]; ++e) {
-      const std::int32_t value = m.block_entry[static_cast<std::size_t>(e)];
+      const std::int32_t value = m.block_entry[e];
       if (value < 2 * m.n_joint) entry.push_back(value);
     }
     begin.push_back(static_cast<std::int32_t>(entry.size()));
@@ -181,7 +181,7 @@ void expect_beam(const Model& m, double depth, double x0, double x1) {
     const auto a = static_cast<std::size_t>(m.joint_a[j]),
                b = static_cast<std::size_t>(m.joint_b[j]);
     const double spacing = m.centroid_x[b] - m.centroid_x[a];
-    const JointMaterial& material = m.materials[static_cast<std::size_t>(m.joint_material[j])];
+    const JointMaterial& material = m.materials[m.joint_material[j]];
     double bending = 0;
     for (std::size_t k = 0; k < m.point_xi.size(); ++k)
       bending += material.normal_stiffness * m.area[j] * m.point_weight[k] *

@@ -74,7 +74,7 @@ Crushed crush_toe() {
   const WallReading wall = read_wall(model, state);
   double force = 0, moment = 0;
   for (JointId j = model.n_pair; j < model.n_joint; ++j) {
-    const JointReading& joint = wall.joints[static_cast<std::size_t>(j)];
+    const JointReading& joint = wall.joints[j];
     for (const PointReading& point : wall.points_of(joint)) {
       const double f = -point.normal_stress * joint.shape.area * point.share;
       force += f;

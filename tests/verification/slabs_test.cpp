@@ -75,8 +75,8 @@ double compression_on(const Ran& r, const std::string& wall) {
   double sum = 0;
   for (const JointReading& joint : read_wall(r.model, r.state).joints) {
     const auto j = static_cast<std::size_t>(joint.shape.id);  // supports have numbers there
-    const BodySpec &a = r.model.space.body[static_cast<std::size_t>(r.model.joint_a[j])],
-                   &b = r.model.space.body[static_cast<std::size_t>(r.model.joint_b[j])];
+    const BodySpec &a = r.model.space.body[r.model.joint_a[j]],
+                   &b = r.model.space.body[r.model.joint_b[j]];
     if ((a.id.starts_with(wall) && b.id == "deck") || (b.id.starts_with(wall) && a.id == "deck"))
       sum += joint.compression;
   }

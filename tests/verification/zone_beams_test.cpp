@@ -39,8 +39,8 @@ Model beam(double length, int rows, ZoneKind kind, double aspect = 1,
 }
 
 void hold(Model& m, int node, bool x, bool y) {
-  if (x) m.solids.node_free_x[static_cast<std::size_t>(node)] = 0;
-  if (y) m.solids.node_free_y[static_cast<std::size_t>(node)] = 0;
+  if (x) m.solids.node_free_x[node] = 0;
+  if (y) m.solids.node_free_y[node] = 0;
 }
 
 // Consistent forces of the traction (tx, ty) per area on a column of nodes; Simpson on each edge.
@@ -188,8 +188,7 @@ double simply_supported(int rows, ZoneKind kind) {
   NodeVectors load(m.solids);
   const double edge = kLength / body.columns;
   for (int i = 0; i <= body.columns; ++i)
-    load.y[static_cast<std::size_t>(body.node(i, rows))] -=
-        i == 0 || i == body.columns ? 0.5 * edge : edge;
+    load.y[body.node(i, rows)] -= i == 0 || i == body.columns ? 0.5 * edge : edge;
   const auto normal = [&](double y) { return -per * (2.0 / 3 * y * y * y - 0.4 * c2 * y); };
   const auto shear = [&](double y) { return per * l * (c2 - y * y); };
   NodeVectors ends(m.solids);
@@ -203,7 +202,7 @@ double simply_supported(int rows, ZoneKind kind) {
   hold(m, body.node(0, rows / 2), true, true);
   hold(m, body.node(body.columns, rows / 2), false, true);
   const NodeVectors u = scenes::solved(m.solids, load);
-  return -u.y[static_cast<std::size_t>(body.node(body.columns / 2, rows / 2))];
+  return -u.y[body.node(body.columns / 2, rows / 2)];
 }
 
 TEST(ZoneBeams, simply_supported_beam_converges_to_the_exact_deflection_with_the_second_order) {

@@ -28,7 +28,7 @@ void pull_face(const SpaceSolidBody& body, const SpaceSolids& s, int row, const 
     for (int i = 0; i < body.count[0]; ++i) {
       const int node[4] = {body.node(i, row, k), body.node(i + 1, row, k),
                            body.node(i + 1, row, k + 1), body.node(i, row, k + 1)};
-      const auto at = [&](int n) { return s.node[static_cast<std::size_t>(node[n])]; };
+      const auto at = [&](int n) { return s.node[node[n]]; };
       const double area = length(cross(at(1) - at(0), at(3) - at(0)));
       for (int a = 0; a < 3; ++a)
         for (int b = 0; b < 3; ++b) {
@@ -76,9 +76,7 @@ double flexure(int through, bool across_x) {
       load);
   // held as little as a body needs; the loads are in balance
   std::vector<bool> held(static_cast<std::size_t>(3 * s.n_node), false);
-  const auto hold = [&](int node, int direction) {
-    held[static_cast<std::size_t>(3 * node + direction)] = true;
-  };
+  const auto hold = [&](int node, int direction) { held[3 * node + direction] = true; };
   const int last = body.count[0], far = body.count[2];
   for (int d = 0; d < 3; ++d) hold(body.node(0, 0, 0), d);
   hold(body.node(last, 0, 0), 1), hold(body.node(last, 0, 0), 2);
@@ -119,10 +117,10 @@ double torsion(double wide, double deep, int nx, int nz) {
   Eigen::VectorXd u = Eigen::VectorXd::Zero(3 * s.n_node);
   std::vector<bool> held(static_cast<std::size_t>(3 * s.n_node), false);
   for (int n = 0; n < s.n_node; ++n) {
-    const Vec3 p = s.node[static_cast<std::size_t>(n)];
+    const Vec3 p = s.node[n];
     u(3 * n) = kTwist * p.y * p.z;
     u(3 * n + 2) = -kTwist * p.y * p.x;
-    held[static_cast<std::size_t>(3 * n)] = held[static_cast<std::size_t>(3 * n + 2)] = true;
+    held[3 * n] = held[3 * n + 2] = true;
   }
   held[1] = true;  // warping is known but for a shift
   const Eigen::VectorXd found =

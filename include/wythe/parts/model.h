@@ -480,7 +480,7 @@ struct Model {
 
   // The stated material from which a field drew this one; the material itself where no field acts on it.
   [[nodiscard]] std::int32_t stated(std::int32_t material) const {
-    return stated_material.empty() ? material : stated_material[static_cast<std::size_t>(material)];
+    return stated_material.empty() ? material : stated_material[material];
   }
   [[nodiscard]] bool in_space() const { return !space.point_begin.empty(); }
   [[nodiscard]] int n_point() const {

@@ -340,7 +340,7 @@ class Waves {
     const std::vector<double> w = spec_.in_place ? normal_numbers_at(seed, name, place_)
                                                  : normal_numbers(seed, name, numbers_);
     std::vector<double> z;
-    for (const int label : label_) z.push_back(w[static_cast<std::size_t>(label)]);
+    for (const int label : label_) z.push_back(w[label]);
     return z;
   }
 
@@ -357,7 +357,7 @@ class Waves {
     const auto steps = [](double x) { return static_cast<std::int64_t>(std::llround(x / kStep)); };
     std::vector<PlaceKey> keys(numbers_, PlaceKey{kNone, kNone, kNone});
     for (std::size_t p = 0; p < places.size(); ++p) {
-      PlaceKey& key = keys[static_cast<std::size_t>(label_[p])];
+      PlaceKey& key = keys[label_[p]];
       const FieldPlace& at = places[p];
       key = std::min(key, spec_.by == FieldBy::kCourse
                               ? PlaceKey{at.course, 0, 0}

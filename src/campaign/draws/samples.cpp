@@ -46,11 +46,9 @@ namespace {
 Columns design_of(const StudySpec& study, int batch) {
   std::vector<std::string> names;
   for (const VariableSpec& variable : study.variable) names.push_back(variable.name);
-  Columns u = unit_design({.design = study.design,
-                           .samples = study.batch[static_cast<std::size_t>(batch)],
-                           .seed = study.seed,
-                           .batch = batch},
-                          names);
+  Columns u = unit_design(
+      {.design = study.design, .samples = study.batch[batch], .seed = study.seed, .batch = batch},
+      names);
   const Copula copula = copula_of(study, study.design == Design::kLatinHypercube);
   Columns tied;
   for (const std::size_t variable : copula.variable) tied.push_back(std::move(u[variable]));
@@ -73,8 +71,7 @@ void meet_records(const StudySpec& study, SampleTable& table) {
   const std::vector<std::vector<double>> walls = std::move(table.value);
   table.value.clear();
   for (std::size_t i = 0; i < samples; ++i)
-    table.value.push_back(
-        walls[static_cast<std::size_t>(case_of(study, static_cast<int>(i)).wall)]);
+    table.value.push_back(walls[case_of(study, static_cast<int>(i)).wall]);
 }
 
 }  // namespace
@@ -108,7 +105,7 @@ SampleTable draw_samples(const StudySpec& study) {
 
 std::vector<std::string> settings_of(const SampleTable& samples, int sample) {
   std::vector<std::string> out;
-  const std::vector<double>& row = samples.value.at(static_cast<std::size_t>(sample));
+  const std::vector<double>& row = samples.value.at(sample);
   for (std::size_t j = 0; j < samples.column.size(); ++j) {
     const InputColumn& column = samples.column[j];
     if (column.path.empty()) continue;
@@ -119,7 +116,7 @@ std::vector<std::string> settings_of(const SampleTable& samples, int sample) {
                       : fmt::format("{}={} {}", column.path, number, column.si_unit));
   }
   if (const auto& more = samples.more_setting; !more.empty()) {
-    const auto& own = more.at(static_cast<std::size_t>(sample));
+    const auto& own = more.at(sample);
     out.insert(out.end(), own.begin(), own.end());
   }
   return out;
@@ -141,7 +138,7 @@ std::vector<Fault> refusal_by(const Compile& compile, const std::vector<std::str
 template <class Compile>
 std::vector<Fault> refusal_by(const Compile& compile, const SampleTable& samples, int sample,
                               const ModelBuilder& build) {
-  const std::vector<double>& row = samples.value.at(static_cast<std::size_t>(sample));
+  const std::vector<double>& row = samples.value.at(sample);
   for (std::size_t j = 0; j < samples.column.size(); ++j)
     if (!std::isfinite(row[j]))
       return {
@@ -261,7 +258,7 @@ class Followers {
                                const std::vector<double>& row) {
     const auto column = std::find_if(samples.column.begin(), samples.column.end(),
                                      [&](const InputColumn& c) { return c.name == name; });
-    const double value = row[static_cast<std::size_t>(column - samples.column.begin())];
+    const double value = row[column - samples.column.begin()];
     const std::string& unit = column->si_unit;
     if (unit == "1" || unit.empty()) return fmt::format("({:.17g})", value);
     if (unit.find('.') == std::string::npos && unit.find('-') == std::string::npos)
@@ -296,9 +293,9 @@ void set_more(const StudySpec& study, SampleTable& samples) {
       if (!field.follows)
         settings.push_back(
             fmt::format("field.{}.seed={}", field.name, field_seed_of(study, of.wall)));
-    followers.append_to(settings, samples, samples.value[static_cast<std::size_t>(i)]);
+    followers.append_to(settings, samples, samples.value[i]);
     if (of.record < 0) continue;
-    const StudyRecord& record = shaking.record[static_cast<std::size_t>(of.record)];
+    const StudyRecord& record = shaking.record[of.record];
     settings.push_back(fmt::format("stage.{}.record={}", shaking.stage, record.motion));
     settings.push_back(intensity_setting(shaking, first_intensity(shaking, record)));
   }

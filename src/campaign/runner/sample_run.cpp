@@ -144,7 +144,7 @@ SampleRecord record_of(const SampleRun& run, const SampleTable& samples, int sam
   const Result& r = run.result;
   SampleRecord record;
   record.sample = sample;
-  record.inputs = samples.value[static_cast<std::size_t>(sample - 1)];
+  record.inputs = samples.value[sample - 1];
   record.status = run.refused.empty() ? to_string(r.status) : "refused";
   record.reason = run.refused.empty() ? r.reason : as_text(run.refused);
   record.retried = run.retried;

@@ -28,7 +28,7 @@ ShakeCount count_shakes(const StudySpec& study) {
   if (!s.is_asked()) return {samples, samples};
   ShakeCount count;
   for (int i = 0; i < samples; ++i) {
-    const StudyRecord& record = s.record[static_cast<std::size_t>(case_of(study, i).record)];
+    const StudyRecord& record = s.record[case_of(study, i).record];
     const std::vector<double>& levels = record.levels.empty() ? s.levels : record.levels;
     const int rising =
         s.climbs() ? 1 + static_cast<int>(std::floor((s.most - s.first) / s.step * (1 + 1e-9)))

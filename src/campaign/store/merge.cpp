@@ -66,8 +66,7 @@ class Comparison {
     const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     const auto n = static_cast<int>(others.size());
     Workers(std::min(cores, n)).for_each_chunk(n, [&](int i) {
-      others[static_cast<std::size_t>(i)] =
-          checked(folders[static_cast<std::size_t>(i) + 1], &first);
+      others[i] = checked(folders[i + 1], &first);
     });
     for (const Checked& other : others) add(other);
   }

@@ -187,7 +187,7 @@ void write_study_rows(Database& database, const Rows& rows) {
 void write_inputs(Database& database, const SampleTable& samples, int first) {
   Statement insert(database, insert_sql("sample_input", 3));
   for (int s = first; s <= samples.n_sample(); ++s) {
-    const std::vector<double>& values = samples.value[static_cast<std::size_t>(s - 1)];
+    const std::vector<double>& values = samples.value[s - 1];
     for (std::size_t i = 0; i < values.size(); ++i) insert.run(s, i, values[i]);
   }
 }
@@ -387,7 +387,7 @@ SampleTable Store::samples() {
   table.value = load_inputs(database_, table.column.size());
   const StudySpec spec = study();
   check_columns_of(spec, table);
-  if (table.column.empty()) table.value.resize(static_cast<std::size_t>(count_samples(spec)));
+  if (table.column.empty()) table.value.resize(count_samples(spec));
   if (const auto asked = count_samples(spec); asked != table.n_sample())
     database_.damaged(fmt::format("it holds the inputs of {} samples, its design has {}",
                                   table.n_sample(), asked));
@@ -451,7 +451,7 @@ int stage_of_states(const Model& model) {
            kind == StageKind::kShake;
   };
   for (int k = static_cast<int>(model.stages.size()) - 1; k > 0; --k)
-    if (has_curve(model.stages[static_cast<std::size_t>(k)])) return k;
+    if (has_curve(model.stages[k])) return k;
   return 0;
 }
 }  // namespace
@@ -514,7 +514,7 @@ std::vector<SampleRecord> Store::records(const SampleTable& table, int first, in
     record.sample = static_cast<int>(select.integer(1, table.n_sample()));
     digests().check_record(record.sample);
     record.curve = std::move(curves[record.sample]);
-    record.inputs = table.value[static_cast<std::size_t>(record.sample - 1)];
+    record.inputs = table.value[record.sample - 1];
     if (records.size() > 1 && record.sample <= records[records.size() - 2].sample)
       select.damaged("it stands there twice");
     Taker taker{select, true};

@@ -107,7 +107,7 @@ void LaneSolver::arrange() {
   }
   std::vector<bool> taken(static_cast<std::size_t>(lanes), false);
   for (const auto& wall : walls_)
-    if (wall->lane >= 0) taken[static_cast<std::size_t>(wall->lane)] = true;
+    if (wall->lane >= 0) taken[wall->lane] = true;
   for (const auto& wall : walls_) {
     if (wall->lane >= 0 || !fits(*wall)) continue;
     const auto free = std::find(taken.begin(), taken.end(), false);

@@ -83,7 +83,7 @@ constexpr Terms terms_of(Pass pass) {
 // When masonry is cut out, its last forces go on acting on its neighbours and fade
 // (docs/theory/cutting.md). When the stage has ended, nothing of them is left.
 void release(const Model& model, const State& state, const WallView& wall) {
-  const double share = 1 - state.load_scale[static_cast<std::size_t>(state.stage)];
+  const double share = 1 - state.load_scale[state.stage];
   for (int i = 0; i < model.n_block; ++i) {
     const auto b = static_cast<std::size_t>(i);
     if (state.release_x[b] == 0 && state.release_y[b] == 0 && state.release_m[b] == 0) continue;
@@ -138,16 +138,17 @@ Processor::Processor(const Model& model, int lanes, int threads, const Kernels& 
       width_(lanes == 1 ? 1 : kernels_.width),
       layout_(model, lanes == 1 ? Layout::kNeighbours : Layout::kWalls),
       rest_(initial_state(model)),
-      wall_(at(lanes)),
-      bank_(at(lanes / width_)),
+      wall_(static_cast<std::size_t>(lanes)),
+      bank_(static_cast<std::size_t>(lanes / width_)),
       workers_(lanes == 1 ? threads : 1) {
   for (Bank& bank : bank_) {
     bank.tables = make_tables(layout_, model_, width_, bank.memory);
     for (int pass = 0; pass < kPasses; ++pass)
-      bank.works[pass].resize(layout_.chunks[pass].size() * kTerms * at(width_));
+      bank.works[pass].resize(layout_.chunks[pass].size() * kTerms *
+                              static_cast<std::size_t>(width_));
   }
   for (int lane = 0; lane < lanes; ++lane) {
-    wall_[at(lane)].view = view_of(layout_, model_, bank_of(lane).tables, lane % width_);
+    wall_[lane].view = view_of(layout_, model_, bank_of(lane).tables, lane % width_);
     load_lane(layout_, bank_of(lane).tables, lane % width_, model_, rest_);
     set(lane, {});
   }
@@ -160,7 +161,7 @@ Processor::~Processor() = default;
 FreeCounts Processor::free_counts() const { return free_ ? free_->counts() : FreeCounts{}; }
 
 void Processor::load_wall(int lane, const Model& model, State& state) {
-  Wall& wall = wall_[at(lane)];
+  Wall& wall = wall_[lane];
   wall.model = &model;
   wall.state = &state;
   wall.dashpot_state = {};
@@ -172,7 +173,7 @@ void Processor::load_wall(int lane, const Model& model, State& state) {
 }
 
 void Processor::unload_wall(int lane) {
-  Wall& wall = wall_[at(lane)];
+  Wall& wall = wall_[lane];
   store_state(lane, *wall.state);
   wall.model = nullptr;
   wall.state = nullptr;
@@ -181,11 +182,11 @@ void Processor::unload_wall(int lane) {
 }
 
 std::unique_ptr<WallAccess> Processor::access(int lane) {
-  return std::make_unique<HostWallAccess>(*this, *wall_[at(lane)].model, lane);
+  return std::make_unique<HostWallAccess>(*this, *wall_[lane].model, lane);
 }
 
 void Processor::set(int lane, const Controls& controls) {
-  Controls& now = wall_[at(lane)].controls;
+  Controls& now = wall_[lane].controls;
   const bool same = now.dt == controls.dt && now.mass_scaling == controls.mass_scaling;
   now = controls;
   view(lane).wall_value(kDt) = controls.dt;
@@ -196,7 +197,7 @@ void Processor::set(int lane, const Controls& controls) {
 
 void Processor::begin_step() {
   for (int lane = 0; lane < lanes(); ++lane) {
-    const Wall& wall = wall_[at(lane)];
+    const Wall& wall = wall_[lane];
     if (wall.model == nullptr) continue;
     place_loads(*wall.model, *wall.state, wall.view, free_.get());
     if (wall.controls.dt > 0) take_links(*wall.model, *wall.state, wall.view);
@@ -229,7 +230,7 @@ void Processor::run_chunk(Pass pass, Bank& bank, std::size_t chunk) {
   std::fill(sums + terms.first * of_term, sums + terms.end * of_term, 0.0);
   const Kernel kernel = (width_ == 1 && lanes() == 1 ? kernels_.neighbours : kernels_.walls)[pass];
   kernel(bank.tables, layout_.chunks[pass][chunk], sums);
-  double* works = &bank.works[pass][chunk * kTerms * at(width_)];
+  double* works = &bank.works[pass][chunk * kTerms * static_cast<std::size_t>(width_)];
   for (int term = terms.first; term < terms.end; ++term)
     for (int wall = 0; wall < width_; ++wall) {
       double sum = 0;
@@ -245,12 +246,13 @@ void Processor::run(Pass pass) {
     if (chunks == 1)
       run_chunk(pass, bank, 0);
     else
-      workers_.for_each_chunk(chunks, [&](int c) { run_chunk(pass, bank, at(c)); });
+      workers_.for_each_chunk(chunks,
+                              [&](int c) { run_chunk(pass, bank, static_cast<std::size_t>(c)); });
   }
 }
 
 void Processor::store_state(int lane, State& state) const {
-  const Wall& wall = wall_[at(lane)];
+  const Wall& wall = wall_[lane];
   store_lane(layout_, wall.view.t, static_cast<int>(wall.view.lane), *wall.model, state);
   wall.dashpot_state.maxwell.store_state(state);
   if (free_) free_->store_state(state);
@@ -264,7 +266,7 @@ void Processor::update_free_contacts() {
 
 void Processor::drive() {
   for (int lane = 0; lane < lanes(); ++lane) {
-    Wall& wall = wall_[at(lane)];
+    Wall& wall = wall_[lane];
     wall.reaction = 0;
     if (wall.controls.push == nullptr) continue;
     State& s = *wall.state;
@@ -280,17 +282,18 @@ void Processor::drive() {
 
 void Processor::end_step() {
   for (int lane = 0; lane < lanes(); ++lane) {
-    const Wall& wall = wall_[at(lane)];
+    const Wall& wall = wall_[lane];
     if (wall.model == nullptr) continue;
     double* const ledger[kTerms] = {
         &wall.state->dissipated_friction, &wall.state->dissipated_fracture,
         &wall.state->dissipated_crushing, &wall.state->work_loads, &wall.state->work_damping};
     for (const Pass pass : {kJoints, kEdges, kBlocks, kNodes}) {
       const std::vector<double>& works = bank_of(lane).works[pass];
-      const std::size_t chunk = kTerms * at(width_);
+      const std::size_t chunk = kTerms * static_cast<std::size_t>(width_);
       for (int term = terms_of(pass).first; term < terms_of(pass).end; ++term) {
         double sum = *ledger[term];
-        for (std::size_t k = at(term * width_ + lane % width_); k < works.size(); k += chunk)
+        for (std::size_t k = static_cast<std::size_t>(term * width_ + lane % width_);
+             k < works.size(); k += chunk)
           sum += works[k];
         *ledger[term] = sum;
       }

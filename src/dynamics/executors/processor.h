@@ -38,11 +38,11 @@ class Processor final : public Executor {
   void unload_wall(int lane) override;
   [[nodiscard]] std::unique_ptr<WallAccess> access(int lane) override;
   void set(int lane, const Controls& controls) override;
-  [[nodiscard]] double reaction(int lane) const override { return wall_[at(lane)].reaction; }
+  [[nodiscard]] double reaction(int lane) const override { return wall_[lane].reaction; }
 
   [[nodiscard]] const Layout& layout() const { return layout_; }
-  [[nodiscard]] const State& state(int lane) const { return *wall_[at(lane)].state; }
-  [[nodiscard]] const WallView& view(int lane) const { return wall_[at(lane)].view; }
+  [[nodiscard]] const State& state(int lane) const { return *wall_[lane].state; }
+  [[nodiscard]] const WallView& view(int lane) const { return wall_[lane].view; }
   // Copies motion, history and free contacts of the wall in a lane into the arrays of a state.
   void store_state(int lane, State& state) const;
   [[nodiscard]] FreeCounts free_counts() const override;
@@ -71,8 +71,7 @@ class Processor final : public Executor {
   void end_step() override;
   void run_chunk(Pass pass, Bank& bank, std::size_t chunk);
 
-  [[nodiscard]] static std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
-  [[nodiscard]] const Bank& bank_of(int lane) const { return bank_[at(lane / width_)]; }
+  [[nodiscard]] const Bank& bank_of(int lane) const { return bank_[lane / width_]; }
 
   const Model model_;
   const Kernels& kernels_;

@@ -24,7 +24,7 @@ namespace dynamics {
 Message place_in_frame(const Model& model, std::size_t section) {
   constexpr double kEnd = 1e-9;  // of the length
   const Frames& f = model.frames;
-  const FrameMember& m = f.members[static_cast<std::size_t>(f.member[section])];
+  const FrameMember& m = f.members[f.member[section]];
   const double at = f.place[section];
   const bool first = at<kEnd * m.length, last = at>(1 - kEnd) * m.length;
   if (!first && !last) return {"place.along_member", {{"member", m.words}, {"at_m", at}}};
@@ -42,9 +42,9 @@ std::vector<FrameUse> evaluate_frame_uses(const Model& model, const Result& resu
   const std::size_t n = f.a.size();
   for (std::size_t row = 0; n > 0 && (row + 1) * n <= result.frame_rows.size(); ++row)
     for (std::size_t k = 0; k < n; ++k) {
-      const FrameMember& member = f.members[static_cast<std::size_t>(f.member[k])];
+      const FrameMember& member = f.members[f.member[k]];
       const FrameRow& now = result.frame_rows[row * n + k];
-      FrameUse& use = uses[static_cast<std::size_t>(member.frame)];
+      FrameUse& use = uses[member.frame];
       const double here = section_use(member, now.normal, now.shear, now.moment);
       if (!(here > use.use)) continue;
       use.use = here;

@@ -66,10 +66,10 @@ double elastic_energy(const Model& model, const State& state) {
   double energy = 0;
   for (JointId joint = 0; joint < joint_count(model); ++joint) {
     const JointShape shape = joint_shape(model, joint);
-    const JointMaterial& law = model.materials[static_cast<std::size_t>(shape.material)];
+    const JointMaterial& law = model.materials[shape.material];
     const PointRange range = points_of(model, joint);
     for (PointId p = range.begin; p < range.end; ++p) {
-      const PointReading& point = points[static_cast<std::size_t>(p)];
+      const PointReading& point = points[p];
       energy += shape.area * point.share * recoverable(law, point);
     }
   }

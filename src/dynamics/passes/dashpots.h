@@ -105,10 +105,9 @@ struct DashpotState {
 inline void prepare_dashpots(const Model& m, DashpotState& dashpot_state) {
   if (!dashpot_state.friction.empty()) return;
   for (const std::int32_t material : m.joint_material)
-    dashpot_state.friction.push_back(
-        contact::constants_of(m.materials[static_cast<std::size_t>(material)]).tan_res);
-  dashpot_state.before.resize(static_cast<std::size_t>(m.n_block));
-  dashpot_state.force.resize(static_cast<std::size_t>(m.n_joint));
+    dashpot_state.friction.push_back(contact::constants_of(m.materials[material]).tan_res);
+  dashpot_state.before.resize(m.n_block);
+  dashpot_state.force.resize(m.n_joint);
 }
 
 // One joint with the motion of its two blocks.
@@ -129,7 +128,7 @@ inline DampedJoint damped_joint(const WallView& wall, const Model& m, std::size_
   const auto side = [&](BlockId block) -> Side {
     if (block == kGroundBlock) return {{0, 0, 1, 0}, {0, 0, 0}};
     const auto of = [&](int c) { return wall.column_of(wall.t.pose, block, c); };
-    return {{of(0), of(1), of(2), of(3)}, dashpot_state.before[static_cast<std::size_t>(block)]};
+    return {{of(0), of(1), of(2), of(3)}, dashpot_state.before[block]};
   };
   const bool on_ground = m.joint_a[j] == kGroundBlock;
   const Side a = side(m.joint_a[j]), b = side(m.joint_b[j]);
@@ -189,28 +188,27 @@ inline DampedJoint damped_joint(const WallView& wall, const Model& m, std::size_
 // Viscous forces of all joints, added to those of the law.
 inline void damp_joints(const Layout& l, const WallView& wall, const Model& m,
                         const Dashpots& dashpots, double dt, DashpotState& dashpot_state) {
-  const auto at = [](std::int64_t i) { return static_cast<std::size_t>(i); };
   const MaxwellStep maxwell = maxwell_step(dashpots, dt);
   const bool springs = maxwell.gain > 0, rebound = rebounds(dashpots);
   if (!springs) dashpot_state.maxwell.set_zero();
   dashpot_state.maxwell.bears = springs;
   for (int i = 0; i < m.n_block; ++i)
-    dashpot_state.before[at(i)] = {wall.block(i, kVx), wall.block(i, kVy), wall.block(i, kOmega)};
+    dashpot_state.before[i] = {wall.block(i, kVx), wall.block(i, kVy), wall.block(i, kOmega)};
   for (const Chunk& chunk : l.chunks[kJoints]) {
     for (int n = 0; n < chunk.n; ++n) {
-      const std::size_t j = at(chunk.first + n);
+      const std::size_t j = static_cast<std::size_t>(chunk.first + n);
       dashpot_state.force[j] = {0, 0, 0, 0};
-      const std::size_t first = j * at(chunk.points);
+      const std::size_t first = j * static_cast<std::size_t>(chunk.points);
       if (wall.t.joint[l.number(l.joint_place[j], kJointRows, kArea, 1)] == 0) {
         for (int k = 0; springs && k < chunk.points; ++k)
-          dashpot_state.maxwell.store(first + at(k), {0, 0, 0});
+          dashpot_state.maxwell.store(first + static_cast<std::size_t>(k), {0, 0, 0});
         continue;  // free contacts have their own dashpots
       }
-      const JointMaterial& law = m.materials[at(m.joint_material[j])];
+      const JointMaterial& law = m.materials[m.joint_material[j]];
       const DampedJoint joint = damped_joint(wall, m, j, dashpot_state);
       double fn = 0, ft = 0, gn = 0, gt = 0;
       for (int k = 0; k < chunk.points; ++k) {
-        const double xi = m.point_xi[at(k)], share = m.area[j] * m.point_weight[at(k)];
+        const double xi = m.point_xi[k], share = m.area[j] * m.point_weight[k];
         const auto history = [&](int row) {
           return wall.t.history[l.point_number(chunk, n, k, row, static_cast<int>(wall.t.lanes)) +
                                 wall.lane];
@@ -221,7 +219,7 @@ inline void damp_joints(const Layout& l, const WallView& wall, const Model& m,
         const double rate_t = joint.rate_t + xi * joint.grows_t;
         PointStress spring{0, 0, 0};
         if (springs) {
-          const PointStress q = dashpot_state.maxwell.of(first + at(k));
+          const PointStress q = dashpot_state.maxwell.of(first + static_cast<std::size_t>(k));
           spring = {maxwell.of(q.normal, law.normal_stiffness, dt * rate_n),
                     maxwell.of(q.shear_1, law.shear_stiffness, dt * rate_t), 0};
         }
@@ -230,7 +228,7 @@ inline void damp_joints(const Layout& l, const WallView& wall, const Model& m,
             {law.normal_stiffness * w, law.shear_stiffness * s, 0},
             {closed * dashpots.normal[j] * rate_n, closed * dashpots.shear[j] * rate_t, 0}, spring,
             dashpot_state.friction[j]);
-        if (springs) dashpot_state.maxwell.store(first + at(k), both.spring);
+        if (springs) dashpot_state.maxwell.store(first + static_cast<std::size_t>(k), both.spring);
         const PointStress& viscous = both.all;
         fn += share * viscous.normal, gn += share * viscous.normal * xi;
         ft += share * viscous.shear_1, gt += share * viscous.shear_1 * xi;
@@ -242,7 +240,7 @@ inline void damp_joints(const Layout& l, const WallView& wall, const Model& m,
                                 on_ground ? 0 : (joint.arm_ax * fy - joint.arm_ay * fx) + couple,
                                 (joint.arm_by * fx - joint.arm_bx * fy) - couple};
       for (int c = 0; c < 4; ++c)
-        wall.column_of(wall.t.force, l.joint_place[j], c) += dashpot_state.force[j][at(c)];
+        wall.column_of(wall.t.force, l.joint_place[j], c) += dashpot_state.force[j][c];
     }
   }
 }
@@ -250,10 +248,9 @@ inline void damp_joints(const Layout& l, const WallView& wall, const Model& m,
 // Energy that the dashpots dissipated in the last step [J].
 inline double dashpot_work(const WallView& wall, const Model& m, const DashpotState& dashpot_state,
                            double dt) {
-  const auto at = [](std::int64_t i) { return static_cast<std::size_t>(i); };
   double power = 0;
   const auto add = [&](BlockId block, double sense, double fx, double fy, double moment) {
-    const std::array<double, 3>& v = dashpot_state.before[at(block)];
+    const std::array<double, 3>& v = dashpot_state.before[block];
     power += 0.5 * (sense * fx * (v[0] + wall.block(block, kVx)) +
                     sense * fy * (v[1] + wall.block(block, kVy)) +
                     moment * (v[2] + wall.block(block, kOmega)));

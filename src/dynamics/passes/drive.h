@@ -238,8 +238,7 @@ WYTHE_INLINE double drive_blocks(const Drive& d, const WallView& wall, double ve
 
 // The present share of the links' prestress.
 [[nodiscard]] inline double links_set(const Model& model, const State& state) {
-  return model.links.set_by < 0 ? 0.0
-                                : state.load_scale[static_cast<std::size_t>(model.links.set_by)];
+  return model.links.set_by < 0 ? 0.0 : state.load_scale[model.links.set_by];
 }
 
 // The present share of the force of wedges (jacks), while a cut stage drives them in. Below 0 in other stages.

@@ -125,12 +125,12 @@ class FreeContacts {
   // Sets how long a pair at `distance` sleeps.
   void let_sleep(WakeLimit& wake_limit, double distance) const {
     constexpr double kMore = 1 + 1e-9;  // for rounding
-    const Vector<double> v = travel_[at(wake_limit.b)].rate - travel_[at(wake_limit.a)].rate;
+    const Vector<double> v = travel_[wake_limit.b].rate - travel_[wake_limit.a].rate;
     wake_limit.closing = kMore * square_root(dot(v, v));
     wake_limit.until = deviation_of(wake_limit) + distance + wake_limit.closing * since_search_;
   }
   [[nodiscard]] double deviation_of(const WakeLimit& w) const {
-    return deviation_[at(w.a)] + deviation_[at(w.b)];
+    return deviation_[w.a] + deviation_[w.b];
   }
   [[nodiscard]] double left_of(const WakeLimit& w) const {
     return w.until - w.closing * since_search_ - deviation_of(w);
@@ -148,19 +148,18 @@ class FreeContacts {
   void assign_slot(NearPair& near);
   void release_slot(NearPair& near);
   void wake(const View& wall, Workers& workers);
-  [[nodiscard]] FreePair& pair_of(const NearPair& near) { return pairs_[at(near.slot)]; }
+  [[nodiscard]] FreePair& pair_of(const NearPair& near) { return pairs_[near.slot]; }
   [[nodiscard]] std::span<NearPair> near_of(std::int32_t a, std::int32_t b);
   [[nodiscard]] double pressed_by(std::span<const NearPair> contacts) const {
     double sum = 0;
-    for (const NearPair& near : contacts)
-      sum += near.slot >= 0 ? pairs_[at(near.slot)].pressed : 0.0;
+    for (const NearPair& near : contacts) sum += near.slot >= 0 ? pairs_[near.slot].pressed : 0.0;
     return sum;
   }
   // Pairs lie scattered in memory. This fetches a pair needed soon after awake_[n] into the cache meanwhile.
   void fetch_ahead(std::size_t n) const {
     constexpr std::size_t kAhead = 6, kLine = 64;
     if (n + kAhead >= awake_.size()) return;
-    const auto* pair = reinterpret_cast<const char*>(&pairs_[at(near_[awake_[n + kAhead]].slot)]);
+    const auto* pair = reinterpret_cast<const char*>(&pairs_[near_[awake_[n + kAhead]].slot]);
     for (std::size_t line = 0; line < sizeof(FreePair); line += kLine)
       __builtin_prefetch(pair + line, 1);
   }
@@ -177,7 +176,6 @@ class FreeContacts {
   void fade_hand_overs(State& state, double dt, const View& wall);
   void apply(const HandOver& h, const View& wall);
 
-  static std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
   template <class P>
   static auto key_of(const P& p) {
     return std::tie(p.a, p.b, p.part_a, p.part_b);
@@ -220,7 +218,7 @@ FreeContacts<Bodies>::FreeContacts(const Model& model, const typename Bodies::La
                                    int width)
     : model_(model),
       bodies_(model, layout, width),
-      is_in_play_(at(model.n_block + model.free.n_fixed), 0),
+      is_in_play_(static_cast<std::size_t>(model.n_block + model.free.n_fixed), 0),
       travel_(is_in_play_.size()),
       travelled_(is_in_play_.size(), 0.0),
       deviation_(is_in_play_.size(), 0.0),
@@ -250,16 +248,17 @@ auto FreeContacts<Bodies>::near_of(std::int32_t a, std::int32_t b) -> std::span<
                        [](const NearPair& p, const auto& wanted) { return bodies_of(p) < wanted; });
   auto end = first;
   while (end != near_.end() && bodies_of(*end) == std::pair(a, b)) ++end;
-  return std::span(near_).subspan(at(first - near_.begin()), at(end - first));
+  return std::span(near_).subspan(static_cast<std::size_t>(first - near_.begin()),
+                                  static_cast<std::size_t>(end - first));
 }
 
 template <class Bodies>
 void FreeContacts<Bodies>::load_state(const State& state, const View& wall) {
   bodies_.restore(wall);
   for (Jointed& pair : jointed_) {
-    pair.handed_over = state.handed_over[at(joint_of_[at(pair.first)])] != 0;
+    pair.handed_over = state.handed_over[joint_of_[pair.first]] != 0;
     for (auto k = pair.first; pair.handed_over && k < pair.end; ++k)
-      bodies_.release(joint_of_[at(k)], wall);
+      bodies_.release(joint_of_[k], wall);
   }
   bodies_.end_release(wall);
   near_.clear(), wake_limits_.clear(), pairs_.clear(), spare_.clear(), awake_.clear();
@@ -281,13 +280,13 @@ void FreeContacts<Bodies>::store_state(State& state) const {
   state.free_contacts.clear();
   for (const NearPair& near : near_) {
     if (near.slot < 0) continue;
-    const FreePair& pair = pairs_[at(near.slot)];
+    const FreePair& pair = pairs_[near.slot];
     if (pair.touches() || pair.memory.rest > 0) state.free_contacts.push_back(pair.memory);
   }
   state.hand_overs = hand_overs_;
   for (const Jointed& pair : jointed_)
     for (auto k = pair.first; k < pair.end; ++k)
-      state.handed_over[at(joint_of_[at(k)])] = pair.handed_over ? 1.0 : 0.0;
+      state.handed_over[joint_of_[k]] = pair.handed_over ? 1.0 : 0.0;
 }
 
 template <class Bodies>
@@ -297,7 +296,7 @@ void FreeContacts<Bodies>::moved(State& state, double dt, const View& wall) {
     const NearPair& near = near_[awake_[n]];
     if (near.slot < 0 || !pair_of(near).touches()) continue;
     const FreePair& pair = pair_of(near);
-    const DampedPair& damped = damped_[at(near.slot)];
+    const DampedPair& damped = damped_[near.slot];
     const auto on = [&](std::int32_t body, const ForceMoment& push, const ForceMoment& before) {
       const ForceMoment now = bodies_.rates_of(body, wall);
       power += 0.5 * (dot(push.f, before.f + now.f) + dot(push.m, before.m + now.m));
@@ -350,7 +349,7 @@ void FreeContacts<Bodies>::update_pair(std::size_t number, double dt, bool reche
   FreeContact& m = pair.memory;
   const typename Bodies::PairGeometry pair_geometry = bodies_.pair_geometry(m);
   const auto sleep = [&](double distance) {
-    const Travel &a = travel_[at(m.a)], &b = travel_[at(m.b)];
+    const Travel &a = travel_[m.a], &b = travel_[m.b];
     near.apart = distance;
     near.offset = b.place - a.place;
     near.turned = a.turned + b.turned;
@@ -367,7 +366,7 @@ void FreeContacts<Bodies>::update_pair(std::size_t number, double dt, bool reche
     sleep(inside > 0 ? minimum(room, inside) : -inside);
   };
   pair.friction = pair.lost = 0;
-  if (dashpots_ != nullptr) damped_[at(near.slot)] = {};
+  if (dashpots_ != nullptr) damped_[near.slot] = {};
 
   typename Bodies::Overlap overlap{};
   const bool known = m.feature != contact::kNoFeature;
@@ -399,8 +398,7 @@ void FreeContacts<Bodies>::update_pair(std::size_t number, double dt, bool reche
   const double before = m.area;
   const typename Bodies::SlipUpdate slip_update =
       bodies_.update_slip(pair, pair_geometry, overlap, dt);
-  if (dashpots_ != nullptr && dt > 0)
-    damp_pair(pair, damped_[at(near.slot)], before, slip_update, dt);
+  if (dashpots_ != nullptr && dt > 0) damp_pair(pair, damped_[near.slot], before, slip_update, dt);
 }
 
 // Takes pairs that stay on their faces in packs, and the others one by one.
@@ -463,7 +461,8 @@ void FreeContacts<Bodies>::act(State& state, double dt, const Dashpots* dashpots
   if (dashpots_ != nullptr) damped_.resize(pairs_.size());
   const auto chunks = static_cast<int>((awake_.size() + kPairChunk - 1) / kPairChunk);
   workers.for_each_chunk(chunks, [&](int chunk) {
-    update_pairs(at(chunk) * kPairChunk, std::min(awake_.size(), at(chunk + 1) * kPairChunk), dt,
+    update_pairs(static_cast<std::size_t>(chunk) * kPairChunk,
+                 std::min(awake_.size(), static_cast<std::size_t>(chunk + 1) * kPairChunk), dt,
                  rechecks);
   });
   if (acts_) bodies_.clear_rows(wall);

@@ -14,9 +14,9 @@ std::vector<std::size_t> FreeContacts<Bodies>::find_hand_overs(const View& wall)
     Jointed& pair = jointed_[k];
     bool gives = false;
     for (auto n = pair.first; !pair.handed_over && n < pair.end; ++n)
-      gives = gives || bodies_.has_failed(joint_of_[at(n)], wall);
+      gives = gives || bodies_.has_failed(joint_of_[n], wall);
     for (auto n = pair.first; gives && n < pair.end; ++n)
-      gives = !bodies_.holds(joint_of_[at(n)], wall);
+      gives = !bodies_.holds(joint_of_[n], wall);
     if (!gives) continue;
     pair.handed_over = true;
     found.push_back(k);
@@ -61,9 +61,9 @@ void FreeContacts<Bodies>::hand_over(State& state, const Jointed& pair, const Vi
   ForceMoment before, after;
   double energy = 0;
   for (auto k = pair.first; k < pair.end; ++k) {
-    before = before + bodies_.joint_force(joint_of_[at(k)], pair.a, wall);
-    energy += bodies_.elastic_energy(joint_of_[at(k)], wall);
-    bodies_.release(joint_of_[at(k)], wall);
+    before = before + bodies_.joint_force(joint_of_[k], pair.a, wall);
+    energy += bodies_.elastic_energy(joint_of_[k], wall);
+    bodies_.release(joint_of_[k], wall);
   }
   const std::span<NearPair> contacts = near_of(pair.a, pair.b);
   const double pressed = pressed_by(contacts);
@@ -72,7 +72,9 @@ void FreeContacts<Bodies>::hand_over(State& state, const Jointed& pair, const Vi
     if (near.slot < 0) continue;
     FreePair& p = pair_of(near);
     if (!p.touches()) continue;
-    const auto again = [&] { update_pair(at(&near - near_.data()), 0.0, false); };
+    const auto again = [&] {
+      update_pair(static_cast<std::size_t>(&near - near_.data()), 0.0, false);
+    };
     const Vector<double> share = (p.pressed / pressed) * before.f;
     rest_on_crushed(p, share);
     again();

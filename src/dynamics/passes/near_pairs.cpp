@@ -54,7 +54,7 @@ using Pairs = std::vector<std::pair<std::int32_t, std::int32_t>>;
 // Sorted by a, then by b. Each a has few pairs.
 Pairs sorted(const Pairs& pairs, std::int32_t moving) {
   std::vector<std::size_t> begin(static_cast<std::size_t>(moving) + 1, 0);
-  for (const auto& [a, b] : pairs) ++begin[static_cast<std::size_t>(a) + 1];
+  for (const auto& [a, b] : pairs) ++begin[a + 1];
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   Pairs out(pairs.size());
   std::vector<std::size_t> next(begin.begin(), begin.end() - 1);

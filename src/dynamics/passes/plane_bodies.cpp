@@ -59,7 +59,7 @@ PlaneBodies::PlaneBodies(const Model& model, const Layout& layout, int width)
   margin_ = kBoxMargin * size / maximum(1.0, model.n_block);
   for (const JointMaterial& material : model.materials)
     law_.push_back(contact::free_law(contact::constants_of(material), 1.0));
-  chunk_of_.resize(static_cast<std::size_t>(model.n_joint));
+  chunk_of_.resize(model.n_joint);
   for (int c = 0; c < static_cast<int>(layout.chunks[kJoints].size()); ++c) {
     const Chunk& chunk = layout.chunks[kJoints][c];
     for (int n = 0; n < chunk.n; ++n) chunk_of_[chunk.first + n] = {c, n};
@@ -84,9 +84,7 @@ Box PlaneBodies::box_of(std::int32_t body, const WallView& wall) const {
   const BodyFrame frame = frame_of(body, wall);
   Box box{{1e300, 1e300, 0}, {-1e300, -1e300, 0}};
   for (auto i = static_cast<std::size_t>(f.corner_begin[f.part_begin[body]]);
-       i <
-       static_cast<std::size_t>(f.corner_begin[f.part_begin[static_cast<std::size_t>(body) + 1]]);
-       ++i) {
+       i < static_cast<std::size_t>(f.corner_begin[f.part_begin[body + 1]]); ++i) {
     const Direction2 arm = turned(frame, f.corner_x[i], f.corner_y[i]);
     const double place[2] = {frame.x + arm.x, frame.y + arm.y};
     for (int k = 0; k < 2; ++k) {

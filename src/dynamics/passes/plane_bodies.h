@@ -34,20 +34,14 @@ class PlaneBodies {
   void for_each_travel(double dt, const WallView& wall, Each each) const {
     constexpr double kMore = 1.05;  // damping by mass may have slowed blocks since they turned
     for (BlockId i = 0; i < m_.n_block; ++i)
-      each(i,
-           Vector<double>{m_.centroid_x[static_cast<std::size_t>(i)] + wall.ux(i),
-                          m_.centroid_y[static_cast<std::size_t>(i)] + wall.uy(i), 0},
-           kMore * dt * reach_[static_cast<std::size_t>(i)] * magnitude(wall.block(i, kOmega)));
+      each(i, Vector<double>{m_.centroid_x[i] + wall.ux(i), m_.centroid_y[i] + wall.uy(i), 0},
+           kMore * dt * reach_[i] * magnitude(wall.block(i, kOmega)));
   }
   [[nodiscard]] static double at_most(const Vector<double>& way) {
     return magnitude(way.x) + magnitude(way.y);
   }
-  [[nodiscard]] double size_of(BlockId block) const {
-    return 2 * reach_[static_cast<std::size_t>(block)];
-  }
-  [[nodiscard]] double height_of(BlockId block) const {
-    return height_[static_cast<std::size_t>(block)];
-  }
+  [[nodiscard]] double size_of(BlockId block) const { return 2 * reach_[block]; }
+  [[nodiscard]] double height_of(BlockId block) const { return height_[block]; }
   [[nodiscard]] double fallen_height(BlockId block, const WallView& wall) const;
   [[nodiscard]] Vector<double> place_of(std::int32_t body, const WallView& wall) const;
   [[nodiscard]] ForceMoment rates_of(std::int32_t body, const WallView& wall) const;
@@ -96,7 +90,7 @@ class PlaneBodies {
   // Takes the results of contact k of a pack; false where nothing presses along its face any more.
   [[nodiscard]] static bool take(const Packed& packed, int k, FreePair& pair);
   [[nodiscard]] double inverse_mass(std::int32_t body) const {
-    return body < m_.n_block ? 1 / m_.mass[static_cast<std::size_t>(body)] : 0.0;
+    return body < m_.n_block ? 1 / m_.mass[body] : 0.0;
   }
   // Inverse of the mass that feels a force at the centre of pressure, along any direction [1/kg].
   [[nodiscard]] double mobility(const FreeContact& contact, const SlipUpdate& slip_update) const;
@@ -105,7 +99,7 @@ class PlaneBodies {
                      ForceMoment& on_a, ForceMoment& on_b);
   // Velocities stored by cache_motion().
   [[nodiscard]] ForceMoment rates_now(std::int32_t body) const {
-    const Now& now = now_[static_cast<std::size_t>(body)];
+    const Now& now = now_[body];
     return {{now.vx, now.vy, 0}, {0, 0, now.spin}};
   }
   // Gives the contact a slip whose force equals the joints' force on a along the face, up to friction.

@@ -227,14 +227,12 @@ class Filler {
       if (i >= m_.n_block) continue;
       t_.turn_freedom[i] = m_.turn_freedom[i];
       auto e = m_.block_begin[i];
-      for (; e < m_.block_begin[static_cast<std::size_t>(i) + 1] && (m_.block_entry[e] & 1) == 0;
-           ++e)
-        add(m_.block_entry[e]);
+      for (; e < m_.block_begin[i + 1] && (m_.block_entry[e] & 1) == 0; ++e) add(m_.block_entry[e]);
       add_links(false, i);
       if (l_.frees > 0)
         t_.block_entry[next++] = l_.joints + l_.links + l_.sections + l_.crossings + i;
       t_.block_middle[i] = next;
-      for (; e < m_.block_begin[static_cast<std::size_t>(i) + 1]; ++e) add(m_.block_entry[e]);
+      for (; e < m_.block_begin[i + 1]; ++e) add(m_.block_entry[e]);
       add_links(true, i);
       for (const std::int32_t edge : edges_of[i]) t_.block_edge_entry[next_edge++] = edge;
     }

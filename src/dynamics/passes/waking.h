@@ -16,10 +16,11 @@ auto FreeContacts<Bodies>::find_near(double dt, const View& wall) -> std::vector
     boxes.push_back(bodies_.box_of(body, wall));
     for (double& low : boxes.back().low) low -= margin;
     for (double& high : boxes.back().high) high += margin;
-    margin_[at(body)] = margin;
+    margin_[body] = margin;
   }
   const auto parts = [&](std::int32_t body) {
-    return model_.free.part_begin[at(body) + 1] - model_.free.part_begin[at(body)];
+    return model_.free.part_begin[static_cast<std::size_t>(body) + 1] -
+           model_.free.part_begin[body];
   };
   std::vector<NearPair> found;
   found.reserve(near_.size());
@@ -70,15 +71,15 @@ void FreeContacts<Bodies>::add_travel(double dt, const View& wall) {
   bool needs_search = false, finite = true;
   bodies_.for_each_travel(
       dt, wall, [&](std::int32_t body, const Vector<double>& now, double turned) {
-        Travel& travel = travel_[at(body)];
+        Travel& travel = travel_[body];
         const Vector<double> went = now - travel.place;
         const double turns = turned + rounding_;
-        const double travelled = travelled_[at(body)] + (Bodies::at_most(went) + turns);
-        travelled_[at(body)] = travelled;
-        deviation_[at(body)] += Bodies::at_most(went - dt * travel.rate) + turns;
+        const double travelled = travelled_[body] + (Bodies::at_most(went) + turns);
+        travelled_[body] = travelled;
+        deviation_[body] += Bodies::at_most(went - dt * travel.rate) + turns;
         travel.turned += turns;
         travel.place = now;
-        needs_search |= travelled > margin_[at(body)];
+        needs_search |= travelled > margin_[body];
         finite &= travelled < 1e300;  // false for NaN too
       });
   needs_search_ = needs_search_ || needs_search;
@@ -90,7 +91,7 @@ template <class Bodies>
 bool FreeContacts<Bodies>::stays_asleep(const NearPair& near, WakeLimit& wake_limit) const {
   constexpr double kRounding = 1e-11;  // of the following terms [m]
   if (!(near.apart > 0)) return false;
-  const Travel &a = travel_[at(near.a)], &b = travel_[at(near.b)];
+  const Travel &a = travel_[near.a], &b = travel_[near.b];
   const Vector<double> drift = (b.place - a.place) - near.offset;
   const double left =
       near.apart - square_root(dot(drift, drift)) - (a.turned + b.turned - near.turned) - kRounding;
@@ -106,8 +107,8 @@ void FreeContacts<Bodies>::wake(const View& wall, Workers& workers) {
   awake_.clear();
   in_play_.clear();
   const auto enters = [&](std::int32_t body) {
-    if (is_in_play_[at(body)] != 0) return;
-    is_in_play_[at(body)] = 1;
+    if (is_in_play_[body] != 0) return;
+    is_in_play_[body] = 1;
     in_play_.push_back(body);
   };
   for (std::size_t k = 0; k < wake_limits_.size(); ++k) {
@@ -118,11 +119,12 @@ void FreeContacts<Bodies>::wake(const View& wall, Workers& workers) {
     enters(near_[k].a);
     enters(near_[k].b);
   }
-  for (const std::int32_t body : in_play_) is_in_play_[at(body)] = 0;
+  for (const std::int32_t body : in_play_) is_in_play_[body] = 0;
   const auto chunks = static_cast<int>((in_play_.size() + kBodyChunk - 1) / kBodyChunk);
   workers.for_each_chunk(chunks, [&](int chunk) {
-    const std::size_t end = std::min(in_play_.size(), at(chunk + 1) * kBodyChunk);
-    for (std::size_t n = at(chunk) * kBodyChunk; n < end; ++n)
+    const std::size_t end =
+        std::min(in_play_.size(), static_cast<std::size_t>(chunk + 1) * kBodyChunk);
+    for (std::size_t n = static_cast<std::size_t>(chunk) * kBodyChunk; n < end; ++n)
       bodies_.cache_motion(in_play_[n], wall);
   });
 }

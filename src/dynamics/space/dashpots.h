@@ -41,15 +41,14 @@ inline Vec velocity_of(std::int32_t support, const WallView& w) {
 }
 
 inline void prepare_dashpots(const WallView& w, const Model& m, DashpotState& dashpot_state) {
-  const auto at = [](std::int64_t i) { return static_cast<std::size_t>(i); };
   if (dashpot_state.friction.empty())
     for (const std::int32_t material : m.joint_material)
-      dashpot_state.friction.push_back(contact::constants_of(m.materials[at(material)]).tan_res);
-  dashpot_state.load.resize(at(m.n_joint));
-  dashpot_state.before.resize(at(m.n_block));
-  for (int i = 0; i < m.n_block; ++i) dashpot_state.before[at(i)] = twist_of(i, w);
-  dashpot_state.support.resize(at(m.space.n_support));
-  for (int i = 0; i < m.space.n_support; ++i) dashpot_state.support[at(i)] = velocity_of(i, w);
+      dashpot_state.friction.push_back(contact::constants_of(m.materials[material]).tan_res);
+  dashpot_state.load.resize(m.n_joint);
+  dashpot_state.before.resize(m.n_block);
+  for (int i = 0; i < m.n_block; ++i) dashpot_state.before[i] = twist_of(i, w);
+  dashpot_state.support.resize(m.space.n_support);
+  for (int i = 0; i < m.space.n_support; ++i) dashpot_state.support[i] = velocity_of(i, w);
 }
 
 // Viscous forces of a face with known gap and rate of the gap.
@@ -62,7 +61,7 @@ contact::BlockLoads<double> damp_face(const Face& face, const contact::FaceGap<d
   const double dt = controls.dt, c_n = dashpots.normal[j], c_s = dashpots.shear[j];
   const MaxwellStep maxwell = maxwell_step(dashpots, dt);
   const bool rebound = rebounds(dashpots);
-  const JointMaterial& law = m.materials[static_cast<std::size_t>(m.joint_material[j])];
+  const JointMaterial& law = m.materials[m.joint_material[j]];
   const contact::FaceGap<double> gap = face.gap();
   contact::FaceLoad<double> sum{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
   for (int k = 0; k < chunk.points; ++k) {
@@ -102,12 +101,11 @@ contact::BlockLoads<double> damp_face(const Face& face, const contact::FaceGap<d
 inline contact::BlockLoads<double> damp_joint(const Chunk& chunk, int n, const WallView& w,
                                               const Model& m, const Controls& controls,
                                               DashpotState& dashpot_state) {
-  const auto at = [](std::int64_t i) { return static_cast<std::size_t>(i); };
-  const std::size_t j = at(chunk.first + n);
+  const std::size_t j = static_cast<std::size_t>(chunk.first + n);
   const Space& s = m.space;
   const auto pose = [&](BlockId i) { return contact::Pose<double>{w.shift(i), w.turn(i)}; };
   const BlockId a = m.joint_a[j], b = m.joint_b[j];
-  const DashpotState::Twist& tb = dashpot_state.before[at(b)];
+  const DashpotState::Twist& tb = dashpot_state.before[b];
   if (static_cast<int>(j) >= m.n_pair) {
     const auto support = [&](int c) { return w.column_of(w.t.support, a - m.n_block, c); };
     const contact::SupportFace<double> face({support(0), support(1), support(2)}, pose(b),
@@ -116,13 +114,13 @@ inline contact::BlockLoads<double> damp_joint(const Chunk& chunk, int n, const W
     const auto turns = [&](const Vec& grown, const Vec& unit) {
       return face.frame.in(cross(tb.rate, face.frame.out(grown) + unit));
     };
-    const Vec jump = tb.v + cross(tb.rate, face.arm_b) - dashpot_state.support[at(a - m.n_block)];
+    const Vec jump = tb.v + cross(tb.rate, face.arm_b) - dashpot_state.support[a - m.n_block];
     return damp_face(face,
                      {face.frame.in(jump), turns(face.grown_1, face.frame.t1),
                       turns(face.grown_2, face.frame.t2)},
                      chunk, n, w, m, controls, dashpot_state);
   }
-  const DashpotState::Twist& ta = dashpot_state.before[at(a)];
+  const DashpotState::Twist& ta = dashpot_state.before[a];
   const contact::PairFace<double> face(pose(a), pose(b), vec(s.arm_a[j]), vec(s.arm_b[j]),
                                        vec(s.tangent[j]), vec(s.normal[j]));
   const Vec mean = 0.5 * (ta.rate + tb.rate);
@@ -165,24 +163,24 @@ inline void damp_joints(const WallView& w, const Model& m, const Controls& contr
 // Energy that the dashpots dissipated in the last step [J].
 inline double dashpot_work(const WallView& w, const Model& m, const DashpotState& dashpot_state,
                            double dt) {
-  const auto at = [](std::int64_t i) { return static_cast<std::size_t>(i); };
-  std::vector<Load<double>> on(at(m.n_block), Load<double>{{0, 0, 0}, {0, 0, 0}});
+  std::vector<Load<double>> on(static_cast<std::size_t>(m.n_block),
+                               Load<double>{{0, 0, 0}, {0, 0, 0}});
   double power = 0;
   for (std::size_t j = 0; j < dashpot_state.load.size(); ++j) {
     const contact::BlockLoads<double>& l = dashpot_state.load[j];
-    Load<double>& b = on[at(m.joint_b[j])];
+    Load<double>& b = on[m.joint_b[j]];
     b = {b.f - l.f, b.m + l.on_b};
     if (static_cast<int>(j) >= m.n_pair) {
       const std::int32_t support = m.joint_a[j] - m.n_block;
-      power += 0.5 * dot(l.f, dashpot_state.support[at(support)] + velocity_of(support, w));
+      power += 0.5 * dot(l.f, dashpot_state.support[support] + velocity_of(support, w));
       continue;
     }
-    Load<double>& a = on[at(m.joint_a[j])];
+    Load<double>& a = on[m.joint_a[j]];
     a = {a.f + l.f, a.m + l.on_a};
   }
   for (int i = 0; i < m.n_block; ++i) {
-    const DashpotState::Twist now = twist_of(i, w), &before = dashpot_state.before[at(i)];
-    power += 0.5 * (dot(on[at(i)].f, before.v + now.v) + dot(on[at(i)].m, before.rate + now.rate));
+    const DashpotState::Twist now = twist_of(i, w), &before = dashpot_state.before[i];
+    power += 0.5 * (dot(on[i].f, before.v + now.v) + dot(on[i].m, before.rate + now.rate));
   }
   return dt * power;
 }

@@ -35,22 +35,14 @@ class SpaceProcessor final : public Executor {
   void unload_wall(int lane) override;
   [[nodiscard]] std::unique_ptr<WallAccess> access(int lane) override;
   void set(int lane, const Controls& controls) override;
-  [[nodiscard]] double reaction(int lane) const override {
-    return wall_[static_cast<std::size_t>(lane)].reaction;
-  }
-  [[nodiscard]] const State& state(int lane) const {
-    return *wall_[static_cast<std::size_t>(lane)].state;
-  }
+  [[nodiscard]] double reaction(int lane) const override { return wall_[lane].reaction; }
+  [[nodiscard]] const State& state(int lane) const { return *wall_[lane].state; }
   // Copies motion, history and free contacts of the wall in a lane into the arrays of a state.
   void store_state(int lane, State& state) const;
-  [[nodiscard]] const WallView& view(int lane) const {
-    return wall_[static_cast<std::size_t>(lane)].view;
-  }
+  [[nodiscard]] const WallView& view(int lane) const { return wall_[lane].view; }
   [[nodiscard]] FreeCounts free_counts() const override;
   // Null without deformable blocks.
-  [[nodiscard]] const ZoneRun* zones(int lane) const {
-    return wall_[static_cast<std::size_t>(lane)].zones.get();
-  }
+  [[nodiscard]] const ZoneRun* zones(int lane) const { return wall_[lane].zones.get(); }
 
  private:
   struct Wall {

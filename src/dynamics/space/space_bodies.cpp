@@ -40,8 +40,7 @@ SpaceBodies::SpaceBodies(const Model& model, const Layout& layout, int width)
   double size = 0;
   for (std::int32_t i = 0; i < model.n_block; ++i) {
     double reach = 0, low = 1e300, high = -1e300;
-    for (auto part = model.free.part_begin[i];
-         part < model.free.part_begin[static_cast<std::size_t>(i) + 1]; ++part)
+    for (auto part = model.free.part_begin[i]; part < model.free.part_begin[i + 1]; ++part)
       for (const Facet& facet : parts_.facets_of(part))
         for (auto c = facet.begin; c < facet.end; ++c) {
           const Vec& corner = parts_.corner[c];
@@ -55,7 +54,7 @@ SpaceBodies::SpaceBodies(const Model& model, const Layout& layout, int width)
   margin_ = kBoxMargin * size / maximum(1.0, model.n_block);
   for (const JointMaterial& material : model.materials)
     law_.push_back(contact::free_law(contact::constants_of(material), 1.0));
-  chunk_of_.resize(static_cast<std::size_t>(model.n_joint));
+  chunk_of_.resize(model.n_joint);
   for (int c = 0; c < static_cast<int>(layout.joints.size()); ++c) {
     const Chunk& chunk = layout.joints[c];
     for (int n = 0; n < chunk.n; ++n) chunk_of_[chunk.first + n] = {c, n};
@@ -84,8 +83,7 @@ Box SpaceBodies::box_of(std::int32_t body, const WallView& wall) const {
   const SpaceFrame frame = frame_of(body, wall);
   Box box{{1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}};
   const FreeShapes& f = m_.free;
-  for (auto part = f.part_begin[body]; part < f.part_begin[static_cast<std::size_t>(body) + 1];
-       ++part)
+  for (auto part = f.part_begin[body]; part < f.part_begin[body + 1]; ++part)
     for (const Facet& facet : parts_.facets_of(part))
       for (auto c = facet.begin; c < facet.end; ++c) {
         const Vec p = frame.at + turned(frame.turn, parts_.corner[c]);
@@ -319,7 +317,7 @@ std::pair<std::int32_t, std::int32_t> SpaceBodies::sides_of(JointId joint) const
 }
 
 int SpaceBodies::points_of_face(JointId joint) const {
-  return m_.space.point_begin[static_cast<std::size_t>(joint) + 1] - m_.space.point_begin[joint];
+  return m_.space.point_begin[joint + 1] - m_.space.point_begin[joint];
 }
 
 SpaceBodies::Jump SpaceBodies::jump_of(JointId joint, const WallView& wall) const {

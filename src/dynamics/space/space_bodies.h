@@ -37,12 +37,8 @@ class SpaceBodies {
   [[nodiscard]] static double at_most(const Vector<double>& way) {
     return square_root(dot(way, way));
   }
-  [[nodiscard]] double size_of(BlockId block) const {
-    return 2 * reach_[static_cast<std::size_t>(block)];
-  }
-  [[nodiscard]] double height_of(BlockId block) const {
-    return height_[static_cast<std::size_t>(block)];
-  }
+  [[nodiscard]] double size_of(BlockId block) const { return 2 * reach_[block]; }
+  [[nodiscard]] double height_of(BlockId block) const { return height_[block]; }
   [[nodiscard]] double fallen_height(BlockId block, const WallView& wall) const;
   [[nodiscard]] Vec place_of(std::int32_t body, const WallView& wall) const;
   [[nodiscard]] ForceMoment rates_of(std::int32_t body, const WallView& wall) const;
@@ -83,15 +79,13 @@ class SpaceBodies {
   static void press(Packed&, double) {}
   [[nodiscard]] static bool take(const Packed&, int, FreePair&) { return false; }
   [[nodiscard]] double inverse_mass(std::int32_t body) const {
-    return body < m_.n_block ? 1 / m_.mass[static_cast<std::size_t>(body)] : 0.0;
+    return body < m_.n_block ? 1 / m_.mass[body] : 0.0;
   }
   [[nodiscard]] double mobility(const FreeContact& contact, const SlipUpdate& slip_update) const;
   static void spread(const ViscousForce& force, const SlipUpdate& slip_update, bool of_a,
                      ForceMoment& on_a, ForceMoment& on_b);
   // Velocities stored by cache_motion().
-  [[nodiscard]] const ForceMoment& rates_now(std::int32_t body) const {
-    return now_[static_cast<std::size_t>(body)].rates;
-  }
+  [[nodiscard]] const ForceMoment& rates_now(std::int32_t body) const { return now_[body].rates; }
   // Gives the contact a slip whose force equals the joints' force on a along the face, up to friction.
   void take_over_shear(FreePair& pair, const Vec& on_a) const;
 

@@ -10,7 +10,7 @@ namespace wythe::dynamics::space {
 namespace {
 
 int points_of_face(const Model& m, int j) {
-  return m.space.point_begin[static_cast<std::size_t>(j) + 1] - m.space.point_begin[j];
+  return m.space.point_begin[j + 1] - m.space.point_begin[j];
 }
 
 // Runs of joints of one law, one kind of support and one number of points.
@@ -169,7 +169,7 @@ void fill_blocks(const Layout& l, const Model& m, Tables& t) {
       for (int c = 0; c < 3; ++c) t.axes[l.number(i, kAxisRows, 3 * k + c, 1)] = all[c];
     }
     auto e = m.block_begin[i];
-    const auto last = m.block_begin[static_cast<std::size_t>(i) + 1];
+    const auto last = m.block_begin[i + 1];
     for (; e < last && (m.block_entry[e] & 1) == 0; ++e)
       t.block_entry[next++] = l.joint_place[m.block_entry[e] >> 1];
     add(m.links.a, i, l.n_joint);

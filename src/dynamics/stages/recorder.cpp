@@ -169,7 +169,7 @@ void Recorder::take_shape(const WallAccess& access, State& state) {
   shape.moved.assign(static_cast<std::size_t>(model_.n_block + supports + bodies), 0.0);
   for (BlockId b = 0; b < model_.n_block + supports + bodies; ++b) {
     if (b >= model_.n_block && b < model_.n_block + supports) continue;
-    shape.moved[static_cast<std::size_t>(b)] =
+    shape.moved[b] =
         dot(along, read_block(model_, state, b).moved - read_block(model_, start, b).moved);
   }
   const double apart = kShapesApart * displacement_;
@@ -246,7 +246,7 @@ double Recorder::resisted_by_ground(const WallAccess& access, const State& state
 double Recorder::dead_along_push(const State& state) const {
   std::vector<bool> driven(static_cast<std::size_t>(model_.n_block), false);
   for (const BlockId block : stage_.driven)
-    if (block < model_.n_block) driven[static_cast<std::size_t>(block)] = true;  // else a support
+    if (block < model_.n_block) driven[block] = true;  // else a support
   double mass = 0, force = 0;
   for (std::size_t i = 0; i < driven.size(); ++i) mass += driven[i] ? 0.0 : model_.gravity_mass[i];
   for (const double node : model_.solids.node_gravity_mass) mass += node;
@@ -255,7 +255,7 @@ double Recorder::dead_along_push(const State& state) const {
   force = mass * dot(Vec3{state.gravity_x, state.gravity_y, state.gravity_z}, along);
   for (std::size_t k = 0; k < model_.stages.size(); ++k)
     for (const PointLoad& load : model_.stages[k].loads)
-      if (!driven[static_cast<std::size_t>(load.block)])
+      if (!driven[load.block])
         force += state.load_scale[k] * dot(Vec3{load.fx, load.fy, load.fz}, along);
   return force;
 }
@@ -404,7 +404,7 @@ void Recorder::note_joints(const State& state, double displacement, double react
       result_.events.push_back({{event.code}, displacement, reaction, place_of(joint, point)});
     };
     const auto j = static_cast<std::size_t>(joint);
-    const auto& m = model_.materials[static_cast<std::size_t>(model_.joint_material[j])];
+    const auto& m = model_.materials[model_.joint_material[j]];
     const bool dry = m.tensile_strength == 0;
     // a new block starts with the closing of the beds that it replaced (docs/theory/cutting.md)
     constexpr double kBegunWith = 0.05;
@@ -414,7 +414,7 @@ void Recorder::note_joints(const State& state, double displacement, double react
     const double least_crushing = was_put_up ? kBegunWith : 0.0;
     const PointRange range = points_of(model_, joint);
     for (PointId p = range.begin; p < range.end; ++p) {
-      const PointReading& point = points[static_cast<std::size_t>(p)];
+      const PointReading& point = points[p];
       if (point.crushing > least_crushing) mark(crushing, point);
       if (dry) continue;
       if (point.damage > 0) mark(crack, point);
@@ -427,7 +427,7 @@ void Recorder::note_joints(const State& state, double displacement, double react
 }
 
 Message Recorder::place_of(JointId joint, const PointReading& point) const {
-  const JointKind kind = model_.anatomy.joint_kind[static_cast<std::size_t>(joint)];
+  const JointKind kind = model_.anatomy.joint_kind[joint];
   return {"place.joint",
           {{"joint", Message{word_of(kJointKindCodes, kind)}},
            {"x_m", clean(point.where.x)},

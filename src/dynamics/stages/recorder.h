@@ -49,9 +49,7 @@ class Recorder {
   void begin_leg(std::size_t leg, double from, double travelled);
   void plan_close();
   [[nodiscard]] bool has_turned() const;
-  [[nodiscard]] double next_state_at() const {
-    return state_at_[static_cast<std::size_t>(n_.next_state)];
-  }
+  [[nodiscard]] double next_state_at() const { return state_at_[n_.next_state]; }
   void note_links(const State& state, double displacement, double reaction);
   void note_frames(const State& state, double displacement, double reaction);
   void note_layers(const State& state, double displacement, double reaction);

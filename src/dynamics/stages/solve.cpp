@@ -81,7 +81,7 @@ WallRun::WallRun(const Model& model, State& state, const SolveOptions& options,
 // Starts the next stage that takes a step, if any.
 void WallRun::start_stages() {
   while (!stage_ && static_cast<std::size_t>(state_.stage) < model_.stages.size()) {
-    const Stage& stage = model_.stages[static_cast<std::size_t>(state_.stage)];
+    const Stage& stage = model_.stages[state_.stage];
     record_.result.time_step = stage_time_step(model_, stage);
     stage_ = StageRun::start(wall_, stage);
     if (!stage_->ended()) return;
@@ -119,8 +119,7 @@ void WallRun::poll_caller() {
   if (asked)
     stage_->end({SolveStatus::kInterrupted,
                  {"stop.by_user",
-                  {{"stage", model_.stages[static_cast<std::size_t>(state_.stage)].spec.name},
-                   {"time_s", state_.time}}},
+                  {{"stage", model_.stages[state_.stage].spec.name}, {"time_s", state_.time}}},
                  false});
   else if (spent)
     stage_->end(
@@ -144,7 +143,7 @@ void WallRun::move_to(std::unique_ptr<WallAccess> access) {
 // Whether the curve, which belongs to the last push so far, is of driven supports.
 bool WallRun::is_of_supports() const {
   for (int k = std::min(state_.stage, static_cast<int>(model_.stages.size()) - 1); k >= 0; --k) {
-    const Stage& stage = model_.stages[static_cast<std::size_t>(k)];
+    const Stage& stage = model_.stages[k];
     if (stage.spec.kind == StageKind::kPush) return drives_supports(model_, stage);
   }
   return false;

@@ -100,7 +100,7 @@ StageEnd StageRun::close() {
 }
 
 std::string StageRun::name_of(BlockId block) const {
-  if (block < model_.n_block) return model_.anatomy.block_id[static_cast<std::size_t>(block)];
+  if (block < model_.n_block) return model_.anatomy.block_id[block];
   const int node = block - model_.n_block;
   std::string name = "of zones";
   for (const SolidBody& body : model_.solids.bodies)
@@ -117,9 +117,7 @@ bool StageRun::is_overloaded() const {
     for (const PointLoad& dead : model_.stages[k].loads) load -= state_.load_scale[k] * dead.fy;
   for (int i = model_.n_pair; i < model_.n_joint; ++i) {
     const auto j = static_cast<std::size_t>(i);
-    bears +=
-        model_.area[j] *
-        model_.materials[static_cast<std::size_t>(model_.joint_material[j])].compressive_strength;
+    bears += model_.area[j] * model_.materials[model_.joint_material[j]].compressive_strength;
   }
   return load > bears;
 }
@@ -206,7 +204,7 @@ StageEnd StageRun::fallen(const Furthest& furthest) const {
     return {SolveStatus::kCollapsed,
             {"block.pulled_away",
              {{"block", name_of(furthest.block)},
-              {"tie", model_.links.name[static_cast<std::size_t>(link)]},
+              {"tie", model_.links.name[link]},
               {"moved_mm", 1e3 * furthest.distance},
               {"force_kN", 1e-3 * force},
               {"stage", stage_.spec.name}}},
@@ -293,7 +291,7 @@ class SettlingStage : public StageRun {
     }
     if (stage_.spec.kind == StageKind::kLoad || stage_.spec.kind == StageKind::kCut ||
         !stage_.loads.empty() || model_.links.set_by == state_.stage)
-      state_.load_scale[static_cast<std::size_t>(state_.stage)] = share;
+      state_.load_scale[state_.stage] = share;
   }
 
   void after_step(double) override {
@@ -420,7 +418,7 @@ class Push : public StageRun {
   [[nodiscard]] bool target_left() const {
     return static_cast<std::size_t>(state_.target) < targets_.size();
   }
-  [[nodiscard]] double target() const { return targets_[static_cast<std::size_t>(state_.target)]; }
+  [[nodiscard]] double target() const { return targets_[state_.target]; }
   // Displacement of the control point, or of the driven mean, to which rows and targets refer [m].
   [[nodiscard]] double displacement() const {
     return stage_.control >= 0 ? state_.control_moved : state_.drive_displacement;

@@ -175,13 +175,13 @@ class FaceFinder {
   }
 
   void match(int i, int k) {
-    if (!out_.span[at(i)].meets(out_.span[at(k)]) || are_of_one_frame(i, k)) return;
-    const bool swapped = out_.body[at(k)].fixed && !out_.body[at(i)].fixed;
-    const bool both_fixed = out_.body[at(k)].fixed && out_.body[at(i)].fixed;
+    if (!out_.span[i].meets(out_.span[k]) || are_of_one_frame(i, k)) return;
+    const bool swapped = out_.body[k].fixed && !out_.body[i].fixed;
+    const bool both_fixed = out_.body[k].fixed && out_.body[i].fixed;
     const int a = swapped ? k : i, b = swapped ? i : k;
     std::vector<Piece> pieces;
-    for (Face& fa : faces_[at(a)])
-      for (Face& fb : faces_[at(b)]) {
+    for (Face& fa : faces_[a])
+      for (Face& fb : faces_[b]) {
         if (dot(fa.facet.normal, fb.facet.normal) > -0.9) continue;
         if (!near(fa.box, fb.box, 2 * widest_miss())) continue;
         Overlap found = overlap_of(fa.facet, fb.facet, finest());
@@ -200,8 +200,8 @@ class FaceFinder {
     const int a = frame_of(out_, i), b = frame_of(out_, k);
     if (a >= 0 && b >= 0) return a == b;
     const int frame = std::max(a, b);
-    return frame >= 0 && out_.frames[at(frame)].holds_feet() &&
-           (out_.body[at(i)].fixed || out_.body[at(k)].fixed);
+    return frame >= 0 && out_.frames[frame].holds_feet() &&
+           (out_.body[i].fixed || out_.body[k].fixed);
   }
 
   void add_joint(int a, int b, Piece piece) {
@@ -239,12 +239,10 @@ class FaceFinder {
   void say_lost() {
     out_.notes.push_back({"space.faces_lost",
                           {{"count", out_.lost_faces},
-                           {"a", out_.body[at(lost_a_)].id},
-                           {"b", out_.body[at(lost_b_)].id},
+                           {"a", out_.body[lost_a_].id},
+                           {"b", out_.body[lost_b_].id},
                            {"gap_mm", lost_gap_ * 1e3}}});
   }
-
-  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
   SpaceAssembly& out_;
   double size_;
@@ -295,16 +293,15 @@ std::vector<std::pair<int, int>> near_pairs(const std::vector<Box3>& boxes, doub
   const int axis = widest_axis(boxes);
   std::vector<int> order(boxes.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
-  const auto low = [&](int i) { return along(boxes[static_cast<std::size_t>(i)].low, axis); };
-  const auto high = [&](int i) { return along(boxes[static_cast<std::size_t>(i)].high, axis); };
+  const auto low = [&](int i) { return along(boxes[i].low, axis); };
+  const auto high = [&](int i) { return along(boxes[i].high, axis); };
   std::stable_sort(order.begin(), order.end(), [&](int i, int k) { return low(i) < low(k); });
   std::vector<std::pair<int, int>> pairs;
   for (std::size_t p = 0; p < order.size(); ++p)
     for (std::size_t q = p + 1; q < order.size(); ++q) {
       if (low(order[q]) > high(order[p]) + margin) break;
       const auto [i, k] = std::minmax(order[p], order[q]);
-      if (near(boxes[static_cast<std::size_t>(i)], boxes[static_cast<std::size_t>(k)], margin))
-        pairs.emplace_back(i, k);
+      if (near(boxes[i], boxes[k], margin)) pairs.emplace_back(i, k);
     }
   std::sort(pairs.begin(), pairs.end());
   return pairs;

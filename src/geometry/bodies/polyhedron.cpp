@@ -33,8 +33,7 @@ struct Sums {
     std::vector<Vec3> corner;
     for (const std::vector<std::int32_t>& face : part.face) {
       corner.clear();
-      for (const std::int32_t i : face)
-        corner.push_back(part.vertex[static_cast<std::size_t>(i)] - origin);
+      for (const std::int32_t i : face) corner.push_back(part.vertex[i] - origin);
       if (corner.size() == 3) {
         add(corner[0], corner[1], corner[2]);
         continue;
@@ -113,7 +112,7 @@ Facet measured(std::vector<Vec3> corners) {
 Facet facet_of(const Polyhedron& part, std::span<const std::int32_t> corners) {
   std::vector<Vec3> at;
   at.reserve(corners.size());
-  for (const std::int32_t i : corners) at.push_back(part.vertex[static_cast<std::size_t>(i)]);
+  for (const std::int32_t i : corners) at.push_back(part.vertex[i]);
   return measured(std::move(at));
 }
 

@@ -87,7 +87,7 @@ bool check_sizes(const PlanWallSpec& spec, const WallSpec& wall, const std::stri
 
 // Adds one straight wall for each segment of a table's line.
 void add_sides(const Site& site, int index, std::vector<StraightWall>& walls, FaultList& faults) {
-  const PlanWallSpec& spec = site.spec.plan_wall[static_cast<std::size_t>(index)];
+  const PlanWallSpec& spec = site.spec.plan_wall[index];
   const std::string path = "plan_wall." + std::to_string(index);
   const WallSpec wall = inherited(site, spec, path, faults);
   const bool sized = check_sizes(spec, wall, path, faults);
@@ -169,7 +169,7 @@ class Meetings {
   }
 
  private:
-  StraightWall& at(int i) { return walls_[static_cast<std::size_t>(i)]; }
+  StraightWall& at(int i) { return walls_[i]; }
 
   void refuse(const StraightWall& wall, Vec2 p, const std::string& problem,
               const std::string& cure) {
@@ -178,15 +178,13 @@ class Meetings {
 
   bool is_toothed(const StraightWall& a, const StraightWall& b) const {
     const auto& spec = spec_.plan_wall;
-    return spec[static_cast<std::size_t>(a.index)].meets == Meeting::kToothed &&
-           spec[static_cast<std::size_t>(b.index)].meets == Meeting::kToothed;
+    return spec[a.index].meets == Meeting::kToothed && spec[b.index].meets == Meeting::kToothed;
   }
 
   // Whether the heights of two walls overlap: a wall above another meets it in no course.
   [[nodiscard]] bool lie_beside(const StraightWall& a, const StraightWall& b) const {
     const auto top = [&](const StraightWall& wall) {
-      return wall.base + wall.wall.height +
-             spec_.plan_wall[static_cast<std::size_t>(wall.index)].gable;
+      return wall.base + wall.wall.height + spec_.plan_wall[wall.index].gable;
     };
     return a.base < top(b) - kSamePlace && b.base < top(a) - kSamePlace;
   }
@@ -426,7 +424,7 @@ void match_courses(std::vector<StraightWall>& walls, FaultList& faults) {
   const auto toothed = [&](std::size_t i, int e, EndKind kind) {
     const WallEnd& end = walls[i].end[e];
     return end.kind == kind && end.toothed && has_courses(walls[i]) &&
-           has_courses(walls[static_cast<std::size_t>(end.other)]);
+           has_courses(walls[end.other]);
   };
   for (StraightWall& wall : walls)
     for (int e = 0; e < 2 && has_courses(wall); ++e)

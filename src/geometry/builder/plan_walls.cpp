@@ -354,7 +354,7 @@ class WallBuilder {
       if (small == row.end()) break;
       const auto k = small - row.begin();
       const bool left = 2 * k < static_cast<std::ptrdiff_t>(row.size());
-      Block& host = row[static_cast<std::size_t>(left ? k + 1 : k - 1)];
+      Block& host = row[left ? k + 1 : k - 1];
       host.outline = outline_of(join(bounds(host.outline), bounds(small->outline)));
       row.erase(small);
       ++joined;
@@ -580,7 +580,7 @@ class FrameInWall {
 
  private:
   void take(const PlacedOpening& opening) {
-    const OpeningSpec& spec = wall_.wall.opening[static_cast<std::size_t>(opening.index)];
+    const OpeningSpec& spec = wall_.wall.opening[opening.index];
     const Rect& hole = opening.hole;
     const bool is_round = !frame_.round.empty() && frame_.round == spec.name;
     if ((is_round || stands_in(hole)) && frame_.stage.empty()) frame_.stage = spec.cut;
@@ -664,9 +664,7 @@ std::vector<FrameSpec> frames_in_walls(const Site& site, const std::vector<Strai
       add_fault(faults, path + ".wall", "\"" + frames[k].wall + "\"", "is no straight wall",
                 name_advice(frames[k].wall, names));
     else
-      frames[k] =
-          FrameInWall(site, walls[static_cast<std::size_t>(found - names.begin())], k, faults)
-              .placed();
+      frames[k] = FrameInWall(site, walls[found - names.begin()], k, faults).placed();
   }
   return frames;
 }

@@ -241,7 +241,7 @@ bool check_built(const std::string& path, double count, FaultList& faults) {
 }  // namespace
 
 std::vector<BuiltBody> build_arch(const Site& site, int index, FaultList& faults) {
-  const StandingArchSpec& spec = site.spec.arch[static_cast<std::size_t>(index)];
+  const StandingArchSpec& spec = site.spec.arch[index];
   const auto path = [&](const char* key) { return path_of("arch", index, key); };
   double rise = 0;
   bool good = check_shell(site, "arch", index, spec, rise, faults);
@@ -256,7 +256,7 @@ std::vector<BuiltBody> build_arch(const Site& site, int index, FaultList& faults
 }
 
 std::vector<BuiltBody> build_dome(const Site& site, int index, FaultList& faults) {
-  const DomeSpec& spec = site.spec.dome[static_cast<std::size_t>(index)];
+  const DomeSpec& spec = site.spec.dome[index];
   const auto path = [&](const char* key) { return path_of("dome", index, key); };
   double rise = 0;
   bool good = check_shell(site, "dome", index, spec, rise, faults);

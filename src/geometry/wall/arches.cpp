@@ -59,7 +59,7 @@ bool check_number(const ArchSpec& arch, int index, FaultList& faults) {
 }
 
 void check_body(const Shape& shape, int index, FaultList& faults) {
-  const std::string& material = shape.wall.opening[static_cast<std::size_t>(index)].arch.material;
+  const std::string& material = shape.wall.opening[index].arch.material;
   if (material.empty()) return;
   const auto found = shape.material.find(material);
   if (found == shape.material.end()) {
@@ -210,13 +210,13 @@ bool has_room(const PlacedArch& laid, const Storey& storey, const PlacedOpening&
 // --- cutting -----------------------------------------------------------------------------------------
 
 double least_area(const Block& block, const std::vector<Storey>& storeys) {
-  const Lattice& lattice = storeys[static_cast<std::size_t>(std::max(0, block.storey))].lattice;
+  const Lattice& lattice = storeys[std::max(0, block.storey)].lattice;
   return kSliver * lattice.columns.step * lattice.courses.step;
 }
 
 // Whether a piece is smaller than the shortest piece laid, or too thin to lay.
 bool is_sliver(const Block& block, const std::vector<Storey>& storeys) {
-  const Lattice& lattice = storeys[static_cast<std::size_t>(std::max(0, block.storey))].lattice;
+  const Lattice& lattice = storeys[std::max(0, block.storey)].lattice;
   const Rect box = bounds(block.outline);
   return moments(block.outline).area < least_area(block, storeys) * (1 - 1e-6) ||
          box.x1 - box.x0 < kThinnestVoussoir * lattice.columns.step ||
@@ -288,7 +288,7 @@ bool take_in(Block& host, const Block& part) {
 }  // namespace
 
 bool check_arch(const Shape& shape, int index, FaultList& faults) {
-  const OpeningSpec& opening = shape.wall.opening[static_cast<std::size_t>(index)];
+  const OpeningSpec& opening = shape.wall.opening[index];
   if (opening.arch.kind == ArchKind::kNone) return false;
   if (!opening.lintel.kind.empty())
     add_fault(faults, opening_path(index, "arch"), "",

@@ -64,19 +64,14 @@ std::vector<std::string> unsupported_blocks(const Assembly& assembly) {
   const std::size_t n = assembly.blocks.size();
   const auto index = [n](int i) { return i == kGround ? n : static_cast<std::size_t>(i); };
   Groups groups(n + 1);
-  const auto goes = [&](int i) {
-    return i != kGround && assembly.blocks[static_cast<std::size_t>(i)].cut_from >= 0;
-  };
+  const auto goes = [&](int i) { return i != kGround && assembly.blocks[i].cut_from >= 0; };
   for (const Face& face : assembly.faces)  // masonry that a stage cuts out carries nothing
     if (!goes(face.a) && !goes(face.b)) groups.join(index(face.a), index(face.b));
   for (const PlacedFrame& frame : assembly.frames) {
     std::vector<std::size_t> block(frame.segments.size(), n);
     for (std::size_t i = 0; i < n; ++i)
-      if (assembly.blocks[i].frame == frame.index)
-        block[static_cast<std::size_t>(assembly.blocks[i].segment)] = i;
-    const auto side = [&](int segment) {
-      return segment == kGround ? n : block[static_cast<std::size_t>(segment)];
-    };
+      if (assembly.blocks[i].frame == frame.index) block[assembly.blocks[i].segment] = i;
+    const auto side = [&](int segment) { return segment == kGround ? n : block[segment]; };
     for (const FrameJoint& joint : frame.joints) groups.join(side(joint.a), side(joint.b));
   }
   std::vector<std::string> ids;
@@ -106,8 +101,8 @@ void check_overlaps(const std::vector<Block>& blocks, FaultList& faults) {
   std::size_t refused = 0;
   Twins twins;
   for (const auto& [i, j] : pairs) {
-    const Block& a = blocks[static_cast<std::size_t>(i)];
-    const Block& b = blocks[static_cast<std::size_t>(j)];
+    const Block& a = blocks[i];
+    const Block& b = blocks[j];
     refused += refuse_overlap(a, b, tolerance, twins, faults);
     if (twins.size() > blocks.size()) break;  // blocks listed more than twice: too many pairs
     if (refused < kOverlapsTold) continue;
@@ -136,7 +131,7 @@ void check_slivers(const std::vector<Block>& blocks, const std::vector<Storey>& 
   for (const Block& block : blocks) {
     if (block.role != Role::kMasonry) continue;
     const Rect box = bounds(block.outline);
-    const Lattice& lattice = storeys[static_cast<std::size_t>(std::max(0, block.storey))].lattice;
+    const Lattice& lattice = storeys[std::max(0, block.storey)].lattice;
     const double width = box.x1 - box.x0, height = box.y1 - box.y0;
     if (width >= kThinnest * lattice.columns.step && height >= kThinnest * lattice.courses.step) {
       continue;

@@ -44,15 +44,14 @@ FaceKind kind_of(const Block& a, const Block& b, const Contact& contact) {
 
 const LintelSpec& lintel_between(const Shape& shape, const Block& a, const Block& b) {
   const int opening = a.role == Role::kLintel ? a.opening : b.opening;
-  return shape.wall.opening[static_cast<std::size_t>(opening)].lintel;
+  return shape.wall.opening[opening].lintel;
 }
 
 // The first name of this kind of joint among region, storey and wall; "" where none states one.
 std::string stated(const Shape& shape, const Block& block, std::string MasonryJoints::*kind) {
   std::string name;
-  if (block.region >= 0) name = shape.region[static_cast<std::size_t>(block.region)].joints.*kind;
-  if (name.empty() && block.storey >= 0)
-    name = shape.storey[static_cast<std::size_t>(block.storey)].joints.*kind;
+  if (block.region >= 0) name = shape.region[block.region].joints.*kind;
+  if (name.empty() && block.storey >= 0) name = shape.storey[block.storey].joints.*kind;
   return name.empty() ? shape.wall.joints.*kind : name;
 }
 
@@ -92,9 +91,8 @@ std::string bond_material(const LintelSpec& lintel, const Block& a, const Contac
 std::string band_material(const Shape& shape, const Block& a, const Block& b,
                           const Contact& contact) {
   const Block& band = a.role == Role::kSill || a.role == Role::kRingBeam ? a : b;
-  if (band.role == Role::kSill)
-    return shape.wall.opening[static_cast<std::size_t>(band.opening)].sill.joint;
-  const RingBeamSpec& beam = shape.ring_beam[static_cast<std::size_t>(band.ring_beam)];
+  if (band.role == Role::kSill) return shape.wall.opening[band.opening].sill.joint;
+  const RingBeamSpec& beam = shape.ring_beam[band.ring_beam];
   const Vec2 t = contact.p1 - contact.p0;
   const bool on_top = &band == &a && std::abs(t.y) <= kAlongAxis * length(t);
   return on_top && !beam.top_joint.empty() ? beam.top_joint : beam.joint;
@@ -108,7 +106,7 @@ std::string arch_material(const Shape& shape, const Block& a, const Block& b) {
 }
 
 const std::string& joint_of_frame(const Shape& shape, const Block& segment) {
-  return shape.frame[static_cast<std::size_t>(segment.frame)].joint;
+  return shape.frame[segment.frame].joint;
 }
 std::string frame_joint(const Shape& shape, const Block& segment, const Block& other) {
   return own_joint(shape, joint_of_frame(shape, segment), other);
@@ -168,15 +166,13 @@ Face pair_face(const Shape& shape, const Block& a, const Block& b, const Contact
 // Makes the ground side a: a contact whose b is the support is reversed.
 Face ground_face(const Shape& shape, const std::vector<Block>& blocks, Contact contact,
                  int support) {
-  const bool is_frame =
-      blocks[static_cast<std::size_t>(support == contact.a ? contact.b : contact.a)].role ==
-      Role::kFrame;
+  const bool is_frame = blocks[support == contact.a ? contact.b : contact.a].role == Role::kFrame;
   if (support != contact.a) {
     std::swap(contact.a, contact.b);
     std::swap(contact.p0, contact.p1);
   }
-  const Block& block = blocks[static_cast<std::size_t>(contact.b)];
-  const Block* below = support == kGround ? nullptr : &blocks[static_cast<std::size_t>(support)];
+  const Block& block = blocks[contact.b];
+  const Block* below = support == kGround ? nullptr : &blocks[support];
   return {kGround,
           contact.b,
           contact.p0,
@@ -275,16 +271,12 @@ void add_masonry_uses(const Shape& shape, Uses& uses) {
 
 // Whether a contact is between two segments of one frame, or of a held foot: sections connect these, not faces.
 bool is_within_frame(const Shape& shape, const std::vector<Block>& blocks, const Contact& contact) {
-  const auto frame_of = [&](int i) {
-    return i == kGround ? -1 : blocks[static_cast<std::size_t>(i)].frame;
-  };
-  const auto rests = [&](int i) {
-    return i == kGround || blocks[static_cast<std::size_t>(i)].role == Role::kSupport;
-  };
+  const auto frame_of = [&](int i) { return i == kGround ? -1 : blocks[i].frame; };
+  const auto rests = [&](int i) { return i == kGround || blocks[i].role == Role::kSupport; };
   const int a = frame_of(contact.a), b = frame_of(contact.b);
   if (a >= 0 && a == b) return true;
   if (std::max(a, b) < 0 || !(rests(contact.a) || rests(contact.b))) return false;
-  const FrameFeet feet = shape.frame[static_cast<std::size_t>(std::max(a, b))].feet;
+  const FrameFeet feet = shape.frame[std::max(a, b)].feet;
   return feet == FrameFeet::kFixed || feet == FrameFeet::kHinged;
 }
 
@@ -300,9 +292,7 @@ bool uses_blocks_file(const Shape& shape) {
 
 std::vector<Face> name_faces(const Shape& shape, const std::vector<Block>& blocks,
                              const std::vector<Contact>& contacts) {
-  const auto is_support = [&](int i) {
-    return i == kGround || blocks[static_cast<std::size_t>(i)].role == Role::kSupport;
-  };
+  const auto is_support = [&](int i) { return i == kGround || blocks[i].role == Role::kSupport; };
   std::vector<Face> faces;
   faces.reserve(contacts.size());
   for (const Contact& contact : contacts) {
@@ -311,8 +301,7 @@ std::vector<Face> name_faces(const Shape& shape, const std::vector<Block>& block
     if (a_rests || b_rests) {
       faces.push_back(ground_face(shape, blocks, contact, a_rests ? contact.a : contact.b));
     } else {
-      faces.push_back(pair_face(shape, blocks[static_cast<std::size_t>(contact.a)],
-                                blocks[static_cast<std::size_t>(contact.b)], contact));
+      faces.push_back(pair_face(shape, blocks[contact.a], blocks[contact.b], contact));
     }
   }
   return faces;

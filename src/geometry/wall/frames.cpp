@@ -335,8 +335,8 @@ class Builder {
       if ((i == 0 && !begins) || (i == pieces && !ends)) continue;
       FrameJoint joint;
       joint.part = static_cast<int>(frame_.parts.size()) - 1;
-      joint.a = i == 0 ? first : segment[static_cast<std::size_t>(i - 1)];
-      joint.b = i == pieces ? last : segment[static_cast<std::size_t>(i)];
+      joint.a = i == 0 ? first : segment[i - 1];
+      joint.b = i == pieces ? last : segment[i];
       joint.place = i * step;
       joint.length = step * (1 + (begins ? at_end(i) : 0) + (ends ? at_end(pieces - i) : 0));
       joint.hinged = spec_.feet == FrameFeet::kHinged && (joint.a == kGround || joint.b == kGround);
@@ -365,8 +365,7 @@ const PlacedOpening* find_opening(const Shape& shape, const std::vector<PlacedOp
   std::vector<std::string> names;
   for (const OpeningSpec& opening : shape.wall.opening) names.push_back(opening.name);
   for (const PlacedOpening& opening : openings)
-    if (shape.wall.opening[static_cast<std::size_t>(opening.index)].name == frame.round)
-      return &opening;
+    if (shape.wall.opening[opening.index].name == frame.round) return &opening;
   // a faulty opening is reported elsewhere
   if (std::find(names.begin(), names.end(), frame.round) != names.end()) return nullptr;
   add_fault(faults, path_of(index, "round"), "\"" + frame.round + "\"",
@@ -487,8 +486,7 @@ void check_frames(const Assembly& assembly, FaultList& faults) {
   std::vector<bool> told(assembly.frames.size(), false);
   const double tolerance = contact_tolerance(assembly.blocks);
   for (const auto& [i, j] : near_pairs(assembly.blocks, 0)) {
-    const Block &a = assembly.blocks[static_cast<std::size_t>(i)],
-                &b = assembly.blocks[static_cast<std::size_t>(j)];
+    const Block &a = assembly.blocks[i], &b = assembly.blocks[j];
     if (a.frame == b.frame || a.cut_from >= 0 || b.cut_from >= 0) continue;
     const Block &segment = a.frame >= 0 ? a : b, &other = a.frame >= 0 ? b : a;
     const Rect box = bounds(segment.outline);

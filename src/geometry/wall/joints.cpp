@@ -165,8 +165,8 @@ void test_edges(const PairSearch& search, int i, int j, const Edge& e, const Edg
 }
 
 void test_pair(const PairSearch& search, int i, int j) {
-  const Polygon& a = search.blocks[static_cast<std::size_t>(i)].outline;
-  const Polygon& b = search.blocks[static_cast<std::size_t>(j)].outline;
+  const Polygon& a = search.blocks[i].outline;
+  const Polygon& b = search.blocks[j].outline;
   for (std::size_t k = 0; k < a.size(); ++k) {
     for (std::size_t m = 0; m < b.size(); ++m) {
       test_edges(search, i, j, edge_of(a, k), edge_of(b, m));
@@ -200,18 +200,18 @@ std::vector<std::pair<int, int>> near_pairs(const std::vector<Block>& blocks, do
   const CellGrid grid = make_grid(boxes);
   const std::vector<Entry> entries = fill_cells(grid, boxes);
   const auto is_fixed = [&](const Entry& entry) {
-    return blocks[static_cast<std::size_t>(entry.block)].role == Role::kSupport;
+    return blocks[entry.block].role == Role::kSupport;
   };
   // index of the next movable entry: pairs of two supports are skipped altogether
   std::vector<std::size_t> next_free(entries.size() + 1, entries.size());
   for (std::size_t k = entries.size(); k-- > 0;)
     next_free[k] = is_fixed(entries[k]) ? next_free[k + 1] : k;
   for (std::size_t k = 0; k < entries.size(); ++k) {
-    const Rect& a = boxes[static_cast<std::size_t>(entries[k].block)];
+    const Rect& a = boxes[entries[k].block];
     const auto next = [&](std::size_t m) { return is_fixed(entries[k]) ? next_free[m] : m; };
     for (std::size_t m = next(k + 1); m < entries.size() && entries[m].cell == entries[k].cell;
          m = next(m + 1)) {
-      const Rect& b = boxes[static_cast<std::size_t>(entries[m].block)];
+      const Rect& b = boxes[entries[m].block];
       if (meet(a, b) && home_cell(grid, a, b) == entries[k].cell) {
         pairs.emplace_back(entries[k].block, entries[m].block);
         if (pairs.size() >= most) return pairs;

@@ -181,13 +181,13 @@ bool bears_as_stated(double laid, const Axis& columns, const PlacedOpening& open
 int whole_steps(double size, double step) { return std::max(1, to_int(std::round(size / step))); }
 
 bool check_lintel(const Shape& shape, int index, FaultList& faults) {
-  const LintelSpec& lintel = shape.wall.opening[static_cast<std::size_t>(index)].lintel;
+  const LintelSpec& lintel = shape.wall.opening[index].lintel;
   if (lintel.kind.empty()) return false;
   return check_beam(shape, index, beam_of(lintel), lintel.material, faults);
 }
 
 bool check_sill(const Shape& shape, int index, FaultList& faults) {
-  const SillSpec& sill = shape.wall.opening[static_cast<std::size_t>(index)].sill;
+  const SillSpec& sill = shape.wall.opening[index].sill;
   if (sill.kind.empty()) return false;
   return check_beam(shape, index, beam_of(sill), sill.material, faults);
 }

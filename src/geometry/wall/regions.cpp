@@ -68,8 +68,7 @@ std::optional<Area> pier_area(const NamedRegion& region, const Storey& storey,
                               const RegionSite& site) {
   std::vector<PlacedOpening> beside;
   for (const PlacedOpening& opening : site.openings)
-    if (site.storeys[static_cast<std::size_t>(opening.storey)].index == storey.index)
-      beside.push_back(opening);
+    if (site.storeys[opening.storey].index == storey.index) beside.push_back(opening);
   const std::vector<Pier> piers = find_piers(beside, site.assembly.length, storey.height);
   const auto k = static_cast<std::size_t>(region.spec.pier) - 1;
   if (k < piers.size()) return Area{{piers[k].x0, storey.foot, piers[k].x1, storey.top()}, {}};
@@ -179,10 +178,10 @@ bool fill(const Shape& shape, int index, const Area& area, const std::vector<Vec
     found = true;
     if (block.region >= 0) ++taken[block.region];
     block.region = index;
-    const double thickness = shape.region[static_cast<std::size_t>(index)].thickness;
+    const double thickness = shape.region[index].thickness;
     if (!std::isnan(thickness)) block.thickness = thickness;
   }
-  const auto name = [&](int i) { return name_of(shape.region[static_cast<std::size_t>(i)], i); };
+  const auto name = [&](int i) { return name_of(shape.region[i], i); };
   for (const auto& [other, blocks] : taken)
     assembly.report.notes.push_back(
         {"region.takes", {{"region", name(index)}, {"blocks", blocks}, {"other", name(other)}}});

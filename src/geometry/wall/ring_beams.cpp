@@ -134,7 +134,7 @@ std::vector<Body> bodies_of(const Shape& shape, const std::vector<PlacedOpening>
                             const std::vector<PlacedRingBeam>& beams) {
   std::vector<Body> bodies;
   for (const PlacedRingBeam& beam : beams) {
-    const NamedBeam named{shape.ring_beam[static_cast<std::size_t>(beam.index)], beam.index};
+    const NamedBeam named{shape.ring_beam[beam.index], beam.index};
     bodies.push_back(
         {named.path("y"), named.called(), join(beam.segment.front(), beam.segment.back())});
     if (!named.spec.storey.empty()) bodies.back().path = named.path("storey");

@@ -94,8 +94,7 @@ void add_plane_supports(Assembly& assembly, const Anatomy& anatomy) {
   for (std::size_t s = 0; s + 1 < anatomy.support_begin.size(); ++s) {
     std::vector<Vec3> outline;
     for (int k = anatomy.support_begin[s]; k < anatomy.support_begin[s + 1]; ++k)
-      outline.push_back({anatomy.support_x[static_cast<std::size_t>(k)],
-                         anatomy.support_y[static_cast<std::size_t>(k)], 0});
+      outline.push_back({anatomy.support_x[k], anatomy.support_y[k], 0});
     assembly.add({prism_of(outline, anatomy.thickness)}, "support " + std::to_string(s), true);
   }
 }
@@ -115,7 +114,7 @@ std::string compas_json(const Model& model, const State& state) {
   if (in_space) {
     for (int s = 0; s < model.space.n_support; ++s)
       assembly.add(solid_now(model, state, model.n_block + s),
-                   model.space.body[static_cast<std::size_t>(model.n_block + s)].id, true);
+                   model.space.body[model.n_block + s].id, true);
     BlockId solid = model.n_block + model.space.n_support;
     for (const SpaceSolidBody& body : model.space.solids.bodies)
       assembly.add(solid_now(model, state, solid++), body.body.id, false);

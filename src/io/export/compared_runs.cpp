@@ -81,7 +81,7 @@ double weight_on_push(const Model& model) {
   double sum = 0;
   for (const BlockId b : push->driven)
     if (b < model.n_block)  // a support in space loads no joint
-      sum -= model.solve.gravity * model.gravity_mass[static_cast<std::size_t>(b)] * push->drive_y;
+      sum -= model.solve.gravity * model.gravity_mass[b] * push->drive_y;
   for (const Stage& stage : model.stages) {
     if (&stage == push) break;
     for (const PointLoad& load : stage.loads)

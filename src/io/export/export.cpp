@@ -84,7 +84,7 @@ class CsvSink : public Sink {
     return static_cast<int>(files_.size()) - 1;
   }
   void add_row(int table, const std::vector<std::string>& cells) override {
-    files_[static_cast<std::size_t>(table)]->add(row_of(cells));
+    files_[table]->add(row_of(cells));
   }
   void close() override {
     for (const std::unique_ptr<GrowingFile>& file : files_) file->close();
@@ -218,7 +218,7 @@ struct Wall {
   void number_zones(const std::vector<Body>& bodies) {
     for (std::size_t b = 0; b < bodies.size(); ++b)
       for (int z = 0; z < bodies[b].n_zone; ++z)
-        zone_body[static_cast<std::size_t>(bodies[b].first_zone + z)] = static_cast<int>(b);
+        zone_body[bodies[b].first_zone + z] = static_cast<int>(b);
   }
 };
 
@@ -308,7 +308,7 @@ class StateTables {
       const BlockReading at = read_block(model, wall.start, b);
       add_row(*blocks_, {sample, number, state},
               {std::to_string(b), word_of(kBlockRoleWords, at.role),
-               std::to_string(model.anatomy.block_course[static_cast<std::size_t>(b)])},
+               std::to_string(model.anatomy.block_course[b])},
               at.start, state.blocks, static_cast<std::size_t>(b));
     }
     for (std::size_t j = 0; j < wall.joint.size(); ++j) {

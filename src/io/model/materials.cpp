@@ -652,7 +652,7 @@ class Resolver {
       const auto found = std::find_if(rule.inputs.begin(), rule.inputs.end(), [&](const char* one) {
         return std::string_view(one) == name;
       });
-      return in.value[static_cast<std::size_t>(found - rule.inputs.begin())];
+      return in.value[found - rule.inputs.begin()];
     };
     for (const materials::Bound& bound : rule.range) {
       const bool ratio = *bound.per != '\0';

@@ -52,7 +52,7 @@ std::string history_csv(const ShakeHistory& history, int axes) {
       text += fmt::format(",{:.10g}", value * to_unit);
     };
     const auto each = [&](const std::array<double, 3>& values, double to_unit) {
-      for (int k = 0; k < axes; ++k) put(values[static_cast<std::size_t>(k)], to_unit);
+      for (int k = 0; k < axes; ++k) put(values[k], to_unit);
     };
     each(row.base_acceleration, 1);
     each(row.base_displacement, 1e3);
@@ -89,11 +89,10 @@ std::string frames_csv(const Model& model, const Result& result) {
   std::string text = "displacement_mm,frame,member,place_m,N_kN,V_kN,M_kNm,use";
   for (std::size_t row = 0; (row + 1) * n <= result.frame_rows.size(); ++row)
     for (std::size_t k = 0; k < n; ++k) {
-      const FrameMember& member = f.members[static_cast<std::size_t>(f.member[k])];
+      const FrameMember& member = f.members[f.member[k]];
       const FrameRow& now = result.frame_rows[row * n + k];
       text += fmt::format("\n{:.10g},{},{},{:.6g},{:.7g},{:.7g},{:.7g},{:.5g}",
-                          1e3 * result.curve[row].displacement,
-                          csv_cell(f.name[static_cast<std::size_t>(member.frame)]),
+                          1e3 * result.curve[row].displacement, csv_cell(f.name[member.frame]),
                           csv_cell(text_of(member.words)), f.place[k], 1e-3 * now.normal,
                           1e-3 * now.shear, 1e-3 * now.moment,
                           section_use(member, now.normal, now.shear, now.moment));

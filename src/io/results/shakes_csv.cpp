@@ -82,10 +82,9 @@ std::string shakes_csv(const Campaign& campaign) {
   text += ",status" + shake_titles(study) + ",retried,state_hash\n";
   for (const SampleRecord& record : campaign.records) {
     const SampleCase of = case_of(study, record.sample - 1);
-    const std::string head =
-        fmt::format("{},{},{}", record.sample, of.wall + 1,
-                    csv_cell(study.shaking.record[static_cast<std::size_t>(of.record)].name)) +
-        inputs_of(campaign, record);
+    const std::string head = fmt::format("{},{},{}", record.sample, of.wall + 1,
+                                         csv_cell(study.shaking.record[of.record].name)) +
+                             inputs_of(campaign, record);
     if (record.shakes.empty())
       text += head + "," + csv_cell(record.status) + shake_cells(study, {}) + ",0,\n";
     for (const ShakeResult& shake : record.shakes)

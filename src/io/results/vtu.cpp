@@ -208,7 +208,7 @@ std::string space_zones_vtu(const Model& model, const State& state) {
   const std::vector<SpaceSolidBody>& bodies = model.space.solids.bodies;
   for (std::size_t b = 0; b < bodies.size(); ++b)
     for (int z = bodies[b].first_zone; z < bodies[b].first_zone + bodies[b].n_zone; ++z) {
-      const SpaceZoneReading& now = zones[static_cast<std::size_t>(z)];
+      const SpaceZoneReading& now = zones[z];
       for (const Vec3& corner : now.corner) mesh.add_point(corner);
       mesh.close_cell();
       add(displacement, 1e3 * now.moved);

@@ -116,7 +116,7 @@ int Hdf5File::add_table(const std::string& name, const std::vector<ExportColumn>
 }
 
 void Hdf5File::add_row(int number, const std::vector<std::string>& cells) {
-  Table& table = *tables_[static_cast<std::size_t>(number)];
+  Table& table = *tables_[number];
   for (std::size_t c = 0; c < table.columns.size(); ++c)
     if (table.columns[c].is_text)
       table.texts[c].push_back(text_of_cell(cells[c]));

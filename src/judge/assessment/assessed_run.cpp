@@ -56,7 +56,7 @@ std::vector<DriftPoint> storey_drifts(const ModelSpec& spec, const Model& model,
     for (std::size_t k = 0; k < levels.size(); ++k) {
       if (blocks[k].empty()) return {};
       double sum = 0;
-      for (const BlockId b : blocks[k]) sum += moved[static_cast<std::size_t>(b)];
+      for (const BlockId b : blocks[k]) sum += moved[b];
       const double mean = sum / static_cast<double>(blocks[k].size());
       largest = std::fmax(largest, std::fabs(mean - below) / (levels[k] - at));
       below = mean, at = levels[k];

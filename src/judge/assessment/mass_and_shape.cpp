@@ -49,7 +49,7 @@ std::vector<double> moved_at(const Model& model, const Result& result, const Sna
   const std::vector<BlockId> blocks = moving_blocks(model);
   std::vector<double> moved(blocks.empty() ? 0 : static_cast<std::size_t>(blocks.back()) + 1, 0.0);
   for (const BlockId b : blocks)
-    moved[static_cast<std::size_t>(b)] = dot(
+    moved[b] = dot(
         along, read_block(model, state.state, b).moved - read_block(model, start.state, b).moved);
   return moved;
 }
@@ -110,7 +110,7 @@ double mass_of(const Model& model, BlockId block) {
 // Whether masonry_share applies. Frames, slabs, ring beams, beams and plates move with the wall as a whole.
 bool is_masonry(const Model& model, BlockId block) {
   if (block >= model.n_block) return true;  // deformable blocks
-  switch (model.anatomy.block_role[static_cast<std::size_t>(block)]) {
+  switch (model.anatomy.block_role[block]) {
     case BlockRole::kPlate:
     case BlockRole::kBeam:
     case BlockRole::kRingBeam:
@@ -154,7 +154,7 @@ double moved_at_height(const Model& model, const std::vector<double>& moved, dou
   double mass = 0, sum = 0, nearest = std::numeric_limits<double>::infinity(), at_nearest = 0;
   for (const BlockId b : study::moving_blocks(model)) {
     const auto [low, high] = study::extent_of(model, b);
-    const double u = moved[static_cast<std::size_t>(b)];
+    const double u = moved[b];
     const double off = std::fmax(0.0, std::fmax(low - y, y - high));
     if (off < nearest) nearest = off, at_nearest = u;
     if (off > 0) continue;
@@ -195,7 +195,7 @@ std::vector<MovedMass> study::moved_masses(const AssessmentSpec& spec, const Mod
       const MovingMass& part = parts[k];
       double u = displacement;  // moves with the control point
       if (part.block >= 0)
-        u = moved[static_cast<std::size_t>(part.block)];
+        u = moved[part.block];
       else if (std::isfinite(spec.added_height))
         u = moved_at_height(model, moved, part.height);
       sum.first += part.mass * u;

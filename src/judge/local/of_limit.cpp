@@ -186,7 +186,7 @@ class Mechanism {
     for (const Stage& stage : model_.stages) {
       if (&stage == grows) break;
       for (const PointLoad& load : stage.loads)
-        lying_.push_back({piece_of_[static_cast<std::size_t>(load.block)],
+        lying_.push_back({piece_of_[load.block],
                           place_of(load.block) + Vec3{load.arm_x, load.arm_y, load.arm_z},
                           {load.fx, load.fy, load.fz}});
     }

@@ -120,11 +120,11 @@ class Strip {
   }
 
   [[nodiscard]] double thickness_at(BlockId block) const {
-    return model_.anatomy.block_thickness[static_cast<std::size_t>(block)];
+    return model_.anatomy.block_thickness[block];
   }
   // Steel is not masonry, and a block that a stage cuts out is not there.
   [[nodiscard]] bool is_no_masonry(BlockId block) const {
-    const BlockRole role = model_.anatomy.block_role[static_cast<std::size_t>(block)];
+    const BlockRole role = model_.anatomy.block_role[block];
     return role == BlockRole::kFrame || role == BlockRole::kCutOut;
   }
   [[nodiscard]] Polygon box(double y0, double y1) const {
@@ -203,7 +203,7 @@ class Strip {
     };
     std::vector<Masonry> blocks;
     for (BlockId b = 0; b < model_.n_block; ++b) {
-      if (model_.anatomy.block_role[static_cast<std::size_t>(b)] != BlockRole::kMasonry) continue;
+      if (model_.anatomy.block_role[b] != BlockRole::kMasonry) continue;
       const geometry::Rect box = geometry::bounds(polygon_of(model_, b));
       if (std::min(box.y1, y1_) - std::max(box.y0, y0_) > kSliver &&
           std::min(box.x1, x1_) - std::max(box.x0, x0_) > kSliver)
@@ -411,10 +411,10 @@ class Strip {
   }
   void find_inset() {
     for (JointId j = 0; j < model_.n_joint; ++j) {
-      const auto kind = model_.anatomy.joint_kind[static_cast<std::size_t>(j)];
+      const auto kind = model_.anatomy.joint_kind[j];
       if (kind != JointKind::kBed && kind != JointKind::kFoundation && kind != JointKind::kOther)
         continue;
-      const auto m = static_cast<std::size_t>(model_.joint_material[static_cast<std::size_t>(j)]);
+      const auto m = static_cast<std::size_t>(model_.joint_material[j]);
       strength_ = std::min(strength_, model_.materials[m].compressive_strength);
     }
     crushes_ = std::isfinite(part_.inset) ? part_.inset > 0 : std::isfinite(strength_);

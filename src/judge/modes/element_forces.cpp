@@ -96,7 +96,7 @@ class Cutter {
   }
   [[nodiscard]] bool is_beyond(BlockId block, const CutLine& line) const {
     if (block == kGroundBlock) return !line.is_second;  // below every level
-    const Vec3& at = at_[static_cast<std::size_t>(block)];
+    const Vec3& at = at_[block];
     const bool high = line.across == Across::kPier ? at.y >= line.middle.y : at.x >= line.middle.x;
     return high == line.is_second;
   }
@@ -108,7 +108,7 @@ class Cutter {
     for (const BlockId b : blocks) {
       if (b >= model_.n_block) continue;
       rigid.push_back(b);
-      const Vec3& at = at_[static_cast<std::size_t>(b)];
+      const Vec3& at = at_[b];
       const double place = line.across == Across::kPier ? at.x : at.y;
       if (place > line.width0 && place < line.width1) inside.push_back(b);
     }
@@ -119,7 +119,7 @@ class Cutter {
     std::vector<BlockId> last;
     for (BlockId b = 0; b < model_.n_block; ++b) {
       if (!seen_.holds(b)) continue;
-      const Vec3& at = at_[static_cast<std::size_t>(b)];
+      const Vec3& at = at_[b];
       const bool pier = line.across == Across::kPier;
       const double along = pier ? at.y - line.middle.y : at.x - line.middle.x;
       const double place = pier ? at.x : at.y;
@@ -180,7 +180,7 @@ ElementEnd forces_at(const Model& model, const Elevation& seen, const Cut& cut,
   Vec3 force;
   double moment = 0;
   for (const auto& [id, side] : cut.joints) {
-    const JointReading& joint = wall.joints[static_cast<std::size_t>(id)];
+    const JointReading& joint = wall.joints[id];
     const Vec3 on = -side * seen.way(force_of(model, joint, wall));
     force = force + on;
     moment +=
@@ -198,7 +198,7 @@ RigidMotion motion_of(const Model& model, const Elevation& seen, const Cut& cut,
                       const WallReading& wall) {
   std::vector<study::BlockMotion> blocks;
   for (const BlockId b : cut.beyond) {
-    const BlockReading& now = wall.blocks[static_cast<std::size_t>(b)];
+    const BlockReading& now = wall.blocks[b];
     blocks.push_back({{seen.place(now.start), seen.way(now.moved), seen.turn(now.turned.by)},
                       now.role,
                       model.mass[b],

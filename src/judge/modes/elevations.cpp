@@ -40,7 +40,7 @@ Vec3 direction_of(const Model& model, const std::vector<char>& of, Vec3 near) {
   Vec3 sum;
   for (JointId j = 0; j < model.n_pair; ++j) {
     const JointShape joint = joint_shape(model, j);
-    const auto is_own = [&](BlockId b) { return b >= 0 && of[static_cast<std::size_t>(b)] != 0; };
+    const auto is_own = [&](BlockId b) { return b >= 0 && of[b] != 0; };
     const double along = dot(joint.normal, near);
     if (!is_own(joint.a) || !is_own(joint.b) || std::fabs(along) < kParallel) continue;
     sum = sum + std::copysign(joint.area, along) * joint.normal;
@@ -51,8 +51,7 @@ Vec3 direction_of(const Model& model, const std::vector<char>& of, Vec3 near) {
 
 const std::vector<Polyhedron>& solid_of(const Model& model, BlockId block) {
   const int body = block - model.n_block - model.space.n_support;
-  return body < 0 ? model.space.body[static_cast<std::size_t>(block)].part
-                  : model.space.solids.bodies[static_cast<std::size_t>(body)].body.part;
+  return body < 0 ? model.space.body[block].part : model.space.solids.bodies[body].body.part;
 }
 
 // Turns a direction along a wall towards +x, or towards +z for a wall along z.
@@ -144,13 +143,13 @@ std::vector<double> shares_of(const Model& model, const std::vector<BlockId>& ow
   constexpr double kAll = 1 - 1e-6;
   const Range thickness = range_of(model, own, wall.across);
   std::vector<Taken> taken(static_cast<std::size_t>(model.n_block));
-  const auto of = [&](BlockId b) -> const Taken& { return taken[static_cast<std::size_t>(b)]; };
+  const auto of = [&](BlockId b) -> const Taken& { return taken[b]; };
   std::vector<BlockId> by_foot;
   double tallest = 0;
   for (BlockId b = 0; b < model.n_block; ++b) {
     if (!wall.holds(b)) continue;
     const std::array<BlockId, 1> one{b};
-    Taken& block = taken[static_cast<std::size_t>(b)];
+    Taken& block = taken[b];
     block = {range_of(model, one, wall.along), range_of(model, one, Vec3{0, 1, 0}),
              common_of(range_of(model, one, wall.across), thickness)};
     tallest = std::fmax(tallest, block.up.high - block.up.low);
@@ -173,7 +172,7 @@ std::vector<double> shares_of(const Model& model, const std::vector<BlockId>& ow
       if (of(*b).holds(place)) there.push_back(of(*b).across);
     const double all = covered_by(std::move(there));
     const double share = all > 0 ? std::fmax(0, common.high - common.low) / all : 1;
-    if (share < kAll) shares[static_cast<std::size_t>(j)] = share;
+    if (share < kAll) shares[j] = share;
   }
   return shares;
 }
@@ -189,7 +188,7 @@ std::vector<Elevation> walls_in_space(const Model& model) {
     std::vector<BlockId> own;
     for (const Moved& b : group.blocks) {
       own.push_back(b.id);
-      wall.of[static_cast<std::size_t>(b.id)] = 1;
+      wall.of[b.id] = 1;
     }
     wall.along = rightwards(direction_of(model, wall.of, cross(Vec3{0, 1, 0}, plan.normal)));
     wall.across = cross(wall.along, Vec3{0, 1, 0});
@@ -261,7 +260,7 @@ double inertia_of(const Model& model, const Elevation& seen, BlockId block) {
 }
 
 bool makes_walls(const Model& model, BlockId block) {
-  const BlockRole role = model.anatomy.block_role[static_cast<std::size_t>(block)];
+  const BlockRole role = model.anatomy.block_role[block];
   return role != BlockRole::kSlab && role != BlockRole::kFrame && role != BlockRole::kCutOut;
 }
 

@@ -29,8 +29,8 @@ struct Elevation {
       {};  // for each joint: its share of the wall's thickness there; empty: all of it
 
   [[nodiscard]] bool holds(BlockId block) const {
-    return of.empty() || (block >= 0 && static_cast<std::size_t>(block) < of.size() &&
-                          of[static_cast<std::size_t>(block)] != 0);
+    return of.empty() ||
+           (block >= 0 && static_cast<std::size_t>(block) < of.size() && of[block] != 0);
   }
   // A place at the start, projected on the plane. In space it is rounded to a
   // nanometre, so that a place on the edge of a part stays on it in any orientation.

@@ -346,8 +346,7 @@ Message mechanism_of(const std::vector<Wall>& walls, const Joints& joints, Failu
 }
 
 bool is_slab(const Model& model, BlockId block) {
-  return block >= 0 && block < model.n_block &&
-         model.anatomy.block_role[static_cast<std::size_t>(block)] == BlockRole::kSlab;
+  return block >= 0 && block < model.n_block && model.anatomy.block_role[block] == BlockRole::kSlab;
 }
 
 // Removes slabs, which outweigh many stones, because a mode is about walls. They stay only where they move far more than the walls.
@@ -369,16 +368,14 @@ struct Slip {
 Slip slip_of_slabs(const Model& model, const WallReading& wall, const std::vector<Moved>& part,
                    double most) {
   std::vector<bool> takes(static_cast<std::size_t>(model.n_block));
-  for (const Moved& b : part) takes[static_cast<std::size_t>(b.id)] = true;
-  const auto takes_part = [&](BlockId b) {
-    return b >= 0 && b < model.n_block && takes[static_cast<std::size_t>(b)];
-  };
+  for (const Moved& b : part) takes[b.id] = true;
+  const auto takes_part = [&](BlockId b) { return b >= 0 && b < model.n_block && takes[b]; };
   Slip slip;
   for (const JointReading& joint : wall.joints) {
     const BlockId a = joint.shape.a, b = joint.shape.b;
     const BlockId slab = is_slab(model, a) ? a : b, other = slab == a ? b : a;
     if (!is_slab(model, slab) || !takes_part(other)) continue;
-    const double way = length(wall.blocks[static_cast<std::size_t>(slab)].moved);
+    const double way = length(wall.blocks[slab].moved);
     if (way < kTakesPart * most || joint.slip <= slip.share * way) continue;
     slip = {joint.slip / way, joint.slip};
   }
@@ -389,12 +386,12 @@ Slip slip_of_slabs(const Model& model, const WallReading& wall, const std::vecto
 std::vector<Wall> walls_with(const Model& model, const std::vector<Moved>& masonry,
                              const std::vector<Moved>& part) {
   std::vector<bool> takes(static_cast<std::size_t>(model.n_block));
-  for (const Moved& b : part) takes[static_cast<std::size_t>(b.id)] = true;
+  for (const Moved& b : part) takes[b.id] = true;
   std::vector<Wall> walls;
   for (std::vector<Moved>& all : clusters_of(model, masonry)) {
     Wall wall;
     for (const Moved& b : all)
-      if (takes[static_cast<std::size_t>(b.id)]) wall.part.push_back(b);
+      if (takes[b.id]) wall.part.push_back(b);
     wall.all = std::move(all);
     if (!wall.part.empty()) walls.push_back(std::move(wall));
   }

@@ -62,7 +62,7 @@ JointMotion motion_of(const Model& m, const WallReading& wall, const JointReadin
   const JointMaterial& law = m.materials[shape.material];
   j.bond = shape.area * std::max(law.tensile_strength, law.cohesion);
   j.has_slid_off = has_slid_off(m, wall.points, shape.id);
-  if (!seen.share.empty()) j.share = seen.share[static_cast<std::size_t>(shape.id)];
+  if (!seen.share.empty()) j.share = seen.share[shape.id];
   return j;
 }
 
@@ -145,7 +145,7 @@ std::vector<double> ways_against_the_rest(const std::vector<BlockMotion>& blocks
   for (int fit = 0; fit < kFits && ways != before; ++fit) {
     before = ways;
     const RigidMotion rest = fitted(blocks, [&](const BlockMotion& b) {
-      return is_masonry(b) && before[static_cast<std::size_t>(&b - blocks.data())] <= within;
+      return is_masonry(b) && before[&b - blocks.data()] <= within;
     });
     std::vector<double> masonry;
     for (std::size_t b = 0; b < blocks.size(); ++b) {
@@ -173,8 +173,7 @@ std::vector<PieceOff> pieces_off(const WallMotion& motion, double crack, double 
     return b;
   };
   const auto is_off = [&](BlockId b) {
-    return b >= 0 && is_masonry(blocks[static_cast<std::size_t>(b)]) &&
-           ways[static_cast<std::size_t>(b)] >= parted;
+    return b >= 0 && is_masonry(blocks[b]) && ways[b] >= parted;
   };
   for (const JointMotion& j : motion.joints) {
     if (!is_off(j.a) || !is_off(j.b) || std::hypot(j.opening, j.slip) >= parted) continue;
@@ -228,7 +227,7 @@ std::vector<LineSum> scan(const std::vector<JointMotion>& joints, const Box& box
   const int n = 4 * std::max(1, static_cast<int>(std::lround(length / pitch)));
   const double step = length / n;
   std::vector<LineSum> sums(static_cast<std::size_t>(n));
-  for (int i = 0; i < n; ++i) sums[static_cast<std::size_t>(i)].at = start + (i + 0.5) * step;
+  for (int i = 0; i < n; ++i) sums[i].at = start + (i + 0.5) * step;
   for (const JointMotion& j : joints) {
     if (j.is_bed == level || !is_masonry(j.kind)) continue;
     const double across = level ? j.x : j.y;

@@ -34,7 +34,7 @@ class Reader {
   explicit Reader(const WallSigns& wall)
       : wall_(wall), storeys_(static_cast<std::size_t>(wall.parts.storeys)) {
     for (const Pier& p : wall.parts.piers) {
-      Storey& storey = storeys_[static_cast<std::size_t>(p.storey) - 1];
+      Storey& storey = storeys_[p.storey - 1];
       const double width = p.box.width(), sheared = truth_of(p, true), rocks = sure(p, kRocking);
       storey.width += width;
       storey.sheared += width * sheared;

@@ -29,10 +29,8 @@ double sliding_band(const Spandrel& s, const WallParts& parts,
 double node_slip(const Model& model, const std::vector<JointMotion>& joints) {
   std::vector<bool> driven(static_cast<std::size_t>(model.n_block), false);
   for (const Stage& stage : model.stages)
-    for (const BlockId b : stage.driven) driven[static_cast<std::size_t>(b)] = true;
-  const auto is_driven = [&](BlockId b) {
-    return b != kGroundBlock && driven[static_cast<std::size_t>(b)];
-  };
+    for (const BlockId b : stage.driven) driven[b] = true;
+  const auto is_driven = [&](BlockId b) { return b != kGroundBlock && driven[b]; };
   double slip = 0;
   for (const JointMotion& j : joints) {
     if (is_driven(j.a) != is_driven(j.b)) slip = std::max(slip, std::fabs(j.slip));

@@ -64,7 +64,7 @@ void refuse_what_chains_ignore(const Model& model, const Stage& push, const Port
               cure);
   for (const BlockId b : push.driven) {
     if (push.spec.as != Manner::kEach) break;
-    const double off = model.centroid_y[static_cast<std::size_t>(b)] - portal.load_point.y;
+    const double off = model.centroid_y[b] - portal.load_point.y;
     if (std::fabs(off) < 1e-6) continue;
     add_fault(faults, stage + ".as", "each",
               "blocks at several heights that move alike would keep a macro-block from turning",
@@ -132,10 +132,10 @@ void evaluate_opening(const study::WallParts& parts, const std::vector<study::Bo
 void evaluate_strength(const Model& model, Portal& portal) {
   portal.compressive_strength = std::numeric_limits<double>::infinity();
   for (int j = 0; j < model.n_joint; ++j) {
-    const JointKind kind = model.anatomy.joint_kind[static_cast<std::size_t>(j)];
+    const JointKind kind = model.anatomy.joint_kind[j];
     if (kind != JointKind::kBed && kind != JointKind::kFoundation && kind != JointKind::kOther)
       continue;
-    const auto m = static_cast<std::size_t>(model.joint_material[static_cast<std::size_t>(j)]);
+    const auto m = static_cast<std::size_t>(model.joint_material[j]);
     if (model.materials[m].compressive_strength >= portal.compressive_strength) continue;
     portal.compressive_strength = model.materials[m].compressive_strength;
     portal.strength_material = model.material_names[m];

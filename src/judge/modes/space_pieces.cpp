@@ -229,7 +229,7 @@ Vec3 Piece::way_of(Vec3 point) const { return shift + vec3(swing(turned, vec(poi
 
 std::vector<std::vector<Moved>> clusters_of(const Model& model, const std::vector<Moved>& blocks) {
   std::vector<std::size_t> first(static_cast<std::size_t>(model.n_block), SIZE_MAX);
-  for (std::size_t k = 0; k < blocks.size(); ++k) first[static_cast<std::size_t>(blocks[k].id)] = k;
+  for (std::size_t k = 0; k < blocks.size(); ++k) first[blocks[k].id] = k;
   std::vector<std::size_t> of(blocks.size());  // an earlier block of the same cluster, or itself
   std::iota(of.begin(), of.end(), std::size_t{0});
   const auto root = [&](std::size_t k) {
@@ -238,8 +238,7 @@ std::vector<std::vector<Moved>> clusters_of(const Model& model, const std::vecto
   };
   for (JointId j = 0; j < model.n_pair; ++j) {
     const auto joint = static_cast<std::size_t>(j);
-    const std::size_t a = first[static_cast<std::size_t>(model.joint_a[joint])],
-                      b = first[static_cast<std::size_t>(model.joint_b[joint])];
+    const std::size_t a = first[model.joint_a[joint]], b = first[model.joint_b[joint]];
     if (a == SIZE_MAX || b == SIZE_MAX) continue;
     const std::size_t low = std::min(root(a), root(b)), high = std::max(root(a), root(b));
     of[high] = low;

@@ -30,8 +30,7 @@ double axial_ratio(const Model& model, const Result& result) {
   for (const JointReading& j : wall.joints) {
     if (j.shape.a != kGroundBlock && j.shape.b != kGroundBlock) continue;
     force += j.compression;
-    strength += j.shape.area *
-                model.materials[static_cast<std::size_t>(j.shape.material)].compressive_strength;
+    strength += j.shape.area * model.materials[j.shape.material].compressive_strength;
   }
   return std::isfinite(strength) && strength > 0 ? force / strength : kUnset;
 }
@@ -43,7 +42,7 @@ double times_too_stiff(const Model& model, const Result& result) {
   double inertia = 0;
   const PointRange first = points_of(model, 0);
   for (PointId p = first.begin; p < first.end; ++p) {
-    const PointReading& point = points[static_cast<std::size_t>(p)];
+    const PointReading& point = points[p];
     inertia += point.share * point.place * point.place;
   }
   return 3 * inertia;
@@ -147,7 +146,7 @@ Message drift_note_of(const TestedRange& range) {
 
 bool study::is_dry(const Model& model) {
   for (JointId j = 0; j < joint_count(model); ++j) {
-    const auto& law = model.materials[static_cast<std::size_t>(joint_shape(model, j).material)];
+    const auto& law = model.materials[joint_shape(model, j).material];
     if (law.tensile_strength > 0 || law.cohesion > 0) return false;
   }
   return true;

@@ -102,11 +102,11 @@ UsualBlock usual_block(const Model& m, const Elevation& seen, const std::vector<
   std::map<std::string, Range> units;
   for (std::size_t k = 0; k < blocks.size(); ++k) {
     heights.push_back(boxes[k].height());
-    const std::string& id = a.block_id[static_cast<std::size_t>(blocks[k])];
+    const std::string& id = a.block_id[blocks[k]];
     const std::string wall = seen.of.empty() ? "" : wall_of(id);
     if (wall.empty())
       widths.push_back(boxes[k].width());
-    else if (m.anatomy.block_role[static_cast<std::size_t>(blocks[k])] == BlockRole::kMasonry)
+    else if (m.anatomy.block_role[blocks[k]] == BlockRole::kMasonry)
       units[unit_of(id, wall)].take(boxes[k]);
   }
   for (const auto& [unit, range] : units) widths.push_back(0.5 * range.length());
@@ -503,9 +503,7 @@ class Finder {
   [[nodiscard]] double foot_of_ring_beam(const Box& above) const {
     double top = above.y1;
     for (BlockId b = 0; b < model_.n_block; ++b) {
-      if (model_.anatomy.block_role[static_cast<std::size_t>(b)] != BlockRole::kRingBeam ||
-          !is_within(above, b))
-        continue;
+      if (model_.anatomy.block_role[b] != BlockRole::kRingBeam || !is_within(above, b)) continue;
       const Box box = hull_of(outlines_of(model_, seen_, b));
       if (box.y1 > above.y1 - 0.5 * frame_.course) top = std::min(top, box.y0);
     }
@@ -549,9 +547,9 @@ class Finder {
       if (parts_.piers.size() == 2 && parts_.storeys == 1)
         words = {&pier == parts_.piers.data() ? "part.left_pier" : "part.right_pier"};
       name(pier, words, "P");
-      name(parts_.toes[static_cast<std::size_t>(pier.left)],
+      name(parts_.toes[pier.left],
            {bare ? "part.left_toe_of_wall" : "part.left_toe", {{"pier", words}}}, "T");
-      name(parts_.toes[static_cast<std::size_t>(pier.right)],
+      name(parts_.toes[pier.right],
            {bare ? "part.right_toe_of_wall" : "part.right_toe", {{"pier", words}}}, "T");
     }
     for (Part& node : parts_.nodes)
@@ -566,7 +564,7 @@ class Finder {
       name(s, words, s.is_sill ? "B" : "S");
       const auto connect = [&](int at, const char* alone, const char* of) {
         if (at < 0) return;
-        name(parts_.connections[static_cast<std::size_t>(at)],
+        name(parts_.connections[at],
              above == 1 ? Message{alone} : Message{of, {{"spandrel", words}}}, "C");
       };
       connect(s.left, "part.left_connection", "part.left_connection_of");

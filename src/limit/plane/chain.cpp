@@ -170,7 +170,7 @@ std::vector<Vec2> hinge_forces(const Chain& chain, double force) {
   };
   for (std::size_t i = 0; i < sum.size(); ++i)
     for (const BodyLoad& load : chain.bodies[i].loads) sum[i] = sum[i] + Vec2{load.fx, load.fy};
-  Vec2& loaded = sum[static_cast<std::size_t>(chain.loaded_body)];
+  Vec2& loaded = sum[chain.loaded_body];
   loaded.x += chain.direction * force;
   if (sum.size() == 1) return {{-sum[0].x, -sum[0].y}};
   const std::vector<Vec2>& h = chain.hinges;

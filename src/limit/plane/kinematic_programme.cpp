@@ -21,7 +21,7 @@ class KinematicProgramme {
                      const Units& units)
       : m_(m), loads_(loads), y_(y), u_(units), tangents_of_(y.joint.size()) {
     for (std::size_t t = 0; t < y.tangent.size(); ++t)
-      tangents_of_[static_cast<std::size_t>(y.tangent[t].joint)].push_back(t);
+      tangents_of_[y.tangent[t].joint].push_back(t);
   }
 
   void build() {
@@ -90,7 +90,7 @@ class KinematicProgramme {
   }
 
   void add_joint(int j) {
-    const JointYield& y = y_.joint[static_cast<std::size_t>(j)];
+    const JointYield& y = y_.joint[j];
     const std::array<double, 2> t{m_.tangent_x[j], m_.tangent_y[j]}, n{-t[1], t[0]};
     std::vector<Entry> slip = relative(j, t, 0);
     int sliding[2] = {-1, -1};
@@ -101,7 +101,7 @@ class KinematicProgramme {
     }
     lp_.add_row(slip, 0, 0);
     std::vector<int> tangents;
-    for (const std::size_t at : tangents_of_[static_cast<std::size_t>(j)])
+    for (const std::size_t at : tangents_of_[j])
       tangents.push_back(add_multiplier(y_.tangent[at].capacity / u_.length));
     for (std::size_t k = 0; k < y_.points(); ++k) {
       std::vector<Entry> opening = relative(j, n, y_.xi[k]);
@@ -132,10 +132,10 @@ class KinematicProgramme {
 
   void add_tangent_flow(int j, std::size_t k, const std::vector<int>& multipliers,
                         std::vector<Entry>& opening) const {
-    const auto& of_joint = tangents_of_[static_cast<std::size_t>(j)];
+    const auto& of_joint = tangents_of_[j];
     for (std::size_t i = 0; i < of_joint.size(); ++i) {
       const Tangent& t = y_.tangent[of_joint[i]];
-      const double reach = y_.joint[static_cast<std::size_t>(j)].half_length;
+      const double reach = y_.joint[j].half_length;
       opening.push_back({multipliers[i], (t.sign * reach * y_.xi[k] - t.slope) / u_.length});
     }
   }
@@ -150,7 +150,7 @@ class KinematicProgramme {
     const double scale = loads_.is_force ? 1.0 : 1.0 / u_.force;
     std::vector<Entry> power;
     for (int i = 0; i < m_.n_block; ++i) {
-      const BlockForce& g = loads_.growing[static_cast<std::size_t>(i)];
+      const BlockForce& g = loads_.growing[i];
       power.push_back({3 * i, g.fx * scale});
       power.push_back({3 * i + 1, g.fy * scale});
       if (g.moment != 0) power.push_back({3 * i + 2, g.moment * scale / u_.length});

@@ -37,7 +37,7 @@ class StaticProgramme {
   void add_tangents() {
     for (; tangents_ < y_.tangent.size(); ++tangents_) {
       const Tangent& t = y_.tangent[tangents_];
-      const double reach = y_.joint[static_cast<std::size_t>(t.joint)].half_length;
+      const double reach = y_.joint[t.joint].half_length;
       std::vector<Entry> row;
       for (std::size_t k = 0; k < y_.points(); ++k)
         row.push_back({point(t.joint, k), (t.sign * reach * y_.xi[k] - t.slope) / u_.length});
@@ -55,11 +55,11 @@ class StaticProgramme {
     if (answer.status == ProgrammeStatus::kUnbounded) answer.ray = lp_.ray();
     if (answer.status != ProgrammeStatus::kOptimal) return answer;
     const std::vector<double>& x = lp_.solution();
-    answer.load = x[static_cast<std::size_t>(load_)] * (loads_.is_force ? u_.force : 1.0);
+    answer.load = x[load_] * (loads_.is_force ? u_.force : 1.0);
     for (int j = 0; j < m_.n_joint; ++j) {
-      answer.shear.push_back(x[static_cast<std::size_t>(shear(j))] * u_.force);
+      answer.shear.push_back(x[shear(j)] * u_.force);
       for (std::size_t k = 0; k < y_.points(); ++k)
-        answer.point_force.push_back(x[static_cast<std::size_t>(point(j, k))] * u_.force);
+        answer.point_force.push_back(x[point(j, k)] * u_.force);
     }
     for (std::size_t k = 0; k < y_.link.size(); ++k)
       answer.link_force.push_back(x[static_cast<std::size_t>(shear(m_.n_joint)) + k] * u_.force);
@@ -96,7 +96,7 @@ class StaticProgramme {
     const double scale = loads_.is_force ? 1.0 : 1.0 / u_.force;
     const auto velocity = [&](std::size_t block, std::size_t axis) {
       const int row = balance_row_[3 * block + axis];
-      return row < 0 ? 0.0 : scale * lp_.multipliers()[static_cast<std::size_t>(row)];
+      return row < 0 ? 0.0 : scale * lp_.multipliers()[row];
     };
     m.dissipation = m.load;
     for (std::size_t i = 0; i < loads_.dead.size(); ++i) {
@@ -126,7 +126,7 @@ class StaticProgramme {
   }
 
   void add_joint(int j) {
-    const JointYield& y = y_.joint[static_cast<std::size_t>(j)];
+    const JointYield& y = y_.joint[j];
     const std::array<double, 2> t{m_.tangent_x[j], m_.tangent_y[j]}, n{-t[1], t[0]};
     lp_.add_column(-kFree, kFree, 0);
     act(m_.joint_b[j], shear(j), t, {m_.arm_b_x[j], m_.arm_b_y[j]});
@@ -154,7 +154,7 @@ class StaticProgramme {
   void add_loads() {
     const double scale = loads_.is_force ? 1.0 : 1.0 / u_.force;
     for (int i = 0; i < m_.n_block; ++i) {
-      const BlockForce& g = loads_.growing[static_cast<std::size_t>(i)];
+      const BlockForce& g = loads_.growing[i];
       put(i, 0, load_, g.fx * scale);
       put(i, 1, load_, g.fy * scale);
       if (g.moment != 0) put(i, 2, load_, g.moment * scale / u_.length);
@@ -199,7 +199,7 @@ class StaticProgramme {
   }
 
   void add_sliding(int j) {
-    const JointYield& y = y_.joint[static_cast<std::size_t>(j)];
+    const JointYield& y = y_.joint[j];
     if (std::isinf(y.cohesion)) return;
     for (const double sign : {1.0, -1.0}) {
       std::vector<Entry> row{{shear(j), sign}};

@@ -42,15 +42,15 @@ class Cones {
   // Of a pair inside its cones.
   void scale(const Vector& s, const Vector& z) {
     spring_ = s.head(plain_).cwiseQuotient(z.head(plain_));
-    for (int k = 0; k < circles(); ++k) circle_[at(k)] = circle_of(three(s, k), three(z, k));
+    for (int k = 0; k < circles(); ++k) circle_[k] = circle_of(three(s, k), three(z, k));
   }
 
   // W W of a plain row, and of a circle's rows i, j.
   [[nodiscard]] double squared(int row) const { return spring_[row]; }
   [[nodiscard]] double squared(int circle, int i, int j) const {
-    const Circle& c = circle_[at(circle)];
+    const Circle& c = circle_[circle];
     const double unit = i != j ? 0 : i == 0 ? -1 : 1;
-    return c.eta * c.eta * (2 * c.w[at(i)] * c.w[at(j)] + unit);
+    return c.eta * c.eta * (2 * c.w[i] * c.w[j] + unit);
   }
   [[nodiscard]] Vector squared_times(const Vector& v) const {
     Vector out(rows());
@@ -68,8 +68,7 @@ class Cones {
   [[nodiscard]] Vector product(const Vector& s, const Vector& z) const {
     Vector out(rows());
     out.head(plain_) = s.head(plain_).cwiseProduct(z.head(plain_));
-    for (int k = 0; k < circles(); ++k)
-      put(out, k, product(circle_[at(k)].lambda, circle_[at(k)].lambda));
+    for (int k = 0; k < circles(); ++k) put(out, k, product(circle_[k].lambda, circle_[k].lambda));
     return out;
   }
   // (W^-1 ds) o (W dz): what the first step leaves.
@@ -77,7 +76,7 @@ class Cones {
     Vector out(rows());
     out.head(plain_) = ds.head(plain_).cwiseProduct(dz.head(plain_));
     for (int k = 0; k < circles(); ++k) {
-      const Circle& c = circle_[at(k)];
+      const Circle& c = circle_[k];
       put(out, k, product(times(c, three(ds, k), true), times(c, three(dz, k), false)));
     }
     return out;
@@ -87,7 +86,7 @@ class Cones {
     Vector out(rows());
     out.head(plain_) = v.head(plain_).cwiseQuotient(z.head(plain_));
     for (int k = 0; k < circles(); ++k) {
-      const Circle& c = circle_[at(k)];
+      const Circle& c = circle_[k];
       put(out, k, times(c, quotient(c.lambda, three(v, k)), false));
     }
     return out;
@@ -122,14 +121,13 @@ class Cones {
     Three w{1, 0, 0}, lambda{1, 0, 0};
   };
 
-  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   [[nodiscard]] int rows() const { return plain_ + 3 * circles(); }
   [[nodiscard]] Three three(const Vector& v, int circle) const {
     const int row = first_row(circle);
     return {v[row], v[row + 1], v[row + 2]};
   }
   void put(Vector& v, int circle, const Three& t) const {
-    for (int i = 0; i < 3; ++i) v[first_row(circle) + i] = t[at(i)];
+    for (int i = 0; i < 3; ++i) v[first_row(circle) + i] = t[i];
   }
 
   // v0^2 - v1^2 - v2^2 without the cancellation near the boundary.
@@ -159,7 +157,7 @@ class Cones {
     const double gamma = std::sqrt(0.5 * (1 + dot));
     Circle c;
     c.eta = std::sqrt(ds / dz);
-    for (int i = 1; i < 3; ++i) c.w[at(i)] = (s[at(i)] / ds - z[at(i)] / dz) / (2 * gamma);
+    for (int i = 1; i < 3; ++i) c.w[i] = (s[i] / ds - z[i] / dz) / (2 * gamma);
     c.w[0] = std::sqrt(1 + c.w[1] * c.w[1] + c.w[2] * c.w[2]);
     c.lambda = times(c, z, false);
     return c;

@@ -246,7 +246,7 @@ class InteriorPoint {
   // Unknowns that an inequality or a circle holds, and for each the first of those it shares one with.
   void group_unknowns(std::vector<char>& held, std::vector<int>& group) const {
     held.assign(static_cast<std::size_t>(n_), 0);
-    group.resize(static_cast<std::size_t>(n_));
+    group.resize(n_);
     std::iota(group.begin(), group.end(), 0);
     const auto head = [&](int i) {
       while (group[i] != i) i = group[i] = group[group[i]];

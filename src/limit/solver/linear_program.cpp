@@ -72,7 +72,7 @@ InequalityForm LinearProgramme::form() const {
     if (above[r] >= 0) f.below.add(above[r], column_of_[i], -value_[i]);
   }
   for (int j = 0; j < columns(); ++j) {
-    const double low = low_[static_cast<std::size_t>(j)], high = high_[static_cast<std::size_t>(j)];
+    const double low = low_[j], high = high_[j];
     if (low == high) {
       f.equal.add(number(f.b, low), j, 1);
       continue;
@@ -106,14 +106,14 @@ LinearProgramme::DualPlaces LinearProgramme::dual_places() const {
   d.is_free.assign(low_.size(), 0);
   std::vector<char> in_circle(low_.size(), 0);
   for (const int first : circle_columns_)
-    for (int i = 0; i < 3; ++i) in_circle[static_cast<std::size_t>(first + i)] = 1;
+    for (int i = 0; i < 3; ++i) in_circle[first + i] = 1;
   for (std::size_t j = 0; j < low_.size(); ++j) {
     if (high_[j] == 0 || in_circle[j]) continue;
     d.is_free[j] = low_[j] != 0;
     d.place[j] = d.is_free[j] ? d.free++ : d.held++;
   }
   for (const int first : circle_columns_)
-    for (int i = 0; i < 3; ++i) d.place[static_cast<std::size_t>(first + i)] = d.held++;
+    for (int i = 0; i < 3; ++i) d.place[first + i] = d.held++;
   return d;
 }
 
@@ -123,12 +123,11 @@ InequalityForm LinearProgramme::dual_form() const {
   InequalityForm f;
   for (const double right : row_low_) f.c.push_back(-right);
   const DualPlaces d = dual_places();
-  f.b.resize(static_cast<std::size_t>(d.free));
-  f.h.resize(static_cast<std::size_t>(d.held));
+  f.b.resize(d.free);
+  f.h.resize(d.held);
   f.circles = static_cast<int>(circle_columns_.size());
   for (std::size_t j = 0; j < low_.size(); ++j)
-    if (d.place[j] >= 0)
-      (d.is_free[j] ? f.b : f.h)[static_cast<std::size_t>(d.place[j])] = cost_[j];
+    if (d.place[j] >= 0) (d.is_free[j] ? f.b : f.h)[d.place[j]] = cost_[j];
   for (std::size_t i = 0; i < value_.size(); ++i) {
     const auto j = static_cast<std::size_t>(column_of_[i]);
     if (d.place[j] >= 0) (d.is_free[j] ? f.equal : f.below).add(d.place[j], row_of_[i], value_[i]);
@@ -140,8 +139,7 @@ void LinearProgramme::take_dual(const InteriorSolution& answer) {
   const DualPlaces d = dual_places();
   solution_.assign(low_.size(), 0);
   for (std::size_t j = 0; j < low_.size(); ++j)
-    if (d.place[j] >= 0)
-      solution_[j] = (d.is_free[j] ? answer.y : answer.z)[static_cast<std::size_t>(d.place[j])];
+    if (d.place[j] >= 0) solution_[j] = (d.is_free[j] ? answer.y : answer.z)[d.place[j]];
   multipliers_.clear();
   for (const double u : answer.x) multipliers_.push_back(-u);
 }

@@ -33,7 +33,7 @@ void SparseFactor::analyse(const Matrix& upper, std::vector<double> signs) {
   }
   l_begin_.assign(n + 1, 0);
   for (int k = 0; k < n_; ++k) l_begin_[k + 1] = l_begin_[k] + count[k];
-  l_row_.resize(static_cast<std::size_t>(l_begin_[n]));
+  l_row_.resize(l_begin_[n]);
   l_value_.resize(l_row_.size());
   d_.resize(n);
   marked_.assign(n, 0);

@@ -132,8 +132,8 @@ class CoatBuilder {
 
   // The stiffness of the mortar over the length of both units is put into the joint: E / distance of their centroids (22.8).
   [[nodiscard]] JointMaterial law(const LayerSpec& layer, const Face& face, double length) const {
-    const auto i = static_cast<std::size_t>(map_[static_cast<std::size_t>(face.a)]);
-    const auto j = static_cast<std::size_t>(map_[static_cast<std::size_t>(face.b)]);
+    const auto i = static_cast<std::size_t>(map_[face.a]);
+    const auto j = static_cast<std::size_t>(map_[face.b]);
     const double nx = -(face.p1.y - face.p0.y) / length, ny = (face.p1.x - face.p0.x) / length;
     const double apart = std::fabs(nx * (model_.centroid_x[j] - model_.centroid_x[i]) +
                                    ny * (model_.centroid_y[j] - model_.centroid_y[i]));
@@ -171,8 +171,7 @@ class CoatBuilder {
 
 bool holds_layers(const ModelSpec& spec, const geometry::Block& block) {
   if (block.role == Role::kMasonry) return true;
-  const bool put_in_later =
-      block.opening >= 0 && !spec.wall.opening[static_cast<std::size_t>(block.opening)].cut.empty();
+  const bool put_in_later = block.opening >= 0 && !spec.wall.opening[block.opening].cut.empty();
   return geometry::is_chain(block) && !put_in_later;
 }
 

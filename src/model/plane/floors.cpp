@@ -271,8 +271,7 @@ class FloorCompiler {
     for (std::size_t j = 0; j < model_.anatomy.joint_kind.size(); ++j)
       if (model_.anatomy.joint_kind[j] == JointKind::kBed)
         strength =
-            std::min(strength, model_.materials[static_cast<std::size_t>(model_.joint_material[j])]
-                                   .compressive_strength);
+            std::min(strength, model_.materials[model_.joint_material[j]].compressive_strength);
     model_.anatomy.notes.push_back(
         {pressure > strength    ? "floor.bearing_crushes"
          : std::isinf(strength) ? "floor.bearing_only"

@@ -62,8 +62,7 @@ class FrameCompiler {
     if (faults_.all().size() > before || !sections) return;
     std::vector<BlockId> block(placed.segments.size(), kGroundBlock);
     for (std::size_t b = 0; b < assembly_.blocks.size(); ++b)
-      if (assembly_.blocks[b].frame == placed.index)
-        block[static_cast<std::size_t>(assembly_.blocks[b].segment)] = map_[b];
+      if (assembly_.blocks[b].frame == placed.index) block[assembly_.blocks[b].segment] = map_[b];
     Frames& f = model_.frames;
     const std::int32_t first = add_members(placed, *sections, steel, f);
     for (const FrameJoint& joint : placed.joints) add_section(placed, joint, first, block, steel);
@@ -112,17 +111,16 @@ class FrameCompiler {
   void add_section(const PlacedFrame& placed, const FrameJoint& joint, std::int32_t first,
                    const std::vector<BlockId>& block, const FrameSteel& steel) {
     Frames& f = model_.frames;
-    const FramePart& part = placed.parts[static_cast<std::size_t>(joint.part)];
+    const FramePart& part = placed.parts[joint.part];
     // the ground is side a
     const bool back = joint.b == geometry::kGround;
     const int a = back ? joint.b : joint.a, b = back ? joint.a : joint.b;
     const Vec2 at{part.from.x + joint.place * part.way.x, part.from.y + joint.place * part.way.y};
     const auto id = [&](int segment) {
-      return segment == geometry::kGround ? kGroundBlock : block[static_cast<std::size_t>(segment)];
+      return segment == geometry::kGround ? kGroundBlock : block[segment];
     };
     const auto moved = [&](int segment) {
-      return segment == geometry::kGround ? Vec2{0, 0}
-                                          : placed.moved[static_cast<std::size_t>(segment)];
+      return segment == geometry::kGround ? Vec2{0, 0} : placed.moved[segment];
     };
     const auto arm = [&](int segment) {
       if (segment == geometry::kGround) return Vec2{0, 0};
@@ -200,7 +198,7 @@ std::int32_t add_members(const PlacedFrame& placed, const geometry::FrameSection
 
 void add_fibres(const FrameJoint& joint, std::int32_t first, const FrameSteel& steel,
                 Frames& frames) {
-  const FrameMember& member = frames.members[static_cast<std::size_t>(first + joint.part)];
+  const FrameMember& member = frames.members[first + joint.part];
   const double d = member.fibre;
   const double outer = joint.hinged ? 0 : member.second_moment / (2 * d * d);
   const double middle = member.area - 2 * outer;

@@ -136,7 +136,7 @@ class MaterialTable {
  private:
   // Index of the law of head joints beside beds with the law `bed`.
   int head_index(const std::string& name, int bed) {
-    const JointMaterial law = model_.materials[static_cast<std::size_t>(bed)];
+    const JointMaterial law = model_.materials[bed];
     if (!(law.head_joint_bond < 1)) return bed;
     model_.anatomy.notes.push_back(head_bond_note(name, law));
     return append(name, contact::head_joint_law(law));
@@ -188,17 +188,15 @@ class MaterialTable {
 
 // Structural depth of the body of a chain's face; length of the face where none is stated.
 double chain_depth(const ModelSpec& spec, const Assembly& assembly, const Face& face) {
-  const geometry::Block& block = assembly.blocks[static_cast<std::size_t>(face.b)];
-  if (block.ring_beam >= 0) return spec.ring_beam[static_cast<std::size_t>(block.ring_beam)].height;
+  const geometry::Block& block = assembly.blocks[face.b];
+  if (block.ring_beam >= 0) return spec.ring_beam[block.ring_beam].height;
   if (block.opening < 0) return length_of(face);
-  const OpeningSpec& opening = spec.wall.opening[static_cast<std::size_t>(block.opening)];
+  const OpeningSpec& opening = spec.wall.opening[block.opening];
   return block.role == geometry::Role::kSill ? opening.sill.depth : opening.lintel.depth;
 }
 
 bool touches_solid(const Face& face, const BlockMap& map) {
-  const auto solid = [&](int block) {
-    return block != geometry::kGround && is_solid(map[static_cast<std::size_t>(block)]);
-  };
+  const auto solid = [&](int block) { return block != geometry::kGround && is_solid(map[block]); };
   return solid(face.a) || solid(face.b);
 }
 
@@ -209,9 +207,8 @@ std::vector<std::size_t> joint_order(const std::vector<Face>& faces, const Block
   std::iota(order.begin(), order.end(), std::size_t{0});
   const auto key = [&](std::size_t f) {
     const Face& face = faces[f];
-    const bool ground =
-        face.a == geometry::kGround || map[static_cast<std::size_t>(face.a)] == kGroundBlock;
-    const JointMaterial& m = model.materials[static_cast<std::size_t>(material[f])];
+    const bool ground = face.a == geometry::kGround || map[face.a] == kGroundBlock;
+    const JointMaterial& m = model.materials[material[f]];
     return std::tuple(ground, m.softening, m.coupling, m.unloading, contact::choice_of(m).cap,
                       model.stated(material[f]));
   };
@@ -221,17 +218,16 @@ std::vector<std::size_t> joint_order(const std::vector<Face>& faces, const Block
 
 void add_joint(const Face& face, int material, double half_scale, double thickness,
                const BlockMap& map, Model& m) {
-  const BlockId a =
-      face.a == geometry::kGround ? kGroundBlock : map[static_cast<std::size_t>(face.a)];
-  const BlockId b = map[static_cast<std::size_t>(face.b)];
+  const BlockId a = face.a == geometry::kGround ? kGroundBlock : map[face.a];
+  const BlockId b = map[face.b];
   const double cx = 0.5 * (face.p0.x + face.p1.x), cy = 0.5 * (face.p0.y + face.p1.y);
   const double length = length_of(face);
   const auto ib = static_cast<std::size_t>(b);
   m.joint_a.push_back(a);
   m.joint_b.push_back(b);
   m.joint_material.push_back(material);
-  m.arm_a_x.push_back(a == kGroundBlock ? 0.0 : cx - m.centroid_x[static_cast<std::size_t>(a)]);
-  m.arm_a_y.push_back(a == kGroundBlock ? 0.0 : cy - m.centroid_y[static_cast<std::size_t>(a)]);
+  m.arm_a_x.push_back(a == kGroundBlock ? 0.0 : cx - m.centroid_x[a]);
+  m.arm_a_y.push_back(a == kGroundBlock ? 0.0 : cy - m.centroid_y[a]);
   m.arm_b_x.push_back(cx - m.centroid_x[ib]);
   m.arm_b_y.push_back(cy - m.centroid_y[ib]);
   m.tangent_x.push_back((face.p1.x - face.p0.x) / length);
@@ -247,18 +243,18 @@ void add_joint(const Face& face, int material, double half_scale, double thickne
 void set_gather_lists(Model& m) {
   m.block_begin.assign(static_cast<std::size_t>(m.n_block) + 1, 0);
   const auto count = [&](BlockId block) {
-    if (block != kGroundBlock) ++m.block_begin[static_cast<std::size_t>(block) + 1];
+    if (block != kGroundBlock) ++m.block_begin[block + 1];
   };
   for (std::size_t j = 0; j < m.joint_a.size(); ++j) {
     count(m.joint_a[j]);
     count(m.joint_b[j]);
   }
   std::partial_sum(m.block_begin.begin(), m.block_begin.end(), m.block_begin.begin());
-  m.block_entry.resize(static_cast<std::size_t>(m.block_begin.back()));
+  m.block_entry.resize(m.block_begin.back());
   std::vector<std::int32_t> next(m.block_begin.begin(), m.block_begin.end() - 1);
   const auto put = [&](BlockId block, std::size_t joint, int side) {
     if (block == kGroundBlock) return;
-    const auto at = static_cast<std::size_t>(next[static_cast<std::size_t>(block)]++);
+    const auto at = static_cast<std::size_t>(next[block]++);
     m.block_entry[at] = static_cast<std::int32_t>(2 * joint) + side;
   };
   for (std::size_t j = 0; j < m.joint_a.size(); ++j) put(m.joint_a[j], j, 0);
@@ -306,10 +302,8 @@ void compile_joints(const ModelSpec& spec, const Assembly& assembly, const Block
       half_scale.push_back(1.0);
       continue;
     }
-    const BlockId a = map[static_cast<std::size_t>(face.a)],
-                  b = map[static_cast<std::size_t>(face.b)];
-    const double spacing = std::fabs(model.centroid_x[static_cast<std::size_t>(b)] -
-                                     model.centroid_x[static_cast<std::size_t>(a)]);
+    const BlockId a = map[face.a], b = map[face.b];
+    const double spacing = std::fabs(model.centroid_x[b] - model.centroid_x[a]);
     const double depth = chain_depth(spec, assembly, face);
     material.push_back(table.chain_index(face, spacing, depth));
     half_scale.push_back(chain_half_scale(model, depth, length_of(face)));

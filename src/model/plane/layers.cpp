@@ -74,8 +74,7 @@ class LayerCompiler {
   void find_bonded() {
     for (int j = 0; j < model_.n_pair; ++j) {
       const auto i = static_cast<std::size_t>(j);
-      const JointMaterial& law =
-          model_.materials[static_cast<std::size_t>(model_.joint_material[i])];
+      const JointMaterial& law = model_.materials[model_.joint_material[i]];
       if (law.tensile_strength > 0 || law.cohesion > 0)
         bonded_.insert(std::minmax(model_.joint_a[i], model_.joint_b[i]));
     }

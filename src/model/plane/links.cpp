@@ -144,9 +144,7 @@ class SpaceSite {
   }
   [[nodiscard]] static bool knows(Vec3) { return true; }
   [[nodiscard]] static double distance(Vec3 a, Vec3 b) { return length(b - a); }
-  [[nodiscard]] Vec3 centroid(BlockId block) const {
-    return model_.space.centroid[static_cast<std::size_t>(block)];
-  }
+  [[nodiscard]] Vec3 centroid(BlockId block) const { return model_.space.centroid[block]; }
   [[nodiscard]] std::optional<std::size_t> body_at(Vec3 p, bool below) const {
     if (below) p.y -= kReach / 2;
     const std::optional<std::size_t> free = places_.body_at(p, false);
@@ -186,8 +184,7 @@ class SpaceSite {
     if (d.storey.empty()) return d.y;
     const std::vector<std::string>& names = model_.anatomy.storey_name;
     const auto found = std::find(names.begin(), names.end(), d.storey);
-    if (found != names.end())
-      return model_.anatomy.storey_top[static_cast<std::size_t>(found - names.begin())];
+    if (found != names.end()) return model_.anatomy.storey_top[found - names.begin()];
     faults.add({"", path + ".storey", d.storey, "is not among the storeys",
                 "write [[storey]] tables with names, or a height y", 0});
     return kUnset;
@@ -334,9 +331,7 @@ class LinkCompiler {
     return {kGroundBlock, point.value_or(Vec3{})};
   }
 
-  [[nodiscard]] std::string name_in(BlockId block) const {
-    return model_.anatomy.block_id[static_cast<std::size_t>(block)];
-  }
+  [[nodiscard]] std::string name_in(BlockId block) const { return model_.anatomy.block_id[block]; }
 
   // The block at a point, or the centre of a named block.
   End find(const std::string& key, const PlaceSpec& at, bool below = false) {

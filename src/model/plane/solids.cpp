@@ -169,12 +169,11 @@ class ContactBuilder {
 
   void add(const SolidFace& solid) {
     const Face& face = *solid.face;
-    const bool zone_is_b = is_solid(map_[static_cast<std::size_t>(face.b)]);
+    const bool zone_is_b = is_solid(map_[face.b]);
     const int mine = zone_is_b ? face.b : face.a, other = zone_is_b ? face.a : face.b;
-    const BlockId rigid =
-        other == geometry::kGround ? kGroundBlock : map_[static_cast<std::size_t>(other)];
+    const BlockId rigid = other == geometry::kGround ? kGroundBlock : map_[other];
     block_ = rigid == kGroundBlock ? m_.n_block : rigid;
-    body_ = solid_of(map_[static_cast<std::size_t>(mine)]);
+    body_ = solid_of(map_[mine]);
     material_ = solid.material;
     thickness_ = assembly_.thickness_of(face);
     // n points from the rigid block to the zones, on the left of the face
@@ -188,7 +187,7 @@ class ContactBuilder {
  private:
   // The rim has its zones on the left, so where it meets the face it runs along it.
   [[nodiscard]] std::vector<Overlap> overlaps() const {
-    const std::vector<std::int32_t>& rim = s_.bodies[static_cast<std::size_t>(body_)].rim;
+    const std::vector<std::int32_t>& rim = s_.bodies[body_].rim;
     std::vector<Overlap> found;
     for (std::size_t k = 0; k < rim.size(); ++k) {
       const int p = rim[k], q = rim[(k + 1) % rim.size()];
@@ -220,8 +219,8 @@ class ContactBuilder {
 
   void push(const Overlap& o) {
     const bool ground = block_ == m_.n_block;
-    const double cx = ground ? 0.0 : m_.centroid_x[static_cast<std::size_t>(block_)];
-    const double cy = ground ? 0.0 : m_.centroid_y[static_cast<std::size_t>(block_)];
+    const double cx = ground ? 0.0 : m_.centroid_x[block_];
+    const double cy = ground ? 0.0 : m_.centroid_y[block_];
     s_.contact_block.push_back(block_);
     s_.contact_p.push_back(o.p);
     s_.contact_q.push_back(o.q);
@@ -260,16 +259,14 @@ void compile_solids(const ModelSpec& spec, const Assembly& assembly, Model& mode
 
 void compile_contacts(const Assembly& assembly, const BlockMap& map, std::vector<SolidFace> faces,
                       Model& model, FaultList& faults) {
-  const auto of = [&](int block) {
-    return block == geometry::kGround ? kGroundBlock : map[static_cast<std::size_t>(block)];
-  };
+  const auto of = [&](int block) { return block == geometry::kGround ? kGroundBlock : map[block]; };
   std::stable_sort(faces.begin(), faces.end(), [&](const SolidFace& x, const SolidFace& y) {
     return model.stated(x.material) < model.stated(y.material);
   });
   ContactBuilder builder(assembly, map, model);
   for (const SolidFace& solid : faces) {
     if (is_solid(of(solid.face->a)) && is_solid(of(solid.face->b))) {
-      const Block& block = assembly.blocks[static_cast<std::size_t>(solid.face->b)];
+      const Block& block = assembly.blocks[solid.face->b];
       faults.add({"", path_of(block) + ".zones", "", "two blocks of zones touch each other",
                   "make one of them rigid, or put a rigid course between them", 0});
       continue;

@@ -77,7 +77,7 @@ class StandingCompiler {
       for (const geometry::Block& segment : assembly_.blocks)
         if (segment.frame == static_cast<int>(frame) &&
             geometry::overlaps(box_of(segment), box_of(cut), kTouch))
-          return cut_[static_cast<std::size_t>(cut.cut_from)];
+          return cut_[cut.cut_from];
     }
     return 0;
   }
@@ -103,9 +103,7 @@ class StandingCompiler {
     refuse("solve.contacts", spec_.solve.contacts == Contacts::kFree, "contacts are joints there");
     for (std::size_t b = 0; b < map_.size(); ++b) {
       const geometry::Block& block = assembly_.blocks[b];
-      if (!is_solid(map_[b]) || block.opening < 0 ||
-          cut_[static_cast<std::size_t>(block.opening)] == 0)
-        continue;
+      if (!is_solid(map_[b]) || block.opening < 0 || cut_[block.opening] == 0) continue;
       fault(fmt::format("wall.opening.{}.lintel.model", block.opening), "\"zones\"",
             "is put in by a stage, and deformable blocks stand from the first stage on",
             "write model = \"segments\", or build the opening with the wall (no cut)");
@@ -139,11 +137,11 @@ class StandingCompiler {
     if (id < 0) return;
     const auto i = static_cast<std::size_t>(id);
     if (block.cut_from >= 0) {
-      model_.standing.until[i] = cut_[static_cast<std::size_t>(block.cut_from)];
+      model_.standing.until[i] = cut_[block.cut_from];
     } else if (block.frame >= 0) {
-      model_.standing.from[i] = up_[static_cast<std::size_t>(block.frame)];
+      model_.standing.from[i] = up_[block.frame];
     } else if (block.opening >= 0) {  // lintel or sill
-      model_.standing.from[i] = cut_[static_cast<std::size_t>(block.opening)];
+      model_.standing.from[i] = cut_[block.opening];
     }
   }
 
@@ -153,15 +151,14 @@ class StandingCompiler {
     for (std::size_t b = 0; b < map_.size(); ++b) {
       if (assembly_.blocks[b].cut_from != static_cast<int>(opening) || map_[b] < 0) continue;
       ++blocks;
-      weight += model_.gravity_mass[static_cast<std::size_t>(map_[b])] * model_.solve.gravity;
+      weight += model_.gravity_mass[map_[b]] * model_.solve.gravity;
     }
     const std::string& name = spec_.wall.opening[opening].name;
-    model_.anatomy.notes.push_back(
-        {"cut.opening",
-         {{"opening", name.empty() ? std::to_string(opening + 1) : name},
-          {"stage", spec_.stage[static_cast<std::size_t>(cut_[opening])].name},
-          {"blocks", blocks},
-          {"weight_kN", 1e-3 * weight}}});
+    model_.anatomy.notes.push_back({"cut.opening",
+                                    {{"opening", name.empty() ? std::to_string(opening + 1) : name},
+                                     {"stage", spec_.stage[cut_[opening]].name},
+                                     {"blocks", blocks},
+                                     {"weight_kN", 1e-3 * weight}}});
   }
 
   const ModelSpec& spec_;
@@ -191,10 +188,10 @@ void check_standing(const Model& model, FaultList& faults) {
   if (!model.standing.any()) return;
   const auto goes = [&](BlockId block) {
     return block >= 0 && block < model.n_block &&
-           model.anatomy.block_role[static_cast<std::size_t>(block)] == BlockRole::kCutOut;
+           model.anatomy.block_role[block] == BlockRole::kCutOut;
   };
   const auto refuse = [&](const std::string& path, BlockId block, const char* what) {
-    faults.add({"", path, model.anatomy.block_id[static_cast<std::size_t>(block)],
+    faults.add({"", path, model.anatomy.block_id[block],
                 fmt::format("{} masonry that a stage cuts out", what),
                 "move it beside the opening, or build the opening with the wall (no cut)", 0});
   };

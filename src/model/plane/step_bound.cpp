@@ -51,13 +51,11 @@ std::vector<Eigen::Matrix3d> contact_stiffness(const Model& m) {
   std::vector<Eigen::Matrix3d> sum(static_cast<std::size_t>(m.n_block) + 1,
                                    Eigen::Matrix3d::Zero());
   for (std::size_t c = 0; c < s.contact_area.size(); ++c) {
-    const Springs material =
-        springs_of(m.materials[static_cast<std::size_t>(s.contact_material[c])]);
+    const Springs material = springs_of(m.materials[s.contact_material[c]]);
     const double tx = s.contact_tangent_x[c], ty = s.contact_tangent_y[c];
     const double half = 0.5 * s.contact_area[c];
-    sum[static_cast<std::size_t>(s.contact_block[c])] +=
-        point_stiffness(material, half, tx, ty, s.arm_0_x[c], s.arm_0_y[c]) +
-        point_stiffness(material, half, tx, ty, s.arm_1_x[c], s.arm_1_y[c]);
+    sum[s.contact_block[c]] += point_stiffness(material, half, tx, ty, s.arm_0_x[c], s.arm_0_y[c]) +
+                               point_stiffness(material, half, tx, ty, s.arm_1_x[c], s.arm_1_y[c]);
   }
   return sum;
 }
@@ -68,19 +66,18 @@ std::vector<double> node_bounds(const Model& m) {
   const Solids& s = m.solids;
   std::vector<double> stiffness(static_cast<std::size_t>(s.n_node), 0.0);
   for (std::size_t z = 0; z < s.zone_shape.size(); ++z) {
-    const ZoneShape& shape = s.shapes[static_cast<std::size_t>(s.zone_shape[z])];
+    const ZoneShape& shape = s.shapes[s.zone_shape[z]];
     for (std::size_t k = 0; k < 4; ++k)
-      stiffness[static_cast<std::size_t>(s.corner[k][z])] +=
-          shape.share[k] * shape.mass * shape.omega_squared;
+      stiffness[s.corner[k][z]] += shape.share[k] * shape.mass * shape.omega_squared;
   }
   for (std::size_t c = 0; c < s.contact_area.size(); ++c) {
-    const auto& material = m.materials[static_cast<std::size_t>(s.contact_material[c])];
+    const auto& material = m.materials[s.contact_material[c]];
     const double sides = s.contact_block[c] == m.n_block ? 1.0 : 2.0;
     const double k = sides * 0.5 * s.contact_area[c] *
                      std::max(material.normal_stiffness, material.shear_stiffness);
     const double to_q = s.share_0[c] + s.share_1[c];
-    stiffness[static_cast<std::size_t>(s.contact_q[c])] += k * to_q;
-    stiffness[static_cast<std::size_t>(s.contact_p[c])] += k * (2 - to_q);
+    stiffness[s.contact_q[c]] += k * to_q;
+    stiffness[s.contact_p[c]] += k * (2 - to_q);
   }
   for (std::size_t i = 0; i < stiffness.size(); ++i) stiffness[i] /= s.node_mass[i];
   return stiffness;
@@ -142,7 +139,7 @@ std::vector<Eigen::Matrix3d> frame_stiffness(const Model& m) {
   const auto add = [&](BlockId block, double share, std::size_t k, double rx, double ry) {
     const double nx = f.axis_x[k], ny = f.axis_y[k];
     const Eigen::Vector3d along(nx, ny, rx * ny - ry * nx), across(-ny, nx, rx * nx + ry * ny);
-    Eigen::Matrix3d& of = sum[static_cast<std::size_t>(block)];
+    Eigen::Matrix3d& of = sum[block];
     of += share * (2 * f.outer_stiffness[k] + f.middle_stiffness[k]) * along * along.transpose();
     of += share * f.shear_stiffness[k] * across * across.transpose();
     of(2, 2) += share * 2 * f.outer_stiffness[k] * f.fibre[k] * f.fibre[k];
@@ -166,7 +163,7 @@ std::vector<Eigen::Matrix3d> layer_stiffness(const Model& m) {
     const double nx = l.span_x[k] / length, ny = l.span_y[k] / length;
     const auto add = [&](BlockId block, double rx, double ry) {
       const Eigen::Vector3d along(nx, ny, rx * ny - ry * nx);
-      sum[static_cast<std::size_t>(block)] += 2 * l.stiffness[k] * along * along.transpose();
+      sum[block] += 2 * l.stiffness[k] * along * along.transpose();
     };
     add(l.a[k], l.arm_a_x[k], l.arm_a_y[k]);
     add(l.b[k], l.arm_b_x[k], l.arm_b_y[k]);
@@ -180,19 +177,19 @@ Eigen::Matrix3d free_stiffness(const Model& m, std::size_t i) {
   Eigen::Matrix3d k = Eigen::Matrix3d::Zero();
   if (!m.free.any()) return k;
   const Anatomy& a = m.anatomy;
-  const JointMaterial& own = m.materials[static_cast<std::size_t>(m.free.material[i])];
+  const JointMaterial& own = m.materials[m.free.material[i]];
   JointMaterial law;
   law.normal_stiffness = own.normal_stiffness;
   law.shear_stiffness = own.shear_stiffness;
   const auto joints = [&](const auto& visit) {
     for (auto e = m.block_begin[i]; e < m.block_begin[i + 1]; ++e) {
-      const auto entry = m.block_entry[static_cast<std::size_t>(e)];
+      const auto entry = m.block_entry[e];
       visit(static_cast<std::size_t>(entry >> 1), (entry & 1) != 0);
     }
   };
   joints([&](std::size_t j, bool) {
     if (a.joint_kind[j] == JointKind::kLintelChain) return;
-    const auto& other = m.materials[static_cast<std::size_t>(m.joint_material[j])];
+    const auto& other = m.materials[m.joint_material[j]];
     law.normal_stiffness = std::max(law.normal_stiffness, other.normal_stiffness);
     law.shear_stiffness = std::max(law.shear_stiffness, other.shear_stiffness);
   });
@@ -225,7 +222,7 @@ template <class SpringsAt>
 double highest_eigenvalue(const Model& m, std::size_t i, Eigen::Matrix3d k,
                           const SpringsAt& springs_at) {
   for (auto e = m.block_begin[i]; e < m.block_begin[i + 1]; ++e) {
-    const auto entry = m.block_entry[static_cast<std::size_t>(e)];
+    const auto entry = m.block_entry[e];
     const auto j = static_cast<std::size_t>(entry >> 1);
     const bool is_b = (entry & 1) != 0;
     const double share = static_cast<int>(j) < m.n_pair ? 2.0 : 1.0;
@@ -244,7 +241,7 @@ double highest_eigenvalue(const Model& m, std::size_t i, Eigen::Matrix3d k,
 double own_bound(const Model& m, std::size_t i, const Eigen::Matrix3d& zones,
                  const Eigen::Matrix3d& more = Eigen::Matrix3d::Zero()) {
   return highest_eigenvalue(m, i, 2.0 * zones + more + free_stiffness(m, i), [&](std::size_t j) {
-    return springs_of(m.materials[static_cast<std::size_t>(m.joint_material[j])]);
+    return springs_of(m.materials[m.joint_material[j]]);
   });
 }
 

@@ -229,7 +229,7 @@ void fill_blocks(const ModelSpec& spec, const SpaceAssembly& assembly, const Fie
       const double density =
           frame < 0 ? fields.density_of(static_cast<int>(k),
                                         geometry::density_in_file(shape, body.material))
-                    : density_of_segment(assembly.frames[static_cast<std::size_t>(frame)], k);
+                    : density_of_segment(assembly.frames[frame], k);
       if (!(density > 0))
         faults.add({"", "wall.blocks." + body.id, "",
                     fmt::format("has no density: neither material {} nor wall.unit has one",
@@ -399,8 +399,8 @@ void fill_joints(const ModelSpec& spec, const SpaceAssembly& assembly,
         std::max(geometry::frame_of(assembly, face.a), geometry::frame_of(assembly, face.b));
     const auto material = [&] {
       if (frame >= 0) {
-        const int index = assembly.frames[static_cast<std::size_t>(frame)].placed.index;
-        return materials.index_of(spec.frame[static_cast<std::size_t>(index)].joint);
+        const int index = assembly.frames[frame].placed.index;
+        return materials.index_of(spec.frame[index].joint);
       }
       return materials.index_of(joint_material_of(shape, a, b, face.normal),
                                 shares_bed(shape, a, b, face.normal), static_cast<int>(number),

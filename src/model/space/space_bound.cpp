@@ -190,7 +190,7 @@ void add_frames(const Model& m, std::vector<Matrix6>& sum) {
     const Vec3 axis{f.axis_x[k], f.axis_y[k], f.axis_z[k]}, left = f.left[k];
     const Vec3 across = cross(axis, left);
     const auto add = [&](BlockId block, double share, Vec3 arm) {
-      Matrix6& of = sum[static_cast<std::size_t>(block)];
+      Matrix6& of = sum[block];
       const auto spring = [&](Vec3 direction, double stiffness) {
         const Vector6 r = row(direction, arm);
         of += share * stiffness * r * r.transpose();

@@ -56,19 +56,16 @@ class SpaceFrameCompiler {
   }
 
   [[nodiscard]] FastenerSite site_of(const SpaceFrame& frame) const {
-    return {.masonry_at = [&](Vec2 p) { return masonry_at(frame.plane.place(p)); },
-            .segment_at = [&](Vec2 p) -> std::optional<BlockId> {
-              for (std::size_t j = 0; j < frame.placed.segments.size(); ++j)
-                if (holds(frame.first_body + j, frame.plane.place(p)))
-                  return id_[frame.first_body + j];
-              return std::nullopt;
-            },
-            .arm =
-                [&](BlockId of, Vec2 p) {
-                  return frame.plane.place(p) - model_.space.centroid[static_cast<std::size_t>(of)];
-                },
-            .turned = [&](Vec2 v) { return frame.plane.turned(v); },
-            .across = frame.plane.across};
+    return {
+        .masonry_at = [&](Vec2 p) { return masonry_at(frame.plane.place(p)); },
+        .segment_at = [&](Vec2 p) -> std::optional<BlockId> {
+          for (std::size_t j = 0; j < frame.placed.segments.size(); ++j)
+            if (holds(frame.first_body + j, frame.plane.place(p))) return id_[frame.first_body + j];
+          return std::nullopt;
+        },
+        .arm = [&](BlockId of, Vec2 p) { return frame.plane.place(p) - model_.space.centroid[of]; },
+        .turned = [&](Vec2 v) { return frame.plane.turned(v); },
+        .across = frame.plane.across};
   }
 
   // A section in numbers, which the plane needs less of. Beams without their own have the columns' section.
@@ -125,21 +122,19 @@ class SpaceFrameCompiler {
   void add_section(const SpaceFrame& frame, const FrameJoint& joint, std::int32_t first,
                    const geometry::FrameSections& sections, const FrameSteel& steel) {
     Frames& f = model_.frames;
-    const FramePart& part = frame.placed.parts[static_cast<std::size_t>(joint.part)];
+    const FramePart& part = frame.placed.parts[joint.part];
     const Section& section = section_of(part, sections);
     const bool back = joint.b == geometry::kGround;  // the ground is side a
     const int a = back ? joint.b : joint.a, b = back ? joint.a : joint.b;
     const Vec3 at = frame.plane.place(
         {part.from.x + joint.place * part.way.x, part.from.y + joint.place * part.way.y});
     const auto moved = [&](int segment) {
-      return segment == geometry::kGround
-                 ? Vec3{}
-                 : frame.plane.turned(frame.placed.moved[static_cast<std::size_t>(segment)]);
+      return segment == geometry::kGround ? Vec3{}
+                                          : frame.plane.turned(frame.placed.moved[segment]);
     };
     const auto arm = [&](int segment) {
       if (segment == geometry::kGround) return Vec3{};
-      const Vec3 centroid =
-          model_.space.centroid[static_cast<std::size_t>(block_of(frame, segment))];
+      const Vec3 centroid = model_.space.centroid[block_of(frame, segment)];
       return at - (centroid + moved(segment));
     };
     const Vec3 arm_a = arm(a), arm_b = arm(b), rest = moved(b) - moved(a);
@@ -178,9 +173,8 @@ void check_space_frames(const Model& model, FaultList& faults) {
   const Frames& f = model.frames;
   const auto foot = std::find(f.a.begin(), f.a.end(), kGroundBlock);
   if (foot == f.a.end()) return;
-  const auto member =
-      static_cast<std::size_t>(f.member[static_cast<std::size_t>(foot - f.a.begin())]);
-  const std::string& name = f.name[static_cast<std::size_t>(f.members[member].frame)];
+  const auto member = static_cast<std::size_t>(f.member[foot - f.a.begin()]);
+  const std::string& name = f.name[f.members[member].frame];
   for (std::size_t k = 0; k < model.stages.size(); ++k) {
     const std::vector<BlockId>& driven = model.stages[k].driven;
     if (!driven.empty() && driven.front() >= model.n_block)

@@ -402,7 +402,7 @@ class ContactBuilder {
 void list_by_node(int n_node, const std::vector<std::int32_t>& node,
                   std::vector<std::int32_t>& begin, std::vector<std::int32_t>& entry) {
   begin.assign(static_cast<std::size_t>(n_node) + 1, 0);
-  for (const std::int32_t n : node) ++begin[static_cast<std::size_t>(n) + 1];
+  for (const std::int32_t n : node) ++begin[n + 1];
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   entry.resize(node.size());
   std::vector<std::int32_t> next(begin.begin(), begin.end() - 1);

@@ -43,7 +43,7 @@ class SpaceStanding {
   // Index of the frame of which the body is a segment, or -1.
   [[nodiscard]] int frame_at(std::size_t body) const {
     const int k = geometry::frame_of(assembly_, static_cast<int>(body));
-    return k < 0 ? k : assembly_.frames[static_cast<std::size_t>(k)].placed.index;
+    return k < 0 ? k : assembly_.frames[k].placed.index;
   }
 
   void check(const BodySpec& body, int frame) {
@@ -75,8 +75,7 @@ class SpaceStanding {
               "let a later stage cut it out");
     }
     for (const geometry::JointFace& face : assembly_.faces) {
-      const BodySpec &a = assembly_.body[static_cast<std::size_t>(face.a)],
-                     &b = assembly_.body[static_cast<std::size_t>(face.b)];
+      const BodySpec &a = assembly_.body[face.a], &b = assembly_.body[face.b];
       const auto changes = [](const BodySpec& body) {
         return !body.cut.empty() || !body.put_in.empty();
       };
@@ -93,7 +92,7 @@ class SpaceStanding {
     for (std::size_t k = 0; k < id_.size(); ++k) {
       if (assembly_.body[k].cut != stage) continue;
       ++blocks;
-      weight += model_.gravity_mass[static_cast<std::size_t>(id_[k])] * model_.solve.gravity;
+      weight += model_.gravity_mass[id_[k]] * model_.solve.gravity;
     }
     if (blocks > 0)
       model_.anatomy.notes.push_back(

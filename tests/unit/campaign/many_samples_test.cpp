@@ -54,14 +54,14 @@ const Summary& summary_of(const Statistics& s, const char* quantity) {
 TEST(ManySamples, so_many_stand_for_all_wherever_they_lie) {
   EXPECT_TRUE(Resampled(kMostResampled).is_all());
   std::vector<int> all(100'000);
-  for (int i = 0; i < 100'000; ++i) all[static_cast<std::size_t>(i)] = i;
+  for (int i = 0; i < 100'000; ++i) all[i] = i;
   const Resampled part(all.size());
   const std::vector<int> taken = part.of(all);
   ASSERT_EQ(static_cast<int>(taken.size()), kMostResampled);
   int odd = 0;
   for (int i = 0; i < kMostResampled; ++i) {
-    EXPECT_EQ(taken[static_cast<std::size_t>(i)] / 50, i);  // one of each part
-    odd += taken[static_cast<std::size_t>(i)] % 2;
+    EXPECT_EQ(taken[i] / 50, i);  // one of each part
+    odd += taken[i] % 2;
   }
   // every second point of a Sobol sequence lies in one half
   EXPECT_NEAR(odd, kMostResampled / 2, 4 * std::sqrt(0.25 * kMostResampled));

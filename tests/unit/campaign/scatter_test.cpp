@@ -308,7 +308,7 @@ Means walls_between(double cov, const std::vector<std::string>& settings) {
   const SampleTable samples = draw_samples(study);
   Means out;
   for (int i = 0; i < samples.n_sample(); ++i) {
-    out.strong += samples.value[static_cast<std::size_t>(i)].front() > 2 ? 1 : 0;
+    out.strong += samples.value[i].front() > 2 ? 1 : 0;
     const std::vector<Fault> why = refusal_of(samples, i, model_builder(study));
     if (out.refusal.empty()) out.refusal = in_one_line(why);
   }

@@ -239,9 +239,7 @@ TEST(ShakenCampaign, walls_do_not_depend_on_the_records) {
   const SampleTable few = draw_samples(shaken_study(kLevels, {0.3}, 4));
   const SampleTable more = draw_samples(shaken_study(kLevels, {0.3, 0.8, 1.6}, 4));
   for (int w = 0; w < 4; ++w)
-    for (int r = 0; r < 3; ++r)
-      EXPECT_EQ(more.value[static_cast<std::size_t>(3 * w + r)],
-                few.value[static_cast<std::size_t>(w)]);
+    for (int r = 0; r < 3; ++r) EXPECT_EQ(more.value[3 * w + r], few.value[w]);
 }
 
 TEST(ShakenCampaign, records_alone_need_no_variable) {

@@ -77,7 +77,7 @@ Evidence evidence(const std::string& element) { return {element, "slip", 0.1, 1.
 SampleRecord full_record(int sample) {
   SampleRecord r;
   r.sample = sample;
-  r.inputs = two_samples().value[static_cast<std::size_t>(sample - 1)];
+  r.inputs = two_samples().value[sample - 1];
   r.status = "completed";
   r.reason = as_text("because, \"quoted\"");
   r.retried = true;

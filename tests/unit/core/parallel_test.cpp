@@ -14,7 +14,7 @@ TEST(Workers, every_chunk_is_done_once_in_every_round) {
     for (const int chunks : {0, 1, 2, 7, 64}) {
       std::vector<int> done(static_cast<std::size_t>(chunks), 0);
       for (int round = 1; round <= 300; ++round) {
-        workers.for_each_chunk(chunks, [&](int chunk) { ++done[static_cast<std::size_t>(chunk)]; });
+        workers.for_each_chunk(chunks, [&](int chunk) { ++done[chunk]; });
         for (const int times : done) ASSERT_EQ(times, round) << threads << " threads";
       }
     }

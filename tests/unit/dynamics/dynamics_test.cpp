@@ -123,7 +123,7 @@ TEST(Drive, spreader_meets_the_mean_velocity_and_gives_equal_forces) {
   std::vector<double> before = rig.state.vx;
   rig.step();
   double mean = 0;
-  for (const BlockId b : driven) mean += rig.state.vx[static_cast<std::size_t>(b)] / 3;
+  for (const BlockId b : driven) mean += rig.state.vx[b] / 3;
   EXPECT_NEAR(mean, 0.05, 1e-14);
   // applied force = m a - (contact and body forces), the same on every driven block
   std::vector<double> applied;
@@ -140,8 +140,7 @@ TEST(Drive, each_moves_every_driven_block_at_the_velocity) {
   Rig rig(spread_wall(Manner::kEach));
   rig.drive(2, 0.05);
   for (int k = 0; k < 200; ++k) rig.step();
-  for (const BlockId b : rig.model.stages[2].driven)
-    EXPECT_NEAR(rig.state.vx[static_cast<std::size_t>(b)], 0.05, 1e-14);
+  for (const BlockId b : rig.model.stages[2].driven) EXPECT_NEAR(rig.state.vx[b], 0.05, 1e-14);
 }
 
 TEST(Drive, reaction_balances_the_base_shear_when_pushed_slowly) {

@@ -148,9 +148,7 @@ TEST(Arches, blocks_overlap_nowhere_and_none_is_a_sliver) {
   for (const ArchSpec& arch : {flat(), segmental(), round_arch()}) {
     const Assembly wall = build(wall_with(arch));
     for (const auto& [i, j] : near_pairs(wall.blocks, 0))
-      EXPECT_LT(overlap_area(wall.blocks[static_cast<std::size_t>(i)].outline,
-                             wall.blocks[static_cast<std::size_t>(j)].outline),
-                1e-9);
+      EXPECT_LT(overlap_area(wall.blocks[i].outline, wall.blocks[j].outline), 1e-9);
     for (const Block& block : wall.blocks) {
       EXPECT_TRUE(is_simple(block.outline)) << block.id;
       if (is_voussoir(block)) continue;
@@ -198,8 +196,8 @@ TEST(Arches, radial_joints_are_head_joints_of_the_arch_and_the_rest_is_the_mason
   int radial = 0;
   for (const Face& face : wall.faces) {
     if (face.a < 0) continue;
-    const bool a = is_voussoir(wall.blocks[static_cast<std::size_t>(face.a)]);
-    const bool b = is_voussoir(wall.blocks[static_cast<std::size_t>(face.b)]);
+    const bool a = is_voussoir(wall.blocks[face.a]);
+    const bool b = is_voussoir(wall.blocks[face.b]);
     EXPECT_EQ(face.material == "lime", a && b);
     EXPECT_TRUE(!(a && b) || face.kind == FaceKind::kHead);
     radial += a && b;

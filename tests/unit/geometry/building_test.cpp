@@ -277,10 +277,10 @@ TEST(Storeys, weigh_what_their_thickness_and_density_say_and_meet_in_the_smaller
   EXPECT_NEAR(model.weight / wanted, 1, 1e-12);
   double floor_line = 0, below = 0;
   for (JointId j = 0; j < model.n_joint; ++j) {
-    if (model.anatomy.joint_kind[static_cast<std::size_t>(j)] != JointKind::kBed) continue;
-    const auto b = static_cast<std::size_t>(model.joint_b[static_cast<std::size_t>(j)]);
-    const double y = model.centroid_y[b] + model.arm_b_y[static_cast<std::size_t>(j)];
-    const double area = model.area[static_cast<std::size_t>(j)];
+    if (model.anatomy.joint_kind[j] != JointKind::kBed) continue;
+    const auto b = static_cast<std::size_t>(model.joint_b[j]);
+    const double y = model.centroid_y[b] + model.arm_b_y[j];
+    const double area = model.area[j];
     if (std::abs(y - height / 2) < 1e-9) floor_line += area;
     if (std::abs(y - height / 8) < 1e-9) below += area;
   }
@@ -497,8 +497,8 @@ TEST(Regions, have_a_thickness_of_their_own_and_joints_that_of_the_thinner_block
   }
   int edges = 0;
   for (const Face& face : wall.faces) {
-    const double b = wall.blocks[static_cast<std::size_t>(face.b)].thickness;
-    const double a = face.a < 0 ? b : wall.blocks[static_cast<std::size_t>(face.a)].thickness;
+    const double b = wall.blocks[face.b].thickness;
+    const double a = face.a < 0 ? b : wall.blocks[face.a].thickness;
     EXPECT_EQ(wall.thickness_of(face), std::min(a, b));
     edges += a != b;
   }

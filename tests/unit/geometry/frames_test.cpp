@@ -174,7 +174,7 @@ TEST(Frames, round_an_opening_touch_its_jambs_and_head_and_stand_on_the_ground) 
   // sections: of each member all its length, whatever the quadrature
   std::vector<double> length_of(m.frames.members.size(), 0);
   for (std::size_t k = 0; k < m.frames.a.size(); ++k)
-    length_of[static_cast<std::size_t>(m.frames.member[k])] += m.frames.length[k];
+    length_of[m.frames.member[k]] += m.frames.length[k];
   ASSERT_EQ(length_of.size(), 3U);
   for (std::size_t k = 0; k < length_of.size(); ++k)
     EXPECT_NEAR(length_of[k], m.frames.members[k].length, 1e-12);

@@ -241,10 +241,10 @@ TEST(geometry_faces, normal_on_the_left_points_from_a_to_b) {
   const Assembly wall = build(papers_wall());
   for (const Face& face : wall.faces) {
     const Vec2 t = face.p1 - face.p0;
-    const Vec2 b = moments(wall.blocks[static_cast<std::size_t>(face.b)].outline).centroid;
+    const Vec2 b = moments(wall.blocks[face.b].outline).centroid;
     EXPECT_GT(cross(t, b - face.p0), 0);
     if (face.a == kGround) continue;
-    const Vec2 a = moments(wall.blocks[static_cast<std::size_t>(face.a)].outline).centroid;
+    const Vec2 a = moments(wall.blocks[face.a].outline).centroid;
     EXPECT_LT(cross(t, a - face.p0), 0);
   }
 }

@@ -140,7 +140,7 @@ TEST(RingBeam, of_a_storey_ends_at_its_top_and_carries_the_floor_there) {
   EXPECT_NEAR(top, 0.5, 1e-12);
   const Model model = compile(spec);
   for (const PointLoad& load : model.stages[0].loads)
-    EXPECT_EQ(model.anatomy.block_role[static_cast<std::size_t>(load.block)], BlockRole::kRingBeam);
+    EXPECT_EQ(model.anatomy.block_role[load.block], BlockRole::kRingBeam);
   EXPECT_EQ(model.stages[0].loads.size(), 20U);
 }
 
@@ -155,9 +155,7 @@ TEST(RingBeam, weighs_what_its_section_weighs_whatever_courses_it_takes) {
   EXPECT_NEAR(mass, 2 * 0.23 * 0.25 * 2500, 1e-9);
   for (std::size_t j = 0; j < model.joint_a.size(); ++j)
     if (model.anatomy.joint_kind[j] == JointKind::kLintelChain)
-      stiffness =
-          model.area[j] *
-          model.materials[static_cast<std::size_t>(model.joint_material[j])].normal_stiffness;
+      stiffness = model.area[j] * model.materials[model.joint_material[j]].normal_stiffness;
   EXPECT_NEAR(stiffness / (30e9 * 0.23 * 0.25 / 0.1), 1, 1e-9);
   EXPECT_TRUE(notes_say(build(spec), "from y = 0.6 to 0.8 m"));
   EXPECT_TRUE(notes_say(build(spec), "230 mm high"));

@@ -237,9 +237,7 @@ TEST(Refusal, of_all_samples_is_that_of_each) {
   const std::vector<std::vector<Fault>> all = refusals_of(table, build);
   ASSERT_EQ(all.size(), 6U);
   for (int s = 0; s < 6; ++s)
-    EXPECT_EQ(in_one_line(all[static_cast<std::size_t>(s)]),
-              in_one_line(refusal_of(table, s, build)))
-        << s;
+    EXPECT_EQ(in_one_line(all[s]), in_one_line(refusal_of(table, s, build))) << s;
   EXPECT_FALSE(all[0].empty());
   EXPECT_TRUE(all[1].empty());
 }

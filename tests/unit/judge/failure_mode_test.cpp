@@ -301,17 +301,16 @@ TEST(ElementStates, band_through_the_spandrel_is_parted_from_a_crack_width_on) {
 TEST(ElementStates, toe_is_crushed_by_the_strength_it_lost) {
   const Model& m = tuff_wall();
   State state = initial_state(m);
-  const JointMaterial& foundation = m.materials[static_cast<std::size_t>(
-      m.joint_material[static_cast<std::size_t>(m.n_joint) - 1])];
+  const JointMaterial& foundation = m.materials[m.joint_material[m.n_joint - 1]];
   const double full = 2 * foundation.compressive_energy / foundation.compressive_strength;
   JointId corner = 0;  // the foundation joint farthest right
   double farthest = 0;
   for (JointId j = m.n_pair; j < m.n_joint; ++j) {
-    const double x = m.centroid_x[static_cast<std::size_t>(m.joint_b[static_cast<std::size_t>(j)])];
+    const double x = m.centroid_x[m.joint_b[j]];
     if (x > farthest) corner = j;
     farthest = std::max(farthest, x);
   }
-  state.crush[static_cast<std::size_t>(corner * m.n_face_point)] = 0.25 * full;
+  state.crush[corner * m.n_face_point] = 0.25 * full;
   const ElementStates elements = read_elements(m, state);
   EXPECT_NEAR(sign_of(elements, "right toe of the right pier", study::kCrushing).value, 0.25, 1e-6);
   EXPECT_EQ(sign_of(elements, "left toe of the right pier", study::kCrushing).value, 0);
@@ -320,7 +319,7 @@ TEST(ElementStates, toe_is_crushed_by_the_strength_it_lost) {
 TEST(Flags, loaded_node_slides_against_its_neighbours) {
   const Model& m = tuff_wall();
   State state = initial_state(m);
-  for (const BlockId b : m.stages.back().driven) state.ux[static_cast<std::size_t>(b)] = 5e-3;
+  for (const BlockId b : m.stages.back().driven) state.ux[b] = 5e-3;
   const FailureMode mode = name_from_state(m, state);
   EXPECT_NEAR(flag_of(mode, "loaded node").value, 5, 1e-6);
   EXPECT_TRUE(flag_of(mode, "loaded node").holds());

@@ -34,8 +34,7 @@ Result run_of(const Model& model, const std::string& mode, double pressure = kPr
   Result result;
   result.responses.peak_reaction = 1e4;
   result.failure_mode.name = mode;
-  const double kn =
-      model.materials[static_cast<std::size_t>(model.joint_material[0])].normal_stiffness;
+  const double kn = model.materials[model.joint_material[0]].normal_stiffness;
   result.snapshots.push_back({"start", 0, 0, scenes::moved(model, [=](double, double) {
                                 return scenes::Motion{.move_y = -pressure / kn};
                               })});

@@ -20,8 +20,6 @@
 namespace wythe::fields_in_space_test {
 namespace {
 
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
-
 const std::string kJoints = R"(
 [wall]
 height = "0.6 m"
@@ -206,16 +204,16 @@ TEST(FieldsInSpace, each_joint_has_its_own_strength_and_what_follows_it) {
   int own = 0;
   std::set<double> strengths;
   for (int j = 0; j < m.n_joint; ++j) {
-    const auto material = m.joint_material[at(j)];
+    const auto material = m.joint_material[j];
     if (m.stated(material) == material) continue;
     ++own;
-    const JointMaterial& law = m.materials[at(material)];
+    const JointMaterial& law = m.materials[material];
     EXPECT_NEAR(law.mode_1_energy, 30e-6 * law.tensile_strength, 1e-12);
-    EXPECT_EQ(m.anatomy.fields[1].of_joint[at(j)], law.tensile_strength);
+    EXPECT_EQ(m.anatomy.fields[1].of_joint[j], law.tensile_strength);
     strengths.insert(law.tensile_strength);
   }
   EXPECT_EQ(own, m.n_joint);
-  EXPECT_EQ(strengths.size(), at(own));
+  EXPECT_EQ(strengths.size(), static_cast<std::size_t>(own));
 }
 
 TEST(FieldsInSpace, a_density_field_is_the_mass_of_units) {
@@ -225,10 +223,9 @@ TEST(FieldsInSpace, a_density_field_is_the_mass_of_units) {
   const DrawnField& rho = m.anatomy.fields.front();
   std::set<double> all;
   for (int i = 0; i < m.n_block; ++i) {
-    EXPECT_NEAR(m.mass[at(i)] / plain.mass[at(i)], rho.of_block[at(i)] / 2000, 1e-12);
-    EXPECT_NEAR(m.space.inertia[at(i)].y / plain.space.inertia[at(i)].y, rho.of_block[at(i)] / 2000,
-                1e-12);
-    all.insert(rho.of_block[at(i)]);
+    EXPECT_NEAR(m.mass[i] / plain.mass[i], rho.of_block[i] / 2000, 1e-12);
+    EXPECT_NEAR(m.space.inertia[i].y / plain.space.inertia[i].y, rho.of_block[i] / 2000, 1e-12);
+    all.insert(rho.of_block[i]);
   }
   EXPECT_GT(all.size(), 10U);
 }

@@ -159,7 +159,7 @@ TEST(Floors, patterns_count_the_floor_as_mass_at_its_level) {
     const Stage& push = model.stages.back();
     double at = 0, all = 0;
     for (std::size_t k = 0; k < push.driven.size(); ++k) {
-      const double y = model.centroid_y[static_cast<std::size_t>(push.driven[k])];
+      const double y = model.centroid_y[push.driven[k]];
       all += push.driven_share[k];
       at += y > 0.55 && y < 0.66 ? push.driven_share[k] : 0.0;
     }

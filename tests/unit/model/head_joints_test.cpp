@@ -25,8 +25,6 @@
 namespace wythe::head_joints_test {
 namespace {
 
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
-
 JointMaterial bed(double share) {
   JointMaterial m = scenes::paper_joint();
   m.head_joint_bond = share;
@@ -151,8 +149,8 @@ TEST(HeadJoints, pulled_apart_bear_the_share_of_the_tensile_strength_on_their_ar
 std::set<double> strengths(const Model& model, JointKind kind) {
   std::set<double> found;
   for (int j = 0; j < model.n_joint; ++j)
-    if (model.anatomy.joint_kind[at(j)] == kind)
-      found.insert(model.materials[at(model.joint_material[at(j)])].tensile_strength / 1e6);
+    if (model.anatomy.joint_kind[j] == kind)
+      found.insert(model.materials[model.joint_material[j]].tensile_strength / 1e6);
   return found;
 }
 
@@ -258,7 +256,7 @@ std::map<bool, std::vector<std::pair<std::string, std::string>>> faces_of(const 
   const geometry::Shape shape(spec);
   std::map<bool, std::vector<std::pair<std::string, std::string>>> found;
   for (const geometry::JointFace& face : assembly.faces) {
-    const BodySpec &a = assembly.body[at(face.a)], &b = assembly.body[at(face.b)];
+    const BodySpec &a = assembly.body[face.a], &b = assembly.body[face.b];
     found[shares_bed(shape, a, b, face.normal)].emplace_back(a.id, b.id);
   }
   return found;
@@ -296,8 +294,7 @@ line = [["0 m", "0 m"], ["0 m", "0.75 m"]]
     EXPECT_TRUE(course_of(a) != course_of(b) || unit_of(a) == unit_of(b)) << a << ", " << b;
   const Model model = compile(spec);
   std::map<double, std::size_t> joints;
-  for (const std::int32_t m : model.joint_material)
-    ++joints[model.materials[at(m)].tensile_strength];
+  for (const std::int32_t m : model.joint_material) ++joints[model.materials[m].tensile_strength];
   EXPECT_EQ(joints[0.25 * 0.15e6], faces[true].size());
 }
 
@@ -338,7 +335,7 @@ std::map<std::array<double, 3>, double> strength_at(const ModelSpec& spec) {
   std::map<std::array<double, 3>, double> found;
   for (int j = 0; j < model.n_joint; ++j) {
     const Vec3 c = joint_shape(model, j).centre;
-    found[{c.x, c.y, c.z}] = model.materials[at(model.joint_material[at(j)])].tensile_strength;
+    found[{c.x, c.y, c.z}] = model.materials[model.joint_material[j]].tensile_strength;
   }
   return found;
 }

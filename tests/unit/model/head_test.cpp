@@ -206,7 +206,7 @@ TEST(Head, held_against_rising_tells_its_axial_force) {
   const WallReading wall = read_wall(model, state);
   double ground = 0;
   for (JointId j = model.n_pair; j < model.n_joint; ++j)
-    ground += force_of(model, wall.joints[static_cast<std::size_t>(j)], wall).y;
+    ground += force_of(model, wall.joints[j], wall).y;
   const double body = model.weight - own;
   EXPECT_NEAR(result.curve.back().head_axial / (ground - body), 1, 1e-3);
 }

@@ -228,7 +228,7 @@ TEST(Links, a_diaphragm_takes_the_other_column_along) {
   push.rotation = Freedom::kBlocked;
   spec.stage = {scenes::gravity_stage(), push};
   const auto moved = [](const Ran& r, const char* id) {
-    return r.state.ux[static_cast<std::size_t>(scenes::block_named(r.model, id))];
+    return r.state.ux[scenes::block_named(r.model, id)];
   };
   const Ran alone = solved(spec);
   EXPECT_LT(std::fabs(moved(alone, "c13")), 1e-6);

@@ -66,8 +66,7 @@ TEST(Pattern, levels_carry_the_mass_nearest_to_them) {
     double top = 0, all = 0;
     for (std::size_t k = 0; k < push.driven.size(); ++k) {
       all += push.driven_share[k];
-      if (model.centroid_y[static_cast<std::size_t>(push.driven[k])] > 0.5)
-        top += push.driven_share[k];
+      if (model.centroid_y[push.driven[k]] > 0.5) top += push.driven_share[k];
     }
     return top / all;
   };
@@ -93,7 +92,7 @@ TEST(Pattern, of_mass_pushes_every_block_by_its_mass) {
   ASSERT_EQ(push.driven.size(), static_cast<std::size_t>(model.n_block));
   for (std::size_t k = 0; k < push.driven.size(); ++k)
     EXPECT_NEAR(push.driven_share[k] * model.weight / model.solve.gravity / model.n_block,
-                model.gravity_mass[static_cast<std::size_t>(push.driven[k])], 1e-9);
+                model.gravity_mass[push.driven[k]], 1e-9);
 }
 
 // The lintel's mass goes to the blocks that it touches, and to no other: in sum all masses push.
@@ -110,7 +109,7 @@ TEST(Pattern, of_mass_counts_a_lintel_of_zones) {
   const auto& touched = model.solids.contact_block;
   for (std::size_t k = 0; k < push.driven.size(); ++k) {
     const double mass = push.driven_share[k] * model.weight / model.solve.gravity / model.n_block;
-    const double more = mass - model.gravity_mass[static_cast<std::size_t>(push.driven[k])];
+    const double more = mass - model.gravity_mass[push.driven[k]];
     const bool touches = std::find(touched.begin(), touched.end(), push.driven[k]) != touched.end();
     EXPECT_EQ(more > 1e-9, touches) << k;
     added += more;
@@ -133,13 +132,11 @@ TEST(Pattern, at_levels_counts_a_lintel_of_zones_where_it_is_nearest) {
     else if (y > 0.125 * top)
       low += mass;
   };
-  for (int b = 0; b < model.n_block; ++b)
-    add(model.gravity_mass[static_cast<std::size_t>(b)],
-        model.centroid_y[static_cast<std::size_t>(b)]);
+  for (int b = 0; b < model.n_block; ++b) add(model.gravity_mass[b], model.centroid_y[b]);
   for (const SolidBody& body : model.solids.bodies) {
     double mass = 0;
     for (int n = body.first_node; n < body.first_node + body.n_node; ++n)
-      mass += model.solids.node_gravity_mass[static_cast<std::size_t>(n)];
+      mass += model.solids.node_gravity_mass[n];
     add(mass, 0.5 * (body.y0 + body.y1));
   }
   for (const Stage& stage : model.stages)
@@ -147,8 +144,7 @@ TEST(Pattern, at_levels_counts_a_lintel_of_zones_where_it_is_nearest) {
   const Stage& push = push_of(model);
   for (std::size_t k = 0; k < push.driven.size(); ++k) {
     all += push.driven_share[k];
-    if (model.centroid_y[static_cast<std::size_t>(push.driven[k])] > 0.6 * top)
-      share += push.driven_share[k];
+    if (model.centroid_y[push.driven[k]] > 0.6 * top) share += push.driven_share[k];
   }
   EXPECT_NEAR(share / all, high / (low + high), 1e-9);
 }

@@ -21,8 +21,6 @@
 namespace wythe::random_fields_test {
 namespace {
 
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
-
 // A wall of 0.8 x 0.8 m in half units of 100 x 100 mm, as in a file.
 const std::string kWall = R"(
 [wall]
@@ -308,14 +306,14 @@ TEST(random_field, each_joint_has_its_own_strength_and_what_follows_it) {
   const Model m = compile(spec);
   int own = 0;
   for (int j = 0; j < m.n_joint; ++j) {
-    const auto material = m.joint_material[at(j)];
-    const std::string& name = m.material_names[at(material)];
+    const auto material = m.joint_material[j];
+    const std::string& name = m.material_names[material];
     EXPECT_EQ(m.stated(material) != material, name == "joint");
     if (name != "joint") continue;
     ++own;
-    const JointMaterial& law = m.materials[at(material)];
+    const JointMaterial& law = m.materials[material];
     EXPECT_NEAR(law.mode_1_energy, 30e-6 * law.tensile_strength, 1e-12);
-    EXPECT_EQ(m.anatomy.fields[1].of_joint[at(j)], law.tensile_strength);
+    EXPECT_EQ(m.anatomy.fields[1].of_joint[j], law.tensile_strength);
   }
   EXPECT_EQ(m.anatomy.fields[1].name, "ft");
   EXPECT_GT(own, 80);
@@ -328,9 +326,9 @@ TEST(random_field, a_density_field_is_the_mass_of_units) {
   const DrawnField& rho = m.anatomy.fields.front();
   double least = 1e9, most = 0;
   for (int i = 0; i < m.n_block; ++i) {
-    EXPECT_NEAR(m.mass[at(i)] / plain.mass[at(i)], rho.of_block[at(i)] / 2000, 1e-12);
-    least = std::min(least, rho.of_block[at(i)]);
-    most = std::max(most, rho.of_block[at(i)]);
+    EXPECT_NEAR(m.mass[i] / plain.mass[i], rho.of_block[i] / 2000, 1e-12);
+    least = std::min(least, rho.of_block[i]);
+    most = std::max(most, rho.of_block[i]);
   }
   EXPECT_GT(most, 1.2 * least);
 }
@@ -464,22 +462,22 @@ TEST(random_field, of_a_study_takes_its_mean_from_the_variable_and_dependents_fo
     double sum = 0;
     int n = 0;
     for (int j = 0; j < m.n_joint; ++j) {
-      const auto material = m.joint_material[at(j)];
-      if (m.material_names[at(material)] != "joint") continue;
-      const JointMaterial& law = m.materials[at(material)];
+      const auto material = m.joint_material[j];
+      if (m.material_names[material] != "joint") continue;
+      const JointMaterial& law = m.materials[material];
       EXPECT_NEAR(law.cohesion, 1.5 * law.tensile_strength, 1e-9 * law.cohesion);
       sum += law.tensile_strength, ++n;
     }
-    const double mean = samples.value[at(i)][0];
+    const double mean = samples.value[i][0];
     EXPECT_NEAR(sum / n, mean, 0.25 * mean);  // one correlated wall
-    EXPECT_EQ(m.materials[at(m.stated(m.joint_material[0]))].tensile_strength, mean);
+    EXPECT_EQ(m.materials[m.stated(m.joint_material[0])].tensile_strength, mean);
   }
 }
 
 TEST(random_field, sample_i_is_the_same_for_any_number_of_samples) {
   const StudySpec few = study_with_fields(4), many = study_with_fields(9);
   const SampleTable a = draw_samples(few), b = draw_samples(many);
-  for (int i = 0; i < 4; ++i) EXPECT_EQ(a.more_setting[at(i)][0], b.more_setting[at(i)][0]);
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(a.more_setting[i][0], b.more_setting[i][0]);
   std::vector<std::string> seeds;
   for (const auto& settings : b.more_setting) seeds.push_back(settings[0]);
   std::sort(seeds.begin(), seeds.end());

@@ -125,7 +125,7 @@ TEST(SpaceLoads, a_pressure_presses_the_faces_that_nothing_stands_before) {
     const Model model = compile(spec);
     std::vector<std::string> ids;
     for (const PointLoad& load : model.stages[1].loads)
-      ids.push_back(model.anatomy.block_id[static_cast<std::size_t>(load.block)]);
+      ids.push_back(model.anatomy.block_id[load.block]);
     return ids;
   };
   EXPECT_EQ(pressed(), std::vector<std::string>{"head"});
@@ -150,7 +150,7 @@ TEST(SpaceLoads, a_pressure_presses_the_open_part_of_a_face) {
     const Model model = compile(spec);
     double force = 0;
     for (const PointLoad& load : model.stages[1].loads)
-      if (model.anatomy.block_id[static_cast<std::size_t>(load.block)] == id) force -= load.fy;
+      if (model.anatomy.block_id[load.block] == id) force -= load.fy;
     return force;
   };
   EXPECT_NEAR(force_on({}, "slab"), 180e3, 1e-6);
@@ -460,9 +460,7 @@ TEST(SpaceLinks, a_rigid_diaphragm_takes_the_other_wall_along) {
   ModelSpec spec = scenes::in_space(bodies, scenes::elastic_joint(1e9, 0.4e9), kDensity);
   StageSpec push = scenes::push_stage("w03", Direction::kPlusZ, 0.01, 0.5e-3);
   spec.stage = {scenes::gravity_stage(), push};
-  const auto moved = [](const Ran& r) {
-    return r.state.uz[static_cast<std::size_t>(scenes::block_named(r.model, "w13"))];
-  };
+  const auto moved = [](const Ran& r) { return r.state.uz[scenes::block_named(r.model, "w13")]; };
   const Ran alone = solved(spec);
   EXPECT_LT(std::fabs(moved(alone)), 1e-6);
   DiaphragmSpec floor;

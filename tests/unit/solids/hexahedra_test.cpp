@@ -68,8 +68,7 @@ Patch crooked_patch(const JointMaterial& material) {
                             at(i, j, k + 1), at(i + 1, j, k + 1), at(i + 1, j + 1, k + 1),
                             at(i, j + 1, k + 1)});
         HexahedronCorners c;
-        for (std::size_t n = 0; n < 8; ++n)
-          c[n] = p.node[static_cast<std::size_t>(p.corner.back()[n])];
+        for (std::size_t n = 0; n < 8; ++n) c[n] = p.node[p.corner.back()[n]];
         EXPECT_GT(solids::least_jacobian(c), 0.2);
         p.shape.push_back(solids::make_hexahedron(
             c, solids::elasticity_in_space(material, {1, 0.4, -0.2}), kDensity));
@@ -111,25 +110,24 @@ TEST(Hexahedra, every_constant_strain_passes_through_crooked_zones) {
       double energy = 0;
       for (std::size_t z = 0; z < p.shape.size(); ++z) {
         HexahedronCorners c;
-        for (std::size_t n = 0; n < 8; ++n) c[n] = p.node[static_cast<std::size_t>(p.corner[z][n])];
+        for (std::size_t n = 0; n < 8; ++n) c[n] = p.node[p.corner[z][n]];
         const HexahedronVectors u = moved(c, displace);
         const HexahedronVectors f = solids::hexahedron_force(p.shape[z], u);
         for (std::size_t n = 0; n < 8; ++n) {
-          auto& sum = force[static_cast<std::size_t>(p.corner[z][n])];
+          auto& sum = force[p.corner[z][n]];
           sum = sum + f[n];
         }
         energy += solids::hexahedron_energy(p.shape[z], u);
         const auto stress = solids::hexahedron_stress(p.shape[z], u);
         for (std::size_t i = 0; i < 6; ++i)
-          EXPECT_NEAR(stress[i], d[i][static_cast<std::size_t>(strain)] * kStrain,
-                      1e-6 * kE * kStrain)
+          EXPECT_NEAR(stress[i], d[i][strain] * kStrain, 1e-6 * kE * kStrain)
               << "strain " << strain << ", stress " << i;
       }
       double greatest = 0;
       for (const auto& f : force) greatest = std::fmax(greatest, magnitude_of(f));
       ASSERT_GT(greatest, 0);
       EXPECT_LT(magnitude_of(force[13]), 1e-7 * greatest) << "strain " << strain;
-      const double modulus = d[static_cast<std::size_t>(strain)][static_cast<std::size_t>(strain)];
+      const double modulus = d[strain][strain];
       EXPECT_NEAR(energy / (0.5 * modulus * kStrain * kStrain * volume), 1, 1e-7) << strain;
     }
   }
@@ -155,7 +153,7 @@ TEST(Hexahedra, a_free_node_of_a_strained_patch_goes_along) {
         if (p.corner[z][m] == 13) {
           k += block;
         } else {
-          const Vec3 u = displace(p.node[static_cast<std::size_t>(p.corner[z][m])]);
+          const Vec3 u = displace(p.node[p.corner[z][m]]);
           pull -= block * Eigen::Vector3d(u.x, u.y, u.z);
         }
       }
@@ -344,8 +342,7 @@ TEST(Hexahedra, the_grain_lies_where_it_is_said_to) {
   Eigen::Matrix<double, 6, 6> d;
   const auto skew = solids::elasticity_in_space(timber(), {1, 2, -0.5});
   for (int i = 0; i < 6; ++i)
-    for (int j = 0; j < 6; ++j)
-      d(i, j) = skew[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+    for (int j = 0; j < 6; ++j) d(i, j) = skew[i][j];
   const Eigen::Vector3d a = Eigen::Vector3d(1, 2, -0.5).normalized();
   Eigen::Vector<double, 6> pull;
   pull << a.x() * a.x(), a.y() * a.y(), a.z() * a.z(), a.x() * a.y(), a.y() * a.z(), a.z() * a.x();

@@ -290,7 +290,7 @@ TEST(ZoneResults, files_and_pictures_show_the_zones) {
   EXPECT_TRUE(has(joints, "NumberOfCells=\"" +
                               std::to_string(p.model.n_joint + p.model.solids.n_contact) + "\""));
   State crushed = p.state;  // bearings crush as joints do
-  crushed.crush[static_cast<std::size_t>(points_of(p.model, p.model.n_joint).begin)] = 1;
+  crushed.crush[points_of(p.model, p.model.n_joint).begin] = 1;
   EXPECT_FALSE(has(wall_svg(p.model, p.state, 1), "class=\"crushed\""));
   EXPECT_TRUE(has(wall_svg(p.model, crushed, 1), "class=\"crushed\""));
   const std::string svg = wall_svg(p.model, p.state, 1);

@@ -46,8 +46,7 @@ Solids crooked_patch(ZoneKind kind) {
     s.zone_shape.push_back(s.n_zone++);
     s.shapes.push_back(solids::make_shape(at, kind, material));
     for (std::size_t k = 0; k < 4; ++k)
-      s.node_mass[static_cast<std::size_t>(c[k])] +=
-          s.shapes.back().share[k] * s.shapes.back().mass;
+      s.node_mass[c[k]] += s.shapes.back().share[k] * s.shapes.back().mass;
   }
   return s;
 }
@@ -77,8 +76,8 @@ void expect_patch(const Solids& s, const std::vector<int>& inside) {
   for (const double force : f.x) greatest = std::max(greatest, std::fabs(force));
   ASSERT_GT(greatest, 0);
   for (const int node : inside) {
-    EXPECT_NEAR(f.x[static_cast<std::size_t>(node)], 0, 1e-7 * greatest) << node;
-    EXPECT_NEAR(f.y[static_cast<std::size_t>(node)], 0, 1e-7 * greatest) << node;
+    EXPECT_NEAR(f.x[node], 0, 1e-7 * greatest) << node;
+    EXPECT_NEAR(f.y[node], 0, 1e-7 * greatest) << node;
   }
   const double plane = kE / (1 - kNu * kNu);
   Model model = scenes::free_solids(s);

@@ -230,7 +230,7 @@ TEST(Fragility, a_peak_at_the_end_of_a_push_is_a_lower_bound) {
   const Fragility f = about(of(campaign), "peak_reaction");
   EXPECT_GT(f.unknown, 0);
   for (std::size_t i = 0; i < f.sample.size(); ++i) {
-    const Responses& r = campaign.records[static_cast<std::size_t>(f.sample[i] - 1)].responses;
+    const Responses& r = campaign.records[f.sample[i] - 1].responses;
     EXPECT_EQ(f.outcome[i], r.peak_reaction > 130e3 ? 1 : r.censored_peak ? 0.5 : 0);
   }
 }

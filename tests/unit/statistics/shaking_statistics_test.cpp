@@ -51,8 +51,7 @@ Campaign made(const Made& m, const std::function<std::string(int)>& name = {}) {
       SampleRecord record;
       record.sample = 1 + w * m.records + r;
       record.status = "completed";
-      const double capacity = 3 * std::exp(of_record[static_cast<std::size_t>(r)] +
-                                           of_wall[static_cast<std::size_t>(w)] +
+      const double capacity = 3 * std::exp(of_record[r] + of_wall[w] +
                                            m.sigma_rest * study::normal_quantile(bits.uniform()));
       for (const double x : m.levels) record.shakes.push_back(answer(x, capacity));
       c.records.push_back(record);
@@ -101,8 +100,8 @@ TEST(ShakingStatistics, stripes_of_their_own_records_are_the_binomial_fit) {
   c.study.shaking.levels.clear();
   for (int r = 0; r < 24; ++r) {
     const double level = 1.5 + r % 4;
-    c.study.shaking.record[static_cast<std::size_t>(r)].levels = {level};
-    c.records[static_cast<std::size_t>(r)].shakes = {
+    c.study.shaking.record[r].levels = {level};
+    c.records[r].shakes = {
         answer(level, 3 * std::exp(0.4 * study::normal_quantile(bits.uniform())))};
   }
   const LimitStateFragility f = first(shaking_statistics(c));
@@ -126,9 +125,7 @@ TEST(ShakingStatistics, order_of_records_and_samples_changes_no_bit) {
   Campaign b = a;
   // the same with the records in another order: place r goes to p
   const int places[] = {4, 8, 0, 2, 6, 1, 7, 3, 5};
-  for (int r = 0; r < 9; ++r)
-    b.study.shaking.record[static_cast<std::size_t>(places[r])] =
-        a.study.shaking.record[static_cast<std::size_t>(r)];
+  for (int r = 0; r < 9; ++r) b.study.shaking.record[places[r]] = a.study.shaking.record[r];
   for (SampleRecord& record : b.records) {
     const int w = (record.sample - 1) / 9, r = (record.sample - 1) % 9;
     record.sample = 1 + w * 9 + places[r];
@@ -220,7 +217,7 @@ TEST(ShakingStatistics, a_limit_state_that_comes_back_counts_at_its_lowest) {
   std::vector<ShakeResult>& shakes = strong->shakes;
   shakes[2] = answer(shakes[2].intensity, 0);  // falls early, and stands again
   const LimitStateFragility f = first(shaking_statistics(c));
-  const Bracket& bracket = f.bracket.at(static_cast<std::size_t>(strong->sample - 1));
+  const Bracket& bracket = f.bracket.at(strong->sample - 1);
   EXPECT_TRUE(bracket.came_back);
   EXPECT_EQ(f.came_back, 1);
   EXPECT_EQ(bracket.high, shakes[2].intensity);

@@ -388,7 +388,7 @@ TEST(CampaignStatistics, what_takes_bounds_as_values_is_not_told_of_many_bounds)
   for (const int bounds : {2, 12}) {
     Campaign campaign = sample_campaign(60);
     for (int i = 0; i < 60; ++i) {
-      Responses& r = campaign.records[static_cast<std::size_t>(i)].responses;
+      Responses& r = campaign.records[i].responses;
       r.displacement_max = 0.01 + 1e-4 * ((37 * i) % 60), r.censored_max = i < bounds;
     }
     const Statistics s = statistics_of(campaign);
