@@ -108,3 +108,26 @@ test("a push is stopped at once, and the next one runs", async () => {
   await ended();
   assert.match(await page.locator(".result-words").innerText(), /kN/);
 });
+
+test("where the engine fails on a text, the stones look outdated and nothing is pushed, until it takes one", async () => {
+  for (const code of [5, 6]) {
+    await page.evaluate((code) => {
+      const real = (window.realPost = Worker.prototype.postMessage);
+      Worker.prototype.postMessage = function (question) {
+        if (question.task !== "check") return real.call(this, question);
+        queueMicrotask(() => this.onmessage({ data: { id: question.id, code, texts: { error: "no memory is left" } } }));
+      };
+    }, code);
+    await write(page, `${kWall}# ${code}\n`);
+    assert.match(await page.locator(".status").innerText(), /The engine ended: no memory is left/);
+    assert.equal(await page.locator(".canvas.outdated").count(), 1, "the stones of the text before look like those of this one");
+    assert.equal(await page.locator(".primary").isDisabled(), true);
+    await page.locator(".canvas").focus();
+    await page.keyboard.press("p");
+    assert.equal(await page.locator(".primary.running").count(), 0);
+    await page.evaluate(() => (Worker.prototype.postMessage = window.realPost));
+    await write(page, kWall);
+    assert.equal(await page.locator(".canvas.outdated").count(), 0);
+    assert.equal(await page.locator(".primary").isDisabled(), false);
+  }
+});

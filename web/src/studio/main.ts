@@ -61,6 +61,7 @@ const project = new Project();
 const canvas = new Canvas();
 const checker = new Latest(new WorkerEngine());
 let faults: Fault[] = [];
+let failed = false; // the engine, on the newest text: nobody knows its stones and faults
 let stones: Picture | null = null; // of the newest text that the engine took
 let fitNext = true;
 
@@ -153,7 +154,10 @@ function check(): void {
     } else if (answer.code === 2) {
       status.textContent = say("studio.notbuilt");
       showFaults(faultsOf(answer));
-    } else status.textContent = say("studio.failed", { why: saidOf(answer.texts.error ?? "") });
+    } else {
+      status.textContent = say("studio.failed", { why: saidOf(answer.texts.error ?? "") });
+      showFaults([], true);
+    }
   });
 }
 function showNotes(list: string[]): void {
@@ -163,14 +167,15 @@ function showNotes(list: string[]): void {
 function localFaults(): void {
   showFaults(project.broken ? [{ line: project.broken.line, path: "", value: "", problem: project.broken.message, cure: "" }] : []);
 }
-function showFaults(found: Fault[]): void {
+function showFaults(found: Fault[], unknown = false): void {
   faults = found;
+  failed = unknown;
   list.show(found);
   file.mark(found);
   panel.lacks(found);
   canvas.faulty = new Map(found.filter((f) => openingOf(f) >= 0).map((f) => [openingOf(f), saidOf(f.problem)]));
   canvas.faultyParts = new Map(found.map((f) => [f.path.split(".").slice(0, 2).join(" "), saidOf(f.problem)]));
-  canvas.root.classList.toggle("outdated", found.length > 0);
+  canvas.root.classList.toggle("outdated", found.length > 0 || unknown);
   canvas.draw();
   refreshBar();
 }
@@ -242,7 +247,7 @@ function refreshBar(): void {
   canvas.root.dataset.tool = tools.tool;
   go.textContent = say(push.running ? "studio.button.stop" : "studio.button.push");
   go.title = say(push.running ? "studio.do.stop" : "studio.do.push");
-  go.disabled = !push.running && (!hasEngine() || project.broken !== null || faults.length > 0);
+  go.disabled = !push.running && (!hasEngine() || project.broken !== null || faults.length > 0 || failed);
   go.classList.toggle("running", push.running);
   for (const b of snapButtons) b.setAttribute("aria-pressed", String(tools.snapping[b.dataset.snap as "masonry" | "objects"]));
 }
