@@ -109,6 +109,49 @@ test("a push is stopped at once, and the next one runs", async () => {
   assert.match(await page.locator(".result-words").innerText(), /kN/);
 });
 
+test("no other language while a push runs; then one takes along the steps back and forth and the push that is kept", async () => {
+  const other = await openStudio(browser, file, { impatient: true });
+  const ended = () => other.waitForFunction(() => !document.querySelector(".primary.running"), null, { timeout: kPatience });
+  const push = async () => {
+    await other.getByRole("button", { name: "Push", exact: true }).click();
+    await other.waitForSelector(".primary.running");
+  };
+  await write(other, kWall);
+  await push();
+  await ended();
+  await other.locator('[data-action="keep"]').click();
+  const far = kWall.replace('"4 mm"', '"400 mm"');
+  await write(other, far);
+  await write(other, `${far}# more\n`);
+  await push();
+  const languages = other.locator(".language");
+  assert.equal(await languages.isDisabled(), true);
+  assert.match(await languages.getAttribute("title"), /the push would be lost/);
+  await other.getByRole("button", { name: "Stop", exact: true }).click();
+  await ended();
+  assert.equal(await languages.isDisabled(), false);
+  assert.equal(await languages.getAttribute("title"), "");
+  await other.locator(".canvas").focus();
+  await other.keyboard.press("Control+z");
+  await languages.selectOption("it");
+  await other.waitForSelector('html[data-ready][lang="it"]');
+  assert.equal(await textOf(other), far);
+  assert.equal(await other.locator('[data-action="keep"]').getAttribute("aria-pressed"), "true");
+  await other.locator(".canvas").focus();
+  await other.keyboard.press("Control+y");
+  assert.equal(await textOf(other), `${far}# more\n`);
+  await other.keyboard.press("Control+z");
+  await other.keyboard.press("Control+z");
+  assert.equal(await textOf(other), kWall);
+  await other.reload(); // steps are taken along once
+  await other.waitForSelector("html[data-ready]");
+  await other.locator(".canvas").focus();
+  await other.keyboard.press("Control+y");
+  assert.equal(await textOf(other), kWall);
+  assert.deepEqual(other.faults, []);
+  await other.end();
+});
+
 test("where the engine fails on a text, the stones look outdated and nothing is pushed, until it takes one", async () => {
   for (const code of [5, 6]) {
     await page.evaluate((code) => {

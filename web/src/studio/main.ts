@@ -5,6 +5,7 @@ import { qty, say, speak } from "../texts";
 import { setHead } from "./arches";
 import { Canvas } from "./canvas";
 import { Commands, type Command } from "./commands";
+import type { Pushed } from "./compare";
 import { pathOf, pushOf, setDirection } from "./drawing";
 import { hasEngine, Latest, WorkerEngine } from "./engine";
 import { FaultList, openingOf } from "./faults";
@@ -15,7 +16,7 @@ import { Panel } from "./panel";
 import { removePart } from "./parts";
 import { Photo } from "./photo";
 import { readPicture, type Picture } from "./picture";
-import { Project, type Fault } from "./project";
+import { Project, type Fault, type Steps } from "./project";
 import { faultsOf, Push } from "./push";
 import { saidOf } from "./said";
 import { kStarters, starter } from "./starters";
@@ -210,24 +211,32 @@ project.listen((why) => {
 // What a page opens with is kept elsewhere, or stands in its address, until it is edited.
 let starting = true;
 let isKept = true;
+let isWhole = true; // the page that is loaded anew has all of this one
 function edited(): void {
   store.forgetLink();
   const wasKept = isKept;
   isKept = store.keep(project.text);
   if (wasKept && !isKept) tell(say("studio.notkept"));
 }
-// The page is loaded anew. A wall that the browser does not keep goes along in the address.
+// The page is loaded anew, with the steps back and the push that is kept. A wall that the browser does not keep goes along in the address.
+interface Along {
+  text: string;
+  steps: Steps;
+  kept: Pushed | null;
+}
 async function speakAnother(): Promise<void> {
   remember("language", languages.value);
+  const along: Along = { text: project.text, steps: project.allSteps, kept: push.kept };
+  isWhole = store.handOver(along) || (!project.canUndo && !project.canRedo && !push.kept);
   if (isKept) return location.reload();
   const link = await store.linkTo(project.text);
   isKept = true; // from here on
   location.replace(link.replace(/(\?[^#]*)?#/, `?language=${languages.value}#`));
 }
-// Before the page goes, what was typed last counts. A wall that is kept nowhere is asked about.
+// Before the page goes, what was typed last counts. What is kept nowhere is asked about.
 window.addEventListener("beforeunload", (e) => {
   (document.activeElement as HTMLElement | null)?.blur();
-  if (!isKept) e.preventDefault();
+  if (!isKept || !isWhole) e.preventDefault();
 });
 function showCracks(picture: Picture | null): void {
   canvas.readOnly = picture !== null;
@@ -249,6 +258,8 @@ function refreshBar(): void {
   go.title = say(push.running ? "studio.do.stop" : "studio.do.push");
   go.disabled = !push.running && (!hasEngine() || project.broken !== null || faults.length > 0 || failed);
   go.classList.toggle("running", push.running);
+  languages.disabled = push.busy;
+  languages.title = push.busy ? say("studio.language.push") : "";
   for (const b of snapButtons) b.setAttribute("aria-pressed", String(tools.snapping[b.dataset.snap as "masonry" | "objects"]));
 }
 function tell(text: string): void {
@@ -464,6 +475,7 @@ showPane("numbers");
 
 async function start(): Promise<void> {
   const kept = store.kept();
+  const along = store.handedOver() as Along | null;
   let text = kept ?? store.given;
   let told = kept === null ? "" : say("studio.restored");
   let last = store.keptByAnother() ?? kept ?? store.keptPlain(); // what an undo brings back
@@ -477,12 +489,17 @@ async function start(): Promise<void> {
       told = say("studio.badlink");
       store.forgetLink();
     }
-  if (text !== null && last !== null && last !== text) {
+  const goesOn = along !== null && along.text === text;
+  if (!goesOn && text !== null && last !== null && last !== text) {
     project.open(last);
     told = say("studio.lastwall");
   }
   begin(text ?? starter("portal"));
   starting = false;
+  if (goesOn) {
+    project.goOn(along.steps);
+    push.kept = along.kept;
+  }
   await photo.restore(!linked);
   if (told !== "") tell(told);
   document.documentElement.dataset.ready = "yes";

@@ -71,8 +71,12 @@ export class Push {
     private readonly refused: (faults: Fault[]) => void,
     private readonly changed: () => void,
   ) {
-    this.beside = new Beside(project, besides, () => this.refresh());
-    this.family = new Family(project, besides, (text) => (text === this.ofText ? this.pushed : null), () => !hasEngine() || this.beside.running !== "", () => this.refresh());
+    const besidesChanged = (): void => {
+      this.refresh();
+      this.changed();
+    };
+    this.beside = new Beside(project, besides, besidesChanged);
+    this.family = new Family(project, besides, (text) => (text === this.ofText ? this.pushed : null), () => !hasEngine() || this.beside.running !== "", besidesChanged);
     this.states_row = h("div", { class: "states", hidden: true }, h("span", {}, say("studio.cracks")), this.slider, this.at);
     this.actions.prepend(this.back, this.report);
     this.slider.addEventListener("input", () => this.showState(Number(this.slider.value)));
@@ -121,6 +125,17 @@ export class Push {
   }
   private get isStale(): boolean {
     return this.ofText !== this.project.text;
+  }
+  // Whether any wall is being pushed.
+  get busy(): boolean {
+    return this.running || this.beside.running !== "" || this.family.running;
+  }
+  get kept(): Pushed | null {
+    return this.compare.kept;
+  }
+  set kept(pushed: Pushed | null) {
+    this.compare.kept = pushed;
+    this.refresh();
   }
   get hasResult(): boolean {
     return this.states.length > 0;
@@ -244,8 +259,7 @@ export class Push {
     void this.start();
   }
   private keep(): void {
-    this.compare.kept = this.compare.kept ? null : this.pushed;
-    this.refresh();
+    this.kept = this.kept ? null : this.pushed;
   }
 
   private until(): number {

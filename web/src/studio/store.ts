@@ -57,6 +57,22 @@ export const kept = (): string | null => read(own, kHere) ?? read(all, kHere);
 export const keptByAnother = (): string | null => read(all, kHere);
 export const keptPlain = (): string | null => read(all, kPlain);
 
+// What a page that is loaded anew takes along beside its text; it is there once. false: there is no room for it.
+export function handOver(what: object): boolean {
+  try {
+    own().setItem(`${kHere}.along`, JSON.stringify(what));
+    return true;
+  } catch {
+    return false;
+  }
+}
+export function handedOver(): unknown {
+  const what = read(own, `${kHere}.along`);
+  if (what === null) return null;
+  own().removeItem(`${kHere}.along`);
+  return JSON.parse(what);
+}
+
 const kMark = "#w=";
 export const hasLink = (): boolean => location.hash.startsWith(kMark);
 export async function textOfLink(): Promise<string> {
