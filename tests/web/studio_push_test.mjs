@@ -86,10 +86,22 @@ test("an edit marks the result as that of the wall before", async () => {
   await page.getByLabel("Thickness").press("Enter");
   assert.equal(await page.locator(".push.stale").count(), 1);
   assert.match(await page.locator(".result").innerText(), /The wall has changed since/);
+  // the states are of the other outline: they are shown again when the wall is theirs again
+  const slider = page.getByLabel("State of the push");
+  assert.equal(await slider.isDisabled(), true);
+  const { x, y, width, height } = await page.locator(".curve").boundingBox();
+  await page.mouse.click(x + width / 2, y + height / 2);
+  assert.equal(await page.locator(".canvas.cracked").count(), 0);
+  assert.equal(await page.locator(".push.stale").count(), 1);
   await page.locator(".canvas").focus();
   await page.keyboard.press("Control+z");
   assert.equal(await page.locator(".push.stale").count(), 0);
   assert.equal(await textOf(page), kWall);
+  assert.equal(await slider.isDisabled(), false);
+  await page.mouse.click(x + width / 2, y + height / 2);
+  await page.waitForSelector(".canvas.cracked");
+  await page.locator(".canvas").focus();
+  await page.keyboard.press("Escape");
 });
 
 test("a push is stopped at once, and the next one runs", async () => {

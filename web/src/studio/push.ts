@@ -147,6 +147,7 @@ export class Push {
     const fresh = shown && !this.isStale;
     this.older.hidden = !shown || fresh;
     this.back.hidden = !shown;
+    this.slider.disabled = !fresh;
     this.pauseButton.hidden = this.watchButton.hidden = !this.running;
     this.pauseButton.textContent = say(this.paused ? "studio.button.goon" : "studio.button.pause");
     this.watchButton.setAttribute("aria-pressed", String(this.watching));
@@ -312,7 +313,7 @@ export class Push {
     const end = this.states.length - 1;
     this.slider.value = String(end);
     this.at.textContent = "";
-    if (end >= 0 && watched && !this.isStale) this.showState(end); // else somebody draws
+    if (end >= 0 && watched) this.showState(end); // else somebody draws
   }
 
   // The picture under way is finished before the newest one: who goes along the states sees them pass.
@@ -345,13 +346,12 @@ export class Push {
 
   showState(k: number): void {
     const state = this.states[k];
-    if (!state) return;
+    if (!state || this.isStale) return; // cracks of another wall do not fit into this outline
     this.slider.value = String(k);
     this.slider.setAttribute("aria-valuetext", `${num(state.displacement_mm)} mm, ${num(state.reaction_kN)} kN`);
     this.at.textContent = `${qty(state.displacement_mm, "mm")} · ${qty(state.reaction_kN, "kN")}`;
     this.curve.cursor = state.displacement_mm;
     this.curve.draw();
-    this.root.classList.remove("stale");
     const { answer } = this;
     if (answer) void this.reveal(() => textIn(answer, picture(k)));
   }
