@@ -105,6 +105,7 @@ export class Project {
   }
   choose(selection: Selected | null): void {
     if (same(selection, this.selection) || !this.holds(selection)) return;
+    this.endStep();
     this.selection = selection;
     this.tell("selection");
   }
