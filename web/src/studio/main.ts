@@ -79,6 +79,7 @@ const list = new FaultList(project, (fault) => {
   if (openingOf(fault) >= 0) project.select(openingOf(fault));
 });
 const limit = new LiveLimit(new WorkerEngine());
+limit.root.hidden = !hasEngine();
 const push = new Push(project, new WorkerEngine(), new WorkerEngine(), (picture) => showCracks(picture), (found) => showFaults(found), () => refreshBar());
 const status = h("p", { class: "status", role: "status", "aria-live": "polite" });
 const notes = h("details", { class: "notes", hidden: true });
