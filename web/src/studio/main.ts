@@ -282,6 +282,7 @@ function begin(text: string): void {
   canvas.fit();
 }
 async function openFile(from: File): Promise<void> {
+  if (from.size > store.kLongest) return tell(say("studio.toolong", { name: from.name, size: whole(Math.ceil(from.size / 1e3)), limit: whole(Math.floor(store.kLongest / 1e3)) }));
   try {
     begin(await store.readFile(from));
   } catch {

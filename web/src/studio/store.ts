@@ -2,7 +2,7 @@
 import { download } from "../export";
 import { fromLink, toLink } from "./packed";
 
-const kLongest = 1 << 20; // of a file that is opened [bytes]
+export const kLongest = 1 << 20; // of a file that is opened [bytes]
 
 // The field of the text knows one kind of line end: with another it would differ from the file for ever.
 const plain = (text: string): string => text.replace(/\r\n?/g, "\n");
@@ -90,8 +90,7 @@ export const save = (name: string, text: string): void => download(`${name}.toml
 export const fileName = (title: string): string =>
   title.normalize("NFKD").replace(/[^A-Za-z0-9]+/g, "_").replace(/^_+|_+$/g, "").slice(0, 60).toLowerCase() || "model";
 
-// A text of a file; throws where it is none or too long.
+// A text of a file; throws where it is none.
 export async function readFile(file: File): Promise<string> {
-  if (file.size > kLongest) throw new Error("too long");
   return plain(new TextDecoder("utf-8", { fatal: true }).decode(await file.arrayBuffer()));
 }
