@@ -129,6 +129,9 @@ test("files: saved with every byte, opened, dropped, and refused where they are 
   fs.writeFileSync(copy, Buffer.from([0xff, 0xfe, 0x00, 0x80]));
   await page.locator('input[type="file"]').setInputFiles(copy);
   await page.waitForFunction(() => /is no text/.test(document.querySelector(".notice").textContent));
+  await page.locator('input[type="file"]').setInputFiles({ name: "long.toml", mimeType: "", buffer: Buffer.alloc((1 << 20) + 1, "#") });
+  await page.waitForFunction(() => /^long\.toml/.test(document.querySelector(".notice").textContent));
+  assert.match(await page.locator(".notice").innerText(), /^long\.toml has 1\s?049 kB\. .* at most 1\s?048 kB/);
   assert.match(await textOf(page), /name = "opened"/);
 });
 

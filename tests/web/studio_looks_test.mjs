@@ -279,6 +279,9 @@ test("a page without an engine draws and says so", async () => {
   await page.goto(pathToFileURL(bare).href);
   await page.waitForFunction(() => /holds no engine/.test(document.querySelector(".status")?.textContent ?? ""));
   assert.equal(await page.locator('[data-opening="0"]').count(), 1);
+  assert.equal(await page.locator(".limit").isVisible(), false, "a limit load that will never come");
+  const [push, answers] = await Promise.all([".push", ".answers"].map((css) => page.locator(css).boundingBox()));
+  assert.equal(push.width, answers.width);
   await page.close();
 });
 

@@ -86,10 +86,22 @@ test("an edit marks the result as that of the wall before", async () => {
   await page.getByLabel("Thickness").press("Enter");
   assert.equal(await page.locator(".push.stale").count(), 1);
   assert.match(await page.locator(".result").innerText(), /The wall has changed since/);
+  // the states are of the other outline: they are shown again when the wall is theirs again
+  const slider = page.getByLabel("State of the push");
+  assert.equal(await slider.isDisabled(), true);
+  const { x, y, width, height } = await page.locator(".curve").boundingBox();
+  await page.mouse.click(x + width / 2, y + height / 2);
+  assert.equal(await page.locator(".canvas.cracked").count(), 0);
+  assert.equal(await page.locator(".push.stale").count(), 1);
   await page.locator(".canvas").focus();
   await page.keyboard.press("Control+z");
   assert.equal(await page.locator(".push.stale").count(), 0);
   assert.equal(await textOf(page), kWall);
+  assert.equal(await slider.isDisabled(), false);
+  await page.mouse.click(x + width / 2, y + height / 2);
+  await page.waitForSelector(".canvas.cracked");
+  await page.locator(".canvas").focus();
+  await page.keyboard.press("Escape");
 });
 
 test("a push is stopped at once, and the next one runs", async () => {
@@ -107,4 +119,70 @@ test("a push is stopped at once, and the next one runs", async () => {
   await page.waitForSelector(".primary.running");
   await ended();
   assert.match(await page.locator(".result-words").innerText(), /kN/);
+});
+
+test("no other language while a push runs; then one takes along the steps back and forth and the push that is kept", async () => {
+  const other = await openStudio(browser, file, { impatient: true });
+  const ended = () => other.waitForFunction(() => !document.querySelector(".primary.running"), null, { timeout: kPatience });
+  const push = async () => {
+    await other.getByRole("button", { name: "Push", exact: true }).click();
+    await other.waitForSelector(".primary.running");
+  };
+  await write(other, kWall);
+  await push();
+  await ended();
+  await other.locator('[data-action="keep"]').click();
+  const far = kWall.replace('"4 mm"', '"400 mm"');
+  await write(other, far);
+  await write(other, `${far}# more\n`);
+  await push();
+  const languages = other.locator(".language");
+  assert.equal(await languages.isDisabled(), true);
+  assert.match(await languages.getAttribute("title"), /the push would be lost/);
+  await other.getByRole("button", { name: "Stop", exact: true }).click();
+  await ended();
+  assert.equal(await languages.isDisabled(), false);
+  assert.equal(await languages.getAttribute("title"), "");
+  await other.locator(".canvas").focus();
+  await other.keyboard.press("Control+z");
+  await languages.selectOption("it");
+  await other.waitForSelector('html[data-ready][lang="it"]');
+  assert.equal(await textOf(other), far);
+  assert.equal(await other.locator('[data-action="keep"]').getAttribute("aria-pressed"), "true");
+  await other.locator(".canvas").focus();
+  await other.keyboard.press("Control+y");
+  assert.equal(await textOf(other), `${far}# more\n`);
+  await other.keyboard.press("Control+z");
+  await other.keyboard.press("Control+z");
+  assert.equal(await textOf(other), kWall);
+  await other.reload(); // steps are taken along once
+  await other.waitForSelector("html[data-ready]");
+  await other.locator(".canvas").focus();
+  await other.keyboard.press("Control+y");
+  assert.equal(await textOf(other), kWall);
+  assert.deepEqual(other.faults, []);
+  await other.end();
+});
+
+test("where the engine fails on a text, the stones look outdated and nothing is pushed, until it takes one", async () => {
+  for (const code of [5, 6]) {
+    await page.evaluate((code) => {
+      const real = (window.realPost = Worker.prototype.postMessage);
+      Worker.prototype.postMessage = function (question) {
+        if (question.task !== "check") return real.call(this, question);
+        queueMicrotask(() => this.onmessage({ data: { id: question.id, code, texts: { error: "no memory is left" } } }));
+      };
+    }, code);
+    await write(page, `${kWall}# ${code}\n`);
+    assert.match(await page.locator(".status").innerText(), /The engine ended: no memory is left/);
+    assert.equal(await page.locator(".canvas.outdated").count(), 1, "the stones of the text before look like those of this one");
+    assert.equal(await page.locator(".primary").isDisabled(), true);
+    await page.locator(".canvas").focus();
+    await page.keyboard.press("p");
+    assert.equal(await page.locator(".primary.running").count(), 0);
+    await page.evaluate(() => (Worker.prototype.postMessage = window.realPost));
+    await write(page, kWall);
+    assert.equal(await page.locator(".canvas.outdated").count(), 0);
+    assert.equal(await page.locator(".primary").isDisabled(), false);
+  }
 });

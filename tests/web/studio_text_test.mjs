@@ -288,6 +288,25 @@ test("a line is refused where a region is as high as the storey", () => {
   assert.match(add(box, 2.5), /name = "storey 1"/);
 });
 
+test("moves by the keys are one step as long as the same part is selected", async () => {
+  const { Project } = await viewerModule("studio/project");
+  const project = new Project();
+  const text = example("brick_facade");
+  const nudged = (x) => project.change(drawing.setOpening(project.text, 0, { ...project.drawing.openings[0], x }), 0, "nudge 0");
+  project.open(text);
+  project.select(0);
+  nudged(1.01);
+  nudged(1.02);
+  const then = project.text;
+  project.select(1);
+  project.select(0);
+  nudged(1.03);
+  project.undo();
+  assert.equal(project.text, then);
+  project.undo();
+  assert.equal(project.text, text);
+});
+
 test("keys with dots go together, in lines and in braces", () => {
   const text = '[[wall.opening]]\narch.kind = "round" # above\nx = "1 m"\narch.depth = "0.25 m"\narch.a.b = 1\nwidth = "1 m"\n';
   assert.equal(toml.removeAt(text, ["wall", "opening", 0, "arch"]), '[[wall.opening]]\nx = "1 m"\nwidth = "1 m"\n');

@@ -95,6 +95,55 @@ test("the limit load is that of dry joints, and a refusal is shown with its reas
   assert.match(await shown(0, { mechanisms: JSON.stringify({ refused: [{ what: "dry", why: "layer = west: detaches and breaks, and limit analysis knows no layers; leave it out" }] }) }), /:\s+layer = west\s+detaches and breaks, and limit analysis knows no layers\s*$/);
 });
 
+test("a limit load has its time from when the worker is ready, and one that was late is asked again after the next edit", async () => {
+  const { kPatience } = await viewerModule("studio/limit");
+  const { WorkerEngine } = await viewerModule("studio/engine");
+  globalThis.document.getElementById = (id) => ({ textContent: id === "wythe-worker" ? "/* answered here */" : "" });
+  const made = [],
+    waiting = [], // for the next worker
+    late = new Map(); // what is to be done when its time is over
+  globalThis.Worker = class {
+    asked = 0;
+    constructor() {
+      made.push(this);
+      for (const hear of waiting.splice(0)) hear();
+    }
+    postMessage(question) {
+      if (!("wasm" in question)) ++this.asked;
+    }
+    terminate() {}
+  };
+  const madeAnother = () => new Promise((done) => waiting.push(done));
+  const settled = () => new Promise((done) => setImmediate(done));
+  const { setTimeout: realSet, clearTimeout: realClear } = globalThis;
+  let timers = 1e9;
+  globalThis.setTimeout = (does, ms, ...rest) => (ms === kPatience ? (late.set(++timers, does), timers) : realSet(does, ms, ...rest));
+  globalThis.clearTimeout = (timer) => late.delete(timer) || realClear(timer);
+  try {
+    const limit = new LiveLimit(new WorkerEngine());
+    let started = madeAnother();
+    limit.ask("first");
+    await started;
+    await settled();
+    assert.equal(late.size, 0, "its time runs while the worker starts");
+    made[0].onmessage({ data: { ready: true } });
+    await settled();
+    assert.equal(made[0].asked, 1);
+    assert.equal(late.size, 1);
+    for (const does of late.values()) does();
+    assert.match(limit.root.text, /not within 3 s/);
+    started = madeAnother();
+    limit.ask("second");
+    await started;
+    made[1].onmessage({ data: { ready: true } });
+    await settled();
+    assert.equal(made[1].asked, 1);
+    assert.equal(late.size, 1, "only the newest question has a time");
+  } finally {
+    Object.assign(globalThis, { setTimeout: realSet, clearTimeout: realClear });
+  }
+});
+
 test("a picture of 5000 stones is read in slices of equal length, nothing of it is lost, and one that nobody wants is left", async () => {
   const { kSlice, readPicture } = await viewerModule("studio/picture");
   const stone = (k) => `M${k}.0 10.0L${k + 1}.0 10.0L${k + 1}.0 20.0L${k}.0 20.0Z`;

@@ -44,7 +44,7 @@ export function pieceOf(answer: Answer, name: string, mark: string, length: numb
   return "";
 }
 export interface Engine {
-  ask(question: Question, progress?: (p: Progress) => void): Promise<Answer>;
+  ask(question: Question, progress?: (p: Progress) => void, begun?: () => void): Promise<Answer>; // `begun`: the worker is ready and has it
   stop(): void; // the question under way is answered with code 3
   pause(on: boolean): void; // of a run in pieces
   rest(): void; // nothing is asked for a while
@@ -64,13 +64,16 @@ export class WorkerEngine implements Engine {
   private count = 0;
   private waiting: { id: number; done: (a: Answer) => void; progress?: (p: Progress) => void } | null = null;
 
-  async ask(question: Question, progress?: (p: Progress) => void): Promise<Answer> {
+  async ask(question: Question, progress?: (p: Progress) => void, begun?: () => void): Promise<Answer> {
     this.stop();
     const id = ++this.count;
     const answer = new Promise<Answer>((done) => (this.waiting = { id, done, progress }));
     try {
       const worker = await (this.worker ??= started((m) => this.hear(m), (why) => this.end(kDefect, why)));
-      if (this.waiting?.id === id) worker.postMessage({ id, ...question });
+      if (this.waiting?.id === id) {
+        worker.postMessage({ id, ...question });
+        begun?.();
+      }
     } catch (error) {
       if (this.waiting?.id === id) this.end(kDefect, error instanceof Error ? error.message : String(error));
     }

@@ -8,7 +8,7 @@ import type { Fault } from "./project";
 import { faultsOf } from "./push";
 import { isKnown, said } from "./said";
 
-export const kPatience = 3000; // for a limit load [ms]
+export const kPatience = 3000; // for a limit load, from when the worker is ready [ms]
 
 interface LimitLoad {
   name: string;
@@ -43,11 +43,12 @@ export class LiveLimit {
     this.forget();
     const asked = this.asked;
     document.documentElement.dataset.limiting = "yes"; // until there is an answer, or none
-    this.timer = window.setTimeout(() => {
+    const late = (): void => {
       this.forget();
       this.show(h("p", { class: "soft" }, say("studio.limit.late", { seconds: kPatience / 1000 })));
-    }, kPatience);
-    void this.engine.ask({ task: "limit", texts: { model: text, only: ["lp"] }, numbers: { quick: 1 }, want: ["mechanisms", "dry svg"] }).then(async (answer) => {
+    };
+    const begun = (): void => void (this.timer = window.setTimeout(late, kPatience));
+    void this.engine.ask({ task: "limit", texts: { model: text, only: ["lp"] }, numbers: { quick: 1 }, want: ["mechanisms", "dry svg"] }, undefined, begun).then(async (answer) => {
       if (asked !== this.asked) return;
       window.clearTimeout(this.timer);
       await this.answered(answer, () => asked === this.asked);

@@ -5,6 +5,7 @@ import { qty, say, speak } from "../texts";
 import { setHead } from "./arches";
 import { Canvas } from "./canvas";
 import { Commands, type Command } from "./commands";
+import type { Pushed } from "./compare";
 import { pathOf, pushOf, setDirection } from "./drawing";
 import { hasEngine, Latest, WorkerEngine } from "./engine";
 import { FaultList, openingOf } from "./faults";
@@ -15,7 +16,7 @@ import { Panel } from "./panel";
 import { removePart } from "./parts";
 import { Photo } from "./photo";
 import { readPicture, type Picture } from "./picture";
-import { Project, type Fault } from "./project";
+import { Project, type Fault, type Steps } from "./project";
 import { faultsOf, Push } from "./push";
 import { saidOf } from "./said";
 import { kStarters, starter } from "./starters";
@@ -61,6 +62,7 @@ const project = new Project();
 const canvas = new Canvas();
 const checker = new Latest(new WorkerEngine());
 let faults: Fault[] = [];
+let failed = false; // the engine, on the newest text: nobody knows its stones and faults
 let stones: Picture | null = null; // of the newest text that the engine took
 let fitNext = true;
 
@@ -77,6 +79,7 @@ const list = new FaultList(project, (fault) => {
   if (openingOf(fault) >= 0) project.select(openingOf(fault));
 });
 const limit = new LiveLimit(new WorkerEngine());
+limit.root.hidden = !hasEngine();
 const push = new Push(project, new WorkerEngine(), new WorkerEngine(), (picture) => showCracks(picture), (found) => showFaults(found), () => refreshBar());
 const status = h("p", { class: "status", role: "status", "aria-live": "polite" });
 const notes = h("details", { class: "notes", hidden: true });
@@ -153,7 +156,10 @@ function check(): void {
     } else if (answer.code === 2) {
       status.textContent = say("studio.notbuilt");
       showFaults(faultsOf(answer));
-    } else status.textContent = say("studio.failed", { why: saidOf(answer.texts.error ?? "") });
+    } else {
+      status.textContent = say("studio.failed", { why: saidOf(answer.texts.error ?? "") });
+      showFaults([], true);
+    }
   });
 }
 function showNotes(list: string[]): void {
@@ -163,14 +169,15 @@ function showNotes(list: string[]): void {
 function localFaults(): void {
   showFaults(project.broken ? [{ line: project.broken.line, path: "", value: "", problem: project.broken.message, cure: "" }] : []);
 }
-function showFaults(found: Fault[]): void {
+function showFaults(found: Fault[], unknown = false): void {
   faults = found;
+  failed = unknown;
   list.show(found);
   file.mark(found);
   panel.lacks(found);
   canvas.faulty = new Map(found.filter((f) => openingOf(f) >= 0).map((f) => [openingOf(f), saidOf(f.problem)]));
   canvas.faultyParts = new Map(found.map((f) => [f.path.split(".").slice(0, 2).join(" "), saidOf(f.problem)]));
-  canvas.root.classList.toggle("outdated", found.length > 0);
+  canvas.root.classList.toggle("outdated", found.length > 0 || unknown);
   canvas.draw();
   refreshBar();
 }
@@ -205,24 +212,32 @@ project.listen((why) => {
 // What a page opens with is kept elsewhere, or stands in its address, until it is edited.
 let starting = true;
 let isKept = true;
+let isWhole = true; // the page that is loaded anew has all of this one
 function edited(): void {
   store.forgetLink();
   const wasKept = isKept;
   isKept = store.keep(project.text);
   if (wasKept && !isKept) tell(say("studio.notkept"));
 }
-// The page is loaded anew. A wall that the browser does not keep goes along in the address.
+// The page is loaded anew, with the steps back and the push that is kept. A wall that the browser does not keep goes along in the address.
+interface Along {
+  text: string;
+  steps: Steps;
+  kept: Pushed | null;
+}
 async function speakAnother(): Promise<void> {
   remember("language", languages.value);
+  const along: Along = { text: project.text, steps: project.allSteps, kept: push.kept };
+  isWhole = store.handOver(along) || (!project.canUndo && !project.canRedo && !push.kept);
   if (isKept) return location.reload();
   const link = await store.linkTo(project.text);
   isKept = true; // from here on
   location.replace(link.replace(/(\?[^#]*)?#/, `?language=${languages.value}#`));
 }
-// Before the page goes, what was typed last counts. A wall that is kept nowhere is asked about.
+// Before the page goes, what was typed last counts. What is kept nowhere is asked about.
 window.addEventListener("beforeunload", (e) => {
   (document.activeElement as HTMLElement | null)?.blur();
-  if (!isKept) e.preventDefault();
+  if (!isKept || !isWhole) e.preventDefault();
 });
 function showCracks(picture: Picture | null): void {
   canvas.readOnly = picture !== null;
@@ -242,8 +257,10 @@ function refreshBar(): void {
   canvas.root.dataset.tool = tools.tool;
   go.textContent = say(push.running ? "studio.button.stop" : "studio.button.push");
   go.title = say(push.running ? "studio.do.stop" : "studio.do.push");
-  go.disabled = !push.running && (!hasEngine() || project.broken !== null || faults.length > 0);
+  go.disabled = !push.running && (!hasEngine() || project.broken !== null || faults.length > 0 || failed);
   go.classList.toggle("running", push.running);
+  languages.disabled = push.busy;
+  languages.title = push.busy ? say("studio.language.push") : "";
   for (const b of snapButtons) b.setAttribute("aria-pressed", String(tools.snapping[b.dataset.snap as "masonry" | "objects"]));
 }
 function tell(text: string): void {
@@ -265,6 +282,7 @@ function begin(text: string): void {
   canvas.fit();
 }
 async function openFile(from: File): Promise<void> {
+  if (from.size > store.kLongest) return tell(say("studio.toolong", { name: from.name, size: whole(Math.ceil(from.size / 1e3)), limit: whole(Math.floor(store.kLongest / 1e3)) }));
   try {
     begin(await store.readFile(from));
   } catch {
@@ -459,6 +477,7 @@ showPane("numbers");
 
 async function start(): Promise<void> {
   const kept = store.kept();
+  const along = store.handedOver() as Along | null;
   let text = kept ?? store.given;
   let told = kept === null ? "" : say("studio.restored");
   let last = store.keptByAnother() ?? kept ?? store.keptPlain(); // what an undo brings back
@@ -472,12 +491,17 @@ async function start(): Promise<void> {
       told = say("studio.badlink");
       store.forgetLink();
     }
-  if (text !== null && last !== null && last !== text) {
+  const goesOn = along !== null && along.text === text;
+  if (!goesOn && text !== null && last !== null && last !== text) {
     project.open(last);
     told = say("studio.lastwall");
   }
   begin(text ?? starter("portal"));
   starting = false;
+  if (goesOn) {
+    project.goOn(along.steps);
+    push.kept = along.kept;
+  }
   await photo.restore(!linked);
   if (told !== "") tell(told);
   document.documentElement.dataset.ready = "yes";

@@ -17,6 +17,10 @@ interface Step {
   selection: Selected | null;
   photo: PhotoPlace | null;
 }
+export interface Steps {
+  steps: Step[];
+  undone: Step[];
+}
 const kSteps = 200;
 
 export class Project {
@@ -91,11 +95,17 @@ export class Project {
     this.photo = place;
     this.tell("selection");
   }
+  // The photo that the browser kept.
+  hasPhoto(place: PhotoPlace): void {
+    this.photo = place;
+    this.tell("selection");
+  }
   select(index: number): void {
     this.choose(anOpening(index));
   }
   choose(selection: Selected | null): void {
     if (same(selection, this.selection) || !this.holds(selection)) return;
+    this.endStep();
     this.selection = selection;
     this.tell("selection");
   }
@@ -127,6 +137,14 @@ export class Project {
   }
   endStep(): void {
     this.joined = "";
+  }
+  // All steps, for a page that goes on with this text.
+  get allSteps(): Steps {
+    return { steps: this.steps, undone: this.undone };
+  }
+  goOn({ steps, undone }: Steps): void {
+    [this.steps, this.undone] = [steps, undone];
+    this.tell("selection");
   }
 
   private read(text: string, selection: Selected | null): void {

@@ -71,8 +71,12 @@ export class Push {
     private readonly refused: (faults: Fault[]) => void,
     private readonly changed: () => void,
   ) {
-    this.beside = new Beside(project, besides, () => this.refresh());
-    this.family = new Family(project, besides, (text) => (text === this.ofText ? this.pushed : null), () => !hasEngine() || this.beside.running !== "", () => this.refresh());
+    const besidesChanged = (): void => {
+      this.refresh();
+      this.changed();
+    };
+    this.beside = new Beside(project, besides, besidesChanged);
+    this.family = new Family(project, besides, (text) => (text === this.ofText ? this.pushed : null), () => !hasEngine() || this.beside.running !== "", besidesChanged);
     this.states_row = h("div", { class: "states", hidden: true }, h("span", {}, say("studio.cracks")), this.slider, this.at);
     this.actions.prepend(this.back, this.report);
     this.slider.addEventListener("input", () => this.showState(Number(this.slider.value)));
@@ -122,6 +126,17 @@ export class Push {
   private get isStale(): boolean {
     return this.ofText !== this.project.text;
   }
+  // Whether any wall is being pushed.
+  get busy(): boolean {
+    return this.running || this.beside.running !== "" || this.family.running;
+  }
+  get kept(): Pushed | null {
+    return this.compare.kept;
+  }
+  set kept(pushed: Pushed | null) {
+    this.compare.kept = pushed;
+    this.refresh();
+  }
   get hasResult(): boolean {
     return this.states.length > 0;
   }
@@ -132,6 +147,7 @@ export class Push {
     const fresh = shown && !this.isStale;
     this.older.hidden = !shown || fresh;
     this.back.hidden = !shown;
+    this.slider.disabled = !fresh;
     this.pauseButton.hidden = this.watchButton.hidden = !this.running;
     this.pauseButton.textContent = say(this.paused ? "studio.button.goon" : "studio.button.pause");
     this.watchButton.setAttribute("aria-pressed", String(this.watching));
@@ -244,8 +260,7 @@ export class Push {
     void this.start();
   }
   private keep(): void {
-    this.compare.kept = this.compare.kept ? null : this.pushed;
-    this.refresh();
+    this.kept = this.kept ? null : this.pushed;
   }
 
   private until(): number {
@@ -298,7 +313,7 @@ export class Push {
     const end = this.states.length - 1;
     this.slider.value = String(end);
     this.at.textContent = "";
-    if (end >= 0 && watched && !this.isStale) this.showState(end); // else somebody draws
+    if (end >= 0 && watched) this.showState(end); // else somebody draws
   }
 
   // The picture under way is finished before the newest one: who goes along the states sees them pass.
@@ -331,13 +346,12 @@ export class Push {
 
   showState(k: number): void {
     const state = this.states[k];
-    if (!state) return;
+    if (!state || this.isStale) return; // cracks of another wall do not fit into this outline
     this.slider.value = String(k);
     this.slider.setAttribute("aria-valuetext", `${num(state.displacement_mm)} mm, ${num(state.reaction_kN)} kN`);
     this.at.textContent = `${qty(state.displacement_mm, "mm")} · ${qty(state.reaction_kN, "kN")}`;
     this.curve.cursor = state.displacement_mm;
     this.curve.draw();
-    this.root.classList.remove("stale");
     const { answer } = this;
     if (answer) void this.reveal(() => textIn(answer, picture(k)));
   }

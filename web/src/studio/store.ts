@@ -2,7 +2,7 @@
 import { download } from "../export";
 import { fromLink, toLink } from "./packed";
 
-const kLongest = 1 << 20; // of a file that is opened [bytes]
+export const kLongest = 1 << 20; // of a file that is opened [bytes]
 
 // The field of the text knows one kind of line end: with another it would differ from the file for ever.
 const plain = (text: string): string => text.replace(/\r\n?/g, "\n");
@@ -57,6 +57,22 @@ export const kept = (): string | null => read(own, kHere) ?? read(all, kHere);
 export const keptByAnother = (): string | null => read(all, kHere);
 export const keptPlain = (): string | null => read(all, kPlain);
 
+// What a page that is loaded anew takes along beside its text; it is there once. false: there is no room for it.
+export function handOver(what: object): boolean {
+  try {
+    own().setItem(`${kHere}.along`, JSON.stringify(what));
+    return true;
+  } catch {
+    return false;
+  }
+}
+export function handedOver(): unknown {
+  const what = read(own, `${kHere}.along`);
+  if (what === null) return null;
+  own().removeItem(`${kHere}.along`);
+  return JSON.parse(what);
+}
+
 const kMark = "#w=";
 export const hasLink = (): boolean => location.hash.startsWith(kMark);
 export async function textOfLink(): Promise<string> {
@@ -74,8 +90,7 @@ export const save = (name: string, text: string): void => download(`${name}.toml
 export const fileName = (title: string): string =>
   title.normalize("NFKD").replace(/[^A-Za-z0-9]+/g, "_").replace(/^_+|_+$/g, "").slice(0, 60).toLowerCase() || "model";
 
-// A text of a file; throws where it is none or too long.
+// A text of a file; throws where it is none.
 export async function readFile(file: File): Promise<string> {
-  if (file.size > kLongest) throw new Error("too long");
   return plain(new TextDecoder("utf-8", { fatal: true }).decode(await file.arrayBuffer()));
 }
