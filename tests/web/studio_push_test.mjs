@@ -17,18 +17,29 @@ after(async () => {
   assert.deepEqual(page.faults, []);
   await browser?.close();
 });
-const ended = () => page.waitForFunction(() => !document.querySelector(".primary.running"), null, { timeout: kPatience });
-
-test("P pushes; the answer is the program's own", async () => {
+// The program's own answer to a text: the folder of its results.
+let runs = 0;
+function program(text) {
+  fs.mkdirSync(folder("studio"), { recursive: true });
+  const model = path.join(folder("studio"), `push_${process.pid}_${++runs}.toml`);
+  fs.writeFileSync(model, text);
+  run("run", model, "--out", `${model}.out`);
+  return `${model}.out`;
+}
+const push = async () => {
   await page.locator(".canvas").focus();
   await page.keyboard.press("p");
   await page.waitForSelector(".primary.running");
   await ended();
-  fs.mkdirSync(folder("studio"), { recursive: true });
-  const model = path.join(folder("studio"), `push_${process.pid}.toml`);
-  fs.writeFileSync(model, kWall);
-  run("run", model, "--out", `${model}.out`);
-  const summary = JSON.parse(fs.readFileSync(path.join(`${model}.out`, "summary.json"), "utf8"));
+};
+// The sentence at the head of the program's report, as a browser reads it.
+const sentenceOf = (out) => page.evaluate((html) => new DOMParser().parseFromString(html, "text/html").querySelector("#headline .answer").textContent.replace(/\s+/g, " ").trim(), /<header id="headline"[^]*?<\/header>/.exec(fs.readFileSync(path.join(out, "report.html"), "utf8"))[0]);
+const said = async () => (await page.locator(".result-words .answer").textContent()).replace(/\s+/g, " ");
+const ended = () => page.waitForFunction(() => !document.querySelector(".primary.running"), null, { timeout: kPatience });
+
+test("P pushes; the answer is the program's own", async () => {
+  await push();
+  const summary = JSON.parse(fs.readFileSync(path.join(program(kWall), "summary.json"), "utf8"));
   const words = await page.locator(".result-words").innerText();
   assert.ok(words.includes(`${Number(summary.peak_reaction_kN.toPrecision(3))}\u202fkN`), words);
   assert.ok(words.includes(summary.failure_mode.name), words);
@@ -107,4 +118,17 @@ test("a push is stopped at once, and the next one runs", async () => {
   await page.waitForSelector(".primary.running");
   await ended();
   assert.match(await page.locator(".result-words").innerText(), /kN/);
+});
+
+test("a wall that cannot stand is pushed: the page tells it and why in the program's words, and draws no curve", async () => {
+  const overloaded = kWall.replace('name = "floor"\npressure = "0.1 MPa"', 'name = "floor"\npressure = "40 MPa"');
+  await write(page, overloaded);
+  await push();
+  const out = program(overloaded);
+  assert.equal(await said(), await sentenceOf(out));
+  const { reason } = JSON.parse(fs.readFileSync(path.join(out, "summary.json"), "utf8"));
+  assert.match(reason, /^the wall can't carry its load: .*; lower the load/);
+  assert.equal(await page.locator(".result-words .ended").innerText(), `T${reason.slice(1)}.`);
+  assert.equal(await page.locator(".curve .peak").count(), 0);
+  await write(page, kWall);
 });

@@ -2,7 +2,7 @@
 // Other pushes stand beside it (beside.ts, family.ts), and one that was kept (compare.ts).
 import { h } from "../dom";
 import type { Point } from "../plot";
-import { languageNow, num, phrase, qty, say } from "../texts";
+import { asSentence, languageNow, num, phrase, qty, say } from "../texts";
 import { Beside } from "./beside";
 import { Compare, type Pushed } from "./compare";
 import { Curve } from "./curve";
@@ -182,7 +182,7 @@ export class Push {
     this.changed();
     const name = String((project.doc && valueAt(project.doc, ["name"])) ?? "");
     const answer = await this.engine.ask(
-      { task: "run", texts: { model: text, set: this.settings(), language: languageNow() }, numbers: { frames: kFrames }, want: ["summary", "states"], bytes: ["page", ...Array.from({ length: kMostStates }, (_, k) => picture(k))], tables: ["curve"], pieces: true },
+      { task: "run", texts: { model: text, set: this.settings(), language: languageNow() }, numbers: { frames: kFrames }, want: ["summary", "states", "reason"], bytes: ["page", ...Array.from({ length: kMostStates }, (_, k) => picture(k))], tables: ["curve"], pieces: true },
       (p) => this.hear(p),
     );
     this.engine.rest();
@@ -281,7 +281,7 @@ export class Push {
     const number = (key: string): number | null => (typeof summary[key] === "number" ? summary[key] : null);
     const peak = number("peak_reaction_kN"),
       at = number("displacement_at_peak_mm");
-    curve.peak = peak !== null && at !== null ? [at, peak] : null;
+    curve.peak = curve.points.length > 0 && peak !== null && at !== null ? [at, peak] : null; // a wall that fell before its push has none
     this.say(
       h("dl", { class: "key" },
         ...card(say("studio.peak"), qty(peak, "kN")),
@@ -291,6 +291,7 @@ export class Push {
       ),
       this.beside.root, this.compare.root,
       h("p", { class: "answer" }, headline || say("run.resists", { force: qty(peak, "kN"), at: qty(at, "mm"), drift: "" })),
+      ...(answer.texts.reason ? [h("p", { class: "ended" }, asSentence(answer.texts.reason))] : []),
     );
     this.report.hidden = !hasPage(answer);
     this.slider.max = String(this.states.length - 1);
