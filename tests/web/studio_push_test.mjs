@@ -132,3 +132,12 @@ test("a wall that cannot stand is pushed: the page tells it and why in the progr
   assert.equal(await page.locator(".curve .peak").count(), 0);
   await write(page, kWall);
 });
+
+test("the verdict of the palazzina, pushed to 0.5 mm, is the program's sentence", async () => {
+  await page.locator(".starters").selectOption("palazzina");
+  const short = (await textOf(page)).replace('until = "30 mm"', 'until = "0.5 mm"');
+  await write(page, short);
+  await push();
+  assert.equal(await said(), await sentenceOf(program(short)));
+  assert.match(await said(), /the assessment has no answer: the force still rises where the push ends, at 0\.5 mm/);
+});
