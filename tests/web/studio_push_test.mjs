@@ -141,3 +141,37 @@ test("the verdict of the palazzina, pushed to 0.5 mm, is the program's sentence"
   assert.equal(await said(), await sentenceOf(program(short)));
   assert.match(await said(), /the assessment has no answer: the force still rises where the push ends, at 0\.5 mm/);
 });
+
+test("the wall that was kept stands beside this one at the end of its push, at one scale; on a phone above it", async () => {
+  const keep = page.locator('[data-action="keep"]');
+  await write(page, kWall);
+  await push();
+  await keep.click();
+  await write(page, kWall.replace('length = "2.4 m"', 'length = "4.8 m"'));
+  await push();
+  await page.locator(".pair figure").nth(1).waitFor();
+  const shown = () =>
+    page.locator(".pair figure").evaluateAll((figures) =>
+      figures.map((figure) => {
+        const boxes = [...figure.querySelectorAll(".stone0, .stone1, .stone2, .stone3")].map((e) => e.getBoundingClientRect());
+        const left = Math.min(...boxes.map((b) => b.left)),
+          bottom = Math.max(...boxes.map((b) => b.bottom));
+        const frame = figure.getBoundingClientRect();
+        return { wide: Math.max(...boxes.map((b) => b.right)) - left, left, bottom, top: frame.top, right: frame.right, end: frame.bottom };
+      }),
+    );
+  const isOneScale = ([before, now]) => assert.ok(Math.abs(now.wide / before.wide - 2) < 0.02, `${before.wide} and ${now.wide} px of 2.4 m and 4.8 m`);
+  const [before, now] = await shown();
+  isOneScale([before, now]);
+  assert.ok(Math.abs(before.bottom - now.bottom) < 1 && before.right <= now.left, "not side by side on one ground");
+  assert.match((await page.locator(".pair figcaption").first().innerText()).replace(/\s/g, " "), /^before · 4 mm · [\d.]+ kN$/);
+  for (const k of [0, 1]) assert.ok((await page.locator(".pair figure").nth(k).locator(".crack").count()) > 0, `picture ${k} has no cracks`);
+  await page.setViewportSize({ width: 390, height: 844 });
+  const [above, below] = await shown();
+  isOneScale([above, below]);
+  assert.ok(above.end <= below.top, "not one below the other");
+  assert.ok(below.wide > 300, `4.8 m are ${below.wide} px wide on a phone of 390 px`);
+  await page.setViewportSize({ width: 1440, height: 900 });
+  await keep.click();
+  assert.equal(await page.locator(".pair").count(), 0);
+});
