@@ -30,10 +30,10 @@ const picture = async (page, name) => {
 };
 
 const kLocales = ["en-GB", "it-IT", "de-DE", "fr-CA", "es-AR", "pt-BR"];
-for (const [k, [width, height]] of [[1440, 900], [820, 1180], [390, 844]].entries())
+for (const [k, [width, height]] of [[1440, 900], [820, 1180], [390, 844], [1920, 1080]].entries())
   for (const scheme of ["light", "dark"])
     test(`${width} px, ${scheme}`, async () => {
-      const locale = kLocales[2 * k + (scheme === "dark" ? 1 : 0)];
+      const locale = kLocales[(2 * k + (scheme === "dark" ? 1 : 0)) % kLocales.length];
       const page = await openStudio(browser, file, { width, height, scheme, touch: width < 1000, locale });
       assert.equal(await page.getAttribute("html", "lang"), locale.slice(0, 2));
       await page.locator('[data-opening="0"]').click();
@@ -86,6 +86,7 @@ test("what a push finds, on a desktop and a phone, in both themes", async () => 
   await action("keep").click();
   await write(page, kShort.replace('thickness = "0.4 m"', 'thickness = "0.5 m"'));
   await push(page);
+  await page.locator(".pair figure").nth(1).waitFor();
   await action("other").click();
   await page.waitForSelector(".line.other", { timeout: kPatience });
   await action("walls").click();

@@ -17,18 +17,29 @@ after(async () => {
   assert.deepEqual(page.faults, []);
   await browser?.close();
 });
-const ended = () => page.waitForFunction(() => !document.querySelector(".primary.running"), null, { timeout: kPatience });
-
-test("P pushes; the answer is the program's own", async () => {
+// The program's own answer to a text: the folder of its results.
+let runs = 0;
+function program(text) {
+  fs.mkdirSync(folder("studio"), { recursive: true });
+  const model = path.join(folder("studio"), `push_${process.pid}_${++runs}.toml`);
+  fs.writeFileSync(model, text);
+  run("run", model, "--out", `${model}.out`);
+  return `${model}.out`;
+}
+const push = async () => {
   await page.locator(".canvas").focus();
   await page.keyboard.press("p");
   await page.waitForSelector(".primary.running");
   await ended();
-  fs.mkdirSync(folder("studio"), { recursive: true });
-  const model = path.join(folder("studio"), `push_${process.pid}.toml`);
-  fs.writeFileSync(model, kWall);
-  run("run", model, "--out", `${model}.out`);
-  const summary = JSON.parse(fs.readFileSync(path.join(`${model}.out`, "summary.json"), "utf8"));
+};
+// The sentence at the head of the program's report, as a browser reads it.
+const sentenceOf = (out) => page.evaluate((html) => new DOMParser().parseFromString(html, "text/html").querySelector("#headline .answer").textContent.replace(/\s+/g, " ").trim(), /<header id="headline"[^]*?<\/header>/.exec(fs.readFileSync(path.join(out, "report.html"), "utf8"))[0]);
+const said = async () => (await page.locator(".result-words .answer").textContent()).replace(/\s+/g, " ");
+const ended = () => page.waitForFunction(() => !document.querySelector(".primary.running"), null, { timeout: kPatience });
+
+test("P pushes; the answer is the program's own", async () => {
+  await push();
+  const summary = JSON.parse(fs.readFileSync(path.join(program(kWall), "summary.json"), "utf8"));
   const words = await page.locator(".result-words").innerText();
   assert.ok(words.includes(`${Number(summary.peak_reaction_kN.toPrecision(3))}\u202fkN`), words);
   assert.ok(words.includes(summary.failure_mode.name), words);
@@ -185,4 +196,60 @@ test("where the engine fails on a text, the stones look outdated and nothing is 
     assert.equal(await page.locator(".canvas.outdated").count(), 0);
     assert.equal(await page.locator(".primary").isDisabled(), false);
   }
+});
+
+test("a wall that cannot stand is pushed: the page tells it and why in the program's words, and draws no curve", async () => {
+  const overloaded = kWall.replace('name = "floor"\npressure = "0.1 MPa"', 'name = "floor"\npressure = "40 MPa"');
+  await write(page, overloaded);
+  await push();
+  const out = program(overloaded);
+  assert.equal(await said(), await sentenceOf(out));
+  const { reason } = JSON.parse(fs.readFileSync(path.join(out, "summary.json"), "utf8"));
+  assert.match(reason, /^the wall can't carry its load: .*; lower the load/);
+  assert.equal(await page.locator(".result-words .ended").innerText(), `T${reason.slice(1)}.`);
+  assert.equal(await page.locator(".curve .peak").count(), 0);
+  await write(page, kWall);
+});
+
+test("the verdict of the palazzina, pushed to 0.5 mm, is the program's sentence", async () => {
+  await page.locator(".starters").selectOption("palazzina");
+  const short = (await textOf(page)).replace('until = "30 mm"', 'until = "0.5 mm"');
+  await write(page, short);
+  await push();
+  assert.equal(await said(), await sentenceOf(program(short)));
+  assert.match(await said(), /the assessment has no answer: the force still rises where the push ends, at 0\.5 mm/);
+});
+
+test("the wall that was kept stands beside this one at the end of its push, at one scale; on a phone above it", async () => {
+  const keep = page.locator('[data-action="keep"]');
+  await write(page, kWall);
+  await push();
+  await keep.click();
+  await write(page, kWall.replace('length = "2.4 m"', 'length = "4.8 m"'));
+  await push();
+  await page.locator(".pair figure").nth(1).waitFor();
+  const shown = () =>
+    page.locator(".pair figure").evaluateAll((figures) =>
+      figures.map((figure) => {
+        const boxes = [...figure.querySelectorAll(".stone0, .stone1, .stone2, .stone3")].map((e) => e.getBoundingClientRect());
+        const left = Math.min(...boxes.map((b) => b.left)),
+          bottom = Math.max(...boxes.map((b) => b.bottom));
+        const frame = figure.getBoundingClientRect();
+        return { wide: Math.max(...boxes.map((b) => b.right)) - left, left, bottom, top: frame.top, right: frame.right, end: frame.bottom };
+      }),
+    );
+  const isOneScale = ([before, now]) => assert.ok(Math.abs(now.wide / before.wide - 2) < 0.02, `${before.wide} and ${now.wide} px of 2.4 m and 4.8 m`);
+  const [before, now] = await shown();
+  isOneScale([before, now]);
+  assert.ok(Math.abs(before.bottom - now.bottom) < 1 && before.right <= now.left, "not side by side on one ground");
+  assert.match((await page.locator(".pair figcaption").first().innerText()).replace(/\s/g, " "), /^before · 4 mm · [\d.]+ kN$/);
+  for (const k of [0, 1]) assert.ok((await page.locator(".pair figure").nth(k).locator(".crack").count()) > 0, `picture ${k} has no cracks`);
+  await page.setViewportSize({ width: 390, height: 844 });
+  const [above, below] = await shown();
+  isOneScale([above, below]);
+  assert.ok(above.end <= below.top, "not one below the other");
+  assert.ok(below.wide > 300, `4.8 m are ${below.wide} px wide on a phone of 390 px`);
+  await page.setViewportSize({ width: 1440, height: 900 });
+  await keep.click();
+  assert.equal(await page.locator(".pair").count(), 0);
 });

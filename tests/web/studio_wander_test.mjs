@@ -37,7 +37,7 @@ const place = async () => {
   const box = await page.locator(".canvas").boundingBox();
   return [box.x + random() * box.width, box.y + random() * box.height];
 };
-const kKeys = ["w", "d", "o", "v", "p", "p", "r", "f", "s", "y", "Delete", "Control+z", "Control+z", "Control+y", "Enter", "Escape", "ArrowLeft", "ArrowRight", "ArrowUp", "Shift+ArrowDown", "Tab", " ", "+", "-", "n"];
+const kKeys = ["w", "d", "o", "v", "a", "e", "g", "i", "k", "b", "p", "p", "r", "f", "s", "y", "Delete", "Control+z", "Control+z", "Control+y", "Enter", "Escape", "ArrowLeft", "ArrowRight", "ArrowUp", "Shift+ArrowDown", "Tab", " ", "+", "-", "n"];
 const kGestures = {
   key: async () => {
     await page.locator(".canvas").focus();

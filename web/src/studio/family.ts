@@ -174,7 +174,7 @@ export class Family {
       const answer = await this.engine.ask({ task: "run", texts: { model: text, language: languageNow() }, want: ["summary", "reason"], tables: ["curve"] });
       if (answer.code === kStopped) return true;
       why = answer.texts.reason ?? "";
-      if (answer.code === 0) pushed = { name: "", summary: JSON.parse(answer.texts.summary || "{}"), points: pointsOf(answer) };
+      if (answer.code === 0) pushed = { name: "", summary: JSON.parse(answer.texts.summary || "{}"), points: pointsOf(answer), end: null };
       else member.trouble = say("studio.family.unbuilt", { why: saidOf(faultsOf(answer)[0]?.problem ?? answer.texts.error ?? "") });
     }
     if (!pushed) return false;

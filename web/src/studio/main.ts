@@ -152,7 +152,7 @@ function check(): void {
       stones = drawn;
       if (!canvas.readOnly) canvas.setPicture(stones);
       showFaults([]);
-      push.ready();
+      push.ready(c.length_m);
     } else if (answer.code === 2) {
       status.textContent = say("studio.notbuilt");
       showFaults(faultsOf(answer));

@@ -2,7 +2,7 @@
 // Other pushes stand beside it (beside.ts, family.ts), and one that was kept (compare.ts).
 import { h } from "../dom";
 import type { Point } from "../plot";
-import { languageNow, num, phrase, qty, say } from "../texts";
+import { asSentence, languageNow, num, phrase, qty, say } from "../texts";
 import { Beside } from "./beside";
 import { Compare, type Pushed } from "./compare";
 import { Curve } from "./curve";
@@ -36,6 +36,7 @@ export class Push {
   private answer: Answer | null = null; // pictures and report
   private pushed: Pushed | null = null; // what is shown
   private length = 1; // of that wall [m]
+  private taken = 1; // of the wall that the engine took last [m]
   private turn = 0; // of pictures: those of an earlier one are not shown any more
   private reading = false;
   private next: (() => string) | null = null; // the newest picture that waits
@@ -98,7 +99,8 @@ export class Push {
     this.words.replaceChildren(...what);
   }
   // The engine takes the wall as it is: it is pushed by itself, beside the drawing, if that was asked for and nothing changes for a while.
-  ready(): void {
+  ready(length = this.taken): void {
+    this.taken = length;
     window.clearTimeout(this.rest);
     if (!this.itself || this.running || (this.pushed && !this.isStale)) return;
     this.rest = window.setTimeout(() => void this.start(false), kRest);
@@ -179,7 +181,7 @@ export class Push {
     window.clearTimeout(this.rest);
     const { project, curve } = this;
     const text = (this.ofText = project.text);
-    this.length = project.drawing?.length ?? 1;
+    this.length = project.drawable && project.drawing ? project.drawing.length : this.taken;
     this.running = true;
     this.watching = watch;
     this.paused = false;
@@ -198,7 +200,7 @@ export class Push {
     this.changed();
     const name = String((project.doc && valueAt(project.doc, ["name"])) ?? "");
     const answer = await this.engine.ask(
-      { task: "run", texts: { model: text, set: this.settings(), language: languageNow() }, numbers: { frames: kFrames }, want: ["summary", "states"], bytes: ["page", ...Array.from({ length: kMostStates }, (_, k) => picture(k))], tables: ["curve"], pieces: true },
+      { task: "run", texts: { model: text, set: this.settings(), language: languageNow() }, numbers: { frames: kFrames }, want: ["summary", "states", "reason"], bytes: ["page", ...Array.from({ length: kMostStates }, (_, k) => picture(k))], tables: ["curve"], pieces: true },
       (p) => this.hear(p),
     );
     this.engine.rest();
@@ -289,28 +291,30 @@ export class Push {
     const summary = JSON.parse(answer.texts.summary ?? "{}");
     const { curve } = this;
     if (answer.tables.curve) curve.points = pointsOf(answer);
-    this.pushed = { name, summary, points: curve.points };
     this.states = JSON.parse(answer.texts.states ?? "[]");
+    const end = this.states.length - 1;
+    this.pushed = { name, summary, points: curve.points, end: end < 0 ? null : { ...this.states[end], svg: textIn(answer, picture(end)), length: this.length } };
     this.answer = answer;
     const headline = headlineOf(answer);
     const number = (key: string): number | null => (typeof summary[key] === "number" ? summary[key] : null);
     const peak = number("peak_reaction_kN"),
       at = number("displacement_at_peak_mm");
-    curve.peak = peak !== null && at !== null ? [at, peak] : null;
+    curve.peak = curve.points.length > 0 && peak !== null && at !== null ? [at, peak] : null; // a wall that fell before its push has none
     this.say(
+      this.compare.root,
       h("dl", { class: "key" },
         ...card(say("studio.peak"), qty(peak, "kN")),
         ...card(say("studio.peak.drift"), qty(number("drift_percent_at_peak"), "%", 2)),
         ...card(say("studio.ultimate"), `${summary.censored_80 ? "> " : ""}${qty(number("drift_percent_at_80"), "%", 2)}`),
         ...card(say("studio.mode"), phrase(String(summary.failure_mode?.name ?? "–"))),
       ),
-      this.beside.root, this.compare.root,
+      this.beside.root,
       h("p", { class: "answer" }, headline || say("run.resists", { force: qty(peak, "kN"), at: qty(at, "mm"), drift: "" })),
+      ...(answer.texts.reason ? [h("p", { class: "ended" }, asSentence(answer.texts.reason))] : []),
     );
     this.report.hidden = !hasPage(answer);
     this.slider.max = String(this.states.length - 1);
     this.states_row.hidden = this.states.length === 0;
-    const end = this.states.length - 1;
     this.slider.value = String(end);
     this.at.textContent = "";
     if (end >= 0 && watched) this.showState(end); // else somebody draws
