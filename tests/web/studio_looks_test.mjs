@@ -299,7 +299,8 @@ test("a browser that is too old or runs no scripts is told which ones will do", 
 
 test("the page is small and asks for nothing", () => {
   const page = fs.readFileSync(file, "utf8");
-  assert.ok(Buffer.byteLength(page) < 400e3, `${Buffer.byteLength(page)} bytes`);
+  // more than half are the engine's faults in six languages, which a web server sends in a fifth
+  assert.ok(Buffer.byteLength(page) < 700e3, `${Buffer.byteLength(page)} bytes`);
   for (const door of [/<script[^>]+src=/, /<link[^>]+href="(?!data:)/, /@import/, /url\((?!#|"?data:)/]) assert.doesNotMatch(page, door);
   assert.match(page, /default-src 'none'/);
 });
