@@ -262,7 +262,8 @@ CampaignAssessment assess_campaign(const Campaign& campaign, const ModelSpec& ba
     masses.push_back(a.mass);
     out.doubtful += is_doubtful(a, waits) ? 1 : 0;
     for (const LimitStateCheck& check : a.limit_states)
-      readings[static_cast<std::size_t>(check.state)].push_back({check.acceleration, check.at_least});
+      readings[static_cast<std::size_t>(check.state)].push_back(
+          {check.acceleration, check.at_least});
   }
   if (out.answered == 0 && out.without_answer > 0) {
     out.reason = {"assessment.no_sample_answers", {{"why", why}}};
