@@ -38,6 +38,9 @@ class Sanitize(unittest.TestCase):
             for call, words in zip(calls, ("--preset asan --timeout 7200 --only unit property verification regression determinism fuzz",
                                            "--preset tsan --timeout 7200 --only determinism unit/core/parallel_test"), strict=True):
                 self.assertIn(words, call)
+            done = subprocess.run(["python3", tools / "sanitize", "--preset", "asan", "--only", "property", "fuzz"], capture_output=True, text=True, check=False)
+            self.assertEqual(done.stdout.splitlines()[-1], "3 passed, 1 failed")
+            self.assertEqual((tools / "calls").read_text().splitlines()[2:], ["--preset asan --timeout 7200 --only property fuzz"])
 
 
 class ContinuousIntegration(unittest.TestCase):
