@@ -52,6 +52,40 @@ test("after a defect or without memory the next question has a worker of its own
   assert.deepEqual(made.map((worker) => worker.isEnded === true), [true, true, false]);
 });
 
+test("a worker that still starts is kept for the newest question, so that quick edits leave no heap of starting ones", async () => {
+  const { WorkerEngine } = await viewerModule("studio/engine");
+  const getElementById = (id) => ({ textContent: id === "wythe-worker" ? "/* answered here */" : "" });
+  globalThis.document = { ...globalThis.document, getElementById };
+  const made = [], asked = [];
+  globalThis.Worker = class {
+    constructor() {
+      made.push(this);
+    }
+    postMessage(question) {
+      if ("wasm" in question) return;
+      asked.push(question.texts.of);
+      setTimeout(() => this.onmessage({ data: { id: question.id, code: 0 } }));
+    }
+    terminate() {
+      this.isEnded = true;
+    }
+  };
+  const engine = new WorkerEngine();
+  const answers = ["first", "second"].map((of) => engine.ask({ task: "check", texts: { of } }));
+  engine.stop();
+  answers.push(engine.ask({ task: "check", texts: { of: "third" } }));
+  while (made.length === 0) await new Promise((done) => setTimeout(done));
+  made[0].onmessage({ data: { ready: true } });
+  assert.deepEqual((await Promise.all(answers)).map(({ code }) => code), [3, 3, 0]);
+  assert.deepEqual(asked, ["third"]);
+  assert.equal(made.length, 1);
+  const late = engine.ask({ task: "check", texts: { of: "fourth" } });
+  while (asked.length < 2) await new Promise((done) => setTimeout(done));
+  engine.stop(); // this one is at work
+  assert.equal((await late).code, 3);
+  assert.equal(made[0].isEnded, true);
+});
+
 test("a question that takes long is ended by a newer one, and only the newest of those is asked", async () => {
   const { Latest } = await viewerModule("studio/engine");
   const asked = [];

@@ -61,6 +61,7 @@ interface Message extends Partial<Answer> {
 
 export class WorkerEngine implements Engine {
   private worker: Promise<Worker> | null = null;
+  private isAsked = false; // the worker has a question; before that it starts, and serves the next one as well
   private count = 0;
   private waiting: { id: number; done: (a: Answer) => void; progress?: (p: Progress) => void } | null = null;
 
@@ -71,6 +72,7 @@ export class WorkerEngine implements Engine {
     try {
       const worker = await (this.worker ??= started((m) => this.hear(m), (why) => this.end(kDefect, why)));
       if (this.waiting?.id === id) {
+        this.isAsked = true;
         worker.postMessage({ id, ...question });
         begun?.();
       }
@@ -93,8 +95,11 @@ export class WorkerEngine implements Engine {
   }
   // Ends the question under way with the worker that was at it.
   private end(code: number, error: string): void {
-    this.worker?.then((w) => w.terminate(), () => undefined);
-    this.worker = null;
+    if (this.isAsked || code !== kStopped) {
+      this.worker?.then((w) => w.terminate(), () => undefined);
+      this.worker = null;
+    }
+    this.isAsked = false;
     const waiting = this.waiting;
     this.waiting = null;
     waiting?.done({ code, texts: { error }, tables: {} });
@@ -104,6 +109,7 @@ export class WorkerEngine implements Engine {
     if (!waiting || m.id !== waiting.id) return;
     if (m.progress) return waiting.progress?.(m.progress);
     this.waiting = null;
+    this.isAsked = false;
     if ((m.code ?? kDefect) >= kNoMemory) this.rest(); // it is spent: the next question has a worker of its own
     waiting.done({ code: m.code ?? kDefect, texts: m.texts ?? {}, bytes: m.bytes ?? {}, tables: m.tables ?? {} });
   }
