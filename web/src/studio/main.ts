@@ -215,6 +215,7 @@ let isKept = true;
 let isWhole = true; // the page that is loaded anew has all of this one
 function edited(): void {
   store.forgetLink();
+  isWhole = true; // of a page that was to go and stayed
   const wasKept = isKept;
   isKept = store.keep(project.text);
   if (wasKept && !isKept) tell(say("studio.notkept"));

@@ -43,6 +43,7 @@ export class Push {
   private ofText = ""; // the text that was pushed
   private itself = false; // a push begins by itself
   private rest = 0; // its timer
+  private able = false; // the engine took the text as it is
   readonly family: Family;
   private readonly beside: Beside;
   private readonly compare = new Compare();
@@ -99,19 +100,24 @@ export class Push {
     this.words.replaceChildren(...what);
   }
   // The engine takes the wall as it is: it is pushed by itself, beside the drawing, if that was asked for and nothing changes for a while.
-  ready(length = this.taken): void {
+  ready(length: number): void {
     this.taken = length;
+    this.able = true;
+    this.wait();
+  }
+  private wait(): void {
     window.clearTimeout(this.rest);
-    if (!this.itself || this.running || (this.pushed && !this.isStale)) return;
+    if (!this.itself || !this.able || this.running || (this.pushed && !this.isStale)) return;
     this.rest = window.setTimeout(() => void this.start(false), kRest);
   }
   private pushItself(on: boolean): void {
     this.itself = on;
-    this.ready();
+    this.wait();
     this.refresh();
   }
   // The wall was edited: what is shown belongs to the one before.
   edited(): void {
+    this.able = false;
     window.clearTimeout(this.rest);
     if (this.itself && this.running && this.isStale) this.stop();
     this.family.edited();

@@ -22,6 +22,7 @@ const kPlaces: Record<string, string> = {
   p: ".+",
   r: ".+?",
 };
+const kLongest = 1000; // of a sentence: the time of a search grows with the square [characters]
 interface Row {
   pattern: RegExp;
   kinds: string[]; // of its places, in the order of the English
@@ -53,6 +54,7 @@ function partInWords(kind: string, part: string, language: string): string | nul
 export function inWords(english: string, language = languageNow()): string | null {
   const at = kLanguages.indexOf(language);
   if (at <= 0 || english === "") return english;
+  if (english.length > kLongest) return null;
   for (const { pattern, kinds, places, words } of all()) {
     const found = pattern.exec(english);
     if (!found) continue;
