@@ -10,7 +10,7 @@
 // one out. Needs make web's packages and
 // Chromium.
 import { createRequire } from "node:module";
-import { readFileSync, writeFileSync } from "node:fs";
+import { existsSync, readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
 
@@ -56,7 +56,7 @@ if (run === "--joint") {
   process.exit(0);
 }
 const browser = await chromium.launch({
-  executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium-headless-shell",
+  executablePath: process.env.CHROMIUM ?? ["/usr/bin/chromium-headless-shell", "/usr/bin/chromium"].find((file) => existsSync(file)),
   args: ["--no-sandbox", "--disable-gpu", "--disable-background-networking"],
 });
 async function pageOf(folder, file, viewport) {

@@ -39,7 +39,7 @@ export function lastPoints(name, kind) {
 
 // --- browser -----------------------------------------------------------------------------------------
 
-export const browserPath = process.env.CHROMIUM ?? "/usr/bin/chromium-headless-shell";
+export const browserPath = process.env.CHROMIUM ?? ["/usr/bin/chromium-headless-shell", "/usr/bin/chromium"].find((file) => fs.existsSync(file));
 const kArguments = [
   "--no-sandbox",
   "--no-first-run",
