@@ -326,7 +326,8 @@ std::vector<DriftOfTests> tests_of(const Model& model) {
 
 // Warns if what the curve follows lies below the roof: a failure above it would not be seen. A push in a pattern
 // follows a mean of the blocks that it pushes, or its control point. Storeys state where the roof is. Levels of a
-// push do not: without storeys the roof is the top of the wall.
+// push do not: without storeys the roof is the top of the wall. Shares that a push states may leave the upper levels
+// nearly free: their resultant is no lower than that of an even acceleration, at half the height.
 void caution_of_control(const ModelSpec& spec, const Model& model, JudgedPush& push) {
   const Stage* stage = push_of(model);
   if (stage == nullptr || !(stage->load_height > 0)) return;
@@ -340,12 +341,19 @@ void caution_of_control(const ModelSpec& spec, const Model& model, JudgedPush& p
   const double roof =
       spec.storey.empty() || levels.empty() ? top_of(moving_blocks(model)) : levels.back();
   const double below = levels.size() > 1 ? levels[levels.size() - 2] : 0;
-  const bool is_mean = stage->control < 0 && stage->spec.pattern != Pattern::kNone;
-  const double followed = is_mean ? top_of(stage->driven) : stage->load_height;
-  constexpr double kHalf = 0.5;  // of the uppermost storey
-  if (followed >= roof - kHalf * (roof - below)) return;
-  push.cautions.push_back({is_mean ? "assessment.caution.levels" : "assessment.caution.control",
-                           {{"height_m", followed}, {"roof_m", roof}}});
+  constexpr double kHalf = 0.5;  // of the uppermost storey, and of the height
+  const double lowest = roof - kHalf * (roof - below), height = stage->load_height;
+  if (stage->control >= 0 || stage->spec.pattern == Pattern::kNone) {
+    if (height < lowest)
+      push.cautions.push_back(
+          {"assessment.caution.control", {{"height_m", height}, {"roof_m", roof}}});
+    return;
+  }
+  const double top = top_of(stage->driven);
+  const bool is_low = stage->spec.pattern == Pattern::kGiven && height < kHalf * roof;
+  if (top < lowest || is_low)
+    push.cautions.push_back(
+        {"assessment.caution.levels", {{"top_m", top}, {"height_m", height}, {"roof_m", roof}}});
 }
 
 // Warns of a spectrum damped by more than the 5 % of the codes, which lowers the demand.

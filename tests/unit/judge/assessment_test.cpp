@@ -642,11 +642,18 @@ TEST(Assessment, is_not_signed_where_the_control_point_lies_below_the_roof) {
 // Without storeys the wall's top is the roof: levels at its foot alone push a wall that seems ever stronger.
 TEST(Assessment, is_not_signed_where_the_highest_level_pushed_lies_far_below_the_top) {
   for (const auto& [levels, below] : {std::pair{"\"0.2 m\"", true}, std::pair{"\"0.9 m\"", false},
-                                      std::pair{"\"0.2 m\", \"0.9 m\"", false}}) {
+                                      std::pair{"\"0.2 m\", \"0.9 m\"", false},
+                                      std::pair{"\"0.2 m\", \"0.9 m\"]\nshares = [1, 0", true},
+                                      std::pair{"\"0.2 m\", \"0.9 m\"]\nshares = [1, 0.1", true},
+                                      std::pair{"\"0.2 m\", \"0.9 m\"]\nshares = [1, 2", false}}) {
     std::string text = wall_text(kAssessed);
     const std::string at = "at = { x = \"0 m\", y = \"0.9 m\" }";
-    text.replace(text.find(at), at.size(),
-                 std::string("pattern = \"mass_height\"\nlevels = [") + levels + "]");
+    text.replace(
+        text.find(at), at.size(),
+        std::string("pattern = ") +
+            (std::string_view(levels).find("shares") == std::string_view::npos ? "\"mass_height\""
+                                                                               : "\"given\"") +
+            "\nlevels = [" + levels + "]");
     const ModelSpec spec = parse_model(text, "wall.toml");
     const CodeAssessment a = assess_run(spec, compile(spec), {});
     const bool found = std::any_of(a.cautions.begin(), a.cautions.end(), [](const Message& say) {
