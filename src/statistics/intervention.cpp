@@ -99,8 +99,10 @@ CheckedChange check_of(const PairedComparison& all, const std::vector<std::size_
     });
     if (falls > 0)
       change.answer = ChangeAnswer::kNo,
-      change.why = {"compare.why_falls",
-                    {{"n", static_cast<int>(falls)},
+      change.why = {"compare.change_falls",
+                    {{"what", words_of_quantity(quantity)},
+                     {"direction", option.push.words()},
+                     {"n", static_cast<int>(falls)},
                      {"all", response->pairs + response->without_value + lost}}};
     change.push = option.push;
     out.way.push_back(std::move(change));
@@ -123,6 +125,7 @@ Message words_of_change(const CheckedChange& of) {
   const bool all_same =
       std::all_of(of.way.begin(), of.way.end(), [](const Change& way) { return way.is_same; });
   if (all_same) return {"compare.change_none", {{"what", what}}};
+  if (change.why.code == "compare.change_falls") return change.why;
   if (!change.why.empty())
     return {"compare.change_unknown",
             {{"what", what}, {"direction", direction}, {"why", change.why}}};

@@ -463,8 +463,14 @@ class Verdict {
           parts, [](const LocalCheck& part) { return part.verdict == AssessmentVerdict::kFails; });
       if (!falls.empty())
         out_.cautions.push_back({"verdict.caution.part_found", {{"parts", std::move(falls)}}});
-      // Data left out must not give the better verdict.
-      std::vector<Message> names;
+      // Data left out must not give the better verdict: a part that could not be checked for want of them, or was
+      // checked without a confidence factor or with holds that nobody knows.
+      std::vector<Message> names = names_of(parts, [](const LocalCheck& part) {
+        return std::any_of(part.cautions.begin(), part.cautions.end(), [](const Message& caution) {
+          return caution.code == "local.caution.factor" ||
+                 caution.code == "local.caution.not_known";
+        });
+      });
       for (const Refusal& part : parts.refused) names.push_back(name_of(parts, part));
       if (!names.empty())
         out_.cautions.push_back({"verdict.caution.part_unchecked", {{"parts", std::move(names)}}});
