@@ -213,7 +213,8 @@ std::string profile_advice(const std::string& name) {
   if (!alike.empty() &&
       (size < series_and_size(alike.front()).second || size > series_and_size(alike.back()).second))
     return "the table has " + alike.front() + " to " + alike.back() + ".";
-  return name_advice(name, names);
+  const std::string advice = name_advice(name, names);
+  return advice.ends_with('?') ? advice : advice + ".";
 }
 
 }  // namespace wythe::geometry

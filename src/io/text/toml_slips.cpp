@@ -97,9 +97,10 @@ Slip foreign_mark(std::string_view line) {
     // the whole value, not one word of a text without quotes
     const std::size_t before = bare.find_last_not_of(' ', at - 1);
     const std::size_t after = bare.find_first_not_of(' ', at + word.size());
-    if (std::string_view("=[,").find(bare[before]) == std::string_view::npos ||
-        (after != std::string::npos &&
-         std::string_view("}],").find(bare[after]) == std::string_view::npos))
+    const bool is_inner = bare.find_first_of("[{", equals) < at;  // of a list or a table in braces
+    const std::string_view begins = is_inner ? "=[," : "=", ends = is_inner ? "}]," : "";
+    if (begins.find(bare[before]) == std::string_view::npos ||
+        (after != std::string::npos && ends.find(bare[after]) == std::string_view::npos))
       continue;
     std::string cured(line);
     return {fmt::format("has {} where TOML has {}", theirs, ours),

@@ -302,6 +302,7 @@ TEST(Slips, marks_of_other_formats_are_named) {
   expect_one(with("at = { beam = true }", "at = { beam = yes }"), {"beam = true }"});
   expect_one(with("name = \"push\"", "name = push on the beam"),
              {"write name = \"push on the beam\""});
+  expect_one(with("name = \"push\"", "name = push, off"), {"write name = \"push, off\""});
   expect_one(with("at = { beam = true }", "at = {\n beam = true\n}"), {"in one line"});
   expect_one(with("at = { beam = true }", "at = \"beam\""), {"write at = { x ="});
   expect_one(with("[wall.unit]", "[wall,unit]"), {"write [wall.unit]"});
