@@ -54,8 +54,7 @@ void rewrite_page(const std::string& folder, const std::string& language) {
     throw InputError({{.file = folder,
                        .path = "",
                        .value = "",
-                       .problem = "holds neither a campaign (campaign.db) nor the data of a report "
-                                  "(report.data)",
+                       .problem = "holds no data of a report (report.data)",
                        .cure = "name a folder that run, campaign, replay or limit wrote"}});
   std::string page;
   try {

@@ -105,7 +105,7 @@ test("a page is written again in another language, as the native program writes 
   assert.equal(fs.readFileSync(page, "utf8"), italian);
   const nothing = command("report", path.dirname(out));
   assert.equal(nothing.status, 2);
-  assert.match(nothing.stderr, /holds neither a campaign/);
+  assert.match(nothing.stderr, /holds no data of a report/);
   assert.match(command("report", out, "--lang", "xx").stderr, /is no language of the report/);
 });
 
