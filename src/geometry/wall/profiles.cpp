@@ -214,7 +214,7 @@ std::string profile_advice(const std::string& name) {
       (size < series_and_size(alike.front()).second || size > series_and_size(alike.back()).second))
     return "the table has " + alike.front() + " to " + alike.back() + ".";
   const std::string advice = name_advice(name, names);
-  return advice.ends_with('?') ? advice : advice + ".";
+  return advice.ends_with('?') ? advice : advice + " in the table.";
 }
 
 }  // namespace wythe::geometry
