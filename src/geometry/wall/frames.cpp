@@ -305,8 +305,8 @@ class Builder {
     const bool upright = axis_.upright(k);
     const Section &own = section(upright), &other = section(!upright);
     const double shortest = kLeastShare * other.height;
-    const int fit = 2 * static_cast<int>(std::floor(whole / shortest / 2 + 1e-9));
-    const int pieces = std::min(kPieces, fit);
+    const double fit = 2 * std::floor(whole / shortest / 2 + 1e-9);  // many where a section is thin
+    const int pieces = static_cast<int>(std::min<double>(kPieces, fit));
     if (pieces < kFewestPieces)
       return fault("", metres(whole),
                    "has a part that is too short to be a bar: less than three times as long as "
