@@ -326,7 +326,8 @@ std::vector<DriftOfTests> tests_of(const Model& model) {
 
 // Warns if what the curve follows lies below the roof: a failure above it would not be seen. A push in a pattern
 // follows a mean of the blocks that it pushes, or its control point. Storeys state where the roof is. Levels of a
-// push do not: without storeys the roof is the top of the wall. Shares that a push states may leave the upper levels
+// push do not: without storeys the roof is the top of the wall. Storeys of a file of blocks may end far below it, so
+// half the height of the wall is the least in any case. Shares that a push states may leave the upper levels
 // nearly free: their resultant is no lower than that of an even acceleration, at half the height.
 void caution_of_control(const ModelSpec& spec, const Model& model, JudgedPush& push) {
   const Stage* stage = push_of(model);
@@ -338,11 +339,12 @@ void caution_of_control(const ModelSpec& spec, const Model& model, JudgedPush& p
     return top;
   };
   const std::vector<double> levels = levels_of(spec, *stage);
-  const double roof =
-      spec.storey.empty() || levels.empty() ? top_of(moving_blocks(model)) : levels.back();
+  const double of_wall = top_of(moving_blocks(model));
+  const double roof = spec.storey.empty() || levels.empty() ? of_wall : levels.back();
   const double below = levels.size() > 1 ? levels[levels.size() - 2] : 0;
   constexpr double kHalf = 0.5;  // of the uppermost storey, and of the height
-  const double lowest = roof - kHalf * (roof - below), height = stage->load_height;
+  const double lowest = std::fmax(roof - kHalf * (roof - below), kHalf * of_wall);
+  const double height = stage->load_height;
   if (stage->control >= 0 || stage->spec.pattern == Pattern::kNone) {
     if (height < lowest)
       push.cautions.push_back(

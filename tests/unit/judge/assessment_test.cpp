@@ -615,6 +615,11 @@ TEST(MassAndShape, is_read_at_the_displacement_it_is_stated_for) {
   EXPECT_NEAR(m.participating, m.total(), 1e-9);
 }
 
+bool cautions(const CodeAssessment& a, const char* code) {
+  return std::any_of(a.cautions.begin(), a.cautions.end(),
+                     [&](const Message& caution) { return caution.code == code; });
+}
+
 // Ground floor 1 m, first floor 1 m: what is followed at the first floor's foot does not see the first floor fail.
 TEST(Assessment, is_not_signed_where_the_control_point_lies_below_the_roof) {
   for (const auto& [y, below] : {std::pair{"0.9 m", true}, std::pair{"1.9 m", false}}) {
@@ -632,10 +637,7 @@ TEST(Assessment, is_not_signed_where_the_control_point_lies_below_the_roof) {
         "[[storey]]\nname = \"a\"\nheight = \"1 m\"\n[[storey]]\nname = \"b\"\nheight = \"1 m\"\n";
     const ModelSpec spec = parse_model(text, "wall.toml");
     const CodeAssessment a = assess_run(spec, compile(spec), {});
-    const bool found = std::any_of(a.cautions.begin(), a.cautions.end(), [](const Message& say) {
-      return say.code == "assessment.caution.control";
-    });
-    EXPECT_EQ(found, below) << y << ": " << text_of(a.sentence);
+    EXPECT_EQ(cautions(a, "assessment.caution.control"), below) << y << ": " << text_of(a.sentence);
   }
 }
 
@@ -656,11 +658,21 @@ TEST(Assessment, is_not_signed_where_the_highest_level_pushed_lies_far_below_the
             "\nlevels = [" + levels + "]");
     const ModelSpec spec = parse_model(text, "wall.toml");
     const CodeAssessment a = assess_run(spec, compile(spec), {});
-    const bool found = std::any_of(a.cautions.begin(), a.cautions.end(), [](const Message& say) {
-      return say.code == "assessment.caution.levels";
-    });
-    EXPECT_EQ(found, below) << levels << ": " << text_of(a.sentence);
+    EXPECT_EQ(cautions(a, "assessment.caution.levels"), below)
+        << levels << ": " << text_of(a.sentence);
   }
+}
+
+// Storeys of a file of blocks are levels that its writer states: those far below the top state no roof.
+TEST(Assessment, is_not_signed_where_storeys_end_far_below_the_top_of_the_wall) {
+  std::string text = wall_text(kAssessed);
+  const std::string at = "at = { x = \"0 m\", y = \"0.9 m\" }";
+  text.replace(text.find(at), at.size(), "pattern = \"mass_height\"\nlevels = [\"0.2 m\"]");
+  ModelSpec spec = parse_model(text, "wall.toml");
+  const Model model = compile(spec);
+  spec.storey.resize(1);
+  spec.storey[0].height = 0.25;
+  EXPECT_TRUE(cautions(assess_run(spec, model, {}), "assessment.caution.levels"));
 }
 
 TEST(Assessment, is_not_signed_where_the_spectrum_is_damped_by_more_than_the_codes_take) {
@@ -668,10 +680,8 @@ TEST(Assessment, is_not_signed_where_the_spectrum_is_damped_by_more_than_the_cod
     ModelSpec spec = parse_model(wall_text(kAssessed), "wall.toml");
     spec.assessment.spectrum.damping = damping;
     const CodeAssessment a = assess_run(spec, compile(spec), {});
-    const bool found = std::any_of(a.cautions.begin(), a.cautions.end(), [](const Message& say) {
-      return say.code == "assessment.caution.spectrum_damping";
-    });
-    EXPECT_EQ(found, damping > 0.05) << damping << text_of(a.sentence);
+    EXPECT_EQ(cautions(a, "assessment.caution.spectrum_damping"), damping > 0.05)
+        << damping << text_of(a.sentence);
   }
 }
 
