@@ -57,14 +57,18 @@ test("a worker that still starts is kept for the newest question, so that quick 
   const getElementById = (id) => ({ textContent: id === "wythe-worker" ? "/* answered here */" : "" });
   globalThis.document = { ...globalThis.document, getElementById };
   const made = [], asked = [];
+  let isMade, isAsked;
+  const first = new Promise((done) => (isMade = done));
   globalThis.Worker = class {
     constructor() {
       made.push(this);
+      isMade();
     }
     postMessage(question) {
       if ("wasm" in question) return;
       asked.push(question.texts.of);
-      setTimeout(() => this.onmessage({ data: { id: question.id, code: 0 } }));
+      isAsked?.();
+      if (question.texts.of === "third") queueMicrotask(() => this.onmessage({ data: { id: question.id, code: 0 } }));
     }
     terminate() {
       this.isEnded = true;
@@ -74,13 +78,13 @@ test("a worker that still starts is kept for the newest question, so that quick 
   const answers = ["first", "second"].map((of) => engine.ask({ task: "check", texts: { of } }));
   engine.stop();
   answers.push(engine.ask({ task: "check", texts: { of: "third" } }));
-  while (made.length === 0) await new Promise((done) => setTimeout(done));
+  await first;
   made[0].onmessage({ data: { ready: true } });
   assert.deepEqual((await Promise.all(answers)).map(({ code }) => code), [3, 3, 0]);
   assert.deepEqual(asked, ["third"]);
   assert.equal(made.length, 1);
   const late = engine.ask({ task: "check", texts: { of: "fourth" } });
-  while (asked.length < 2) await new Promise((done) => setTimeout(done));
+  await new Promise((done) => (isAsked = done));
   engine.stop(); // this one is at work
   assert.equal((await late).code, 3);
   assert.equal(made[0].isEnded, true);

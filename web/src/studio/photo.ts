@@ -113,7 +113,7 @@ export class Photo {
     this.take(loaded, shown && kept.shown);
     this.opacity = kept.opacity;
     this.place = kept.place; // it is kept so, and shown again where it is hidden now
-    this.project.hasPhoto(kept.place);
+    this.project.restorePhoto(kept.place);
   }
   private take(loaded: Loaded, shown: boolean): void {
     if (this.loaded) URL.revokeObjectURL(this.loaded.url);

@@ -95,8 +95,8 @@ export class Project {
     this.photo = place;
     this.tell("selection");
   }
-  // The photo that the browser kept.
-  hasPhoto(place: PhotoPlace): void {
+  // The photo that the browser kept: no step goes.
+  restorePhoto(place: PhotoPlace): void {
     this.photo = place;
     this.tell("selection");
   }
