@@ -502,7 +502,7 @@ double check_option(const VariantSpec& option, std::vector<Message>& told) {
 int check_study_file(const CheckArguments& a) {
   const StudySpec study = read_study(a.file, a.overrides);
   const ModelBuilder build = model_builder(study);
-  const Model base = compile_model(build({}), study.model_text, study.model_file, study.settings);
+  const Model base = compile(build({}));
   const SampleTable samples = draw_samples(study);
   fmt::print("{}: valid\n", a.file);
   fmt::print("base model: blocks {}   joints {}   contact points {}\n", base.n_block, base.n_joint,

@@ -50,7 +50,8 @@ RunStart begun(const RunArguments& a) {
            "write wythe run MODEL.toml --out DIR, or wythe run --resume DIR");
   RunStart start{.out = a.out};
   Checkpoint& from = start.from;
-  from.model = read_and_compile(a.model, a.overrides, &from.spec);
+  from.spec = read_model(a.model, a.overrides);
+  from.model = compile(from.spec);
   from.model.spec_hash = spec_hash(from.spec);
   from.state = initial_state(from.model);
   from.order = order_of(from.spec, a.model);

@@ -349,8 +349,8 @@ std::string bound_of(const Model& model, const RunEstimate& e) {
 
 int check(const CheckArguments& arguments) {
   if (is_study(arguments.file)) return check_study_file(arguments);
-  ModelSpec spec;
-  const Model model = read_and_compile(arguments.file, arguments.overrides, &spec);
+  ModelSpec spec = read_model(arguments.file, arguments.overrides);
+  const Model model = compile(spec);
   hold_for_test("model read");
   const RunEstimate e = estimate(model);
   fmt::print("{}: valid\n", readable(arguments.file));

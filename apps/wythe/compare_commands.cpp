@@ -181,7 +181,7 @@ int write_comparison(const std::vector<std::string>& folders, const std::string&
 }  // namespace
 
 Model compile_option(const StudySpec& study, const ModelBuilder& build) try {
-  return compile_model(build({}), study.model_text, study.model_file, study.settings);
+  return compile(build({}));
 } catch (const InputError& error) {
   if (study.variant_place == 0) throw;
   std::vector<Fault> faults = error.faults();

@@ -125,8 +125,8 @@ int limit(const LimitArguments& a) {
   check_language(a.language);
   OpinionAsked asked{a.only, a.assessment};
   check_asked(asked);
-  ModelSpec spec;
-  const Model model = read_and_compile(a.model, a.overrides, &spec);
+  const ModelSpec spec = read_model(a.model, a.overrides);
+  const Model model = compile(spec);
   hold_for_test("model read");
   const Origin origin{a.model, spec_hash(spec), a.replaces};
   check_limit_folder(a.out, origin);

@@ -105,7 +105,7 @@ std::vector<SampleRecord> run_batch(const BatchSpec& batch, const std::atomic<bo
                                     const std::function<void(int, int)>& progress) {
   const StudySpec study = study_of(batch);
   const ModelBuilder build = model_builder(study);
-  (void)compile_model(build({}), batch.model_text, batch.model_file, batch.settings);
+  (void)compile(build({}));
   const SampleTable samples = BatchReader(batch, study).read();
   const Compiler compiler(build({}));
   const int total = samples.n_sample();

@@ -30,22 +30,18 @@ using Json = nlohmann::ordered_json;
 
 // A model given as a text, or only as a file.
 struct GivenModel {
-  std::string text, file;
-  std::vector<std::string> settings;
   ModelSpec spec;
   Model model;
 };
 
 GivenModel read_given(const Inputs& in) {
   GivenModel given;
-  given.file = in.one("file", "model.toml");
-  given.settings = in.all("set");
+  const std::string file = in.one("file", "model.toml");
+  const std::vector<std::string> settings = in.all("set");
   if (in.has("model")) {
-    given.text = in.one("model");
-    given.spec = parse_model(given.text, given.file, given.settings);
-    given.model = compile_model(given.spec, given.text, given.file, given.settings);
+    given.spec = parse_model(in.one("model"), file, settings);
   } else if (in.has("file")) {
-    given.model = read_and_compile(given.file, given.settings, &given.spec);
+    given.spec = read_model(file, settings);
   } else {
     throw InputError(
         {{.file = "",
@@ -54,6 +50,7 @@ GivenModel read_given(const Inputs& in) {
           .problem = "is missing",
           .cure = "give the TOML as the text `model`, or the path of a file as `file`"}});
   }
+  given.model = compile(given.spec);
   return given;
 }
 

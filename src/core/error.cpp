@@ -135,6 +135,49 @@ std::string to_string(const Fault& fault) {
   return out;
 }
 
+namespace {
+
+constexpr std::string_view kOfBlocks = "wall.blocks.";
+
+// "wall.blocks.front.c03u05a" becomes a path of plan_wall.front if the builder made that block; else it is unchanged.
+std::string built_path(const std::string& path, const KeyPlaces& places) {
+  if (!path.starts_with(kOfBlocks)) return path;
+  const std::string id = path.substr(kOfBlocks.size()), name = id.substr(0, id.find('.'));
+  for (const char* table : {"plan_wall.", "slab.", "arch.", "dome."})
+    if (places.key.contains(table + name)) return table + id;
+  return path;
+}
+
+Fault placed_by_key(Fault fault, const std::map<std::string, KeyPlace>& places) {
+  for (std::string path = fault.path;; path.resize(path.find_last_of('.'))) {
+    const auto found = places.find(path);
+    if (found != places.end()) {
+      const KeyPlace& place = found->second;
+      fault.file = place.file;
+      fault.line = place.line;
+      if (!place.given.empty()) fault.path = place.given + fault.path.substr(path.size());
+      return fault;
+    }
+    if (path.find('.') == std::string::npos) break;
+  }
+  if (const auto file = places.find(""); file != places.end()) fault.file = file->second.file;
+  return fault;
+}
+
+}  // namespace
+
+std::vector<Fault> KeyPlaces::placed(const std::vector<Fault>& faults) const {
+  std::vector<Fault> out;
+  for (Fault fault : faults) {
+    fault.path = built_path(fault.path, *this);
+    if (!blocks.empty() && fault.path.starts_with(kOfBlocks)) fault.file = blocks;
+    out.push_back(fault.file.empty() ? placed_by_key(std::move(fault), key) : std::move(fault));
+  }
+  std::stable_sort(out.begin(), out.end(),
+                   [](const Fault& a, const Fault& b) { return a.line < b.line; });
+  return out;
+}
+
 InputError::InputError(std::vector<Fault> faults)
     : std::runtime_error(listed(faults)), faults_(std::move(faults)) {}
 

@@ -228,25 +228,59 @@ Model fill(const ModelSpec& spec, const Assembly& assembly) {
   return assembly;
 }
 
+namespace {
+
+// Takes over the notes of reading. A note that "1.800 kg/m^3" is unusual goes where a note of reading names the cause.
+Model with_text_notes(const ModelSpec& spec, Model model) {
+  std::vector<Message>& notes = model.anatomy.notes;
+  for (const Message& note : spec.text_notes) {
+    std::erase_if(notes, [&](const Message& other) {
+      return (other.code == "value.odd" || other.code == "density.odd") &&
+             other.arguments.front() == note.arguments.front();
+    });
+    notes.push_back(note);
+  }
+  return model;
+}
+
+// Does the work; its faults get the places of their keys, where the spec was read from a file.
+template <class Work>
+auto placing_faults(const ModelSpec& spec, const Work& work) {
+  try {
+    return work();
+  } catch (const InputError& error) {
+    if (spec.places == nullptr) throw;
+    throw InputError(spec.places->placed(error.faults()));
+  }
+}
+
+}  // namespace
+
 Model compile(const ModelSpec& spec) {
-  if (!spec.body.empty()) return compile_space(spec, build_in_space(spec));
-  return fill(spec, build(spec));
+  return placing_faults(spec, [&] {
+    return with_text_notes(spec, spec.body.empty() ? fill(spec, build(spec))
+                                                   : compile_space(spec, build_in_space(spec)));
+  });
 }
 
 Compiler::Compiler(const ModelSpec& spec) : shape_(geometry::shape_key(spec)) {
-  if (spec.body.empty())
-    assembly_ = build(spec);
-  else
-    in_space_ = build_in_space(spec);
+  placing_faults(spec, [&] {
+    if (spec.body.empty())
+      assembly_ = build(spec);
+    else
+      in_space_ = build_in_space(spec);
+  });
 }
 
 Model Compiler::compile(const ModelSpec& spec) const {
   if (geometry::shape_key(spec) != shape_) return wythe::compile(spec);
-  if (!spec.body.empty()) return compile_space(spec, in_space_);
-  FaultList faults;
-  check_settings(spec, faults);
-  faults.throw_if_any();
-  return fill(spec, assembly_);
+  return placing_faults(spec, [&] {
+    if (!spec.body.empty()) return with_text_notes(spec, compile_space(spec, in_space_));
+    FaultList faults;
+    check_settings(spec, faults);
+    faults.throw_if_any();
+    return with_text_notes(spec, fill(spec, assembly_));
+  });
 }
 
 }  // namespace wythe

@@ -3,6 +3,7 @@
 // SolveStatus in Result, never an exception.
 #pragma once
 
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -22,6 +23,23 @@ struct Fault {
 
 // "model.toml:12: wall.length = -3 m: must be positive; write e.g. length = \"5.10 m\""
 [[nodiscard]] std::string to_string(const Fault& fault);
+
+// Where the user wrote a key: in a line of a file, or in an option.
+struct KeyPlace {
+  std::string file;   // "model.toml", or "--set"
+  int line = 0;       // 0: no line
+  std::string given;  // the key as the option spells it; "": as it is
+};
+
+// The places of a spec's keys, as reading found them.
+struct KeyPlaces {
+  std::map<std::string, KeyPlace> key;  // by dotted path; "" is the file itself
+  std::string blocks;                   // file of the blocks; "": none
+
+  // The faults, each with the place of its key or of the nearest table above it, in the order of the lines. A fault that names a file
+  // keeps it.
+  [[nodiscard]] std::vector<Fault> placed(const std::vector<Fault>& faults) const;
+};
 
 // All faults of one input; what() lists them, one a line. Programs exit with code 2.
 class InputError : public std::runtime_error {

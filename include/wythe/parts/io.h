@@ -35,18 +35,6 @@ class InputError;  // error.h
                                     const std::vector<std::string>& overrides = {},
                                     const std::string& blocks = "",
                                     const std::map<std::string, std::string>& records = {});
-// compile() of a spec that was read from `toml_text` with `overrides`; faults get their file and line.
-[[nodiscard]] Model compile_model(const ModelSpec& spec, const std::string& toml_text,
-                                  const std::string& file_name,
-                                  const std::vector<std::string>& overrides = {});
-// Reads and compiles a model file; the spec is stored in `spec` unless that is null.
-[[nodiscard]] Model read_and_compile(const std::string& path,
-                                     const std::vector<std::string>& overrides = {},
-                                     ModelSpec* spec = nullptr);
-// Throws the faults of `error`, each with the file and line of its key.
-[[noreturn]] void throw_with_lines(const InputError& error, const ModelSpec& spec,
-                                   const std::string& toml_text, const std::string& file_name,
-                                   const std::vector<std::string>& overrides = {});
 // The model as TOML with every value, defaults included; parse_model(write_model(s)) == s.
 [[nodiscard]] std::string write_model(const ModelSpec& spec);
 // Hash of a spec: of the text of write_model and of its blocks.

@@ -7,14 +7,17 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "wythe/parts/body.h"
 #include "wythe/parts/contact_law.h"
+#include "wythe/parts/error.h"
 #include "wythe/parts/field.h"
 #include "wythe/parts/free_contacts.h"
 #include "wythe/parts/masonry.h"
+#include "wythe/parts/message.h"
 #include "wythe/parts/words.h"
 #include "wythe/parts/zone_spec.h"
 
@@ -657,6 +660,9 @@ struct ModelSpec {
   std::vector<BlockSpec> block;  // content of the file wall.blocks; not a key
   std::vector<BodySpec> body;    // the same in space; not a key
   std::string folder;            // folder of the model file, for relative paths; not a key
+  std::shared_ptr<const KeyPlaces> places =
+      {};                                // of a spec that was read, as it was then; not a key
+  std::vector<Message> text_notes = {};  // of reading, for the model's notes; not a key
 };
 
 }  // namespace wythe

@@ -109,17 +109,10 @@ void finish(TableReader& reader, ModelSpec& model) {
 
 namespace {
 
-// Where the user wrote a key: a line of a file, or an option.
-struct KeyPlace {
-  std::string file;  // "model.toml", or "--set"
-  int line = 0;
-  std::string given;  // the key as written in the option; "": as it is
-};
-using Places = std::map<std::string, KeyPlace>;
-
 // Notes each key of the tree and, in lists, also by its member's name: "stage.2.at", "stage.push.at".
+// Numbers of a list have a place of their own only where they stand in another line than the list.
 void note_places(const toml::node& node, const std::string& path, const std::string& file,
-                 Places& places) {
+                 std::map<std::string, KeyPlace>& places) {
   places.emplace(path, KeyPlace{file, line_of(node), ""});
   if (const toml::table* table = node.as_table())
     for (const auto& [name, inner] : *table)
@@ -127,7 +120,12 @@ void note_places(const toml::node& node, const std::string& path, const std::str
   const toml::array* list = node.as_array();
   for (std::size_t i = 0; list && i < list->size(); ++i) {
     const toml::node& member = *list->get(i);
+    if (member.is_value() && line_of(member) == line_of(node)) continue;
     note_places(member, under(path, std::to_string(i)), file, places);
+  }
+  for (std::size_t i = 0; list && i < list->size();
+       ++i) {  // a number stays a place, also where it is another member's name
+    const toml::node& member = *list->get(i);
     const toml::table* table = member.as_table();
     const auto name = table ? (*table)["name"].value<std::string>() : std::nullopt;
     if (name) note_places(member, under(path, *name), file, places);
@@ -135,57 +133,18 @@ void note_places(const toml::node& node, const std::string& path, const std::str
 }
 
 // A key that an option set, and all keys below it, belong to the option.
-void note_overrides(const ReadContext& context, Places& places) {
+void note_overrides(const ReadContext& context, std::map<std::string, KeyPlace>& places) {
   for (const Override& set : context.overrides)
     for (auto& [path, place] : places)
       if (path == set.path || path.starts_with(set.path + '.'))
         place = {"--set", 0, set.given + path.substr(set.path.size())};
 }
 
-// Adds the place of its key to a fault, or of the nearest table above it that the user wrote.
-Fault placed(Fault fault, const Places& places) {
-  if (!fault.file.empty()) return fault;
-  for (std::string path = fault.path;; path.resize(path.find_last_of('.'))) {
-    const auto found = places.find(path);
-    if (found != places.end()) {
-      fault.file = found->second.file;
-      fault.line = found->second.line;
-      if (!found->second.given.empty())
-        fault.path = found->second.given + fault.path.substr(path.size());
-      return fault;
-    }
-    if (path.find('.') == std::string::npos) break;
-  }
-  fault.file = places.at("").file;
-  return fault;
-}
-
-// "wall.blocks.front.c03u05a" becomes a path of plan_wall.front if the builder made that block; else it is unchanged.
-std::string built_path(const std::string& path, const Places& places) {
-  const std::string of_file = "wall.blocks.";
-  if (!path.starts_with(of_file)) return path;
-  const std::string id = path.substr(of_file.size()), name = id.substr(0, id.find('.'));
-  for (const char* table : {"plan_wall.", "slab.", "arch.", "dome."})
-    if (places.contains(table + name)) return table + id;
-  return path;
-}
-
-// Throws the faults of a spec, each with the place of its key.
-[[noreturn]] void throw_placed(const InputError& error, const ModelSpec& spec,
-                               const toml::table& root, const ReadContext& context) {
-  Places places;
-  note_places(root, "", context.file, places);
-  note_overrides(context, places);
-  const std::string blocks = (std::filesystem::path(spec.folder) / spec.wall.blocks).string();
-  std::vector<Fault> faults;
-  for (Fault fault : error.faults()) {
-    fault.path = built_path(fault.path, places);
-    if (!spec.wall.blocks.empty() && fault.path.starts_with("wall.blocks.")) fault.file = blocks;
-    faults.push_back(placed(std::move(fault), places));
-  }
-  std::stable_sort(faults.begin(), faults.end(),
-                   [](const Fault& a, const Fault& b) { return a.line < b.line; });
-  throw InputError(std::move(faults));
+KeyPlaces places_of(const toml::table& root, const ReadContext& context) {
+  KeyPlaces places;
+  note_places(root, "", context.file, places.key);
+  note_overrides(context, places.key);
+  return places;
 }
 
 // Refuses settings without effect: a key that the formula of a field sets
@@ -262,49 +221,6 @@ void refuse_keys_of_nothing(const ModelSpec& spec, bool has_unit, FaultList& fau
   refuse("wall.supports", !wall.supports.empty(), no_file, "leave it out, or name blocks");
 }
 
-}  // namespace
-}  // namespace io
-
-ModelSpec parse_model(const std::string& toml_text, const std::string& file_name,
-                      const std::vector<std::string>& overrides, const std::string& blocks,
-                      const std::map<std::string, std::string>& records) {
-  toml::table root = io::parse_toml(toml_text, file_name);
-  io::refuse_study(root, file_name);
-  io::ReadContext context{file_name};
-  context.records = &records;
-  io::apply_overrides(context, root, overrides);
-  io::read_names_as_meant(context, root, io::known_names<ModelSpec>());
-  io::resolve_materials(context, root);
-  io::resolve_floors(context, root);
-  context.mortars = io::mortars_in(root);
-  ModelSpec spec;
-  spec.folder = std::filesystem::path(file_name).parent_path().string();
-  io::parse_table(context, root, "", spec);
-  const BuilderSpec built = io::parse_builder(file_name, root, spec);
-  if (!spec.wall.blocks.empty() && built.empty() && !context.has_fault_at("wall.blocks"))
-    io::parse_blocks(context, root, spec, blocks);
-  io::parse_records(context, spec);
-  io::throw_faults(context);
-  try {
-    FaultList idle;
-    io::refuse_keys_of_nothing(spec, static_cast<bool>(root["wall"]["blocks_unit"]), idle);
-    if (built.empty() && spec.wall.blocks.empty() && !spec.wall.up.empty())
-      idle.add({"", "wall.up", spec.wall.up,
-                "has no effect: this wall lies in its plane, where y points up",
-                "leave it out, or lay the wall with [[plan_wall]]", 0});
-    idle.throw_if_any();
-    if (!built.empty()) lay_bodies(built, spec);
-    io::refuse_idle(spec, context);
-    draw_fields(spec);
-  } catch (const InputError& error) {
-    io::throw_placed(error, spec, root, context);
-  }
-  return spec;
-}
-
-namespace io {
-namespace {
-
 // Notes quantities of a tree that most likely mean thousands: "12.000 kg".
 void note_thousands(const toml::node& node, const std::string& path, std::vector<Message>& notes) {
   if (const toml::table* table = node.as_table())
@@ -322,53 +238,49 @@ void note_thousands(const toml::node& node, const std::string& path, std::vector
           {"value.thousands", {{"key", path}, {"value", text->get()}, {"thousands", thousands}}});
 }
 
-std::vector<Message> notes_of_text(const std::string& toml_text, const std::string& file,
-                                   const std::vector<std::string>& overrides) {
-  toml::table root = parse_toml(toml_text, file);
-  ReadContext context{file};
-  apply_overrides(context, root, overrides);
-  std::vector<Message> notes;
-  note_thousands(root, "", notes);
-  return notes;
-}
-
 }  // namespace
 }  // namespace io
 
-Model compile_model(const ModelSpec& spec, const std::string& toml_text,
-                    const std::string& file_name, const std::vector<std::string>& overrides) {
-  try {
-    Model model = compile(spec);
-    std::vector<Message>& notes = model.anatomy.notes;
-    for (Message& note : io::notes_of_text(toml_text, file_name, overrides)) {
-      // removes the note that "1.800 kg/m^3" is unusual, which has the same cause
-      std::erase_if(notes, [&](const Message& other) {
-        return (other.code == "value.odd" || other.code == "density.odd") &&
-               other.arguments.front() == note.arguments.front();
-      });
-      notes.push_back(std::move(note));
-    }
-    return model;
-  } catch (const InputError& error) {
-    throw_with_lines(error, spec, toml_text, file_name, overrides);
-  }
-}
-
-void throw_with_lines(const InputError& error, const ModelSpec& spec, const std::string& toml_text,
-                      const std::string& file_name, const std::vector<std::string>& overrides) {
+ModelSpec parse_model(const std::string& toml_text, const std::string& file_name,
+                      const std::vector<std::string>& overrides, const std::string& blocks,
+                      const std::map<std::string, std::string>& records) {
   toml::table root = io::parse_toml(toml_text, file_name);
+  io::refuse_study(root, file_name);
   io::ReadContext context{file_name};
+  context.records = &records;
   io::apply_overrides(context, root, overrides);
-  io::throw_placed(error, spec, root, context);
-}
-
-Model read_and_compile(const std::string& path, const std::vector<std::string>& overrides,
-                       ModelSpec* spec) {
-  const std::string text = io::read_input(path, "model.toml");
-  ModelSpec read = parse_model(text, path, overrides);
-  Model model = compile_model(read, text, path, overrides);
-  if (spec != nullptr) *spec = std::move(read);
-  return model;
+  ModelSpec spec;
+  io::note_thousands(root, "", spec.text_notes);
+  io::read_names_as_meant(context, root, io::known_names<ModelSpec>());
+  KeyPlaces places = io::places_of(root, context);
+  io::resolve_materials(context, root);
+  io::resolve_floors(context, root);
+  context.mortars = io::mortars_in(root);
+  spec.folder = std::filesystem::path(file_name).parent_path().string();
+  io::parse_table(context, root, "", spec);
+  if (!spec.wall.blocks.empty())
+    places.blocks = (std::filesystem::path(spec.folder) / spec.wall.blocks).string();
+  spec.places = std::make_shared<const KeyPlaces>(std::move(places));
+  const BuilderSpec built = io::parse_builder(file_name, root, spec);
+  if (!spec.wall.blocks.empty() && built.empty() && !context.has_fault_at("wall.blocks"))
+    io::parse_blocks(context, root, spec, blocks);
+  io::parse_records(context, spec);
+  io::throw_faults(context);
+  try {
+    FaultList idle;
+    io::refuse_keys_of_nothing(spec, static_cast<bool>(root["wall"]["blocks_unit"]), idle);
+    if (built.empty() && spec.wall.blocks.empty() && !spec.wall.up.empty())
+      idle.add({"", "wall.up", spec.wall.up,
+                "has no effect: this wall lies in its plane, where y points up",
+                "leave it out, or lay the wall with [[plan_wall]]", 0});
+    idle.throw_if_any();
+    if (!built.empty()) lay_bodies(built, spec);
+    io::refuse_idle(spec, context);
+    draw_fields(spec);
+  } catch (const InputError& error) {
+    throw InputError(spec.places->placed(error.faults()));
+  }
+  return spec;
 }
 
 ModelSpec read_model(const std::string& path, const std::vector<std::string>& overrides) {

@@ -88,9 +88,8 @@ std::string between_walls(const ModelSpec& spec, double cov) {
 // The text of the study, after its faults are reported with their lines.
 std::string text_of_study(const AskedWalls& asked) {
   const std::string& file = asked.model_file;
-  const std::string text = io::read_input(file, "model.toml");
-  const ModelSpec spec = parse_model(text, file, asked.overrides);
-  const Model model = compile_model(spec, text, file, asked.overrides);
+  const ModelSpec spec = read_model(file, asked.overrides);
+  const Model model = compile(spec);
   PushWays ways;
   try {
     if (!spec.draws_fields() && std::isnan(asked.between))
@@ -103,7 +102,7 @@ std::string text_of_study(const AskedWalls& asked) {
                     "scatter.use=clay_brick"}});
     ways = ways_of(spec, model);
   } catch (const InputError& error) {
-    throw_with_lines(error, spec, text, file, asked.overrides);
+    throw InputError(spec.places->placed(error.faults()));
   }
   return io::text_of_ways({.model_file = file, .walls = asked.walls, .seed = asked.seed}, ways.ways,
                           std::isnan(asked.between) ? "" : between_walls(spec, asked.between));

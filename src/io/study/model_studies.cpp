@@ -27,7 +27,7 @@ namespace wythe {
 namespace {
 
 struct ReadModel {
-  std::string file, text;
+  std::string file;
   ModelSpec spec;
   Model model;
   std::vector<PushWay> way;
@@ -138,16 +138,14 @@ std::vector<Fault> differences(const ReadModel& base, const ReadModel& other) {
 }
 
 ReadModel read_one(const std::string& file, const std::vector<std::string>& overrides) {
-  ReadModel out{
-      .file = file, .text = io::read_input(file, "model.toml"), .spec = {}, .model = {}, .way = {}};
-  out.spec = parse_model(out.text, file, overrides);
-  out.model = compile_model(out.spec, out.text, file, overrides);
+  ReadModel out{.file = file, .spec = read_model(file, overrides), .model = {}, .way = {}};
+  out.model = compile(out.spec);
   try {
     // for a PGA, each model is pushed as in wythe assess, in two patterns where possible
     out.way = says_pga(out.spec.assessment) ? ways_of(out.spec, out.model).ways
                                             : study::both_directions(out.spec, out.model).ways;
   } catch (const InputError& error) {
-    throw_with_lines(error, out.spec, out.text, file, overrides);
+    throw InputError(out.spec.places->placed(error.faults()));
   }
   return out;
 }
@@ -171,9 +169,7 @@ std::vector<StudySpec> studies_of_models(const AskedModels& asked) {
     collect([&] {
       const ReadModel& other = models[k];
       std::vector<Fault> found = differences(models.front(), other);
-      if (!found.empty())
-        throw_with_lines(InputError(std::move(found)), other.spec, other.text, other.file,
-                         asked.overrides);
+      if (!found.empty()) throw InputError(other.spec.places->placed(found));
     });
   if (!faults.empty()) throw InputError(std::move(faults));
   std::vector<StudySpec> studies;

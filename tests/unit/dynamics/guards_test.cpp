@@ -34,7 +34,7 @@ std::vector<Fault> refusals(const std::string& text, std::vector<std::string> se
                            "material.timber.shear_modulus=0.6 GPa"})
     set.insert(set.begin(), rest);  // what the text leaves out
   try {
-    (void)compile_model(parse_model(text, "model.toml", set), text, "model.toml", set);
+    (void)compile(parse_model(text, "model.toml", set));
   } catch (const InputError& error) {
     return error.faults();
   }

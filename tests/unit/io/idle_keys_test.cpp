@@ -51,7 +51,7 @@ std::string pushed(const std::string& keys) {
 
 std::string refusal(const std::string& text) {
   try {
-    (void)compile_model(parse_model(text, "model.toml"), text, "model.toml");
+    (void)compile(parse_model(text, "model.toml"));
   } catch (const InputError& error) {
     return error.what();
   }
@@ -59,7 +59,7 @@ std::string refusal(const std::string& text) {
 }
 
 std::vector<std::string> notes(const std::string& text) {
-  const Model model = compile_model(parse_model(text, "model.toml"), text, "model.toml");
+  const Model model = compile(parse_model(text, "model.toml"));
   std::vector<std::string> out;
   for (const Message& note : model.anatomy.notes) out.push_back(text_of(note));
   return out;

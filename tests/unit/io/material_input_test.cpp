@@ -340,7 +340,7 @@ Texts slopes_left_out(const std::vector<Message>& notes) {
 }
 
 Texts slopes_left_out(const std::string& text, const Texts& set = {}) {
-  return slopes_left_out(compile_model(read(text, set), text, "model.toml", set).anatomy.notes);
+  return slopes_left_out(compile(read(text, set)).anatomy.notes);
 }
 
 std::string with_joint(const std::string& lines) {

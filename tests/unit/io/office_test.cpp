@@ -230,8 +230,7 @@ TEST(Office, a_value_stated_beside_a_level_is_noted) {
   const auto notes = [](const std::string& masonry, const Texts& set = {}) {
     const std::string text = model(kBrick + masonry);
     Texts out;
-    for (const Message& note :
-         compile_model(read(text, set), text, "model.toml", set).anatomy.notes)
+    for (const Message& note : compile(read(text, set)).anatomy.notes)
       if (note.code == "office.undivided") out.push_back(text_of(note));
     return out;
   };

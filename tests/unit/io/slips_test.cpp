@@ -175,7 +175,7 @@ std::vector<Slip> slips_of_key(const std::string& line) {
 // The rows of what a user is told; "" where the model is sound.
 std::string told(const std::string& text) {
   try {
-    (void)compile_model(parse_model(text, "model.toml"), text, "model.toml");
+    (void)compile(parse_model(text, "model.toml"));
   } catch (const InputError& error) {
     return error.what();
   }
