@@ -338,14 +338,14 @@ bool agree(const std::vector<FailureMode>& modes) {
                      [&](const FailureMode& m) { return m.name == modes.front().name; });
 }
 
-struct ModeInSpace {
+struct NamedWall {
   FailureMode mode;
-  bool is_of_plane_wall = false;  // by its name
+  bool is_plane = false;  // by the name of its mode, or because the model is plane
 };
 
 // Completes a mode in space with the walls that move in their planes:
 // their piers and spandrels, and the name of plane walls if all agree.
-ModeInSpace with_walls(FailureMode mode, const WallsInPlane& walls) {
+NamedWall with_walls(FailureMode mode, const WallsInPlane& walls) {
   const bool may_be = mode.name == "sliding" || study::stays_in_plane(mode.name);
   mode.evidence.push_back(walls.told);
   for (const FailureMode& wall : walls.modes) {
@@ -376,19 +376,27 @@ FailureMode name_of_wall(const Model& model, const State& state, const Elevation
   return mode;
 }
 
-ModeInSpace mode_in_space(const Model& model, const State& state, const ModeRules& rules) {
-  return with_walls(
-      study::name_in_space(model, state),
-      walls_in_plane(model, state, [&](const Elevation& seen, const WallParts& parts) {
+// The mode in a state by `in_plane` of a wall in its plane; in space that of `in_space`, with the walls that move in theirs.
+template <class InPlane, class InSpace>
+NamedWall name_with(const Model& model, const State& state, const InPlane& in_plane,
+                    const InSpace& in_space) {
+  if (dimension_of(model) == 2) return {in_plane(Elevation{}, study::find_parts(model)), true};
+  return with_walls(in_space(), walls_in_plane(model, state, in_plane));
+}
+
+NamedWall name_state(const Model& model, const State& state, const ModeRules& rules) {
+  return name_with(
+      model, state,
+      [&](const Elevation& seen, const WallParts& parts) {
         return name_of_wall(model, state, seen, parts, rules);
-      }));
+      },
+      [&] { return study::name_in_space(model, state); });
 }
 
 }  // namespace
 
 FailureMode name_from_state(const Model& model, const State& state, const ModeRules& rules) {
-  return dimension_of(model) == 2 ? name_of_wall(model, state, {}, study::find_parts(model), rules)
-                                  : mode_in_space(model, state, rules).mode;
+  return name_state(model, state, rules).mode;
 }
 
 FailureMode name_from_state(const Model& model, const State& state) {
@@ -422,13 +430,14 @@ FailureMode mode_of_wall(const Model& model, const Elevation& seen, const WallPa
   return mode;
 }
 
-ModeInSpace mode_in_space(const Model& model, const Result& result, const Snapshot& read,
-                          double read_at) {
-  return with_walls(
-      name_read_in_space(model, result, read),
-      walls_in_plane(model, read.state, [&](const Elevation& seen, const WallParts& parts) {
+NamedWall name_read(const Model& model, const Result& result, const Snapshot& read,
+                    double read_at) {
+  return name_with(
+      model, read.state,
+      [&](const Elevation& seen, const WallParts& parts) {
         return mode_of_wall(model, seen, parts, result, read, read_at);
-      }));
+      },
+      [&] { return name_read_in_space(model, result, read); });
 }
 
 FailureMode mode_of_push(const Model& model, const Result& result, double read_at) {
@@ -438,9 +447,7 @@ FailureMode mode_of_push(const Model& model, const Result& result, double read_a
     none.sentence = {"mode.no_state"};
     return none;
   }
-  FailureMode mode = dimension_of(model) == 3 ? mode_in_space(model, result, *read, read_at).mode
-                                              : mode_of_wall(model, {}, study::find_parts(model),
-                                                             result, *read, read_at);
+  FailureMode mode = name_read(model, result, *read, read_at).mode;
   mode.read_at = read->displacement;
   mode.reading = words_for(model, result, *read, read_at);
   return mode;
@@ -471,6 +478,13 @@ Message place_of(const WallParts& parts, const study::JointMotion& joint) {
   if (found == nullptr) return {"mechanism.no_part"};
   const auto words = parts.words.find(found->name);
   return words != parts.words.end() ? words->second : as_text(found->name);
+}
+
+WallMechanism mechanism_named(const FailureMode& mode) {
+  WallMechanism mechanism;
+  mechanism.name = mode.name;
+  mechanism.sentence = mode.sentence;
+  return mechanism;
 }
 
 // A force that fell needs a cause. If no pier or spandrel shows one, this says so, and where the wall moved most.
@@ -513,15 +527,13 @@ SlowPushVerdict mode_of_slow_push(const Model& model, const Result& result) {
 }
 
 WallMechanism mechanism_from_state(const Model& model, const State& state) {
+  const ModeRules rules = rules_for(model);
   const std::vector<Elevation> walls = study::elevations_of(model);
-  const auto in_plane = [&] {
-    return mechanism_in(study::find_parts(model), study::evaluate_motion(model, state, walls[0]),
-                        rules_for(model));
-  };
-  if (dimension_of(model) == 2) return in_plane();
-  const auto [mode, is_of_plane_wall] = mode_in_space(model, state, rules_for(model));
-  if (walls.size() == 1 && is_of_plane_wall) return in_plane();
-  return {.name = mode.name, .sentence = mode.sentence};
+  NamedWall named{.mode = {}, .is_plane = true};
+  if (dimension_of(model) == 3) named = name_state(model, state, rules);
+  if (walls.size() != 1 || !named.is_plane) return mechanism_named(named.mode);
+  return mechanism_in(study::find_parts(model, walls).front(),
+                      study::evaluate_motion(model, state, walls.front()), rules);
 }
 
 namespace {
@@ -545,17 +557,12 @@ WallMechanism mechanism_of_wall(const Model& model, const Elevation& seen, const
 WallMechanism mechanism_of_push(const Model& model, const Result& result, double read_at) {
   const Snapshot* read = state_to_read(model, result.readings, read_at);
   if (read == nullptr) return {};
-  if (dimension_of(model) == 2)
-    return mechanism_of_wall(model, {}, study::find_parts(model), result, *read, read_at);
-  const auto [mode, is_of_plane_wall] = mode_in_space(model, result, *read, read_at);
-  const std::vector<Elevation> elevations = study::elevations_of(model);
-  if (elevations.size() == 1 && is_of_plane_wall)
-    return mechanism_of_wall(model, elevations.front(),
-                             study::find_parts(model, elevations).front(), result, *read, read_at);
-  WallMechanism mechanism;
-  mechanism.name = mode.name;
-  mechanism.sentence = mode.sentence;
-  return mechanism;
+  const std::vector<Elevation> walls = study::elevations_of(model);
+  NamedWall named{.mode = {}, .is_plane = true};
+  if (dimension_of(model) == 3) named = name_read(model, result, *read, read_at);
+  if (walls.size() != 1 || !named.is_plane) return mechanism_named(named.mode);
+  return mechanism_of_wall(model, walls.front(), study::find_parts(model, walls).front(), result,
+                           *read, read_at);
 }
 
 }  // namespace
