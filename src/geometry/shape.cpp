@@ -44,8 +44,8 @@ class Key {
             hole.height);
   }
   void add(const RegionSpec& region) {
-    const auto& [name, storey, pier, x, y, width, height, polygon, joints, density, thickness] =
-        region;
+    const auto& [name, place, joints, density, thickness] = region;
+    const auto& [storey, pier, x, y, width, height, polygon] = place;
     add_all(name, storey, pier, x, y, width, height, polygon, joints, thickness);
     add_density(density);
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <set>
 
@@ -150,6 +151,143 @@ TEST(Builder, walls_of_different_heights_meet_up_to_the_lower) {
     EXPECT_NEAR(built.volume, (both * low + above * (std::max(height, 1.2) - low)) * kThick, 1e-9)
         << height;
   }
+}
+
+// --- regions ---
+
+PlanRegionSpec box_region(double x, double y, double width, double height) {
+  PlanRegionSpec region;
+  region.place.x = x, region.place.y = y;
+  region.place.width = width, region.place.height = height;
+  return region;
+}
+
+// Numbers of bodies of a material, and their volume.
+std::pair<int, double> of_material(const Built& b, const std::string& material) {
+  std::pair<int, double> sum{0, 0};
+  for (std::size_t k = 0; k < b.assembly.body.size(); ++k)
+    if (b.assembly.body[k].material == material && !b.assembly.body[k].fixed) {
+      ++sum.first;
+      sum.second += b.assembly.moments[k].volume;
+    }
+  return sum;
+}
+
+TEST(Builder, a_region_has_its_material_and_the_wall_keeps_its_volume) {
+  for (const double turned : {0.0, 0.4}) {
+    BuilderSpec spec = plan({wall("a", {{0, 0}, {3 * std::cos(turned), 3 * std::sin(turned)}})});
+    spec.plan_wall[0].unit.split = Split::kMiddle;
+    spec.plan_wall[0].region = {box_region(0.6, 0.2, 0.6, 0.5)};
+    spec.plan_wall[0].region[0].material = "timber";  // any that has a density
+    const Built b = build(spec);
+    ASSERT_TRUE(b.faults.empty()) << told(b.faults);
+    EXPECT_NEAR(b.volume, 3 * kThick * 1.2, 1e-9);
+    const auto [count, volume] = of_material(b, "timber");
+    EXPECT_EQ(count, 4 * 5);  // half units of 0.15 m in courses of 0.1 m
+    EXPECT_NEAR(volume, 0.6 * 0.5 * kThick, 1e-9);
+  }
+}
+
+TEST(Builder, a_region_of_another_thickness_lies_on_the_wall_by_what_both_share) {
+  for (const auto& [thickness, offset] :
+       {std::pair(0.1, 0.0), {0.1, 0.02}, {0.3, 0.0}, {0.3, -0.075}}) {
+    BuilderSpec spec = plan({wall("a", {{0, 0}, {3, 0}})});
+    spec.plan_wall[0].unit.split = Split::kMiddle;
+    spec.plan_wall[0].region = {box_region(0, 0.6, 3, 0.6)};
+    spec.plan_wall[0].region[0].thickness = thickness;
+    spec.plan_wall[0].region[0].offset = offset;
+    const Built b = build(spec);
+    ASSERT_TRUE(b.faults.empty()) << told(b.faults);
+    EXPECT_NEAR(b.volume, 3 * 0.6 * (kThick + thickness), 1e-9);
+    // beds: of six courses below and their foundation, five within the region, one between both
+    const double both = std::min(kThick / 2, offset + thickness / 2) -
+                        std::max(-kThick / 2, offset - thickness / 2);
+    EXPECT_NEAR(b.level, 3 * (6 * kThick + 5 * thickness + both), 1e-9);
+    double across = 0, mass = 0;  // centroid of the region's blocks across the line
+    for (std::size_t k = 0; k < b.assembly.body.size(); ++k)
+      if (b.assembly.moments[k].centroid.y > 0.6) {
+        across += b.assembly.moments[k].volume * b.assembly.moments[k].centroid.z;
+        mass += b.assembly.moments[k].volume;
+      }
+    EXPECT_NEAR(across / mass, offset, 1e-12);
+  }
+}
+
+TEST(Builder, a_region_may_be_a_pier_or_a_polygon_and_the_last_one_has_the_blocks) {
+  BuilderSpec spec = plan({wall("a", {{0, 0}, {3, 0}})});
+  PlanWallSpec& a = spec.plan_wall[0];
+  a.unit.split = Split::kMiddle;
+  OpeningSpec door;
+  door.x = 0.9, door.y = 0, door.width = 0.6, door.height = 0.8;
+  a.opening = {door};
+  a.region.resize(2);
+  a.region[0].place.pier = 2;  // from 1.5 m to 3 m
+  a.region[0].material = "timber";
+  a.region[1].place.polygon = {{2.4, 0}, {3, 0}, {3, 1.2}, {2.4, 1.2}};
+  a.region[1].thickness = kThick;
+  const Built b = build(spec);
+  ASSERT_TRUE(b.faults.empty()) << told(b.faults);
+  EXPECT_NEAR(of_material(b, "timber").second, 0.9 * 1.2 * kThick, 1e-9);
+  EXPECT_NE(texts_of(b.notes).back().find("region 1 takes 48 blocks of region 0"),
+            std::string::npos);
+}
+
+TEST(Builder, faults_of_regions_are_told_with_their_place) {
+  const auto refusal = [](const std::function<void(PlanWallSpec&)>& change) {
+    BuilderSpec spec = plan({wall("a", {{0, 0}, {3, 0}})});
+    spec.plan_wall[0].region = {box_region(0.6, 0.2, 0.6, 0.5)};
+    spec.plan_wall[0].region[0].material = "timber";
+    change(spec.plan_wall[0]);
+    return told(build(spec).faults);
+  };
+  const auto expect = [](const std::string& text, const std::string& path,
+                         const std::string& what) {
+    EXPECT_NE(text.find(path), std::string::npos) << text;
+    EXPECT_NE(text.find(what), std::string::npos) << text;
+  };
+  EXPECT_EQ(refusal([](PlanWallSpec&) {}), "");
+  expect(refusal([](PlanWallSpec& w) { w.region[0].material = ""; }), "plan_wall.0.region.0",
+         "changes nothing");
+  expect(refusal([](PlanWallSpec& w) { w.region[0].material = "gold"; }),
+         "plan_wall.0.region.0.material", "material.gold");
+  expect(refusal([](PlanWallSpec& w) { w.region[0].place.x = 5; }), "plan_wall.0.region.0",
+         "holds no block");
+  expect(refusal([](PlanWallSpec& w) { w.region[0].place.pier = 1; }), "plan_wall.0.region.0",
+         "more than one place");
+  expect(refusal([](PlanWallSpec& w) { w.region[0].offset = 0.2; }), "plan_wall.0.region.0.offset",
+         "beside what lies above or below it");
+  expect(refusal([](PlanWallSpec& w) { w.wythes = 2, w.region[0].thickness = 0.1; }),
+         "plan_wall.0.region.0.thickness", "one wythe");
+  expect(refusal([](PlanWallSpec& w) {
+           w.line.push_back({3, 3});
+         }),
+         "plan_wall.0.region", "corners");
+}
+
+// --- ring beams ---
+
+TEST(Builder, a_ring_beam_is_one_course_of_segments_with_a_role) {
+  PlanWallSpec ring = wall("ring", {{0, 0}, {2.85, 0}, {2.85, 2.25}, {0, 2.25}, {0, 0}}, 0.25);
+  ring.base = 1.2, ring.ring_beam = true, ring.material = "timber";
+  ring.unit.height = kUnset;
+  const Built b = build(plan({ring}));
+  ASSERT_TRUE(b.faults.empty()) << told(b.faults);
+  EXPECT_NEAR(b.volume, 2 * (2.85 + 2.25) * kThick * 0.25, 1e-9);
+  std::set<std::string> ids;
+  for (const BuiltBody& built : b.body) {
+    EXPECT_EQ(built.body.role, "ring_beam");
+    EXPECT_NE(built.body.id.find(".beam.s"), std::string::npos) << built.body.id;
+    ids.insert(built.body.id);
+  }
+  EXPECT_EQ(ids.size(), b.body.size());
+  // a ring: as many sections as segments, each of the whole section
+  EXPECT_EQ(b.assembly.faces.size(), b.body.size());
+  EXPECT_NEAR(b.all, static_cast<double>(b.body.size()) * kThick * 0.25, 1e-9);
+  PlanWallSpec faulty = ring;
+  faulty.gable = 1, faulty.material = "", faulty.height = kUnset;
+  const std::string text = told(build(plan({faulty})).faults);
+  for (const char* key : {"plan_wall.0.gable", "plan_wall.0.material", "plan_wall.0.height"})
+    EXPECT_NE(text.find(key), std::string::npos) << text;
 }
 
 TEST(Builder, an_opening_in_a_meeting_is_refused) {

@@ -336,8 +336,8 @@ ModelSpec storeys_wall() {
   spec.storey[1].unit.density = 900;
   spec.storey[1].joints.head_joint = "weak";
   spec.region.resize(1);
-  spec.region[0].x = spec.region[0].y = 0;
-  spec.region[0].width = spec.region[0].height = 2 * unit;
+  spec.region[0].place.x = spec.region[0].place.y = 0;
+  spec.region[0].place.width = spec.region[0].place.height = 2 * unit;
   spec.region[0].joints.joint = "weak";
   spec.region[0].density = 2000;
   return spec;

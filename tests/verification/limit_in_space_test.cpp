@@ -8,6 +8,7 @@
 #include "record.h"
 #include "scenes/places.h"
 #include "scenes/scenes.h"
+#include "wythe/parts/builder.h"
 #include "wythe/parts/error.h"
 #include "wythe/parts/io.h"
 #include "wythe/parts/limit.h"
@@ -84,6 +85,29 @@ TEST(LimitInSpace, a_bonded_block_tears_at_its_bed) {
   verify({"LP-S3", "limit load of a bonded block that overturns", "-", expected, 1e-7,
           "interior point, 1e-9"},
          answer_of(spec, {.strength = JointStrength::kBonded}).load);
+}
+
+//      [   ]          a parapet of 0.2 m, its middle plane 0.1 m beside that of the wall: it falls about the edge of what
+//   [     ]           both share, at 0.15 m towards one side and at 0 m towards the other
+//   [     ]
+TEST(LimitInSpace, a_region_beside_the_walls_middle_plane_falls_about_the_edge_of_its_bed) {
+  PlanWallSpec wall;
+  wall.name = "a", wall.line = {{0, 0}, {1, 0}}, wall.height = 1.2, wall.thickness = 0.3;
+  wall.unit.length = 0.5, wall.unit.height = 0.1, wall.unit.split = Split::kNone;
+  PlanRegionSpec parapet;
+  parapet.place.x = 0, parapet.place.y = 0.6;
+  parapet.place.width = 1, parapet.place.height = 0.6;
+  parapet.thickness = 0.2, parapet.offset = 0.1;
+  wall.region = {parapet};
+  for (const auto& [way, arm] : {std::pair(1.0, 0.05), {-1.0, 0.1}}) {
+    ModelSpec spec = scenes::in_space({}, scenes::dry_joint(1e9, 4e8, std::atan(2.0)), kDensity);
+    spec.wall.blocks = "";
+    lay_bodies({.plan_wall = {wall}, .slab = {}, .arch = {}, .dome = {}}, spec);
+    spec.stage = {scenes::gravity_stage(), body_force({0, 0, way})};
+    verify({"LP-S7", "limit load of a thinner part beside the wall's middle plane", "-", arm / 0.3,
+            1e-7, "interior point, 1e-9"},
+           answer_of(spec).load);
+  }
 }
 
 TEST(LimitInSpace, walls_of_prisms_have_the_limit_loads_of_their_plane) {

@@ -17,6 +17,15 @@ enum class Meeting { kToothed, kButted };
 inline constexpr Word<Meeting> kMeetingWords[] = {{"toothed", Meeting::kToothed},
                                                   {"butted", Meeting::kButted}};
 
+// A part of a plan wall with another material or thickness.
+struct PlanRegionSpec {
+  std::string name;
+  RegionPlace place = {};     // without a storey; x counts as that of openings
+  std::string material;       // of its blocks; "": the wall's
+  double thickness = kUnset;  // [m]; unset: the wall's
+  double offset = 0;          // of its middle plane from the wall's, across the line [m]
+};
+
 // A wall along a line in plan. Values left unset are those of [wall].
 struct PlanWallSpec {
   std::string name;
@@ -36,7 +45,9 @@ struct PlanWallSpec {
   Meeting meets = Meeting::kToothed;
   std::string material;       // of its blocks, for [[contact]] and density; "": masonry
   std::string core_material;  // of the core of three wythes; "": material
+  bool ring_beam = false;     // one course of segments that bend as a chain (theory/ring_beams.md)
   std::vector<OpeningSpec> opening;
+  std::vector<PlanRegionSpec> region;
 };
 
 // An arch, or a barrel vault where `units` > 1: part of a circle between two springers.

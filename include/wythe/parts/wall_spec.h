@@ -153,14 +153,19 @@ struct StoreySpec {
   std::string fit = "";  // word of Fit; "": the wall's
 };
 
-// A part of the masonry with other materials: a storey, a pier, a box or a polygon.
-struct RegionSpec {
-  std::string name;
+// Where a region of a wall lies: a storey, a pier, a box or a polygon.
+struct RegionPlace {
   std::string storey;                          // its name
   int pier = 0;                                // of the storey, from the left, 1 is the first
   double x = kUnset, y = kUnset;               // lower left corner of a box [m]
   double width = kUnset, height = kUnset;      // [m]
   std::vector<std::array<double, 2>> polygon;  // [m]
+};
+
+// A part of the masonry with other materials.
+struct RegionSpec {
+  std::string name;
+  RegionPlace place = {};
   MasonryJoints joints = {};
   double density = kUnset;  // [kg/m^3]
   double thickness =

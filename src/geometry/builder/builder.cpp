@@ -8,6 +8,8 @@
 #include <iterator>
 #include <set>
 
+#include <fmt/format.h>
+
 #include "geometry/blocks_file.h"
 #include "geometry/bodies/polyhedron.h"
 #include "geometry/text.h"
@@ -32,6 +34,17 @@ void name_all(const std::vector<Table>& tables, const char* key, std::set<std::s
       add_fault(faults, path, "\"" + name + "\"", "another table has this name",
                 "give each its own: blocks are named after it");
   }
+}
+
+// Refuses two members of one name: --set and a study find a member by name, and would take the first.
+template <class Table>
+void refuse_same_names(const std::vector<Table>& tables, const std::string& path,
+                       FaultList& faults) {
+  std::set<std::string> seen;
+  for (std::size_t i = 0; i < tables.size(); ++i)
+    if (const std::string& name = tables[i].name; !name.empty() && !seen.insert(name).second)
+      add_fault(faults, fmt::format("{}.{}.name", path, i), "\"" + name + "\"",
+                "another table has this name", "give each its own");
 }
 
 }  // namespace
@@ -65,6 +78,12 @@ std::vector<BuiltBody> build_bodies(const Site& site, std::vector<Message>& note
     for (const auto& [key, name] :
          {std::pair(".material", wall.material), {".core_material", wall.core_material}})
       if (!name.empty()) (void)is_material(Shape(site.model), table + key, name, faults);
+    refuse_same_names(wall.opening, table + ".opening", faults);
+    refuse_same_names(wall.region, table + ".region", faults);
+    for (std::size_t k = 0; k < wall.region.size(); ++k)
+      if (!wall.region[k].material.empty())
+        (void)is_material(Shape(site.model), fmt::format("{}.region.{}.material", table, k),
+                          wall.region[k].material, faults);
     for (std::size_t k = 0; k < wall.opening.size(); ++k) {
       const OpeningSpec& opening = wall.opening[k];
       const std::string path = table + ".opening." + std::to_string(k) + ".cut";

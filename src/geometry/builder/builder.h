@@ -35,7 +35,8 @@ struct BuiltBody {
   BodySpec body;
   std::string wall;  // "front", or "front.2" of a line with corners
   int course = -1;
-  int wythe = 0;  // 1, 2, ...; 0: full thickness
+  int wythe = 0;            // 1, 2, ...; 0: full thickness
+  std::string region = {};  // for messages, where a region gives it a depth of its own
 };
 
 // Builds the bodies of all tables; faults stand at the keys of their table.

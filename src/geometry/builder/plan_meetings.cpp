@@ -54,6 +54,13 @@ WallSpec inherited(const Site& site, const PlanWallSpec& spec, const std::string
   take(spec.unit.mortar.bed, wall.unit.mortar.bed);
   take(spec.unit.mortar.head, wall.unit.mortar.head);
   wall.unit.split = spec.unit.split;
+  if (spec.ring_beam) {
+    wall.unit.height = wall.height;
+    wall.unit.mortar = {};
+    wall.unit.split = Split::kNone;
+    wall.bond = Bond::kStack;
+    wall.fit = Fit::kCut;
+  }
   return wall;
 }
 
@@ -85,10 +92,34 @@ bool check_sizes(const PlanWallSpec& spec, const WallSpec& wall, const std::stri
   return good;
 }
 
+// Refuses what a ring beam cannot have, because it is one course of whole segments.
+void check_ring_beam(const PlanWallSpec& spec, const std::string& path, FaultList& faults) {
+  if (!spec.ring_beam) return;
+  const auto refuse = [&](const char* key, bool stated) {
+    if (stated)
+      add_fault(faults, path + "." + key, "", "is of masonry, and this wall is a ring beam",
+                "leave it out");
+  };
+  if (std::isnan(spec.height))
+    add_fault(faults, path + ".height", "", "is missing: a ring beam has a height of its own",
+              "write e.g. height = \"250 mm\"");
+  if (spec.material.empty())
+    add_fault(faults, path + ".material", "", "is missing: a ring beam is of no masonry",
+              "name the [material.*] table with its density and moduli");
+  refuse("opening", !spec.opening.empty());
+  refuse("region", !spec.region.empty());
+  refuse("gable", spec.gable > 0);
+  refuse("wythes", spec.wythes > 1);
+  refuse("bond", !spec.bond.empty());
+  refuse("fit", !spec.fit.empty());
+  refuse("unit.height", !std::isnan(spec.unit.height));
+}
+
 // Adds one straight wall for each segment of a table's line.
 void add_sides(const Site& site, int index, std::vector<StraightWall>& walls, FaultList& faults) {
   const PlanWallSpec& spec = site.spec.plan_wall[index];
   const std::string path = "plan_wall." + std::to_string(index);
+  check_ring_beam(spec, path, faults);
   const WallSpec wall = inherited(site, spec, path, faults);
   const bool sized = check_sizes(spec, wall, path, faults);
   if (!std::isnan(spec.unit.density))
@@ -110,6 +141,9 @@ void add_sides(const Site& site, int index, std::vector<StraightWall>& walls, Fa
     add_fault(faults, path + ".opening", "",
               "the line has corners, so x along it is not one wall's",
               "make a [[plan_wall]] of each straight part, and give its openings to it");
+  if (spec.line.size() > 2 && !spec.region.empty())
+    add_fault(faults, path + ".region", "", "the line has corners, so x along it is not one wall's",
+              "make a [[plan_wall]] of each straight part, and give its regions to it");
   if (!(spec.base >= 0 && std::isfinite(spec.base)))
     return add_fault(faults, path + ".base", metres(spec.base),
                      "must be 0 or a height above the ground",
@@ -177,8 +211,11 @@ class Meetings {
   }
 
   bool is_toothed(const StraightWall& a, const StraightWall& b) const {
-    const auto& spec = spec_.plan_wall;
-    return spec[a.index].meets == Meeting::kToothed && spec[b.index].meets == Meeting::kToothed;
+    const auto has_teeth = [&](const StraightWall& wall) {
+      const PlanWallSpec& own = spec_.plan_wall[wall.index];
+      return own.meets == Meeting::kToothed && !own.ring_beam;
+    };
+    return has_teeth(a) && has_teeth(b);
   }
 
   // Whether the heights of two walls overlap: a wall above another meets it in no course.

@@ -1,6 +1,7 @@
 // Lays walls along plan lines: courses of the plane's builder, cut where walls meet, become solids.
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -18,6 +19,7 @@
 #include "geometry/wall/cut_out.h"
 #include "geometry/wall/frames.h"
 #include "geometry/wall/openings.h"
+#include "geometry/wall/regions.h"
 
 namespace wythe::geometry {
 namespace {
@@ -120,6 +122,7 @@ class WallBuilder {
       check_meetings(openings, found);
       lay(openings, said);
       check_slivers(blocks_, storeys_, found);
+      take_regions(openings, said, found);
     }
     for (const Message& note : said)
       notes.push_back(as_text("wall " + wall_.name + ": " + text_of(note)));
@@ -316,6 +319,128 @@ class WallBuilder {
                         {"shorter_mm", 1e3 * kSliver * storey().lattice.columns.step}}});
   }
 
+  // --- regions ---
+
+  [[nodiscard]] std::string region_path(int index, const char* key = "") const {
+    return fmt::format("{}.region.{}{}{}", wall_.path, index, *key != 0 ? "." : "", key);
+  }
+
+  [[nodiscard]] std::string region_called(int index) const {
+    return named_region(index).called() + " of the wall " + wall_.name;
+  }
+
+  [[nodiscard]] NamedRegion named_region(int index) const {
+    const PlanRegionSpec& region = spec_.region[index];
+    return {region.place, region_path(index), index, region.name, kUnset, false};
+  }
+
+  [[nodiscard]] bool has_own_depth(const Block& block) const {
+    if (block.region < 0 || spec_.wythes > 1) return false;
+    const PlanRegionSpec& region = spec_.region[block.region];
+    return !std::isnan(region.thickness) || region.offset != 0;
+  }
+
+  // Refuses a region that changes nothing, or has a depth of its own in a wall of several wythes.
+  void check_region(int index, FaultList& faults) const {
+    const PlanRegionSpec& region = spec_.region[index];
+    const bool is_thick = !std::isnan(region.thickness);
+    if (region.material.empty() && !is_thick && region.offset == 0)
+      add_fault(faults, region_path(index), "", named_region(index).called() + " changes nothing",
+                "write material, thickness or offset, or leave it out");
+    if (spec_.wythes > 1 && (is_thick || region.offset != 0))
+      add_fault(faults, region_path(index, is_thick ? "thickness" : "offset"), "",
+                "is for walls of one wythe, and this one has " + std::to_string(spec_.wythes),
+                "leave it out, or make a [[plan_wall]] of this part");
+    if (is_thick)
+      (void)is_positive({region_path(index, "thickness"), region.thickness, "m", "0.15 m"}, faults);
+  }
+
+  // A block belongs to the last region that holds its centroid.
+  void take_regions(const std::vector<PlacedOpening>& openings, std::vector<Message>& notes,
+                    FaultList& faults) {
+    std::vector<NamedRegion> regions;
+    for (int i = 0; i < static_cast<int>(spec_.region.size()); ++i) {
+      check_region(i, faults);
+      regions.push_back(named_region(i));
+    }
+    mark_regions(regions, {wall_.storeys, openings, length(), storeys_.back().top()}, blocks_,
+                 notes, faults);
+    if (!faults.empty()) return;
+    check_region_beds(faults);
+    check_region_meetings(faults);
+  }
+
+  // Refuses blocks that would stand beside those above or below them.
+  void check_region_beds(FaultList& faults) const {
+    std::set<int> told;
+    for (const Block& block : blocks_) {
+      if (!has_own_depth(block) || told.contains(block.region)) continue;
+      const Rect box = bounds(block.outline);
+      const std::vector<double> n = depths(block);
+      for (const Block& other : blocks_) {
+        const Rect there = bounds(other.outline);
+        const bool touches =
+            std::fabs(there.y1 - box.y0) < kMargin || std::fabs(there.y0 - box.y1) < kMargin;
+        if (!touches || there.x0 > box.x1 - kMargin || there.x1 < box.x0 + kMargin) continue;
+        const std::vector<double> m = depths(other);
+        if (std::min(n.back(), m.back()) - std::max(n.front(), m.front()) > kMargin) continue;
+        told.insert(block.region);
+        add_fault(
+            faults, region_path(block.region, "offset"), metres(spec_.region[block.region].offset),
+            "puts " + named_region(block.region).called() + " beside what lies above or below it",
+            "write a smaller distance, to either side");
+        break;
+      }
+    }
+  }
+
+  // Along this wall, where the other wall of a meeting touches it; of an end that stands against a face, only if that is oblique.
+  [[nodiscard]] std::vector<std::pair<Slot, const StraightWall*>> meetings() const {
+    std::vector<std::pair<Slot, const StraightWall*>> found;
+    for (int e = 0; e < 2; ++e) {
+      const WallEnd& end = wall_.end[e];
+      if (end.kind == EndKind::kFree) continue;
+      const StraightWall& other = walls_[end.other];
+      const bool is_oblique = end.face.x != 0 || end.face.y != 0;
+      const double deep = end.reach > 0 ? std::max(2 * end.reach, other.thickness)
+                          : is_oblique  ? wall_.thickness
+                                        : 0;
+      if (deep > 0)
+        found.push_back({e == 0 ? Slot{0, deep} : Slot{length() - deep, length()}, &other});
+    }
+    for (const Tee& tee : wall_.tees) {
+      const StraightWall& other = walls_[tee.other];
+      const double sine = std::fabs(cross(wall_.along, other.along));
+      const double x = tee.at - wall_.begin(), half = 0.5 * other.thickness / sine;
+      found.push_back({{x - half, x + half}, &other});
+    }
+    return found;
+  }
+
+  // Refuses a depth of its own where another wall is toothed in or stands against this one: their blocks are as deep as the wall.
+  void check_region_meetings(FaultList& faults) const {
+    std::set<int> told;
+    for (const auto& [slot, other] : meetings())
+      for (const Block& block : blocks_) {
+        const Rect box = bounds(block.outline);
+        if (!has_own_depth(block) || told.contains(block.region) || box.x1 < slot.x0 + kMargin ||
+            box.x0 > slot.x1 - kMargin ||
+            box.y0 > courses().line(std::min(courses().count, other->rows())) - kMargin)
+          continue;
+        told.insert(block.region);
+        add_fault(faults, region_path(block.region), "",
+                  named_region(block.region).called() + " has a depth of its own where the wall " +
+                      other->name + " meets this one, from " + metres(slot.x0) + " to " +
+                      metres(slot.x1),
+                  "end it beside that place");
+      }
+  }
+
+  [[nodiscard]] const std::string& material_of(const Block& block) const {
+    const bool own = block.region >= 0 && !spec_.region[block.region].material.empty();
+    return own ? spec_.region[block.region].material : spec_.material;
+  }
+
   // --- gable ---
 
   [[nodiscard]] Polygon below_gable() const {
@@ -381,8 +506,13 @@ class WallBuilder {
   }
 
   // Thicknesses of the wythes from one face to the other.
-  [[nodiscard]] std::vector<double> depths() const {
+  [[nodiscard]] std::vector<double> depths(const Block& block) const {
     const double half = wall_.thickness / 2;
+    if (has_own_depth(block)) {
+      const PlanRegionSpec& region = spec_.region[block.region];
+      const double own = std::isnan(region.thickness) ? half : region.thickness / 2;
+      return {region.offset - own, region.offset + own};
+    }
     if (spec_.wythes == 1) return {-half, half};
     if (spec_.wythes == 2) return {-half, 0, half};
     const double core = std::isnan(spec_.core) ? wall_.thickness / 3 : spec_.core;
@@ -421,6 +551,7 @@ class WallBuilder {
   }
 
   [[nodiscard]] std::string name_of(const Block& block) const {
+    if (spec_.ring_beam) return fmt::format("{}.beam.s{}", wall_.name, bodies_.size());
     // the bond counts courses from the phase on, ids count them from the ground
     const std::size_t end = block.id.find_first_not_of("0123456789", 1);
     if (block.id.empty() || block.id.front() != 'c') return wall_.name + "." + block.id;
@@ -454,23 +585,24 @@ class WallBuilder {
   }
 
   void add_solids(const Block& block) {
-    const std::vector<double> n = depths();
+    const std::vector<double> n = depths(block);
     const std::string id = name_of(block);
     const bool is_cut = block.cut_from >= 0;
     const std::string piece = is_cut ? fmt::format(".cut{}_{}", block.cut_from, cut_pieces_++) : "";
-    const int course = block.course - storey().first_course;
+    const int course = spec_.ring_beam ? -1 : block.course - storey().first_course;
     const auto add = [&](const std::string& wythe, const std::string& material, double n0,
                          double n1, int number) {
-      if (keep(id + wythe + piece, material, prism(block.outline, n0, n1), course, number) &&
-          is_cut)
-        bodies_.back().body.cut = cut_of(block.cut_from);
+      if (!keep(id + wythe + piece, material, prism(block.outline, n0, n1), course, number)) return;
+      if (is_cut) bodies_.back().body.cut = cut_of(block.cut_from);
+      if (spec_.ring_beam) bodies_.back().body.role = "ring_beam";
+      if (has_own_depth(block)) bodies_.back().region = region_called(block.region);
     };
     if (n.size() == 2 || is_through(block))
-      return add(n.size() > 2 ? ".t" : "", spec_.material, n.front(), n.back(), 0);
+      return add(n.size() > 2 ? ".t" : "", material_of(block), n.front(), n.back(), 0);
     for (std::size_t k = 0; k + 1 < n.size(); ++k) {
       const bool core = n.size() == 4 && k == 1 && !spec_.core_material.empty();
-      add(fmt::format(".w{}", k + 1), core ? spec_.core_material : spec_.material, n[k], n[k + 1],
-          static_cast<int>(k) + 1);
+      add(fmt::format(".w{}", k + 1), core ? spec_.core_material : material_of(block), n[k],
+          n[k + 1], static_cast<int>(k) + 1);
     }
   }
 
@@ -512,24 +644,28 @@ class WallBuilder {
       add(fmt::format("arch{}_{}", number, k), spec.arch.material, voussoir(opening.arch, k));
   }
 
-  // Adds fixed slabs, one course deep, below each part of the lowest course.
+  // Adds fixed slabs, one course deep and as deep as what stands on them, below each part of the lowest course.
   void add_ground() {
-    std::vector<Slot> slots;
+    struct Run {
+      double x0, x1, n0, n1;
+    };
+    std::vector<Run> slots, runs;
     for (const Block& block : blocks_) {
       const Rect box = bounds(block.outline);
-      if (box.y0 < kMargin) slots.push_back({box.x0, box.x1});
+      const std::vector<double> n = depths(block);
+      if (box.y0 < kMargin) slots.push_back({box.x0, box.x1, n.front(), n.back()});
     }
-    std::sort(slots.begin(), slots.end(), [](const Slot& a, const Slot& b) { return a.x0 < b.x0; });
-    std::vector<Slot> runs;
-    for (const Slot& slot : slots)
-      if (!runs.empty() && slot.x0 < runs.back().x1 + kMargin)
+    std::sort(slots.begin(), slots.end(), [](const Run& a, const Run& b) { return a.x0 < b.x0; });
+    for (const Run& slot : slots)
+      if (!runs.empty() && slot.x0 < runs.back().x1 + kMargin && slot.n0 == runs.back().n0 &&
+          slot.n1 == runs.back().n1)
         runs.back().x1 = std::max(runs.back().x1, slot.x1);
       else
         runs.push_back(slot);
     for (std::size_t k = 0; k < runs.size(); ++k) {
-      const Rect run{runs[k].x0, -courses().step, runs[k].x1, 0};
+      const Run& run = runs[k];
       if (keep(wall_.name + ".ground" + (k == 0 ? "" : std::to_string(k + 1)), spec_.material,
-               prism(outline_of(run), -wall_.thickness / 2, wall_.thickness / 2), -1))
+               prism(outline_of({run.x0, -courses().step, run.x1, 0}), run.n0, run.n1), -1))
         bodies_.back().body.fixed = true;
     }
   }

@@ -101,6 +101,8 @@ class SlabBuilder {
       }
       slab.solid.push_back(solid_between(low, high));
     }
+    check_regions(slab, bodies);
+    if (faults_.all().size() != before) return;
     cut_pockets(slab, bodies);
     BuiltBody own;
     own.body.id = spec_.name;
@@ -360,6 +362,29 @@ class SlabBuilder {
           std::fabs(bed - level) < std::fabs(best - level))
         best = bed;
     return best;
+  }
+
+  // Refuses a region of another depth where the slab lies on its wall: the bearing counts from the wall's faces.
+  void check_regions(const Placed& slab, const std::vector<BuiltBody>& bodies) {
+    for (const BuiltBody& body : bodies) {
+      const auto wall = std::find_if(slab.on.begin(), slab.on.end(),
+                                     [&](const StraightWall* on) { return on->name == body.wall; });
+      if (body.region.empty() || wall == slab.on.end()) continue;
+      const Box3 box = box_of(body.body);
+      if (box.high.y < slab.level - kSlabMargin ||
+          box.low.y > slab.level + spec_.thickness + kSlabMargin)
+        continue;
+      Convex corners;
+      for (const Vec3& p : body.body.part.front().vertex)
+        corners.push_back({p.x, site_.z_up() ? -p.z : p.z});
+      const Range own = range_along(corners, (*wall)->along);
+      for (const Convex& part : slab.parts)
+        if (const Range there = range_along(part, (*wall)->along);
+            own.low < there.high - kSlabMargin && own.high > there.low + kSlabMargin)
+          return refuse(spec_.walls.empty() ? "outline" : "walls", body.wall,
+                        "the slab lies there on " + body.region + ", which has a depth of its own",
+                        "end the region below the slab or above it, or beside it");
+    }
   }
 
   // --- pockets ---

@@ -15,34 +15,13 @@
 namespace wythe::geometry {
 namespace {
 
-// Data of the wall for its regions.
-struct RegionSite {
-  const std::vector<Storey>& storeys;
-  const std::vector<PlacedOpening>& openings;
-  const Assembly& assembly;
-  FaultList& faults;
-};
-
-// One region, for messages.
-struct NamedRegion {
-  const RegionSpec& spec;
-  int index;
-  [[nodiscard]] std::string path(const std::string& key = "") const {
-    const std::string table = "region." + std::to_string(index);
-    return key.empty() ? table : table + "." + key;
-  }
-  [[nodiscard]] std::string called() const {
-    return "region " + std::to_string(index) + (spec.name.empty() ? "" : " (" + spec.name + ")");
-  }
-};
-
-// The area of a region; a box where it has no polygon.
-struct Area {
+// The area of a region in the wall's elevation; a box where it has no polygon.
+struct RegionArea {
   Rect box;
   Polygon polygon;
 };
 
-bool has_box(const RegionSpec& r) {
+bool has_box(const RegionPlace& r) {
   return !(std::isnan(r.x) && std::isnan(r.y) && std::isnan(r.width) && std::isnan(r.height));
 }
 
@@ -54,85 +33,80 @@ bool changes_something(const RegionSpec& r) {
 
 // Whether the place is stated in exactly one way; a storey alone is one.
 bool has_one_place(const NamedRegion& region, FaultList& faults) {
-  const RegionSpec& r = region.spec;
+  const RegionPlace& r = region.place;
   const int ways = (r.pier > 0) + has_box(r) + !r.polygon.empty();
   if (ways == 1 || (ways == 0 && !r.storey.empty())) return true;
-  add_fault(faults, region.path(), "",
-            region.called() + (ways == 0 ? " has no place" : " has more than one place"),
-            "write storey = \"...\", with pier = 1 for a pier of it; or x, y, width and height; or "
-            "polygon = [[\"0 m\", \"0 m\"], ...]");
+  add_fault(
+      faults, region.at(), "",
+      region.called() + (ways == 0 ? " has no place" : " has more than one place"),
+      region.in_storeys
+          ? "write storey = \"...\", with pier = 1 for a pier of it; or x, y, width and height; or "
+            "polygon = [[\"0 m\", \"0 m\"], ...]"
+          : "write pier = 1; or x, y, width and height; or polygon = [[\"0 m\", \"0 m\"], ...]");
   return false;
 }
 
-std::optional<Area> pier_area(const NamedRegion& region, const Storey& storey,
-                              const RegionSite& site) {
+std::optional<RegionArea> pier_area(const NamedRegion& region, const Storey& storey,
+                                    const RegionSite& site, FaultList& faults) {
   std::vector<PlacedOpening> beside;
   for (const PlacedOpening& opening : site.openings)
     if (site.storeys[opening.storey].index == storey.index) beside.push_back(opening);
-  const std::vector<Pier> piers = find_piers(beside, site.assembly.length, storey.height);
-  const auto k = static_cast<std::size_t>(region.spec.pier) - 1;
-  if (k < piers.size()) return Area{{piers[k].x0, storey.foot, piers[k].x1, storey.top()}, {}};
+  const std::vector<Pier> piers = find_piers(beside, site.length, storey.height);
+  const auto k = static_cast<std::size_t>(region.place.pier) - 1;
+  const bool is_last = storey.index == site.storeys.back().index;  // a gable belongs to it
+  const double top = is_last ? std::max(storey.top(), site.height) : storey.top();
+  if (k < piers.size()) return RegionArea{{piers[k].x0, storey.foot, piers[k].x1, top}, {}};
   const std::string whose = storey.index < 0 ? "the wall" : storey.called();
-  add_fault(site.faults, region.path("pier"), std::to_string(region.spec.pier),
+  add_fault(faults, region.at("pier"), std::to_string(region.place.pier),
             whose + " has " + std::to_string(piers.size()) + " piers between its openings",
             "write pier = 1" + (piers.size() > 1 ? " to " + std::to_string(piers.size()) : ""));
   return std::nullopt;
 }
 
-std::optional<Area> box_area(const NamedRegion& region, double base, FaultList& faults) {
-  const RegionSpec& r = region.spec;
-  bool given = is_positive({region.path("width"), r.width, "m", "1.20 m"}, faults);
-  given &= is_positive({region.path("height"), r.height, "m", "0.60 m"}, faults);
+std::optional<RegionArea> box_area(const NamedRegion& region, double base, FaultList& faults) {
+  const RegionPlace& r = region.place;
+  bool given = is_positive({region.at("width"), r.width, "m", "1.20 m"}, faults);
+  given &= is_positive({region.at("height"), r.height, "m", "0.60 m"}, faults);
   for (const auto& [key, value] : {std::pair("x", r.x), {"y", r.y}})
     if (!std::isfinite(value)) {
-      add_fault(faults, region.path(key), "", "missing: a box needs x, y, width and height",
+      add_fault(faults, region.at(key), "", "missing: a box needs x, y, width and height",
                 std::string("write e.g. ") + key + " = \"1.20 m\"");
       given = false;
     }
   if (!given) return std::nullopt;
-  return Area{{r.x, r.y + base, r.x + r.width, r.y + base + r.height}, {}};
+  return RegionArea{{r.x, r.y + base, r.x + r.width, r.y + base + r.height}, {}};
 }
 
-std::optional<Area> polygon_area(const NamedRegion& region, double base, FaultList& faults) {
-  Area area;
-  for (const auto& [x, y] : region.spec.polygon) area.polygon.push_back({x, y + base});
+std::optional<RegionArea> polygon_area(const NamedRegion& region, double base, FaultList& faults) {
+  RegionArea area;
+  for (const auto& [x, y] : region.place.polygon) area.polygon.push_back({x, y + base});
   const std::string problem = outline_problem(area.polygon);
   if (problem.empty()) return area;
-  add_fault(faults, region.path("polygon"), std::to_string(area.polygon.size()) + " corners",
+  add_fault(faults, region.at("polygon"), std::to_string(area.polygon.size()) + " corners",
             region.called() + ": " + problem, "list its corners once around, the first not again");
   return std::nullopt;
 }
 
-std::optional<Area> area_of(const NamedRegion& region, const RegionSite& site) {
-  if (!changes_something(region.spec)) {
-    add_fault(site.faults, region.path(), "", region.called() + " changes nothing",
-              "write joint, head_joint, unit_joint, density or thickness, or leave it out");
-    return std::nullopt;
-  }
-  if (!std::isnan(region.spec.density) &&
-      !is_positive({region.path("density"), region.spec.density, "kg/m^3", "1900 kg/m^3"},
-                   site.faults))
-    return std::nullopt;
-  if (!std::isnan(region.spec.thickness) &&
-      !is_positive({region.path("thickness"), region.spec.thickness, "m", "0.15 m"}, site.faults))
-    return std::nullopt;
-  if (!has_one_place(region, site.faults)) return std::nullopt;
+std::optional<RegionArea> area_of(const NamedRegion& region, const RegionSite& site,
+                                  FaultList& faults) {
+  const RegionPlace& place = region.place;
+  if (!has_one_place(region, faults)) return std::nullopt;
   const Storey* storey = nullptr;
-  if (!region.spec.storey.empty()) {
-    storey = find_storey(site.storeys, region.spec.storey, region.path("storey"), site.faults);
+  if (!place.storey.empty()) {
+    storey = find_storey(site.storeys, place.storey, region.at("storey"), faults);
     if (storey == nullptr) return std::nullopt;
   }
   const double base = storey == nullptr ? 0 : storey->foot;
-  if (has_box(region.spec)) return box_area(region, base, site.faults);
-  if (!region.spec.polygon.empty()) return polygon_area(region, base, site.faults);
+  if (has_box(place)) return box_area(region, base, faults);
+  if (!place.polygon.empty()) return polygon_area(region, base, faults);
   if (storey == nullptr && site.storeys.front().index < 0) storey = &site.storeys.front();
   if (storey == nullptr) {
-    add_fault(site.faults, region.path("storey"), "", "missing: piers are counted in a storey",
+    add_fault(faults, region.at("storey"), "", "missing: piers are counted in a storey",
               "write storey = \"" + site.storeys.front().name + "\"");
     return std::nullopt;
   }
-  if (region.spec.pier > 0) return pier_area(region, *storey, site);
-  return Area{{0, storey->foot, site.assembly.length, storey->top()}, {}};
+  if (place.pier > 0) return pier_area(region, *storey, site, faults);
+  return RegionArea{{0, storey->foot, site.length, storey->top()}, {}};
 }
 
 bool on_edge(Vec2 p, Vec2 from, Vec2 to, double tolerance) {
@@ -155,37 +129,66 @@ bool holds(const Polygon& polygon, Vec2 p, double tolerance) {
   return inside;
 }
 
-bool holds(const Area& area, Vec2 p, double tolerance) {
+bool holds(const RegionArea& area, Vec2 p, double tolerance) {
   if (!area.polygon.empty()) return holds(area.polygon, p, tolerance);
   const Rect& box = area.box;
   return p.x >= box.x0 - tolerance && p.x <= box.x1 + tolerance && p.y >= box.y0 - tolerance &&
          p.y <= box.y1 + tolerance;
 }
 
-std::string name_of(const RegionSpec& region, int index) {
-  return region.name.empty() ? std::to_string(index) : region.name;
+// Gives the region its blocks, and counts them by the region that they had; false where there are none.
+bool take_blocks(const NamedRegion& region, const RegionArea& area, double tolerance,
+                 const std::vector<Vec2>& centre, std::vector<Block>& blocks,
+                 std::map<int, int>& taken) {
+  bool found = false;
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    if (blocks[b].role != Role::kMasonry || !holds(area, centre[b], tolerance)) continue;
+    found = true;
+    if (blocks[b].region >= 0) ++taken[blocks[b].region];
+    blocks[b].region = region.index;
+    if (!std::isnan(region.thickness)) blocks[b].thickness = region.thickness;
+  }
+  return found;
 }
 
-// Assigns blocks to the region; false where there are none.
-bool fill(const Shape& shape, int index, const Area& area, const std::vector<Vec2>& centre,
-          Assembly& assembly) {
-  const double tolerance = 1e-9 * std::max(assembly.length, assembly.height);
-  bool found = false;
-  std::map<int, int> taken;  // number of blocks by their previous region
-  for (std::size_t b = 0; b < centre.size(); ++b) {
-    Block& block = assembly.blocks[b];
-    if (block.role != Role::kMasonry || !holds(area, centre[b], tolerance)) continue;
-    found = true;
-    if (block.region >= 0) ++taken[block.region];
-    block.region = index;
-    const double thickness = shape.region[index].thickness;
-    if (!std::isnan(thickness)) block.thickness = thickness;
+}  // namespace
+
+void mark_regions(const std::vector<NamedRegion>& regions, const RegionSite& site,
+                  std::vector<Block>& blocks, std::vector<Message>& notes, FaultList& faults) {
+  std::vector<Vec2> centre;
+  if (!regions.empty())
+    for (const Block& block : blocks) centre.push_back(moments(block.outline).centroid);
+  const double tolerance = 1e-9 * std::max(site.length, site.height);
+  std::map<int, std::string> name;
+  for (const NamedRegion& region : regions) {
+    name[region.index] = region.name.empty() ? std::to_string(region.index) : region.name;
+    const std::optional<RegionArea> area = area_of(region, site, faults);
+    if (!area) continue;
+    std::map<int, int> taken;
+    if (!take_blocks(region, *area, tolerance, centre, blocks, taken))
+      add_fault(faults, region.at(), "",
+                region.called() + " holds no block: none has its centre there",
+                "move it into the wall, or make it as large as a block");
+    for (const auto& [other, count] : taken)
+      notes.push_back(
+          {"region.takes",
+           {{"region", name[region.index]}, {"blocks", count}, {"other", name[other]}}});
   }
-  const auto name = [&](int i) { return name_of(shape.region[i], i); };
-  for (const auto& [other, blocks] : taken)
-    assembly.report.notes.push_back(
-        {"region.takes", {{"region", name(index)}, {"blocks", blocks}, {"other", name(other)}}});
-  return found;
+}
+
+namespace {
+
+// Whether the region changes something, by numbers that can be.
+bool is_sound(const RegionSpec& spec, const NamedRegion& region, FaultList& faults) {
+  if (!changes_something(spec)) {
+    add_fault(faults, region.at(), "", region.called() + " changes nothing",
+              "write joint, head_joint, unit_joint, density or thickness, or leave it out");
+    return false;
+  }
+  return (std::isnan(spec.density) ||
+          is_positive({region.at("density"), spec.density, "kg/m^3", "1900 kg/m^3"}, faults)) &&
+         (std::isnan(spec.thickness) ||
+          is_positive({region.at("thickness"), spec.thickness, "m", "0.15 m"}, faults));
 }
 
 }  // namespace
@@ -193,18 +196,15 @@ bool fill(const Shape& shape, int index, const Area& area, const std::vector<Vec
 void assign_regions(const Shape& shape, const std::vector<Storey>& storeys,
                     const std::vector<PlacedOpening>& openings, Assembly& assembly,
                     FaultList& faults) {
-  const RegionSite site{storeys, openings, assembly, faults};
-  std::vector<Vec2> centre;
-  if (!shape.region.empty())
-    for (const Block& block : assembly.blocks) centre.push_back(moments(block.outline).centroid);
+  std::vector<NamedRegion> regions;
   for (std::size_t i = 0; i < shape.region.size(); ++i) {
-    const NamedRegion region{shape.region[i], static_cast<int>(i)};
-    const std::optional<Area> area = area_of(region, site);
-    if (!area || fill(shape, region.index, *area, centre, assembly)) continue;
-    add_fault(faults, region.path(), "",
-              region.called() + " holds no block: none has its centre there",
-              "move it into the wall, or make it as large as a block");
+    const RegionSpec& spec = shape.region[i];
+    const NamedRegion region{spec.place, "region." + std::to_string(i), static_cast<int>(i),
+                             spec.name, spec.thickness};
+    if (is_sound(spec, region, faults)) regions.push_back(region);
   }
+  mark_regions(regions, {storeys, openings, assembly.length, assembly.height}, assembly.blocks,
+               assembly.report.notes, faults);
 }
 
 }  // namespace wythe::geometry

@@ -218,15 +218,12 @@ void describe(Visitor& v, StoreySpec& s) {
   describe_joints(v, s.joints, "wall.joint", "wall.head_joint", "wall.unit_joint");
 }
 
+// Pier, box or polygon of a region.
 template <class Visitor>
-void describe(Visitor& v, RegionSpec& s) {
-  v.text("name", s.name, {.fallback = "none", .example = "repaired corner", .doc = "A name for messages and `--set`."});
-  v.text("storey", s.storey, {.fallback = "none", .example = "ground",
-         .doc = "Name of a storey: the whole of it where nothing else says where; else piers are counted in it and y "
-                "from its foot."});
+void describe_area(Visitor& v, RegionPlace& s) {
   v.integer("pier", s.pier, {.range = kFromZero, .fallback = "none", .example = "1",
-            .doc = "Which pier of the storey, from the left, the first is 1: the strip between two openings over the "
-                   "storey's whole height."});
+            .doc = "Which pier, counted from 1 at the left, or at the first point of a line in plan: the strip between two openings over the whole height "
+                   "of the storey or wall."});
   v.quantity("x", s.x, {.unit = "m", .shown = "m", .range = kCoordinate, .fallback = "none", .example = "1.20 m",
              .doc = "Left end of a box."});
   v.quantity("y", s.y, {.unit = "m", .shown = "m", .range = kCoordinate, .fallback = "none", .example = "0 m",
@@ -238,6 +235,15 @@ void describe(Visitor& v, RegionSpec& s) {
   v.points("polygon", s.polygon, {.unit = "m", .shown = "m", .range = kCoordinate, .fallback = "none",
            .example = "[[\"0 m\", \"0 m\"], [\"1 m\", \"0 m\"], [\"0 m\", \"2 m\"]]",
            .doc = "Or its corners (x, y), once around."});
+}
+
+template <class Visitor>
+void describe(Visitor& v, RegionSpec& s) {
+  v.text("name", s.name, {.fallback = "none", .example = "repaired corner", .doc = "A name for messages and `--set`."});
+  v.text("storey", s.place.storey, {.fallback = "none", .example = "ground",
+         .doc = "Name of a storey: the whole of it where nothing else says where; else piers are counted in it and y "
+                "from its foot."});
+  describe_area(v, s.place);
   describe_joints(v, s.joints, "as around it", "as around it, or joint", "as around it");
   v.quantity("density", s.density, {.unit = "kg/m^3", .shown = "kg/m^3", .range = kPositive,
              .fallback = "as around it", .example = "1900 kg/m^3", .doc = "Density of its masonry."});

@@ -11,6 +11,21 @@ namespace wythe::io {
 // clang-format off
 
 template <class Visitor>
+void describe(Visitor& v, PlanRegionSpec& s) {
+  v.text("name", s.name, {.fallback = "none", .example = "repaired corner", .doc = "A name for messages and `--set`."});
+  describe_area(v, s.place);
+  v.text("material", s.material, {.fallback = "the wall's", .example = "new_brick",
+         .doc = "Name of its blocks' material: a density, and what `[[contact]]` calls them, so that joints within the region have a material of "
+                "their own. The core of three wythes keeps its own."});
+  v.quantity("thickness", s.thickness, {.unit = "m", .shown = "m", .range = kLength, .fallback = "the wall's",
+             .example = "0.15 m",
+             .doc = "Thickness of its masonry: thinner under a window or in a niche, thicker in a pilaster. For walls of one wythe."});
+  v.quantity("offset", s.offset, {.unit = "m", .shown = "m", .range = kCoordinate, .example = "50 mm",
+             .doc = "Distance of its middle plane from the wall's. For a line along +x it counts towards +z, or +y where z points up, "
+                    "and it turns with the line."});
+}
+
+template <class Visitor>
 void describe(Visitor& v, PlanWallSpec& s) {
   v.text("name", s.name, {.fallback = kRequired, .example = "front",
          .doc = "Its blocks are called after it: front.c03u05a is course 3, unit 5, left half; front.lintel0; its support front.ground."});
@@ -47,10 +62,16 @@ void describe(Visitor& v, PlanWallSpec& s) {
                 "two walls."});
   v.text("core_material", s.core_material, {.fallback = "material", .example = "rubble",
          .doc = "The same of the core of three wythes."});
+  v.flag("ring_beam", s.ring_beam, {.example = "true",
+         .doc = "A beam in the place of masonry: one course of segments, each as long as a unit, that bend and turn as a chain. Its material "
+                "needs youngs_modulus and shear_modulus. Beams of one material that touch are cast together, round corners too."});
   v.list("opening", s.opening, {.optional = true,
          .doc = "As wall.opening; x counts from the wall's outer end at the first point of its line, corners included. "
                 "A lintel is a chain of segments that bends where its material has youngs_modulus and shear_modulus, else "
                 "one rigid block, or with model = zones one deformable block; a sill is rigid."});
+  v.list("region", s.region, {.optional = true,
+         .doc = "Parts of its masonry with another material or thickness. A block belongs to the last region that holds its "
+                "centre, edge included. x counts as for openings, y from the wall's foot."});
 }
 
 template <class Visitor, class Spec>

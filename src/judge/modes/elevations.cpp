@@ -87,28 +87,6 @@ std::vector<Group> groups_of(const Model& model) {
   return groups;
 }
 
-// Adds every block that lies within the thickness and length of the wall by more than a hundredth of the thickness.
-void take_teeth(const Model& model, const std::vector<BlockId>& own, Elevation& wall) {
-  constexpr double kTouch = 0.01;
-  const Range thickness = range_of(model, own, wall.across),
-              length = range_of(model, own, wall.along);
-  const double least = kTouch * (thickness.high - thickness.low);
-  const auto lies_in = [&](BlockId b) {
-    const std::array<BlockId, 1> one{b};
-    return range_of(model, one, wall.across).common(thickness) > least &&
-           range_of(model, one, wall.along).common(length) > least;
-  };
-  for (BlockId b = 0; b < model.n_block; ++b) {
-    const auto i = static_cast<std::size_t>(b);
-    if (wall.of[i] == 0 && model.anatomy.block_role[i] != BlockRole::kSlab && lies_in(b))
-      wall.of[i] = 1;
-  }
-  for (std::size_t k = 0; k < model.space.solids.bodies.size(); ++k) {
-    const BlockId body = model.n_block + model.space.n_support + static_cast<BlockId>(k);
-    if (lies_in(body)) wall.bodies.push_back(body);
-  }
-}
-
 // The space of a block in a wall.
 struct Taken {
   Range along, up, across;
@@ -120,6 +98,49 @@ struct Taken {
     return is_in(along, place.x) && is_in(up, place.y);
   }
 };
+
+// Adds every block that lies within the wall's length, and by more than a hundredth of the wall's thickness within its thickness
+// there: a region may be thicker or thinner than the rest.
+void take_teeth(const Model& model, const std::vector<BlockId>& own, Elevation& wall) {
+  constexpr double kTouch = 0.01;
+  const auto place_of = [&](BlockId b) {
+    const std::array<BlockId, 1> one{b};
+    return Taken{range_of(model, one, wall.along), range_of(model, one, Vec3{0, 1, 0}),
+                 range_of(model, one, wall.across)};
+  };
+  std::vector<Taken> places;
+  for (const BlockId b : own) places.push_back(place_of(b));
+  const Range thickness = range_of(model, own, wall.across),
+              length = range_of(model, own, wall.along);
+  const double least = kTouch * (thickness.high - thickness.low);
+  // The wall's thickness beside a block: of its blocks at that height, else of all along that length.
+  const auto thickness_at = [&](const Taken& block) {
+    Range beside, along;
+    const auto widen = [](Range& range, const Range& by) {
+      range = {std::fmin(range.low, by.low), std::fmax(range.high, by.high)};
+    };
+    for (const Taken& place : places) {
+      if (place.along.common(block.along) < 0) continue;
+      widen(along, place.across);
+      if (place.up.common(block.up) > 0) widen(beside, place.across);
+    }
+    return beside.low < beside.high ? beside : along.low < along.high ? along : thickness;
+  };
+  const auto lies_in = [&](BlockId b) {
+    const Taken block = place_of(b);
+    return block.across.common(thickness) > least && block.along.common(length) > least &&
+           block.across.common(thickness_at(block)) > least;
+  };
+  for (BlockId b = 0; b < model.n_block; ++b) {
+    const auto i = static_cast<std::size_t>(b);
+    if (wall.of[i] == 0 && model.anatomy.block_role[i] != BlockRole::kSlab && lies_in(b))
+      wall.of[i] = 1;
+  }
+  for (std::size_t k = 0; k < model.space.solids.bodies.size(); ++k) {
+    const BlockId body = model.n_block + model.space.n_support + static_cast<BlockId>(k);
+    if (lies_in(body)) wall.bodies.push_back(body);
+  }
+}
 
 Range common_of(const Range& a, const Range& b) {
   return {std::fmax(a.low, b.low), std::fmin(a.high, b.high)};
@@ -261,7 +282,8 @@ double inertia_of(const Model& model, const Elevation& seen, BlockId block) {
 
 bool makes_walls(const Model& model, BlockId block) {
   const BlockRole role = model.anatomy.block_role[block];
-  return role != BlockRole::kSlab && role != BlockRole::kFrame && role != BlockRole::kCutOut;
+  return role != BlockRole::kSlab && role != BlockRole::kFrame && role != BlockRole::kCutOut &&
+         role != BlockRole::kRingBeam;
 }
 
 std::string wall_of(const std::string& id) {

@@ -40,13 +40,15 @@ using geometry::SpaceAssembly;
 
 // Refuses parts that a wall in space cannot have yet, by name.
 void refuse_plane_parts(const ModelSpec& spec, FaultList& faults) {
-  const auto refuse = [&](const char* path, bool is_there) {
+  const auto refuse = [&](const char* path, bool is_there,
+                          const char* cure = "leave it out, or write it as blocks of the file") {
     if (is_there)
-      faults.add({"", path, "", "is for walls in their plane; this one is in space",
-                  "leave it out, or write it as blocks of the file", 0});
+      faults.add({"", path, "", "is for walls in their plane; this one is in space", cure, 0});
   };
-  refuse("region", !spec.region.empty());
-  refuse("ring_beam", !spec.ring_beam.empty());
+  refuse("region", !spec.region.empty(),
+         "write it in its wall as [[plan_wall.region]], or give blocks of a file another material");
+  refuse("ring_beam", !spec.ring_beam.empty(),
+         "write it as a [[plan_wall]] with ring_beam = true, or as blocks of the file");
   refuse("layer", !spec.layer.empty());
   refuse("wall.opening", !spec.wall.opening.empty());
   refuse("wall.beam", std::isfinite(spec.wall.beam.height));

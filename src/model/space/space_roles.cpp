@@ -82,10 +82,23 @@ std::optional<int> course_of(const std::string& id) {
   return std::nullopt;
 }
 
+namespace {
+
+// "ring.beam.s3", or "ring.2.beam.s3" of a line with corners: names from the builder.
+bool is_of_ring_beam(const std::string& id) {
+  const std::size_t segment = digits_before(id, id.size());
+  constexpr std::string_view kBeam = ".beam.s";
+  return segment < id.size() && segment >= kBeam.size() &&
+         id.compare(segment - kBeam.size(), kBeam.size(), kBeam) == 0;
+}
+
+}  // namespace
+
 std::string chain_of(const std::string& id) {
   const std::size_t segment = digits_before(id, id.size());
   if (segment == id.size() || segment < 2 || id.compare(segment - 2, 2, ".s") != 0) return "";
   const std::size_t end = segment - 2, number = digits_before(id, end);
+  if (is_of_ring_beam(id)) return id.substr(0, end);
   constexpr std::string_view kLintel = ".lintel";
   if (number == end || number < kLintel.size() ||
       id.compare(number - kLintel.size(), kLintel.size(), kLintel) != 0)
@@ -113,6 +126,7 @@ bool shares_bed(const Shape& shape, const BodySpec& a, const BodySpec& b, Vec3 n
 }
 
 bool is_chain(const BodySpec& a, const BodySpec& b) {
+  if (is_of_ring_beam(a.id) && is_of_ring_beam(b.id)) return a.material == b.material;
   const std::string chain = chain_of(a.id);
   return !chain.empty() && chain == chain_of(b.id);
 }

@@ -20,10 +20,11 @@ namespace wythe {
 // 3 for "front.c03u05", "vault.c03u05" and their pieces, by the builder's names; none for any other body.
 [[nodiscard]] std::optional<int> course_of(const std::string& id);
 
-// "front.lintel0" for its segments "front.lintel0.s3", by the builder's names; "" for any other body.
+// "front.lintel0" for its segments "front.lintel0.s3", "ring.beam" for "ring.beam.s3", by the builder's names; "" for any
+// other body.
 [[nodiscard]] std::string chain_of(const std::string& id);
 
-// Whether both are segments of one lintel that bends.
+// Whether both are segments of one lintel that bends, or of ring beams of one material, which are cast together.
 [[nodiscard]] bool is_chain(const BodySpec& a, const BodySpec& b);
 
 // Joint material between two bodies with the normal from a to b: by [[contact]], otherwise as in a plane wall

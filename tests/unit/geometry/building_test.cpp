@@ -56,7 +56,8 @@ ModelSpec bare_units(double length, double height) {
 
 RegionSpec box_region(double x, double y, double width, double height) {
   RegionSpec region;
-  region.x = x, region.y = y, region.width = width, region.height = height;
+  region.place.x = x, region.place.y = y;
+  region.place.width = width, region.place.height = height;
   region.joints.joint = "new";
   return region;
 }
@@ -468,7 +469,7 @@ TEST(Regions, the_one_listed_later_has_the_blocks_and_their_edge_is_of_the_earli
 TEST(Regions, of_a_polygon_hold_the_blocks_whose_centre_it_holds) {
   ModelSpec spec = building(0);
   RegionSpec region;
-  region.polygon = {{2, 0}, {2, 1}, {1, 0}};  // clockwise or not
+  region.place.polygon = {{2, 0}, {2, 1}, {1, 0}};  // clockwise or not
   region.density = 2500;
   spec.region = {region};
   const Assembly wall = build(spec);
@@ -511,9 +512,9 @@ TEST(Regions, of_a_storey_and_of_a_pier_of_it) {
   ModelSpec spec = building(2);
   spec.wall.opening = {hole("ground", 0.6, 0, 0.4, 0.4), hole("first", 1.2, 0.1, 0.2, 0.2)};
   RegionSpec storey, pier;
-  storey.storey = pier.storey = "first";
+  storey.place.storey = pier.place.storey = "first";
   storey.density = 2000;
-  pier.pier = 2;
+  pier.place.pier = 2;
   pier.density = 2500;
   spec.region = {storey, pier};
   const Assembly wall = build(spec);
@@ -521,7 +522,7 @@ TEST(Regions, of_a_storey_and_of_a_pier_of_it) {
     const Vec2 c = moments(block.outline).centroid;
     EXPECT_EQ(block.region, c.y < 0.5 ? -1 : c.x > 1.4 ? 1 : 0);
   }
-  spec.region[1].pier = 3;
+  spec.region[1].place.pier = 3;
   expect_says(refusal(spec), {"region.1.pier", "storey 1 (first) has 2 piers", "pier = 1 to 2"});
 }
 
@@ -533,24 +534,24 @@ TEST(Regions, faults_are_named_with_place_and_cure) {
     change(spec.region[0]);
     return refusal(spec);
   };
-  expect_says(said([](RegionSpec& r) { r.x = 5; }),
+  expect_says(said([](RegionSpec& r) { r.place.x = 5; }),
               {"region.0", "region 0 (patch) holds no block"});
   expect_says(said([](RegionSpec& r) { r.joints = {}; }), {"region.0", "changes nothing", "joint"});
-  expect_says(said([](RegionSpec& r) { r.pier = 1; }), {"region.0", "more than one place"});
-  expect_says(said([](RegionSpec& r) { r.x = kUnset; }), {"region.0.x", "missing"});
-  expect_says(said([](RegionSpec& r) { r.storey = "attic"; }),
+  expect_says(said([](RegionSpec& r) { r.place.pier = 1; }), {"region.0", "more than one place"});
+  expect_says(said([](RegionSpec& r) { r.place.x = kUnset; }), {"region.0.x", "missing"});
+  expect_says(said([](RegionSpec& r) { r.place.storey = "attic"; }),
               {"region.0.storey", "no such storey"});
   expect_says(said([](RegionSpec& r) { r.joints.joint = "nothing"; }), {"material.nothing"});
-  const auto without_box = [](RegionSpec& r) { r.x = r.y = r.width = r.height = kUnset; };
+  const auto without_box = [](RegionSpec& r) { r.place = {}; };
   expect_says(said(without_box), {"region.0", "has no place"});
   expect_says(said([&](RegionSpec& r) {
                 without_box(r);
-                r.pier = 1;
+                r.place.pier = 1;
               }),
               {"region.0.storey", "piers are counted in a storey", "storey = \"ground\""});
   expect_says(said([&](RegionSpec& r) {
                 without_box(r);
-                r.polygon = {{0, 0}, {1, 1}, {1, 0}, {0, 1.5}};
+                r.place.polygon = {{0, 0}, {1, 1}, {1, 0}, {0, 1.5}};
               }),
               {"region.0.polygon", "crosses or touches itself"});
 }
@@ -564,7 +565,7 @@ TEST(Regions, and_storeys_of_a_blocks_file_go_by_the_centre) {
   spec.storey[0].name = "a", spec.storey[0].height = 0.22;
   spec.storey[1].name = "b", spec.storey[1].height = 0.22, spec.storey[1].thickness = 0.2;
   spec.region.resize(1);
-  spec.region[0].storey = "b";
+  spec.region[0].place.storey = "b";
   spec.region[0].joints.joint = "weak";
   const Assembly wall = build(spec);
   for (const Block& block : wall.blocks) {

@@ -188,8 +188,8 @@ TEST(HeadJoints, of_a_region_follow_its_beds) {
   spec.material["new"] = bed(0.5);
   spec.material["new"].tensile_strength = 0.2e6;
   RegionSpec region;
-  region.x = region.y = 0;
-  region.width = region.height = 0.4;
+  region.place.x = region.place.y = 0;
+  region.place.width = region.place.height = 0.4;
   region.joints.joint = "new";
   spec.region = {region};
   EXPECT_EQ(strengths(compile(spec), JointKind::kHead), (Values{0.25 * 0.15, 0.1}));
