@@ -96,6 +96,9 @@ std::optional<Split> split_quantity(std::string_view text) {
   if (rest.starts_with('+') && !rest.starts_with("+-")) rest.remove_prefix(1);
   const auto found = leading_number(rest);
   if (!found) return std::nullopt;
+  // "infinite" is a word, not inf and a unit "inite"
+  const bool is_word = !std::isfinite(found->value) && !found->rest.empty();
+  if (is_word && is_ascii_letter(found->rest[0])) return std::nullopt;
   return Split{found->value, std::string(trimmed(found->rest))};
 }
 
@@ -223,12 +226,14 @@ double parse_quantity(std::string_view text, std::string_view si_unit) {
   if (!split)
     throw QuantityError(fmt::format("'{}' is not a number with a unit", text),
                         fmt::format("write e.g. \"1 {}\"", si_unit));
+  if (!std::isfinite(split->number))
+    throw QuantityError("is not a finite number", fmt::format("write e.g. \"1 {}\"", si_unit));
   if (split->unit.empty())
     throw QuantityError("has no unit", fmt::format("write it with its unit, e.g. \"{} {}\"",
                                                    trimmed(text), si_unit));
   refuse_second_number(text, split->unit);
   const double value = scaled(split->number, checked_factor(split->unit, si_unit));
-  if (!std::isfinite(split->number) || !std::isfinite(value))
+  if (!std::isfinite(value))
     throw QuantityError("is not a finite number", fmt::format("write e.g. \"1 {}\"", si_unit));
   return value;
 }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/files.h"
+#include "core/number.h"
 #include "core/shape.h"
 #include "core/text.h"
 #include "io/text/magnitude.h"
@@ -24,6 +25,19 @@ namespace {
 std::string cure_by_example(const char* name, const Key& key, ValueKind kind) {
   const std::string example = example_text(name, key, kind);
   return example.empty() ? "" : "write e.g. " + example;
+}
+
+// What to write for a text where a number is asked for: its own number, if that is one of the key's; else the example.
+// A share in % is meant as a share of 1, and "0.15 g" as the multiple of gravity that the keys of loads ask for.
+std::string cure_of_text(const toml::node& node, const char* name, const Key& key, bool is_whole) {
+  const auto* text = node.as_string();
+  const auto found = text ? leading_number(trimmed(text->get())) : std::nullopt;
+  const std::string_view unit = found ? trimmed(found->rest) : "?";
+  const double value = found ? (unit == "%" ? found->value / 100 : found->value) : kUnset;
+  const bool is_meant = (unit.empty() || unit == "%" || unit == "g") && std::isfinite(value) &&
+                        key.range.holds(value) && (!is_whole || value == std::round(value));
+  return is_meant ? fmt::format("write {} = {}", name, value)
+                  : cure_by_example(name, key, ValueKind::kBare);
 }
 
 std::string range_problem(const Key& key) {
@@ -176,6 +190,8 @@ std::optional<double> TableReader::read_quantity(const toml::node& node, const s
     const bool bare = error.problem() == "has no unit";
     if (error.problem() == "has a decimal comma")
       return refuse_value(error.problem(), error.cure());
+    if (key.may_be_unlimited && trimmed(text->get()).starts_with("inf"))
+      return refuse_value(error.problem(), fmt::format("write {} = \"unlimited\"", name));
     if (const std::string cure = bare ? "" : load_by_area(text->get(), name, key); !cure.empty())
       return refuse_value("is a load by area, where one along the wall is asked for", cure);
     if (const std::string cure = bare ? "" : weight_and_mass(text->get(), name, key); !cure.empty())
@@ -262,7 +278,7 @@ void TableReader::number(const char* name, double& value, const Key& key) {
   const auto read = node->is_number() ? node->value<double>() : std::nullopt;
   const std::string cure = cure_by_example(name, key, ValueKind::kBare);
   if (!read) {
-    refuse(name, "must be a number without quotes", cure);
+    refuse(name, "must be a number without quotes", cure_of_text(*node, name, key, false));
   } else if (!std::isfinite(*read)) {
     refuse(name, "is not a finite number", cure);
   } else if (!key.range.holds(*read)) {
@@ -282,7 +298,7 @@ void TableReader::integer(const char* name, int& value, const Key& key) {
   Range range = key.range;
   range.high = std::min(range.high, static_cast<double>(std::numeric_limits<int>::max()));
   if (!read) {
-    refuse(name, "must be a whole number without quotes", cure);
+    refuse(name, "must be a whole number without quotes", cure_of_text(*node, name, key, true));
   } else if (!range.holds(static_cast<double>(read->get()))) {
     refuse(name, range_problem(key), cure);
   } else {

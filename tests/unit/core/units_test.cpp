@@ -92,6 +92,17 @@ TEST(QuantityRefused, numbers_that_are_none) {
     EXPECT_NE(refusal(text, "Pa"), "") << text;
 }
 
+// A word is no number followed by a unit: "infinite" is not inf times inite.
+TEST(QuantityRefused, words_that_begin_like_a_number) {
+  for (const char* word : {"infinite", "inflation", "nano", "nanometre", "Infinitely"})
+    EXPECT_NE(refusal(word, "Pa").find(std::string("'") + word + "' is not a number with a unit"),
+              std::string::npos)
+        << refusal(word, "Pa");
+  for (const char* number : {"inf", "infinity", "nan", "inf Pa"})
+    EXPECT_NE(refusal(number, "Pa").find("is not a finite number"), std::string::npos)
+        << refusal(number, "Pa");
+}
+
 TEST(QuantityRefused, decimal_comma_and_grouped_digits) {
   EXPECT_NE(refusal("0,15 MPa", "Pa").find("decimal comma"), std::string::npos);
   EXPECT_NE(refusal("1 200 mm", "m").find("more than one number"), std::string::npos);

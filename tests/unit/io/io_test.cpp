@@ -66,6 +66,12 @@ TEST(Model, compressive_strength_may_be_unlimited) {
   }
 }
 
+TEST(ModelRefused, infinite_is_unlimited_in_other_words) {
+  EXPECT_EQ(fault_of("\"3.96 MPa\"", "\"infinite\""),
+            "model.toml:27: material.joint.compressive_strength = infinite: 'infinite' is not a "
+            "number with a unit; write compressive_strength = \"unlimited\"");
+}
+
 TEST(Model, missing_file_is_an_input_error_that_names_it) {
   try {
     (void)read_model("/nowhere/model.toml");
@@ -149,6 +155,22 @@ TEST(ModelRefused, fraction_for_a_whole_number) {
   EXPECT_EQ(fault_of("courses = 3", "courses = 3.5"),
             "model.toml:38: stage.2.at.courses = 3.5: must be a whole number without quotes; write "
             "e.g. courses = 3");
+}
+
+// The cure repeats the number that the text holds, if it is one of the key's.
+TEST(ModelRefused, number_with_a_unit_or_in_quotes) {
+  const auto fault = [](const std::string& value) {
+    return joined(faults_of(kModel + "[solve]\ndamping = \"" + value + "\"\n"), "\n");
+  };
+  const std::string place = "model.toml:43: solve.damping = ",
+                    problem = ": must be a number without quotes; ";
+  for (const char* value : {"0.15 g", "0.15", "15 %"})
+    EXPECT_EQ(fault(value), place + value + problem + "write damping = 0.15");
+  for (const char* value : {"15 g", "0.15 m", "much"})  // out of range, of another kind, none
+    EXPECT_EQ(fault(value), place + value + problem + "write e.g. damping = 0.8");
+  EXPECT_EQ(fault_of("courses = 3", "courses = \"4\""),
+            "model.toml:38: stage.2.at.courses = 4: must be a whole number without quotes; write "
+            "courses = 4");
 }
 
 TEST(ModelRefused, text_for_a_flag) {
