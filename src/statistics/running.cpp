@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/to_int.h"
 #include "statistics/intervals.h"
 #include "statistics/statistics_parts.h"
 
@@ -46,8 +47,7 @@ Precision precision_of(const std::string& what, double target, const std::vector
   }
   if (n > 0) out.now = widths.back();
   if (out.held_from == 0 && std::isfinite(out.now))
-    out.expected =
-        std::max(kFewestSamples, static_cast<int>(std::ceil(n * std::pow(out.now / target, 2))));
+    out.expected = std::max(kFewestSamples, to_int(std::ceil(n * std::pow(out.now / target, 2))));
   return out;
 }
 

@@ -411,6 +411,7 @@ std::optional<FrameSections> sections_of(const FrameSpec& frame, std::size_t ind
   const auto column = one_section(frame.profile, frame.section, frame.count, index, "", faults);
   const int beams = frame.beam_count > 0 ? frame.beam_count : frame.count;
   const bool own = !frame.beam_profile.empty() || is_stated(frame.beam_section);
+  if (!own && !column) return std::nullopt;  // its faults are told, and a beam has the same section
   const auto beam =
       own ? one_section(frame.beam_profile, frame.beam_section, beams, index, "beam_", faults)
           : one_section(frame.profile, frame.section, beams, index, "", faults);

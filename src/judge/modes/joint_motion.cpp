@@ -224,7 +224,8 @@ std::vector<LineSum> scan(const std::vector<JointMotion>& joints, const Box& box
   const bool level = lines == Lines::kLevel;
   const double start = level ? box.y0 : box.x0, length = level ? box.height() : box.width();
   constexpr double kTouch = 1e-6;  // [m]
-  const int n = 4 * std::max(1, static_cast<int>(std::lround(length / pitch)));
+  constexpr long kMost = 100'000;  // pitches: far more than the raster of a wall has cells
+  const int n = 4 * static_cast<int>(std::clamp(std::lround(length / pitch), 1L, kMost));
   const double step = length / n;
   std::vector<LineSum> sums(static_cast<std::size_t>(n));
   for (int i = 0; i < n; ++i) sums[i].at = start + (i + 0.5) * step;

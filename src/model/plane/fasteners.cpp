@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/elementary.h"
+#include "core/to_int.h"
 
 namespace wythe {
 namespace {
@@ -42,7 +43,7 @@ class FastenerCompiler {
     const FramePart& part = f_.placed.parts[k];
     const bool upright = std::fabs(part.way.y) > std::fabs(part.way.x);
     const double half = (upright ? f_.sections.column : f_.sections.beam).height / 2;
-    const int count = std::max(1, static_cast<int>(std::floor(part.length / spacing + 1e-9)));
+    const int count = std::max(1, to_int(std::floor(part.length / spacing + 1e-9)));
     std::vector<Footing> found;
     for (int i = 0; i < count; ++i) {
       const double s = 0.5 * part.length + (i - 0.5 * (count - 1)) * spacing;
@@ -59,6 +60,19 @@ class FastenerCompiler {
       }
     }
     return found;
+  }
+
+  // Whether the parts of the frame have room for links so close. A fault where they would have more than any frame:
+  // probably a spacing in metres that was meant in another unit.
+  [[nodiscard]] bool have_room(const std::string& key, double spacing) {
+    constexpr double kMost = 1000;  // a frame of 100 m with anchors each 100 mm
+    double length = 0;
+    for (const FramePart& part : f_.placed.parts) length += part.length;
+    if (length / spacing <= kMost) return true;
+    fault(key, fmt::format("{:g} mm", 1e3 * spacing),
+          fmt::format("makes more than {:g} places along {:.4g} m of frame", kMost, length),
+          fmt::format("write {:.4g} mm or more", std::ceil(1e3 * length / kMost)));
+    return false;
   }
 
   // Adds a link between the face of the segment and a place in the unit.
@@ -87,6 +101,7 @@ class FastenerCompiler {
     if (f_.frame.gap > 0)
       return fault("anchors", "", "bridge a gap, in which they would bend",
                    "leave the gap out, or the anchors");
+    if (!have_room("anchors.spacing", a.spacing)) return;
     int count = 0;
     for (std::size_t k = 0; k < f_.placed.parts.size(); ++k)
       for (const Footing& at : footings(k, a.spacing, a.depth)) {
@@ -113,6 +128,7 @@ class FastenerCompiler {
   void add_wedges() {
     const WedgeSpec& w = f_.frame.wedges;
     if (!is_given("wedges", {{"force", w.force}, {"spacing", w.spacing}})) return;
+    if (!have_room("wedges.spacing", w.spacing)) return;
     std::vector<Footing> above;
     for (std::size_t k = 0; k < f_.placed.parts.size(); ++k)
       for (const Footing& at : footings(k, w.spacing, kOnFace))

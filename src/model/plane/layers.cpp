@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/elementary.h"
+#include "core/to_int.h"
 #include "model/parts.h"
 
 namespace wythe {
@@ -20,6 +21,7 @@ using geometry::Assembly;
 constexpr double kClose = 2e-3;          // largest distance between pieces of a strand [m]
 constexpr double kShortestPiece = 1e-3;  // of a piece [m]
 constexpr int kMostNodes = 4;            // for each piece
+constexpr int kMostLines = 10'000;       // of a layer in one direction: courses of 10 mm over 100 m
 constexpr double kWidest = 2;            // distance of nodes over decay length of the bond (22.4)
 
 // Extent of a layer or block: from..to along a strand, or across it.
@@ -185,7 +187,15 @@ class LayerCompiler {
       detaches_ =
           std::min(detaches_, std::sqrt(2 * fibres.stiffness * layer.sides * layer.bond.energy));
       breaks_ = std::min(breaks_, fibres.strength);
-      for (const Line& line : lines(upright ? x : y, upright))
+      const std::vector<Line> all = lines(upright ? x : y, upright);
+      if (all.size() > kMostLines)
+        return fault(upright ? ".width" : ".height",
+                     fmt::format("{:.4g} m", (upright ? x : y).length()),
+                     fmt::format("holds more than {} lines of fibres: its blocks are too small, or "
+                                 "differ too much in size",
+                                 kMostLines),
+                     "let it cover the larger blocks alone, or make a layer for each size");
+      for (const Line& line : all)
         if (!lay(layer, fibres, line, upright ? y : x)) return;
     }
     if (model_.layers.cross_a.size() == crossed)
@@ -221,7 +231,8 @@ class LayerCompiler {
     for (std::size_t k = 1; k < cuts.size(); ++k) {
       const double broad = cuts[k] - cuts[k - 1];
       const int least = cuts.size() == 2 ? 2 : 1;
-      const int n = std::max(least, static_cast<int>(std::ceil(broad / (kBroad * block))));
+      const int wanted = std::min(to_int(std::ceil(broad / (kBroad * block))), kMostLines + 1);
+      const int n = std::max(least, wanted);
       for (int i = 0; i < n; ++i) lines.push_back({cuts[k - 1] + (i + 0.5) * broad / n, broad / n});
     }
     return lines;

@@ -343,6 +343,28 @@ name = "gravity"
 
 // --- what is refused -------------------------------------------------------------------------------------
 
+TEST(Frames, a_profile_of_columns_and_beams_is_refused_once) {
+  for (const char* profile : {"HEB 210", ""}) {
+    ModelSpec spec = wall();
+    spec.frame[0].profile = profile;
+    const std::string text = refusal(spec);
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
+  }
+}
+
+TEST(Frames, links_closer_than_any_frame_has_them_are_refused) {
+  const auto anchored = [](double spacing) {
+    return [=](ModelSpec& s) {
+      s.frame[0].anchors = {
+          .spacing = spacing, .depth = 0.1, .tension = 8e3, .shear = 10e3, .slip = 1e-3};
+    };
+  };
+  expect_refused(anchored(1e-12),
+                 {"frame.0.anchors.spacing 1e-09 mm", "makes more than 1000 places", "mm or more"});
+  expect_refused([](ModelSpec& s) { s.frame[0].wedges = {.force = 1e3, .spacing = 1e-12}; },
+                 {"frame.0.wedges.spacing", "makes more than 1000 places"});
+}
+
 TEST(Frames, bad_input_is_named_located_and_cured) {
   expect_refused([](ModelSpec& s) { s.frame[0].profile = "HEB 210"; },
                  {"frame.0.profile", "not in the table of profiles", "HEB 2"});
