@@ -41,7 +41,7 @@ StudySpec asked_walls(const AssessArguments& a) {
   if (!a.seed.empty())
     asked.seed = whole_number("--seed", a.seed, 0, 2'147'483'647, "write e.g. --seed 1");
   if (!a.between.empty())
-    asked.between = number_between("--between", a.between, 0, "above 0 and up to 1");
+    asked.between = number_between("--between", a.between, 0, "more than 0 and up to 1");
   StudySpec study = assess_study(asked);
   const std::string base = a.out + "/" + kBaseFolder;
   if (!a.resume || !holds_campaign(base)) return study;
@@ -174,7 +174,7 @@ int assess(const AssessArguments& asked) {
   options.provenance = provenance_text();
   double width = kUnset;
   if (!a.until.empty())
-    width = number_between("--until", a.until, kNarrowest, "above 0.05 and up to 1");
+    width = number_between("--until", a.until, kNarrowest, "more than 0.05 and up to 1");
   const int most = std::isnan(width) ? 0 : most_walls(width);
   StudySpec study = asked_walls(a);
   hold_for_test("model read");

@@ -120,7 +120,7 @@ class Checker {
             fmt::format("add {} = {}", key, cure));
     } else if (strict ? value <= low : value < low) {
       fault(key, fmt::format("{:g}", value),
-            fmt::format("must be {} {:g}", strict ? "above" : "at least", low),
+            fmt::format("must be {} {:g}", strict ? "more than" : "at least", low),
             fmt::format("write e.g. {} = {}", key, cure));
     }
   }
@@ -144,7 +144,7 @@ class Checker {
 
   void check_angle(const char* key, double angle) {
     if (angle >= std::numbers::pi / 2)
-      fault(key, degrees(angle), "must be below 90 deg",
+      fault(key, degrees(angle), "must be less than 90 deg",
             fmt::format("write e.g. {} = \"30 deg\"", key));
   }
 
@@ -222,7 +222,7 @@ class Checker {
   void check_cap() {
     const auto positive = [&](const char* key, double value, const char* cure) {
       if (!std::isnan(value) && !(value > 0 && std::isfinite(value)))
-        fault(key, fmt::format("{:g}", value), "must be above 0", cure);
+        fault(key, fmt::format("{:g}", value), "must be more than 0", cure);
     };
     positive("compression_cap", m_.compression_cap,
              "write e.g. compression_cap = 9, or leave it out for no cap");

@@ -82,7 +82,7 @@ void check_settings(const ModelSpec& spec, FaultList& faults) {
   };
   check_points(solve, faults);
   if (!(solve.step_fraction > 0 && solve.step_fraction <= 1))
-    fault("solve.step_fraction", solve.step_fraction, "must be above 0 and at most 1",
+    fault("solve.step_fraction", solve.step_fraction, "must be more than 0 and up to 1",
           "write step_fraction = 0.95");
   if (!(solve.gravity >= 0))
     fault("solve.gravity", solve.gravity, "must not be negative", "write gravity = \"9.81 m/s^2\"");

@@ -44,7 +44,7 @@ class Checker {
       fault(key, "", "is missing; a block of zones needs it",
             fmt::format("add e.g. {} = {}", key, example));
     else if (!(value > 0 && std::isfinite(value)))
-      fault(key, fmt::format("{:g}", value), "must be above 0",
+      fault(key, fmt::format("{:g}", value), "must be more than 0",
             fmt::format("write e.g. {} = {}", key, example));
   }
 

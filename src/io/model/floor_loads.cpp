@@ -74,7 +74,7 @@ class Floor {
     if (fits) return value;
     fault(part.key,
           !*part.unit                          ? "must be a number from 0 to 1, without quotes"
-          : std::string_view(part.unit) == "m" ? "must be a length above 0 m"
+          : std::string_view(part.unit) == "m" ? "must be a length of more than 0 m"
                                                : "must be a load an area, at least 0 kN/m^2",
           fmt::format("write e.g. {} = {}", part.key, example));
     return kUnset;

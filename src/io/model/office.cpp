@@ -193,7 +193,7 @@ class Reader {
                     "write one of: " + joined(methods, ", "));
     const double mean = quantity(test["mean"].value<std::string>(), kUnset);
     if (!(mean > 0))
-      return refuse("mean", "must be a stress above 0, the mean of the tests",
+      return refuse("mean", "must be a stress of more than 0, the mean of the tests",
                     "write e.g. mean = \"3 MPa\"");
     const auto count = test["number"].value_exact<std::int64_t>();
     if (!count || *count < 1 || *count > 1000)
@@ -201,7 +201,7 @@ class Reader {
                     "write e.g. number = 3");
     const auto own = test["kappa"].value<double>();
     if (test.contains("kappa") && !(own && *own > 0 && std::isfinite(*own)))
-      return refuse("kappa", "must be a number above 0",
+      return refuse("kappa", "must be a number more than 0",
                     fmt::format("leave it out: Table C8.5.III has {:.4g}", *kappa));
     out_.tests[key] = {method, mean / unit_factor(datum->unit, "Pa"), static_cast<int>(*count),
                        own.value_or(*kappa)};

@@ -115,7 +115,7 @@ class LayerCompiler {
     const auto need = [&](const std::string& key, double value, const char* unit, double shown,
                           const char* example) {
       if (!(value > 0 && std::isfinite(value)))
-        fault(key, number(value, unit, shown), "must be a number above 0",
+        fault(key, number(value, unit, shown), "must be more than 0",
               fmt::format("write {}", example));
     };
     need(".fibres.youngs_modulus", f.youngs_modulus, "GPa", 1e-9, "youngs_modulus = \"72 GPa\"");

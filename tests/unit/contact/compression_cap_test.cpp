@@ -220,7 +220,7 @@ TEST(CompressionCap, what_makes_no_sense_is_refused_with_its_numbers) {
   EXPECT_TRUE(check_joint_material(scenes::capped_joint()).empty());
   JointMaterial m = scenes::capped_joint();
   m.compression_cap = 0;
-  expect_fault(m, "compression_cap", "must be above 0");
+  expect_fault(m, "compression_cap", "must be more than 0");
   m.compression_cap = 1000;  // 3.96/sqrt(1000) = 0.125 MPa, below the cohesion of 0.15
   expect_fault(m, "compression_cap", "cap and friction never meet");
   m = scenes::capped_joint();

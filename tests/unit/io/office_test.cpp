@@ -325,8 +325,8 @@ TEST(Office, tests_are_refused_by_their_place) {
   };
   EXPECT_TRUE(
       says(spoilt("masonry_strength", "friction_tan"), "must be a value that tests update"));
-  EXPECT_TRUE(says(spoilt("3 MPa", "3"), "must be a stress above 0"));
-  EXPECT_TRUE(says(spoilt("3 MPa", "-3 MPa"), "must be a stress above 0"));
+  EXPECT_TRUE(says(spoilt("3 MPa", "3"), "must be a stress of more than 0"));
+  EXPECT_TRUE(says(spoilt("3 MPa", "-3 MPa"), "must be a stress of more than 0"));
   EXPECT_TRUE(says(spoilt("number = 2", "number = 0"), "whole number of tests"));
   EXPECT_TRUE(says(spoilt("number = 2", "number = 2.5"), "whole number of tests"));
   EXPECT_TRUE(says(spoilt("\"compression\"", "\"triplet\""), "compression, double_flat_jack"));
@@ -371,7 +371,7 @@ TEST(Office, a_floor_is_refused_key_by_key) {
   EXPECT_TRUE(says(spoilt("0.3", "\"0.3\""), "from 0 to 1"));
   EXPECT_TRUE(says(spoilt("2.6 kN/m^2", "2.6 kN/m"), "load an area"));
   EXPECT_TRUE(says(spoilt("2.6 kN/m^2", "-2.6 kN/m^2"), "load an area"));
-  EXPECT_TRUE(says(spoilt("4.8 m", "0 m"), "length above 0 m"));
+  EXPECT_TRUE(says(spoilt("4.8 m", "0 m"), "length of more than 0 m"));
   EXPECT_TRUE(says(spoilt("psi2 = 0.3", "psi2 = nan"), "from 0 to 1"));
   EXPECT_TRUE(says(faults(model(kBrick, kFloor + "load = \"8 kN/m\"\n")), "keep load, or these"));
   EXPECT_TRUE(says(faults(model(kBrick, "[[floor]]\ny = \"1.29 m\"\nmass = \"rule\"\n")),

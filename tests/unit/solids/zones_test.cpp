@@ -283,7 +283,7 @@ TEST(Elasticity, refuses_what_is_not_an_elastic_body) {
   EXPECT_EQ(problem(body), "");
   EXPECT_EQ(problem(scenes::timber_body()), "");
   body.density = 0;
-  EXPECT_TRUE(has(problem(body), "density 0: must be above 0")) << problem(body);
+  EXPECT_TRUE(has(problem(body), "density 0: must be more than 0")) << problem(body);
   body = scenes::elastic_body(kE, 0.2, 500);
   body.youngs_modulus = -1;
   EXPECT_TRUE(has(problem(body), "youngs_modulus -1")) << problem(body);
