@@ -1,4 +1,5 @@
-// Compares units as drawn with units as built in every storey, and reports on the least reliable storey.
+// Compares units as drawn with units as built in every storey, and reports on the least reliable storey. Where the real size
+// is not stated, units larger than any that is made of their material are not those of the wall either.
 // Tested walls for comparison exist only in running bond with equal multiples in both directions (kCoarseWalls). Any other
 // wall is reported as untested. docs/theory/assessment.md, "Units drawn larger".
 #include "model/coarse_units.h"
@@ -8,6 +9,8 @@
 #include <utility>
 
 #include "geometry/wall/storeys.h"
+#include "materials/library.h"
+#include "materials/origin.h"
 
 namespace wythe {
 namespace {
@@ -26,6 +29,57 @@ const CoarseWalls* walls_like(const Drawn& drawn, Bond bond) {
   for (const CoarseWalls& walls : kCoarseWalls)
     if (walls.times == drawn.times_long) return &walls;
   return nullptr;
+}
+
+// The largest units of fired clay, joints included [m]. Solid: bricks of 440 mm by the Romans, and of 113 mm in EN 771-1
+// formats (2 DF). Perforated: blocks of 500 x 249 mm. Cut stone, tuff and concrete are laid in any size.
+struct LargestMade {
+  UnitType type;
+  double length, height;
+  const char* words;  // code of a message
+};
+constexpr LargestMade kLargestMade[] = {
+    {UnitType::kClay, 0.45, 0.125, "unit.kind.clay"},
+    {UnitType::kClayPerforated, 0.51, 0.26, "unit.kind.clay_perforated"},
+    {UnitType::kClayLightPerforated, 0.51, 0.26, "unit.kind.clay_perforated"}};
+
+// The kind of unit that the file states, or that follows from its typical values or the kind of its scatter.
+UnitType kind_of_units(const ModelSpec& spec) {
+  if (spec.masonry.unit_type != UnitType::kUnstated) return spec.masonry.unit_type;
+  for (const auto& [name, material] : spec.material)
+    for (const std::string& line : material.origin) {
+      const auto origin = materials::origin_of(line);
+      if (!origin || origin->kind != materials::Origin::kTypical || !origin->by.starts_with("of "))
+        continue;
+      const materials::Entry* entry =
+          materials::entry_of(origin->by.substr(3, origin->by.find(' ', 3) - 3));
+      if (entry != nullptr && entry->unit_type != UnitType::kUnstated) return entry->unit_type;
+    }
+  if (spec.scatter.use != "clay_brick") return UnitType::kUnstated;
+  constexpr double kSolid = 1600;  // masonry of perforated bricks has 1500 kg/m^3 at most
+  return spec.wall.unit.density >= kSolid ? UnitType::kClay : UnitType::kClayPerforated;
+}
+
+// Units of one storey without a real size that are larger than any made; nothing where there are none.
+Message larger_than_made(const ModelSpec& spec, const char* code) {
+  const UnitType type = kind_of_units(spec);
+  for (const LargestMade& made : kLargestMade) {
+    if (made.type != type) continue;
+    for (const geometry::Storey& storey : geometry::stated_storeys(spec.wall, spec.storey)) {
+      const UnitSpec& unit = storey.unit;
+      constexpr double kRounding = 1 + 1e-9;
+      const bool is_long = std::isnan(unit.real.length) && unit.length > made.length * kRounding;
+      const bool is_high = std::isnan(unit.real.height) && unit.height > made.height * kRounding;
+      if (is_long || is_high)
+        return {code,
+                {{"length_mm", 1e3 * unit.length},
+                 {"height_mm", 1e3 * unit.height},
+                 {"kind", Message{made.words}},
+                 {"most_length_mm", 1e3 * made.length},
+                 {"most_height_mm", 1e3 * made.height}}};
+    }
+  }
+  return {};
 }
 
 // A storey without comparable walls is the least reliable, then the one with larger units.
@@ -47,15 +101,15 @@ Drawn drawn_units(const ModelSpec& spec) {
   return worst;
 }
 
-// Codes of a message: for comparable walls, for no such walls, and for no such walls in space.
+// Codes of a message: for comparable walls, for no such walls, for no such walls in space, and without a real size.
 struct Words {
-  const char *compared, *untested, *in_space;
+  const char *compared, *untested, *in_space, *larger;
 };
 
 Message words_of_units(const ModelSpec& spec, const Words& words) {
   if (spec.body.empty() && !spec.wall.blocks.empty()) return {};  // files of blocks have no units
   const Drawn drawn = drawn_units(spec);
-  if (!drawn.is_coarse) return {};
+  if (!drawn.is_coarse) return larger_than_made(spec, words.larger);
   if (!spec.body.empty()) return {words.in_space};  // whose walls may have their own units
   if (drawn.like == nullptr)
     return {words.untested, {{"long", drawn.times_long}, {"high", drawn.times_high}}};
@@ -79,14 +133,16 @@ Message words_of_units(const ModelSpec& spec, const Words& words) {
 void note_coarse_units(const ModelSpec& spec, Model& model) {
   Message note = words_of_units(spec, {.compared = "unit.coarse",
                                        .untested = "unit.coarse_untested",
-                                       .in_space = "unit.coarse_in_space"});
+                                       .in_space = "unit.coarse_in_space",
+                                       .larger = "unit.larger_than_made"});
   if (!note.empty()) model.anatomy.notes.push_back(std::move(note));
 }
 
 Message caution_of_units(const ModelSpec& spec) {
   return words_of_units(spec, {.compared = "assessment.caution.coarse",
                                .untested = "assessment.caution.coarse_untested",
-                               .in_space = "assessment.caution.coarse_in_space"});
+                               .in_space = "assessment.caution.coarse_in_space",
+                               .larger = "assessment.caution.larger_than_made"});
 }
 
 }  // namespace wythe

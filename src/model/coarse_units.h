@@ -19,10 +19,9 @@ struct CoarseWalls {
 inline constexpr CoarseWalls kCoarseWalls[] = {{2, -0.127, -0.002, 0.435, 0.608, 13, 32},
                                                {3, -0.033, 0.076, 0.431, 0.577, 15, 32}};
 
-// Adds a note where units are drawn larger than built.
+// Adds a note where units are drawn larger than built, or larger than any made where their real size is not stated.
 void note_coarse_units(const ModelSpec& spec, Model& model);
-// Why a verdict on such a wall must not be signed; empty where units are drawn as built, or where their real size is not
-// stated.
+// Why a verdict on such a wall must not be signed; empty where units are drawn as built.
 [[nodiscard]] Message caution_of_units(const ModelSpec& spec);
 
 }  // namespace wythe

@@ -110,7 +110,9 @@ Message barred(const Campaign& campaign, const Model& model) {
 // and no stored drift of each pier does not show the drift that counts.
 std::vector<Message> cautions_of_samples(const Campaign& campaign, const ModelSpec& base,
                                          const Model& model) {
-  std::vector<Message> say = study::cautions_of_masses(base, model);
+  std::vector<Message> say = study::cautions_of_inputs(base, model);
+  for (Message& caution : study::cautions_of_demand(base.assessment))
+    say.push_back(std::move(caution));
   if (Message units = caution_of_units(base); !units.empty()) say.push_back(std::move(units));
   if (knows_walls(campaign, model)) return say;
   if (study::find_parts(model).piers.size() > 1 || base.storey.size() > 1)

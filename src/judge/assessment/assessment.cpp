@@ -17,8 +17,6 @@
 namespace wythe {
 namespace {
 
-constexpr double kLeastAmplification = 2.2;  // F0, NTC 2018, 3.2.3.2.1
-
 // --- rules of the codes -------------------------------------------------------------------------------
 
 // A drift limit at which a storey's piers have failed. `by_slenderness`: times H0 / D.
@@ -586,13 +584,7 @@ class Judge {
 
   // Notes inputs that are possible, but are more often mistakes.
   void note_oddities() {
-    if (spec_.masonry_share != 1)
-      out_.notes.push_back(
-          {"assessment.note.masonry_share", {{"percent", 100 * spec_.masonry_share}}});
     const SpectrumSpec& s = spec_.spectrum;
-    if (s.kind == SpectrumKind::kNtc2018 && s.amplification < kLeastAmplification)
-      out_.notes.push_back({"assessment.note.low_amplification",
-                            {{"value", s.amplification}, {"least", kLeastAmplification}}});
     if (s.kind != SpectrumKind::kTable || s.accelerations.empty()) return;
     const double largest = *std::max_element(s.accelerations.begin(), s.accelerations.end());
     if (s.accelerations.front() <= 0.01 * largest)

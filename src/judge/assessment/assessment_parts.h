@@ -43,8 +43,10 @@ struct Extent {
 [[nodiscard]] Message words_of_state(LimitState state);
 // Damping correction (A.3) of both codes.
 [[nodiscard]] double eta_of(double damping);
-// Those of the notes that make the result unsafe: mass of floors that is counted nowhere.
-[[nodiscard]] std::vector<Message> cautions_of_masses(const ModelSpec& spec, const Model& model);
+// Inputs that make the result unsafe: values that are probably errors of unit, mass of floors that is counted nowhere.
+[[nodiscard]] std::vector<Message> cautions_of_inputs(const ModelSpec& spec, const Model& model);
+// Values that codes do not have, or that count less than codes count: of spectra, and the share of masonry.
+[[nodiscard]] std::vector<Message> cautions_of_demand(const AssessmentSpec& spec);
 // "shear" where any pier shows it, "flexure" where piers show only that, "" where nothing is known; of one pier
 // if it is named. In space it follows from the name of the mode; kOutOfPlane where the wall leaves its plane.
 inline constexpr const char* kOutOfPlane = "out of plane";

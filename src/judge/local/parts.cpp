@@ -565,7 +565,7 @@ class Strip {
     for (const HoldSpec& hold : part_.hold) is_any_short |= !std::isfinite(hold.travel);
     if (is_any_short) out.notes.push_back({"local.note.holds_unknown"});
     if (!part_.hold.empty()) out.notes.push_back({"local.note.held"});
-    for (Message& caution : cautions_of_masses(spec_, model_))
+    for (Message& caution : cautions_of_inputs(spec_, model_))
       out.cautions.push_back(std::move(caution));
   }
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign/store/store.h"
+#include "judge/assessment/assessment_parts.h"
 #include "scenes/changed_store.h"
 #include "scenes/small_study.h"
 #include "unit/assessed_wall.h"
@@ -444,8 +445,7 @@ TEST(Assessment, notes_masses_and_spectra_that_are_more_often_a_slip) {
   };
   const std::string floor = "[[floor]]\nname = \"f\"\ny = \"0.75 m\"\n";
   ModelSpec spec = parse_model(wall_text(kAssessed), "wall.toml");
-  for (const char* what :
-       {"masonry_share", "low_amplification", "table_start", "floor_mass", "added_height"})
+  for (const char* what : {"table_start", "floor_mass", "added_height"})
     EXPECT_FALSE(has(notes(spec), what)) << what;
   const auto with = [&](const std::string& more) {
     return notes(parse_model(wall_text(kAssessed + floor + more), "wall.toml"));
@@ -453,17 +453,62 @@ TEST(Assessment, notes_masses_and_spectra_that_are_more_often_a_slip) {
   EXPECT_TRUE(has(with("mass = \"2000 kg/m\"\n"), "floor_mass"));
   EXPECT_TRUE(has(with("load = \"10 kN/m\"\nmass = \"2000 kg/m\"\n"), "floor_mass"));
   EXPECT_FALSE(has(with("load = \"10 kN/m\"\nmass = \"1000 kg/m\"\n"), "floor_mass"));
-  spec.assessment.masonry_share = 0.5, spec.assessment.added_height = 1.5;
-  EXPECT_TRUE(has(notes(spec), "masonry_share"));
+  spec.assessment.added_height = 1.5;
   EXPECT_TRUE(has(notes(spec), "added_height"));
   SpectrumSpec& s = spec.assessment.spectrum;
   s.kind = SpectrumKind::kNtc2018, s.corner_period = 0.3, s.amplification = 1.5;
-  EXPECT_TRUE(has(notes(spec), "low_amplification"));
   EXPECT_TRUE(faults_of(s).empty());
   s.amplification = 0.9;
   EXPECT_EQ(faults_of(s).size(), 1u);
   s.kind = SpectrumKind::kTable, s.periods = {0, 1}, s.accelerations = {0.01, 5};
   EXPECT_TRUE(has(notes(spec), "table_start"));
+}
+
+// A density of 180 kg/m^3 makes a wall ten times as strong as its demand: a note alone left such a verdict to be signed.
+TEST(Assessment, inputs_that_no_masonry_has_bar_the_signature) {
+  ModelSpec spec = parse_model(wall_text(kAssessed), "wall.toml");
+  EXPECT_TRUE(study::cautions_of_inputs(spec, compile(spec)).empty());
+  spec.wall.unit.density = 180;
+  const std::vector<Message> said = study::cautions_of_inputs(spec, compile(spec));
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_EQ(said[0].code, "assessment.caution.odd_inputs");
+  EXPECT_EQ(said[0].number("count"), 1);
+  EXPECT_NE(text_of(said[0]).find("wall.unit.density"), std::string::npos) << text_of(said[0]);
+}
+
+// Demands that no code asks: a verdict on them vouches for something else than the site.
+TEST(Assessment, values_that_no_code_has_bar_the_signature) {
+  const auto codes = [](const AssessmentSpec& spec) {
+    std::string all;
+    for (const Message& caution : study::cautions_of_demand(spec))
+      all += caution.code.substr(std::string("assessment.caution.").size()) + " ";
+    return all;
+  };
+  AssessmentSpec spec;
+  SpectrumSpec& s = spec.spectrum;
+  s.kind = SpectrumKind::kNtc2018, s.amplification = 2.4, s.topography = 1.4;
+  EXPECT_EQ(codes(spec), "");
+  s.topography = 50;
+  EXPECT_EQ(codes(spec), "topography ");
+  EXPECT_EQ(study::cautions_of_demand(spec).front().number("most"), 1.4);
+  s.topography = 1.6, s.kind = SpectrumKind::kEn1998;  // a loose layer on a ridge
+  EXPECT_EQ(codes(spec), "");
+  s.topography = 1.8;
+  EXPECT_EQ(codes(spec), "topography ");
+  s.topography = 1, spec.masonry_share = 0.5;
+  EXPECT_EQ(codes(spec), "masonry_share ");
+  spec.masonry_share = 1;
+  s.kind = SpectrumKind::kNtc2018, s.amplification = 1.5;
+  EXPECT_EQ(codes(spec), "amplification ");
+  s.amplification = 2.4, s.corner_period = 0.3, s.ground = "A";
+  s.ground_acceleration = 0.15;  // of a site with 0.15 g
+  EXPECT_EQ(codes(spec), "ground_acceleration ");
+  spec.limit_state = "damage_limitation";  // that comes more often, and weaker
+  EXPECT_EQ(codes(spec), "");
+  spec.limit_state = "life_safety", s.ground_acceleration = 1.5;
+  spec.spectra.near_collapse = s;
+  spec.spectra.near_collapse.topography = 50;  // of one limit state alone
+  EXPECT_EQ(codes(spec), "topography ");
 }
 
 }  // namespace

@@ -100,6 +100,51 @@ TEST(CoarseUnits, are_compared_as_far_as_walls_were) {
   EXPECT_EQ(code(storeys), beyond);
 }
 
+// Units drawn several as one without a word of it: no brick is so large.
+TEST(CoarseUnits, are_doubted_where_no_unit_of_their_material_is_so_large) {
+  const auto code = [](UnitType type, double length, double height, const char* scatter = "",
+                       double density = 1800) {
+    ModelSpec spec = scenes::plain_wall(8, 8, 1e-3, 0.02);
+    spec.masonry.unit_type = type;
+    spec.scatter.use = scatter;
+    spec.wall.unit.length = length, spec.wall.unit.height = height;
+    spec.wall.unit.density = density;
+    return caution_of_units(spec).code;
+  };
+  const std::string larger = "assessment.caution.larger_than_made";
+  EXPECT_EQ(code(UnitType::kClay, 0.5, 0.13), larger);
+  EXPECT_EQ(code(UnitType::kClay, 0.5, 0.065), larger);
+  EXPECT_EQ(code(UnitType::kClay, 0.25, 0.13), larger);
+  EXPECT_EQ(code(UnitType::kClayPerforated, 1.0, 0.25), larger);
+  EXPECT_EQ(code(UnitType::kUnstated, 0.5, 0.13, "clay_brick"), larger);
+  // bricks and blocks that are made
+  EXPECT_EQ(code(UnitType::kClay, 0.25, 0.065), "");
+  EXPECT_EQ(code(UnitType::kClay, 0.25, 0.125), "");
+  EXPECT_EQ(code(UnitType::kClayPerforated, 0.5, 0.25), "");
+  EXPECT_EQ(code(UnitType::kUnstated, 0.31, 0.205, "clay_brick", 1200), "");
+  for (const UnitType any : {UnitType::kTuff, UnitType::kStone, UnitType::kAeratedConcrete})
+    EXPECT_EQ(code(any, 0.625, 0.5), "");
+  EXPECT_EQ(code(UnitType::kUnstated, 0.5, 0.13), "");
+  // a stated size decides
+  ModelSpec stated = wall_of(1, 1);
+  stated.masonry.unit_type = UnitType::kClay;
+  stated.wall.unit.length = stated.wall.unit.real.length = 0.5;
+  stated.wall.unit.height = stated.wall.unit.real.height = 0.13;
+  EXPECT_TRUE(caution_of_units(stated).empty());
+  stated.wall.unit.real = {0.25, 0.065};
+  EXPECT_EQ(caution_of_units(stated).code, "assessment.caution.coarse");
+}
+
+TEST(CoarseUnits, of_typical_values_are_of_their_material) {
+  ModelSpec spec = scenes::plain_wall(8, 8, 1e-3, 0.02);
+  spec.wall.unit.length = 0.5, spec.wall.unit.height = 0.13;
+  spec.material.begin()->second.origin = {
+      "mode_1_energy 18 N/m: typical of clay_brick_eindhoven (Lourenco and Rots 1997)"};
+  EXPECT_EQ(caution_of_units(spec).code, "assessment.caution.larger_than_made");
+  spec.material.begin()->second.origin = {"cohesion 0.2 MPa: typical of granite_dry (Oliveira)"};
+  EXPECT_TRUE(caution_of_units(spec).empty());
+}
+
 TEST(CoarseUnits, of_a_model_are_in_its_notes) {
   const auto notes = [](const ModelSpec& spec) {
     const Model model = compile(spec);
