@@ -33,13 +33,12 @@ Message note_of_scatter(const ModelSpec& base, double between) {
 // Checks of parts out of plane, for the base model. They need no runs, so they take seconds at most.
 PartsOutOfPlane parts_of(const ModelSpec& base, const Model& model) {
   PartsOutOfPlane out;
-  out.are_named = !base.assessment.part.empty();
   if (has_parts(base, model)) {
     SecondOpinion opinion;
     add_local_checks(base, model, true, opinion);
     out.checked = std::move(opinion.local);
     out.refused = std::move(opinion.refused);
-  } else if (out.are_named) {
+  } else if (!base.assessment.part.empty()) {
     for (const PartSpec& part : base.assessment.part)
       out.refused.push_back({{"local.part", {{"name", part.name.empty() ? "part" : part.name}}},
                              text_of(Message{"local.parts_in_space"})});

@@ -129,7 +129,7 @@ class Appendix {
     std::string bodies, states, said;
     for (const LocalCheck& part : v_.parts.checked) {
       const LocalCapacity& c = part.capacity;
-      const std::string name = w_.words(v_.parts.words_of(part.name));
+      const std::string name = w_.words(words_of_part(part));
       bodies += "<tr>" + cell(name, true) + number(part.foot) + number(part.head) +
                 number(c.alpha0) + number(c.mass_share) + number(c.mass) +
                 number(part.confidence_factor) + number(part.acceleration0) +

@@ -70,9 +70,9 @@ bool is_left_out(const Message& note) {
       "assessment.note.whole_drift",  "assessment.note.no_record_scatter",
       "assessment.note.floor_mass",   "assessment.note.clauses",
       "verdict.note.no_tests",        "verdict.note.within_only",
-      "verdict.note.parts_named",     "verdict.note.parts_found",
-      "verdict.note.parts_unchecked", "verdict.note.parts_held",
-      "verdict.note.no_parts"};
+      "verdict.note.parts_named",     "verdict.note.parts_named_and_found",
+      "verdict.note.parts_found",     "verdict.note.parts_unchecked",
+      "verdict.note.parts_held",      "verdict.note.no_parts"};
   return std::find(std::begin(kLeftOut), std::end(kLeftOut), note.code) != std::end(kLeftOut);
 }
 
@@ -389,7 +389,7 @@ class VerdictPage {
     return rows;
   }
   [[nodiscard]] std::string name_of(const LocalCheck& part) const {
-    return words_.words(v_.parts.words_of(part.name));
+    return words_.words(words_of_part(part));
   }
   [[nodiscard]] static bool falls(const LocalCheck* part) {
     return part != nullptr && part->verdict == AssessmentVerdict::kFails;

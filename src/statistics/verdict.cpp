@@ -217,11 +217,14 @@ bool is_worse(const StateVerdict& a, const StateVerdict& b) {
 
 // --- parts that fall on their face
 
+bool is_found(const Refusal& part) { return part.what.code == "local.part_found"; }
+bool fails(const LocalCheck& part) { return part.verdict == AssessmentVerdict::kFails; }
+
 // Whether a check counts for a part. If rules found the part, and
 // a caution forbids signing the check, it counts only if it fails.
-bool is_counted(const PartsOutOfPlane& parts, const LocalCheck& part) {
-  if (part.verdict == AssessmentVerdict::kFails) return true;
-  return part.verdict == AssessmentVerdict::kHolds && (parts.are_named || part.may_be_signed);
+bool is_counted(const LocalCheck& part) {
+  if (fails(part)) return true;
+  return part.verdict == AssessmentVerdict::kHolds && (!part.is_found() || part.may_be_signed);
 }
 
 // The effect of parts on the verdict. A part that the file names, with its holds, counts fully. A
@@ -232,34 +235,39 @@ AssessmentVerdict worth_of(const PartsOutOfPlane& parts) {
     if (severity(verdict) > severity(worst)) worst = verdict;
   };
   for (const LocalCheck& part : parts.checked) {
-    if (part.verdict == AssessmentVerdict::kFails)
-      take(parts.are_named ? AssessmentVerdict::kFails : AssessmentVerdict::kNotShown);
-    else if (parts.are_named && part.verdict != AssessmentVerdict::kHolds)
+    if (fails(part))
+      take(part.is_found() ? AssessmentVerdict::kNotShown : AssessmentVerdict::kFails);
+    else if (!part.is_found() && part.verdict != AssessmentVerdict::kHolds)
       take(AssessmentVerdict::kNotShown);
   }
-  if (parts.are_named && !parts.refused.empty()) take(AssessmentVerdict::kNotShown);
+  for (const Refusal& part : parts.refused)
+    if (!is_found(part)) take(AssessmentVerdict::kNotShown);
   return worst;
 }
 
+// The file's own name of a part, or that of a part which rules found.
+Message words_of(const std::string& name, bool is_found) {
+  if (is_found && name == "wall") return {"local.wall"};
+  if (is_found && name == "parapet") return {"local.parapet"};
+  return as_text(name);
+}
 // "gable" of "local mechanism: gable".
-Message name_of(const PartsOutOfPlane& parts, const Refusal& part) {
+Message name_of(const Refusal& part) {
   for (const Argument& argument : part.what.arguments)
-    if (const auto* name = std::get_if<std::string>(&argument.value)) return parts.words_of(*name);
+    if (const auto* name = std::get_if<std::string>(&argument.value))
+      return words_of(*name, is_found(part));
   return part.what;
 }
 std::vector<Message> names_of(const PartsOutOfPlane& parts, const auto& is_meant) {
   std::vector<Message> names;
   for (const LocalCheck& part : parts.checked)
-    if (is_meant(part)) names.push_back(parts.words_of(part.name));
+    if (is_meant(part)) names.push_back(words_of_part(part));
   return names;
 }
 std::vector<Message> names_without_answer(const PartsOutOfPlane& parts) {
-  std::vector<Message> names = names_of(parts, [&](const LocalCheck& part) {
-    return parts.are_named ? part.verdict != AssessmentVerdict::kFails &&
-                                 part.verdict != AssessmentVerdict::kHolds
-                           : !is_counted(parts, part);
-  });
-  for (const Refusal& part : parts.refused) names.push_back(name_of(parts, part));
+  std::vector<Message> names =
+      names_of(parts, [](const LocalCheck& part) { return !is_counted(part); });
+  for (const Refusal& part : parts.refused) names.push_back(name_of(part));
   return names;
 }
 
@@ -458,38 +466,34 @@ class Verdict {
   // Cautions about parts out of plane: each kind once, with its parts.
   void caution_of_parts() {
     const PartsOutOfPlane& parts = out_.parts;
-    if (!parts.are_named) {
-      std::vector<Message> falls = names_of(
-          parts, [](const LocalCheck& part) { return part.verdict == AssessmentVerdict::kFails; });
-      if (!falls.empty())
-        out_.cautions.push_back({"verdict.caution.part_found", {{"parts", std::move(falls)}}});
-      // Data left out must not give the better verdict: a part that could not be checked for want of them, or was
-      // checked without a confidence factor or with holds that nobody knows.
-      std::vector<Message> names = names_of(parts, [](const LocalCheck& part) {
-        return std::any_of(part.cautions.begin(), part.cautions.end(), [](const Message& caution) {
-          return caution.code == "local.caution.factor" ||
-                 caution.code == "local.caution.not_known";
-        });
-      });
-      for (const Refusal& part : parts.refused) names.push_back(name_of(parts, part));
-      if (!names.empty())
-        out_.cautions.push_back({"verdict.caution.part_unchecked", {{"parts", std::move(names)}}});
-      return;
-    }
+    std::vector<Message> falls =
+        names_of(parts, [](const LocalCheck& part) { return part.is_found() && fails(part); });
+    if (!falls.empty())
+      out_.cautions.push_back({"verdict.caution.part_found", {{"parts", std::move(falls)}}});
     std::vector<std::pair<Message, std::vector<Message>>> kinds;  // the first, and names of parts
     for (const LocalCheck& part : parts.checked)
       for (const Message& caution : part.cautions) {
+        if (part.is_found()) continue;
         auto known = std::find_if(kinds.begin(), kinds.end(), [&](const auto& kind) {
           return kind.first.code == caution.code;
         });
         if (known == kinds.end())
           known = kinds.insert(kinds.end(), {caution, std::vector<Message>{}});
-        known->second.push_back(parts.words_of(part.name));
+        known->second.push_back(words_of_part(part));
       }
     for (auto& [caution, names] : kinds)
       out_.cautions.push_back(
           {"verdict.caution.parts", {{"parts", std::move(names)}, {"what", caution}}});
-    if (std::vector<Message> names = names_without_answer(parts); !names.empty())
+    // Data left out must not give the better verdict: a part that could not be checked for want of them, or that rules
+    // found and that was checked without a confidence factor or with holds that nobody knows.
+    std::vector<Message> names = names_of(parts, [](const LocalCheck& part) {
+      if (!part.is_found()) return !is_counted(part);
+      return std::any_of(part.cautions.begin(), part.cautions.end(), [](const Message& caution) {
+        return caution.code == "local.caution.factor" || caution.code == "local.caution.not_known";
+      });
+    });
+    for (const Refusal& part : parts.refused) names.push_back(name_of(part));
+    if (!names.empty())
       out_.cautions.push_back({"verdict.caution.part_unchecked", {{"parts", std::move(names)}}});
   }
 
@@ -518,24 +522,24 @@ class Verdict {
   // The verdict of the pushes, after that of the parts if theirs is worse.
   [[nodiscard]] Message with_parts(Message of_pushes) const {
     const LocalCheck* least = out_.least_part();
-    const bool fails = least != nullptr && least->verdict == AssessmentVerdict::kFails;
+    const bool falls = least != nullptr && fails(*least);
     const LocalStateCheck* of_part = least != nullptr ? least->deciding() : nullptr;
-    if (fails || out_.part_decides()) {
-      if (!fails)
+    if (falls || out_.part_decides()) {
+      if (!falls)
         return {"verdict.parts_unchecked",
                 {{"state", study::words_of_state(out_.worst.state)},
                  {"parts", names_without_answer(out_.parts)},
                  {"pushes", std::move(of_pushes)}}};
       return {
-          out_.parts.are_named ? "verdict.part_fails" : "verdict.part_may_fall",
+          least->is_found() ? "verdict.part_may_fall" : "verdict.part_fails",
           {{"state", study::words_of_state(of_part != nullptr ? of_part->state : out_.worst.state)},
-           {"part", out_.parts.words_of(least->name)},
+           {"part", words_of_part(*least)},
            {"ratio", least->reserve()},
            {"pushes", std::move(of_pushes)}}};
     }
     if (least == nullptr) return of_pushes;
     return {"verdict.part_stands",
-            {{"part", out_.parts.words_of(least->name)},
+            {{"part", words_of_part(*least)},
              {"ratio", least->reserve()},
              {"pushes", std::move(of_pushes)}}};
   }
@@ -635,8 +639,9 @@ class Verdict {
                   [](const Message& note) { return note.code == "assessment.note.out_of_plane"; });
     if (!parts.not_looked_at.empty()) out_.notes.push_back(parts.not_looked_at);
     if (out_.least_part() != nullptr)
-      out_.notes.push_back(
-          {parts.are_named ? "verdict.note.parts_named" : "verdict.note.parts_found"});
+      out_.notes.push_back({!parts.are_any_found()  ? "verdict.note.parts_named"
+                            : parts.are_any_named() ? "verdict.note.parts_named_and_found"
+                                                    : "verdict.note.parts_found"});
     std::vector<Message> held = names_of(parts, [](const LocalCheck& part) {
       return std::any_of(part.notes.begin(), part.notes.end(),
                          [](const Message& note) { return note.code == "local.note.head_held"; });
@@ -691,21 +696,32 @@ PushLabel WallsVerdict::decides() const {
   return {worst.direction, worst.pattern, is_several};
 }
 
-Message PartsOutOfPlane::words_of(const std::string& name) const {
-  if (!are_named && name == "wall") return {"local.wall"};
-  if (!are_named && name == "parapet") return {"local.parapet"};
-  return as_text(name);
+Message words_of_part(const LocalCheck& part) { return words_of(part.name, part.is_found()); }
+
+bool PartsOutOfPlane::are_any_named() const {
+  return std::any_of(checked.begin(), checked.end(),
+                     [](const LocalCheck& part) { return !part.is_found(); }) ||
+         std::any_of(refused.begin(), refused.end(),
+                     [](const Refusal& part) { return !is_found(part); });
+}
+
+bool PartsOutOfPlane::are_any_found() const {
+  return std::any_of(checked.begin(), checked.end(),
+                     [](const LocalCheck& part) { return part.is_found(); }) ||
+         std::any_of(refused.begin(), refused.end(),
+                     [](const Refusal& part) { return is_found(part); });
 }
 
 const LocalCheck* WallsVerdict::least_part() const {
-  const LocalCheck* least = nullptr;
-  const auto fails = [](const LocalCheck& part) {
-    return part.verdict == AssessmentVerdict::kFails;
+  // a named part that falls decides more than one that falls if nothing holds it
+  const auto rank = [](const LocalCheck& part) {
+    return fails(part) ? (part.is_found() ? 1 : 0) : 2;
   };
+  const LocalCheck* least = nullptr;
   for (const LocalCheck& part : parts.checked) {
-    if (!is_counted(parts, part)) continue;
-    if (least == nullptr || (fails(part) && !fails(*least)) ||
-        (fails(part) == fails(*least) && part.reserve() < least->reserve()))
+    if (!is_counted(part)) continue;
+    if (least == nullptr || rank(part) < rank(*least) ||
+        (rank(part) == rank(*least) && part.reserve() < least->reserve()))
       least = &part;
   }
   return least;

@@ -90,12 +90,17 @@ class Local(unittest.TestCase):
 
     def only(self, text, *arguments):
         data = self.limit(text, *arguments)
-        self.assertEqual(len(data["local"]), 1, data)
-        return data["local"][0]
+        parts = self.named(data) or data["local"]
+        self.assertEqual(len(parts), 1, data)
+        return parts[0]
+
+    @staticmethod
+    def named(data):  # beside those that rules find
+        return [part for part in data["local"] if part["by"] != "found"]
 
     def refused(self, text, *arguments):
         data = self.limit(text, *arguments)
-        self.assertEqual(data["local"], [])
+        self.assertEqual(self.named(data), [])
         return data["refused"][0]["why"]
 
     def test_a_wall_that_holds_and_one_that_does_not(self):
@@ -110,6 +115,18 @@ class Local(unittest.TestCase):
         self.assertIn("as a local mechanism", (self.out / "report.html").read_text())
         part = self.only(wall(ag="3 m/s^2"))
         self.assertEqual((part["verdict"], part["may_be_signed"]), ("fails", True))
+
+    def test_rules_look_for_what_named_parts_leave_uncovered(self):
+        def names(*parts):
+            text = "".join(f'[[assessment.part]]\nname = "{k}"\n{keys}' for k, keys in enumerate(parts))
+            return [(part["name"], part["by"]) for part in self.limit(wall(text))["local"]]
+        self.assertEqual(names('foot = "2.5 m"\n'), [("0", "part"), ("wall", "found")])  # a harmless one
+        self.assertEqual(names(""), [("0", "part")])
+        halves = ('right = "0.5 m"\n', 'left = "0.5 m"\n')
+        self.assertEqual(names(halves[0]), [("0", "part"), ("wall", "found")])
+        self.assertEqual(names(*halves), [("0", "part"), ("1", "part")])
+        # a floor's depth between two parts is none of its own
+        self.assertEqual(names('head = "1.4 m"\nhead_held = true\n', 'foot = "1.6 m"\n'), [("0", "part"), ("1", "part")])
 
     def test_words_of_the_page_are_italian_too(self):
         self.limit(wall(), "--only", "parts", "--lang", "it")

@@ -122,14 +122,15 @@ struct LocalCheck {
   bool may_be_signed = false;
   std::vector<Message> cautions, notes;
   Message sentence;
+  [[nodiscard]] bool is_found() const { return by == "found"; }
   [[nodiscard]] const LocalStateCheck* deciding() const;  // null: no limit state is checked
   // Capacity over demand of the deciding limit state; 0 for a part that falls by itself, NaN without an answer.
   [[nodiscard]] double reserve() const;
 };
 
-// Checks every part that the model file names, or else the parts that simple rules find, and the mechanism of a body
-// force. `parts`: whether parts are requested. A check that is not possible goes to `opinion.refused` with its place
-// and cure.
+// Checks every part that the model file names, the parts that simple rules find where no named part covers them, and the
+// mechanism of a body force. `parts`: whether parts are requested. A check that is not possible goes to
+// `opinion.refused` with its place and cure.
 void add_local_checks(const ModelSpec& spec, const Model& model, bool parts,
                       SecondOpinion& opinion);
 // Whether the model has any part to check, without a limit load.

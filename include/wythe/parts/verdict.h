@@ -110,15 +110,18 @@ struct WayOfPushing {
   WallCapacity capacity = {};
 };
 
-// Parts of the wall that may fall out of plane (local_check.h), of the base model: mean values, no scatter.
+// Parts of the wall that may fall out of plane (local_check.h), of the base model: mean values, no scatter. The model file
+// names some, with what holds them; rules find others, without holds.
 struct PartsOutOfPlane {
-  bool are_named = false;           // by the model file; else found by rules, without holds
   std::vector<LocalCheck> checked;  // each with its verdict, or without an answer
   std::vector<Refusal> refused;     // that could not be checked, and why
   Message not_looked_at = {};       // why there are none; empty: there are, or not requested
-  // A part's name in words: the file's own name, or that of a part which rules found.
-  [[nodiscard]] Message words_of(const std::string& name) const;
+  [[nodiscard]] bool are_any_named() const;
+  [[nodiscard]] bool are_any_found() const;
 };
+
+// The file's own name of a part, or that of a part which rules found.
+[[nodiscard]] Message words_of_part(const LocalCheck& part);
 
 struct WallsVerdict {
   // The worse of `of_pushes` and the verdict on parts out of plane.

@@ -156,8 +156,8 @@ void describe(Visitor& v, AssessmentSpec& s) {
           .example = "{ height = \"10.5 m\", period = \"0.30 s\", storeys = 3 }",
           .doc = "`wythe limit --assessment`, `wythe assess`: the building, for the spectrum at the height of a part."});
   v.list("part", s.part, {.optional = true,
-         .doc = "`wythe limit --assessment`, `wythe assess`: parts that may fall out of the wall's plane. None: each storey from its foot on, and "
-                "what stands above the highest floor."});
+         .doc = "`wythe limit --assessment`, `wythe assess`: parts that may fall out of the wall's plane. Rules add each storey from its foot on, "
+                "and what stands above the highest floor, where these do not cover it."});
 }
 
 // clang-format on

@@ -107,7 +107,7 @@ Json ways_json(const std::vector<WayOfPushing>& ways) {
 // Parts out of plane: the result of each, and the parts that could not be checked.
 Json parts_json(const WallsVerdict& v) {
   const LocalCheck* least = v.least_part();
-  Json json = {{"named", v.parts.are_named},
+  Json json = {{"named", v.parts.are_any_named()},
                {"least", least != nullptr ? Json(least->name) : Json(nullptr)}};
   Json &checked = json["checked"] = Json::array(), &refused = json["not_checked"] = Json::array();
   for (const LocalCheck& part : v.parts.checked) checked.push_back(io::local_json(part));

@@ -283,10 +283,15 @@ void study::conclude(const ModelSpec& spec, const Model& model, bool crushes, Lo
     part.sentence = {"local.unsigned", {{"cautions", part.cautions}, {"verdict", part.sentence}}};
 }
 
+// Whether rules may look for parts: a body force across the wall has its own mechanism.
+static bool is_pushed_or_alone(const Model& model) {
+  const Stage* grows = limit::growing_stage(model);
+  return grows == nullptr || grows->spec.kind == StageKind::kPush;
+}
+
 bool has_parts(const ModelSpec& spec, const Model& model) {
   if (dimension_of(model) == 3) return false;
-  const Stage* grows = limit::growing_stage(model);
-  return !spec.assessment.part.empty() || grows == nullptr || grows->spec.kind == StageKind::kPush;
+  return !spec.assessment.part.empty() || is_pushed_or_alone(model);
 }
 
 namespace {
@@ -300,23 +305,28 @@ void attempt(SecondOpinion& opinion, const Message& what, Answer answer) {
   }
 }
 
+void check_parts(const ModelSpec& spec, const Model& model, std::vector<PartSpec> parts,
+                 bool are_found, SecondOpinion& opinion) {
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    PartSpec& part = parts[k];
+    if (part.name.empty()) part.name = "part " + std::to_string(k + 1);
+    const std::string path = are_found ? "wall" : "assessment.part." + part.name;
+    attempt(opinion, {are_found ? "local.part_found" : "local.part", {{"name", part.name}}}, [&] {
+      LocalCheck check = study::check_of_part(spec, model, part, path);
+      if (are_found) check.by = "found";
+      return check;
+    });
+  }
+}
+
 }  // namespace
 
 void add_local_checks(const ModelSpec& spec, const Model& model, bool asks_for_parts,
                       SecondOpinion& opinion) {
   if (asks_for_parts && has_parts(spec, model)) {
-    const bool named = !spec.assessment.part.empty();
-    std::vector<PartSpec> parts = named ? spec.assessment.part : study::found_parts(spec, model);
-    for (std::size_t k = 0; k < parts.size(); ++k) {
-      PartSpec& part = parts[k];
-      if (part.name.empty()) part.name = "part " + std::to_string(k + 1);
-      const std::string path = named ? "assessment.part." + part.name : "wall";
-      attempt(opinion, {"local.part", {{"name", part.name}}}, [&] {
-        LocalCheck check = study::check_of_part(spec, model, part, path);
-        if (!named) check.by = "found";
-        return check;
-      });
-    }
+    check_parts(spec, model, spec.assessment.part, false, opinion);
+    if (is_pushed_or_alone(model))
+      check_parts(spec, model, study::found_parts(spec, model), true, opinion);
   } else if (asks_for_parts && !spec.assessment.part.empty()) {
     opinion.refused.push_back({{"local.parts"}, text_of(Message{"local.parts_in_space"})});
   }

@@ -590,6 +590,41 @@ LocalCheck check_of_part(const ModelSpec& spec, const Model& model, const PartSp
   return Strip(spec, model, part, path).check();
 }
 
+namespace {
+
+// Whether the named parts together cover the whole length of the wall between two heights above its foot. Strips narrower
+// than a tenth, such as the depth of a floor between two parts, need no part of their own.
+bool are_covering(const std::vector<PartSpec>& named, const Extents& wall, double foot,
+                  double head) {
+  constexpr double kTenth = 0.1;
+  const double length = wall.right - wall.left, top = wall.top - wall.foot;
+  const auto given = [](double value, double otherwise) {
+    return std::isfinite(value) ? value : otherwise;
+  };
+  std::vector<double> xs = {0, length}, ys = {foot, head};
+  for (const PartSpec& part : named) {
+    for (const double x : {given(part.left, 0), given(part.right, length)})
+      xs.push_back(std::clamp(x, 0.0, length));
+    for (const double y : {given(part.foot, 0), given(part.head, top)})
+      ys.push_back(std::clamp(y, foot, head));
+  }
+  std::sort(xs.begin(), xs.end()), std::sort(ys.begin(), ys.end());
+  for (std::size_t i = 1; i < xs.size(); ++i)
+    for (std::size_t k = 1; k < ys.size(); ++k) {
+      if (xs[i] - xs[i - 1] < kTenth * length || ys[k] - ys[k - 1] < kTenth * (head - foot))
+        continue;
+      const double x = 0.5 * (xs[i] + xs[i - 1]), y = 0.5 * (ys[k] + ys[k - 1]);
+      if (std::none_of(named.begin(), named.end(), [&](const PartSpec& part) {
+            return x > given(part.left, 0) && x < given(part.right, length) &&
+                   y > given(part.foot, 0) && y < given(part.head, top);
+          }))
+        return false;
+    }
+  return true;
+}
+
+}  // namespace
+
 std::vector<PartSpec> found_parts(const ModelSpec& spec, const Model& model) {
   const Extents wall = extents_of(with_rigid_bodies(model));
   std::vector<PartSpec> parts;
@@ -615,6 +650,16 @@ std::vector<PartSpec> found_parts(const ModelSpec& spec, const Model& model) {
   });
   if (highest > 0 && !is_a_storey && wall.top - wall.foot - highest > kParapet)
     add("parapet", highest);
+  // each reaches to the wall's top; what it stands for ends at the foot of the next
+  const std::vector<PartSpec>& named = spec.assessment.part;
+  std::vector<double> feet;
+  for (const PartSpec& part : parts) feet.push_back(part.foot);
+  feet.push_back(wall.top - wall.foot);
+  std::sort(feet.begin(), feet.end());
+  std::erase_if(parts, [&](const PartSpec& part) {
+    const double head = *std::upper_bound(feet.begin(), feet.end() - 1, part.foot);
+    return !named.empty() && are_covering(named, wall, part.foot, head);
+  });
   return parts;
 }
 

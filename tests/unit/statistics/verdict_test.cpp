@@ -318,10 +318,17 @@ WallsVerdict with_parts(double g, PartsOutOfPlane parts) {
                     std::move(parts));
 }
 PartsOutOfPlane named(std::vector<LocalCheck> checked, std::vector<Refusal> refused = {}) {
-  return {true, std::move(checked), std::move(refused)};
+  return {.checked = std::move(checked), .refused = std::move(refused)};
 }
 PartsOutOfPlane found(std::vector<LocalCheck> checked, std::vector<Refusal> refused = {}) {
-  return {false, std::move(checked), std::move(refused)};
+  for (LocalCheck& part : checked) part.by = "found";
+  for (Refusal& part : refused) part.what.code = "local.part_found";
+  return {.checked = std::move(checked), .refused = std::move(refused)};
+}
+PartsOutOfPlane both(PartsOutOfPlane parts, const PartsOutOfPlane& others) {
+  parts.checked.insert(parts.checked.end(), others.checked.begin(), others.checked.end());
+  parts.refused.insert(parts.refused.end(), others.refused.begin(), others.refused.end());
+  return parts;
 }
 const Refusal kRefused{{"local.part", {{"name", "attic"}}}, "its floor has no bearing"};
 
@@ -399,6 +406,31 @@ TEST(Parts, that_rules_found_take_away_what_the_pushes_show_and_show_nothing_els
   EXPECT_NE(text_of(v.sentence).find("storey overturns out of plane if nothing holds it, at 0.70"),
             std::string::npos);
   EXPECT_EQ(with_parts(0.1, found({part_of("storey", 0.7)})).verdict, AssessmentVerdict::kFails);
+}
+
+// One part that is named must not hide the others.
+TEST(Parts, that_rules_found_count_beside_named_ones) {
+  const PartsOutOfPlane harmless = named({part_of("plinth", 9)});
+  WallsVerdict v = with_parts(0.3, both(harmless, found({part_of("wall", 0.7)})));
+  EXPECT_EQ(v.verdict, AssessmentVerdict::kNotShown);
+  EXPECT_TRUE(has(v.cautions, "verdict.caution.part_found"));
+  EXPECT_NE(text_of(v.sentence).find("the wall overturns out of plane if nothing holds it"),
+            std::string::npos)
+      << text_of(v.sentence);
+  EXPECT_TRUE(has(v.notes, "verdict.note.parts_named_and_found"));
+  v = with_parts(0.3, both(harmless, found({part_of("wall", 1.2)})));
+  EXPECT_EQ(v.verdict, AssessmentVerdict::kHolds);
+  EXPECT_TRUE(v.may_be_signed) << text_of(v.sentence);
+  // a named part that falls decides, however little another holds
+  v = with_parts(0.3, both(named({part_of("gable", 0.9)}), found({part_of("wall", 0.2)})));
+  EXPECT_EQ(v.verdict, AssessmentVerdict::kFails);
+  EXPECT_NE(text_of(v.sentence).find("gable overturns out of plane at 0.90"), std::string::npos)
+      << text_of(v.sentence);
+  // and one that rules found and could not check leaves the named ones as they are
+  v = with_parts(0.3, both(harmless, found({}, {kRefused})));
+  EXPECT_EQ(v.verdict, AssessmentVerdict::kHolds);
+  EXPECT_FALSE(v.may_be_signed);
+  EXPECT_TRUE(has(v.cautions, "verdict.caution.part_unchecked"));
 }
 
 TEST(Parts, that_rules_found_and_cannot_check_are_said_to_be_unchecked_and_not_counted) {
