@@ -10,6 +10,8 @@
 // Each is times (1 - S), beside shares of S for "base sliding", "top sliding", "bed sliding".
 // S is the truth that joints along the whole wall slid by more than half of its displacement.
 // The highest gives the name if it leads by kClear. Sheared: a diagonal crack, or sliding.
+//
+// An arch alone is a mechanism by four hinges, which open in turn at its intrados and extrados.
 #include "judge/modes/mode_names.h"
 
 #include <algorithm>
@@ -28,6 +30,7 @@ struct Words {
   const char *name, *code, *sentence;
 };
 constexpr const char* kPartOff = "part breaking away";
+constexpr const char* kArchHinges = "arch hinges";
 constexpr Words kWords[] = {{"FM-1", "", "mode.fm_1"},
                             {"FM-2", "", "mode.fm_2"},
                             {"FM-3", "", "mode.fm_3"},
@@ -41,6 +44,7 @@ constexpr Words kWords[] = {{"FM-1", "", "mode.fm_1"},
                             {"spandrel shear", "damage.spandrel_shear", ""},
                             {"pier rocking", "damage.pier_rocking", ""},
                             {kPartOff, "damage.breaking_away", ""},
+                            {kArchHinges, "damage.arch_hinges", ""},
                             {"flexural cracks", "damage.flexural_cracks", ""},
                             {"shear", "damage.shear", ""},
                             {"sliding at the top", "damage.sliding_at_top", ""},
@@ -75,13 +79,21 @@ Message sentence_of(const std::string& name) {
 }
 
 // Kinds of damage of all other walls, with and without openings, in the order of Namer::rank_plainly.
-constexpr const char* kGravestFirst[] = {"pier shear",     "shear",
-                                         "spandrel shear", "pier sliding",
-                                         "sliding",        "bed sliding",
-                                         "base sliding",   "sliding at the base",
-                                         "top sliding",    "sliding at the top",
-                                         "pier rocking",   "rocking",
-                                         kPartOff,         "toe crushing",
+constexpr const char* kGravestFirst[] = {kArchHinges,
+                                         "pier shear",
+                                         "shear",
+                                         "spandrel shear",
+                                         "pier sliding",
+                                         "sliding",
+                                         "bed sliding",
+                                         "base sliding",
+                                         "sliding at the base",
+                                         "top sliding",
+                                         "sliding at the top",
+                                         "pier rocking",
+                                         "rocking",
+                                         kPartOff,
+                                         "toe crushing",
                                          "flexural cracks"};
 
 using Kinds = std::vector<std::string>;
@@ -129,6 +141,7 @@ class Namer {
 
   // The mechanism of the wall just named.
   [[nodiscard]] WallMechanism mechanism() const {
+    if (parts_.is_arch) return {.name = mode_.name, .sentence = mode_.sentence};
     const WallSigns signs{parts_, elements_, truths_, motion_, rules_, slips()};
     return is_two_pier_wall(parts_) ? mechanism_of_portal(mode_, signs) : mechanism_of(signs);
   }
@@ -235,8 +248,45 @@ class Namer {
              {"second_means", sentence_of(second)}}};
   }
 
+  // Number of hinges of an arch: joints along it that turn the same way, one after the other, are one hinge. Each must open
+  // its face by `crack` at the edge.
+  [[nodiscard]] int arch_hinges(double crack) const {
+    const double middle = 0.5 * (parts_.wall.x0 + parts_.wall.x1), foot = parts_.wall.y0;
+    const auto angle = [&](double x, double y) { return std::atan2(y - foot, x - middle); };
+    const auto of_block = [&](BlockId block, double x) {
+      constexpr double kBeyond = 4;  // the ground lies beyond both ends
+      if (block == kGroundBlock) return x < middle ? kBeyond : -kBeyond;
+      return angle(motion_.blocks[block].at.x, motion_.blocks[block].at.y);
+    };
+    std::vector<std::pair<double, double>> turns;  // angle of the joint, turn of its face
+    for (const JointMotion& j : motion_.joints) {
+      const double a = j.a == kGroundBlock ? 0 : motion_.blocks[j.a].turn.z;
+      const double b = motion_.blocks[j.b].turn.z;
+      const double way = of_block(j.a, j.x) > of_block(j.b, j.x) ? 1 : -1;
+      const double opened = way * (b - a) * 2 * std::hypot(j.reach_x, j.reach_y);
+      if (std::fabs(opened) >= crack) turns.emplace_back(angle(j.x, j.y), opened);
+    }
+    std::sort(turns.begin(), turns.end());
+    int hinges = 0;
+    for (std::size_t k = 0; k < turns.size(); ++k)
+      if (k == 0 || (turns[k].second > 0) != (turns[k - 1].second > 0)) ++hinges;
+    return hinges;
+  }
+
+  // Four hinges are a mechanism. Their truth is the mean over crack widths, as that of signs.
+  void rank_arch() {
+    constexpr int kOfMechanism = 4;
+    constexpr double kWidths[] = {0.5, 0.7, 1, 1.4, 2};  // over the rule's
+    double sure = 0, slip = 0;
+    for (const double width : kWidths)
+      if (arch_hinges(width * rules_.crack) >= kOfMechanism) sure += 1.0 / std::size(kWidths);
+    for (const JointMotion& j : motion_.joints) slip = std::max(slip, std::fabs(j.slip));
+    ranked_ = {{kArchHinges, sure}, {"sliding", ramp(slip, rules_.sliding, rules_)}};
+  }
+
   // Ranks the kinds of damage of any other wall, the most severe first.
   void rank_plainly() {
+    if (parts_.is_arch) return rank_arch();
     const bool bare = parts_.openings == 0;
     const auto add = [&](const char* of_pier, const char* alone, double sure) {
       ranked_.emplace_back(bare ? alone : of_pier, sure);
@@ -271,12 +321,16 @@ class Namer {
     if (strict == lenient && !strict.empty()) {
       give_name(joined(strict, " + "), words_of(strict));
       mode_.sentence = {"mode.parts", {{"parts", parts_that_show()}}};
+      if (strict.front() == kArchHinges)
+        mode_.sentence = {"mode.arch_hinges", {{"hinges", arch_hinges(rules_.crack)}}};
       return;
     }
     const auto or_none = [](const Kinds& kinds) {
       return kinds.empty() ? Message{"damage.none"} : words_of(kinds);
     };
-    if (strict == lenient)
+    if (strict == lenient && parts_.is_arch)
+      mode_.sentence = {"mode.arch_stands", {{"hinges", arch_hinges(rules_.crack)}}};
+    else if (strict == lenient)
       mode_.sentence = {"mode.no_part"};
     else
       mode_.sentence = {"mode.between_kinds",

@@ -246,6 +246,7 @@ class Raster {
 struct Opening : Box {
   bool at_edge = false;  // masonry on one side only
   int storey = 0;        // from 0
+  double filled = 1;     // share of the box
 };
 
 // A gap at the edge counts as an opening if it is upright and as wide as a door
@@ -266,7 +267,7 @@ std::vector<Opening> openings_of(const Model& m, const Elevation& seen, const Fr
     // smaller ones are gaps between blocks
     if (box.width() < 0.9 * f.column || box.height() < 0.9 * f.course) continue;
     if (hole.at_edge && !is_gap_at_edge(hole, f)) continue;
-    openings.push_back({box, hole.at_edge, 0});
+    openings.push_back({box, hole.at_edge, 0, hole.filled});
     widest = std::max(widest, box.width()), highest = std::max(highest, box.height());
   }
   // smaller than a quarter of the largest in both directions: the pocket of a joist, a vent
@@ -277,6 +278,27 @@ std::vector<Opening> openings_of(const Model& m, const Elevation& seen, const Fr
   std::sort(openings.begin(), openings.end(),
             [](const Box& a, const Box& b) { return a.x0 != b.x0 ? a.x0 < b.x0 : a.y0 < b.y0; });
   return openings;
+}
+
+// Whether the masonry is an arch alone: its one opening is round and stands on the ground, and most of its joints are
+// inclined. A wall with an arch over its opening has level beds, and a wall of irregular stones an upright opening.
+bool is_bare_arch(const Model& m, const Elevation& seen, const Frame& f,
+                  const std::vector<Opening>& openings) {
+  constexpr double kRound = 0.9;      // share of its box that a rectangle exceeds
+  constexpr double kOnGround = 0.1;   // of the height
+  constexpr double kInclined = 0.17;  // least part of a unit normal along either axis: 10 degrees
+  if (openings.size() != 1 || openings[0].at_edge || openings[0].filled > kRound ||
+      openings[0].y0 > f.wall.y0 + kOnGround * f.wall.height())
+    return false;
+  double all = 0, inclined = 0;
+  for (JointId j = 0; j < m.n_joint; ++j) {
+    const JointShape joint = joint_shape(m, j);
+    if (!seen.holds(joint.b)) continue;
+    const Vec3 normal = seen.way(joint.normal);
+    all += joint.area;
+    if (std::fabs(normal.x) > kInclined && std::fabs(normal.y) > kInclined) inclined += joint.area;
+  }
+  return inclined > 0.5 * all;
 }
 
 double shared(double a0, double a1, double b0, double b1) {
@@ -357,9 +379,11 @@ class Finder {
         seen_(seen),
         frame_(frame_of(m, seen)),
         openings_(openings_of(m, seen, frame_)),
-        rows_(storeys_of(openings_)),
         elevation_(elevation),
         marks_(marks) {
+    parts_.is_arch = is_bare_arch(m, seen, frame_, openings_);
+    if (parts_.is_arch) openings_.clear();
+    rows_ = storeys_of(openings_);
     for (std::size_t k = 0; k < rows_.size(); ++k)
       for (const std::size_t i : rows_[k].of) openings_[i].storey = static_cast<int>(k);
     parts_.wall = frame_.wall;

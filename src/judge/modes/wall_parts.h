@@ -11,6 +11,8 @@
 // Piers stand beside the openings of a row, spandrels reach up to the next row. The rest
 // of the masonry, above a pier, is a node (docs/theory/failure_modes.md, "Parts").
 //
+// An arch alone has neither piers nor spandrels: it is one part, and its hinges are counted (mode_names.cpp).
+//
 // No grid is needed: blocks are painted on a fine raster, and the holes are the empty cells.
 // Called once for each model by element_states.cpp, element_forces.cpp and features.cpp.
 #pragma once
@@ -67,6 +69,7 @@ struct WallParts {
   std::vector<Part> nodes;          // above each pier
   Box wall;                         // masonry and lintels
   int openings = 0, storeys = 1;
+  bool is_arch = false;                  // an arch without a wall: one part, no opening
   double column = 0, course = 0;         // length and height of the usual block [m]
   std::map<std::string, Message> words;  // of each name, for a reader
 };

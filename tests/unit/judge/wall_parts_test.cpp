@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -396,6 +398,96 @@ TEST(WallParts, crack_in_the_haunch_of_an_arch_is_one_of_its_spandrel) {
     for (const ElementSign& s : e.signs)
       if (e.kind == "spandrel" && s.state == study::kDiagonal) length = s.value;
   EXPECT_GT(length, 0.05);  // of the joint, 0.25 m long, seen from above
+}
+
+// --- an arch alone ---------------------------------------------------------------------------
+
+// A half circle of 16 voussoirs, radii 0.9 and 1.1 m, its middle at x = 1.1 m on the ground.
+constexpr int kVoussoirs = 16;
+constexpr double kMiddle = 1.1, kPi = 3.14159265358979323846;
+double angle_of(double k) { return kPi * (1 - k / kVoussoirs); }  // of joint k, from the left
+const Model& bare_arch() {
+  static const Model model = [] {
+    ModelSpec spec = scenes::plain_wall(8, 8, 1e-3, 0.02);
+    spec.wall.blocks = "arch.json";
+    spec.stage = {scenes::gravity_stage()};
+    const auto place = [](double radius, double k) {
+      return std::array<double, 2>{kMiddle + radius * std::cos(angle_of(k)),
+                                   radius * std::sin(angle_of(k))};
+    };
+    for (int k = 0; k < kVoussoirs; ++k) {
+      BlockSpec& block = spec.block.emplace_back();
+      block.id = "v" + std::to_string(k);
+      block.polygon = {place(0.9, k + 1), place(1.1, k + 1), place(1.1, k), place(0.9, k)};
+    }
+    for (const double x : {0.0, 2.0}) {
+      BlockSpec& support = spec.block.emplace_back();
+      support.id = x > 0 ? "right" : "left";
+      support.fixed = true;
+      support.polygon = {{x - 0.1, -0.2}, {x + 0.3, -0.2}, {x + 0.3, 0}, {x - 0.1, 0}};
+    }
+    return compile(spec);
+  }();
+  return model;
+}
+
+// The motion about hinges at both springings and at two joints between, whose parts stay together: the turns at the hinges
+// have no sum, and no moment about any point.
+Mechanism four_hinges(double second, double third, double turn) {
+  struct Hinge {
+    double joint, x, y, turn;
+  };
+  const auto at = [](double joint) {
+    return Hinge{joint, kMiddle + std::cos(angle_of(joint)), std::sin(angle_of(joint)), 0};
+  };
+  std::array<Hinge, 4> hinge = {at(0), at(second), at(third), at(kVoussoirs)};
+  auto& [a, b, c, d] = hinge;
+  a.turn = turn;
+  b.turn = -turn * (a.x - d.x) / ((b.x - d.x) - b.y / c.y * (c.x - d.x));
+  c.turn = -b.turn * b.y / c.y;
+  d.turn = -(a.turn + b.turn + c.turn);
+  return [=](double x, double y) {
+    const double joint = kVoussoirs * (1 - std::atan2(y, x - kMiddle) / kPi);
+    Motion motion;
+    for (const Hinge& h : hinge) {
+      if (joint < h.joint) break;
+      const double arm_x = h.x - motion.pivot_x, arm_y = h.y - motion.pivot_y;
+      motion.move_x -= motion.turn * arm_y, motion.move_y += motion.turn * arm_x;
+      motion.pivot_x = h.x, motion.pivot_y = h.y;
+      motion.turn += h.turn;
+    }
+    return motion;
+  };
+}
+
+TEST(Arch, alone_is_one_part_and_no_portal) {
+  const study::WallParts parts = study::find_parts(bare_arch());
+  EXPECT_TRUE(parts.is_arch);
+  EXPECT_EQ(pier_names(parts), std::vector<std::string>{"wall"});
+  EXPECT_TRUE(parts.spandrels.empty());
+  EXPECT_FALSE(study::find_parts(tuff_wall()).is_arch);
+}
+
+TEST(Arch, alone_that_turns_about_four_hinges_is_named_by_them) {
+  const FailureMode mode =
+      name_from_state(bare_arch(), moved(bare_arch(), four_hinges(5, 11, 0.03)));
+  EXPECT_EQ(mode.name, "arch hinges") << text_of(mode.sentence);
+  EXPECT_EQ(mode.sentence.code, "mode.arch_hinges");
+  EXPECT_EQ(mode.sentence.number("hinges"), 4);
+  EXPECT_TRUE(is_firm(mode));
+  const WallMechanism whole =
+      mechanism_from_state(bare_arch(), moved(bare_arch(), four_hinges(5, 11, 0.03)));
+  EXPECT_EQ(whole.name, "arch hinges");
+}
+
+TEST(Arch, alone_with_fewer_hinges_gets_no_name_of_a_wall) {
+  const FailureMode mode =
+      name_from_state(bare_arch(), moved(bare_arch(), [](double x, double) {
+                        return Motion{.pivot_y = 1, .turn = x < kMiddle ? 2e-3 : 0};
+                      }));
+  EXPECT_EQ(mode.name.find("FM-"), std::string::npos) << mode.name;
+  EXPECT_EQ(mode.name.find("pier"), std::string::npos) << mode.name;
+  EXPECT_NE(mode.name, "arch hinges");
 }
 
 // --- mechanism -------------------------------------------------------------------------------
