@@ -104,6 +104,11 @@ class Builder(unittest.TestCase):
         ended = wythe("check", self.model(ALONE + UNIT, split="middle"))
         self.assertEqual(ended.returncode, 0, ended.stderr)
 
+    def test_a_wall_that_barely_misses_another_is_noted(self):
+        side = SIDE.replace('["0 m", "0 m"], ["0 m", "1.125 m"]', '["0.6 m", "0.085 m"], ["0.6 m", "1.285 m"]')
+        said = wythe("check", self.model(ALONE + side)).stdout
+        self.assertRegex(said, "note: wall side ends at .*, 10 mm from wall front, and does not meet it")
+
     def test_units_drawn_larger_are_of_one_size_and_said_so(self):
         real = '[wall.unit.real]\nlength = "{} mm"\nheight = "50 mm"\n'
         ended = wythe("check", self.model(ALONE + real.format(150)))

@@ -524,6 +524,29 @@ TEST(Builder, walls_that_do_not_meet_are_refused_by_place) {
                  "plan_wall.2.line", "where b does");
 }
 
+TEST(Builder, an_end_that_barely_misses_a_wall_is_noted_with_the_place_where_both_meet) {
+  const PlanWallSpec a = wall("a", {{0, 0}, {2.25, 0}});
+  const double half = 0.5 * kThick;
+  const auto misses = [&](const PlanWallSpec& other) {
+    std::vector<Message> found;
+    for (const Message& note : build(plan({a, other})).notes)
+      if (note.code == "plan_wall.near_miss") found.push_back(note);
+    return found;
+  };
+  // 10 mm beside the corner, and 10 mm before the face
+  for (const PlanWallSpec& b : {wall("b", {{2.25 + half + 0.01, 0.5}, {2.25 + half + 0.01, -1.75}}),
+                                wall("b", {{1.125, half + 0.01}, {1.125, half + 2.26}})}) {
+    const std::vector<Message> found = misses(b);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_NEAR(found[0].number("gap_mm"), 10, 1e-6);
+    EXPECT_NE(text_of(found[0]).find("let both lines go to ["), std::string::npos);
+  }
+  // walls that meet, that stand apart, and leaves side by side
+  EXPECT_TRUE(misses(wall("b", {{2.25, 0}, {2.25, 2.25}})).empty());
+  EXPECT_TRUE(misses(wall("b", {{1.125, 2 * half + 0.1}, {1.125, 2.25 + 2 * half + 0.1}})).empty());
+  EXPECT_TRUE(misses(wall("b", {{0, 2 * half + 0.05}, {2.25, 2 * half + 0.05}})).empty());
+}
+
 TEST(Builder, courses_that_do_not_match_are_refused_where_walls_are_toothed) {
   const PlanWallSpec a = wall("a", {{0, 0}, {2.025, 0}});
   PlanWallSpec b = wall("b", {{0, 0}, {0, 1.425}});

@@ -170,8 +170,7 @@ void lay_bodies(const BuilderSpec& built, ModelSpec& spec) {
   spec.frame = std::move(frames);
   spec.wall.blocks = "blocks.json";  // in the folder of the run
   if (spec.wall.up.empty()) spec.wall.up = "y";
-  for (const std::string& note : texts_of(notes))
-    spec.note += (spec.note.empty() ? "" : "; ") + note;
+  spec.built = std::move(notes);
 }
 
 }  // namespace wythe

@@ -95,8 +95,9 @@ struct StraightWall {
   [[nodiscard]] bool goes_through(int e, int row) const;
 };
 
-// Divides lines at their corners and finds thicknesses, lengths and meetings.
-[[nodiscard]] std::vector<StraightWall> read_plan(const Site& site, FaultList& faults);
+// Divides lines at their corners and finds thicknesses, lengths and meetings; notes ends that barely miss another wall.
+[[nodiscard]] std::vector<StraightWall> read_plan(const Site& site, std::vector<Message>& notes,
+                                                  FaultList& faults);
 
 // Decides which end goes through in which courses, once the lattices are known.
 void match_courses(std::vector<StraightWall>& walls, FaultList& faults);

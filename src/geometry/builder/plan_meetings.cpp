@@ -14,6 +14,7 @@ namespace {
 constexpr double kSamePlace = 1e-4;    // distance of two points that count as one [m]
 constexpr double kRightAngle = 1e-6;   // cosine of the angle between two walls at right angles
 constexpr double kLeastSine = 0.7071;  // sine of the smallest angle between two walls: 45 degrees
+constexpr double kNearMiss = 0.5;      // of the thinner wall's thickness: a gap that seems unmeant
 constexpr double kLeastLap = 0.25;     // of a half unit: least lap of a tooth beyond the other wall
 
 template <class E, std::size_t N>
@@ -202,8 +203,75 @@ class Meetings {
     }
   }
 
+  // Notes a free end that stops short of another wall: two walls that seem to meet, and stand free of each other.
+  void note_near_misses(std::vector<Message>& notes) const {
+    for (const StraightWall& a : walls_)
+      for (int e = 0; e < 2; ++e) {
+        if (a.end[e].kind != EndKind::kFree) continue;
+        for (const StraightWall& b : walls_) {
+          if (&a == &b || !lie_beside(a, b) || are_joined(a, b)) continue;
+          const double gap = gap_before(a, e, b);
+          if (!(gap > kSamePlace)) continue;
+          const Vec2 p = point(a, e), meets = common_point(a, e, b);
+          notes.push_back({"plan_wall.near_miss",
+                           {{"wall", a.name},
+                            {"other", b.name},
+                            {"gap_mm", 1e3 * gap},
+                            {"place", shown(p)},
+                            {"meets", shown(meets)}}});
+        }
+      }
+  }
+
  private:
   StraightWall& at(int i) { return walls_[i]; }
+
+  [[nodiscard]] bool are_joined(const StraightWall& a, const StraightWall& b) const {
+    const auto meets = [&](const StraightWall& from, const StraightWall& to) {
+      return std::any_of(std::begin(from.end), std::end(from.end), [&](const WallEnd& end) {
+        return end.kind != EndKind::kFree && &walls_[end.other] == &to;
+      });
+    };
+    return meets(a, b) || meets(b, a);
+  }
+
+  // Distance from the end face of `a` to `b`, as far as it lies before that face, or at its corner where the walls are not
+  // parallel: leaves side by side miss nothing. NaN where nothing is within half a thickness.
+  [[nodiscard]] static double gap_before(const StraightWall& a, int e, const StraightWall& b) {
+    const Vec2 out = e == 0 ? back(a.along) : a.along, p = point(a, e);
+    const double room = kNearMiss * std::min(a.thickness, b.thickness), half = 0.5 * a.thickness;
+    // `b` in the axes of the end: x away from the wall, y across it
+    Polygon other;
+    for (const auto& [s, side] : {std::pair(-b.end[0].reach, -0.5),
+                                  {b.line + b.end[1].reach, -0.5},
+                                  {b.line + b.end[1].reach, 0.5},
+                                  {-b.end[0].reach, 0.5}}) {
+      const double t = side * b.thickness;
+      const Vec2 d{b.from.x + s * b.along.x + t * b.across.x - p.x,
+                   b.from.y + s * b.along.y + t * b.across.y - p.y};
+      other.push_back({dot(d, out), cross(out, d)});
+    }
+    double gap = kUnset;
+    for (const Vec2& q : part_inside(other, {{0, -half}, {room, -half}, {room, half}, {0, half}}))
+      gap = std::fmin(gap, q.x);
+    if (std::fabs(cross(a.along, b.along)) < kRightAngle) return gap;
+    const double wide = half + room;
+    for (const Vec2& q : part_inside(other, {{0, -wide}, {room, -wide}, {room, wide}, {0, wide}}))
+      gap = std::fmin(gap, elementary::hypot(q.x, std::max(0.0, std::fabs(q.y) - half)));
+    return gap;
+  }
+
+  // Where both lines have to go for a meeting.
+  [[nodiscard]] static Vec2 common_point(const StraightWall& a, int e, const StraightWall& b) {
+    const Vec2 p = point(a, e);
+    const double turn = cross(a.along, b.along);
+    if (std::fabs(turn) < kRightAngle) {  // one after the other
+      const Vec2 first = point(b, 0), last = point(b, 1);
+      return length(first - p) < length(last - p) ? first : last;
+    }
+    const double s = cross(b.from - a.from, b.along) / turn;
+    return {a.from.x + s * a.along.x, a.from.y + s * a.along.y};
+  }
 
   void refuse(const StraightWall& wall, Vec2 p, const std::string& problem,
               const std::string& cure) {
@@ -445,14 +513,17 @@ bool teeth_fit(const StraightWall& a, int e, const StraightWall& b, FaultList& f
 
 }  // namespace
 
-std::vector<StraightWall> read_plan(const Site& site, FaultList& faults) {
+std::vector<StraightWall> read_plan(const Site& site, std::vector<Message>& notes,
+                                    FaultList& faults) {
   std::vector<StraightWall> walls;
   for (std::size_t i = 0; i < site.spec.plan_wall.size(); ++i)
     add_sides(site, static_cast<int>(i), walls, faults);
   // without all lines, walls would seem to end where none of them should
   const auto has_line = [](const PlanWallSpec& wall) { return wall.line.size() >= 2; };
   if (!std::all_of(site.spec.plan_wall.begin(), site.spec.plan_wall.end(), has_line)) return {};
-  Meetings(walls, site.spec, faults).find();
+  Meetings meetings(walls, site.spec, faults);
+  meetings.find();
+  meetings.note_near_misses(notes);
   return walls;
 }
 

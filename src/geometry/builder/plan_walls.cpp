@@ -87,8 +87,8 @@ void plan_courses(const Site& site, StraightWall& wall, std::vector<Message>& no
   std::vector<Message> said;
   const Shape own = layout.shape();
   wall.storeys = plan_storeys(own, false, said, found);
-  for (const Message& note : said)
-    notes.push_back(as_text("wall " + wall.name + ": " + text_of(note)));
+  for (Message& note : said)
+    notes.push_back({"plan_wall.says", {{"wall", wall.name}, {"said", std::move(note)}}});
   take_faults(site, wall, found, faults);
 }
 
@@ -124,8 +124,8 @@ class WallBuilder {
       check_slivers(blocks_, storeys_, found);
       take_regions(openings, said, found);
     }
-    for (const Message& note : said)
-      notes.push_back(as_text("wall " + wall_.name + ": " + text_of(note)));
+    for (Message& note : said)
+      notes.push_back({"plan_wall.says", {{"wall", wall_.name}, {"said", std::move(note)}}});
     take_faults(site_, wall_, found, faults);
     if (!found.empty()) return {};
     if (wall_.base == 0) add_ground();
@@ -301,18 +301,11 @@ class WallBuilder {
     for (const PlacedOpening& opening : openings)
       if (!cut_of(opening.index).empty())
         for (Block& block : masonry_cut_out(opening, storeys_)) blocks_.push_back(std::move(block));
-    if (bare_teeth_ > 0)
-      notes.push_back(
-          as_text(fmt::format("over or under {} teeth of walls that end on it a head joint stands, "
-                              "as an opening or its "
-                              "end leaves no room for a unit that bridges them",
-                              bare_teeth_)));
+    if (bare_teeth_ > 0) notes.push_back({"plan_wall.bare_teeth", {{"teeth", bare_teeth_}}});
     const auto is_tied = [&](const Block& block) { return is_through(block); };
     if (spec_.through_courses > 0 && std::none_of(blocks_.begin(), blocks_.end(), is_tied))
-      notes.push_back(
-          as_text(fmt::format("no through-stone stands in this wall: it has {} courses, and "
-                              "through_courses = {} and through_spacing leave no place for one",
-                              courses().count, spec_.through_courses)));
+      notes.push_back({"plan_wall.no_through_stone",
+                       {{"courses", courses().count}, {"each", spec_.through_courses}}});
     if (masonry.joined_pieces > 0)
       notes.push_back({"fit.joined_pieces",
                        {{"pieces", masonry.joined_pieces},
@@ -807,7 +800,7 @@ std::vector<FrameSpec> frames_in_walls(const Site& site, const std::vector<Strai
 
 std::vector<BuiltBody> build_plan_walls(const Site& site, std::vector<StraightWall>& walls,
                                         std::vector<Message>& notes, FaultList& faults) {
-  walls = read_plan(site, faults);
+  walls = read_plan(site, notes, faults);
   if (!check_count(site, walls, faults)) return {};
   for (StraightWall& wall : walls) plan_courses(site, wall, notes, faults);
   match_courses(walls, faults);

@@ -600,6 +600,8 @@ Model compile_space(const ModelSpec& spec, const SpaceAssembly& assembly) {
   fill_joints(spec, assembly, id, fields, model, faults);
   fill_lists(model);
   measure(assembly, model);
+  std::vector<Message>& notes = model.anatomy.notes;
+  notes.insert(notes.begin(), spec.built.begin(), spec.built.end());
   fill_storeys(spec, assembly, model, faults);
   compile_free_in_space(spec, model, faults);
   for (std::size_t i = 0; i < model.gravity_mass.size(); ++i)  // cut-out masonry has no weight
