@@ -121,7 +121,15 @@ test("half as fast: what the file says is halved, a push that adapts gets both i
   const halves = ofEngine.slice(1).map((speed) => `${Number((500 * Number(speed)).toPrecision(6))} mm/s`);
   assert.deepEqual(["velocity", "fast_velocity"].map((key) => toml.valueAt(adapts, ["stage", 0, key])), halves);
   assert.equal(drawing.slower(stage('velocity = "some"\n')), null);
+  assert.equal(drawing.slower(stage('velocity = "1e-7 m/s"\n')), stage('velocity = "5e-8 m/s"\n'));
+  assert.equal(drawing.slower(stage('velocity = "0.3333333 mm/s"\n')), stage('velocity = "0.16666665 mm/s"\n'));
   assert.equal(drawing.slower('[wall]\nlength = "3 m"\n'), null);
+});
+
+test("twice as far: however short the push is, its length is doubled to its last digit", () => {
+  const stage = (until) => `[[stage]]\nname = "push"\nat = { x = "0 m" }\nuntil = "${until}"\n`;
+  for (const [until, twice] of [["20 mm", "40 mm"], ["0.02 mm", "0.04 mm"], ["1e-5 m", "0.00002 m"], ["1.23456 cm", "2.46912 cm"]]) assert.equal(drawing.farther(stage(until)), stage(twice));
+  for (const none of [stage("2 parsec"), '[wall]\nlength = "3 m"\n']) assert.equal(drawing.farther(none), null);
 });
 
 test("storeys: openings stand on their floor, the last storey takes the height", () => {

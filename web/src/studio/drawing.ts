@@ -5,7 +5,7 @@ import { readDiaphragms, readFloors, type Diaphragm, type Floor } from "./floors
 import { readFrames, type Frame } from "./frames";
 import { readTies, type Tie } from "./ties";
 import { appendTable, countAt, find, parse, quoted, removeAt, setValue, valueAt, withRemarks, type Doc, type Path } from "./toml";
-import { lengthOf, readQuantity, writeQuantity } from "./units";
+import { amountOf, lengthOf, readQuantity, times, writeQuantity } from "./units";
 
 export interface Box {
   x: number;
@@ -286,11 +286,17 @@ export function slower(text: string): string | null {
   let out = text;
   for (const key of ["velocity", "fast_velocity"] as const) {
     if (stated(key) === undefined && stated("velocity") !== undefined) continue; // one speed throughout
-    const speed = readQuantity(stated(key) ?? kSpeeds[key]);
-    if (speed?.base !== "m/s") return null;
-    out = setValue(out, ["stage", push.stage, key], quoted(writeQuantity(speed.value / 2, speed.unit)));
+    const half = times(stated(key) ?? kSpeeds[key], 0.5);
+    if (half === null || amountOf(half, "m/s") === null) return null;
+    out = setValue(out, ["stage", push.stage, key], quoted(half));
   }
   return out;
+}
+// A push twice as far. null: how far cannot be read.
+export function farther(text: string): string | null {
+  const push = pushOf(parse(text));
+  const twice = push && times(push.until, 2);
+  return push && twice !== null && lengthOf(twice) !== null ? setValue(text, ["stage", push.stage, "until"], quoted(twice)) : null;
 }
 
 // The load on the top: the first stage that has one.

@@ -6,7 +6,7 @@ import { asSentence, languageNow, num, phrase, qty, say } from "../texts";
 import { Beside } from "./beside";
 import { Compare, type Pushed } from "./compare";
 import { Curve } from "./curve";
-import { pushOf, setLength, slower } from "./drawing";
+import { farther, pushOf, slower } from "./drawing";
 import type { Answer, Engine, Progress } from "./engine";
 import { hasEngine, kStopped, pieceOf, textIn } from "./engine";
 import { Family } from "./family";
@@ -59,7 +59,7 @@ export class Push {
   private readonly pauseButton = this.action("pause", () => this.pause());
   private readonly watchButton = this.action("watch", () => this.watch(!this.watching));
   private readonly otherButton = this.action("other", () => (this.beside.running === "other" ? this.beside.stop() : void this.beside.pushOtherWay()));
-  private readonly fartherButton = this.action("farther", () => this.pushFarther());
+  private readonly fartherButton = this.action("farther", () => this.pushAnew(farther(this.project.text)));
   private readonly slowerButton = this.action("slower", () => this.pushAnew(slower(this.project.text)));
   private readonly wallsButton = this.action("walls", () => (this.beside.running === "walls" ? this.beside.stop() : void this.beside.pushWalls()));
   private readonly keepButton = this.action("keep", () => this.keep());
@@ -254,11 +254,6 @@ export class Push {
     this.watching = on;
     if (!on) this.hide();
     this.refresh();
-  }
-  private pushFarther(): void {
-    const push = this.project.doc && pushOf(this.project.doc);
-    const until = lengthOf(push?.until);
-    if (push && until) this.pushAnew(setLength(this.project.text, ["stage", push.stage, "until"], 2 * until));
   }
   // An edit of the file as any other, and a push.
   private pushAnew(text: string | null): void {

@@ -45,6 +45,12 @@ export function writeQuantity(value: number, unit: string, like = ""): string {
   return `${text} ${unit}`;
 }
 
+// A quantity times a factor, in its unit and with all its digits; null: it cannot be read.
+export function times(text: unknown, factor: number): string | null {
+  const q = readQuantity(text);
+  return q && `${Number((parseFloat(text as string) * factor).toPrecision(12))} ${q.unit}`;
+}
+
 // What somebody types for a length: metres unless a unit follows; a comma is a point.
 export function typedLength(text: string): number | null {
   const match = /^\s*([-+]?(?:\d+[.,]?\d*|[.,]\d+))\s*(m|dm|cm|mm|ft|in)?\s*$/.exec(text);
