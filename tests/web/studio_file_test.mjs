@@ -299,3 +299,31 @@ test("of two tabs each has its own wall back, and undo brings that of the other"
   assert.equal(await textOf(one), second);
   await one.end();
 });
+
+test("a tab that was never edited shows after a reload what it showed, and undo brings the other tab's wall", async () => {
+  const model = `${pier}# given\n`;
+  for (const address of [file, made("two_tabs", model)]) {
+    const looks = await openStudio(browser, file, { impatient: true });
+    const shown = await visit(looks, address);
+    const works = await looks.context().newPage();
+    await visit(works, address);
+    await add(works, "# another's\n");
+    for (let times = 0; times < 2; ++times) {
+      await looks.reload();
+      await looks.waitForSelector("html[data-ready]");
+      assert.equal(await textOf(looks), shown);
+      await looks.locator(".notice", { hasText: /Undo brings your last wall back/ }).waitFor();
+    }
+    await undo(looks);
+    assert.equal(await textOf(looks), `${shown}# another's\n`);
+    await looks.end();
+  }
+});
+
+test("a page that nobody edited opens without a word, however often", async () => {
+  const looks = await openStudio(browser, file, { impatient: true });
+  await looks.reload();
+  await looks.waitForSelector("html[data-ready]");
+  assert.equal(await looks.locator(".notice").isVisible(), false);
+  await looks.end();
+});

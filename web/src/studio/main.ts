@@ -477,11 +477,13 @@ document.body.prepend(
 showPane("numbers");
 
 async function start(): Promise<void> {
-  const kept = store.kept();
+  const kept = store.kept(),
+    fresh = store.given ?? starter("portal");
   const along = store.handedOver() as Along | null;
   let text = kept ?? store.given;
-  let told = kept === null ? "" : say("studio.restored");
-  let last = store.keptByAnother() ?? kept ?? store.keptPlain(); // what an undo brings back
+  const isOfBefore = kept !== null && kept !== fresh;
+  let told = isOfBefore ? say("studio.restored") : "";
+  let last = store.keptByAnother() ?? (isOfBefore ? kept : store.keptPlain()); // what an undo brings back
   let linked = false; // another's wall: the photo stays hidden
   if (store.hasLink())
     try {
@@ -497,8 +499,9 @@ async function start(): Promise<void> {
     project.open(last);
     told = say("studio.lastwall");
   }
-  begin(text ?? starter("portal"));
+  begin(text ?? fresh);
   starting = false;
+  if (!store.hasLink()) store.keepOwn(project.text); // another tab's edits do not change what this one shows
   if (goesOn) {
     project.goOn(along.steps);
     push.kept = along.kept;

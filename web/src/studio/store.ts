@@ -39,19 +39,21 @@ const read = (from: () => Storage, key: string): string | null => {
 // All tabs of a page share the browser's storage, and the last edit of any stands there. A tab's own comes back when it is loaded again.
 const all = (): Storage => localStorage,
   own = (): Storage => sessionStorage;
-function keepIn(to: () => Storage, text: string): boolean {
+function keepIn(to: () => Storage, text: string | null): boolean {
   try {
-    if (text === given) to().removeItem(kHere); // the page itself has it
+    if (text === null) to().removeItem(kHere);
     else to().setItem(kHere, text);
     return true;
   } catch {
     return false;
   }
 }
+// What this tab shows, edited or not.
+export const keepOwn = (text: string): boolean => keepIn(own, text);
 // false: the browser keeps nothing (no room, or not allowed).
 export function keep(text: string): boolean {
-  keepIn(own, text);
-  return keepIn(all, text);
+  keepOwn(text);
+  return keepIn(all, text === given ? null : text); // the page itself has that one
 }
 export const kept = (): string | null => read(own, kHere) ?? read(all, kHere);
 export const keptByAnother = (): string | null => read(all, kHere);
