@@ -266,6 +266,9 @@ test("a number that was typed and not entered is there after a reload", async ()
   await other.end();
 });
 
+// Answers the question that the page asks next, and gives its words.
+const answered = (other, does) => new Promise((done) => other.once("dialog", (dialog) => (done(dialog.message()), dialog[does]())));
+
 test("where the browser keeps nothing, closing asks and another language takes the wall along", async () => {
   const other = await openStudio(browser, file, { impatient: true });
   await other.evaluate(() => {
@@ -279,7 +282,13 @@ test("where the browser keeps nothing, closing asks and another language takes t
   const [dialog] = await Promise.all([other.waitForEvent("dialog"), other.close({ runBeforeUnload: true })]);
   assert.equal(dialog.type(), "beforeunload");
   await dialog.dismiss();
+  const stays = answered(other, "dismiss"); // there is no room for the steps of undo
   await other.locator(".language").selectOption("it");
+  assert.match(await stays, /would be lost: the steps of undo/);
+  assert.equal(await other.locator(".language").inputValue(), "en");
+  const goes = answered(other, "accept");
+  await other.locator(".language").selectOption("it");
+  await goes;
   await other.waitForSelector('html[data-ready][lang="it"]');
   assert.equal(await textOf(other), mine);
   await other.end();

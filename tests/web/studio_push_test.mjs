@@ -132,6 +132,40 @@ test("a push is stopped at once, and the next one runs", async () => {
   assert.match(await page.locator(".result-words").innerText(), /kN/);
 });
 
+test("another language asks before a push that is not kept is lost; who stays has the language and the push as they were", async () => {
+  const other = await openStudio(browser, file, { impatient: true });
+  const languages = other.locator(".language"),
+    keep = other.locator('[data-action="keep"]');
+  const choose = async (language, does) => {
+    const asked = does && new Promise((done) => other.once("dialog", (dialog) => (done(dialog.message()), dialog[does]())));
+    await languages.selectOption(language);
+    return asked;
+  };
+  await write(other, kWall);
+  await other.getByRole("button", { name: "Push", exact: true }).click();
+  await keep.waitFor();
+  await other.waitForFunction(() => !document.querySelector(".primary.running"), null, { timeout: kPatience });
+  assert.match(await choose("de", "dismiss"), /^Another language loads the page again\. This would be lost: what the pushes found/);
+  assert.equal(await languages.inputValue(), "en");
+  assert.match(await other.locator(".result-words").innerText(), /kN/);
+  await other.reload();
+  await other.waitForSelector('html[data-ready][lang="en"]');
+  await other.getByRole("button", { name: "Push", exact: true }).click();
+  await keep.waitFor();
+  await other.waitForFunction(() => !document.querySelector(".primary.running"), null, { timeout: kPatience });
+  await keep.click();
+  await choose("de"); // without a question
+  await other.waitForSelector('html[data-ready][lang="de"]');
+  assert.equal(await keep.getAttribute("aria-pressed"), "true");
+  await other.getByRole("button", { name: "Schieben", exact: true }).click();
+  await other.locator(".compare").waitFor({ state: "attached" });
+  await other.waitForFunction(() => !document.querySelector(".primary.running"), null, { timeout: kPatience });
+  assert.match(await choose("fr", "accept"), /^Eine andere Sprache lädt die Seite neu/);
+  await other.waitForSelector('html[data-ready][lang="fr"]');
+  assert.deepEqual(other.faults, []);
+  await other.end();
+});
+
 test("no other language while a push runs; then one takes along the steps back and forth and the push that is kept", async () => {
   const other = await openStudio(browser, file, { impatient: true });
   const ended = () => other.waitForFunction(() => !document.querySelector(".primary.running"), null, { timeout: kPatience });

@@ -74,6 +74,9 @@ export class Beside {
     if (this.running !== "") this.engine.stop();
   }
 
+  get hasResult(): boolean {
+    return this.other !== null || this.walls.length > 0;
+  }
   get canTurn(): boolean {
     return this.project.drawable && this.project.doc !== null && pushOf(this.project.doc) !== null;
   }

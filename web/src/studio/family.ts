@@ -127,6 +127,9 @@ export class Family {
     const drawn = this.members.filter((m) => m.pushed !== null && m.pushed.points.length > 1);
     return [...drawn.filter((m) => m !== chosen), ...drawn.filter((m) => m === chosen)].map(line);
   }
+  get hasResult(): boolean {
+    return this.members.some((m) => m.pushed !== null);
+  }
   // The push of that text is one of these.
   has(text: string): boolean {
     return this.isOpen && !this.isStale && this.members.some((m) => m.text === text && m.pushed !== null);

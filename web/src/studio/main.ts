@@ -212,24 +212,28 @@ project.listen((why) => {
 // What a page opens with is kept elsewhere, or stands in its address, until it is edited.
 let starting = true;
 let isKept = true;
-let isWhole = true; // the page that is loaded anew has all of this one
 function edited(): void {
   store.forgetLink();
-  isWhole = true; // of a page that was to go and stayed
   const wasKept = isKept;
   isKept = store.keep(project.text);
   if (wasKept && !isKept) tell(say("studio.notkept"));
 }
 // The page is loaded anew, with the steps back and the push that is kept. A wall that the browser does not keep goes along in the address.
+// What cannot go along is asked about.
 interface Along {
   text: string;
   steps: Steps;
   kept: Pushed | null;
 }
 async function speakAnother(): Promise<void> {
-  remember("language", languages.value);
   const along: Along = { text: project.text, steps: project.allSteps, kept: push.kept };
-  isWhole = store.handOver(along) || (!project.canUndo && !project.canRedo && !push.kept);
+  const isWhole = store.handOver(along) || (!project.canUndo && !project.canRedo && !push.kept);
+  const lost = [push.hasMore && say("studio.lost.pushes"), !isWhole && say("studio.lost.steps"), !photo.isKept && say("studio.lost.photo")].filter(Boolean).join(", ");
+  if (lost !== "" && !window.confirm(say("studio.language.lost", { lost }))) {
+    languages.value = language;
+    return store.takeNothing();
+  }
+  remember("language", languages.value);
   if (isKept) return location.reload();
   const link = await store.linkTo(project.text);
   isKept = true; // from here on
@@ -238,7 +242,7 @@ async function speakAnother(): Promise<void> {
 // Before the page goes, what was typed last counts. What is kept nowhere is asked about.
 window.addEventListener("beforeunload", (e) => {
   (document.activeElement as HTMLElement | null)?.blur();
-  if (!isKept || !isWhole) e.preventDefault();
+  if (!isKept) e.preventDefault();
 });
 function showCracks(picture: Picture | null): void {
   canvas.readOnly = picture !== null;

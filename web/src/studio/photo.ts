@@ -49,6 +49,7 @@ async function load(name: string, bytes: ArrayBuffer): Promise<Loaded | null> {
 
 export class Photo {
   readonly bar = h("div", { class: "photo-bar", role: "group", "aria-label": say("studio.photo"), hidden: true });
+  isKept = true; // by the browser; also where there is none
   private loaded: Loaded | null = null;
   private shown = true;
   private opacity = 0.6;
@@ -121,13 +122,13 @@ export class Photo {
     this.shown = shown;
     this.points = [];
   }
-  private keep(): Promise<boolean> {
+  private async keep(): Promise<boolean> {
     const { loaded, opacity, shown } = this;
     const place = this.project.photo;
-    if (!loaded || !place) return Promise.resolve(true);
-    if (loaded.bytes.byteLength > kKept) return forgetPhoto().then(() => false); // not an older one either
+    if (!loaded || !place) return (this.isKept = true);
     const { name, type, bytes } = loaded;
-    return keepPhoto({ name, type, bytes, place, opacity, shown });
+    if (bytes.byteLength > kKept) await forgetPhoto(); // not an older one either
+    return (this.isKept = bytes.byteLength <= kKept && (await keepPhoto({ name, type, bytes, place, opacity, shown })));
   }
   private keepSoon(): void {
     window.clearTimeout(this.timer);
@@ -141,6 +142,7 @@ export class Photo {
     if (this.loaded) URL.revokeObjectURL(this.loaded.url);
     this.loaded = null;
     this.points = [];
+    this.isKept = true;
     void forgetPhoto();
     this.project.newPhoto(null);
   }

@@ -145,6 +145,10 @@ export class Push {
     this.compare.kept = pushed;
     this.refresh();
   }
+  // Results beside the push that is kept.
+  get hasMore(): boolean {
+    return (this.pushed !== null && this.pushed !== this.kept) || this.beside.hasResult || this.family.hasResult;
+  }
   get hasResult(): boolean {
     return this.states.length > 0;
   }

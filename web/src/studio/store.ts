@@ -70,9 +70,15 @@ export function handOver(what: object): boolean {
 }
 export function handedOver(): unknown {
   const what = read(own, `${kHere}.along`);
-  if (what === null) return null;
-  own().removeItem(`${kHere}.along`);
-  return JSON.parse(what);
+  takeNothing();
+  return what === null ? null : JSON.parse(what);
+}
+export function takeNothing(): void {
+  try {
+    own().removeItem(`${kHere}.along`);
+  } catch {
+    // nor is there anything
+  }
 }
 
 const kMark = "#w=";
