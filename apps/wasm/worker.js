@@ -1,7 +1,7 @@
 // A worker of a page: the engine's script and job.mjs stand before it (page.mjs). One question at a time.
 //
-//   to it:   {wasm}, answered by {ready, version}; then {id, task, texts, numbers, want, bytes, tables, pieces}, and {pause} while it is at it
-//   from it: {id, progress} a few times a second; {id, code, texts, bytes, tables}
+//   to it:   {wasm}, answered by {ready, version}, or by an error of the worker; then {id, task, texts, numbers, want, bytes, tables, pieces}, and {pause} while it is at it
+//   from it: {id, progress} a few times a second; {id, code, texts, bytes, tables}, with `thrown` where texts.error is the browser's
 //
 // `pieces`: a run is stopped a few times a second and goes on, with the same bits. In between it shows the wall as it stands
 // (progress.svg), and pauses where it is told to, which it says (progress.held). `bytes`: texts that come as UTF-8, not copied.
@@ -12,17 +12,7 @@ let paused = false;
 let goOn = () => undefined;
 
 onmessage = async ({ data }) => {
-  if (data.wasm) {
-    const compiled = data.wasm instanceof WebAssembly.Module; // by the page, for all its workers
-    const instantiateWasm = (imports, done) => {
-      WebAssembly.instantiate(data.wasm, imports).then((instance) => done(instance, data.wasm)).catch((error) =>
-        setTimeout(() => { throw error; })); // the page hears of it (onerror); nothing else would
-      return {};
-    };
-    engine = await wytheEngine({ ...(compiled ? { instantiateWasm } : { wasmBinary: data.wasm }), printErr: () => {} });
-    postMessage({ ready: true, version: engine.UTF8ToString(engine._wythe_version()) });
-    return;
-  }
+  if (data.wasm) return start(data.wasm).catch((error) => setTimeout(() => { throw error; })); // the page hears of it (onerror); nothing else would
   if ("pause" in data) {
     paused = data.pause;
     return goOn();
@@ -31,9 +21,21 @@ onmessage = async ({ data }) => {
   try {
     await answer(data);
   } catch (error) {
-    postMessage({ id: data.id, code: 6, texts: { error: `the engine ended: ${error}` }, tables: {} });
+    postMessage({ id: data.id, code: 6, texts: { error: String(error) }, tables: {}, thrown: true });
   }
 };
+
+async function start(wasm) {
+  engine = await new Promise((done, refuse) => {
+    const instantiateWasm = (imports, made) => {
+      WebAssembly.instantiate(wasm, imports).then((instance) => made(instance, wasm)).catch(refuse);
+      return {};
+    };
+    const compiled = wasm instanceof WebAssembly.Module; // by the page, for all its workers
+    wytheEngine({ ...(compiled ? { instantiateWasm } : { wasmBinary: wasm }), printErr: () => {} }).then(done, refuse);
+  });
+  postMessage({ ready: true, version: engine.UTF8ToString(engine._wythe_version()) });
+}
 
 async function answer({ id, task, texts, numbers, want, bytes, tables, pieces }) {
   const job = openJob(engine, task, { texts, numbers: pieces ? { ...numbers, goes_on: 1 } : numbers });

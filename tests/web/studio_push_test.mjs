@@ -232,6 +232,45 @@ test("where the engine fails on a text, the stones look outdated and nothing is 
   }
 });
 
+test("the browser's own errors have a sentence of the page's language, with the browser's words after it", async () => {
+  const other = await openStudio(browser, file, { impatient: true, locale: "de-DE" });
+  await other.addInitScript(() => {
+    window.Worker = class {
+      postMessage(question) {
+        const say = (data) => this.onmessage({ data });
+        const { when, error } = JSON.parse(sessionStorage.failing);
+        if ("wasm" in question && when !== "start") return queueMicrotask(() => say({ ready: true }));
+        if (when === "caught") return queueMicrotask(() => say({ id: question.id, code: 6, thrown: true, texts: { error } }));
+        queueMicrotask(() => this.onerror({ message: error, preventDefault() {} }));
+      }
+      terminate() {}
+    };
+  });
+  const sentences = {
+    memory: "dieser Browser hat keinen Speicher mehr dafür: andere Seiten schließen oder weniger Steine zeichnen",
+    start: "dieser Browser konnte es nicht starten: die Seite neu laden oder in einem anderen Browser öffnen",
+    stop: "dieser Browser hielt es an: erneut versuchen oder die Seite neu laden",
+  };
+  for (const [when, error, sentence] of [
+    ["caught", "RangeError: Array buffer allocation failed", "memory"],
+    ["caught", "RuntimeError: memory access out of bounds", "stop"],
+    ["work", "Uncaught RuntimeError: unreachable", "stop"],
+    ["start", "Uncaught CompileError: no SIMD", "start"],
+    ["start", "Uncaught RangeError: WebAssembly.instantiate(): Out of memory", "memory"],
+    ["start", "", "start"],
+  ]) {
+    await other.evaluate((failing) => (sessionStorage.failing = JSON.stringify(failing)), { when, error });
+    await other.reload();
+    await other.waitForSelector("html[data-ready]");
+    await stonesOf(other);
+    const words = `${sentences[sentence]}${error && ` (${error})`}`;
+    assert.equal(await other.locator(".status").innerText(), `Das Rechenprogramm brach ab: ${words}`);
+    await other.waitForFunction(() => !document.documentElement.dataset.limiting);
+    assert.equal(await other.locator(".limit-words").innerText(), `das Traglastverfahren hat für diese Wand keine Antwort: ${words}`);
+  }
+  await other.end();
+});
+
 test("a wall that cannot stand is pushed: the page tells it and why in the program's words, and draws no curve", async () => {
   const overloaded = kWall.replace('name = "floor"\npressure = "0.1 MPa"', 'name = "floor"\npressure = "40 MPa"');
   await write(page, overloaded);

@@ -9,7 +9,7 @@ import type { Answer, Engine } from "./engine";
 import { kStopped } from "./engine";
 import type { Project } from "./project";
 import { faultsOf, pointsOf } from "./push";
-import { saidOf } from "./said";
+import { whyOf } from "./said";
 import { valueAt, type Doc } from "./toml";
 
 export const kWalls = 8;
@@ -135,7 +135,7 @@ export class Beside {
     this.running = "";
     this.trouble = trouble;
     this.engine.rest();
-    if (answer.code !== 0 && answer.code !== kStopped) this.trouble = saidOf(faultsOf(answer)[0]?.problem ?? answer.texts.error ?? "");
+    if (answer.code !== 0 && answer.code !== kStopped) this.trouble = whyOf(answer, faultsOf(answer)[0]);
     this.tell();
     this.changed();
   }

@@ -25,7 +25,9 @@ export interface Answer {
   bytes?: Record<string, Uint8Array>;
   tables: Record<string, Record<string, Float64Array>>;
   address?: string; // of the page, where it has been opened
+  browser?: Failure; // the browser ended the engine: texts.error has the browser's own words
 }
+export type Failure = "memory" | "start" | "stop";
 export function textIn(answer: Answer, name: string): string {
   const bytes = answer.bytes?.[name];
   return bytes ? new TextDecoder().decode(bytes) : (answer.texts[name] ?? "");
@@ -57,7 +59,10 @@ interface Message extends Partial<Answer> {
   ready?: boolean;
   id?: number;
   progress?: Progress;
+  thrown?: boolean; // texts.error is the browser's
 }
+// Each browser says in words of its own that it has no memory.
+const failure = (words: string, otherwise: Failure): Failure => (/out of memory|alloc/i.test(words) ? "memory" : otherwise);
 
 export class WorkerEngine implements Engine {
   private worker: Promise<Worker> | null = null;
@@ -70,14 +75,15 @@ export class WorkerEngine implements Engine {
     const id = ++this.count;
     const answer = new Promise<Answer>((done) => (this.waiting = { id, done, progress }));
     try {
-      const worker = await (this.worker ??= started((m) => this.hear(m), (why) => this.end(kDefect, why)));
+      const worker = await (this.worker ??= started((m) => this.hear(m), (why, when) => this.end(kDefect, why, when)));
       if (this.waiting?.id === id) {
         this.isAsked = true;
         worker.postMessage({ id, ...question });
         begun?.();
       }
     } catch (error) {
-      if (this.waiting?.id === id) this.end(kDefect, error instanceof Error ? error.message : String(error));
+      if (this.waiting?.id === id) this.end(kDefect, error instanceof Error ? error.message : String(error), "start");
+      else this.worker = null;
     }
     return answer;
   }
@@ -94,7 +100,7 @@ export class WorkerEngine implements Engine {
     this.worker = null;
   }
   // Ends the question under way with the worker that was at it.
-  private end(code: number, error: string): void {
+  private end(code: number, error: string, otherwise?: Failure): void {
     if (this.isAsked || code !== kStopped) {
       this.worker?.then((w) => w.terminate(), () => undefined);
       this.worker = null;
@@ -102,7 +108,7 @@ export class WorkerEngine implements Engine {
     this.isAsked = false;
     const waiting = this.waiting;
     this.waiting = null;
-    waiting?.done({ code, texts: { error }, tables: {} });
+    waiting?.done({ code, texts: { error }, tables: {}, browser: otherwise && failure(error, otherwise) });
   }
   private hear(m: Message): void {
     const waiting = this.waiting;
@@ -111,7 +117,8 @@ export class WorkerEngine implements Engine {
     this.waiting = null;
     this.isAsked = false;
     if ((m.code ?? kDefect) >= kNoMemory) this.rest(); // it is spent: the next question has a worker of its own
-    waiting.done({ code: m.code ?? kDefect, texts: m.texts ?? {}, bytes: m.bytes ?? {}, tables: m.tables ?? {} });
+    const browser = m.thrown ? failure(m.texts?.error ?? "", "stop") : undefined;
+    waiting.done({ code: m.code ?? kDefect, texts: m.texts ?? {}, bytes: m.bytes ?? {}, tables: m.tables ?? {}, browser });
   }
 }
 
@@ -150,33 +157,38 @@ export class Latest {
 // Two elements of the page hold the engine: its script, and its code packed (packed.ts), which is compiled once for all workers.
 let module: Promise<[string, WebAssembly.Module | ArrayBuffer]> | null = null;
 function engineOfPage(): Promise<[string, WebAssembly.Module | ArrayBuffer]> {
-  return (module ??= (async () => {
+  return (module ??= (async (): Promise<[string, WebAssembly.Module | ArrayBuffer]> => {
     const script = document.getElementById("wythe-worker")?.textContent ?? "";
     if (script.trim() === "" || script.includes("<!--")) throw new Error("this file holds no engine");
     const code = await unpacked(document.getElementById("wythe-wasm")?.textContent ?? "");
     return [script, await WebAssembly.compile(code).catch(() => code)];
-  })());
+  })().catch((error: unknown) => {
+    module = null; // the next question may find more memory
+    throw error;
+  }));
 }
 export const hasEngine = (): boolean => {
   const script = document.getElementById("wythe-worker")?.textContent?.trim() ?? "";
   return script !== "" && !script.includes("<!--");
 };
 
-async function started(hear: (m: Message) => void, failed: (why: string) => void): Promise<Worker> {
+async function started(hear: (m: Message) => void, failed: (why: string, when: Failure) => void): Promise<Worker> {
   const [script, wasm] = await engineOfPage();
   const url = URL.createObjectURL(new Blob([script], { type: "text/javascript" }));
   const worker = new Worker(url);
   return new Promise((done, refuse) => {
+    let when: Failure = "start";
     worker.onmessage = ({ data }: MessageEvent<Message>) => {
       if (data.ready) {
         URL.revokeObjectURL(url);
+        when = "stop";
         done(worker);
       } else hear(data);
     };
     worker.onerror = (e) => {
       e.preventDefault();
+      failed(e.message ?? "", when);
       refuse(new Error(e.message));
-      failed(e.message || "the engine ended");
     };
     worker.postMessage({ wasm });
   });

@@ -9,7 +9,7 @@ import type { Line } from "./curve";
 import { kStopped, type Engine } from "./engine";
 import type { Project } from "./project";
 import { faultsOf, pointsOf } from "./push";
-import { saidOf } from "./said";
+import { whyOf } from "./said";
 import { nearest, rangeOf, shown, valuesBetween, type Varied } from "./varied";
 
 const kCounts = [5, 6, 7];
@@ -178,7 +178,7 @@ export class Family {
       if (answer.code === kStopped) return true;
       why = answer.texts.reason ?? "";
       if (answer.code === 0) pushed = { name: "", summary: JSON.parse(answer.texts.summary || "{}"), points: pointsOf(answer), end: null };
-      else member.trouble = say("studio.family.unbuilt", { why: saidOf(faultsOf(answer)[0]?.problem ?? answer.texts.error ?? "") });
+      else member.trouble = say("studio.family.unbuilt", { why: whyOf(answer, faultsOf(answer)[0]) });
     }
     if (!pushed) return false;
     member.pushed = pushed;

@@ -6,7 +6,7 @@ import type { Answer, Engine } from "./engine";
 import { readPicture } from "./picture";
 import type { Fault } from "./project";
 import { faultsOf } from "./push";
-import { isKnown, said } from "./said";
+import { isKnown, said, whyOf } from "./said";
 
 export const kPatience = 3000; // for a limit load, from when the worker is ready [ms]
 
@@ -64,6 +64,7 @@ export class LiveLimit {
   private async answered(answer: Answer, isNewest: () => boolean): Promise<void> {
     const opinion = JSON.parse(answer.texts.mechanisms || "{}") as { limit_loads?: LimitLoad[]; refused?: { why: string }[] };
     const load = opinion.limit_loads?.find((l) => l.name === "dry");
+    if (answer.browser) return this.show(h("p", { class: "soft" }, `${say("studio.limit.none")}: ${whyOf(answer)}`));
     if (answer.code !== 0 || !load) {
       const [place, why] = reasonOf(faultsOf(answer)[0], opinion.refused?.[0]?.why ?? answer.texts.error ?? "");
       return this.show(h("p", { class: "soft" }, why === "" ? say("studio.limit.none") : [`${say("studio.limit.none")}: `, place !== "" && [h("code", {}, place), " "], said(why)]));

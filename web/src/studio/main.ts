@@ -18,7 +18,7 @@ import { Photo } from "./photo";
 import { readPicture, type Picture } from "./picture";
 import { Project, type Fault, type Steps } from "./project";
 import { faultsOf, Push } from "./push";
-import { saidOf } from "./said";
+import { saidOf, whyOf } from "./said";
 import { kStarters, starter } from "./starters";
 import * as store from "./store";
 import { kTools, Tools, type Tool } from "./tools";
@@ -157,7 +157,7 @@ function check(): void {
       status.textContent = say("studio.notbuilt");
       showFaults(faultsOf(answer));
     } else {
-      status.textContent = say("studio.failed", { why: saidOf(answer.texts.error ?? "") });
+      status.textContent = say("studio.failed", { why: whyOf(answer) });
       showFaults([], true);
     }
   });

@@ -12,7 +12,7 @@ import { hasEngine, kStopped, pieceOf, textIn } from "./engine";
 import { Family } from "./family";
 import { readPicture, type Picture } from "./picture";
 import type { Fault, Project } from "./project";
-import { saidOf } from "./said";
+import { whyOf } from "./said";
 import { lengthOf, readQuantity } from "./units";
 import { valueAt } from "./toml";
 
@@ -225,7 +225,7 @@ export class Push {
       else if (answer.code === 2) {
         this.say(h("p", {}, say("studio.refused")));
         this.refused(faultsOf(answer));
-      } else this.say(h("p", { class: "bad" }, say("studio.failed", { why: saidOf(answer.texts.error ?? "") })));
+      } else this.say(h("p", { class: "bad" }, say("studio.failed", { why: whyOf(answer) })));
     }
     this.refresh();
     this.changed();

@@ -4,7 +4,9 @@
 // stays English and is marked so.
 import { h, type Child } from "../dom";
 import { languageNow, say } from "../texts";
+import type { Answer } from "./engine";
 import table from "./fault_words.json";
+import type { Fault } from "./project";
 
 const kLanguages = ["en", "it", "de", "fr", "es", "pt"]; // of the rows
 const kToken = '(?:"[^"]*"|\\[(?:[^\\[\\]]|\\[[^\\]]*\\])*\\]|\\{(?:[^{}]|\\{[^}]*\\})*\\}|[\\w.-]+ *=|[-+]?\\d[\\w.+-]*|true|false)';
@@ -62,6 +64,11 @@ export function inWords(english: string, language = languageNow()): string | nul
     if (!parts.includes(null)) return words[at].replace(/\{(\d)\}/g, (_, place: string) => parts[places.indexOf(place)]!);
   }
   return null;
+}
+// Why an answer is none; what the browser says of itself stays in its own words.
+export function whyOf({ browser, texts }: Answer, fault?: Fault): string {
+  if (browser) return `${say(`studio.browser.${browser}`)}${texts.error ? ` (${texts.error})` : ""}`;
+  return saidOf(fault?.problem ?? texts.error ?? "");
 }
 // For a place that takes text alone.
 export const saidOf = (english: string): string => inWords(english) ?? `${say("studio.english")} ${english}`;
