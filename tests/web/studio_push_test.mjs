@@ -271,6 +271,25 @@ test("the browser's own errors have a sentence of the page's language, with the 
   await other.end();
 });
 
+test("notes belong to the file as it is: a file that is refused, or on which the engine fails, has none", async () => {
+  const notes = page.locator(".notes");
+  for (const refused of ['[wall]\nlength = "3 m"\n', `${kWall}# 6\n`]) {
+    await write(page, kWall);
+    assert.ok(await notes.isVisible());
+    await page.evaluate(() => {
+      const real = (window.realPost = Worker.prototype.postMessage);
+      Worker.prototype.postMessage = function (question) {
+        if (!/# 6/.test(question.texts?.model)) return real.call(this, question);
+        queueMicrotask(() => this.onmessage({ data: { id: question.id, code: 6, texts: { error: "a defect" } } }));
+      };
+    });
+    await write(page, refused);
+    assert.equal(await notes.isVisible(), false, refused);
+    await page.evaluate(() => (Worker.prototype.postMessage = window.realPost));
+  }
+  await write(page, kWall);
+});
+
 test("a wall that cannot stand is pushed: the page tells it and why in the program's words, and draws no curve", async () => {
   const overloaded = kWall.replace('name = "floor"\npressure = "0.1 MPa"', 'name = "floor"\npressure = "40 MPa"');
   await write(page, overloaded);

@@ -145,9 +145,9 @@ function check(): void {
     if (!isNewest()) return;
     delete document.documentElement.dataset.checking;
     panel.took(c ? (answer.texts.model ?? "") : "");
+    showNotes(c?.notes ?? []);
     if (c) {
       status.textContent = say("studio.counts", { blocks: whole(c.blocks), weight: qty(c.weight_kN, "kN"), seconds: c.expected_seconds < 120 ? qty(c.expected_seconds, "s", 2) : qty(c.expected_seconds / 60, "min", 2) });
-      showNotes(c.notes ?? []);
       limit.weighs(c.weight_kN);
       stones = drawn;
       if (!canvas.readOnly) canvas.setPicture(stones);
