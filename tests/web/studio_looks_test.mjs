@@ -50,6 +50,8 @@ for (const [k, [width, height]] of [[1440, 900], [820, 1180], [390, 844], [1920,
       await page.locator(".file-text").fill("[wall]\nlength = 3\n");
       await stonesOf(page);
       assert.deepEqual(await violations(page), []);
+      const [numbers, lines] = await page.evaluate(() => [".lines", ".file-text"].map((css) => ["fontSize", "lineHeight", "paddingTop"].map((name) => getComputedStyle(document.querySelector(css))[name])));
+      assert.deepEqual(numbers, lines, "numbers of lines do not stand beside them");
       await picture(page, `studio_fault_${width}_${scheme}`);
       await page.locator(".canvas").focus();
       await page.keyboard.press("Control+k");
@@ -75,6 +77,11 @@ test("what a push finds, on a desktop and a phone, in both themes", async () => 
         await page.waitForSelector(`html[data-theme="${colorScheme}"]`);
         assert.deepEqual(await violations(page), [], `${name}, ${width} px, ${colorScheme}`);
         assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth), `${name}, ${width} px: wider than the screen`);
+        const legend = await page.evaluate(() => ({
+          isClear: document.querySelector(".curve-legend").hidden || document.querySelector(".curve-legend").getBoundingClientRect().top >= document.querySelector(".curve-box .curve").getBoundingClientRect().bottom,
+          bare: [...document.querySelectorAll(".curve-legend li")].filter((li) => li.checkVisibility() && !li.querySelector("path").checkVisibility()).map((li) => li.textContent),
+        }));
+        assert.deepEqual(legend, { isClear: true, bare: [] }, `${name}, ${width} px: the legend lies on curves, or names one that is not drawn`);
         await picture(page, `studio_${name}_${width}_${colorScheme}`);
       }
     await page.setViewportSize({ width: 1440, height: 900 });
@@ -108,7 +115,9 @@ test("what a push finds, on a desktop and a phone, in both themes", async () => 
   await isFine("floor");
   await page.locator('.tool-button:has-text("Photo")').click();
   await isFine("photo");
+  await page.setViewportSize({ width: 1280, height: 600 });
   await page.getByRole("button", { name: "Keys" }).click();
+  assert.ok((await page.locator(".sheet-of-keys h2").boundingBox()).y >= 0, "the sheet of keys opens at its end");
   await isFine("keys");
   assert.deepEqual(page.faults, []);
   await page.end();
@@ -192,7 +201,7 @@ test("on paper there are the drawing, the answer and the numbers, dark or not, a
   assert.equal(await page.getAttribute("html", "data-theme"), "dark");
   assert.equal(await page.locator(".canvas").getAttribute("viewBox"), null);
   await page.emulateMedia({ media: "print" });
-  assert.equal(await page.locator("button:visible").count(), 0);
+  assert.equal(await page.locator("button:visible, summary:visible").count(), 0);
   for (const part of [".canvas", ".curve-box .curve", ".key", ".numbers"]) assert.ok(await page.locator(part).first().isVisible(), part);
   await page.end();
 });

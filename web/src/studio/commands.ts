@@ -87,10 +87,9 @@ export class Commands {
   openSheet(): void {
     const rows = this.all.filter((c, k) => c.keys.length > 0 && this.all.findIndex((other) => other.name === c.name) === k);
     this.sheet.replaceChildren(
-      h("h2", {}, say("studio.do.keys")),
+      h("header", {}, h("h2", {}, say("studio.do.keys")), h("button", { class: "button", type: "button", onclick: () => this.sheet.close() }, say("studio.close"))),
       h("dl", {}, ...rows.map((c) => h("div", {}, h("dt", {}, kbd(c.keys)), h("dd", {}, say(`studio.do.${c.name}`))))),
       h("p", { class: "soft" }, say("studio.keys.hint")),
-      h("button", { class: "button", type: "button", onclick: () => this.sheet.close() }, say("studio.close")),
     );
     this.sheet.showModal();
   }
