@@ -1,10 +1,12 @@
 // A worker of a page: the engine's script and job.mjs stand before it (page.mjs). One question at a time.
 //
-//   to it:   {wasm}, answered by {ready, version}, or by an error of the worker; then {id, task, texts, numbers, want, bytes, tables, pieces}, and {pause} while it is at it
+//   to it:   {wasm}, answered by {ready, version}, or by an error of the worker; then {id, task, texts, numbers, want, first, bytes, tables, pieces},
+//            and {pause} while it is at it
 //   from it: {id, progress} a few times a second; {id, code, texts, bytes, tables}, with `thrown` where texts.error is the browser's
 //
 // `pieces`: a run is stopped a few times a second and goes on, with the same bits. In between it shows the wall as it stands
 // (progress.svg), and pauses where it is told to, which it says (progress.held). `bytes`: texts that come as UTF-8, not copied.
+// `first`: texts that are sent before the others are made (progress.texts).
 const kPiece = 350; // of a run in pieces, at least [ms]
 const kShare = 4; // a piece takes so many times what the stop after it costs
 let engine;
@@ -37,7 +39,7 @@ async function start(wasm) {
   postMessage({ ready: true, version: engine.UTF8ToString(engine._wythe_version()) });
 }
 
-async function answer({ id, task, texts, numbers, want, bytes, tables, pieces }) {
+async function answer({ id, task, texts, numbers, want, first, bytes, tables, pieces }) {
   const job = openJob(engine, task, { texts, numbers: pieces ? { ...numbers, goes_on: 1 } : numbers });
   let last = null; // progress
   let until = Infinity; // end of the piece [ms]
@@ -68,7 +70,10 @@ async function answer({ id, task, texts, numbers, want, bytes, tables, pieces })
       stopped = performance.now() - cost;
       code = job.do(tell);
     }
-    const answers = job.answers({ texts: want, bytes, tables });
+    const early = first && code === 0 ? job.answers({ texts: first }).texts : {};
+    if (first) postMessage({ id, progress: { ...last, texts: early } });
+    const answers = job.answers({ texts: (want ?? []).filter((name) => !(name in early)), bytes, tables });
+    answers.texts = { ...early, ...answers.texts };
     postMessage({ id, code, ...answers }, Object.values(answers.bytes ?? {}).map((b) => b.buffer));
   } finally {
     job.free();

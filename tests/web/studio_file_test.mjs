@@ -72,6 +72,41 @@ test("a broken text leaves the drawing as it was, and says which line", async ()
   assert.equal(await page.locator('[data-opening="0"]').count(), 1);
 });
 
+test("one edit is asked at once; of several the last one", async () => {
+  await begin("portal");
+  const asked = await page.evaluate(async () => {
+    const area = document.querySelector(".file-text"),
+      real = Worker.prototype.postMessage,
+      asked = [];
+    let heard;
+    Worker.prototype.postMessage = function (question) {
+      if (question.task === "check") asked.push(question.texts.model.split("\n").at(-2)), heard?.();
+      return real.call(this, question);
+    };
+    const isAsked = () => new Promise((done) => (heard = done));
+    const edit = (line) => ((area.value += `${line}\n`), area.dispatchEvent(new Event("blur")));
+    const rest = [];
+    const { setTimeout } = window;
+    window.setTimeout = (does, ms, ...more) => (rest.push(ms), setTimeout(does, ms, ...more));
+    const now = performance.now.bind(performance);
+    performance.now = () => now() + 1e6; // long after the edit before
+    let next = isAsked();
+    edit("# one");
+    await next;
+    const waits = [rest.filter((ms) => ms === 60).length];
+    next = isAsked();
+    for (const line of ["# two", "# three", "# four"]) edit(line);
+    await next;
+    waits.push(rest.filter((ms) => ms === 60).length);
+    window.setTimeout = setTimeout;
+    performance.now = now;
+    Worker.prototype.postMessage = real;
+    return { asked, waits };
+  });
+  assert.deepEqual(asked, { asked: ["# one", "# four"], waits: [0, 3] });
+  await stonesOf(page);
+});
+
 test("what cannot be drawn is told, and its text is open to change", async () => {
   await begin("portal");
   await write((t) => t.replace('width = "1.00 m"', 'width = "1.00 furlong"'));

@@ -4,6 +4,7 @@ import fs from "node:fs";
 import path from "node:path";
 import { before, test } from "node:test";
 import vm from "node:vm";
+import { deflateRawSync } from "node:zlib";
 import { root, viewerModule } from "./helpers.mjs";
 import { standInForPage } from "./studio.mjs";
 
@@ -22,6 +23,29 @@ function thrownWith(wytheEngine) {
   void context.onmessage({ data: { wasm: new Module() } });
   return thrown;
 }
+
+test("a worker loads its script while the page unpacks and compiles the code, once for all workers", async () => {
+  const { WorkerEngine } = await viewerModule("studio/engine");
+  const packed = deflateRawSync(Uint8Array.from([0, 97, 115, 109, 1, 0, 0, 0])).toString("base64"); // the smallest module
+  globalThis.document = { ...globalThis.document, getElementById: (id) => ({ textContent: id === "wythe-worker" ? "/* answered here */" : packed }) };
+  const made = [], had = [];
+  globalThis.Worker = class {
+    constructor() {
+      made.push(this);
+    }
+    postMessage(question) {
+      if ("wasm" in question) had.push(question.wasm);
+      setTimeout(() => this.onmessage({ data: "wasm" in question ? { ready: true } : { id: question.id, code: 0 } }));
+    }
+  };
+  const first = new WorkerEngine();
+  first.warm();
+  assert.deepEqual([made.length, had.length], [1, 0]);
+  await Promise.all([first, new WorkerEngine()].map((engine) => engine.ask({ task: "check", texts: {} })));
+  assert.equal(made.length, 2);
+  assert.ok(had[0] instanceof WebAssembly.Module);
+  assert.equal(had[0], had[1]);
+});
 
 test("an engine that cannot be made is an error of the worker, so that the page hears of it", async () => {
   const made = ({ instantiateWasm }) => new Promise((done) => instantiateWasm({}, done));
@@ -131,6 +155,24 @@ test("the limit load is that of dry joints, and a refusal is shown with its reas
   assert.match(await shown(2, { faults: JSON.stringify([{ problem: "the load can grow without end" }]) }), /:\s+the load can grow without end/);
   assert.match(await shown(2, { faults: JSON.stringify([{ path: "wall.unit.length", value: "4 mn", problem: "the unit mn is not known" }]) }), /:\s+wall\.unit\.length = 4 mn\s+the unit mn is not known/);
   assert.match(await shown(0, { mechanisms: JSON.stringify({ refused: [{ what: "dry", why: "layer = west: detaches and breaks, and limit analysis knows no layers; leave it out" }] }) }), /:\s+layer = west\s+detaches and breaks, and limit analysis knows no layers\s*$/);
+});
+
+test("a limit load is told before its picture is made, and its time is over then", async () => {
+  let tell, done;
+  const limit = new LiveLimit({ stop() {}, ask: (question, progress) => ((tell = progress), assert.deepEqual(question.first, ["mechanisms"]), new Promise((end) => (done = end))) });
+  const mechanisms = JSON.stringify({ limit_loads: [{ name: "dry", static_kN: 12 }] });
+  limit.ask("first");
+  const older = tell;
+  limit.ask("");
+  older({ texts: { mechanisms: mechanisms.replace("12", "99") } });
+  assert.doesNotMatch(limit.root.text, /99/);
+  tell({ texts: { mechanisms } });
+  assert.match(limit.root.text, /12 kN/);
+  assert.equal(document.documentElement.dataset.limiting, "yes");
+  done({ code: 0, texts: { mechanisms }, tables: {} });
+  await new Promise((end) => setTimeout(end));
+  assert.match(limit.root.text, /12 kN/);
+  assert.equal(document.documentElement.dataset.limiting, undefined);
 });
 
 test("a limit load has its time from when the worker is ready, and one that was late is asked again after the next edit", async () => {

@@ -7,6 +7,7 @@ export interface Question {
   texts: Record<string, string | string[]>;
   numbers?: Record<string, number>;
   want?: string[]; // names of the texts that are wanted
+  first?: string[]; // and of those that come before the others are made
   bytes?: string[]; // of those that come as bytes: long ones, which textIn() reads when they are needed
   tables?: string[]; // and of the tables
   pieces?: boolean; // a run that shows the wall on its way, and that can pause
@@ -18,6 +19,7 @@ export interface Progress {
   reaction_kN: number;
   svg?: string; // of a run in pieces now and then: the wall as it stands
   held?: boolean; // such a run has come to the pause that was asked for
+  texts?: Record<string, string>; // that were asked for first
 }
 export interface Answer {
   code: number; // 0 done, 2 an input is not admissible, 3 stopped, others: texts.error
@@ -70,12 +72,19 @@ export class WorkerEngine implements Engine {
   private count = 0;
   private waiting: { id: number; done: (a: Answer) => void; progress?: (p: Progress) => void } | null = null;
 
+  // Begins with a worker, which the first question finds.
+  warm(): void {
+    this.start().catch(() => undefined); // the question is told
+  }
+  private start(): Promise<Worker> {
+    return (this.worker ??= started((m) => this.hear(m), (why, when) => this.end(kDefect, why, when)));
+  }
   async ask(question: Question, progress?: (p: Progress) => void, begun?: () => void): Promise<Answer> {
     this.stop();
     const id = ++this.count;
     const answer = new Promise<Answer>((done) => (this.waiting = { id, done, progress }));
     try {
-      const worker = await (this.worker ??= started((m) => this.hear(m), (why, when) => this.end(kDefect, why, when)));
+      const worker = await this.start();
       if (this.waiting?.id === id) {
         this.isAsked = true;
         worker.postMessage({ id, ...question });
@@ -155,27 +164,23 @@ export class Latest {
 // --- the worker of the page --------------------------------------------------------------------------
 
 // Two elements of the page hold the engine: its script, and its code packed (packed.ts), which is compiled once for all workers.
-let module: Promise<[string, WebAssembly.Module | ArrayBuffer]> | null = null;
-function engineOfPage(): Promise<[string, WebAssembly.Module | ArrayBuffer]> {
-  return (module ??= (async (): Promise<[string, WebAssembly.Module | ArrayBuffer]> => {
-    const script = document.getElementById("wythe-worker")?.textContent ?? "";
-    if (script.trim() === "" || script.includes("<!--")) throw new Error("this file holds no engine");
-    const code = await unpacked(document.getElementById("wythe-wasm")?.textContent ?? "");
-    return [script, await WebAssembly.compile(code).catch(() => code)];
-  })().catch((error: unknown) => {
-    module = null; // the next question may find more memory
-    throw error;
-  }));
+let module: Promise<WebAssembly.Module | ArrayBuffer> | null = null;
+const textOf = (id: string): string => document.getElementById(id)?.textContent ?? "";
+function moduleOfPage(): Promise<WebAssembly.Module | ArrayBuffer> {
+  module ??= unpacked(textOf("wythe-wasm")).then((code) => WebAssembly.compile(code).catch(() => code));
+  module.catch(() => (module = null)); // the next question may find more memory
+  return module;
 }
 export const hasEngine = (): boolean => {
-  const script = document.getElementById("wythe-worker")?.textContent?.trim() ?? "";
+  const script = textOf("wythe-worker").trim();
   return script !== "" && !script.includes("<!--");
 };
 
 async function started(hear: (m: Message) => void, failed: (why: string, when: Failure) => void): Promise<Worker> {
-  const [script, wasm] = await engineOfPage();
-  const url = URL.createObjectURL(new Blob([script], { type: "text/javascript" }));
-  const worker = new Worker(url);
+  if (!hasEngine()) throw new Error("this file holds no engine");
+  const compiled = moduleOfPage();
+  const url = URL.createObjectURL(new Blob([textOf("wythe-worker")], { type: "text/javascript" }));
+  const worker = new Worker(url); // it loads its script meanwhile
   return new Promise((done, refuse) => {
     let when: Failure = "start";
     worker.onmessage = ({ data }: MessageEvent<Message>) => {
@@ -190,6 +195,9 @@ async function started(hear: (m: Message) => void, failed: (why: string, when: F
       failed(e.message ?? "", when);
       refuse(new Error(e.message));
     };
-    worker.postMessage({ wasm });
+    compiled.then((wasm) => worker.postMessage({ wasm })).catch((error) => {
+      worker.terminate();
+      refuse(error);
+    });
   });
 }

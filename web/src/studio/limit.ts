@@ -2,7 +2,7 @@
 // overtakes is dropped, one that takes too long is ended; nothing that is shown belongs to an older text.
 import { h, svg } from "../dom";
 import { qty, say } from "../texts";
-import type { Answer, Engine } from "./engine";
+import type { Answer, Engine, Progress } from "./engine";
 import { readPicture } from "./picture";
 import type { Fault } from "./project";
 import { faultsOf } from "./push";
@@ -48,7 +48,14 @@ export class LiveLimit {
       this.show(h("p", { class: "soft" }, say("studio.limit.late", { seconds: kPatience / 1000 })));
     };
     const begun = (): void => void (this.timer = window.setTimeout(late, kPatience));
-    void this.engine.ask({ task: "limit", texts: { model: text, only: ["lp"] }, numbers: { quick: 1 }, want: ["mechanisms", "dry svg"] }, undefined, begun).then(async (answer) => {
+    // the number, then its picture
+    const told = ({ texts }: Progress): void => {
+      if (asked !== this.asked || !texts) return;
+      window.clearTimeout(this.timer);
+      const load = loadOf(opinionOf(texts));
+      if (load) this.tell((this.load = load));
+    };
+    void this.engine.ask({ task: "limit", texts: { model: text, only: ["lp"] }, numbers: { quick: 1 }, want: ["mechanisms", "dry svg"], first: ["mechanisms"] }, told, begun).then(async (answer) => {
       if (asked !== this.asked) return;
       window.clearTimeout(this.timer);
       await this.answered(answer, () => asked === this.asked);
@@ -62,15 +69,14 @@ export class LiveLimit {
   }
 
   private async answered(answer: Answer, isNewest: () => boolean): Promise<void> {
-    const opinion = JSON.parse(answer.texts.mechanisms || "{}") as { limit_loads?: LimitLoad[]; refused?: { why: string }[] };
-    const load = opinion.limit_loads?.find((l) => l.name === "dry");
+    const opinion = opinionOf(answer.texts);
+    const load = loadOf(opinion);
     if (answer.browser) return this.show(h("p", { class: "soft" }, `${say("studio.limit.none")}: ${whyOf(answer)}`));
     if (answer.code !== 0 || !load) {
       const [place, why] = reasonOf(faultsOf(answer)[0], opinion.refused?.[0]?.why ?? answer.texts.error ?? "");
       return this.show(h("p", { class: "soft" }, why === "" ? say("studio.limit.none") : [`${say("studio.limit.none")}: `, place !== "" && [h("code", {}, place), " "], said(why)]));
     }
-    this.load = load;
-    this.tell(load);
+    this.tell((this.load = load));
     const picture = await readPicture(answer.texts["dry svg"] ?? "", 1, isNewest);
     if (!picture || !isNewest()) return;
     this.picture.setAttribute("viewBox", `0 0 ${picture.width} ${picture.height}`);
@@ -90,6 +96,13 @@ export class LiveLimit {
     this.picture.replaceChildren();
   }
 }
+
+interface Opinion {
+  limit_loads?: LimitLoad[];
+  refused?: { why: string }[];
+}
+const opinionOf = (texts: Record<string, string>): Opinion => JSON.parse(texts.mechanisms || "{}");
+const loadOf = (opinion: Opinion): LimitLoad | undefined => opinion.limit_loads?.find((l) => l.name === "dry");
 
 // What has no limit load, as the file says it, and why. The engine may put both into one sentence: "path = value: problem; cure".
 // Names may have colons, so the place ends at the last one after which a known problem stands.

@@ -26,7 +26,8 @@ import { lineOf, valueAt } from "./toml";
 import type { Varied } from "./varied";
 import { whole } from "./words";
 
-const kPause = 60; // after an edit, before the engine is asked for its stones [ms]
+const kPause = 60; // after one edit of several, before the engine is asked for its stones [ms]
+const kAlone = 300; // without another edit before it: such an edit does not wait [ms]
 const kLanguages = [["en", "English"], ["it", "Italiano"], ["de", "Deutsch"], ["fr", "Français"], ["es", "Español"], ["pt", "Português"]];
 
 const remembered = (key: string): string | null => {
@@ -60,7 +61,9 @@ showTheme();
 
 const project = new Project();
 const canvas = new Canvas();
-const checker = new Latest(new WorkerEngine());
+const stonesEngine = new WorkerEngine();
+if (hasEngine()) stonesEngine.warm(); // it is unpacked and compiled while the page is built
+const checker = new Latest(stonesEngine);
 let faults: Fault[] = [];
 let failed = false; // the engine, on the newest text: nobody knows its stones and faults
 let stones: Picture | null = null; // of the newest text that the engine took
@@ -124,11 +127,14 @@ input.addEventListener("change", () => {
 
 // --- engine -----------------------------------------------------------------------------------------------
 
-let timer = 0;
+let timer = 0,
+  askedAt = -kAlone;
 function ask(): void {
   window.clearTimeout(timer);
   document.documentElement.dataset.checking = "yes"; // until the stones are those of the text
-  timer = window.setTimeout(check, kPause);
+  const now = performance.now();
+  timer = window.setTimeout(check, now - askedAt < kAlone ? kPause : 0);
+  askedAt = now;
 }
 function check(): void {
   if (!hasEngine()) {
