@@ -142,7 +142,8 @@ int wythe_set_text(wythe_job* job, const char* name, const char* text, size_t si
     job->job.rest = nullptr;
     std::vector<std::string>& texts = job->job.in.text[name];
     const std::string_view list = name;
-    if (list != "set" && list != "path" && list != "unit" && list != "only") texts.clear();
+    if (list != "set" && list != "path" && list != "unit" && list != "only" && list != "record")
+      texts.clear();
     texts.emplace_back(text == nullptr ? "" : text, size);
     return WYTHE_DONE;
   });

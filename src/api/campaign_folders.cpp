@@ -1,8 +1,10 @@
-// Files of a campaign's folder beside its store: samples, statistics and the
-// page. A campaign gets an assessment only if its base model asks for one.
+// Files of a campaign's folder beside its store: samples, statistics and the page. A campaign gets an assessment only if
+// its base model asks for one. Also the verdict from the stores of `wythe assess`.
 #include <algorithm>
+#include <filesystem>
 #include <map>
 
+#include "io/results/verdict_folder.h"
 #include "model/shaking.h"
 #include "wythe/parts/assessment.h"
 #include "wythe/parts/folders.h"
@@ -62,6 +64,26 @@ Statistics write_campaign_files(const std::string& folder, const Campaign& campa
              report_page(campaign_data(campaign, statistics, walls), language));
   results.commit(at);
   return statistics;
+}
+
+WallsVerdict read_verdict(const std::vector<std::string>& folders) {
+  std::vector<std::string> names;
+  for (const std::string& folder : folders)
+    names.push_back(std::filesystem::path(folder).filename().string());
+  return verdict_of_campaigns(
+      names, [&](std::size_t way) { return read_campaign(folders[way]); });  // with signs of piers
+}
+
+WallsVerdict write_verdict(const std::string& folder, const std::vector<std::string>& inner,
+                           const std::string& language, const Points& at) {
+  std::vector<std::string> folders;
+  folders.reserve(inner.size());
+  for (const std::string& name : inner) folders.push_back(folder + "/" + name);
+  WallsVerdict verdict = read_verdict(folders);
+  Replacement results(folder, is_file_of_verdict);
+  write_verdict_files(results.path(), verdict, read_study_of(folders.front()), language);
+  results.commit(at);
+  return verdict;
 }
 
 }  // namespace wythe

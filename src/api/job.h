@@ -96,7 +96,8 @@ struct Job {
 // Each fills job.out; returns true if it was stopped before its end. Throws InputError, IoError.
 using Task = bool (*)(Job& job);
 using Tasks = std::map<std::string, Task>;
-[[nodiscard]] const Tasks& run_tasks();    // about one wall
+[[nodiscard]] const Tasks& run_tasks();    // about one wall, and assess
 [[nodiscard]] const Tasks& study_tasks();  // about many; none in the engine for browsers (src/wasm)
+bool do_assess(Job& job);                  // assess_task.cpp
 
 }  // namespace wythe::api

@@ -50,14 +50,6 @@ Table table_of(const std::string& csv) {
   return table;
 }
 
-template <class Row, class Value>
-std::vector<double> each(const std::vector<Row>& rows, const Value& value) {
-  std::vector<double> values;
-  values.reserve(rows.size());
-  for (const Row& row : rows) values.push_back(value(row));
-  return values;
-}
-
 void add_vectors(Table& table, const std::string& before, const std::string& after,
                  const std::vector<Vec3>& vectors, double to_unit) {
   table.add(before + "x" + after, each(vectors, [&](Vec3 v) { return to_unit * v.x; }));

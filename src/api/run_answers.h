@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "api/job.h"
 #include "wythe/parts/io.h"
@@ -18,6 +19,15 @@ struct Done {
   Model model;
   Result result;
 };
+
+// A column: one number of each row.
+template <class Row, class Value>
+std::vector<double> each(const std::vector<Row>& rows, const Value& value) {
+  std::vector<double> values;
+  values.reserve(rows.size());
+  for (const Row& row : rows) values.push_back(value(row));
+  return values;
+}
 
 // Summary, curve, history, states, the model as read, and the page in a language.
 void answer_run(Job& job, const std::shared_ptr<const Done>& done, const std::string& language);

@@ -282,7 +282,8 @@ bool do_keys(Job& job) {
 
 const Tasks& run_tasks() {
   static const Tasks kTasks = {{"run", do_run},         {"check", do_check},   {"limit", do_limit},
-                               {"contact", do_contact}, {"report", do_report}, {"keys", do_keys}};
+                               {"contact", do_contact}, {"report", do_report}, {"keys", do_keys},
+                               {"assess", do_assess}};
   return kTasks;
 }
 

@@ -1,7 +1,6 @@
-// The verdict from the campaigns of `wythe assess`, and its files.
+// The verdict from the campaigns of `wythe assess`, which lie in stores or in memory, and its files.
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "campaign/draws/scatter.h"
 #include "model/coarse_units.h"
@@ -50,7 +49,8 @@ PartsOutOfPlane parts_of(const ModelSpec& base, const Model& model) {
 
 }  // namespace
 
-WallsVerdict read_verdict(const std::vector<std::string>& folders) {
+WallsVerdict verdict_of_campaigns(const std::vector<std::string>& folders,
+                                  const CampaignOfWay& campaign_of) {
   std::vector<WayOfPushing> ways;
   PushWays asked;
   AssessmentSpec spec;
@@ -58,7 +58,7 @@ WallsVerdict read_verdict(const std::vector<std::string>& folders) {
   std::string program;
   int walls = 0;
   for (const std::string& folder : folders) {
-    const Campaign campaign = read_campaign(folder);  // with the signs of each pier
+    const Campaign campaign = campaign_of(ways.size());
     const ModelSpec base = model_builder(campaign.study)({});
     const Model model = compile(base);
     if (ways.empty()) {
@@ -81,7 +81,7 @@ WallsVerdict read_verdict(const std::vector<std::string>& folders) {
     const PushWay way = way_of(base);
     ways.push_back({.direction = way.direction,
                     .pattern = way.pattern,
-                    .folder = std::filesystem::path(folder).filename().string(),
+                    .folder = folder,
                     .walls = judge_walls(campaign, base, model)});
     walls = std::max(walls, campaign.samples.n_sample());
   }
@@ -91,21 +91,12 @@ WallsVerdict read_verdict(const std::vector<std::string>& folders) {
   return verdict;
 }
 
-WallsVerdict write_verdict(const std::string& folder, const std::vector<std::string>& inner,
-                           const std::string& language, const Points& at) {
-  std::vector<std::string> folders;
-  folders.reserve(inner.size());
-  for (const std::string& name : inner) folders.push_back(folder + "/" + name);
-  WallsVerdict verdict = read_verdict(folders);
-  Replacement results(folder, [](const std::string& name) {
-    return name == "assessment.json" || name == "walls.csv" || name == "report.html";
-  });
-  write_text(results.path() + "/assessment.json", verdict_json(verdict));
-  write_text(results.path() + "/walls.csv", walls_csv(verdict));
-  const ModelSpec base = model_builder(read_study_of(folders.front()))({});
-  write_text(results.path() + "/report.html", verdict_page(verdict, base, compile(base), language));
-  results.commit(at);
-  return verdict;
+void write_verdict_files(const std::string& path, const WallsVerdict& verdict, const StudySpec& own,
+                         const std::string& language) {
+  write_text(path + "/assessment.json", verdict_json(verdict));
+  write_text(path + "/walls.csv", walls_csv(verdict));
+  const ModelSpec base = model_builder(own)({});
+  write_text(path + "/report.html", verdict_page(verdict, base, compile(base), language));
 }
 
 }  // namespace wythe

@@ -271,10 +271,12 @@ class VerdictPage {
     std::string out = "<figure>";
     for (const WayOfPushing& way : v_.ways) {
       const bool decides = way.direction == v_.worst.direction && way.pattern == v_.worst.pattern;
-      out += fmt::format(
-          "<div class=\"way{}\"><b><a href=\"{}/report.html\">{}</a>{}</b><span>{}</span></div>\n",
-          decides ? " decides" : "", escaped(way.folder), words_.name_of(way),
-          decides ? " (" + say("assess.decides") + ")" : "", numbers_of(way));
+      std::string name = words_.name_of(way);
+      if (!way.folder.empty())
+        name = fmt::format("<a href=\"{}/report.html\">{}</a>", escaped(way.folder), name);
+      out += fmt::format("<div class=\"way{}\"><b>{}{}</b><span>{}</span></div>\n",
+                         decides ? " decides" : "", name,
+                         decides ? " (" + say("assess.decides") + ")" : "", numbers_of(way));
       out +=
           fmt::format("<svg class=\"dots\" role=\"img\" aria-label=\"{}\">", words_.name_of(way));
       if (const Interval& of = way.capacity.with_tests; std::isfinite(of.low))

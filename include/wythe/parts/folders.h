@@ -45,9 +45,17 @@ Statistics write_campaign_files(const std::string& folder, const Campaign& campa
                                 const std::string& language, const Points& at = {});
 [[nodiscard]] Statistics full_statistics(const Campaign& campaign);  // with its assessment
 
-// The verdict from campaigns in these folders, one for each way of pushing; the model's own way comes first.
+// The verdict from a campaign for each way of pushing, in a store or in memory; the model's own way comes first. `folders`
+// names the folder of each for the page and assessment.json; "": there is none.
+using CampaignOfWay = std::function<Campaign(std::size_t way)>;
+[[nodiscard]] WallsVerdict verdict_of_campaigns(const std::vector<std::string>& folders,
+                                                const CampaignOfWay& campaign_of);
+// Writes assessment.json, walls.csv and report.html to `path`; `own` is the study of the model's own way.
+void write_verdict_files(const std::string& path, const WallsVerdict& verdict, const StudySpec& own,
+                         const std::string& language);
+// The verdict from the stores in these folders.
 [[nodiscard]] WallsVerdict read_verdict(const std::vector<std::string>& folders);
-// Writes assessment.json, walls.csv and report.html into `folder`, from the campaigns in its subfolders `inner`.
+// Writes the files of the verdict into `folder`, from the stores in its subfolders `inner`.
 WallsVerdict write_verdict(const std::string& folder, const std::vector<std::string>& inner,
                            const std::string& language, const Points& at = {});
 

@@ -23,6 +23,7 @@
 #include "io/bodies/blocks_json.h"
 #include "io/model/record_file.h"
 #include "io/results/curve_csv.h"
+#include "io/results/verdict_folder.h"
 #include "io/results/vtu.h"
 #include "model/protocol.h"
 #include "wythe/parts/checkpoint.h"
@@ -85,11 +86,15 @@ void refuse_others(const std::string& folder, const char* command = "run") {
   std::error_code error;
   const auto has = [&](const char* name) { return fs::exists(inside(folder, name), error); };
   const bool of_replay = has("settings.txt"), may_be_limit = std::string_view(command) == "limit";
-  const bool of_run = has("summary.json") || has("force_displacement.csv") || has(kCheckpointFile);
+  const bool may_be_verdict = std::string_view(command) == "assess";
+  const bool of_run = !may_be_verdict && (has("summary.json") || has("force_displacement.csv") ||
+                                          has(kCheckpointFile));
   const bool of_limit = may_be_limit && has("mechanisms.json");
+  const bool of_verdict = may_be_verdict && has("assessment.json");
   const auto is_known = [&](const std::string& name) {
     return (of_run && is_file_of_run(name, of_replay)) ||
-           (may_be_limit && (of_run || of_limit) && is_file_of_limit(name));
+           (may_be_limit && (of_run || of_limit) && is_file_of_limit(name)) ||
+           (of_verdict && is_file_of_verdict(name));
   };
   std::vector<std::string> others;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
@@ -229,17 +234,12 @@ void refuse_model_inside(const std::string& folder, const Origin& origin) {
                      .cure = "name another folder, or move the model out of this one"}});
 }
 
-}  // namespace
-
-void check_origin(const std::string& folder, const Origin& origin) {
+// `result`: a file of which the folder has to know the origin.
+void check_origin_of(const char* result, const std::string& folder, const Origin& origin) {
   const std::string kept = inside(folder, kOrigin);
   std::error_code error;
   if (origin.replaces || origin.file.empty()) return;
-  const bool has_results =
-      std::any_of(std::begin(kResults), std::end(kResults), [&](const char* name) {
-        return fs::exists(fs::symlink_status(inside(folder, name), error));
-      });
-  if (!has_results) return;
+  if (!fs::exists(fs::symlink_status(inside(folder, result), error))) return;
   std::string hash, file;
   if (fs::is_regular_file(fs::symlink_status(kept, error))) {
     std::istringstream lines(read_file(kept, kMostToml));
@@ -261,6 +261,12 @@ void check_origin(const std::string& folder, const Origin& origin) {
                      .value = "",
                      .problem = "holds results of another model or campaign, " + file,
                      .cure = "name another folder, or replace them with --replace"}});
+}
+
+}  // namespace
+
+void check_origin(const std::string& folder, const Origin& origin) {
+  for (const char* result : kResults) check_origin_of(result, folder, origin);
 }
 
 void write_origin(const std::string& folder, const Origin& origin) {
@@ -338,6 +344,34 @@ std::unique_ptr<Replacement> replace_run(const std::string& folder, const Origin
   const bool of_replay = fs::exists(inside(folder, "settings.txt"));
   auto results = std::make_unique<Replacement>(
       folder, [of_replay](const std::string& name) { return is_file_of_run(name, of_replay); });
+  write_origin(results->path(), origin);
+  return results;
+}
+
+bool is_file_of_verdict(const std::string& name) {
+  return name == "assessment.json" || name == "walls.csv" || name == "report.html";
+}
+
+void check_verdict_folder(const std::string& folder, const Origin& origin) {
+  std::error_code error;
+  if (fs::exists(inside(folder, std::string(kBaseFolder) + "/campaign.db"), error))
+    throw InputError(
+        {{.file = folder,
+          .path = "",
+          .value = "",
+          .problem = "holds the campaigns of an assessment, whose report would be lost",
+          .cure = "name another folder"}});
+  check_folder(folder, FolderFor::kRun);
+  finish_replacement(folder);
+  refuse_others(folder, "assess");
+  check_origin_of("assessment.json", folder, origin);
+}
+
+std::unique_ptr<Replacement> replace_verdict(const std::string& folder, const Origin& origin) {
+  check_verdict_folder(folder, origin);
+  prepare_folder(folder);
+  auto results = std::make_unique<Replacement>(
+      folder, [](const std::string& name) { return is_file_of_verdict(name) || name == kOrigin; });
   write_origin(results->path(), origin);
   return results;
 }

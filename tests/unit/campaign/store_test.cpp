@@ -11,6 +11,7 @@
 #include <limits>
 #include <random>
 
+#include "campaign/runner/handed_sample.h"
 #include "campaign/store/folder_lock.h"
 #include "campaign/store/packing.h"
 #include "campaign/store/record_rows.h"
@@ -342,6 +343,37 @@ TEST_F(StoreFile, a_sample_comes_back_whole) {
   EXPECT_EQ(campaign.load_height, 0.75);
   EXPECT_EQ(campaign.provenance, "this program");
   EXPECT_EQ(rows_of(campaign.study), rows_of(scenes::small_study(2)));
+}
+
+TEST(HandedSample, comes_back_as_a_store_gives_it_and_nothing_else_is_read) {
+  const StudySpec study = scenes::small_study(2);
+  const SampleTable samples = two_samples();
+  const std::string text = handed_text(study, samples, full_record(1));
+  EXPECT_EQ(told(handed_record(study, samples, 1, text)), told(full_record(1)));
+  const auto refused = [&](const StudySpec& of, int sample, const std::string& given) {
+    EXPECT_THROW(static_cast<void>(handed_record(of, samples, sample, given)), InputError);
+  };
+  for (std::size_t at = 0; at < text.size(); at += 97) {
+    std::string damaged = text;
+    damaged[at] = damaged[at] == '1' ? '2' : '1';
+    refused(study, 1, damaged);
+    refused(study, 1, text.substr(0, at));
+  }
+  refused(study, 2, text);
+  StudySpec other = study;
+  other.settings.emplace_back("wall.thickness=0.3 m");
+  refused(other, 1, text);
+}
+
+TEST(HandedSample, has_no_numbers_without_an_answer) {
+  SampleRecord failed = full_record(1);
+  failed.status = "not_settled";
+  const StudySpec study = scenes::small_study(2);
+  const std::string text = handed_text(study, two_samples(), failed);
+  const SampleRecord back = handed_record(study, two_samples(), 1, text);
+  EXPECT_EQ(back.responses.peak_reaction, 0);
+  EXPECT_EQ(back.reason, failed.reason);
+  EXPECT_TRUE(back.failure_mode.scores.empty());
 }
 
 TEST_F(StoreFile, a_sample_without_answer_has_no_numbers) {
