@@ -5,10 +5,20 @@ import { readFile } from "node:fs/promises";
 import { createRequire } from "node:module";
 import { doTask, openJob } from "./job.mjs";
 
-/** The engine in this process: `do(task, inputs, want, progress)` and `open(task, inputs)` as doTask and openJob of job.mjs, and its version. */
-export async function load() {
+/** The engine's code, compiled once for several threads. */
+export const compiled = async () => WebAssembly.compile(await readFile(new URL("wythe.wasm", import.meta.url)));
+
+/**
+ * The engine in this process: `do(task, inputs, want, progress)` and `open(task, inputs)` as doTask and openJob of job.mjs, and its version.
+ * @param {WebAssembly.Module} [module] compiled before
+ */
+export async function load(module) {
+  const code = module ?? (await compiled());
   const engine = await createRequire(import.meta.url)("./wythe.cjs")({
-    wasmBinary: await readFile(new URL("wythe.wasm", import.meta.url)),
+    instantiateWasm(imports, done) {
+      WebAssembly.instantiate(code, imports).then((instance) => done(instance, code));
+      return {};
+    },
     printErr: () => {},
   });
   return {

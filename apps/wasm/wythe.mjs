@@ -1,16 +1,19 @@
 #!/usr/bin/env node
-// wythe for Node on any system: run, check, limit and report with the engine as WebAssembly. Files and bits are those of the program.
+// wythe for Node on any system, with the engine as WebAssembly. Files and bits are those of the program.
 //
 //   wythe run MODEL.toml --out DIR [--set KEY=VALUE ...] [--lang LANGUAGE] [--replace] [--quiet]
 //   wythe check MODEL.toml [--set KEY=VALUE ...]
+//   wythe assess MODEL.toml --out DIR [--walls N] [--until WIDTH] [--between COV] [--seed N] [--jobs N] [--resume] [--set KEY=VALUE ...] [--lang LANGUAGE]
 //   wythe limit MODEL.toml --out DIR [--set KEY=VALUE ...] [--only NAME ...] [--assessment] [--lang LANGUAGE]
 //   wythe report DIR [--lang LANGUAGE]
 import path from "node:path";
-import { load } from "./index.mjs";
+import { assess } from "./assess.mjs";
+import { loaded, seenByEngine, seenByUser } from "./host.mjs";
 
-const HOST = "/host"; // where the engine sees the machine's files
 const USAGE = `usage: wythe run MODEL.toml --out DIR [--set KEY=VALUE ...] [--lang LANGUAGE] [--replace] [--quiet]
        wythe check MODEL.toml [--set KEY=VALUE ...]
+       wythe assess MODEL.toml --out DIR [--walls N] [--until WIDTH] [--between COV] [--seed N] [--jobs N]
+                    [--set KEY=VALUE ...] [--lang LANGUAGE] [--resume] [--replace] [--quiet]
        wythe limit MODEL.toml --out DIR [--set KEY=VALUE ...] [--only NAME ...] [--assessment] [--lang LANGUAGE]
        wythe report DIR [--lang LANGUAGE]
        wythe --version
@@ -22,9 +25,17 @@ class Wrong extends Error {}
 const OPTIONS = {
   run: { values: ["out", "lang"], lists: ["set"], flags: ["replace", "quiet"] },
   check: { values: [], lists: ["set"], flags: [] },
+  assess: { values: ["out", "lang"], numbers: ["walls", "until", "between", "seed", "jobs"], lists: ["set"], flags: ["resume", "replace", "quiet"] },
   limit: { values: ["out", "lang"], lists: ["set", "only"], flags: ["replace", "assessment", "quiet"] },
   report: { values: ["lang"], lists: [], flags: [] },
 };
+
+function numberIn(name, text) {
+  const number = Number(text);
+  if (text.trim() === "" || !Number.isFinite(number)) throw new Wrong(`--${name}: ${text} is no number`);
+  if (name === "jobs" && !(Number.isInteger(number) && number >= 0 && number <= 1024)) throw new Wrong("--jobs: must be a whole number from 0 to 1024");
+  return number;
+}
 
 function parse(command, words) {
   const known = OPTIONS[command];
@@ -37,10 +48,11 @@ function parse(command, words) {
       options.model = words[k];
     } else if (known.flags.includes(name) && stated === undefined) {
       options[name] = true;
-    } else if (known.values.includes(name) || known.lists.includes(name)) {
+    } else if (known.values.includes(name) || known.lists.includes(name) || known.numbers?.includes(name)) {
       const value = stated ?? words[++k];
       if (value === undefined) throw new Wrong(`--${name}: a value is missing`);
       if (known.lists.includes(name)) options[name].push(value);
+      else if (known.numbers?.includes(name)) options[name] = numberIn(name, value);
       else options[name] = value;
     } else {
       throw new Wrong(`--${name}: is no option of wythe ${command}`);
@@ -51,18 +63,17 @@ function parse(command, words) {
   return options;
 }
 
-// The engine, with the drive of the model at /host.
-async function loaded(root) {
-  const wythe = await load();
-  if (root !== undefined) {
-    wythe.engine.FS.mkdir(HOST);
-    wythe.engine.FS.mount(wythe.engine.NODEFS, { root }, HOST);
-  }
-  return wythe;
-}
-
-function seenByEngine(file, root) {
-  return `${HOST}/${path.relative(root, file).split(path.sep).join("/")}`;
+// Progress of an assessment on a terminal: say(done, of) a few times a second, say() at the end.
+function teller(quiet) {
+  const start = Date.now();
+  let shown = 0;
+  return (done, of) => {
+    if (done === undefined && shown > 0) process.stderr.write("\r\u001b[K");
+    if (done === undefined || quiet || !process.stderr.isTTY || Date.now() - shown < 200) return;
+    shown = Date.now();
+    const left = done > 0 ? ((Date.now() - start) / 60_000) * (of / done - 1) : NaN;
+    process.stderr.write(`\r${Math.floor(done)} of ${of} pushes${Number.isNaN(left) ? "" : `, about ${Math.ceil(left)} min left`}   `);
+  };
 }
 
 async function main(words) {
@@ -80,12 +91,13 @@ async function main(words) {
   const root = path.parse(file).root;
   const out = options.out && path.resolve(options.out);
   if (out && path.parse(out).root !== root) throw new Wrong(`--out: ${out} is on another drive than the model`);
-  const wythe = await loaded(root);
   const seen = seenByEngine(file, root);
   const texts = command === "report" ? { folder: seen } : { file: seen, set: options.set };
   if (options.lang) texts.language = options.lang;
   if (options.only.length > 0) texts.only = options.only;
   if (out) texts.out = seenByEngine(out, root);
+  if (command === "assess") return assess({ options, texts, root, say: teller(options.quiet) });
+  const wythe = await loaded(root);
   const numbers = {};
   for (const flag of ["assessment", "replace"]) if (options[flag]) numbers[flag] = 1;
   let shown = 0;
@@ -98,7 +110,7 @@ async function main(words) {
   const want = { run: ["summary"], check: ["check"], limit: ["mechanisms"], report: [] }[command];
   const { code, texts: told } = wythe.do(command, { texts, numbers }, { texts: want }, progress);
   if (shown > 0) process.stderr.write("\r\u001b[K");
-  if (told.error) console.error(told.error.replaceAll(`${HOST}/`, root));
+  if (told.error) console.error(seenByUser(told.error, root));
   if (code !== 0) return code;
   if (command === "check") console.log(told.check);
   if (command === "run") {

@@ -1,6 +1,6 @@
-// The engine as WebAssembly (build/wasm/package): bits equal to the native program, errors, and the package installed by npm.
+// The engine as WebAssembly (build/wasm/package): bits equal to the native program, and errors.
 import assert from "node:assert/strict";
-import { execFileSync, spawnSync } from "node:child_process";
+import { spawnSync } from "node:child_process";
 import fs from "node:fs";
 import path from "node:path";
 import { test } from "node:test";
@@ -118,31 +118,4 @@ test("what the command cannot do it says", { skip }, () => {
   const missing = command("check", path.join(folder("engine_faults"), "none.toml"));
   assert.equal(missing.status, 2);
   assert.match(missing.stderr, /none\.toml/);
-});
-
-test("the package installs from its tarball and answers", { skip }, () => {
-  const out = inFolder("engine_package");
-  const [packed] = JSON.parse(execFileSync("npm", ["pack", made, "--json", "--pack-destination", out], { encoding: "utf8", cwd: out, stdio: "pipe" }));
-  assert.ok(packed.size < 4e6, `${packed.size} bytes`);
-  fs.writeFileSync(path.join(out, "package.json"), "{}");
-  execFileSync("npm", ["install", "--offline", "--no-audit", "--no-fund", path.join(out, packed.filename)], { cwd: out, stdio: "pipe" });
-  const version = execFileSync("npx", ["--offline", "wythe", "--version"], { cwd: out, encoding: "utf8" });
-  assert.match(version, /^wythe \d+\.\d+\.\d+ /);
-  const pier = path.join(root, "examples/brick_pier/model.toml");
-  const pushed = execFileSync("npx", ["--offline", "wythe", "run", pier, "--out", "pushed", "--set", "stage.push.until=0.02 mm"], { cwd: out, encoding: "utf8" });
-  assert.match(pushed, /^pushed: .*, state [0-9a-f]{16}\nreport: /);
-  assert.match(fs.readFileSync(path.join(out, "pushed/report.html"), "utf8"), /<header id="headline"/);
-  fs.writeFileSync(
-    path.join(out, "use.mjs"),
-    `import { load } from "wythe";
-import fs from "node:fs";
-const wythe = await load();
-const { code, texts } = wythe.do("check", { texts: { model: fs.readFileSync(process.argv[2], "utf8") } }, { texts: ["check"] });
-console.log(code, JSON.parse(texts.check).blocks);
-`,
-  );
-  const told = execFileSync(process.execPath, ["use.mjs", pier], { cwd: out, encoding: "utf8" });
-  const blocks = Number(/blocks\D+(\d+)/.exec(run("check", pier))?.[1] ?? NaN);
-  assert.equal(told.split(" ")[0], "0");
-  if (!Number.isNaN(blocks)) assert.equal(Number(told.split(" ")[1]), blocks);
 });

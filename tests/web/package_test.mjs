@@ -1,0 +1,190 @@
+// The package for Node (build/wasm/package) as npm packs and installs it in an empty folder: it answers, and gives the verdict of the
+// native program.
+import assert from "node:assert/strict";
+import { execFileSync, spawn, spawnSync } from "node:child_process";
+import fs from "node:fs";
+import path from "node:path";
+import { before, test } from "node:test";
+import { folder, root, run } from "./helpers.mjs";
+
+const made = path.join(root, "build/wasm/package");
+const skip = fs.existsSync(path.join(made, "wythe.wasm")) ? false : "build/wasm is not built: make wasm";
+const out = folder("package");
+const pier = path.join(root, "examples/brick_pier/model.toml");
+const npx = (...words) => spawnSync("npx", ["--offline", "wythe", ...words], { cwd: out, encoding: "utf8" });
+const read = (...names) => fs.readFileSync(path.join(out, ...names), "utf8");
+let packed;
+
+before(() => {
+  if (skip) return;
+  fs.rmSync(out, { recursive: true, force: true });
+  fs.mkdirSync(out, { recursive: true });
+  [packed] = JSON.parse(execFileSync("npm", ["pack", made, "--json", "--pack-destination", out], { encoding: "utf8", cwd: out, stdio: "pipe" }));
+  fs.writeFileSync(path.join(out, "package.json"), "{}");
+  execFileSync("npm", ["install", "--offline", "--no-audit", "--no-fund", path.join(out, packed.filename)], { cwd: out, stdio: "pipe" });
+});
+
+test("the package installs from its tarball and answers", { skip }, () => {
+  assert.ok(packed.size < 4e6, `${packed.size} bytes`);
+  assert.match(npx("--version").stdout, /^wythe \d+\.\d+\.\d+ /);
+  const pushed = npx("run", pier, "--out", "pushed", "--set", "stage.push.until=0.02 mm").stdout;
+  assert.match(pushed, /^pushed: .*, state [0-9a-f]{16}\nreport: /);
+  assert.match(read("pushed/report.html"), /<header id="headline"/);
+  fs.writeFileSync(
+    path.join(out, "use.mjs"),
+    `import { load } from "wythe";
+import fs from "node:fs";
+const wythe = await load();
+const { code, texts } = wythe.do("check", { texts: { model: fs.readFileSync(process.argv[2], "utf8") } }, { texts: ["check"] });
+console.log(code, JSON.parse(texts.check).blocks);
+`,
+  );
+  const told = execFileSync(process.execPath, ["use.mjs", pier], { cwd: out, encoding: "utf8" });
+  const blocks = Number(/blocks\D+(\d+)/.exec(run("check", pier))?.[1] ?? NaN);
+  assert.equal(told.split(" ")[0], "0");
+  if (!Number.isNaN(blocks)) assert.equal(Number(told.split(" ")[1]), blocks);
+});
+
+// Two floors, so four ways of pushing: both directions, and two patterns.
+const WALL = `
+[wall]
+length = "0.8 m"
+height = "0.8 m"
+thickness = "0.2 m"
+bond = "running"
+[wall.unit]
+length = "200 mm"
+height = "100 mm"
+split = "none"
+density = "2000 kg/m^3"
+[material.joint]
+normal_stiffness = "20 GPa/m"
+shear_stiffness = "8 GPa/m"
+tensile_strength = "0.15 MPa"
+cohesion = "0.15 MPa"
+friction_angle = "30 deg"
+residual_friction_angle = "30 deg"
+residual_cohesion = "0 MPa"
+mode_1_energy = "4.3 N/m"
+mode_2_energy = "125 N/m"
+compressive_strength = "4 MPa"
+compressive_energy = "12800 N/m"
+[[stage]]
+name = "gravity"
+[[stage]]
+name = "push"
+pattern = "mass_height"
+levels = ["0.4 m", "0.8 m"]
+control = { x = "0.1 m", y = "0.75 m" }
+velocity = "2 mm/s"
+until = "2 mm"
+[scatter]
+use = "clay_brick"
+[assessment]
+code = "circolare_2019"
+confidence_factor = 1.2
+added_mass = "3000 kg"
+[assessment.spectrum]
+kind = "ntc2018"
+ground_acceleration = "1.5 m/s^2"
+amplification = 2.5
+corner_period = "0.30 s"
+ground = "A"
+`;
+
+// What differs by right: the folders of campaigns, which the package does not keep, and the compiler that the page names.
+function alike(name, made) {
+  const verdict = JSON.parse(read(name, made, "assessment.json"));
+  for (const way of verdict.ways) delete way.folder;
+  const page = read(name, made, "report.html").replace(/<a href="[^"]*\/report\.html">([^<]*)<\/a>/g, "$1").replace(/wythe \d[^<]*\([^<]*\)/g, "wythe");
+  return { verdict, walls: read(name, made, "walls.csv"), page };
+}
+
+// Each way of pushing and drawing of the native command.
+for (const [name, ...words] of [
+  ["four ways", "--walls", "3"],
+  ["means that scatter, another seed", "--walls", "2", "--seed", "7", "--between", "0.25"],
+  ["walls added until the share is known", "--walls", "2", "--between", "0.25", "--until", "0.8", "--set", "stage.push.until=1 mm", "--set", "stage.push.pattern=uniform"],
+  ["no answer", "--walls", "2", "--set", "stage.push.until=0.05 mm"],
+])
+  test(`the verdict is that of the native program: ${name}`, { skip }, () => {
+    const place = name.replaceAll(/\W+/g, "_");
+    fs.mkdirSync(path.join(out, place));
+    fs.writeFileSync(path.join(out, place, "model.toml"), WALL);
+    const native = spawnSync(process.env.WYTHE ?? path.join(root, "build/release/wythe"), ["assess", "model.toml", "--out", "native", "--quiet", ...words], {
+      cwd: path.join(out, place),
+      encoding: "utf8",
+    });
+    const wasm = npx("assess", `${place}/model.toml`, "--out", `${place}/wasm`, "--quiet", ...words);
+    assert.equal(wasm.status, native.status, wasm.stderr + native.stderr);
+    assert.deepEqual(alike(place, "wasm"), alike(place, "native"));
+    const said = (text) => text.split("\n").filter((line) => line && !/^(report|lost|out of plane|  doubtful)/.test(line));
+    assert.deepEqual(said(wasm.stdout), said(native.stdout));
+    assert.deepEqual(fs.readdirSync(path.join(out, place, "wasm")).sort(), [".wythe_model", ".wythe_walls", "assessment.json", "report.html", "walls.csv"]);
+  });
+
+test("an assessment does not depend on the threads, goes on after a kill, and does not go over other results", { skip }, async () => {
+  const place = path.join(out, "threads");
+  fs.mkdirSync(place);
+  fs.writeFileSync(path.join(place, "model.toml"), WALL);
+  fs.writeFileSync(path.join(place, "other.toml"), WALL.replace("0.15 MPa", "0.14 MPa"));
+  const short = ["--walls", "2", "--set", "stage.push.until=0.3 mm"];
+  const assess = (model, made, ...words) => npx("assess", `threads/${model}`, "--out", `threads/${made}`, "--quiet", ...short, ...words);
+  for (const jobs of ["1", "3"]) assert.equal(assess("model.toml", `by_${jobs}`, "--jobs", jobs).status, 0);
+  assert.deepEqual(alike("threads", "by_1"), alike("threads", "by_3"));
+
+  const first = path.join(place, "killed/.wythe_walls/way_0_wall_1.gz");
+  const child = spawn(process.execPath, [path.join(out, "node_modules/wythe/wythe.mjs"), "assess", "model.toml", "--out", "killed", "--jobs", "1", ...short], { cwd: place, stdio: "ignore" });
+  const ended = new Promise((done) => child.on("exit", done));
+  while (!fs.existsSync(first) && child.exitCode === null) await new Promise((done) => setTimeout(done, 5));
+  child.kill("SIGKILL");
+  await ended;
+  assert.ok(fs.existsSync(first));
+  const kept = fs.statSync(first).mtimeMs;
+  assert.equal(assess("model.toml", "killed", "--resume").status, 0);
+  assert.equal(fs.statSync(first).mtimeMs, kept, "it was pushed again");
+  assert.deepEqual(alike("threads", "killed"), alike("threads", "by_1"));
+
+  const before = read("threads/by_1/walls.csv");
+  for (const [model, words, said] of [
+    ["model.toml", [], /holds walls of an assessment already; --resume goes on/],
+    ["other.toml", ["--resume"], /holds results of another model.*threads\/model\.toml/s],
+    ["model.toml", ["--resume", "--seed", "2"], /record: is damaged, or of another wall, model, setting/],
+  ]) {
+    const refused = assess(model, "by_1", ...words);
+    assert.equal(refused.status, 2);
+    assert.match(refused.stderr, said);
+    assert.equal(read("threads/by_1/walls.csv"), before);
+  }
+  assert.equal(assess("other.toml", "by_1", "--replace").status, 0);
+  assert.notEqual(read("threads/by_1/walls.csv"), before);
+  run("assess", path.join(place, "model.toml"), "--out", path.join(place, "native"), "--quiet", ...short);
+  const native = assess("model.toml", "native");
+  assert.equal(native.status, 2);
+  assert.match(native.stderr, /holds the campaigns of an assessment/);
+});
+
+test("what an assessment refuses is told in the words of the native program", { skip }, () => {
+  const place = path.join(out, "refused");
+  fs.mkdirSync(place);
+  const file = path.join(place, "model.toml");
+  fs.writeFileSync(file, WALL.replace(/\[scatter\]\nuse = .*\n/, ""));
+  const native = spawnSync(process.env.WYTHE ?? path.join(root, "build/release/wythe"), ["assess", file, "--out", path.join(place, "out")], { encoding: "utf8" });
+  const wasm = npx("assess", file, "--out", "refused/out");
+  assert.equal(wasm.status, 2);
+  assert.equal(wasm.stderr.trim().split("\n")[0], native.stderr.trim().split("\n")[0]);
+  assert.ok(!fs.existsSync(path.join(place, "out")));
+  fs.writeFileSync(file, WALL);
+  for (const [option, value, said] of [
+    ["--walls", "1", /walls.*must be a whole number from 2/],
+    ["--walls", "many", /--walls: many is no number/],
+    ["--until", "0.01", /until.*must be a number above 0\.05/],
+    ["--between", "2", /between.*must be a number above 0 and up to 1/],
+    ["--shard", "1/2", /--shard: is no option of wythe assess/],
+  ]) {
+    const ended = npx("assess", file, "--out", "refused/out", option, ...(value ? [value] : []));
+    assert.equal(ended.status, 2, option);
+    assert.match(ended.stderr, said);
+  }
+  assert.ok(!fs.existsSync(path.join(place, "out")));
+});
