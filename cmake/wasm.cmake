@@ -44,7 +44,7 @@ target_link_options(wythe_wasm PRIVATE -O2 -fwasm-exceptions --no-entry -lnodefs
   -sEXPORTED_FUNCTIONS=_malloc,_free,_wythe_version,_wythe_new,_wythe_free,_wythe_set_text,_wythe_set_number,_wythe_set_column,_wythe_do_here,_wythe_text,_wythe_column
   -sEXPORTED_RUNTIME_METHODS=UTF8ToString,stringToUTF8,lengthBytesUTF8,FS,NODEFS,HEAPF64,HEAPU8)
 
-# build/wasm/package: what npm packs.
+# build/wasm/package: what npm packs; `make studio` adds the page to draw walls on.
 configure_file(apps/wasm/package.json.in package/package.json @ONLY)
 set(package ${CMAKE_BINARY_DIR}/package)
 add_custom_command(TARGET wythe_wasm POST_BUILD

@@ -6,8 +6,10 @@
 //   wythe assess MODEL.toml --out DIR [--walls N] [--until WIDTH] [--between COV] [--seed N] [--jobs N] [--resume] [--set KEY=VALUE ...] [--lang LANGUAGE]
 //   wythe limit MODEL.toml --out DIR [--set KEY=VALUE ...] [--only NAME ...] [--assessment] [--lang LANGUAGE]
 //   wythe report DIR [--lang LANGUAGE]
+//   wythe studio [MODEL.toml] [--out FILE.html]
 import path from "node:path";
 import { assess } from "./assess.mjs";
+import { Refused, studio } from "./studio.mjs";
 import { loaded, seenByEngine, seenByUser } from "./host.mjs";
 
 const USAGE = `usage: wythe run MODEL.toml --out DIR [--set KEY=VALUE ...] [--lang LANGUAGE] [--replace] [--quiet]
@@ -16,6 +18,7 @@ const USAGE = `usage: wythe run MODEL.toml --out DIR [--set KEY=VALUE ...] [--la
                     [--set KEY=VALUE ...] [--lang LANGUAGE] [--resume] [--replace] [--quiet]
        wythe limit MODEL.toml --out DIR [--set KEY=VALUE ...] [--only NAME ...] [--assessment] [--lang LANGUAGE]
        wythe report DIR [--lang LANGUAGE]
+       wythe studio [MODEL.toml] [--out FILE.html]
        wythe --version
 
 Campaigns, comparisons and checkpoints need the program itself: see the site's page "Install".`;
@@ -28,6 +31,7 @@ const OPTIONS = {
   assess: { values: ["out", "lang"], numbers: ["walls", "until", "between", "seed", "jobs"], lists: ["set"], flags: ["resume", "replace", "quiet"] },
   limit: { values: ["out", "lang"], lists: ["set", "only"], flags: ["replace", "assessment", "quiet"] },
   report: { values: ["lang"], lists: [], flags: [] },
+  studio: { values: ["out"], lists: [], flags: [] },
 };
 
 function numberIn(name, text) {
@@ -40,7 +44,7 @@ function numberIn(name, text) {
 function parse(command, words) {
   const known = OPTIONS[command];
   const given = command === "report" ? "folder" : "model";
-  const options = { set: [], only: [] };
+  const options = { set: [], only: [], ...(command === "studio" && { out: "studio.html" }) };
   for (let k = 0; k < words.length; ++k) {
     const [name, stated] = words[k].startsWith("--") ? words[k].slice(2).split(/=(.*)/s) : [undefined, undefined];
     if (name === undefined) {
@@ -58,7 +62,7 @@ function parse(command, words) {
       throw new Wrong(`--${name}: is no option of wythe ${command}`);
     }
   }
-  if (options.model === undefined) throw new Wrong(`${command === "report" ? "DIR" : "MODEL.toml"}: is missing`);
+  if (options.model === undefined && command !== "studio") throw new Wrong(`${command === "report" ? "DIR" : "MODEL.toml"}: is missing`);
   if (known.values.includes("out") && !options.out) throw new Wrong("--out: is missing; write the folder for the results");
   return options;
 }
@@ -87,6 +91,10 @@ async function main(words) {
     return command?.endsWith("help") ? 0 : 2;
   }
   const options = parse(command, rest);
+  if (command === "studio") {
+    studio(options.model, options.out);
+    return 0;
+  }
   const file = path.resolve(options.model);
   const root = path.parse(file).root;
   const out = options.out && path.resolve(options.out);
@@ -126,7 +134,7 @@ async function main(words) {
 main(process.argv.slice(2)).then(
   (code) => { process.exitCode = code; },
   (error) => {
-    console.error(error instanceof Wrong ? `wythe: ${error.message}\n\n${USAGE}` : error);
-    process.exitCode = error instanceof Wrong ? 2 : 6;
+    console.error(error instanceof Wrong ? `wythe: ${error.message}\n\n${USAGE}` : error instanceof Refused ? error.message : error);
+    process.exitCode = error instanceof Wrong || error instanceof Refused ? 2 : 6;
   },
 );

@@ -1,5 +1,5 @@
-// The package for Node (build/wasm/package) as npm packs and installs it in an empty folder: it answers, and gives the verdict of the
-// native program.
+// The package for Node (build/wasm/package) as npm packs and installs it in an empty folder: it answers, gives the verdict of the native
+// program, and writes the page to draw walls on.
 import assert from "node:assert/strict";
 import { execFileSync, spawn, spawnSync } from "node:child_process";
 import fs from "node:fs";
@@ -187,4 +187,30 @@ test("what an assessment refuses is told in the words of the native program", { 
     assert.match(ended.stderr, said);
   }
   assert.ok(!fs.existsSync(path.join(place, "out")));
+});
+
+test("the page to draw walls on is that of make studio, with the model in it", { skip: skip || (fs.existsSync(path.join(made, "studio_page.html")) ? false : "make studio") }, () => {
+  fs.copyFileSync(pier, path.join(out, "wall.toml"));
+  const told = npx("studio", "wall.toml", "--out", "wall.html");
+  assert.equal(told.status, 0, told.stderr);
+  assert.match(told.stdout, /open in a browser: .*wall\.html/);
+  const page = read("wall.html");
+  assert.ok(page.includes(fs.readFileSync(pier).toString("hex")));
+  const whole = path.join(root, "build/studio.html");
+  if (fs.existsSync(whole)) assert.equal(page.replace(fs.readFileSync(pier).toString("hex"), "<!--wythe:model-->"), fs.readFileSync(whole, "utf8"));
+  assert.equal(npx("studio", "--out", "wall.html").status, 0);
+  assert.ok(!read("wall.html").includes("<!--wythe:model-->"));
+  fs.writeFileSync(path.join(out, "letter.html"), "<p>mine</p>");
+  fs.writeFileSync(path.join(out, "study.toml"), '[study]\nbase = "model.toml"\n');
+  for (const [words, said] of [
+    [["wall.toml", "--out", "letter.html"], /is there, and is no earlier answer/],
+    [["wall.toml", "--out", "wall.toml"], /would be lost/],
+    [["study.toml"], /is a study/],
+    [["none.toml"], /none\.toml: cannot be read/],
+  ]) {
+    const refused = npx("studio", ...words);
+    assert.equal(refused.status, 2, refused.stdout);
+    assert.match(refused.stderr, said);
+  }
+  assert.equal(read("letter.html"), "<p>mine</p>");
 });
