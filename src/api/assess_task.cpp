@@ -123,7 +123,7 @@ Json plan_of(const std::vector<StudySpec>& studies, const std::vector<int>& batc
   for (const StudySpec& study : studies) {
     const Way way = way_of(study, batches);
     const ModelSpec base = way.build({});
-    static_cast<void>(compile_model(base, study.model_text, study.model_file, study.settings));
+    static_cast<void>(compile(base));
     const PushWay push = wythe::way_of(base);
     plan["ways"].push_back({{"direction", push.direction},
                             {"pattern", push.pattern},
