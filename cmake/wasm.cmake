@@ -15,7 +15,8 @@ list(FILTER sources EXCLUDE REGEX "/(hdf5_tables|deflate|campaign_data)[.]cpp$|k
 # What the task assess takes of the rooms that are left out.
 foreach(source campaign/runner/handed_sample campaign/runner/sample_run campaign/runner/shakes campaign/store/record_rows
     io/study/assess_study io/study/shaking_file io/study/study_file io/study/variants
-    statistics/intervals statistics/one_push statistics/scatter statistics/verdict)
+    statistics/ensemble statistics/fragility statistics/intervals statistics/one_push statistics/pga_fragility statistics/scatter
+    statistics/statistics statistics/until_rule statistics/verdict)
   list(APPEND sources ${CMAKE_SOURCE_DIR}/src/${source}.cpp)
 endforeach()
 # What runs in each step is optimised most; the rest is compiled ten sources of a folder at a time, which takes a third of the time.

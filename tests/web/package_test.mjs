@@ -100,6 +100,19 @@ function alike(name, made) {
   return { verdict, walls: read(name, made, "walls.csv"), page };
 }
 
+// Equal but for the last bits of a number: libraries of mathematics round differently, which the checks of parts out of plane meet. Bits of
+// the pushes stand in walls.csv.
+function assertSame(a, b, at = "") {
+  if (typeof a === "number" && typeof b === "number") {
+    assert.ok(a === b || Math.abs(a - b) <= 1e-13 * Math.max(Math.abs(a), Math.abs(b)), `${at}: ${a}, ${b}`);
+  } else if (a !== null && b !== null && typeof a === "object" && typeof b === "object") {
+    assert.deepEqual(Object.keys(a), Object.keys(b), at);
+    for (const key of Object.keys(a)) assertSame(a[key], b[key], `${at}.${key}`);
+  } else {
+    assert.equal(a, b, at);
+  }
+}
+
 // Each way of pushing and drawing of the native command.
 for (const [name, ...words] of [
   ["four ways", "--walls", "3"],
@@ -117,7 +130,7 @@ for (const [name, ...words] of [
     });
     const wasm = npx("assess", `${place}/model.toml`, "--out", `${place}/wasm`, "--quiet", ...words);
     assert.equal(wasm.status, native.status, wasm.stderr + native.stderr);
-    assert.deepEqual(alike(place, "wasm"), alike(place, "native"));
+    assertSame(alike(place, "wasm"), alike(place, "native"));
     const said = (text) => text.split("\n").filter((line) => line && !/^(report|lost|out of plane|  doubtful)/.test(line));
     assert.deepEqual(said(wasm.stdout), said(native.stdout));
     assert.deepEqual(fs.readdirSync(path.join(out, place, "wasm")).sort(), [".wythe_model", ".wythe_walls", "assessment.json", "report.html", "walls.csv"]);

@@ -87,3 +87,23 @@ bool is_result_column(const std::string& title) {
 }
 
 }  // namespace wythe::study
+
+namespace wythe {
+
+std::string column_title(const InputColumn& column) {
+  if (column.unit.empty() || column.unit == "1") return column.name;
+  std::string unit;
+  for (const char c : column.unit) {
+    if (c == '/')
+      unit += "_per_";
+    else if (c == '%')
+      unit += "percent";
+    else if (c == ' ' || c == '*' || c == '.')
+      unit += '_';
+    else if (c != '^')
+      unit += c;
+  }
+  return column.name + "_" + unit;
+}
+
+}  // namespace wythe

@@ -139,22 +139,6 @@ std::vector<Snapshot> StoredStates::of(int sample, const Model& model) {
   return content_->store.states(sample, model);
 }
 
-std::string column_title(const InputColumn& column) {
-  if (column.unit.empty() || column.unit == "1") return column.name;
-  std::string unit;
-  for (const char c : column.unit) {
-    if (c == '/')
-      unit += "_per_";
-    else if (c == '%')
-      unit += "percent";
-    else if (c == ' ' || c == '*' || c == '.')
-      unit += '_';
-    else if (c != '^')
-      unit += c;
-  }
-  return column.name + "_" + unit;
-}
-
 void check_campaign(const std::string& folder) {
   if (!study::holds_store(folder)) throw IoError(folder + ": holds no campaign (no campaign.db)");
   study::Store store(folder, study::Store::Access::kRead);
