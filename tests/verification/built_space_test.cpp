@@ -155,8 +155,8 @@ TEST(BuiltSpace, a_ring_beam_bends_and_turns_round_its_corner) {
   const double exact =
       force * ((bending(leg) + bending(arm)) / (e * second) + (leg + arm) * 1.2 / (g * area) +
                arm * arm * leg / (g * saint_venant(high, thick)));
-  verify({"SP32", "ring beam round a corner, loaded at its end: deflection", "m", exact, 3e-3,
-          "torsion constant by Roark's polynomial, 0.2 %"},
+  verify({"SP32", "ring beam round a corner, loaded at its end: deflection", "m", exact, 4e-3,
+          "torsion constant by Roark's polynomial, 0.5 %"},
          -lowest);
 }
 

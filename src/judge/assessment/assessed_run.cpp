@@ -240,13 +240,13 @@ double length_of(const FloorSpec& floor, const Model& model) {
 }  // namespace
 
 std::vector<Message> cautions_of_inputs(const ModelSpec& spec, const Model& model) {
-  static constexpr std::string_view kProbablyWrong[] = {"density.odd", "value.odd",  "scale.large",
-                                                        "scale.high",  "scale.long", "scale.small"};
+  const auto is_odd = [](std::string_view code) {
+    return code == "density.odd" || code == "value.odd" || code == "scale.large" ||
+           code == "scale.high" || code == "scale.long" || code == "scale.small";
+  };
   std::vector<Message> say, odd;
   for (const Message& note : model.anatomy.notes)
-    if (std::find(std::begin(kProbablyWrong), std::end(kProbablyWrong), note.code) !=
-        std::end(kProbablyWrong))
-      odd.push_back(note);
+    if (is_odd(note.code)) odd.push_back(note);
   if (const std::size_t count = odd.size(); count > 0)
     say.push_back({"assessment.caution.odd_inputs", {{"count", count}, {"notes", std::move(odd)}}});
   double left_out = 0;

@@ -314,7 +314,7 @@ void append(const Placed& joint, Model& model) {
                                                                 : JointKind::kBed);
 }
 
-// Torsion constant of a rectangle a x b [m^4] by Roark's polynomial, within 0.2 %.
+// Torsion constant of a rectangle a x b [m^4] by Roark's polynomial, within 0.5 %.
 double torsion_constant(double a, double b) {
   if (a < b) std::swap(a, b);
   const double r = b / a, r4 = r * r * r * r;
