@@ -1,5 +1,6 @@
 // wythe assess: the verdict on a wall from many walls of its model. Threads push the walls and hand over their records; the engine of this
 // thread judges them. Bits do not depend on how many threads there are. Records stay in the folder, so that --resume goes on with them.
+import { createHash } from "node:crypto";
 import fs from "node:fs";
 import os from "node:os";
 import path from "node:path";
@@ -15,27 +16,27 @@ class Refused extends Error {
   }
 }
 
-// Walls that were pushed, in a hidden folder of `out`: batches.json and a record for each way and wall.
+// Walls that were pushed, in a hidden folder of `out`: batches.json, which says of what they are, and a record for each way and wall.
 class Kept {
   constructor(out) {
     this.out = out;
     this.folder = path.join(out, ".wythe_walls");
   }
-  // Sizes of the designs; none where nothing is kept.
-  batches() {
+  // Sizes of the designs, of what they are, and whether their verdict takes the place of another model's; undefined: nothing is kept.
+  begun() {
     const file = path.join(this.folder, "batches.json");
-    if (!fs.existsSync(file)) return [];
+    if (!fs.existsSync(file)) return undefined;
     try {
-      const batches = JSON.parse(fs.readFileSync(file, "utf8"));
-      if (Array.isArray(batches) && batches.length > 0 && batches.every((walls) => Number.isInteger(walls) && walls >= 2)) return batches;
+      const { batches, origin, replaces } = JSON.parse(fs.readFileSync(file, "utf8"));
+      if (batches.length > 0 && batches.every((walls) => Number.isInteger(walls) && walls >= 2)) return { batches, origin, replaces };
     } catch {
       // told below
     }
     throw new Refused(2, `${file}: is damaged; --replace begins anew`);
   }
-  begin(batches) {
+  begin(started) {
     fs.mkdirSync(this.folder, { recursive: true });
-    this.write("batches.json", JSON.stringify(batches));
+    this.write("batches.json", JSON.stringify(started));
   }
   clear() {
     fs.rmSync(this.folder, { recursive: true, force: true });
@@ -62,17 +63,27 @@ class Kept {
 
 const sum = (numbers) => numbers.reduce((all, number) => all + number, 0);
 
-// The designs that are asked for: stored ones stay, and more walls are a design of their own.
-function asked(options, kept) {
-  const stored = kept.batches();
-  if (stored.length === 0) return [options.walls ?? 8];
-  if (!options.resume) throw new Refused(2, `${kept.out}: holds walls of an assessment already; --resume goes on with them, --replace begins anew`);
-  const more = (options.walls ?? 0) - sum(stored);
-  return more > 0 ? [...stored, more] : stored;
+// Of what walls are: the model's text, the settings, the draws and the engine. What else a wall hangs on, its record says.
+function originOf({ model, set, seed, between }, version) {
+  const text = fs.existsSync(model) ? fs.readFileSync(model, "utf8") : null; // the engine says what is wrong with a file that is not there
+  return createHash("sha256").update(JSON.stringify([text, set, seed ?? 0, between ?? null, version])).digest("hex");
 }
 
-// Pushes the walls of `tasks`, each by the next thread that is free; `keep(task, record)` gets each record.
-async function pushAll(tasks, { jobs, module, root, inputs, keep, say }) {
+// The designs that are asked for: stored ones stay, and more walls are a design of their own.
+function asked(options, kept, origin) {
+  if (options.resume && options.replace) throw new Refused(2, "--resume: goes on with walls that --replace removes; leave one out");
+  const stored = options.replace ? undefined : kept.begun();
+  if (stored === undefined) return { batches: [options.walls ?? 8], origin, replaces: options.replace === true };
+  if (!options.resume) throw new Refused(2, `${kept.out}: holds walls of an assessment already; --resume goes on with them, --replace begins anew`);
+  if (stored.origin !== origin)
+    throw new Refused(2, `${kept.out}: holds walls of another model, setting, seed or version of wythe; give what they were pushed with, or --replace begins anew`);
+  const more = (options.walls ?? 0) - sum(stored.batches);
+  if (more === 1) throw new Refused(2, `--walls: ${options.walls} is one more than there are, and two are added at least; write ${options.walls + 1}`);
+  return more > 0 ? { ...stored, batches: [...stored.batches, more] } : stored;
+}
+
+// Pushes the walls of `tasks`, each by the next thread that is free; `keep(task, record)` gets each record. `check()` is called before each.
+async function pushAll(tasks, { jobs, module, root, inputs, keep, check, say }) {
   const waiting = [...tasks];
   const shares = new Map();
   let done = 0;
@@ -86,11 +97,12 @@ async function pushAll(tasks, { jobs, module, root, inputs, keep, say }) {
       const next = () => {
         task = waiting.shift();
         if (task === undefined) return end();
+        check();
         thread.postMessage({ inputs, ...task });
       };
       thread.on("error", fail);
       thread.on("exit", (code) => fail(new Error(`a thread ended with code ${code}`)));
-      thread.on("message", ({ share, ready, code, record, error }) => {
+      const take = ({ share, ready, code, record, error }) => {
         if (ready) return next();
         if (share !== undefined) {
           shares.set(task, share);
@@ -102,6 +114,13 @@ async function pushAll(tasks, { jobs, module, root, inputs, keep, say }) {
         ++done;
         tell();
         next();
+      };
+      thread.on("message", (message) => {
+        try {
+          take(message);
+        } catch (error) {
+          fail(error instanceof Refused ? error : new Refused(4, `a wall cannot be kept: ${error.message}`));
+        }
       });
     });
   try {
@@ -137,7 +156,6 @@ export async function assess({ options, texts, root, say }) {
   const jobs = options.jobs || os.availableParallelism?.() || os.cpus().length;
   const numbers = {};
   for (const name of ["seed", "between", "until"]) if (options[name] !== undefined) numbers[name] = options[name];
-  if (options.replace) numbers.replace = 1;
   const kept = new Kept(options.out);
   const ask = (...words) => {
     const { code, texts: told } = wythe.do("assess", ...words);
@@ -145,7 +163,14 @@ export async function assess({ options, texts, root, say }) {
     return told;
   };
   try {
-    let batches = options.replace ? [options.walls ?? 8] : asked(options, kept);
+    const origin = originOf(options, wythe.version);
+    const check = () => {
+      if (originOf(options, wythe.version) !== origin)
+        throw new Refused(2, `${options.model}: was changed while its walls were pushed; put it back and go on with --resume, or begin anew with --replace`);
+    };
+    const started = asked(options, kept, origin);
+    let { batches } = started;
+    if (started.replaces) numbers.replace = 1;
     for (let round = 0; ; ++round) {
       const inputs = (more, record) => ({
         texts: record ? { ...texts, record } : texts,
@@ -154,14 +179,15 @@ export async function assess({ options, texts, root, say }) {
       });
       const plan = JSON.parse(ask(inputs({ plan: 1 }), { texts: ["plan"] }).plan);
       if (round === 0 && options.replace) kept.clear();
-      kept.begin(batches);
+      kept.begin({ ...started, batches });
       const all = plan.ways.flatMap((_, way) => Array.from({ length: plan.walls }, (__, k) => ({ way, wall: k + 1 })));
       const left = all.filter((task) => !kept.has(task));
       if (!options.quiet) {
         if (round === 0) for (const note of plan.notes) console.error(`note: ${note}`);
         console.error(`${plan.ways.length} ways of pushing, ${plan.walls} walls each: ${left.length} pushes on ${Math.min(jobs, left.length)} threads`);
       }
-      await pushAll(left, { jobs, module, root, inputs: inputs(), say, keep: (task, record) => kept.put(task, record) });
+      await pushAll(left, { jobs, module, root, inputs: inputs(), say, check, keep: (task, record) => kept.put(task, record) });
+      check();
       const told = ask(inputs({}, all.map((task) => kept.get(task))), { texts: ["plan", "assessment"] });
       const verdict = JSON.parse(told.assessment);
       const { next } = JSON.parse(told.plan);

@@ -87,7 +87,7 @@ std::vector<StudySpec> studies_of(const Inputs& in) {
   AskedWalls asked{.model_file = in.one("file"), .overrides = in.all("set")};
   asked.walls = batches_of(in).front();
   asked.seed = in.integer("seed", 0, 0, 2'147'483'647);
-  asked.between = share_between(in, "between", 0, "above 0 and up to 1");
+  asked.between = share_between(in, "between", 0, "more than 0 and up to 1");
   const StudySpec own = assess_study(asked);
   std::vector<StudySpec> studies = {own};
   for (const VariantSpec& option : own.option) studies.push_back(option.study);
@@ -166,7 +166,7 @@ bool do_assess(Job& job) {
   const std::string language = in.one("language", "en"), out = in.out_folder();
   check_language(language, "language");
   const std::vector<int> batches = batches_of(in);
-  const double until = share_between(in, "until", kNarrowest, "above 0.05 and up to 1");
+  const double until = share_between(in, "until", kNarrowest, "more than 0.05 and up to 1");
   const std::vector<StudySpec> studies = studies_of(in);
   const auto ways = static_cast<int>(studies.size());
   const int walls = std::accumulate(batches.begin(), batches.end(), 0);

@@ -31,8 +31,9 @@ const CoarseWalls* walls_like(const Drawn& drawn, Bond bond) {
   return nullptr;
 }
 
-// The largest units of fired clay, joints included [m]. Solid: bricks of 440 mm by the Romans, and of 113 mm in EN 771-1
-// formats (2 DF). Perforated: blocks of 500 x 249 mm. Cut stone, tuff and concrete are laid in any size.
+// The largest units of fired clay, joints included [m]. Solid: bricks of 440 mm by the Romans, and of 113 mm in the German
+// format 2 DF. Perforated: blocks of 560 x 274 mm and of 500 x 314 mm are on sale in France. Cut stone, tuff and concrete are
+// laid in any size.
 struct LargestMade {
   UnitType type;
   double length, height;
@@ -40,12 +41,14 @@ struct LargestMade {
 };
 constexpr LargestMade kLargestMade[] = {
     {UnitType::kClay, 0.45, 0.125, "unit.kind.clay"},
-    {UnitType::kClayPerforated, 0.51, 0.26, "unit.kind.clay_perforated"},
-    {UnitType::kClayLightPerforated, 0.51, 0.26, "unit.kind.clay_perforated"}};
+    {UnitType::kClayPerforated, 0.58, 0.33, "unit.kind.clay_perforated"},
+    {UnitType::kClayLightPerforated, 0.58, 0.33, "unit.kind.clay_perforated"}};
 
-// The kind of unit that the file states, or that follows from its typical values or the kind of its scatter.
+// The kind of unit that the file states, or that follows from its typical values or the kind of its scatter. Unstated where
+// its materials are of several kinds.
 UnitType kind_of_units(const ModelSpec& spec) {
   if (spec.masonry.unit_type != UnitType::kUnstated) return spec.masonry.unit_type;
+  UnitType found = UnitType::kUnstated;
   for (const auto& [name, material] : spec.material)
     for (const std::string& line : material.origin) {
       const auto origin = materials::origin_of(line);
@@ -53,8 +56,11 @@ UnitType kind_of_units(const ModelSpec& spec) {
         continue;
       const materials::Entry* entry =
           materials::entry_of(origin->by.substr(3, origin->by.find(' ', 3) - 3));
-      if (entry != nullptr && entry->unit_type != UnitType::kUnstated) return entry->unit_type;
+      if (entry == nullptr || entry->unit_type == UnitType::kUnstated) continue;
+      if (found != UnitType::kUnstated && found != entry->unit_type) return UnitType::kUnstated;
+      found = entry->unit_type;
     }
+  if (found != UnitType::kUnstated) return found;
   if (spec.scatter.use != "clay_brick") return UnitType::kUnstated;
   constexpr double kSolid = 1600;  // masonry of perforated bricks has 1500 kg/m^3 at most
   return spec.wall.unit.density >= kSolid ? UnitType::kClay : UnitType::kClayPerforated;

@@ -125,6 +125,10 @@ class Local(unittest.TestCase):
         halves = ('right = "0.5 m"\n', 'left = "0.5 m"\n')
         self.assertEqual(names(halves[0]), [("0", "part"), ("wall", "found")])
         self.assertEqual(names(*halves), [("0", "part"), ("1", "part")])
+        # harmless strips side by side at the head, and a low one all along the foot, say nothing of the wall
+        strips = [f'foot = "2.75 m"\nleft = "{0.08 * k:.2f} m"\nright = "{0.08 * k + 0.08:.2f} m"\n' for k in range(12)]
+        self.assertIn(("wall", "found"), names(*strips))
+        self.assertIn(("wall", "found"), names('head = "0.5 m"\n'))
         # a floor's depth between two parts is none of its own
         self.assertEqual(names('head = "1.4 m"\nhead_held = true\n', 'foot = "1.6 m"\n'), [("0", "part"), ("1", "part")])
 

@@ -152,7 +152,8 @@ test("an assessment does not depend on the threads, goes on after a kill, and do
   while (!fs.existsSync(first) && child.exitCode === null) await new Promise((done) => setTimeout(done, 5));
   child.kill("SIGKILL");
   await ended;
-  assert.ok(fs.existsSync(first));
+  assert.equal(child.signalCode, "SIGKILL", "the kill came too late");
+  assert.ok(fs.existsSync(first) && !fs.existsSync(path.join(place, "killed/assessment.json")));
   const kept = fs.statSync(first).mtimeMs;
   assert.equal(assess("model.toml", "killed", "--resume").status, 0);
   assert.equal(fs.statSync(first).mtimeMs, kept, "it was pushed again");
@@ -161,8 +162,10 @@ test("an assessment does not depend on the threads, goes on after a kill, and do
   const before = read("threads/by_1/walls.csv");
   for (const [model, words, said] of [
     ["model.toml", [], /holds walls of an assessment already; --resume goes on/],
-    ["other.toml", ["--resume"], /holds results of another model.*threads\/model\.toml/s],
-    ["model.toml", ["--resume", "--seed", "2"], /record: is damaged, or of another wall, model, setting/],
+    ["other.toml", ["--resume"], /holds walls of another model, setting, seed or version/],
+    ["model.toml", ["--resume", "--seed", "2", "--walls", "4"], /holds walls of another model, setting, seed or version/],
+    ["model.toml", ["--resume", "--replace"], /--resume: goes on with walls that --replace removes/],
+    ["model.toml", ["--resume", "--walls", "3"], /--walls: 3 is one more than there are.*write 4/],
   ]) {
     const refused = assess(model, "by_1", ...words);
     assert.equal(refused.status, 2);
@@ -191,8 +194,8 @@ test("what an assessment refuses is told in the words of the native program", { 
   for (const [option, value, said] of [
     ["--walls", "1", /walls.*must be a whole number from 2/],
     ["--walls", "many", /--walls: many is no number/],
-    ["--until", "0.01", /until.*must be a number above 0\.05/],
-    ["--between", "2", /between.*must be a number above 0 and up to 1/],
+    ["--until", "0.01", /until.*must be a number more than 0\.05/],
+    ["--between", "2", /between.*must be a number more than 0 and up to 1/],
     ["--shard", "1/2", /--shard: is no option of wythe assess/],
   ]) {
     const ended = npx("assess", file, "--out", "refused/out", option, ...(value ? [value] : []));

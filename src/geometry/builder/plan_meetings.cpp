@@ -1,6 +1,7 @@
 // Finds where walls along plan lines meet, and which courses go through at each meeting.
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "core/elementary.h"
 #include "core/text.h"
@@ -205,13 +206,15 @@ class Meetings {
 
   // Notes a free end that stops short of another wall: two walls that seem to meet, and stand free of each other.
   void note_near_misses(std::vector<Message>& notes) const {
+    std::set<std::pair<const StraightWall*, const StraightWall*>> told;
     for (const StraightWall& a : walls_)
       for (int e = 0; e < 2; ++e) {
         if (a.end[e].kind != EndKind::kFree) continue;
         for (const StraightWall& b : walls_) {
           if (&a == &b || !lie_beside(a, b) || are_joined(a, b)) continue;
           const double gap = gap_before(a, e, b);
-          if (!(gap > kSamePlace)) continue;
+          if (!(gap > kSamePlace) || told.contains({&b, &a})) continue;
+          told.insert({&a, &b});
           const Vec2 p = point(a, e), meets = common_point(a, e, b);
           notes.push_back({"plan_wall.near_miss",
                            {{"wall", a.name},
@@ -265,7 +268,7 @@ class Meetings {
   [[nodiscard]] static Vec2 common_point(const StraightWall& a, int e, const StraightWall& b) {
     const Vec2 p = point(a, e);
     const double turn = cross(a.along, b.along);
-    if (std::fabs(turn) < kRightAngle) {  // one after the other
+    if (std::fabs(turn) < kLeastSine) {  // one after the other, or too near to it for a meeting
       const Vec2 first = point(b, 0), last = point(b, 1);
       return length(first - p) < length(last - p) ? first : last;
     }

@@ -242,7 +242,8 @@ double length_of(const FloorSpec& floor, const Model& model) {
 std::vector<Message> cautions_of_inputs(const ModelSpec& spec, const Model& model) {
   const auto is_odd = [](std::string_view code) {
     return code == "density.odd" || code == "value.odd" || code == "scale.large" ||
-           code == "scale.high" || code == "scale.long" || code == "scale.small";
+           code == "value.thousands" || code == "scale.high" || code == "scale.long" ||
+           code == "scale.small";
   };
   std::vector<Message> say, odd;
   for (const Message& note : model.anatomy.notes)

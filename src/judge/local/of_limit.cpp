@@ -226,8 +226,9 @@ LocalCheck check_of_limit(const ModelSpec& spec, const Model& model, const Named
          {{"floors_kN", 1e-3 * out.floors}, {"masonry_kN", 1e-3 * out.masonry}}});
   if (out.floors == 0) out.notes.push_back({"local.note.no_floors"});
   if (mechanism.is_held()) out.notes.push_back({"local.note.work_of_links"});
-  for (Message& caution : cautions_of_inputs(spec, model))
-    out.cautions.push_back(std::move(caution));
+  for (std::vector<Message> cautions :
+       {cautions_of_inputs(spec, model), cautions_of_demand(spec.assessment)})
+    for (Message& caution : cautions) out.cautions.push_back(std::move(caution));
   conclude(spec, model, false, out);
   return out;
 }

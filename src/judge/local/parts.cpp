@@ -565,8 +565,9 @@ class Strip {
     for (const HoldSpec& hold : part_.hold) is_any_short |= !std::isfinite(hold.travel);
     if (is_any_short) out.notes.push_back({"local.note.holds_unknown"});
     if (!part_.hold.empty()) out.notes.push_back({"local.note.held"});
-    for (Message& caution : cautions_of_inputs(spec_, model_))
-      out.cautions.push_back(std::move(caution));
+    for (std::vector<Message> cautions :
+         {cautions_of_inputs(spec_, model_), cautions_of_demand(spec_.assessment)})
+      for (Message& caution : cautions) out.cautions.push_back(std::move(caution));
   }
 
   const ModelSpec& spec_;
@@ -592,35 +593,52 @@ LocalCheck check_of_part(const ModelSpec& spec, const Model& model, const PartSp
 
 namespace {
 
-// Whether the named parts together cover the whole length of the wall between two heights above its foot. Strips narrower
-// than a tenth, such as the depth of a floor between two parts, need no part of their own.
+// Length of 0 to `length` that intervals leave out.
+double left_out(std::vector<std::pair<double, double>> intervals, double length) {
+  std::sort(intervals.begin(), intervals.end());
+  double missing = 0, reached = 0;
+  for (const auto& [low, high] : intervals) {
+    missing += std::max(0.0, std::min(low, length) - reached);
+    reached = std::clamp(high, reached, std::max(reached, length));
+  }
+  return missing + std::max(0.0, length - reached);
+}
+
+// Whether named parts stand for one that was found between two heights: along nine tenths of the wall one of them has its foot
+// there, and parts cover nine tenths of the height. A named part of another foot is another mechanism: a facade that holds as a
+// whole says nothing of its parapet. What is left out may be the depth of a floor.
 bool are_covering(const std::vector<PartSpec>& named, const Extents& wall, double foot,
                   double head) {
   constexpr double kTenth = 0.1;
-  const double length = wall.right - wall.left, top = wall.top - wall.foot;
+  const double length = wall.right - wall.left, top = wall.top - wall.foot, height = head - foot;
+  struct Place {
+    double left, right, foot, head;
+  };
+  std::vector<Place> places;
   const auto given = [](double value, double otherwise) {
     return std::isfinite(value) ? value : otherwise;
   };
-  std::vector<double> xs = {0, length}, ys = {foot, head};
-  for (const PartSpec& part : named) {
-    for (const double x : {given(part.left, 0), given(part.right, length)})
-      xs.push_back(std::clamp(x, 0.0, length));
-    for (const double y : {given(part.foot, 0), given(part.head, top)})
-      ys.push_back(std::clamp(y, foot, head));
+  for (const PartSpec& part : named)
+    places.push_back({given(part.left, 0), given(part.right, length), given(part.foot, 0),
+                      given(part.head, top)});
+  std::vector<std::pair<double, double>> at_foot;
+  std::vector<double> edges = {0, length};
+  for (const Place& part : places) {
+    if (std::fabs(part.foot - foot) <= kTenth * height) at_foot.emplace_back(part.left, part.right);
+    if (part.foot >= head || part.head <= foot) continue;
+    for (const double x : {part.left, part.right}) edges.push_back(std::clamp(x, 0.0, length));
   }
-  std::sort(xs.begin(), xs.end()), std::sort(ys.begin(), ys.end());
-  for (std::size_t i = 1; i < xs.size(); ++i)
-    for (std::size_t k = 1; k < ys.size(); ++k) {
-      if (xs[i] - xs[i - 1] < kTenth * length || ys[k] - ys[k - 1] < kTenth * (head - foot))
-        continue;
-      const double x = 0.5 * (xs[i] + xs[i - 1]), y = 0.5 * (ys[k] + ys[k - 1]);
-      if (std::none_of(named.begin(), named.end(), [&](const PartSpec& part) {
-            return x > given(part.left, 0) && x < given(part.right, length) &&
-                   y > given(part.foot, 0) && y < given(part.head, top);
-          }))
-        return false;
-    }
-  return true;
+  if (!(left_out(at_foot, length) < kTenth * length)) return false;
+  std::sort(edges.begin(), edges.end());
+  double uncovered = 0;
+  for (std::size_t i = 1; i < edges.size(); ++i) {
+    const double x = 0.5 * (edges[i] + edges[i - 1]);
+    std::vector<std::pair<double, double>> above;
+    for (const Place& part : places)
+      if (x > part.left && x < part.right) above.emplace_back(part.foot - foot, part.head - foot);
+    if (!(left_out(above, height) < kTenth * height)) uncovered += edges[i] - edges[i - 1];
+  }
+  return uncovered < kTenth * length;
 }
 
 }  // namespace

@@ -280,8 +280,9 @@ std::vector<Opening> openings_of(const Model& m, const Elevation& seen, const Fr
   return openings;
 }
 
-// Whether the masonry is an arch alone: its one opening is round and stands on the ground, and most of its joints are
-// inclined. A wall with an arch over its opening has level beds, and a wall of irregular stones an upright opening.
+// Whether the masonry is an arch alone: its one opening is round and stands on the ground, most of its joints are inclined, it is
+// no deeper over the crown than a third of the span, and nothing stands at its upper corners. A wall with an arch over its
+// opening has level beds, and one of irregular stones has masonry over and beside the arch.
 bool is_bare_arch(const Model& m, const Elevation& seen, const Frame& f,
                   const std::vector<Opening>& openings) {
   constexpr double kRound = 0.9;      // share of its box that a rectangle exceeds
@@ -290,6 +291,17 @@ bool is_bare_arch(const Model& m, const Elevation& seen, const Frame& f,
   if (openings.size() != 1 || openings[0].at_edge || openings[0].filled > kRound ||
       openings[0].y0 > f.wall.y0 + kOnGround * f.wall.height())
     return false;
+  constexpr double kDeepest = 1.0 / 3, kCorner = 0.05;
+  if (f.wall.y1 - openings[0].y1 > kDeepest * openings[0].width()) return false;
+  for (BlockId b = 0; b < m.n_block; ++b) {
+    if (!seen.holds(b)) continue;
+    for (const auto& outline : outlines_of(m, seen, b))
+      for (const auto& p : outline) {
+        const double inwards = std::min(p.x - f.wall.x0, f.wall.x1 - p.x);
+        if (inwards < kCorner * f.wall.width() && f.wall.y1 - p.y < kCorner * f.wall.height())
+          return false;
+      }
+  }
   double all = 0, inclined = 0;
   for (JointId j = 0; j < m.n_joint; ++j) {
     const JointShape joint = joint_shape(m, j);

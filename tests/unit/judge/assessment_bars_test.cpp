@@ -474,6 +474,14 @@ TEST(Assessment, inputs_that_no_masonry_has_bar_the_signature) {
   EXPECT_EQ(said[0].code, "assessment.caution.odd_inputs");
   EXPECT_EQ(said[0].number("count"), 1);
   EXPECT_NE(text_of(said[0]).find("wall.unit.density"), std::string::npos) << text_of(said[0]);
+  // "1.800 kg/m^3": the note on the text stands for the note on the value
+  spec.wall.unit.density = 1.8;
+  spec.text_notes.push_back(
+      {"value.thousands",
+       {{"key", "wall.unit.density"}, {"value", "1.800 kg/m^3"}, {"thousands", "1800 kg/m^3"}}});
+  const std::vector<Message> meant = study::cautions_of_inputs(spec, compile(spec));
+  ASSERT_EQ(meant.size(), 1U);
+  EXPECT_EQ(meant[0].code, "assessment.caution.odd_inputs");
 }
 
 // Demands that no code asks: a verdict on them vouches for something else than the site.

@@ -406,28 +406,29 @@ TEST(WallParts, crack_in_the_haunch_of_an_arch_is_one_of_its_spandrel) {
 constexpr int kVoussoirs = 16;
 constexpr double kMiddle = 1.1, kPi = 3.14159265358979323846;
 double angle_of(double k) { return kPi * (1 - k / kVoussoirs); }  // of joint k, from the left
+ModelSpec arch_spec(double outer = 1.1) {
+  ModelSpec spec = scenes::plain_wall(8, 8, 1e-3, 0.02);
+  spec.wall.blocks = "arch.json";
+  spec.stage = {scenes::gravity_stage()};
+  const auto place = [](double radius, double k) {
+    return std::array<double, 2>{kMiddle + radius * std::cos(angle_of(k)),
+                                 radius * std::sin(angle_of(k))};
+  };
+  for (int k = 0; k < kVoussoirs; ++k) {
+    BlockSpec& block = spec.block.emplace_back();
+    block.id = "v" + std::to_string(k);
+    block.polygon = {place(0.9, k + 1), place(outer, k + 1), place(outer, k), place(0.9, k)};
+  }
+  for (const double x : {0.0, 2.0}) {
+    BlockSpec& support = spec.block.emplace_back();
+    support.id = x > 0 ? "right" : "left";
+    support.fixed = true;
+    support.polygon = {{x - 0.6, -0.2}, {x + 0.8, -0.2}, {x + 0.8, 0}, {x - 0.6, 0}};
+  }
+  return spec;
+}
 const Model& bare_arch() {
-  static const Model model = [] {
-    ModelSpec spec = scenes::plain_wall(8, 8, 1e-3, 0.02);
-    spec.wall.blocks = "arch.json";
-    spec.stage = {scenes::gravity_stage()};
-    const auto place = [](double radius, double k) {
-      return std::array<double, 2>{kMiddle + radius * std::cos(angle_of(k)),
-                                   radius * std::sin(angle_of(k))};
-    };
-    for (int k = 0; k < kVoussoirs; ++k) {
-      BlockSpec& block = spec.block.emplace_back();
-      block.id = "v" + std::to_string(k);
-      block.polygon = {place(0.9, k + 1), place(1.1, k + 1), place(1.1, k), place(0.9, k)};
-    }
-    for (const double x : {0.0, 2.0}) {
-      BlockSpec& support = spec.block.emplace_back();
-      support.id = x > 0 ? "right" : "left";
-      support.fixed = true;
-      support.polygon = {{x - 0.1, -0.2}, {x + 0.3, -0.2}, {x + 0.3, 0}, {x - 0.1, 0}};
-    }
-    return compile(spec);
-  }();
+  static const Model model = compile(arch_spec());
   return model;
 }
 
@@ -466,6 +467,12 @@ TEST(Arch, alone_is_one_part_and_no_portal) {
   EXPECT_EQ(pier_names(parts), std::vector<std::string>{"wall"});
   EXPECT_TRUE(parts.spandrels.empty());
   EXPECT_FALSE(study::find_parts(tuff_wall()).is_arch);
+  // masonry up to the corner over a haunch, or deep over the crown: an arch in a wall
+  ModelSpec filled = arch_spec();
+  filled.block[3].polygon.insert(filled.block[3].polygon.begin() + 2, {0, 1.1});
+  EXPECT_FALSE(study::find_parts(compile(filled)).is_arch);
+  EXPECT_TRUE(study::find_parts(compile(arch_spec(1.4))).is_arch);
+  EXPECT_FALSE(study::find_parts(compile(arch_spec(1.6))).is_arch);
 }
 
 TEST(Arch, alone_that_turns_about_four_hinges_is_named_by_them) {
