@@ -5,7 +5,7 @@ const kShared = [...kStrengths.map((key) => `input.${key}`), "theme", "theme.aut
 
 // Failure modes as the engine names them.
 const kModes = ["unclear", "rocking", "flexure", "flexural crack", "flexural cracks", "rocking or flexure", "shear", "pier shear", "spandrel shear", "diagonal shear crack",
-  "sliding", "sliding at the base", "sliding at the top", "base sliding", "top sliding", "bed sliding", "pier sliding", "pier rocking", "crushing", "toe crushing", "breaking away", "part breaking away", "fallen", "collapsed"];
+  "sliding", "sliding at the base", "sliding at the top", "base sliding", "top sliding", "bed sliding", "pier sliding", "pier rocking", "crushing", "toe crushing", "arch hinges", "breaking away", "part breaking away", "fallen", "collapsed"];
 
 export function textsOf(page) {
   const wanted = (key) => key.startsWith("studio.") || kShared.includes(key);
