@@ -606,13 +606,15 @@ double left_out(std::vector<std::pair<double, double>> intervals, double length)
 
 // Whether named parts stand for one that was found between two heights: along nine tenths of the wall one of them has its foot
 // there, and parts cover nine tenths of the height. A named part of another foot is another mechanism: a facade that holds as a
-// whole says nothing of its parapet. What is left out may be the depth of a floor.
+// whole says nothing of its parapet. One whose head is held bends at any height, and so stands for those above its foot too. What
+// is left out may be the depth of a floor.
 bool are_covering(const std::vector<PartSpec>& named, const Extents& wall, double foot,
                   double head) {
   constexpr double kTenth = 0.1;
   const double length = wall.right - wall.left, top = wall.top - wall.foot, height = head - foot;
   struct Place {
     double left, right, foot, head;
+    bool is_held;
   };
   std::vector<Place> places;
   const auto given = [](double value, double otherwise) {
@@ -620,11 +622,13 @@ bool are_covering(const std::vector<PartSpec>& named, const Extents& wall, doubl
   };
   for (const PartSpec& part : named)
     places.push_back({given(part.left, 0), given(part.right, length), given(part.foot, 0),
-                      given(part.head, top)});
+                      given(part.head, top), part.head_held});
   std::vector<std::pair<double, double>> at_foot;
   std::vector<double> edges = {0, length};
   for (const Place& part : places) {
-    if (std::fabs(part.foot - foot) <= kTenth * height) at_foot.emplace_back(part.left, part.right);
+    const bool bends = part.is_held && part.foot < foot && part.head > head - kTenth * height;
+    if (bends || std::fabs(part.foot - foot) <= kTenth * height)
+      at_foot.emplace_back(part.left, part.right);
     if (part.foot >= head || part.head <= foot) continue;
     for (const double x : {part.left, part.right}) edges.push_back(std::clamp(x, 0.0, length));
   }
