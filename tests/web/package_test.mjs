@@ -149,7 +149,7 @@ test("an assessment does not depend on the threads, goes on after a kill, and do
   const first = path.join(place, "killed/.wythe_walls/way_0_wall_1.gz");
   const child = spawn(process.execPath, [path.join(out, "node_modules/wythe/wythe.mjs"), "assess", "model.toml", "--out", "killed", "--jobs", "1", ...short], { cwd: place, stdio: "ignore" });
   const ended = new Promise((done) => child.on("exit", done));
-  while (!fs.existsSync(first) && child.exitCode === null) await new Promise((done) => setTimeout(done, 5));
+  while (!fs.existsSync(first) && child.exitCode === null && child.signalCode === null) await new Promise((done) => setTimeout(done, 5));
   child.kill("SIGKILL");
   await ended;
   assert.equal(child.signalCode, "SIGKILL", "the kill came too late");
