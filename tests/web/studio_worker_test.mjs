@@ -114,6 +114,79 @@ test("a worker that still starts is kept for the newest question, so that quick 
   assert.equal(made[0].isEnded, true);
 });
 
+test("a worker that cannot start is ended and its address let go, and the next question has another", async () => {
+  const { WorkerEngine } = await viewerModule("studio/engine");
+  const { createObjectURL, revokeObjectURL } = URL;
+  const addresses = new Set();
+  URL.createObjectURL = (blob) => {
+    const url = createObjectURL(blob);
+    addresses.add(url);
+    return url;
+  };
+  URL.revokeObjectURL = (url) => (addresses.delete(url), revokeObjectURL(url));
+  globalThis.document = { ...globalThis.document, getElementById: (id) => ({ textContent: id === "wythe-worker" ? "/* answered here */" : "" }) };
+  const refuse = () => {
+    throw new Error("no worker for you");
+  };
+  const failing = {
+    "no worker is made": refuse,
+    "its script fails": (worker) => setTimeout(() => worker.onerror({ message: "no worker for you", preventDefault() {} })),
+    "it does not take the code": (worker) => (worker.postMessage = refuse),
+  };
+  try {
+    for (const [how, fails] of Object.entries(failing)) {
+      const made = [];
+      globalThis.Worker = class {
+        constructor() {
+          if (made.push(this) === 1) fails(this);
+        }
+        postMessage({ wasm, id }) {
+          if (made[0] !== this) setTimeout(() => this.onmessage({ data: wasm ? { ready: true } : { id, code: 0 } }));
+        }
+        terminate() {
+          this.isEnded = true;
+        }
+      };
+      const engine = new WorkerEngine();
+      const { code, browser, texts } = await engine.ask({ task: "check", texts: {} });
+      assert.deepEqual([code, browser, texts.error], [6, "start", "no worker for you"], how);
+      assert.equal((await engine.ask({ task: "check", texts: {} })).code, 0, how);
+      assert.deepEqual(made.map((worker) => worker.isEnded === true), [how !== "no worker is made", false], how);
+      assert.deepEqual([...addresses], [], how);
+    }
+  } finally {
+    Object.assign(URL, { createObjectURL, revokeObjectURL });
+  }
+});
+
+test("a late error of a worker that was given up ends no other question", async () => {
+  const { WorkerEngine } = await viewerModule("studio/engine");
+  globalThis.document = { ...globalThis.document, getElementById: (id) => ({ textContent: id === "wythe-worker" ? "/* answered here */" : "" }) };
+  const made = [];
+  globalThis.Worker = class {
+    constructor() {
+      made.push(this);
+    }
+    postMessage(question) {
+      if ("wasm" in question) setTimeout(() => this.onmessage({ data: { ready: true } }));
+      else this.asked = question;
+    }
+    terminate() {}
+  };
+  const engine = new WorkerEngine();
+  const ask = () => {
+    let answer;
+    const isAsked = new Promise((begun) => (answer = engine.ask({ task: "check", texts: {} }, undefined, begun)));
+    return isAsked.then(() => [answer]);
+  };
+  const [first] = await ask();
+  const [second] = await ask();
+  assert.equal((await first).code, 3);
+  made[0].onerror({ message: "too late", preventDefault() {} });
+  made[1].onmessage({ data: { id: made[1].asked.id, code: 0 } });
+  assert.equal((await second).code, 0);
+});
+
 test("a question that takes long is ended by a newer one, and only the newest of those is asked", async () => {
   const { Latest } = await viewerModule("studio/engine");
   const asked = [];

@@ -77,7 +77,11 @@ export class WorkerEngine implements Engine {
     this.start().catch(() => undefined); // the question is told
   }
   private start(): Promise<Worker> {
-    return (this.worker ??= started((m) => this.hear(m), (why, when) => this.end(kDefect, why, when)));
+    if (this.worker) return this.worker;
+    const isOurs = (): boolean => this.worker === worker; // not given up meanwhile
+    const worker = started((m) => this.hear(m), (why) => isOurs() && this.end(kDefect, why, "stop"));
+    worker.catch(() => isOurs() && (this.worker = null)); // the next question has another
+    return (this.worker = worker);
   }
   async ask(question: Question, progress?: (p: Progress) => void, begun?: () => void): Promise<Answer> {
     this.stop();
@@ -92,7 +96,6 @@ export class WorkerEngine implements Engine {
       }
     } catch (error) {
       if (this.waiting?.id === id) this.end(kDefect, error instanceof Error ? error.message : String(error), "start");
-      else this.worker = null;
     }
     return answer;
   }
@@ -176,28 +179,33 @@ export const hasEngine = (): boolean => {
   return script !== "" && !script.includes("<!--");
 };
 
-async function started(hear: (m: Message) => void, failed: (why: string, when: Failure) => void): Promise<Worker> {
+// A worker that is ready. One that fails before is ended here; of one that fails later, `failed` hears.
+async function started(hear: (m: Message) => void, failed: (why: string) => void): Promise<Worker> {
   if (!hasEngine()) throw new Error("this file holds no engine");
   const compiled = moduleOfPage();
   const url = URL.createObjectURL(new Blob([textOf("wythe-worker")], { type: "text/javascript" }));
-  const worker = new Worker(url); // it loads its script meanwhile
-  return new Promise((done, refuse) => {
-    let when: Failure = "start";
-    worker.onmessage = ({ data }: MessageEvent<Message>) => {
-      if (data.ready) {
-        URL.revokeObjectURL(url);
-        when = "stop";
-        done(worker);
-      } else hear(data);
-    };
-    worker.onerror = (e) => {
-      e.preventDefault();
-      failed(e.message ?? "", when);
-      refuse(new Error(e.message));
-    };
-    compiled.then((wasm) => worker.postMessage({ wasm })).catch((error) => {
-      worker.terminate();
-      refuse(error);
+  let worker: Worker | undefined;
+  try {
+    const begun = (worker = new Worker(url)); // it loads its script meanwhile
+    await new Promise<void>((done, refuse) => {
+      let isReady = false;
+      begun.onmessage = ({ data }: MessageEvent<Message>) => {
+        if (!data.ready) return hear(data);
+        isReady = true;
+        done();
+      };
+      begun.onerror = (e) => {
+        e.preventDefault();
+        if (isReady) failed(e.message ?? "");
+        else refuse(new Error(e.message));
+      };
+      compiled.then((wasm) => begun.postMessage({ wasm })).catch(refuse);
     });
-  });
+    return begun;
+  } catch (error) {
+    worker?.terminate();
+    throw error;
+  } finally {
+    URL.revokeObjectURL(url);
+  }
 }
