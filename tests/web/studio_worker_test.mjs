@@ -248,6 +248,48 @@ test("a limit load is told before its picture is made, and its time is over then
   assert.equal(document.documentElement.dataset.limiting, undefined);
 });
 
+test("a limit load that is known stays where its picture fails, and the page says why there is none", async () => {
+  const mechanisms = JSON.stringify({ limit_loads: [{ name: "dry", static_kN: 12 }] });
+  for (const [answer, why] of [
+    [{ code: 6, texts: { error: "out of memory" }, browser: "memory" }, /12 kN.*picture of how the wall gives way is missing: this browser has no memory left/],
+    [{ code: 4, texts: { error: "the disk is full" } }, /12 kN.*picture of how the wall gives way is missing: the disk is full/],
+    [{ code: 0, texts: { mechanisms, "dry svg": "<svg" } }, /12 kN.*picture of how the wall gives way is missing\s*$/],
+    [{ code: 0, texts: { mechanisms } }, /12 kN.*exact to 0\.01 %\s*$/],
+  ]) {
+    const limit = new LiveLimit({ stop() {}, ask: async (question, progress) => (progress({ texts: { mechanisms } }), { tables: {}, ...answer }) });
+    limit.ask("");
+    await new Promise((end) => setTimeout(end));
+    assert.match(limit.root.text, why);
+    assert.equal(document.documentElement.dataset.limiting, undefined);
+  }
+});
+
+test("a limit load is told once: its weight and its picture, which come later, only add to it", async () => {
+  const told = []; // what a screen reader says of a part of the page that changes
+  const { replaceChildren, append } = Node.prototype;
+  Node.prototype.replaceChildren = function (...all) {
+    replaceChildren.apply(this, all);
+    told.push(this.text);
+  };
+  Node.prototype.append = function (...all) {
+    append.apply(this, all);
+    if (all.length > 0) told.push(all.map((one) => one.text ?? one).join(" "));
+  };
+  try {
+    const mechanisms = JSON.stringify({ limit_loads: [{ name: "dry", static_kN: 12 }] });
+    let done;
+    const limit = new LiveLimit({ stop() {}, ask: (question, progress) => (progress({ texts: { mechanisms } }), new Promise((end) => (done = end))) });
+    limit.ask("");
+    limit.weighs(48);
+    done({ code: 0, texts: { mechanisms, "dry svg": "no picture" }, tables: {} });
+    await new Promise((end) => setTimeout(end));
+    assert.match(limit.root.text, /12 kN\s+= 25 % of its weight.*is missing/);
+    assert.equal(told.filter((words) => /12 kN .*limit analysis/.test(words)).length, 1, told.join("\n"));
+  } finally {
+    Object.assign(Node.prototype, { replaceChildren, append });
+  }
+});
+
 test("a limit load has its time from when the worker is ready, and one that was late is asked again after the next edit", async () => {
   const { kPatience } = await viewerModule("studio/limit");
   const { WorkerEngine } = await viewerModule("studio/engine");

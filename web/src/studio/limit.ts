@@ -18,7 +18,8 @@ interface LimitLoad {
 
 export class LiveLimit {
   readonly root: HTMLElement;
-  private readonly words = h("div", { class: "limit-words", role: "status", "aria-live": "polite" });
+  private readonly words = h("div", { class: "limit-words", role: "status", "aria-live": "polite", "aria-atomic": "false" }); // what is added is told, not all again
+  private readonly share = h("span"); // of the weight, which may be known later
   private readonly picture = svg("svg", { class: "limit-picture", role: "img", "aria-label": say("studio.limit.picture") });
   private load: LimitLoad | null = null; // of the text as it is
   private weight: number | null = null; // [kN]
@@ -53,7 +54,7 @@ export class LiveLimit {
       if (asked !== this.asked || !texts) return;
       window.clearTimeout(this.timer);
       const load = loadOf(opinionOf(texts));
-      if (load) this.tell((this.load = load));
+      if (load) this.tell(load);
     };
     void this.engine.ask({ task: "limit", texts: { model: text, only: ["lp"] }, numbers: { quick: 1 }, want: ["mechanisms", "dry svg"], first: ["mechanisms"] }, told, begun).then(async (answer) => {
       if (asked !== this.asked) return;
@@ -65,31 +66,40 @@ export class LiveLimit {
   // What `check` says of the same text.
   weighs(weight: number): void {
     this.weight = weight;
-    if (this.load) this.tell(this.load);
+    this.compare();
   }
 
   private async answered(answer: Answer, isNewest: () => boolean): Promise<void> {
     const opinion = opinionOf(answer.texts);
-    const load = loadOf(opinion);
+    const load = answer.code === 0 && loadOf(opinion);
+    if (load && !this.load) this.tell(load);
+    if (this.load) return this.showPicture(answer, isNewest);
     if (answer.browser) return this.show(h("p", { class: "soft" }, `${say("studio.limit.none")}: ${whyOf(answer)}`));
-    if (answer.code !== 0 || !load) {
-      const [place, why] = reasonOf(faultsOf(answer)[0], opinion.refused?.[0]?.why ?? answer.texts.error ?? "");
-      return this.show(h("p", { class: "soft" }, why === "" ? say("studio.limit.none") : [`${say("studio.limit.none")}: `, place !== "" && [h("code", {}, place), " "], said(why)]));
+    const [place, why] = reasonOf(faultsOf(answer)[0], opinion.refused?.[0]?.why ?? answer.texts.error ?? "");
+    this.show(h("p", { class: "soft" }, why === "" ? say("studio.limit.none") : [`${say("studio.limit.none")}: `, place !== "" && [h("code", {}, place), " "], said(why)]));
+  }
+  // The number stays where its picture fails.
+  private async showPicture(answer: Answer, isNewest: () => boolean): Promise<void> {
+    const text = answer.texts["dry svg"];
+    const picture = text ? await readPicture(text, 1, isNewest).catch(() => null) : null;
+    if (!isNewest()) return;
+    if (picture) {
+      this.picture.setAttribute("viewBox", `0 0 ${picture.width} ${picture.height}`);
+      this.picture.replaceChildren(picture.shapes);
+    } else if (text || answer.code !== 0) {
+      const why = whyOf(answer, faultsOf(answer)[0]);
+      this.words.append(h("p", { class: "soft" }, `${say("studio.limit.nopicture")}${why && `: ${why}`}`));
     }
-    this.tell((this.load = load));
-    const picture = await readPicture(answer.texts["dry svg"] ?? "", 1, isNewest);
-    if (!picture || !isNewest()) return;
-    this.picture.setAttribute("viewBox", `0 0 ${picture.width} ${picture.height}`);
-    this.picture.replaceChildren(picture.shapes);
   }
   private tell(load: LimitLoad): void {
-    const force = load.static_kN;
-    this.words.replaceChildren(
-      force === undefined
-        ? h("p", {}, h("b", {}, `λ = ${qty(load.static, "")}`))
-        : h("p", {}, h("b", {}, qty(force, "kN")), this.weight ? ` = ${say("studio.limit.share", { share: qty((100 * force) / this.weight, "%", 2) })}` : ""),
-      h("p", { class: "soft" }, say("studio.limit.dry")),
-    );
+    this.load = load;
+    const number = load.static_kN === undefined ? `λ = ${qty(load.static, "")}` : qty(load.static_kN, "kN");
+    this.compare();
+    this.words.replaceChildren(h("p", {}, h("b", {}, number), this.share), h("p", { class: "soft" }, say("studio.limit.dry")));
+  }
+  private compare(): void {
+    const force = this.load?.static_kN;
+    this.share.textContent = force !== undefined && this.weight ? ` = ${say("studio.limit.share", { share: qty((100 * force) / this.weight, "%", 2) })}` : "";
   }
   private show(...words: Node[]): void {
     this.words.replaceChildren(...words);
