@@ -365,6 +365,29 @@ test("a tab that was never edited shows after a reload what it showed, and undo 
   }
 });
 
+test("a tab that opens a link keeps its own wall: undo brings it back, and then that of the other tab", async () => {
+  const one = await openStudio(browser, file, { impatient: true });
+  await one.getByRole("button", { name: "Link" }).click();
+  await one.waitForFunction(() => location.hash.startsWith("#w="));
+  const link = one.url(),
+    linked = await textOf(one);
+  const two = await one.context().newPage();
+  await visit(two, file);
+  await add(one, "# one\n");
+  await add(two, "# two\n");
+  assert.equal(await visit(one, link), linked);
+  await add(one, "# edited\n");
+  for (const wall of [linked, `${linked}# one\n`, `${linked}# two\n`]) {
+    await undo(one);
+    assert.equal(await textOf(one), wall);
+  }
+  assert.equal(await visit(one, `${pathToFileURL(file).href}#w=AAAA`), `${linked}# two\n`); // what was shown last
+  await add(two, "# more\n");
+  await visit(one, `${pathToFileURL(file).href}#w=AAAA`);
+  await one.locator(".notice", { hasText: /holds no wall/ }).waitFor();
+  await one.end();
+});
+
 test("a page that nobody edited opens without a word, however often", async () => {
   const looks = await openStudio(browser, file, { impatient: true });
   await looks.reload();

@@ -492,24 +492,21 @@ async function start(): Promise<void> {
   const along = store.handedOver() as Along | null;
   let text = kept ?? store.given;
   const isOfBefore = kept !== null && kept !== fresh;
-  let told = isOfBefore ? say("studio.restored") : "";
-  let last = store.keptByAnother() ?? (isOfBefore ? kept : store.keptPlain()); // what an undo brings back
+  const before: (string | null)[] = isOfBefore ? [store.keptByAnother(), kept] : [store.keptByAnother() ?? store.keptPlain()]; // what undo brings back, the tab's own first
+  let unread = ""; // why a link is not
   let linked = false; // another's wall: the photo stays hidden
   if (store.hasLink())
     try {
       text = await store.textOfLink();
       linked = text !== kept;
-      last ??= store.given;
+      if (!before.some((wall) => wall !== null)) before.push(store.given);
     } catch {
-      told = say("studio.badlink");
+      unread = say("studio.badlink");
       store.forgetLink();
     }
   const goesOn = along !== null && along.text === text;
-  if (!goesOn && text !== null && last !== null && last !== text) {
-    project.open(last);
-    told = say("studio.lastwall");
-  }
-  begin(text ?? fresh);
+  const earlier = goesOn ? [] : before.filter((wall): wall is string => wall !== null && wall !== text);
+  for (const wall of new Set([...earlier, text ?? fresh])) begin(wall);
   starting = false;
   if (!store.hasLink()) store.keepOwn(project.text); // another tab's edits do not change what this one shows
   if (goesOn) {
@@ -517,6 +514,7 @@ async function start(): Promise<void> {
     push.kept = along.kept;
   }
   await photo.restore(!linked);
+  const told = unread || (earlier.length > 0 ? say("studio.lastwall") : isOfBefore ? say("studio.restored") : "");
   if (told !== "") tell(told);
   document.documentElement.dataset.ready = "yes";
 }
