@@ -388,6 +388,35 @@ test("a tab that opens a link keeps its own wall: undo brings it back, and then 
   await one.end();
 });
 
+test("a browser that cannot pack makes a longer link, which any browser opens, and says that it cannot open a packed one", async () => {
+  const other = await openStudio(browser, file, { impatient: true });
+  await add(other, "# größer\n");
+  const wall = await textOf(other);
+  const link = async () => {
+    await other.getByRole("button", { name: "Link" }).click();
+    await other.waitForFunction(() => location.hash.startsWith("#w="));
+    return other.url();
+  };
+  const packed = await link();
+  await add(other, "# longer\n");
+  for (const [name, stream] of Object.entries({ none: "undefined", "not of this kind": 'class { constructor(kind) { throw new TypeError(kind); } }' })) {
+    await other.evaluate((stream) => (window.CompressionStream = eval(`(${stream})`)), stream);
+    const long = await link();
+    assert.ok(long.length > packed.length, name);
+    const old = await other.context().newPage();
+    await old.addInitScript((stream) => (window.CompressionStream = window.DecompressionStream = eval(`(${stream})`)), stream);
+    for (const reader of [other, old]) assert.equal(await visit(reader, long), `${wall}# longer\n`, name);
+    assert.equal(await visit(old, packed), `${wall}# longer\n`, name);
+    await old.locator(".notice", { hasText: /too old to open the link/ }).waitFor();
+    assert.equal(old.url(), packed, name);
+    await old.close();
+    assert.equal(await visit(other, packed), wall, name);
+    await add(other, "# longer\n");
+  }
+  assert.deepEqual(other.faults, []);
+  await other.end();
+});
+
 test("a page that nobody edited opens without a word, however often", async () => {
   const looks = await openStudio(browser, file, { impatient: true });
   await looks.reload();

@@ -14,6 +14,7 @@ import { addFrame, frameOf, removeFrame } from "./frames";
 import { LiveLimit } from "./limit";
 import { Panel } from "./panel";
 import { removePart } from "./parts";
+import { TooOld } from "./packed";
 import { Photo } from "./photo";
 import { readPicture, type Picture } from "./picture";
 import { Project, type Fault, type Steps } from "./project";
@@ -500,9 +501,9 @@ async function start(): Promise<void> {
       text = await store.textOfLink();
       linked = text !== kept;
       if (!before.some((wall) => wall !== null)) before.push(store.given);
-    } catch {
-      unread = say("studio.badlink");
-      store.forgetLink();
+    } catch (error) {
+      unread = say(error instanceof TooOld ? "studio.badlink.browser" : "studio.badlink");
+      if (!(error instanceof TooOld)) store.forgetLink(); // a newer browser reads it
     }
   const goesOn = along !== null && along.text === text;
   const earlier = goesOn ? [] : before.filter((wall): wall is string => wall !== null && wall !== text);
