@@ -594,8 +594,8 @@ const pictureFile = async (name, type = "image/png") => {
 };
 const photo = () => page.locator("image.photo");
 // Where it lies [m], on a wall 3.5 m long.
-const placeOf = () =>
-  photo().evaluate((e) => {
+const placeOf = (of = page) =>
+  of.locator("image.photo").evaluate((e) => {
     const wall = document.querySelector(".outline").getBoundingClientRect(),
       box = e.getBoundingClientRect();
     const metres = (v) => Math.round((1000 * v * 3.5) / wall.width) / 1000;
@@ -794,6 +794,39 @@ test("an undone move of the photo is kept, and no step back does nothing", async
   await page.keyboard.press("ArrowRight");
   assert.ok(await undo.isDisabled(), "no photo");
   await page.keyboard.press("v");
+});
+
+test("another language waits until the browser has the photo, and asks where it cannot keep it", async () => {
+  const other = await openStudio(browser, file, { impatient: true });
+  await other.evaluate(() => {
+    const { put } = IDBObjectStore.prototype;
+    window.storage = "slow";
+    IDBObjectStore.prototype.put = function (...all) {
+      const hold = () => {
+        if (window.storage === "full") this.transaction.abort();
+        else if (window.storage === "slow") this.get("").onsuccess = hold;
+      };
+      hold();
+      return put.apply(this, all);
+    };
+  });
+  await other.locator(".canvas").focus();
+  await other.keyboard.press("b");
+  await other.locator('.photo-bar input[type="file"]').setInputFiles(await pictureFile("front.png"));
+  await other.locator("image.photo").waitFor();
+  const asked = new Promise((done) => other.once("dialog", (dialog) => (done(dialog.message()), dialog.dismiss())));
+  await other.locator(".language").selectOption("it");
+  await other.evaluate(() => (window.storage = "full")).catch(() => undefined); // the page may be gone already
+  assert.match(String(await Promise.race([asked, other.waitForSelector("html[lang=it]")])), /would be lost: the photo\./);
+  assert.equal(await other.locator(".language").inputValue(), "en");
+  await other.evaluate(() => (window.storage = "there"));
+  await other.locator(".canvas").focus();
+  await other.keyboard.press("ArrowRight");
+  await other.locator(".language").selectOption("it");
+  await other.waitForSelector("html[data-ready][lang=it]");
+  await stonesOf(other);
+  assert.ok(Math.abs((await placeOf(other)).x - 0.1) < 0.012, JSON.stringify(await placeOf(other)));
+  await other.end();
 });
 
 for (const [width, height, scheme] of [[1440, 900, "dark"], [390, 844, "light"]])

@@ -233,9 +233,10 @@ interface Along {
   kept: Pushed | null;
 }
 async function speakAnother(): Promise<void> {
+  const hasPhoto = await photo.isKept();
   const along: Along = { text: project.text, steps: project.allSteps, kept: push.kept };
   const isWhole = store.handOver(along) || (!project.canUndo && !project.canRedo && !push.kept);
-  const lost = [push.hasMore && say("studio.lost.pushes"), !isWhole && say("studio.lost.steps"), !photo.isKept && say("studio.lost.photo")].filter(Boolean).join(", ");
+  const lost = [push.hasMore && say("studio.lost.pushes"), !isWhole && say("studio.lost.steps"), !hasPhoto && say("studio.lost.photo")].filter(Boolean).join(", ");
   if (lost !== "" && !window.confirm(say("studio.language.lost", { lost }))) {
     languages.value = language;
     return store.takeNothing();

@@ -49,7 +49,6 @@ async function load(name: string, bytes: ArrayBuffer): Promise<Loaded | null> {
 
 export class Photo {
   readonly bar = h("div", { class: "photo-bar", role: "group", "aria-label": say("studio.photo"), hidden: true });
-  isKept = true; // by the browser; also where there is none
   private loaded: Loaded | null = null;
   private shown = true;
   private opacity = 0.6;
@@ -57,7 +56,8 @@ export class Photo {
   private place: PhotoPlace | null = null; // that is kept, or soon
   private points: Point[] = []; // that are measured, on the photo where it lies
   private dragged: { from: Point; client: Point; place: PhotoPlace; moved: boolean } | null = null;
-  private timer = 0;
+  private timer = 0; // of a change that is not kept yet; 0: none
+  private kept: Promise<boolean> = Promise.resolve(true); // of the newest change: whether the browser has it; also where there is no photo
   private shape = ""; // of the bar's controls: others are built anew
   private fresh: (() => void)[] = []; // what brings them up to date
   private readonly input = h("input", { type: "file", accept: "image/png,image/jpeg,.dxf", hidden: true, "aria-label": say("studio.photo.open"), tabindex: "-1" });
@@ -122,29 +122,39 @@ export class Photo {
     this.shown = shown;
     this.points = [];
   }
-  private async keep(): Promise<boolean> {
+  // Whether the browser has the photo as it is, or that there is none; known when its storage has answered.
+  isKept(): Promise<boolean> {
+    return this.timer !== 0 ? this.keep() : this.kept;
+  }
+  private keep(): Promise<boolean> {
+    window.clearTimeout(this.timer);
+    this.timer = 0;
+    document.documentElement.dataset.keeping = "yes"; // until the browser has it
+    const kept = (this.kept = this.store());
+    void kept.then(() => {
+      if (kept === this.kept && this.timer === 0) delete document.documentElement.dataset.keeping;
+    });
+    return kept;
+  }
+  private async store(): Promise<boolean> {
     const { loaded, opacity, shown } = this;
     const place = this.project.photo;
-    if (!loaded || !place) return (this.isKept = true);
+    if (!loaded || !place || loaded.bytes.byteLength > kKept) await forgetPhoto(); // not an older one either
+    if (!loaded || !place) return true;
     const { name, type, bytes } = loaded;
-    if (bytes.byteLength > kKept) await forgetPhoto(); // not an older one either
-    return (this.isKept = bytes.byteLength <= kKept && (await keepPhoto({ name, type, bytes, place, opacity, shown })));
+    return bytes.byteLength <= kKept && keepPhoto({ name, type, bytes, place, opacity, shown });
   }
   private keepSoon(): void {
     window.clearTimeout(this.timer);
-    document.documentElement.dataset.keeping = "yes"; // until the browser has it
-    const timer = (this.timer = window.setTimeout(async () => {
-      await this.keep();
-      if (timer === this.timer) delete document.documentElement.dataset.keeping;
-    }, kPause));
+    document.documentElement.dataset.keeping = "yes";
+    this.timer = window.setTimeout(() => void this.keep(), kPause);
   }
   private remove(): void {
     if (this.loaded) URL.revokeObjectURL(this.loaded.url);
     this.loaded = null;
     this.points = [];
-    this.isKept = true;
-    void forgetPhoto();
     this.project.newPhoto(null);
+    void this.keep();
   }
   toggle(): void {
     if (!this.loaded) return this.choose();
