@@ -188,7 +188,10 @@ export async function assess({ options, texts, root, say }) {
       }
       await pushAll(left, { jobs, module, root, inputs: inputs(), say, check, keep: (task, record) => kept.put(task, record) });
       check();
-      const told = ask(inputs({}, all.map((task) => kept.get(task))), { texts: ["plan", "assessment"] });
+      const records = (function* () {
+        for (const task of all) yield kept.get(task); // one at a time: the engine holds them
+      })();
+      const told = ask(inputs({}, records), { texts: ["plan", "assessment"] });
       const verdict = JSON.parse(told.assessment);
       const { next } = JSON.parse(told.plan);
       if (next === 0) {

@@ -1,6 +1,6 @@
 // One task of the engine (include/wythe/c.h) from JavaScript: the same calls in a worker of a page and in Node.
 
-/** @typedef {{texts?: Record<string, string | string[]>, numbers?: Record<string, number>, columns?: Record<string, ArrayLike<number>>}} Inputs */
+/** @typedef {{texts?: Record<string, string | Iterable<string>>, numbers?: Record<string, number>, columns?: Record<string, ArrayLike<number>>}} Inputs */
 /** @typedef {(what: string, share: number, displacement_mm: number, reaction_kN: number) => boolean | void} Progress true stops the job */
 
 /**
@@ -8,29 +8,37 @@
  * and column ("*": all); free() ends it.
  * @param {any} engine the module that wytheEngine() gives
  * @param {string} task "run", "check", "limit", "contact" or "keys"
- * @param {Inputs} inputs texts (lists of texts for "set" and "only"), numbers and columns of the task
+ * @param {Inputs} inputs texts (lists of texts for "set", "only" and "record", taken one by one), numbers and columns of the task
  */
 export function openJob(engine, task, inputs) {
   const zone = [];
-  const text = (value) => {
+  const placed = (value) => {
     const size = engine.lengthBytesUTF8(value);
     const at = engine._malloc(size + 1);
-    zone.push(at);
     engine.stringToUTF8(value, at, size + 1);
     return [at, size];
   };
-  const job = engine._wythe_new(text(task)[0]);
+  const text = (value) => {
+    const [at] = placed(value);
+    zone.push(at);
+    return at;
+  };
+  const job = engine._wythe_new(text(task));
   for (const [name, value] of Object.entries(inputs.texts ?? {}))
-    for (const one of Array.isArray(value) ? value : [value]) engine._wythe_set_text(job, text(name)[0], ...text(one));
-  for (const [name, value] of Object.entries(inputs.numbers ?? {})) engine._wythe_set_number(job, text(name)[0], value);
+    for (const one of typeof value === "string" ? [value] : value) {
+      const [at, size] = placed(one);
+      engine._wythe_set_text(job, text(name), at, size);
+      engine._free(at); // the engine has its own
+    }
+  for (const [name, value] of Object.entries(inputs.numbers ?? {})) engine._wythe_set_number(job, text(name), value);
   for (const [name, values] of Object.entries(inputs.columns ?? {})) {
     const at = engine._malloc(8 * values.length + 8);
     zone.push(at);
     engine.HEAPF64.set(values, at / 8);
-    engine._wythe_set_column(job, text(name)[0], at, values.length);
+    engine._wythe_set_column(job, text(name), at, values.length);
   }
   const answer = (name) => {
-    const at = engine._wythe_text(job, text(name)[0], 0);
+    const at = engine._wythe_text(job, text(name), 0);
     return at === 0 ? undefined : engine.UTF8ToString(at);
   };
   const list = (name) => JSON.parse(answer(name) ?? "[]");
@@ -45,7 +53,7 @@ export function openJob(engine, task, inputs) {
       const texts = {};
       const bytes = {};
       for (const name of want.bytes ?? []) {
-        const found = bytesOf(engine, job, text(name)[0]);
+        const found = bytesOf(engine, job, text(name));
         if (found) bytes[name] = found;
       }
       for (const name of ["error", "faults"]) texts[name] = answer(name) ?? "";
@@ -58,7 +66,7 @@ export function openJob(engine, task, inputs) {
         const columns = JSON.parse(answer(`columns of ${name}`) ?? "[]");
         if (columns.length === 0) continue;
         tables[name] = {};
-        for (const column of columns) tables[name][column] = columnOf(engine, job, text(name)[0], text(column)[0]);
+        for (const column of columns) tables[name][column] = columnOf(engine, job, text(name), text(column));
       }
       return { texts, bytes, tables };
     },

@@ -109,6 +109,35 @@ test("a page is written again in another language, as the native program writes 
   assert.match(command("report", out, "--lang", "xx").stderr, /is no language of the report/);
 });
 
+test("texts of a long list are handed to the engine one at a time, and none is kept twice", async () => {
+  const { openJob } = await import(path.join(root, "apps/wasm/job.mjs"));
+  const sizes = new Map();
+  let at = 0, live = 0, most = 0;
+  const had = [];
+  const engine = {
+    HEAPF64: new Float64Array(100),
+    lengthBytesUTF8: (text) => text.length,
+    stringToUTF8: (text, to) => sizes.get(to).text = text,
+    _malloc: (size) => (sizes.set(++at, { size }), (most = Math.max(most, (live += size))), at),
+    _free: (place) => (live -= sizes.get(place).size),
+    _wythe_new: () => 1,
+    _wythe_free() {},
+    _wythe_set_text: (job, name, place) => void had.push([sizes.get(name).text, sizes.get(place).text.length]),
+  };
+  let made = 0;
+  const record = (function* () {
+    for (; made < 100; ++made) {
+      assert.equal(had.filter(([name]) => name === "record").length, made, "a text was made before the engine had the one before");
+      yield "x".repeat(1e5);
+    }
+  })();
+  const job = openJob(engine, "assess", { texts: { file: "wall.toml", record } });
+  assert.deepEqual(had, [["file", 9], ...Array(100).fill(["record", 1e5])]);
+  assert.ok(most < 2e5, `${most} bytes at once`);
+  job.free();
+  assert.equal(live, 0);
+});
+
 test("what the command cannot do it says", { skip }, () => {
   const nothing = command();
   assert.equal(nothing.status, 2);
