@@ -144,7 +144,10 @@ function printed(verdict, plan, out) {
   });
   for (const way of verdict.ways)
     for (const { wall, why } of way.lost_walls) console.log(`lost: ${way.direction}, wall ${wall}: ${why}`);
-  for (const part of verdict.parts.checked) console.log(`out of plane: ${part.sentence}`);
+  for (const part of verdict.parts.checked) {
+    console.log(`out of plane: ${part.sentence.split(". What was found: ").at(-1)}`); // its cautions have lines of their own
+    for (const caution of part.cautions) console.log(`  doubtful: ${caution}`);
+  }
   for (const part of verdict.parts.not_checked) console.log(`not checked: ${part.what}: ${part.why}`);
   console.log(`report: ${path.join(out, "report.html")}`);
 }

@@ -119,11 +119,12 @@ for (const [name, ...words] of [
   ["means that scatter, another seed", "--walls", "2", "--seed", "7", "--between", "0.25"],
   ["walls added until the share is known", "--walls", "2", "--between", "0.25", "--until", "0.8", "--set", "stage.push.until=1 mm", "--set", "stage.push.pattern=uniform"],
   ["no answer", "--walls", "2", "--set", "stage.push.until=0.05 mm"],
+  ["no factor", "--walls", "2", "--set", "stage.push.until=0.05 mm"],
 ])
   test(`the verdict is that of the native program: ${name}`, { skip }, () => {
     const place = name.replaceAll(/\W+/g, "_");
     fs.mkdirSync(path.join(out, place));
-    fs.writeFileSync(path.join(out, place, "model.toml"), WALL);
+    fs.writeFileSync(path.join(out, place, "model.toml"), name === "no factor" ? WALL.replace(/^confidence_factor.*\n/m, "") : WALL);
     const native = spawnSync(process.env.WYTHE ?? path.join(root, "build/release/wythe"), ["assess", "model.toml", "--out", "native", "--quiet", ...words], {
       cwd: path.join(out, place),
       encoding: "utf8",
@@ -131,8 +132,9 @@ for (const [name, ...words] of [
     const wasm = npx("assess", `${place}/model.toml`, "--out", `${place}/wasm`, "--quiet", ...words);
     assert.equal(wasm.status, native.status, wasm.stderr + native.stderr);
     assertSame(alike(place, "wasm"), alike(place, "native"));
-    const said = (text) => text.split("\n").filter((line) => line && !/^(report|lost|out of plane|  doubtful)/.test(line));
+    const said = (text) => text.split("\n").filter((line) => line && !/^(report|lost)/.test(line)); // they name folders
     assert.deepEqual(said(wasm.stdout), said(native.stdout));
+    assert.match(wasm.stdout, name === "no factor" ? /^out of plane: wall: .*\n {2}doubtful: no confidence factor is stated/m : /^out of plane: wall: /m);
     assert.deepEqual(fs.readdirSync(path.join(out, place, "wasm")).sort(), [".wythe_model", ".wythe_walls", "assessment.json", "report.html", "walls.csv"]);
   });
 
