@@ -16,5 +16,9 @@ export async function loaded(root, module) {
 
 export const seenByEngine = (file, root) => `${HOST}/${path.relative(root, file).split(path.sep).join("/")}`;
 
+/** Whether a file lies on the drive `root`. The case of a name counts where the system counts it: C: and c: are one drive. */
+export const isOnDrive = (file, root, paths = path) => !paths.isAbsolute(paths.relative(root, file));
+export const isSamePlace = (one, other, paths = path) => paths.relative(one, other) === "";
+
 /** What the engine says, with paths of the machine. */
 export const seenByUser = (text, root) => text.replaceAll(`${HOST}/`, root);

@@ -4,6 +4,7 @@ import fs from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { deflateRawSync } from "node:zlib";
+import { isSamePlace } from "./host.mjs";
 
 const here = path.dirname(fileURLToPath(import.meta.url));
 const read = (file) => fs.readFileSync(file, "utf8");
@@ -21,7 +22,7 @@ export function pageOf(built, script, wasm) {
   return page;
 }
 
-if (process.argv[1] && fs.realpathSync(process.argv[1]) === fileURLToPath(import.meta.url)) {
+if (process.argv[1] && isSamePlace(fs.realpathSync(process.argv[1]), fileURLToPath(import.meta.url))) {
   const [built, folder, out] = process.argv.slice(2);
   fs.writeFileSync(out, pageOf(built, path.join(folder, "wythe.js"), path.join(folder, "wythe.wasm")));
   console.log(`${out}: ${(fs.statSync(out).size / 1e6).toFixed(1)} MB`);

@@ -3,6 +3,7 @@ import { spawn } from "node:child_process";
 import fs from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
+import { isSamePlace } from "./host.mjs";
 import { pageOf } from "./page.mjs";
 
 const inPackage = (name) => fileURLToPath(new URL(name, import.meta.url));
@@ -44,7 +45,7 @@ function openInBrowser(page) {
 /** Writes the page to `out` and opens it. */
 export function studio(model, out) {
   if (!fs.existsSync(kBuilt)) throw new Refused("wythe studio: this package has no studio; in the sources, make studio puts it in");
-  if (model && path.resolve(model) === path.resolve(out)) throw new Refused(`${out}: is what this command reads, and would be lost; name another file`);
+  if (model && isSamePlace(model, out)) throw new Refused(`${out}: is what this command reads, and would be lost; name another file`);
   if (fs.existsSync(out)) {
     const earlier = fs.statSync(out).isFile() ? fs.readFileSync(out, "utf8") : "a folder";
     if (earlier !== "" && !earlier.slice(0, 400).includes(kTitle))

@@ -10,7 +10,7 @@
 import path from "node:path";
 import { assess } from "./assess.mjs";
 import { Refused, studio } from "./studio.mjs";
-import { loaded, seenByEngine, seenByUser } from "./host.mjs";
+import { isOnDrive, loaded, seenByEngine, seenByUser } from "./host.mjs";
 
 const USAGE = `usage: wythe run MODEL.toml --out DIR [--set KEY=VALUE ...] [--lang LANGUAGE] [--replace] [--quiet]
        wythe check MODEL.toml [--set KEY=VALUE ...]
@@ -98,7 +98,7 @@ async function main(words) {
   const file = path.resolve(options.model);
   const root = path.parse(file).root;
   const out = options.out && path.resolve(options.out);
-  if (out && path.parse(out).root !== root) throw new Wrong(`--out: ${out} is on another drive than the model`);
+  if (out && !isOnDrive(out, root)) throw new Wrong(`--out: ${out} is on another drive than the model`);
   const seen = seenByEngine(file, root);
   const texts = command === "report" ? { folder: seen } : { file: seen, set: options.set };
   if (options.lang) texts.language = options.lang;

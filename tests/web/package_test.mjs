@@ -182,6 +182,16 @@ test("an assessment does not depend on the threads, goes on after a kill, and do
   assert.match(native.stderr, /holds the campaigns of an assessment/);
 });
 
+test("a drive is one whatever the case of its letter", { skip }, async () => {
+  const { isOnDrive, isSamePlace } = await import(path.join(made, "host.mjs"));
+  const { win32 } = path;
+  assert.equal(isOnDrive("c:\\walls\\out", "C:\\", win32), true);
+  assert.equal(isOnDrive("D:\\walls\\out", "C:\\", win32), false);
+  assert.equal(isSamePlace("c:\\Walls\\wall.html", "C:\\walls\\WALL.html", win32), true);
+  assert.equal(isOnDrive("/walls/out", "/", path.posix), true);
+  assert.equal(isSamePlace("/Walls", "/walls", path.posix), false);
+});
+
 test("what an assessment refuses is told in the words of the native program", { skip }, () => {
   const place = path.join(out, "refused");
   fs.mkdirSync(place);
