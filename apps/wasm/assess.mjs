@@ -8,13 +8,7 @@ import { Worker } from "node:worker_threads";
 import { gunzipSync, gzipSync } from "node:zlib";
 import { compiled } from "./index.mjs";
 import { loaded, seenByUser } from "./host.mjs";
-
-class Refused extends Error {
-  constructor(code, words) {
-    super(words);
-    this.code = code;
-  }
-}
+import { Refused, put } from "./refused.mjs";
 
 // Walls that were pushed, in a hidden folder of `out`: batches.json, which says of what they are, and a record for each way and wall.
 class Kept {
@@ -36,14 +30,14 @@ class Kept {
   }
   begin(started) {
     fs.mkdirSync(this.folder, { recursive: true });
-    this.write("batches.json", JSON.stringify(started));
+    put(path.join(this.folder, "batches.json"), JSON.stringify(started));
   }
   clear() {
     fs.rmSync(this.folder, { recursive: true, force: true });
   }
   file = ({ way, wall }) => `way_${way}_wall_${wall}.gz`;
   put(task, record) {
-    this.write(this.file(task), gzipSync(record));
+    put(path.join(this.folder, this.file(task)), gzipSync(record));
   }
   has = (task) => fs.existsSync(path.join(this.folder, this.file(task)));
   get(task) {
@@ -54,18 +48,18 @@ class Kept {
       throw new Refused(4, `${file}: cannot be read, or is damaged; remove it, and --resume pushes that wall again`);
     }
   }
-  write(name, content) {
-    const file = path.join(this.folder, name);
-    fs.writeFileSync(`${file}.new`, content);
-    fs.renameSync(`${file}.new`, file); // a file is complete or not there
-  }
 }
 
 const sum = (numbers) => numbers.reduce((all, number) => all + number, 0);
 
 // Of what walls are: the model's text, the settings, the draws and the engine. What else a wall hangs on, its record says.
 function originOf({ model, set, seed, between }, version) {
-  const text = fs.existsSync(model) ? fs.readFileSync(model, "utf8") : null; // the engine says what is wrong with a file that is not there
+  let text = null; // of a file that cannot be read: the engine says what is wrong with it
+  try {
+    text = fs.readFileSync(model, "utf8");
+  } catch {
+    // told by the engine
+  }
   return createHash("sha256").update(JSON.stringify([text, set, seed ?? 0, between ?? null, version])).digest("hex");
 }
 
@@ -108,7 +102,7 @@ async function pushAll(tasks, { jobs, module, root, inputs, keep, check, say }) 
           shares.set(task, share);
           return tell();
         }
-        if (code !== 0) return fail(new Refused(code, error));
+        if (code !== 0) return fail(new Refused(code, seenByUser(error, root)));
         keep(task, record);
         shares.delete(task);
         ++done;
@@ -119,7 +113,7 @@ async function pushAll(tasks, { jobs, module, root, inputs, keep, check, say }) 
         try {
           take(message);
         } catch (error) {
-          fail(error instanceof Refused ? error : new Refused(4, `a wall cannot be kept: ${error.message}`));
+          fail(error);
         }
       });
     });
@@ -162,7 +156,7 @@ export async function assess({ options, texts, root, say }) {
   const kept = new Kept(options.out);
   const ask = (...words) => {
     const { code, texts: told } = wythe.do("assess", ...words);
-    if (code !== 0) throw new Refused(code, told.error);
+    if (code !== 0) throw new Refused(code, seenByUser(told.error, root));
     return told;
   };
   try {
@@ -209,10 +203,7 @@ export async function assess({ options, texts, root, say }) {
       if (!options.quiet) console.error(`${verdict.walls} walls: not met in ${verdict.not_met} of ${verdict.met + verdict.not_met}; going on with ${next} walls`);
       batches = [...batches, next - plan.walls];
     }
-  } catch (error) {
-    if (!(error instanceof Refused)) throw error;
+  } finally {
     say();
-    console.error(seenByUser(error.message, root));
-    return error.code;
   }
 }

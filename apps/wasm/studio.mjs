@@ -5,6 +5,7 @@ import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { isSamePlace } from "./host.mjs";
 import { pageOf } from "./page.mjs";
+import { Refused, put } from "./refused.mjs";
 
 const inPackage = (name) => fileURLToPath(new URL(name, import.meta.url));
 const kBuilt = inPackage("studio_page.html"); // without the engine
@@ -12,24 +13,21 @@ const kMark = "<!--wythe:model-->";
 const kTitle = "<title>wythe studio</title>";
 const kLongest = 1 << 20; // of a file, as in web/src/studio/store.ts [bytes]
 
-/** An input that is not admissible: the command ends with 2. */
-export class Refused extends Error {}
-
 function modelText(file) {
   let bytes;
   try {
     bytes = fs.readFileSync(file);
   } catch (error) {
-    throw new Refused(`${file}: cannot be read (${error.code}); name a model file`);
+    throw new Refused(2, `${file}: cannot be read (${error.code}); name a model file`);
   }
-  if (bytes.length > kLongest) throw new Refused(`${file}: is longer than 1 MB; name a model file`);
+  if (bytes.length > kLongest) throw new Refused(2, `${file}: is longer than 1 MB; name a model file`);
   let text;
   try {
     text = new TextDecoder("utf-8", { fatal: true }).decode(bytes);
   } catch {
-    throw new Refused(`${file}: holds bytes that are no UTF-8; name a model file`);
+    throw new Refused(2, `${file}: holds bytes that are no UTF-8; name a model file`);
   }
-  if (/^[ \t]*\[[ \t]*study[ \t]*\]/m.test(text)) throw new Refused(`${file}: is a study; name its base model`);
+  if (/^[ \t]*\[[ \t]*study[ \t]*\]/m.test(text)) throw new Refused(2, `${file}: is a study; name its base model`);
   return bytes;
 }
 
@@ -44,16 +42,16 @@ function openInBrowser(page) {
 
 /** Writes the page to `out` and opens it. */
 export function studio(model, out) {
-  if (!fs.existsSync(kBuilt)) throw new Refused("wythe studio: this package has no studio; in the sources, make studio puts it in");
-  if (model && isSamePlace(model, out)) throw new Refused(`${out}: is what this command reads, and would be lost; name another file`);
+  if (!fs.existsSync(kBuilt)) throw new Refused(2, "wythe studio: this package has no studio; in the sources, make studio puts it in");
+  if (model && isSamePlace(model, out)) throw new Refused(2, `${out}: is what this command reads, and would be lost; name another file`);
   if (fs.existsSync(out)) {
     const earlier = fs.statSync(out).isFile() ? fs.readFileSync(out, "utf8") : "a folder";
     if (earlier !== "" && !earlier.slice(0, 400).includes(kTitle))
-      throw new Refused(`${out}: is there, and is no earlier answer of this command; name another file, or remove this one`);
+      throw new Refused(2, `${out}: is there, and is no earlier answer of this command; name another file, or remove this one`);
   }
   const text = model ? modelText(model).toString("hex") : ""; // in digits, so that no text of the model can end its element
   const page = pageOf(kBuilt, inPackage("wythe.cjs"), inPackage("wythe.wasm"));
-  fs.writeFileSync(out, page.replace(kMark, text));
+  put(out, page.replace(kMark, text));
   const whole = path.resolve(out);
   console.log(`${openInBrowser(whole) ? "opens" : "open in a browser:"} ${whole}`);
 }

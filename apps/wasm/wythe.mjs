@@ -9,8 +9,9 @@
 //   wythe studio [MODEL.toml] [--out FILE.html]
 import path from "node:path";
 import { assess } from "./assess.mjs";
-import { Refused, studio } from "./studio.mjs";
 import { isOnDrive, loaded, seenByEngine, seenByUser } from "./host.mjs";
+import { refusalOf } from "./refused.mjs";
+import { studio } from "./studio.mjs";
 
 const USAGE = `usage: wythe run MODEL.toml --out DIR [--set KEY=VALUE ...] [--lang LANGUAGE] [--replace] [--quiet]
        wythe check MODEL.toml [--set KEY=VALUE ...]
@@ -134,7 +135,8 @@ async function main(words) {
 main(process.argv.slice(2)).then(
   (code) => { process.exitCode = code; },
   (error) => {
-    console.error(error instanceof Wrong ? `wythe: ${error.message}\n\n${USAGE}` : error instanceof Refused ? error.message : error);
-    process.exitCode = error instanceof Wrong || error instanceof Refused ? 2 : 6;
+    const refusal = refusalOf(error);
+    console.error(error instanceof Wrong ? `wythe: ${error.message}\n\n${USAGE}` : refusal ? refusal.message : error);
+    process.exitCode = error instanceof Wrong ? 2 : (refusal?.code ?? 6);
   },
 );

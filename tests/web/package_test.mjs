@@ -230,14 +230,16 @@ test("the page to draw walls on is that of make studio, with the model in it", {
   assert.ok(!read("wall.html").includes("<!--wythe:model-->"));
   fs.writeFileSync(path.join(out, "letter.html"), "<p>mine</p>");
   fs.writeFileSync(path.join(out, "study.toml"), '[study]\nbase = "model.toml"\n');
-  for (const [words, said] of [
+  for (const [words, said, code = 2] of [
     [["wall.toml", "--out", "letter.html"], /is there, and is no earlier answer/],
     [["wall.toml", "--out", "wall.toml"], /would be lost/],
     [["study.toml"], /is a study/],
     [["none.toml"], /none\.toml: cannot be read/],
+    [["wall.toml", "--out", "none/wall.html"], /^none\/wall\.html: cannot be opened: its folder is missing; make it, or name another place\n$/, 4],
+    [["wall.toml", "--out", "letter.html/wall.html"], /^letter\.html\/wall\.html: cannot be opened: a file stands where a folder must be; name another place\n$/, 4],
   ]) {
     const refused = npx("studio", ...words);
-    assert.equal(refused.status, 2, refused.stdout);
+    assert.equal(refused.status, code, refused.stdout);
     assert.match(refused.stderr, said);
   }
   assert.equal(read("letter.html"), "<p>mine</p>");
