@@ -9,6 +9,7 @@
 //   wythe studio [MODEL.toml] [--out FILE.html]
 import path from "node:path";
 import { assess } from "./assess.mjs";
+import { hold } from "./hold.mjs";
 import { isOnDrive, loaded, seenByEngine, seenByUser } from "./host.mjs";
 import { refusalOf } from "./refused.mjs";
 import { studio } from "./studio.mjs";
@@ -105,7 +106,16 @@ async function main(words) {
   if (options.lang) texts.language = options.lang;
   if (options.only.length > 0) texts.only = options.only;
   if (out) texts.out = seenByEngine(out, root);
-  if (command === "assess") return assess({ options, texts, root, say: teller(options.quiet) });
+  const release = out ? hold(options.out) : () => undefined;
+  try {
+    return command === "assess" ? await assess({ options, texts, root, say: teller(options.quiet) }) : await obey(command, options, texts, root);
+  } finally {
+    release();
+  }
+}
+
+// The commands that do one task of the engine.
+async function obey(command, options, texts, root) {
   const wythe = await loaded(root);
   const numbers = {};
   for (const flag of ["assessment", "replace"]) if (options[flag]) numbers[flag] = 1;

@@ -3,6 +3,7 @@
 import assert from "node:assert/strict";
 import { execFileSync, spawn, spawnSync } from "node:child_process";
 import fs from "node:fs";
+import os from "node:os";
 import path from "node:path";
 import { before, test } from "node:test";
 import { folder, root, run } from "./helpers.mjs";
@@ -11,6 +12,7 @@ const made = path.join(root, "build/wasm/package");
 const skip = fs.existsSync(path.join(made, "wythe.wasm")) ? false : "build/wasm is not built: make wasm";
 const out = folder("package");
 const pier = path.join(root, "examples/brick_pier/model.toml");
+const command = (...words) => spawnSync(process.execPath, [path.join(out, "node_modules/wythe/wythe.mjs"), ...words], { cwd: out, encoding: "utf8" });
 const npx = (...words) => spawnSync("npx", ["--offline", "wythe", ...words], { cwd: out, encoding: "utf8" });
 const read = (...names) => fs.readFileSync(path.join(out, ...names), "utf8");
 let packed;
@@ -152,8 +154,12 @@ test("an assessment does not depend on the threads, goes on after a kill, and do
   const child = spawn(process.execPath, [path.join(out, "node_modules/wythe/wythe.mjs"), "assess", "model.toml", "--out", "killed", "--jobs", "1", ...short], { cwd: place, stdio: "ignore" });
   const ended = new Promise((done) => child.on("exit", done));
   while (!fs.existsSync(first) && child.exitCode === null && child.signalCode === null) await new Promise((done) => setTimeout(done, 5));
+  child.kill("SIGSTOP");
+  const second = assess("model.toml", "killed", "--resume");
   child.kill("SIGKILL");
   await ended;
+  assert.equal(second.status, 4, second.stderr);
+  assert.ok(second.stderr.startsWith(`threads/killed: another wythe writes its results there (process ${child.pid} on ${os.hostname()}); wait for it or stop it`), second.stderr);
   assert.equal(child.signalCode, "SIGKILL", "the kill came too late");
   assert.ok(fs.existsSync(first) && !fs.existsSync(path.join(place, "killed/assessment.json")));
   const kept = fs.statSync(first).mtimeMs;
@@ -190,6 +196,78 @@ test("a drive is one whatever the case of its letter", { skip }, async () => {
   assert.equal(isSamePlace("c:\\Walls\\wall.html", "C:\\walls\\WALL.html", win32), true);
   assert.equal(isOnDrive("/walls/out", "/", path.posix), true);
   assert.equal(isSamePlace("/Walls", "/walls", path.posix), false);
+});
+
+test("one process at a time writes in a folder: of several that begin at once one holds it, and one that was killed holds nothing", { skip }, async () => {
+  const script = `import { hold } from ${JSON.stringify(path.join(made, "hold.mjs"))};
+let release;
+try {
+  release = hold("held/deep");
+  console.log("held");
+} catch (error) {
+  console.log(error.code, error.message);
+}
+process.stdin.on("end", () => release?.()).resume();`;
+  const begun = Array.from({ length: 4 }, () => spawn(process.execPath, ["--input-type=module", "-e", script], { cwd: out, stdio: ["pipe", "pipe", "inherit"] }));
+  const said = await Promise.all(begun.map((child) => new Promise((done) => child.stdout.setEncoding("utf8").once("data", done))));
+  const holder = begun[said.indexOf("held\n")];
+  assert.equal(said.filter((words) => words === "held\n").length, 1, said.join(""));
+  for (const words of said) if (words !== "held\n") assert.ok(words.startsWith(`4 held/deep: another wythe writes its results there (process ${holder.pid} on ${os.hostname()})`), words);
+  const ended = begun.map((child) => new Promise((done) => child.on("exit", done)));
+  for (const child of begun) child.stdin.end();
+  await Promise.all(ended);
+  assert.ok(!fs.existsSync(path.join(out, "held")));
+
+  const lock = path.join(out, "held/.wythe_lock");
+  const tries = (name, ...words) => command(name, pier, "--out", "held", "--quiet", "--set", "stage.push.until=0.02 mm", ...words);
+  fs.mkdirSync(path.dirname(lock));
+  for (const holder of [`process ${process.pid} on ${os.hostname()}`, `process 1 on another-${os.hostname()}`])
+    for (const name of ["run", "limit", "assess"]) {
+      fs.writeFileSync(lock, `process ${begun[0].pid} on ${os.hostname()}\nprocess 12\n${holder}\n`); // before it a killed one, and half a line
+      const refused = tries(name);
+      assert.equal(refused.status, 4, refused.stderr);
+      assert.equal(refused.stderr, `held: another wythe writes its results there (${holder}); wait for it or stop it, or name another folder; if there is no such process, remove ${lock}\n`);
+      assert.deepEqual(fs.readdirSync(path.dirname(lock)), [".wythe_lock"]);
+    }
+  fs.writeFileSync(lock, `process ${begun[0].pid} on ${os.hostname()}\n`);
+  const done = tries("run");
+  assert.equal(done.status, 0, done.stderr);
+  assert.ok(!fs.existsSync(lock));
+});
+
+test("a file or a folder that cannot be used is told in one line with its place and cure", { skip }, async () => {
+  const place = path.join(out, "places");
+  fs.mkdirSync(path.join(place, "folder"), { recursive: true });
+  fs.writeFileSync(path.join(place, "file"), "");
+  fs.writeFileSync(path.join(place, "model.toml"), WALL);
+  const model = "places/model.toml";
+  const noFolder = /a file stands where a folder must be; name another place$/;
+  const cases = [
+    [4, noFolder, "run", model, "--out", "places/file"],
+    [4, noFolder, "limit", model, "--out", "places/file"],
+    [4, noFolder, "assess", model, "--out", "places/file"],
+    [4, noFolder, "assess", model, "--out", "places/file/deep"],
+  ];
+  for (const [name, ...words] of [["check"], ["run", "--out", "places/out"], ["limit", "--out", "places/out"], ["assess", "--out", "places/out"]]) {
+    cases.push([2, /there is no such file; name a file/, name, "places/none.toml", ...words]);
+    cases.push([2, /is a folder, not a file; name a file in it$/, name, "places/folder", ...words]);
+  }
+  cases.push([2, /holds no data of a report/, "report", "places/none"]);
+  for (const [code, said, ...words] of cases) {
+    const { status, stderr } = command(...words);
+    assert.equal(status, code, `${words.join(" ")}\n${stderr}`);
+    assert.match(stderr.trimEnd(), said, words.join(" "));
+    assert.ok(stderr.includes("places/") && stderr.trimEnd().split("\n").length === 1, stderr);
+  }
+  assert.deepEqual(fs.readdirSync(place).sort(), ["file", "folder", "model.toml"]);
+  const { refusalOf } = await import(path.join(made, "refused.mjs"));
+  for (const [code, syscall, said] of [
+    ["EACCES", "open", "wall.html: cannot be opened: there is no right to it; change its rights, or name another place"],
+    ["ENOSPC", "write", "wall.html: cannot be written: its disk is full; make room, or name another place"],
+    ["EWEIRD", "link", "wall.html: cannot be used: the system says EWEIRD; name another place"],
+  ])
+    assert.equal(refusalOf(Object.assign(new Error("of the system"), { code, syscall, path: "wall.html" })).message, said);
+  assert.equal(refusalOf(new TypeError("a defect")), undefined);
 });
 
 test("what an assessment refuses is told in the words of the native program", { skip }, () => {
