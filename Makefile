@@ -69,8 +69,7 @@ web: setup       ## build the report viewer: src/report/assets/viewer.html
 
 studio: wasm     ## build the page to draw walls on: build/studio.html, and for build/wasm/package
 	@cd web && npm ci --no-audit --no-fund && npx tsc && STUDIO_OUT=../build/wasm/page npx vite build --config vite.studio.config.js
-	@node apps/wasm/page.mjs build/wasm/page/studio.html build/wasm build/studio.html
-	@cp build/wasm/page/studio.html build/wasm/package/studio_page.html
+	@node apps/wasm/page.mjs build/wasm/page/studio.html build/wasm build/studio.html build/wasm/package
 
 format:          ## clang-format all C++
 	clang-format -i $(SOURCES)

@@ -45,12 +45,13 @@ target_link_options(wythe_wasm PRIVATE -O2 -fwasm-exceptions --no-entry -lnodefs
   -sEXPORTED_FUNCTIONS=_malloc,_free,_wythe_version,_wythe_new,_wythe_free,_wythe_set_text,_wythe_set_number,_wythe_set_column,_wythe_do_here,_wythe_text,_wythe_column
   -sEXPORTED_RUNTIME_METHODS=UTF8ToString,stringToUTF8,lengthBytesUTF8,FS,NODEFS,HEAPF64,HEAPU8)
 
-# build/wasm/package: what npm packs; `make studio` adds the page to draw walls on.
+# build/wasm/package: what npm packs; `make studio` adds the page to draw walls on, and a new engine removes that of the one before.
 configure_file(apps/wasm/package.json.in package/package.json @ONLY)
 set(package ${CMAKE_BINARY_DIR}/package)
 add_custom_command(TARGET wythe_wasm POST_BUILD
   COMMAND ${CMAKE_COMMAND} -E copy ${CMAKE_BINARY_DIR}/wythe.js ${package}/wythe.cjs
-  COMMAND ${CMAKE_COMMAND} -E copy ${CMAKE_BINARY_DIR}/wythe.wasm ${package}/wythe.wasm VERBATIM)
+  COMMAND ${CMAKE_COMMAND} -E copy ${CMAKE_BINARY_DIR}/wythe.wasm ${package}/wythe.wasm
+  COMMAND ${CMAKE_COMMAND} -E rm -f ${package}/studio_page.html VERBATIM)
 file(GLOB scripts RELATIVE ${CMAKE_SOURCE_DIR} CONFIGURE_DEPENDS apps/wasm/*.mjs apps/wasm/*.js)
 foreach(file ${scripts} apps/wasm/README.md LICENSE)
   configure_file(${file} ${package} COPYONLY)

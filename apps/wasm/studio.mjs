@@ -4,11 +4,10 @@ import fs from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { isSamePlace } from "./host.mjs";
-import { pageOf } from "./page.mjs";
+import { builtOfPackage, pageOf } from "./page.mjs";
 import { Refused, put } from "./refused.mjs";
 
 const inPackage = (name) => fileURLToPath(new URL(name, import.meta.url));
-const kBuilt = inPackage("studio_page.html"); // without the engine
 const kMark = "<!--wythe:model-->";
 const kTitle = "<title>wythe studio</title>";
 const kLongest = 1 << 20; // of a file, as in web/src/studio/store.ts [bytes]
@@ -42,7 +41,8 @@ function openInBrowser(page) {
 
 /** Writes the page to `out` and opens it. */
 export function studio(model, out) {
-  if (!fs.existsSync(kBuilt)) throw new Refused(2, "wythe studio: this package has no studio; in the sources, make studio puts it in");
+  const built = builtOfPackage();
+  if (built === null) throw new Refused(2, "wythe studio: this package has no studio; in the sources, make studio puts it in");
   if (model && isSamePlace(model, out)) throw new Refused(2, `${out}: is what this command reads, and would be lost; name another file`);
   if (fs.existsSync(out)) {
     const earlier = fs.statSync(out).isFile() ? fs.readFileSync(out, "utf8") : "a folder";
@@ -50,7 +50,7 @@ export function studio(model, out) {
       throw new Refused(2, `${out}: is there, and is no earlier answer of this command; name another file, or remove this one`);
   }
   const text = model ? modelText(model).toString("hex") : ""; // in digits, so that no text of the model can end its element
-  const page = pageOf(kBuilt, inPackage("wythe.cjs"), inPackage("wythe.wasm"));
+  const page = pageOf(built, inPackage("wythe.cjs"), inPackage("wythe.wasm"));
   put(out, page.replace(kMark, text));
   const whole = path.resolve(out);
   console.log(`${openInBrowser(whole) ? "opens" : "open in a browser:"} ${whole}`);

@@ -21,7 +21,7 @@ before(() => {
   if (skip) return;
   fs.rmSync(out, { recursive: true, force: true });
   fs.mkdirSync(out, { recursive: true });
-  [packed] = JSON.parse(execFileSync("npm", ["pack", made, "--json", "--pack-destination", out], { encoding: "utf8", cwd: out, stdio: "pipe" }));
+  [packed] = JSON.parse(execFileSync("npm", ["pack", made, "--json", "--pack-destination", out, "--foreground-scripts=false"], { encoding: "utf8", cwd: out, stdio: "pipe" }));
   fs.writeFileSync(path.join(out, "package.json"), "{}");
   execFileSync("npm", ["install", "--offline", "--no-audit", "--no-fund", path.join(out, packed.filename)], { cwd: out, stdio: "pipe" });
 });
@@ -188,16 +188,6 @@ test("an assessment does not depend on the threads, goes on after a kill, and do
   assert.match(native.stderr, /holds the campaigns of an assessment/);
 });
 
-test("a drive is one whatever the case of its letter", { skip }, async () => {
-  const { isOnDrive, isSamePlace } = await import(path.join(made, "host.mjs"));
-  const { win32 } = path;
-  assert.equal(isOnDrive("c:\\walls\\out", "C:\\", win32), true);
-  assert.equal(isOnDrive("D:\\walls\\out", "C:\\", win32), false);
-  assert.equal(isSamePlace("c:\\Walls\\wall.html", "C:\\walls\\WALL.html", win32), true);
-  assert.equal(isOnDrive("/walls/out", "/", path.posix), true);
-  assert.equal(isSamePlace("/Walls", "/walls", path.posix), false);
-});
-
 test("one process at a time writes in a folder: of several that begin at once one holds it, and one that was killed holds nothing", { skip }, async () => {
   const script = `import { hold } from ${JSON.stringify(path.join(made, "hold.mjs"))};
 let release;
@@ -268,6 +258,34 @@ test("a file or a folder that cannot be used is told in one line with its place 
   ])
     assert.equal(refusalOf(Object.assign(new Error("of the system"), { code, syscall, path: "wall.html" })).message, said);
   assert.equal(refusalOf(new TypeError("a defect")), undefined);
+});
+
+test("a drive is one whatever the case of its letter", { skip }, async () => {
+  const { isOnDrive, isSamePlace } = await import(path.join(made, "host.mjs"));
+  const { win32 } = path;
+  assert.equal(isOnDrive("c:\\walls\\out", "C:\\", win32), true);
+  assert.equal(isOnDrive("D:\\walls\\out", "C:\\", win32), false);
+  assert.equal(isSamePlace("c:\\Walls\\wall.html", "C:\\walls\\WALL.html", win32), true);
+  assert.equal(isOnDrive("/walls/out", "/", path.posix), true);
+  assert.equal(isSamePlace("/Walls", "/walls", path.posix), false);
+});
+
+test("a page of another engine is neither used nor packed", { skip }, () => {
+  const own = path.join(out, "own");
+  fs.cpSync(made, own, { recursive: true });
+  fs.writeFileSync(path.join(out, "built.html"), "<title>wythe studio</title><!--wythe:worker--><!--wythe:wasm--><!--wythe:model-->\n");
+  const page = spawnSync(process.execPath, [path.join(own, "page.mjs"), "built.html", path.join(root, "build/wasm"), "whole.html", own], { cwd: out, encoding: "utf8" });
+  assert.equal(page.status, 0, page.stderr);
+  const studio = () => spawnSync(process.execPath, [path.join(own, "wythe.mjs"), "studio", "--out", "own.html"], { cwd: out, encoding: "utf8" });
+  const pack = () => spawnSync("npm", ["pack", own, "--pack-destination", own], { cwd: own, encoding: "utf8" });
+  assert.equal(studio().status, 0);
+  assert.equal(read("own.html"), read("whole.html").replace("<!--wythe:model-->", ""));
+  fs.appendFileSync(path.join(own, "wythe.wasm"), Buffer.from([0, 2, 1, 0x78])); // a section that says nothing
+  for (const refused of [studio(), pack()]) {
+    assert.notEqual(refused.status, 0, refused.stdout);
+    assert.match(refused.stderr, /studio_page\.html: is a page of another engine than that of this package; in the sources, make studio builds it again/);
+  }
+  assert.deepEqual(fs.readdirSync(own).filter((name) => name.endsWith(".tgz")), []);
 });
 
 test("what an assessment refuses is told in the words of the native program", { skip }, () => {
