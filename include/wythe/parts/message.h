@@ -27,8 +27,7 @@ struct Argument {
   std::variant<double, std::string, std::vector<Message>> value;
 
   Argument(std::string called, double number);
-  Argument(std::string called, std::integral auto number)
-      : Argument(std::move(called), static_cast<double>(number)) {}
+  Argument(std::string called, std::integral auto number);  // behind Message, which clang 14 needs
   Argument(std::string called, std::string text);
   Argument(std::string called, const char* text);
   Argument(std::string called, Message message);
@@ -42,6 +41,8 @@ struct Message {
   // The argument of that name as a number; NaN where there is none.
   [[nodiscard]] double number(std::string_view called) const;
 };
+inline Argument::Argument(std::string called, std::integral auto number)
+    : Argument(std::move(called), static_cast<double>(number)) {}
 [[nodiscard]] bool operator==(const Message& a, const Message& b);
 [[nodiscard]] bool operator==(const Argument& a, const Argument& b);
 
