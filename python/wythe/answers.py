@@ -1390,10 +1390,10 @@ class CheckFacts(TypedDict):
     height_m: float
     thickness_m: float
     in_space: bool
+    notes: list[str]
     time_step_s: float
     steps: int
     expected_seconds: float
-    notes: list[str]
 
 
 class Outcome(TypedDict):

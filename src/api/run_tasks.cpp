@@ -124,23 +124,29 @@ bool do_check(Job& job) {
   job.in.check("check", {"model", "file", "set", "language"}, {}, false);
   const std::string language = job.in.one("language", "en");
   check_language(language, "language");
-  const GivenModel given = read_given(job.in);
-  const Model& m = given.model;
-  const RunEstimate cost = estimate(m);
-  job.out.put("check", dumped({{"blocks", m.n_block},
-                               {"joints", m.n_joint},
-                               {"points", m.n_point()},
-                               {"weight_kN", 1e-3 * m.weight},
-                               {"length_m", m.anatomy.length},
-                               {"height_m", m.anatomy.height},
-                               {"thickness_m", m.anatomy.thickness},
-                               {"in_space", dimension_of(m) == 3},
-                               {"time_step_s", cost.time_step},
-                               {"steps", cost.steps},
-                               {"expected_seconds", cost.seconds},
-                               {"notes", texts_of(m.anatomy.notes, language)}}));
-  job.out.put("model", write_model(given.spec));
-  if (dimension_of(m) == 2) job.out.put("svg", wall_svg(m, initial_state(m), 1));
+  const auto given = std::make_shared<const GivenModel>(read_given(job.in));
+  const Model& m = given->model;
+  const Json counts = {{"blocks", m.n_block},
+                       {"joints", m.n_joint},
+                       {"points", m.n_point()},
+                       {"weight_kN", 1e-3 * m.weight},
+                       {"length_m", m.anatomy.length},
+                       {"height_m", m.anatomy.height},
+                       {"thickness_m", m.anatomy.thickness},
+                       {"in_space", dimension_of(m) == 3},
+                       {"notes", texts_of(m.anatomy.notes, language)}};
+  job.out.put("counts", dumped(counts));
+  job.out.text_later("check", [given, facts = counts]() mutable {
+    const RunEstimate cost = estimate(given->model);
+    facts["time_step_s"] = cost.time_step;
+    facts["steps"] = cost.steps;
+    facts["expected_seconds"] = cost.seconds;
+    return dumped(facts);
+  });
+  job.out.text_later("model", [given] { return write_model(given->spec); });
+  if (dimension_of(m) == 2)
+    job.out.text_later("svg",
+                       [given] { return wall_svg(given->model, initial_state(given->model), 1); });
   return false;
 }
 

@@ -162,6 +162,20 @@ static void faults(void) {
   wythe_free(job);
 }
 
+/* what a check counts, and beside it the time of a push, which is measured when it is asked for */
+static void check(const char* model) {
+  wythe_job* job = wythe_new("check");
+  set(job, "file", model);
+  CHECK(wythe_do(job, NULL, NULL) == WYTHE_DONE);
+  const char* counts = wythe_text(job, "counts", NULL);
+  CHECK(has(counts, "\"blocks\"") && has(counts, "\"notes\"") && !has(counts, "seconds"));
+  const char* facts = wythe_text(job, "check", NULL);
+  CHECK(counts != NULL && facts != NULL && strncmp(counts, facts, strlen(counts) - 1) == 0);
+  CHECK(has(facts, "\"time_step_s\"") && has(facts, "\"steps\"") && has(facts, "\"expected_seconds\""));
+  CHECK(has(wythe_text(job, "svg", NULL), "<svg") && has(wythe_text(job, "model", NULL), "[wall]"));
+  wythe_free(job);
+}
+
 static void misuse(void) {
   CHECK(wythe_do(NULL, NULL, NULL) == WYTHE_BAD_INPUT);
   CHECK(wythe_text(NULL, "summary", NULL) == NULL);
@@ -181,6 +195,7 @@ int main(int count_of_arguments, char** arguments) {
   CHECK(wythe_interface() == WYTHE_INTERFACE);
   CHECK(has(wythe_version(), "wythe "));
   run(arguments[1]);
+  check(arguments[1]);
   stop(arguments[1]);
   go_on(arguments[1]);
   quick_limit(arguments[1]);
