@@ -41,6 +41,30 @@ test("it opens with an example, its stones and its weight", async () => {
   assert.match(await status(), /^876 blocks · 35\.1\skN/);
 });
 
+test("stones and weight are there before the time of a push is known", async () => {
+  await page.evaluate(() => {
+    window.held = [];
+    for (const worker of window.testWorkers) {
+      const hear = worker.onmessage;
+      worker.onmessage = (e) => (window.held && e.data.texts?.check ? window.held.push(() => hear(e)) : hear(e));
+    }
+  });
+  const before = await status();
+  await field("Length").first().fill("3.00");
+  await field("Length").first().press("Enter");
+  await page.waitForFunction((before) => document.querySelector(".status").textContent !== before && window.held.length > 0, before);
+  assert.match(await status(), /^\d+ blocks · [\d.]+\u202fkN$/);
+  assert.equal(await page.locator(".stones .stone0").count(), 1);
+  await page.evaluate(() => {
+    for (const hear of window.held) hear();
+    window.held = null;
+  });
+  await stonesOf(page);
+  assert.match(await status(), /kN · a push takes about/);
+  await page.keyboard.press("Control+z");
+  await stonesOf(page);
+});
+
 test("nine examples and an empty wall to begin with: each is drawn, and the engine takes it", async () => {
   const names = await page.locator(".starters option").evaluateAll((all) => all.map((option) => option.value).filter(Boolean));
   assert.equal(names.length, 10);

@@ -146,10 +146,10 @@ export class Latest {
     private readonly engine: Engine,
     private readonly left = kLeft,
   ) {}
-  ask(question: Question, done: (a: Answer) => void): void {
+  ask(question: Question, done: (a: Answer) => void, told?: (p: Progress) => void): void {
     const go = async (): Promise<void> => {
       this.busy = true;
-      const answer = await this.engine.ask(question);
+      const answer = await this.engine.ask(question, told);
       this.busy = false;
       window.clearTimeout(this.timer);
       this.timer = 0;

@@ -7,7 +7,7 @@ import { Canvas } from "./canvas";
 import { Commands, type Command } from "./commands";
 import type { Pushed } from "./compare";
 import { pathOf, pushOf, setDirection } from "./drawing";
-import { hasEngine, Latest, WorkerEngine } from "./engine";
+import { hasEngine, Latest, type Progress, WorkerEngine } from "./engine";
 import { FaultList, openingOf } from "./faults";
 import { FilePane } from "./file";
 import { addFrame, frameOf, removeFrame } from "./frames";
@@ -144,30 +144,62 @@ function check(): void {
     return localFaults();
   }
   const text = project.text;
-  limit.ask(text);
-  checker.ask({ task: "check", texts: { model: text, language }, want: ["check", "svg", "model"] }, async (answer) => {
-    const isNewest = (): boolean => text === project.text;
-    const c = answer.code === 0 ? JSON.parse(answer.texts.check) : null;
-    const drawn = c && isNewest() ? await readPicture(answer.texts.svg ?? "", c.length_m, isNewest) : null;
-    if (!isNewest()) return;
-    delete document.documentElement.dataset.checking;
-    panel.took(c ? (answer.texts.model ?? "") : "");
-    showNotes(c?.notes ?? []);
-    if (c) {
-      status.textContent = say("studio.counts", { blocks: whole(c.blocks), weight: qty(c.weight_kN, "kN"), seconds: c.expected_seconds < 120 ? qty(c.expected_seconds, "s", 2) : qty(c.expected_seconds / 60, "min", 2) });
-      limit.weighs(c.weight_kN);
-      stones = drawn;
-      if (!canvas.readOnly) canvas.setPicture(stones);
-      showFaults([]);
-      push.ready(c.length_m);
-    } else if (answer.code === 2) {
-      status.textContent = say("studio.notbuilt");
-      showFaults(faultsOf(answer));
-    } else {
-      status.textContent = say("studio.failed", { why: whyOf(answer) });
-      showFaults([], true);
-    }
-  });
+  const isNewest = (): boolean => text === project.text;
+  const isFirst = stones === null; // it has the processor for itself: the limit load is asked for behind it
+  let shown: Promise<void> | null = null;
+  const told = ({ texts }: Progress): void => {
+    if (texts?.counts && isNewest()) shown = showStones(JSON.parse(texts.counts), texts.svg ?? "", isNewest).then(() => void (isFirst && isNewest() && askLimit()));
+  };
+  const askLimit = (): void => {
+    limit.ask(text);
+    if (weight !== null) limit.weighs(weight);
+  };
+  weight = null;
+  if (!isFirst) askLimit();
+  checker.ask(
+    { task: "check", texts: { model: text, language }, first: ["counts", "svg"], want: ["check", "model"] },
+    async (answer) => {
+      await shown;
+      if (!isNewest()) return;
+      delete document.documentElement.dataset.checking;
+      panel.took(answer.code === 0 ? (answer.texts.model ?? "") : "");
+      if (answer.code === 0) return sayCounts(JSON.parse(answer.texts.check));
+      showNotes([]);
+      if (answer.code === 2) {
+        status.textContent = say("studio.notbuilt");
+        showFaults(faultsOf(answer));
+      } else {
+        status.textContent = say("studio.failed", { why: whyOf(answer) });
+        showFaults([], true);
+      }
+      if (isFirst) askLimit();
+    },
+    told,
+  );
+}
+interface Counts {
+  blocks: number;
+  weight_kN: number;
+  length_m: number;
+  notes: string[];
+  expected_seconds?: number; // known later: the engine tries some steps
+}
+let weight: number | null = null; // of the text as it is [kN]
+async function showStones(c: Counts, picture: string, isNewest: () => boolean): Promise<void> {
+  const drawn = await readPicture(picture, c.length_m, isNewest);
+  if (!isNewest()) return;
+  stones = drawn;
+  weight = c.weight_kN;
+  if (!canvas.readOnly) canvas.setPicture(stones);
+  sayCounts(c);
+  showNotes(c.notes);
+  limit.weighs(c.weight_kN);
+  showFaults([]);
+  push.ready(c.length_m);
+}
+function sayCounts({ blocks, weight_kN, expected_seconds: time }: Counts): void {
+  const counts = { blocks: whole(blocks), weight: qty(weight_kN, "kN") };
+  status.textContent = time === undefined ? say("studio.counted", counts) : say("studio.counts", { ...counts, seconds: time < 120 ? qty(time, "s", 2) : qty(time / 60, "min", 2) });
 }
 function showNotes(list: string[]): void {
   notes.hidden = list.length === 0;
