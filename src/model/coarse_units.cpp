@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "geometry/wall/storeys.h"
 #include "materials/library.h"
@@ -66,13 +67,16 @@ UnitType kind_of_units(const ModelSpec& spec) {
   return spec.wall.unit.density >= kSolid ? UnitType::kClay : UnitType::kClayPerforated;
 }
 
-// Units of one storey without a real size that are larger than any made; nothing where there are none.
+// Units without a real size that are larger than any made; nothing where there are none.
 Message larger_than_made(const ModelSpec& spec, const char* code) {
+  std::vector<UnitSpec> units = spec.built_unit;  // of the builder in space, else of the storeys
+  if (units.empty())
+    for (const geometry::Storey& storey : geometry::stated_storeys(spec.wall, spec.storey))
+      units.push_back(storey.unit);
   const UnitType type = kind_of_units(spec);
   for (const LargestMade& made : kLargestMade) {
     if (made.type != type) continue;
-    for (const geometry::Storey& storey : geometry::stated_storeys(spec.wall, spec.storey)) {
-      const UnitSpec& unit = storey.unit;
+    for (const UnitSpec& unit : units) {
       constexpr double kRounding = 1 + 1e-9;
       const bool is_long = std::isnan(unit.real.length) && unit.length > made.length * kRounding;
       const bool is_high = std::isnan(unit.real.height) && unit.height > made.height * kRounding;

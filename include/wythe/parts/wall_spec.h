@@ -662,10 +662,11 @@ struct ModelSpec {
   SolveSpec solve;
   AssessmentSpec assessment;
   OutputSpec output;
-  std::vector<BlockSpec> block;  // content of the file wall.blocks; not a key
-  std::vector<BodySpec> body;    // the same in space; not a key
-  std::vector<Message> built;    // what the builder in space noted; not a key
-  std::string folder;            // folder of the model file, for relative paths; not a key
+  std::vector<BlockSpec> block;           // content of the file wall.blocks; not a key
+  std::vector<BodySpec> body;             // the same in space; not a key
+  std::vector<Message> built;             // what the builder in space noted; not a key
+  std::vector<UnitSpec> built_unit = {};  // of its walls, one each; not a key
+  std::string folder;                     // folder of the model file, for relative paths; not a key
   std::shared_ptr<const KeyPlaces> places =
       {};                                // of a spec that was read, as it was then; not a key
   std::vector<Message> text_notes = {};  // of reading, for the model's notes; not a key

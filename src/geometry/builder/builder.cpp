@@ -171,6 +171,12 @@ void lay_bodies(const BuilderSpec& built, ModelSpec& spec) {
   spec.wall.blocks = "blocks.json";  // in the folder of the run
   if (spec.wall.up.empty()) spec.wall.up = "y";
   spec.built = std::move(notes);
+  for (const PlanWallSpec& wall : built.plan_wall) {
+    if (wall.ring_beam) continue;
+    UnitSpec& unit = spec.built_unit.emplace_back(spec.wall.unit);
+    if (!std::isnan(wall.unit.length)) unit.length = wall.unit.length;
+    if (!std::isnan(wall.unit.height)) unit.height = wall.unit.height;
+  }
 }
 
 }  // namespace wythe

@@ -14,6 +14,7 @@
 #include "core/files.h"
 #include "scenes/places.h"
 #include "scenes/scenes.h"
+#include "wythe/parts/io.h"
 #include "wythe/parts/model.h"
 
 namespace wythe::coarse_units_test {
@@ -125,6 +126,14 @@ TEST(CoarseUnits, are_doubted_where_no_unit_of_their_material_is_so_large) {
   for (const UnitType any : {UnitType::kTuff, UnitType::kStone, UnitType::kAeratedConcrete})
     EXPECT_EQ(code(any, 0.625, 0.5), "");
   EXPECT_EQ(code(UnitType::kUnstated, 0.5, 0.13), "");
+  // walls in space with units of their own: those are looked at, not the wall's
+  ModelSpec built = scenes::plain_wall(8, 8, 1e-3, 0.02);
+  built.masonry.unit_type = UnitType::kClay;
+  built.wall.unit.length = 0.25, built.wall.unit.height = 0.065;
+  built.built_unit.assign(2, built.wall.unit);
+  EXPECT_TRUE(caution_of_units(built).empty());
+  built.built_unit[1].height = 0.13;
+  EXPECT_EQ(caution_of_units(built).code, larger);
   // a stated size decides
   ModelSpec stated = wall_of(1, 1);
   stated.masonry.unit_type = UnitType::kClay;
@@ -153,6 +162,40 @@ TEST(CoarseUnits, of_a_model_are_in_its_notes) {
   };
   EXPECT_EQ(notes(wall_of(0.5, 0.5)), 1);
   EXPECT_EQ(notes(scenes::plain_wall(8, 8, 1e-3, 0.02)), 0);
+}
+
+// Each [[plan_wall]] may have units of its own.
+TEST(CoarseUnits, of_each_wall_in_space_are_looked_at) {
+  const auto said = [](const std::string& own) {
+    const ModelSpec spec = parse_model(R"([wall]
+height = "1.3 m"
+thickness = "0.25 m"
+[wall.unit]
+length = "250 mm"
+height = "65 mm"
+density = "1800 kg/m^3"
+[masonry]
+use = "clay_brick_old"
+vertical_stress = "0.1 MPa"
+shear_modulus = "rule"
+unit_youngs_modulus = "rule"
+[material.joint]
+missing = "rule"
+[material.unit]
+missing = "rule"
+[[plan_wall]]
+name = "front"
+line = [["0 m", "0 m"], ["2 m", "0 m"]]
+)" + own + R"(
+[[stage]]
+name = "gravity"
+)",
+                                       "wall.toml");
+    return caution_of_units(spec).code;
+  };
+  EXPECT_EQ(said(""), "");
+  EXPECT_EQ(said("unit.length = \"500 mm\"\nunit.height = \"130 mm\""),
+            "assessment.caution.larger_than_made");
 }
 
 // The factor that capacity over demand goes by lies between that of the force and that of the displacement, for it is a
