@@ -27,6 +27,8 @@ std::string cure_by_example(const char* name, const Key& key, ValueKind kind) {
   return example.empty() ? "" : "write e.g. " + example;
 }
 
+constexpr double kMostWhole = std::numeric_limits<int>::max();
+
 // What to write for a text where a number is asked for: its own number, if that is one of the key's; else the example.
 // A share in % is meant as a share of 1, and "0.15 g" as the multiple of gravity that the keys of loads ask for.
 std::string cure_of_text(const toml::node& node, const char* name, const Key& key, bool is_whole) {
@@ -34,8 +36,9 @@ std::string cure_of_text(const toml::node& node, const char* name, const Key& ke
   const auto found = text ? leading_number(trimmed(text->get())) : std::nullopt;
   const std::string_view unit = found ? trimmed(found->rest) : "?";
   const double value = found ? (unit == "%" ? found->value / 100 : found->value) : kUnset;
+  const bool fits = !is_whole || (value == std::round(value) && value <= kMostWhole);
   const bool is_meant = (unit.empty() || unit == "%" || unit == "g") && std::isfinite(value) &&
-                        key.range.holds(value) && (!is_whole || value == std::round(value));
+                        key.range.holds(value) && fits;
   return is_meant ? fmt::format("write {} = {}", name, value)
                   : cure_by_example(name, key, ValueKind::kBare);
 }
@@ -296,7 +299,7 @@ void TableReader::integer(const char* name, int& value, const Key& key) {
   const auto* read = node->as_integer();
   const std::string cure = cure_by_example(name, key, ValueKind::kBare);
   Range range = key.range;
-  range.high = std::min(range.high, static_cast<double>(std::numeric_limits<int>::max()));
+  range.high = std::min(range.high, kMostWhole);
   if (!read) {
     refuse(name, "must be a whole number without quotes", cure_of_text(*node, name, key, true));
   } else if (!range.holds(static_cast<double>(read->get()))) {

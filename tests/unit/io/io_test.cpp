@@ -171,6 +171,10 @@ TEST(ModelRefused, number_with_a_unit_or_in_quotes) {
   EXPECT_EQ(fault_of("courses = 3", "courses = \"4\""),
             "model.toml:38: stage.2.at.courses = 4: must be a whole number without quotes; write "
             "courses = 4");
+  // no whole number of the file is as large: the cure would be refused again
+  EXPECT_EQ(fault_of("courses = 3", "courses = \"3e9\""),
+            "model.toml:38: stage.2.at.courses = 3e9: must be a whole number without quotes; write "
+            "e.g. courses = 3");
 }
 
 TEST(ModelRefused, text_for_a_flag) {
