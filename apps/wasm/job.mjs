@@ -42,33 +42,46 @@ export function openJob(engine, task, inputs) {
     return at === 0 ? undefined : engine.UTF8ToString(at);
   };
   const list = (name) => JSON.parse(answer(name) ?? "[]");
+  // Why a text or table that is made when it is asked for could not be made; "" where there is none of that name.
+  const failure = () => answer("error") ?? "";
+  const kNoMemory = 5;
+  const kDefect = 6;
   return {
     /** @param {Progress} progress */
     do(progress = () => false) {
       engine.progress = progress;
       return engine._wythe_do_here(job);
     },
-    /** @param {{texts?: string[], bytes?: string[], tables?: string[]}} want names of answers; `bytes`: texts as UTF-8 */
+    /**
+     * The answers that there are; `code` where one could not be made, with its reason as the text "error".
+     * @param {{texts?: string[], bytes?: string[], tables?: string[]}} want names of answers; `bytes`: texts as UTF-8
+     */
     answers(want = {}) {
       const texts = {};
+      for (const name of ["error", "faults"]) texts[name] = answer(name) ?? "";
       const bytes = {};
+      let failed = "";
+      const taken = (found) => {
+        if (found === undefined) failed ||= failure();
+        return found !== undefined;
+      };
       for (const name of want.bytes ?? []) {
         const found = bytesOf(engine, job, text(name));
-        if (found) bytes[name] = found;
+        if (taken(found)) bytes[name] = found;
       }
-      for (const name of ["error", "faults"]) texts[name] = answer(name) ?? "";
       for (const name of want.texts?.includes("*") ? list("texts") : (want.texts ?? [])) {
         const found = answer(name);
-        if (found !== undefined) texts[name] = found;
+        if (taken(found)) texts[name] = found;
       }
       const tables = {};
       for (const name of want.tables?.includes("*") ? Object.keys(JSON.parse(answer("tables") ?? "{}")) : (want.tables ?? [])) {
-        const columns = JSON.parse(answer(`columns of ${name}`) ?? "[]");
+        const columns = JSON.parse(answer(`columns of ${name}`) || (taken(undefined), "[]"));
         if (columns.length === 0) continue;
         tables[name] = {};
         for (const column of columns) tables[name][column] = columnOf(engine, job, text(name), text(column));
       }
-      return { texts, bytes, tables };
+      if (failed === "") return { texts, bytes, tables };
+      return { code: /memory/.test(failed) ? kNoMemory : kDefect, texts: { ...texts, error: failed }, bytes, tables };
     },
     free() {
       engine._wythe_free(job);

@@ -70,11 +70,11 @@ async function answer({ id, task, texts, numbers, want, first, bytes, tables, pi
       stopped = performance.now() - cost;
       code = job.do(tell);
     }
-    const early = first && code === 0 ? job.answers({ texts: first }).texts : {};
-    if (first) postMessage({ id, progress: { ...last, texts: early } });
-    const answers = job.answers({ texts: (want ?? []).filter((name) => !(name in early)), bytes, tables });
-    answers.texts = { ...early, ...answers.texts };
-    postMessage({ id, code, ...answers }, Object.values(answers.bytes ?? {}).map((b) => b.buffer));
+    const early = first && code === 0 ? job.answers({ texts: first }) : { texts: {} };
+    if (first && early.code === undefined) postMessage({ id, progress: { ...last, texts: early.texts } });
+    const answers = early.code === undefined ? job.answers({ texts: (want ?? []).filter((name) => !(name in early.texts)), bytes, tables }) : early;
+    answers.texts = { ...early.texts, ...answers.texts };
+    postMessage({ id, code, ...answers }, Object.values(answers.bytes ?? {}).map((b) => b.buffer)); // a text that could not be made has a code
   } finally {
     job.free();
   }

@@ -80,7 +80,6 @@ def answer(question):
     first = {name: text(job, name) for name in question.get("first", [])} if code == 0 else {}
     if "first" in question:
         say({"id": question["id"], "progress": {**last, "texts": {k: v for k, v in first.items() if v is not None}}})
-    # faults first: to ask for a text that there is not is a fault of its own
     texts = {**first, **{name: text(job, name) for name in ["faults", "error", *([*question.get("want", []), *question.get("bytes", [])] if code == 0 else [])]}}
     tables, rows = {}, ctypes.c_size_t()
     for name in question.get("tables", []) if code == 0 else []:

@@ -52,6 +52,56 @@ test("an engine that cannot be made is an error of the worker, so that the page 
   assert.match(String(await thrownWith(made)), /no memory for it/);
 });
 
+// The engine's calls on a job whose text "svg" cannot be made, and that has no text "none".
+function engineWithout(why) {
+  const texts = [""], given = { counts: "{}", error: "" };
+  const keep = (text) => texts.push(text) - 1;
+  return {
+    asked: [],
+    _malloc: () => keep(""),
+    _free() {},
+    lengthBytesUTF8: (text) => text.length,
+    stringToUTF8: (text, at) => void (texts[at] = text),
+    UTF8ToString: (at) => texts[at],
+    _wythe_new: () => 1,
+    _wythe_free() {},
+    _wythe_set_text() {},
+    _wythe_do_here: () => 0,
+    _wythe_text(_, name) {
+      const asked = texts[name];
+      if (asked !== "error") given.error = asked === "svg" ? why : "";
+      this.asked.push(asked);
+      return asked in given ? keep(given[asked]) : 0;
+    },
+  };
+}
+
+test("a text that cannot be made has the answer's code and its reason; one that there is not has none", async () => {
+  const { doTask } = await import(path.join(root, "apps/wasm/job.mjs"));
+  const answer = (why, ...names) => {
+    const { code, texts } = doTask(engineWithout(why), "check", {}, { texts: names });
+    return [code, texts.error, texts.counts];
+  };
+  assert.deepEqual(answer("there is not enough memory", "counts", "svg"), [5, "there is not enough memory", "{}"]);
+  assert.deepEqual(answer("a defect of wythe: no", "svg", "counts"), [6, "a defect of wythe: no", "{}"]);
+  assert.deepEqual(answer("", "none", "counts"), [0, "", "{}"]);
+});
+
+test("a first text that cannot be made ends the question", async () => {
+  const posted = [];
+  const context = vm.createContext({ performance, postMessage: (message) => posted.push(message), setTimeout, WebAssembly: { Module: class {}, instantiate() {} } });
+  const job = fs.readFileSync(path.join(root, "apps/wasm/job.mjs"), "utf8").replace(/^export /gm, "");
+  vm.runInContext(`${job}\n${script}`, context);
+  vm.runInContext("globalThis.give = (made) => { engine = made; }", context);
+  for (const [why, first, codes] of [["there is not enough memory", ["counts", "svg"], [5]], ["there is not enough memory", ["counts"], [undefined, 5]]]) {
+    posted.length = 0;
+    context.give(engineWithout(why));
+    await context.onmessage({ data: { id: 3, task: "check", texts: {}, first, want: ["svg"] } });
+    assert.deepEqual(posted.map(({ code }) => code), codes);
+    assert.equal(posted.at(-1).texts.error, why);
+  }
+});
+
 test("after a defect or without memory the next question has a worker of its own; no other answer ends one", async () => {
   const { WorkerEngine } = await viewerModule("studio/engine");
   const getElementById = (id) => ({ textContent: id === "wythe-worker" ? "/* answered here */" : "" });

@@ -160,7 +160,7 @@ function check(): void {
     { task: "check", texts: { model: text, language }, first: ["counts", "svg"], want: ["check", "model"] },
     async (answer) => {
       await shown;
-      if (!isNewest()) return;
+      if (!isNewest() || (answer.code === 0 && !shown)) return; // stones that came while the text was another are asked for again
       delete document.documentElement.dataset.checking;
       panel.took(answer.code === 0 ? (answer.texts.model ?? "") : "");
       if (answer.code === 0) return sayCounts(JSON.parse(answer.texts.check));
@@ -172,7 +172,8 @@ function check(): void {
         status.textContent = say("studio.failed", { why: whyOf(answer) });
         showFaults([], true);
       }
-      if (isFirst) askLimit();
+      if (shown) push.edited(); // a wall that the engine failed at is not pushed by itself
+      else if (isFirst) askLimit();
     },
     told,
   );
@@ -266,6 +267,7 @@ interface Along {
 }
 async function speakAnother(): Promise<void> {
   const hasPhoto = await photo.isKept();
+  if (push.busy) return void (languages.value = language); // begun meanwhile
   const along: Along = { text: project.text, steps: project.allSteps, kept: push.kept };
   const isWhole = store.handOver(along) || (!project.canUndo && !project.canRedo && !push.kept);
   const lost = [push.hasMore && say("studio.lost.pushes"), !isWhole && say("studio.lost.steps"), !hasPhoto && say("studio.lost.photo")].filter(Boolean).join(", ");
