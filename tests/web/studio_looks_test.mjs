@@ -254,7 +254,9 @@ test("a real worker: made from the page's text, given its code, asked, and ended
       const text = { blocks: 7, weight_kN: 1, expected_seconds: 2, length_m: 3.5, notes: [] };
       const svg = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 20 20"><script>document.title="owned"</' + 'script><style>*{display:none}</style>' +
         '<path class="rest" d="M1.0 9.0L1.0 1.0L8.0 1.0L8.0 9.0"/><path class="stone0" onclick="x()" style="fill:red" d="M1 9L2 9L2 8Z"/><image href="http://evil.example/x"/></svg>';
-      return postMessage({ id: data.id, code: 0, texts: { check: JSON.stringify(text), svg }, tables: {} });
+      const check = JSON.stringify(text);
+      postMessage({ id: data.id, progress: { texts: { counts: check, svg } } });
+      return postMessage({ id: data.id, code: 0, texts: { check, counts: check, svg }, tables: {} });
     }
     postMessage({ id: data.id, progress: { what: "push", share: 0.5, displacement_mm: 1, reaction_kN: 2 } });
   };`;
