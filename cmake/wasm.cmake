@@ -45,7 +45,8 @@ target_link_options(wythe_wasm PRIVATE -O2 -fwasm-exceptions --no-entry -lnodefs
   -sEXPORTED_FUNCTIONS=_malloc,_free,_wythe_version,_wythe_new,_wythe_free,_wythe_set_text,_wythe_set_number,_wythe_set_column,_wythe_do_here,_wythe_text,_wythe_column
   -sEXPORTED_RUNTIME_METHODS=UTF8ToString,stringToUTF8,lengthBytesUTF8,FS,NODEFS,HEAPF64,HEAPU8)
 
-# build/wasm/package: what npm packs; `make studio` adds the page to draw walls on, and a new engine removes that of the one before.
+# build/wasm/package: what npm packs; `make studio` adds the page to draw walls on, and a new engine removes that of the one before, as does a new
+# script of the worker (kEngine in apps/wasm/page.mjs).
 configure_file(apps/wasm/package.json.in package/package.json @ONLY)
 set(package ${CMAKE_BINARY_DIR}/package)
 add_custom_command(TARGET wythe_wasm POST_BUILD
@@ -55,4 +56,9 @@ add_custom_command(TARGET wythe_wasm POST_BUILD
 file(GLOB scripts RELATIVE ${CMAKE_SOURCE_DIR} CONFIGURE_DEPENDS apps/wasm/*.mjs apps/wasm/*.js)
 foreach(file ${scripts} apps/wasm/README.md LICENSE)
   configure_file(${file} ${package} COPYONLY)
+endforeach()
+foreach(file worker.js job.mjs)
+  if(${CMAKE_SOURCE_DIR}/apps/wasm/${file} IS_NEWER_THAN ${package}/studio_page.html)
+    file(REMOVE ${package}/studio_page.html)
+  endif()
 endforeach()

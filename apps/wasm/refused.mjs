@@ -34,14 +34,40 @@ export function refusalOf(error) {
   return new Refused(4, `${place}: cannot be ${kDoes[syscall] ?? "used"}: ${why}`);
 }
 
-/** Writes a file that is then complete, or not there. */
-export function put(file, content) {
-  const fresh = `${file}.new`;
+/** Does what uses a file. Node does not name the file where the system fails to read or to write what is open; this does. */
+export function using(file, action) {
   try {
-    fs.writeFileSync(fresh, content);
-    fs.renameSync(fresh, file);
+    return action();
   } catch (error) {
-    if (fs.existsSync(fresh)) fs.rmSync(fresh);
-    throw Object.assign(error, { path: file });
+    throw error.syscall ? Object.assign(error, { path: file }) : error;
   }
+}
+
+// The file that a link leads to, though it may be missing; another file is its own.
+function targetOf(file) {
+  try {
+    return fs.realpathSync(file);
+  } catch {
+    try {
+      return path.resolve(fs.realpathSync(path.dirname(file)), fs.readlinkSync(file));
+    } catch {
+      return file;
+    }
+  }
+}
+
+/** Writes a file that is then complete, or as it was. A link stays one. */
+export function put(file, content) {
+  const target = targetOf(file);
+  const isOther = fs.existsSync(target) && !fs.statSync(target).isFile(); // a folder is refused; a device must not be replaced
+  const fresh = isOther ? target : path.join(path.dirname(target), `.${path.basename(target)}.${process.pid}`);
+  using(file, () => {
+    try {
+      fs.writeFileSync(fresh, content);
+      if (!isOther) fs.renameSync(fresh, target);
+    } catch (error) {
+      if (!isOther && fs.existsSync(fresh)) fs.rmSync(fresh);
+      throw error;
+    }
+  });
 }

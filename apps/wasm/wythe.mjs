@@ -7,6 +7,7 @@
 //   wythe limit MODEL.toml --out DIR [--set KEY=VALUE ...] [--only NAME ...] [--assessment] [--lang LANGUAGE]
 //   wythe report DIR [--lang LANGUAGE]
 //   wythe studio [MODEL.toml] [--out FILE.html]
+import fs from "node:fs";
 import path from "node:path";
 import { assess } from "./assess.mjs";
 import { hold } from "./hold.mjs";
@@ -106,7 +107,8 @@ async function main(words) {
   if (options.lang) texts.language = options.lang;
   if (options.only.length > 0) texts.only = options.only;
   if (out) texts.out = seenByEngine(out, root);
-  const release = out ? hold(options.out) : () => undefined;
+  const written = command === "report" && fs.existsSync(file) && fs.statSync(file).isDirectory() ? options.model : options.out;
+  const release = written ? hold(written) : () => undefined;
   try {
     return command === "assess" ? await assess({ options, texts, root, say: teller(options.quiet) }) : await obey(command, options, texts, root);
   } finally {

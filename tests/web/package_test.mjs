@@ -260,6 +260,28 @@ test("a file or a folder that cannot be used is told in one line with its place 
   assert.equal(refusalOf(new TypeError("a defect")), undefined);
 });
 
+test("a file is written whole and alone: nothing beside it is lost, and a link stays one", { skip }, async () => {
+  const { put } = await import(path.join(made, "refused.mjs"));
+  const place = path.join(out, "put");
+  fs.mkdirSync(path.join(place, "far"), { recursive: true });
+  const at = (name) => path.join(place, name);
+  const beside = ["wall.html.new", "wall.html~", ".wall.html", ".wall.html.new"];
+  for (const name of [...beside, "far/wall.html"]) fs.writeFileSync(at(name), "mine");
+  fs.symlinkSync("far/wall.html", at("link.html"));
+  fs.symlinkSync("far/none.html", at("to_nothing.html"));
+  for (const name of ["wall.html", "wall.html", "link.html", "to_nothing.html"]) put(at(name), `new ${name}`);
+  const text = (name) => fs.readFileSync(at(name), "utf8");
+  for (const name of beside) assert.equal(text(name), "mine", name);
+  assert.equal(text("wall.html"), "new wall.html");
+  assert.equal(text("far/wall.html"), "new link.html");
+  assert.equal(text("far/none.html"), "new to_nothing.html");
+  for (const name of ["link.html", "to_nothing.html"]) assert.ok(fs.lstatSync(at(name)).isSymbolicLink(), name);
+  fs.mkdirSync(at("folder"));
+  assert.throws(() => put(at("folder"), "new"), { code: "EISDIR", path: at("folder") });
+  assert.deepEqual(fs.readdirSync(place).sort(), [...beside, "far", "folder", "link.html", "to_nothing.html", "wall.html"].sort());
+  assert.deepEqual(fs.readdirSync(at("far")).sort(), ["none.html", "wall.html"]);
+});
+
 test("a drive is one whatever the case of its letter", { skip }, async () => {
   const { isOnDrive, isSamePlace } = await import(path.join(made, "host.mjs"));
   const { win32 } = path;
