@@ -253,11 +253,35 @@ test("a file or a folder that cannot be used is told in one line with its place 
   const { refusalOf } = await import(path.join(made, "refused.mjs"));
   for (const [code, syscall, said] of [
     ["EACCES", "open", "wall.html: cannot be opened: there is no right to it; change its rights, or name another place"],
-    ["ENOSPC", "write", "wall.html: cannot be written: its disk is full; make room, or name another place"],
     ["EWEIRD", "link", "wall.html: cannot be used: the system says EWEIRD; name another place"],
   ])
     assert.equal(refusalOf(Object.assign(new Error("of the system"), { code, syscall, path: "wall.html" })).message, said);
   assert.equal(refusalOf(new TypeError("a defect")), undefined);
+});
+
+// What Node leaves the place out of: the system fails to write or to read what it has opened.
+test("a full disk, and a folder that is read, are told in one line with place and cure", { skip: skip || (fs.existsSync("/dev/full") ? false : "/dev/full is missing") }, async () => {
+  const place = path.join(out, "full");
+  const full = (name) => fs.symlinkSync("/dev/full", path.join(place, name));
+  fs.mkdirSync(path.join(place, "package"), { recursive: true });
+  fs.writeFileSync(path.join(place, "model.toml"), WALL);
+  fs.writeFileSync(path.join(place, "built.html"), "<!--wythe:worker--><!--wythe:wasm-->");
+  for (const name of [".wythe_lock", "page.html", "package/studio_page.html"]) full(name);
+  for (const name of ["wythe.wasm", "wythe.cjs", "worker.js", "job.mjs"]) fs.copyFileSync(path.join(made, name), path.join(place, "package", name));
+  const engine = path.join(root, "build/wasm");
+  const ofPage = (...words) => spawnSync(process.execPath, [path.join(made, "page.mjs"), ...words], { cwd: out, encoding: "utf8" });
+  const noRoom = "cannot be written: its disk is full; make room, or name another place\n";
+  const lock = path.join(place, ".wythe_lock");
+  for (const [told, words] of [
+    [command("run", "full/model.toml", "--out", "full"), `${lock}: ${noRoom}`],
+    [ofPage("full/built.html", engine, "full/page.html"), `full/page.html: ${noRoom}`],
+    [ofPage("full/built.html", engine, "full/whole.html", "full/package"), `full/package/studio_page.html: ${noRoom}`],
+    [ofPage("full", engine, "full/whole.html"), "full: cannot be read: it is a folder; name a file\n"],
+  ]) {
+    assert.equal(told.stderr, words);
+    assert.equal(told.status, 4);
+  }
+  assert.ok(fs.statSync("/dev/full").isCharacterDevice());
 });
 
 test("a file is written whole and alone: nothing beside it is lost, and a link stays one", { skip }, async () => {
