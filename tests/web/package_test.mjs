@@ -209,10 +209,10 @@ process.stdin.on("end", () => release?.()).resume();`;
   assert.ok(!fs.existsSync(path.join(out, "held/deep/.wythe_lock")));
 
   const lock = path.join(out, "holds/.wythe_lock");
-  const tries = (name) => command(name, pier, "--out", "holds", "--quiet", "--set", "stage.push.until=0.02 mm");
+  const tries = (name) => command(...(name === "report" ? [name, "holds"] : [name, pier, "--out", "holds", "--quiet", "--set", "stage.push.until=0.02 mm"]));
   fs.mkdirSync(path.dirname(lock));
   for (const holder of [`process ${process.pid} on ${os.hostname()}`, `process 1 on another-${os.hostname()}`])
-    for (const name of ["run", "limit", "assess"]) {
+    for (const name of ["run", "limit", "assess", "report"]) {
       fs.writeFileSync(lock, `process ${begun[0].pid} on ${os.hostname()}\nprocess 12\n${holder}\n`); // before it a killed one, and half a line
       const refused = tries(name);
       assert.equal(refused.status, 4, refused.stderr);
@@ -223,9 +223,11 @@ process.stdin.on("end", () => release?.()).resume();`;
       assert.deepEqual(fs.readdirSync(path.dirname(lock)), [".wythe_lock"]);
     }
   fs.writeFileSync(lock, `process ${begun[0].pid} on ${os.hostname()}\n`);
-  const done = tries("run");
-  assert.equal(done.status, 0, done.stderr);
-  assert.ok(!fs.existsSync(lock));
+  for (const name of ["run", "report"]) {
+    const done = tries(name);
+    assert.equal(done.status, 0, done.stderr);
+    assert.ok(!fs.existsSync(lock));
+  }
 });
 
 test("a folder is held though the number of a killed process was given again, or the folder was removed just then", { skip }, async () => {
@@ -309,6 +311,7 @@ test("a full disk, and a folder that is read, are told in one line with place an
   const lock = path.join(place, ".wythe_lock");
   for (const [told, words] of [
     [command("run", "full/model.toml", "--out", "full"), `${lock}: ${noRoom}`],
+    [command("report", "full"), `${lock}: ${noRoom}`],
     [ofPage("full/built.html", engine, "full/page.html"), `full/page.html: ${noRoom}`],
     [ofPage("full/built.html", engine, "full/whole.html", "full/package"), `full/package/studio_page.html: ${noRoom}`],
     [ofPage("full", engine, "full/whole.html"), "full: cannot be read: it is a folder; name a file\n"],
