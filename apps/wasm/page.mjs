@@ -1,10 +1,10 @@
 // Puts the engine into a page: pageOf() from a program, or
 //
 //   node page.mjs BUILT.html ENGINE_FOLDER OUT.html [PACKAGE]   also puts BUILT into a package, for `wythe studio`
-//   node page.mjs --check                                       before this package is packed: its page is of its engine
+//   node page.mjs --check                                       before this package is packed: its page is of its engine, or is missing
 //
 // The page has two marks: one for the script of its worker, one for the code of the engine, deflated and in base64. In a package it has
-// no engine, and ends with the hash of the one that it was built with.
+// neither, and ends with the hash of those that it was built with.
 import { createHash } from "node:crypto";
 import fs from "node:fs";
 import path from "node:path";
@@ -15,9 +15,11 @@ import { Refused, put, refusalOf, using } from "./refused.mjs";
 
 const here = path.dirname(fileURLToPath(import.meta.url));
 const kPage = "studio_page.html"; // in a package
+const kEngine = ["wythe.wasm", "wythe.cjs", "worker.js", "job.mjs"]; // of a package: what goes into its page
 const bytesOf = (file) => using(file, () => fs.readFileSync(file));
 const read = (file) => bytesOf(file).toString();
-const endOf = (wasm) => `<!--wythe:engine ${createHash("sha256").update(bytesOf(wasm)).digest("hex")}-->\n`;
+const hashOf = (bytes) => createHash("sha256").update(bytes).digest("hex");
+const endOf = (folder) => `<!--wythe:engine ${hashOf(kEngine.map((name) => hashOf(bytesOf(path.join(folder, name)))).join())}-->\n`;
 
 /** The text of a page, with the engine's script (wythe.js; wythe.cjs in a package) and code. */
 export function pageOf(built, script, wasm) {
@@ -37,17 +39,20 @@ export function builtOfPackage() {
   const file = path.join(here, kPage);
   if (!fs.existsSync(file)) return null;
   const page = read(file),
-    end = endOf(path.join(here, "wythe.wasm"));
+    end = endOf(here);
   if (!page.endsWith(end)) throw new Refused(2, `${file}: is a page of another engine than that of this package; in the sources, make studio builds it again`);
   return page.slice(0, -end.length);
 }
 
 function main(words) {
-  if (words.length === 1 && words[0] === "--check") return void builtOfPackage();
+  if (words.length === 1 && words[0] === "--check") {
+    if (builtOfPackage() === null) console.error(`${path.join(here, kPage)}: is missing, so this package has no studio; in the sources, make studio puts it in`);
+    return;
+  }
   const [built, folder, out, toPackage] = words;
   if (out === undefined) throw new Refused(2, "usage: node page.mjs BUILT.html ENGINE_FOLDER OUT.html [PACKAGE]");
   put(out, pageOf(read(built), path.join(folder, "wythe.js"), path.join(folder, "wythe.wasm")));
-  if (toPackage) put(path.join(toPackage, kPage), read(built) + endOf(path.join(toPackage, "wythe.wasm")));
+  if (toPackage) put(path.join(toPackage, kPage), read(built) + endOf(toPackage));
   console.log(`${out}: ${(fs.statSync(out).size / 1e6).toFixed(1)} MB`);
 }
 

@@ -364,12 +364,27 @@ test("a page of another engine is neither used nor packed", { skip }, () => {
   const pack = () => spawnSync("npm", ["pack", own, "--pack-destination", own], { cwd: own, encoding: "utf8" });
   assert.equal(studio().status, 0);
   assert.equal(read("own.html"), read("whole.html").replace("<!--wythe:model-->", ""));
-  fs.appendFileSync(path.join(own, "wythe.wasm"), Buffer.from([0, 2, 1, 0x78])); // a section that says nothing
-  for (const refused of [studio(), pack()]) {
-    assert.notEqual(refused.status, 0, refused.stdout);
-    assert.match(refused.stderr, /studio_page\.html: is a page of another engine than that of this package; in the sources, make studio builds it again/);
+  const tarballs = () => fs.readdirSync(own).filter((name) => name.endsWith(".tgz"));
+  for (const [name, more] of [
+    ["wythe.wasm", Buffer.from([0, 2, 1, 0x78])], // a section that says nothing
+    ["wythe.cjs", "\n"],
+    ["worker.js", "\n"],
+    ["job.mjs", "\n"],
+  ]) {
+    const before = fs.readFileSync(path.join(own, name));
+    fs.appendFileSync(path.join(own, name), more);
+    for (const refused of [studio(), pack()]) {
+      assert.notEqual(refused.status, 0, `${name}: ${refused.stdout}`);
+      assert.match(refused.stderr, /studio_page\.html: is a page of another engine than that of this package; in the sources, make studio builds it again/);
+    }
+    assert.deepEqual(tarballs(), []);
+    fs.writeFileSync(path.join(own, name), before);
   }
-  assert.deepEqual(fs.readdirSync(own).filter((name) => name.endsWith(".tgz")), []);
+  fs.rmSync(path.join(own, "studio_page.html"));
+  const without = pack();
+  assert.equal(without.status, 0, without.stderr);
+  assert.match(without.stderr, /studio_page\.html: is missing, so this package has no studio; in the sources, make studio puts it in/);
+  assert.equal(tarballs().length, 1);
 });
 
 test("what an assessment refuses is told in the words of the native program", { skip }, () => {
