@@ -12,7 +12,7 @@ import path from "node:path";
 import { assess } from "./assess.mjs";
 import { hold } from "./hold.mjs";
 import { isOnDrive, loaded, seenByEngine, seenByUser } from "./host.mjs";
-import { refusalOf } from "./refused.mjs";
+import { Refused, refusalOf } from "./refused.mjs";
 import { studio } from "./studio.mjs";
 
 const USAGE = `usage: wythe run MODEL.toml --out DIR [--set KEY=VALUE ...] [--lang LANGUAGE] [--replace] [--quiet]
@@ -89,7 +89,7 @@ async function main(words) {
     console.log((await loaded()).version);
     return 0;
   }
-  if (command === undefined || command === "--help" || command === "help" || !(command in OPTIONS)) {
+  if (command === undefined || command === "--help" || command === "help" || !Object.hasOwn(OPTIONS, command)) {
     (command === undefined || !command.endsWith("help") ? console.error : console.log)(USAGE);
     return command?.endsWith("help") ? 0 : 2;
   }
@@ -110,10 +110,19 @@ async function main(words) {
   const written = command === "report" && fs.existsSync(file) && fs.statSync(file).isDirectory() ? options.model : options.out;
   const release = written ? hold(written) : () => undefined;
   try {
+    if (command === "report" && written) refusePacked(written);
     return command === "assess" ? await assess({ options, texts, root, say: teller(options.quiet) }) : await obey(command, options, texts, root);
   } finally {
     release();
   }
+}
+
+// The native program packs the data of a report, and this engine reads them unpacked alone.
+function refusePacked(folder) {
+  const file = path.join(folder, "report.data");
+  const start = fs.existsSync(file) ? fs.readFileSync(file).subarray(0, 2) : [];
+  if (start[0] === 0x78 && start[1] !== 0x01)
+    throw new Refused(4, `${file}: was packed by the native program; write the page by its own command "wythe report", or run the model here`);
 }
 
 // The commands that do one task of the engine.

@@ -107,6 +107,13 @@ test("a page is written again in another language, as the native program writes 
   assert.equal(nothing.status, 2);
   assert.match(nothing.stderr, /holds no data of a report/);
   assert.match(command("report", out, "--lang", "xx").stderr, /is no language of the report/);
+  // of the native program: packed, not damaged
+  const native = path.join(path.dirname(out), "native");
+  run("run", path.join(root, "examples/brick_pier/model.toml"), "--out", native, "--quiet", "--set", "stage.push.until=0.02 mm");
+  const packed = command("report", native);
+  assert.equal(packed.status, 4);
+  assert.match(packed.stderr, /report\.data: was packed by the native program; write the page by its own command "wythe report"/);
+  assert.match(command("constructor").stderr, /^usage: wythe run/); // no name that each object has
 });
 
 test("texts of a long list are handed to the engine one at a time, and none is kept twice", async () => {
