@@ -39,7 +39,11 @@ class Job:
                         ".summary, .curve.frame() or .frame()")
 
     def text(self, name: str) -> Optional[str]:
-        return self._raw.text(name)
+        """None where there is none of that name. Raises MemoryError or DefectError where it could not be made."""
+        text = self._raw.text(name)
+        if text is None and (why := self._raw.text("error")):
+            raise MemoryError(why) if "memory" in why else DefectError(why)
+        return text
 
     def json(self, name: str) -> Any:
         """What a text holds; whoever asks says what that is."""

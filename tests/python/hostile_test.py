@@ -136,6 +136,26 @@ class Clumsy(unittest.TestCase):
         self.refused(lambda: wythe.Model.parse("a = " + "[" * 100000 + "]" * 100000), "too deep")
         self.refused(lambda: wythe.run(wythe.Model()), "stage")
 
+    def test_texts_that_could_not_be_made(self):
+        """They are made when they are asked for; one of no such name is None."""
+        from wythe._jobs import Job
+
+        class Raw:
+            def __init__(self, why):
+                self.why, self.error = why, ""
+
+            def text(self, name):
+                if name == "error":
+                    return self.error
+                self.error = self.why if name == "check" else ""
+                return None
+
+        for why, kind in (("there is not enough memory", MemoryError), ("a defect of wythe: no", wythe.DefectError)):
+            job = Job(Raw(why))
+            with self.assertRaisesRegex(kind, why):
+                job.json("check")
+            self.assertIsNone(job.json("none"))
+
     def test_settings_of_every_wrong_kind(self):
         for wrong in (5, [5], b"x=1", [b"x=1"], {"wall.length": None}, {"wall.length": object()}, {"": "x"}, {1: 2},
                       {"stage.push.until": (1, 2)}, {"stage.push.until": ("a", "mm")}, {"stage.push.until": "\udc80"},
