@@ -478,7 +478,7 @@ TEST(LimitLoad, both_theorems_agree_whatever_the_joints_resist) {
   const Model model = compile(scenes::small_wall());
   double dry = 0, bonded = 0;
   for (const auto strength : {JointStrength::kDry, JointStrength::kBonded}) {
-    double before = INFINITY;
+    double before = HUGE_VAL;
     for (const auto crushing :
          {CrushingChoice::kNone, CrushingChoice::kPoints, CrushingChoice::kStressBlock}) {
       const LimitResult answer = limit_load(model, {.strength = strength, .crushing = crushing});

@@ -144,10 +144,10 @@ TEST(SpaceStatics, a_lintel_bends_about_both_axes_stretches_and_twists_as_a_beam
   const double about_x = kE * kWide * std::pow(kDeep, 3) / 12,
                about_z = kE * kDeep * std::pow(kWide, 3) / 12;
   const double torsion = 0.22868 * kWide * std::pow(kDeep, 3);  // Saint-Venant, sides 2 : 1
-  double lever = 0, square = 0;
+  double square = 0;
   for (int k = 0; k < kBlocks; ++k) {
     const double at = (kBlocks - 0.5 - k) * kHigh;
-    lever += at, square += at * at;
+    square += at * at;
   }
   const char* why = "settled with damping; second order of the turns 1e-5";
   for (const Frame& frame : frames()) {

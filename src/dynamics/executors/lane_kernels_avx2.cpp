@@ -1,4 +1,4 @@
-// The joints of four walls side by side, as kernels_avx2.cpp. Of their own, because both compile for a minute and a half.
+// The joints of four walls side by side, as kernels_avx2.cpp. Of their own, so that both compile at once.
 #include "dynamics/executors/kernel_set.h"
 
 namespace wythe::dynamics {

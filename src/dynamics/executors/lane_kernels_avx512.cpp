@@ -1,4 +1,4 @@
-// The joints of eight walls side by side, as kernels_avx512.cpp. Of their own, because both compile for a minute and a half.
+// The joints of eight walls side by side, as kernels_avx512.cpp. Of their own, so that both compile at once.
 #include "dynamics/executors/kernel_set.h"
 
 namespace wythe::dynamics {

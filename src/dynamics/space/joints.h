@@ -257,8 +257,9 @@ struct Joints {
               work.crushing + a.crushing * p.share};
       moved = moved | contact::history_changed(before, now);
       open = open | (p.w + now.crush > zero);
-      const bool_of_t<Real> had_slid =
-          (magnitude(plastic_1) > zero) | (magnitude(plastic_2) > zero);
+      const bool_of_t<Real> is_past_1 = magnitude(plastic_1) > zero,
+                            is_past_2 = magnitude(plastic_2) > zero,
+                            had_slid = is_past_1 | is_past_2;
       is_undamaged = is_undamaged && !any(had_slid) && all(contact::is_undamaged<V>(law, now));
     }
     access.store_flag(t.law_path, j,

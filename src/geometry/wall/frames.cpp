@@ -234,11 +234,12 @@ class Builder {
     if (site_.ground.empty())
       return fault("feet", "", "has no ground to hold its feet: its plane cuts no fixed block",
                    "let a block there be fixed = true, or write feet = \"resting\"");
-    const bool sound = check_foot(false) & check_foot(true);
+    const bool starts_well = check_foot(false);
+    const bool ends_well = check_foot(true);
     if (!is_foot(false) && !is_foot(true))
       return fault("feet", "", "has no end that goes down to a foot",
                    "let the line begin or end on the ground, or write feet = \"resting\"");
-    return sound;
+    return starts_well && ends_well;
   }
 
   bool check_foot(bool last) {

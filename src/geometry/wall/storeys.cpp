@@ -151,9 +151,11 @@ bool mortar_fits(const Storey& storey, const char* key, double joint, double bar
 
 bool mortar_fits(const Storey& storey, FaultList& faults) {
   const auto& [bed, head] = storey.unit.mortar;
-  return mortar_fits(storey, "unit.mortar.bed", bed, storey.unit.height - bed, "high", faults) &
-         mortar_fits(storey, "unit.mortar.head", head, (storey.unit.length - head) / 2, "half long",
-                     faults);
+  const bool bed_fits =
+      mortar_fits(storey, "unit.mortar.bed", bed, storey.unit.height - bed, "high", faults);
+  const bool head_fits = mortar_fits(storey, "unit.mortar.head", head,
+                                     (storey.unit.length - head) / 2, "half long", faults);
+  return bed_fits && head_fits;
 }
 
 // Checks that the drawn unit is a multiple of the real one, within the tolerance of fit = "whole".

@@ -313,7 +313,8 @@ TEST_F(ChangedStore, no_column_crashes_anything) {
   EXPECT_GT(columns.size(), 100U);
   int changes = 0;
   std::set<std::string> messages;
-  for (const auto& [table, column] : columns) {
+  for (const auto& [held_by, column] : columns) {
+    const std::string& table = held_by;
     std::vector<std::string> values = {"NULL",  "-1",     "9223372036854775807",
                                        "1e300", "'text'", "x'00ff'"};
     if (column == "data") {

@@ -102,7 +102,8 @@ TEST(Message, numbers_are_found_by_name) {
 TEST(MessageJson, brings_back_what_was_written_to_the_bit) {
   const Message nested{"load.largest_carried", {{"why", kUnsettled}, {"factor", 1.0 / 3}}};
   EXPECT_EQ(message_of(message_json(nested), "unused"), nested);
-  const Message nothing = message_of(message_json({"load.standstill", {{"factor", NAN}}}), "");
+  const Message nothing =
+      message_of(message_json({"load.standstill", {{"factor", std::nan("")}}}), "");
   EXPECT_TRUE(std::isnan(nothing.number("factor")));
 }
 

@@ -80,12 +80,13 @@ TEST_F(Files, what_is_no_file_is_refused_by_its_kind_and_not_waited_for) {
   sockaddr_un name{.sun_family = AF_UNIX, .sun_path = {}};
   at("socket").copy(name.sun_path, sizeof name.sun_path - 1);
   ASSERT_EQ(::bind(listener, reinterpret_cast<const sockaddr*>(&name), sizeof name), 0);
-  for (const auto& [path, kind] :
+  for (const auto& [named, kind] :
        std::vector<std::pair<std::string, std::string>>{{at("folder"), "a folder"},
                                                         {at("pipe"), "a pipe"},
                                                         {at("socket"), "a socket"},
                                                         {"/dev/zero", "a device"},
                                                         {"/dev/null", "a device"}}) {
+    const std::string& path = named;
     const std::vector<std::string> words = {path + ": is " + kind + ", not a file; "};
     expect_words(refusal([&] { (void)read_file(path, kMostJson); }), words);
     expect_words(refusal([&] { (void)read_model(path); }), words);
@@ -145,11 +146,12 @@ TEST_F(Files, nothing_is_written_through_a_link_or_into_what_is_no_file) {
   fs::create_symlink("nowhere", at("dangling"));
   fs::create_directory(at("folder"));
   ASSERT_EQ(::mkfifo(at("pipe").c_str(), 0600), 0);
-  for (const auto& [name, kind] :
+  for (const auto& [named, kind] :
        std::vector<std::pair<std::string, std::string>>{{"link", "a link to mine"},
                                                         {"dangling", "a link"},
                                                         {"folder", "a folder"},
                                                         {"pipe", "a pipe"}}) {
+    const std::string& name = named;
     expect_words(refusal([&] { write_file(at(name), "results"); }),
                  {at(name) + ": is " + kind, "remove it, or name another place"});
   }
