@@ -6,14 +6,10 @@ import { createRequire } from "node:module";
 import path from "node:path";
 import { test } from "node:test";
 import { textsOf } from "../../web/texts_of.js";
-import { folder, root } from "./helpers.mjs";
+import { filesIn, folder, root } from "./helpers.mjs";
 
 const assets = path.join(root, "src/report/assets");
 const table = JSON.parse(fs.readFileSync(path.join(assets, "texts.json"), "utf8"));
-const sources = (dir) =>
-  fs
-    .readdirSync(dir, { withFileTypes: true })
-    .flatMap((e) => (e.isDirectory() ? sources(path.join(dir, e.name)) : [path.join(dir, e.name)]));
 
 test("the viewer's types are sound", () => {
   execFileSync("npx", ["tsc"], { cwd: path.join(root, "web"), stdio: "pipe" });
@@ -22,7 +18,7 @@ test("the viewer's types are sound", () => {
 test("no type is left open", () => {
   const ts = createRequire(path.join(root, "web/package.json"))("typescript");
   const open = [];
-  for (const name of sources(path.join(root, "web/src")).filter((f) => f.endsWith(".ts"))) {
+  for (const name of filesIn(path.join(root, "web/src")).filter((f) => f.endsWith(".ts"))) {
     const file = ts.createSourceFile(name, fs.readFileSync(name, "utf8"), ts.ScriptTarget.Latest);
     const visit = (node) => {
       if (node.kind === ts.SyntaxKind.AnyKeyword)
@@ -89,7 +85,7 @@ test("every text has all languages and the same places in each", () => {
 });
 
 test("every text that is asked for is in the table, and none is there for nothing", () => {
-  const code = [...sources(path.join(root, "web/src")), ...sources(path.join(root, "src/report"))]
+  const code = [...filesIn(path.join(root, "web/src")), ...filesIn(path.join(root, "src/report"))]
     .filter((f) => /\.(ts|cpp|h)$/.test(f))
     .map((f) => fs.readFileSync(f, "utf8"))
     .join("\n");

@@ -11,7 +11,7 @@ export const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), "
 const require = createRequire(path.join(root, "web/package.json"));
 const { chromium } = require("playwright-core");
 export const esbuild = createRequire(require.resolve("vite")).call(null, "esbuild");
-export const axe = fs.readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
+const kAxe = fs.readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
 
 const build = process.env.BUILD ?? path.join(root, "build/release");
 const wythe = process.env.WYTHE ?? path.join(build, "wythe");
@@ -22,6 +22,8 @@ export function run(...words) {
   return execFileSync(wythe, words, { encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
 }
 export const folder = (name) => path.join(results, name);
+export const filesIn = (dir) =>
+  fs.readdirSync(dir, { withFileTypes: true }).flatMap((e) => (e.isDirectory() ? filesIn(path.join(dir, e.name)) : [path.join(dir, e.name)]));
 export const pageOf = (name) => pathToFileURL(path.join(folder(name), "report.html")).href;
 
 // --- what the engine wrote beside ----------------------------------------------------------------------
@@ -149,15 +151,13 @@ export async function downloaded(page, click) {
   return fs.readFileSync(await download.path());
 }
 
-// Violations of axe-core, one line each.
-export async function violations(page) {
-  await page.evaluate(axe);
-  return page.evaluate(async () => {
-    const { violations } = await window.axe.run(document, { resultTypes: ["violations"] });
-    return violations.map(
-      (v) => `${v.id}: ${v.nodes.length} x ${v.nodes[0].target.join(" ")}: ${v.nodes[0].failureSummary}`,
-    );
-  });
+// Violations of axe-core on a page or in parts of it, one line each. A page reads axe-core's half a megabyte once.
+export async function violations(page, parts = "html") {
+  if (!(await page.evaluate(() => "axe" in window))) await page.evaluate(kAxe);
+  return page.evaluate(async (parts) => {
+    const { violations } = await window.axe.run(parts, { resultTypes: ["violations"] });
+    return violations.map((v) => `${v.id}: ${v.nodes.map((n) => `${n.target.join(" ")} ${n.failureSummary}`).join("; ")}`);
+  }, parts);
 }
 
 // Axe finds nothing on the page, and it is no wider than the screen: light and dark, on a desktop and on a phone.

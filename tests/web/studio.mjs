@@ -1,11 +1,12 @@
 // The studio in a browser, for its tests: the page is built once, and its workers are answered by the program's own
 // library (engine.py) in the place of WebAssembly.
 import { execFileSync, spawn } from "node:child_process";
+import { createHash } from "node:crypto";
 import fs from "node:fs";
 import path from "node:path";
 import { createInterface } from "node:readline";
 import { pathToFileURL } from "node:url";
-import { folder, launch as launchBrowser, root } from "./helpers.mjs";
+import { filesIn, folder, launch as launchBrowser, root } from "./helpers.mjs";
 
 const build = process.env.BUILD ?? path.join(root, "build/release");
 export const kLibrary = path.join(build, "libwythe.so");
@@ -53,20 +54,41 @@ velocity = "1 mm/s"
 until = "4 mm"
 `;
 
-// studio.html as `make studio` builds it, with a mark in the place of the engine; or with the engine of `folder`.
+// Every place that the page is made of: pages built of the same files are the same.
+const kSources = ["web/src", "web/studio.html", "web/texts_of.js", "web/tsconfig.json", "web/vite.studio.config.js", "web/package-lock.json"]
+  .concat(["src/report/assets", "apps/wasm", "examples", "tests/web/studio.mjs"]).map((name) => path.join(root, name));
+function stampOf(places) {
+  const hash = createHash("sha256");
+  for (const file of places.flatMap((place) => (fs.statSync(place).isDirectory() ? filesIn(place).sort() : [place]))) {
+    const { size, mtimeMs } = fs.statSync(file);
+    hash.update(`${file} ${size} ${mtimeMs}\n`);
+  }
+  return hash.digest("hex").slice(0, 16);
+}
+
+// studio.html as `make studio` builds it, with a mark in the place of the engine; or with the engine of `folder`. The first test that asks
+// builds it for all, in a folder of its own, for two may begin at once. Pages that no test asked for in a week go.
 export function studioPage(engine) {
   const out = folder("studio");
-  const file = path.join(out, `page_${process.pid}.html`);
-  fs.mkdirSync(out, { recursive: true });
+  const file = path.join(out, `page_${stampOf(engine ? [...kSources, path.join(engine, "wythe.js"), path.join(engine, "wythe.wasm")] : kSources)}.html`);
+  if (fs.existsSync(file)) {
+    fs.utimesSync(file, new Date(), new Date());
+    return file;
+  }
+  const own = path.join(out, String(process.pid)); // also where the finished page lies until it is whole
+  fs.mkdirSync(own, { recursive: true });
+  for (const old of fs.readdirSync(out).filter((name) => /^page_.*html$/.test(name)).map((name) => path.join(out, name)))
+    if (Date.now() - (fs.statSync(old, { throwIfNoEntry: false })?.mtimeMs ?? Infinity) > 7 * 86400e3) fs.rmSync(old, { force: true });
   execFileSync("npx", ["vite", "build", "--config", "vite.studio.config.js"], {
     cwd: path.join(root, "web"),
-    env: { ...process.env, STUDIO_OUT: path.join(out, String(process.pid)) },
+    env: { ...process.env, STUDIO_OUT: own },
     stdio: "pipe",
   });
-  const built = path.join(out, String(process.pid), "studio.html");
-  if (engine) execFileSync(process.execPath, [path.join(root, "apps/wasm/page.mjs"), built, engine, file], { stdio: "pipe" });
-  else fs.writeFileSync(file, fs.readFileSync(built, "utf8").replace("<!--wythe:worker-->", "/* answered by the test */"));
-  fs.rmSync(path.dirname(built), { recursive: true });
+  const [built, made] = ["studio.html", "made.html"].map((name) => path.join(own, name));
+  if (engine) execFileSync(process.execPath, [path.join(root, "apps/wasm/page.mjs"), built, engine, made], { stdio: "pipe" });
+  else fs.writeFileSync(made, fs.readFileSync(built, "utf8").replace("<!--wythe:worker-->", "/* answered by the test */"));
+  fs.renameSync(made, file);
+  fs.rmSync(own, { recursive: true });
   return file;
 }
 

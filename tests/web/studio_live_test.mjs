@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import fs from "node:fs";
 import path from "node:path";
 import { after, before, test } from "node:test";
-import { axe, folder, root, run } from "./helpers.mjs";
+import { folder, root, run, violations } from "./helpers.mjs";
 import { kPatience, kWall, launch, openStudio, stonesOf, studioPage, textOf, write } from "./studio.mjs";
 
 const made = path.join(root, "build/wasm");
@@ -228,8 +228,7 @@ test("a family of curves: as many walls with another thickness, one of them take
   const said = (await family.locator(".family-answer").innerText()).replace(/\s+/g, " ");
   assert.ok(said.includes(`stiffness ${three(twice.initial_stiffness_kN_per_mm)} kN/mm failure mode ${twice.failure_mode.name}`), said);
   assert.equal(await curves.last().getAttribute("class"), "line member chosen");
-  await page.evaluate(axe);
-  assert.deepEqual(await page.evaluate(async () => (await window.axe.run(".family, .curve-box", { resultTypes: ["violations"] })).violations.map((v) => v.help)), []);
+  assert.deepEqual(await violations(page, ".family, .curve-box"), []);
   await page.getByRole("button", { name: "Take 0.8 m" }).click();
   assert.match(await textOf(page), /thickness = "0.8 m"/);
   await stonesOf(page);

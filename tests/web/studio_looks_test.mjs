@@ -6,7 +6,7 @@ import fs from "node:fs";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
 import { after, before, test } from "node:test";
-import { axe, folder, root, run, shots, viewerModule, wantsPictures } from "./helpers.mjs";
+import { folder, root, run, shots, viewerModule, violations, wantsPictures } from "./helpers.mjs";
 import { kPatience, kWall, launch, openStudio, stonesOf, studioPage, textOf, write } from "./studio.mjs";
 
 let browser, file;
@@ -16,13 +16,6 @@ before(async () => {
 });
 after(() => browser?.close());
 
-async function violations(page) {
-  await page.evaluate(axe);
-  return page.evaluate(async () => {
-    const { violations } = await window.axe.run(document, { resultTypes: ["violations"] });
-    return violations.map((v) => `${v.id}: ${v.nodes.map((n) => `${n.target.join(" ")} ${n.failureSummary}`).join("; ")}`);
-  });
-}
 const picture = async (page, name) => {
   if (!wantsPictures) return;
   fs.mkdirSync(shots, { recursive: true });

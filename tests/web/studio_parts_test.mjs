@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import fs from "node:fs";
 import path from "node:path";
 import { after, before, test } from "node:test";
-import { axe, root, viewerModule } from "./helpers.mjs";
+import { root, viewerModule, violations } from "./helpers.mjs";
 import { launch, openStudio, pixelsOf, stonesOf, studioPage, textOf, write } from "./studio.mjs";
 
 let browser, file, page;
@@ -834,24 +834,18 @@ for (const [width, height, scheme] of [[1440, 900, "dark"], [390, 844, "light"]]
     const other = await openStudio(browser, file, { width, height, scheme, touch: width < 1000, locale: "it-IT" });
     await other.locator(".starters").selectOption("facade");
     await stonesOf(other);
-    await other.evaluate(axe);
-    const violations = () =>
-      other.evaluate(async () => {
-        const { violations } = await window.axe.run(document, { resultTypes: ["violations"] });
-        return violations.map((v) => `${v.id}: ${v.nodes.map((n) => `${n.target.join(" ")} ${n.failureSummary}`).join("; ")}`);
-      });
     for (const key of ["i", "g", "e"]) {
       await other.locator(".canvas").focus();
       await other.keyboard.press(key);
       await other.keyboard.press("Enter");
       await stonesOf(other);
-      assert.deepEqual(await violations(), []);
+      assert.deepEqual(await violations(other), []);
     }
     await other.locator('[data-opening="1"]').focus();
     await other.keyboard.press("k");
     await other.keyboard.press("b");
     await stonesOf(other);
-    assert.deepEqual(await violations(), []);
+    assert.deepEqual(await violations(other), []);
     assert.ok(await other.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth), "wider than the screen");
     await other.addStyleTag({ content: "code { display: none }" }); // keys of the file
     const words = await other.locator("body").innerText();
