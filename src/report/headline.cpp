@@ -273,12 +273,23 @@ class RunHeadline {
     if (deepest == nullptr) return "";
     const char* one = before ? "run.dip.before" : "run.dip";
     const char* many = before ? "run.dips.before" : "run.dips";
+    const auto [from, back] =
+        ends_of(number_in(*deepest, "from_mm"), number_in(*deepest, "back_mm"));
     return " " + texts_.say(
                      count > 1 ? many : one,
                      {{"n", std::to_string(count)},
                       {"lowest", texts_.quantity(1e2 * number_in(*deepest, "lowest_left"), "%", 2)},
-                      {"from", texts_.quantity(number_in(*deepest, "from_mm"), "mm")},
-                      {"back", texts_.quantity(number_in(*deepest, "back_mm"), "mm")}});
+                      {"from", from},
+                      {"back", back}});
+  }
+  // Two displacements [mm], with as many digits as tell them apart: a brittle crack's dip is a hundredth long.
+  [[nodiscard]] std::pair<std::string, std::string> ends_of(double from, double back) const {
+    const auto both = [&](int digits) {
+      return std::pair(texts_.quantity(from, "mm", digits), texts_.quantity(back, "mm", digits));
+    };
+    for (int digits = 3; digits < 9; ++digits)
+      if (const auto ends = both(digits); ends.first != ends.second) return ends;
+    return both(3);
   }
   [[nodiscard]] std::string tested_drift() const {
     const std::string note = text_in(member(member(s_, "tested_range"), "drift"), "note");

@@ -5,7 +5,7 @@ import type { Section } from "./page";
 import type { Plot, Point } from "./plot";
 import { zip } from "./run_trust";
 import { table } from "./tables";
-import { num, qty, say } from "./texts";
+import { ends, num, qty, say } from "./texts";
 
 const kMuchDrag = 0.1; // of a loop's energy
 
@@ -88,18 +88,19 @@ function capacityRow(ways: Way[], k: number): Child[] {
 }
 
 function dipsOf({ sign, readings }: Way): Child[] {
-  return readings.drift_capacity.dips.map((dip) =>
-    h(
+  return readings.drift_capacity.dips.map((dip) => {
+    const [from, back] = ends(dip.from_mm, dip.back_mm, "mm");
+    return h(
       "li",
       {},
       say(dip.before_peak ? "cycles.dip.before" : "cycles.dip", {
         direction: say(sign > 0 ? "cycles.along" : "cycles.against"),
         lowest: qty(100 * dip.lowest_left, "%"),
-        from: qty(dip.from_mm, "mm"),
-        back: qty(dip.back_mm, "mm"),
+        from,
+        back,
       }),
-    ),
-  );
+    );
+  });
 }
 
 function capacityTable(ways: Way[]): Child {

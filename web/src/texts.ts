@@ -48,6 +48,13 @@ export function qty(value: number | null | undefined, unit: string, digits = 3):
   return !Number.isFinite(value ?? NaN) || unit === "" ? text : `${text}\u202f${unit}`;
 }
 
+// Both ends of a span, with as many digits as tell them apart.
+export function ends(from: number | null, to: number | null, unit: string): [string, string] {
+  const both = (digits: number): [string, string] => [qty(from, unit, digits), qty(to, unit, digits)];
+  for (let digits = 3; digits < 9; ++digits) if (both(digits)[0] !== both(digits)[1]) return both(digits);
+  return both(3);
+}
+
 // One system of units on a page: kN, MPa, mm. Values of files in other units are converted with a factor.
 const kUnits: Record<string, [string, number]> = {
   N: ["kN", 1e-3],

@@ -76,6 +76,23 @@ TEST(Headline, a_drift_that_one_run_cannot_tell_is_said_first) {
   EXPECT_NE(head.find("caution mild"), std::string::npos);  // the force is what it says
 }
 
+TEST(Headline, the_ends_of_a_short_dip_differ) {
+  const auto said = [](const std::string& from, const std::string& back) {
+    return answer_of(run_head(pushed(R"(, "drift_capacity": {"dips": [{"from_mm": )" + from +
+                                     R"(, "back_mm": )" + back +
+                                     R"(, "lowest_left": 0.7, "before_peak": false}]})")));
+  };
+  const auto has = [](const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+  };
+  const std::string short_one = said("46.281", "46.312"), long_one = said("4.281", "5.312");
+  EXPECT_TRUE(has(short_one,
+                  "From 46.28\u202fmm the force dips to 70\u202f% of the peak. It "
+                  "recovers by 46.31\u202fmm"))
+      << short_one;
+  EXPECT_TRUE(has(long_one, "From 4.28\u202fmm")) << long_one;
+}
+
 TEST(Headline, no_capacity_is_said_with_its_reason_and_the_raw_maximum) {
   const std::string none = R"({"status": "completed", "reason": "", "peak_reaction_kN": null,
     "displacement_at_peak_mm": null, "displacement_at_80_percent_mm": null, "drift_percent_at_peak": null,
