@@ -17,7 +17,7 @@
 namespace wythe {
 
 // Distributions of a study's variables and of fields. Parameters and sampling of each kind: kKinds in
-// src/campaign/draws/sampling.cpp.
+// src/campaign/draws/margin.cpp.
 enum class DistributionKind {
   kNormal,
   kLognormal,

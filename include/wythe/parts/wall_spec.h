@@ -404,7 +404,7 @@ inline constexpr Word<PulseShape> kPulseShapeWords[] = {{"half_cycle", PulseShap
 // One component of an earthquake: an acceleration over time, from a file, from lists, or of a pulse
 // (docs/theory/dynamics.md).
 struct RecordSpec {
-  std::string file;    // CSV or AT2, relative to the model file
+  std::string file;    // of any format of records, relative to the model file
   std::string column;  // of a CSV: header or number; ""; the second or only column
   RecordUnit unit = RecordUnit::kNone;
   double step = kUnset;               // of numbers without times [s]

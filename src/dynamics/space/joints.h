@@ -222,7 +222,7 @@ struct Joints {
     if constexpr (!closed) access.store_flag(t.law_path, j, any(open) ? kOpen : kClosed);
     return true;
   }
-  // The full law, the only place where history advances.
+  // The full law: history of joints advances here alone (of zones in zones.cpp).
   WYTHE_OUTLINE contact::FaceLoad<Real> advance(std::ptrdiff_t j,
                                                 const contact::LawConstants<Real>& law, Real area,
                                                 const contact::FaceGap<Real>& gap,

@@ -1,4 +1,4 @@
-// Records of accelerations from files: CSV and PEER's AT2.
+// Records of accelerations from files: columns of CSV, and the formats of record_formats.h.
 #pragma once
 
 #include "io/text/toml_reader.h"

@@ -17,6 +17,7 @@
 
 #include <cstring>
 #include <filesystem>
+#include <iterator>
 #include <tuple>
 
 #include "core/files.h"
@@ -201,7 +202,7 @@ void walk_result(A& archive, const Model& model, R& result) {
   const auto plain = [&](auto& item) { archive(item); };
   auto curve_of = static_cast<std::int64_t>(result.curve_of);
   archive(curve_of);
-  archive.require(curve_of >= 0 && curve_of <= static_cast<std::int64_t>(StageKind::kShake),
+  archive.require(curve_of >= 0 && curve_of < std::ssize(kStageKindWords),
                   "its curve is of no stage");
   if constexpr (A::kReads) result.curve_of = static_cast<StageKind>(curve_of);
   archive.list(result.curve, plain);
