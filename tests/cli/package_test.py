@@ -5,6 +5,7 @@ import fnmatch
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -49,6 +50,21 @@ class Package(unittest.TestCase):
         self.assertEqual(needed - installed, set())
         libraries = {name for name in installed if re.fullmatch(r"(lib.*|zlib1g|nlohmann-json3|pybind11)-dev", name)}
         self.assertEqual(libraries - needed, {"libgtest-dev", "librapidcheck-dev", "libbenchmark-dev", "libclang-rt-dev|libclang-rt-18-dev", "libudunits2-dev"})
+
+    def test_setup_asks_a_new_machine_which_of_two_packages_it_has_after_the_update(self):
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            (root / "deps").mkdir()
+            (root / "tools").mkdir()
+            shutil.copy(SOURCE / "tools/setup", root / "tools/setup")
+            (root / "deps/apt.txt").write_text("wythe-one-dev|wythe-two-dev # one of both\n")
+            fakes = {"apt-cache": f"test -e {root}/updated -a $2 = wythe-one-dev", "dpkg-query": "false", "sudo": 'exec "$@"',
+                     "apt-get": f"case $1 in update) touch {root}/updated ;; *) echo $* >>{root}/asked; test -e {root}/updated ;; esac"}
+            for name, body in fakes.items():
+                (root / name).write_text(f"#!/bin/sh\n{body}\n")
+                (root / name).chmod(0o755)
+            subprocess.run([root / "tools/setup"], check=True, capture_output=True, env={**os.environ, "PATH": f"{root}:{os.environ['PATH']}"})
+            self.assertEqual([line.split()[-1] for line in (root / "asked").read_text().splitlines()], ["wythe-two-dev", "wythe-one-dev"])
 
     def test_every_version_is_that_of_cmake(self):
         version = re.search(r"project\(wythe VERSION (\S+)", (SOURCE / "CMakeLists.txt").read_text()).group(1)
