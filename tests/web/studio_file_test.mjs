@@ -271,6 +271,23 @@ test("another's link takes nothing away: undo brings the kept wall back, and it 
   await other.end();
 });
 
+test("a link that is pasted into the open page opens its wall, and undo brings the own one back", async () => {
+  const other = await openStudio(browser, file, { impatient: true });
+  await other.getByRole("button", { name: "Link" }).click();
+  await other.waitForFunction(() => location.hash.startsWith("#w="));
+  const { hash } = new URL(other.url()),
+    linked = await textOf(other);
+  await add(other, "# mine\n");
+  await other.evaluate(() => (window.isBefore = true));
+  await other.evaluate((hash) => (location.hash = hash), hash);
+  await other.waitForFunction(() => !window.isBefore && document.documentElement.dataset.ready);
+  assert.equal(await textOf(other), linked);
+  await undo(other);
+  assert.equal(await textOf(other), `${linked}# mine\n`);
+  assert.deepEqual(other.faults, []);
+  await other.end();
+});
+
 test("a model that the browser has no room to keep opens again, not another wall", async () => {
   const a = made("full", `${pier}# full\n`);
   const other = await openStudio(browser, file, { impatient: true });

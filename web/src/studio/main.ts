@@ -555,3 +555,5 @@ async function start(): Promise<void> {
   document.documentElement.dataset.ready = "yes";
 }
 void start();
+// A link that is pasted into the address is opened as in a new tab: this tab's wall is kept, and undo brings it back.
+window.addEventListener("hashchange", () => store.hasLink() && location.reload());
