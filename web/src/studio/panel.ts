@@ -56,7 +56,13 @@ export class Panel {
     const lacking = lackingOf(found);
     if ([...lacking].join() === [...this.lacking].join()) return; // a refresh would take away what is typed and wrong
     this.lacking = lacking;
+    const typed = document.activeElement;
+    const isTyping = typed instanceof HTMLInputElement && this.root.contains(typed) && typed.value !== typed.dataset.shown;
     this.refresh();
+    const field = document.activeElement; // of the same name
+    if (!isTyping || !(field instanceof HTMLInputElement) || field === typed) return;
+    field.value = typed.value;
+    field.setSelectionRange(typed.selectionStart, typed.selectionEnd);
   }
   refresh(): void {
     const { project } = this;
