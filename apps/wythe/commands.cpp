@@ -327,8 +327,9 @@ void print_storeys(const ModelSpec& spec) {
 }
 
 bool stops_early(const Model& model) {
-  return std::any_of(model.stages.begin(), model.stages.end(),
-                     [](const Stage& stage) { return stage.spec.stop_below > 0; });
+  return std::any_of(model.stages.begin(), model.stages.end(), [](const Stage& stage) {
+    return stage.push() != nullptr && stage.push()->stop_below > 0;
+  });
 }
 
 // Facts that a forecast cannot include: how often a push waits, and how long a falling wall is computed.
@@ -339,7 +340,7 @@ std::string bound_of(const Model& model, const RunEstimate& e) {
                        duration_text(kLeast * e.seconds), duration_text(kMost * e.seconds),
                        stops_early(model) ? "; less if the force falls to stop_below first" : "");
   const auto by_load = [](const Stage& stage) {
-    return stage.spec.kind == StageKind::kBodyForce || stage.spec.kind == StageKind::kTilt;
+    return stage.spec.kind() == StageKind::kBodyForce || stage.spec.kind() == StageKind::kTilt;
   };
   if (std::none_of(model.stages.begin(), model.stages.end(), by_load) || !(e.steps > 0)) return "";
   const double watched = model.solve.settle_limit / e.time_step;

@@ -63,15 +63,12 @@ ModelSpec spec_of(int columns, int courses, double until) {
       spec.body.push_back(box(id + "a", {x, y, 0}, {x + 0.2, y + 0.1, 0.12}));
       spec.body.push_back(box(id + "b", {x, y, 0.12}, {x + 0.2, y + 0.1, 0.24}));
     }
-  StageSpec gravity, push;
-  gravity.name = "gravity";
-  gravity.kind = StageKind::kGravity;
-  push.name = "push";
-  push.kind = StageKind::kPush;
-  push.at.block = fmt::format("c{}.*", courses - 1);
-  push.along = {1, 0, 0.5};
-  push.velocity = 0.02;
-  push.until = until;
+  const StageSpec gravity{.name = "gravity"};
+  const StageSpec push{.name = "push",
+                       .action = PushStage{.at = {.block = fmt::format("c{}.*", courses - 1)},
+                                           .drive = {.along = {1, 0, 0.5}},
+                                           .velocity = 0.02,
+                                           .until = until}};
   spec.stage = {gravity, push};
   return spec;
 }

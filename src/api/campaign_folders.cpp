@@ -17,7 +17,7 @@ namespace {
 // The damping of the stage with the records; for damping that samples draw, the name of the input.
 std::vector<Message> damping_of_study(const StudySpec& study, const ModelSpec& base) {
   const auto shake = std::find_if(base.stage.begin(), base.stage.end(), [&](const StageSpec& s) {
-    return s.name == study.shaking.stage;
+    return s.kind() == StageKind::kShake && s.name == study.shaking.stage;
   });
   if (shake == base.stage.end()) return {};
   const std::vector<std::string> tables{

@@ -163,8 +163,9 @@ Shape::Shape(const ModelSpec& spec)
       contact(spec.contact) {
   for (const auto& [name, given] : spec.material) material.emplace(name, given.density);
   for (const StageSpec& stage : spec.stage)
-    if (stage.as == Manner::kPlate && std::isfinite(stage.pier_load))
-      plates.push_back({stage.name, stage.plate_joint});
+    if (const auto* load = std::get_if<LoadStage>(&stage.action);
+        load != nullptr && load->as == Manner::kPlate && std::isfinite(load->pier_load))
+      plates.push_back({stage.name, load->plate_joint});
   const bool changes =
       std::any_of(body.begin(), body.end(),
                   [](const BodySpec& b) { return !b.cut.empty() || !b.put_in.empty(); }) ||

@@ -21,13 +21,13 @@ Vec3 space_gravity_before(const Model& model, const Stage* grows) {
   Vec3 gravity;
   for (const Stage& s : model.stages) {
     const bool now = &s == grows;
-    if (s.spec.kind == StageKind::kGravity || (now && is_factor(s))) gravity = {0, -g, 0};
+    if (s.spec.kind() == StageKind::kGravity || (now && is_factor(s))) gravity = {0, -g, 0};
     if (now) break;
-    if (s.spec.kind == StageKind::kBodyForce)
-      gravity = Vec3{0, -g, 0} + g * s.spec.factor * s.drive();
-    if (s.spec.kind == StageKind::kTilt)
-      gravity = g * elementary::sin(s.spec.tilt_until) * s.drive() +
-                Vec3{0, -g * elementary::cos(s.spec.tilt_until), 0};
+    if (const auto* force = std::get_if<BodyForceStage>(&s.spec.action))
+      gravity = Vec3{0, -g, 0} + g * force->factor * s.drive();
+    if (const auto* tilt = std::get_if<TiltStage>(&s.spec.action))
+      gravity = g * elementary::sin(tilt->tilt_until) * s.drive() +
+                Vec3{0, -g * elementary::cos(tilt->tilt_until), 0};
   }
   return gravity;
 }
@@ -246,7 +246,7 @@ class StaticProgramme {
       put(i, load_, parts(scale * g.force, scale * g.moment, u_.length));
     }
     if (!loads_.is_force) return;
-    const StageSpec& spec = loads_.stage->spec;
+    const FixitySpec fixity = fixity_of(loads_.stage->spec);
     std::vector<Entry> sum{{load_, -1.0}};
     for (const BlockId b : loads_.stage->driven) {
       if (loads_.together) {
@@ -254,9 +254,9 @@ class StaticProgramme {
         put(b, k, parts(loads_.push, {}, 1));
         sum.push_back({k, 1.0});
       }
-      if (spec.across == Freedom::kBlocked)
+      if (fixity.across == Freedom::kBlocked)
         for (const Vec3& way : across(loads_.push)) hold(b, way, {});
-      if (spec.rotation == Freedom::kBlocked)
+      if (fixity.rotation == Freedom::kBlocked)
         for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) hold(b, {}, axis);
     }
     if (loads_.together) sum_ = sum;
@@ -410,12 +410,12 @@ class SpaceProgramme {
       lp_.add_row(power, 1, 1);
     }
     if (!loads_.is_force) return;
-    const StageSpec& spec = loads_.stage->spec;
+    const FixitySpec fixity = fixity_of(loads_.stage->spec);
     for (const BlockId b : loads_.stage->driven) {
       if (loads_.together) stand(b, loads_.push, {}, 1);
-      if (spec.across == Freedom::kBlocked)
+      if (fixity.across == Freedom::kBlocked)
         for (const Vec3& way : across(loads_.push)) stand(b, way, {}, 0);
-      if (spec.rotation == Freedom::kBlocked)
+      if (fixity.rotation == Freedom::kBlocked)
         for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}})
           stand(b, {}, axis, 0);
     }
@@ -474,7 +474,7 @@ SpaceLoads space_loads(const Model& model, double secant, bool loads_are_masses)
     }
     return loads;
   }
-  loads.together = grows.spec.as == Manner::kEach;
+  loads.together = grows.moves_each();
   const auto n = static_cast<double>(grows.driven.size());
   for (std::size_t k = 0; k < grows.driven.size() && !loads.together; ++k)
     loads.growing[grows.driven[k]].force = (grows.driven_share[k] / n) * loads.push;

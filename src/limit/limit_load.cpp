@@ -207,7 +207,7 @@ auto solve_tilted(const Search& search, const Solve& solve) {
   constexpr int kTilts = 40;
   constexpr double kVertical = 1e3;  // tangent of the steepest tilt [-]
   auto p = solve(1.0);
-  if (p.loads.stage->spec.kind != StageKind::kTilt) return p;
+  if (p.loads.stage->spec.kind() != StageKind::kTilt) return p;
   double before = 0, excess_before = p.by_forces.load, tangent = p.by_forces.load;
   double stands = 0, falls = std::numeric_limits<double>::infinity();
   for (int i = 0; i < kTilts && p.by_forces.status == ProgrammeStatus::kOptimal; ++i) {
@@ -233,7 +233,7 @@ auto solve_tilted(const Search& search, const Solve& solve) {
 // At rest a tilted wall has its loads and strengths as they are, not those over the cosine of its limit tilt.
 template <class Programmes>
 bool is_tilt(const Programmes& p) {
-  return p.loads.stage->spec.kind == StageKind::kTilt;
+  return p.loads.stage->spec.kind() == StageKind::kTilt;
 }
 
 // Whether the wall stands without the growing load, in the plane or in space. The programme of unbalanced forces takes
@@ -377,7 +377,7 @@ LimitResult limit_of(const Model& model, const LimitOptions& options, const Sear
            "detaches and breaks, and limit analysis knows no layers",
            "leave it out for this analysis; the run takes it");
   const Stage* grows = growing_stage(model);
-  if (grows != nullptr && grows->spec.kind != StageKind::kPush && !has_weight(model, grows))
+  if (grows != nullptr && grows->push() == nullptr && !has_weight(model, grows))
     refuse("solve.gravity", fmt::format("{:g} m/s^2", model.solve.gravity),
            "is nothing, and the load of stage \"" + grows->spec.name +
                "\" is a share of the blocks' weight",

@@ -24,12 +24,13 @@ Vec2 gravity_before(const Model& model, const Stage* grows) {
   Vec2 gravity;
   for (const Stage& s : model.stages) {
     const bool now = &s == grows;
-    if (s.spec.kind == StageKind::kGravity || (now && is_factor(s))) gravity = {0, -g};
+    if (s.spec.kind() == StageKind::kGravity || (now && is_factor(s))) gravity = {0, -g};
     if (now) break;
-    if (s.spec.kind == StageKind::kBodyForce) gravity = {g * s.spec.factor * s.drive_x, -g};
-    if (s.spec.kind == StageKind::kTilt)
-      gravity = {g * elementary::sin(s.spec.tilt_until) * s.drive_x,
-                 -g * elementary::cos(s.spec.tilt_until)};
+    if (const auto* force = std::get_if<BodyForceStage>(&s.spec.action))
+      gravity = {g * force->factor * s.drive_x, -g};
+    if (const auto* tilt = std::get_if<TiltStage>(&s.spec.action))
+      gravity = {g * elementary::sin(tilt->tilt_until) * s.drive_x,
+                 -g * elementary::cos(tilt->tilt_until)};
   }
   return gravity;
 }
@@ -52,7 +53,8 @@ void add_dead_loads(const Model& model, double secant, LimitLoads& loads) {
 }
 
 void add_push(const Stage& push, LimitLoads& loads) {
-  loads.together = push.spec.as == Manner::kEach;
+  loads.together = push.moves_each();
+  const FixitySpec fixity = fixity_of(push.spec);
   const auto n = static_cast<double>(push.driven.size());
   for (std::size_t k = 0; k < push.driven.size(); ++k) {
     const auto i = static_cast<std::size_t>(push.driven[k]);
@@ -60,9 +62,9 @@ void add_push(const Stage& push, LimitLoads& loads) {
     if (!loads.together) loads.growing[i] = {share * loads.push_x / n, share * loads.push_y / n, 0};
     // the push on a head acts along a line beside its centroid
     if (std::isfinite(push.drive_arm)) loads.growing[i].moment = -push.drive_arm * loads.push_x;
-    if (push.spec.across == Freedom::kBlocked) loads.held_across[i] = 1;
+    if (fixity.across == Freedom::kBlocked) loads.held_across[i] = 1;
     // a beam that is kept level stays so, whatever the push states
-    if (push.spec.rotation == Freedom::kBlocked) loads.held_turn[i] = 1;
+    if (fixity.rotation == Freedom::kBlocked) loads.held_turn[i] = 1;
   }
 }
 
@@ -160,7 +162,7 @@ void list_joints_of_blocks(Model& model) {
 bool has_weight(const Model& model, const Stage* grows) {
   if (!(model.solve.gravity > 0)) return false;
   for (const Stage& s : model.stages) {
-    if (s.spec.kind == StageKind::kGravity || is_factor(s)) return true;
+    if (s.spec.kind() == StageKind::kGravity || is_factor(s)) return true;
     if (&s == grows) break;
   }
   return false;
@@ -169,12 +171,12 @@ bool has_weight(const Model& model, const Stage* grows) {
 const Stage* growing_stage(const Model& model) {
   const Stage* found = nullptr;
   for (const Stage& s : model.stages)
-    if (s.spec.kind == StageKind::kPush || is_factor(s)) found = &s;
+    if (s.push() != nullptr || is_factor(s)) found = &s;
   return found;
 }
 
 bool goes_back(const Stage& push) {
-  const std::vector<double>& targets = push.spec.targets;
+  const auto targets = push.targets();
   return !targets.empty() &&
          std::all_of(targets.begin(), targets.end(), [](double t) { return t <= 0; });
 }
@@ -231,15 +233,15 @@ Model with_rigid_bodies(Model model) {
 namespace {
 
 // The direction of a stage and its opposite, in the words of the file.
-std::pair<std::string, std::string> ways_of(const StageSpec& spec) {
-  if (spec.along.size() == 3) {
+std::pair<std::string, std::string> ways_of(const DriveSpec& drive) {
+  if (drive.along.size() == 3) {
     const auto text = [&](double sign) {
-      return fmt::format("[{:g}, {:g}, {:g}]", sign * spec.along[0], sign * spec.along[1],
-                         sign * spec.along[2]);
+      return fmt::format("[{:g}, {:g}, {:g}]", sign * drive.along[0], sign * drive.along[1],
+                         sign * drive.along[2]);
     };
     return {text(1), text(-1)};
   }
-  const std::string way = word_of(kDirectionWords, spec.direction);
+  const std::string way = word_of(kDirectionWords, drive.direction);
   return {way, (way[0] == '+' ? "-" : "+") + way.substr(1)};
 }
 
@@ -252,7 +254,7 @@ void note_stages(const Model& model, std::vector<Message>& notes) {
   for (const Stage& s : model.stages) {
     if (&s == grows) {
       later = true;
-    } else if (!later && s.spec.kind == StageKind::kPush) {
+    } else if (!later && s.push() != nullptr) {
       before += (before.empty() ? "\"" : ", \"") + s.spec.name + "\"";
     } else if (later && !s.loads.empty()) {
       after += (after.empty() ? "\"" : ", \"") + s.spec.name + "\"";
@@ -262,10 +264,10 @@ void note_stages(const Model& model, std::vector<Message>& notes) {
   if (!before.empty())
     notes.push_back({"limit.after_pushes", {{"stage", name}, {"before", before}}});
   if (!after.empty()) notes.push_back({"limit.later_loads", {{"stage", name}, {"after", after}}});
-  const std::vector<double>& targets = grows->spec.targets;
+  const auto targets = grows->targets();
   const bool forth = std::any_of(targets.begin(), targets.end(), [](double t) { return t > 0; });
   const bool back = std::any_of(targets.begin(), targets.end(), [](double t) { return t < 0; });
-  const auto [along, against] = ways_of(grows->spec);
+  const auto [along, against] = ways_of(drive_of(grows->spec));
   if (forth && back)
     notes.push_back({"limit.both_ways",
                      {{"stage", name},

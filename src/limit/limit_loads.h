@@ -26,7 +26,7 @@ struct LimitLoads {
 
 // Whether the growing load is a factor on the masses.
 [[nodiscard]] inline bool is_factor(const Stage& s) {
-  return s.spec.kind == StageKind::kBodyForce || s.spec.kind == StageKind::kTilt;
+  return s.spec.kind() == StageKind::kBodyForce || s.spec.kind() == StageKind::kTilt;
 }
 
 // Loads in force when the last growing stage begins. `secant` multiplies dead loads of constant

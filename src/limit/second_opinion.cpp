@@ -38,7 +38,7 @@ void add_mechanisms(const OpinionAsked& asked, const Model& model, SecondOpinion
     if (is_asked(asked, word)) hypotheses.push_back(hypothesis);
   const Stage* grows = limit::growing_stage(model);
   // its own mechanism is assessed (local_check.h)
-  const bool is_body_force = grows != nullptr && grows->spec.kind == StageKind::kBodyForce;
+  const bool is_body_force = grows != nullptr && grows->spec.kind() == StageKind::kBodyForce;
   if (asked.assessment && is_body_force && !is_asked(asked, kLimitLoads))
     opinion.refused.push_back({{"limit.assessment"}, text_of(Message{"limit.no_body_force"})});
   if (hypotheses.empty()) {
@@ -88,7 +88,7 @@ std::vector<LimitCase> limit_cases(const Model& model, const OpinionAsked& asked
   if (has_bond(model))
     cases.push_back({"bonded", "strength.bonded", {.strength = JointStrength::kBonded}});
   const Stage* grows = limit::growing_stage(model);
-  if (asked.assessment && grows != nullptr && grows->spec.kind == StageKind::kBodyForce &&
+  if (asked.assessment && grows != nullptr && grows->spec.kind() == StageKind::kBodyForce &&
       presses_before(model, *grows))
     cases.push_back({"dry, loads are masses", "strength.dry_masses", {.loads_are_masses = true}});
   if (asked.quick) cases.resize(1);

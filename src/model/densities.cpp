@@ -142,8 +142,10 @@ void note_odd_values(const ModelSpec& spec, std::vector<Message>& notes) {
   for (const FloorSpec& floor : spec.floor)
     odd.look("floor." + floor.name + ".load", floor.load, 30, 3e6, "kN/m", 1e3);
   for (const StageSpec& stage : spec.stage) {
-    odd.look("stage." + stage.name + ".velocity", stage.velocity, 1e-9, 1, "m/s", 1);
-    odd.look("stage." + stage.name + ".pressure", stage.pressure, 100, 1e8, "MPa", 1e6);
+    if (const auto* push = std::get_if<PushStage>(&stage.action))
+      odd.look("stage." + stage.name + ".velocity", push->velocity, 1e-9, 1, "m/s", 1);
+    if (const auto* load = std::get_if<LoadStage>(&stage.action))
+      odd.look("stage." + stage.name + ".pressure", load->pressure, 100, 1e8, "MPa", 1e6);
   }
 }
 
@@ -213,7 +215,7 @@ void note_undivided(const ModelSpec& spec, std::vector<Message>& notes) {
 // Notes local damping in a shake: it resists every motion, even a fall.
 void note_shake_damping(const ModelSpec& spec, Model& model) {
   for (const StageSpec& stage : spec.stage)
-    if (stage.kind == StageKind::kShake && stage.damping > 0)
+    if (stage.kind() == StageKind::kShake && stage.damping > 0)
       model.anatomy.notes.push_back(
           {"shake.local_damping", {{"stage", stage.name}, {"damping", stage.damping}}});
 }
@@ -222,10 +224,11 @@ void note_shake_damping(const ModelSpec& spec, Model& model) {
 void note_far_pushes(Model& model) {
   const double size = std::max(model.anatomy.length, model.anatomy.height);
   for (const Stage& stage : model.stages) {
-    if (stage.spec.kind != StageKind::kPush) continue;
+    const PushStage* push = stage.push();
+    if (push == nullptr) continue;
     double farthest = 0;
-    for (const double target : stage.spec.targets) farthest = std::max(farthest, std::fabs(target));
-    if (std::isfinite(stage.spec.until)) farthest = std::max(farthest, std::fabs(stage.spec.until));
+    for (const double target : stage.targets()) farthest = std::max(farthest, std::fabs(target));
+    if (std::isfinite(push->until)) farthest = std::max(farthest, std::fabs(push->until));
     if (size > 0 && farthest > size)
       model.anatomy.notes.push_back(
           {"scale.push", {{"stage", stage.spec.name}, {"push_m", farthest}}});

@@ -1,5 +1,6 @@
 // Inputs without effect; each function detects one kind of them.
 #include "model/idle_inputs.h"
+#include "model/protocol.h"
 
 #include <algorithm>
 #include <cmath>
@@ -91,22 +92,23 @@ void note_idle_damping_form(const ModelSpec& spec, Model& model) {
 // Notes an end beside targets, which define the end of a push: --set may add targets to a model with an end.
 void note_idle_ends(const ModelSpec& spec, Model& model) {
   for (const StageSpec& stage : spec.stage)
-    if (stage.kind == StageKind::kPush && std::isfinite(stage.until) &&
-        !(stage.targets.empty() && stage.amplitudes.empty() && stage.drifts.empty()))
+    if (const auto* push = std::get_if<PushStage>(&stage.action);
+        push && std::isfinite(push->until) && goes_to_and_fro(*push))
       model.anatomy.notes.push_back(
-          {"push.until_idle", {{"stage", stage.name}, {"until_mm", 1e3 * stage.until}}});
+          {"push.until_idle", {{"stage", stage.name}, {"until_mm", 1e3 * push->until}}});
 }
 
 // Notes states that no push reaches.
 void note_states_beyond(const ModelSpec& spec, Model& model) {
   double least = 0, most = 0;
   for (const StageSpec& stage : spec.stage) {
-    if (stage.kind != StageKind::kPush) continue;
-    for (const double end : stage.targets) least = std::min(least, end), most = std::max(most, end);
-    const bool one_way = stage.targets.empty() && stage.amplitudes.empty();
-    if (one_way && std::isfinite(stage.until)) most = std::max(most, stage.until);
-    for (const double a : stage.amplitudes) least = std::min(least, -a), most = std::max(most, a);
-    if (!stage.drifts.empty()) return;  // its height is found later
+    const auto* push = std::get_if<PushStage>(&stage.action);
+    if (push == nullptr) continue;
+    for (const double end : push->targets) least = std::min(least, end), most = std::max(most, end);
+    const bool one_way = push->targets.empty() && push->amplitudes.empty();
+    if (one_way && std::isfinite(push->until)) most = std::max(most, push->until);
+    for (const double a : push->amplitudes) least = std::min(least, -a), most = std::max(most, a);
+    if (!push->drifts.empty()) return;  // its height is found later
   }
   if (!(most > 0)) return;
   for (const double at : spec.output.states)

@@ -129,7 +129,9 @@ void compile_stages(const ModelSpec& spec, const geometry::Assembly& assembly, c
                     const std::vector<PointLoad>& floors, Model& model, FaultList& faults);
 
 // Sets the targets of a push by a protocol, once the height of its drifts is known; `path` is that of the stage.
-void set_targets(const std::string& path, Stage& stage, FaultList& faults);
+void set_targets(const std::string& path, PushStage& push, const Stage& stage, FaultList& faults);
+// Fills in how a load or a push acts where its spec does not say so.
+void set_manner(StageSpec& stage);
 
 // First period of the elastic wall along (px, py) [s], with all contacts closed; NaN where it has none.
 [[nodiscard]] double first_period(const Model& model, double px, double py);

@@ -212,13 +212,13 @@ double first_period(const Model& model, double px, double py) {
 
 void set_push_ramps(Model& model) {
   for (Stage& stage : model.stages) {
-    StageSpec& s = stage.spec;
-    if (s.kind != StageKind::kPush || !std::isnan(s.ramp)) continue;
+    const PushStage* push = stage.push();
+    if (push == nullptr || !std::isnan(stage.spec.ramp)) continue;
     const double period = first_period(model, stage.drive_x, stage.drive_y);
-    const double first = s.targets.empty() ? s.until : std::fabs(s.targets.front());
-    const double most = kShare * first / s.velocity;
+    const double first = push->targets.empty() ? push->until : std::fabs(push->targets.front());
+    const double most = kShare * first / push->velocity;
     const double wanted = period > 0 ? kPeriods * period : kUnknown;
-    s.ramp = rounded_up(wanted < most || !(most > 0) ? wanted : most);
+    stage.spec.ramp = rounded_up(wanted < most || !(most > 0) ? wanted : most);
   }
 }
 

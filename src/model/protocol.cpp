@@ -13,56 +13,56 @@ namespace {
 
 constexpr double kMostCycles = 1e4;  // in all
 
-const std::vector<double>& levels_of(const StageSpec& stage) {
-  return stage.amplitudes.empty() ? stage.drifts : stage.amplitudes;
+const std::vector<double>& levels_of(const PushStage& push) {
+  return push.amplitudes.empty() ? push.drifts : push.amplitudes;
 }
 
-double cycles_at(const StageSpec& stage, std::size_t level) {
-  if (stage.cycles.empty()) return 1;
-  return stage.cycles[std::min(level, stage.cycles.size() - 1)];
+double cycles_at(const PushStage& push, std::size_t level) {
+  if (push.cycles.empty()) return 1;
+  return push.cycles[std::min(level, push.cycles.size() - 1)];
 }
 
-std::string shown(const StageSpec& stage, double level) {
-  return stage.amplitudes.empty() ? fmt::format("{:g} %", 1e2 * level)
-                                  : fmt::format("{:g} mm", 1e3 * level);
+std::string shown(const PushStage& push, double level) {
+  return push.amplitudes.empty() ? fmt::format("{:g} %", 1e2 * level)
+                                 : fmt::format("{:g} mm", 1e3 * level);
 }
 
 // First fault of the levels alone.
-std::optional<ProtocolFault> fault_of_levels(const StageSpec& stage) {
-  const std::vector<double>& levels = levels_of(stage);
-  const char* key = stage.amplitudes.empty() ? "drifts" : "amplitudes";
+std::optional<ProtocolFault> fault_of_levels(const PushStage& push) {
+  const std::vector<double>& levels = levels_of(push);
+  const char* key = push.amplitudes.empty() ? "drifts" : "amplitudes";
   for (std::size_t k = 0; k < levels.size(); ++k) {
     const auto fault = [&](std::string problem, const char* cure) {
-      return ProtocolFault{fmt::format("{}.{}", key, k), shown(stage, levels[k]),
-                           std::move(problem), cure};
+      return ProtocolFault{fmt::format("{}.{}", key, k), shown(push, levels[k]), std::move(problem),
+                           cure};
     };
     if (!(levels[k] > 0) || !std::isfinite(levels[k]))
       return fault("is no level, each cycle goes that far to both sides",
                    "write how far it goes, above 0");
     if (k > 0 && levels[k] < levels[k - 1])
       return fault(
-          fmt::format("falls back behind the level before it, {}", shown(stage, levels[k - 1])),
+          fmt::format("falls back behind the level before it, {}", shown(push, levels[k - 1])),
           "write levels that grow; for any other order write every displacement in targets");
   }
   return std::nullopt;
 }
 
-std::optional<ProtocolFault> fault_of_cycles(const StageSpec& stage) {
-  const std::size_t levels = levels_of(stage).size();
-  if (stage.cycles.size() > 1 && stage.cycles.size() != levels)
+std::optional<ProtocolFault> fault_of_cycles(const PushStage& push) {
+  const std::size_t levels = levels_of(push).size();
+  if (push.cycles.size() > 1 && push.cycles.size() != levels)
     return ProtocolFault{"cycles", "",
                          fmt::format("must be one number, or one a level: {} and not {}", levels,
-                                     stage.cycles.size()),
+                                     push.cycles.size()),
                          "write e.g. cycles = 2"};
-  for (std::size_t k = 0; k < stage.cycles.size(); ++k) {
-    const double n = stage.cycles[k];
+  for (std::size_t k = 0; k < push.cycles.size(); ++k) {
+    const double n = push.cycles[k];
     if (n >= 1 && n == std::floor(n)) continue;
     return ProtocolFault{fmt::format("cycles.{}", k), fmt::format("{:g}", n),
                          n == 0 ? "asks for no cycle" : "is no number of cycles",
                          "write a whole number from 1 on, or leave the level out"};
   }
   double all = 0;
-  for (std::size_t k = 0; k < levels; ++k) all += cycles_at(stage, k);
+  for (std::size_t k = 0; k < levels; ++k) all += cycles_at(push, k);
   if (all <= kMostCycles) return std::nullopt;
   return ProtocolFault{
       "cycles", "",
@@ -72,49 +72,47 @@ std::optional<ProtocolFault> fault_of_cycles(const StageSpec& stage) {
 
 }  // namespace
 
-bool has_protocol(const StageSpec& stage) { return !levels_of(stage).empty(); }
+bool has_protocol(const PushStage& push) { return !levels_of(push).empty(); }
 
-bool goes_to_and_fro(const StageSpec& stage) {
-  return !stage.targets.empty() || has_protocol(stage);
-}
+bool goes_to_and_fro(const PushStage& push) { return !push.targets.empty() || has_protocol(push); }
 
-std::vector<double> targets_of(const StageSpec& stage, double height) {
-  if (!stage.targets.empty() || !has_protocol(stage)) return stage.targets;
-  const std::vector<double>& levels = levels_of(stage);
+std::vector<double> targets_of(const PushStage& push, double height) {
+  if (!push.targets.empty() || !has_protocol(push)) return push.targets;
+  const std::vector<double>& levels = levels_of(push);
   std::vector<double> targets;
   for (std::size_t k = 0; k < levels.size(); ++k) {
-    const double far = stage.amplitudes.empty() ? levels[k] * height : levels[k];
-    for (double cycle = 0; cycle < cycles_at(stage, k); ++cycle)
+    const double far = push.amplitudes.empty() ? levels[k] * height : levels[k];
+    for (double cycle = 0; cycle < cycles_at(push, k); ++cycle)
       targets.insert(targets.end(), {far, -far});
   }
   targets.push_back(0);
   return targets;
 }
 
-std::string told_levels(const StageSpec& stage) {
-  const std::vector<double>& levels = levels_of(stage);
-  const double to_unit = stage.amplitudes.empty() ? 1e2 : 1e3;
+std::string told_levels(const PushStage& push) {
+  const std::vector<double>& levels = levels_of(push);
+  const double to_unit = push.amplitudes.empty() ? 1e2 : 1e3;
   std::string text;
   for (std::size_t k = 0; k < levels.size(); ++k)
     text +=
-        fmt::format("{}{:g} × {:g}", k > 0 ? ", " : "", cycles_at(stage, k), to_unit * levels[k]);
+        fmt::format("{}{:g} × {:g}", k > 0 ? ", " : "", cycles_at(push, k), to_unit * levels[k]);
   return text;
 }
 
-std::optional<ProtocolFault> fault_of_protocol(const StageSpec& stage) {
-  if (!has_protocol(stage)) {
-    if (stage.cycles.empty()) return std::nullopt;
+std::optional<ProtocolFault> fault_of_protocol(const PushStage& push) {
+  if (!has_protocol(push)) {
+    if (push.cycles.empty()) return std::nullopt;
     return ProtocolFault{"cycles", "", "has no levels",
                          "write e.g. amplitudes = [\"2 mm\", \"4 mm\", \"8 mm\"]"};
   }
-  if (!stage.targets.empty())
+  if (!push.targets.empty())
     return ProtocolFault{"targets", "",
                          "says where the push goes, and so do the levels of a protocol",
                          "keep one of them"};
-  if (!stage.amplitudes.empty() && !stage.drifts.empty())
+  if (!push.amplitudes.empty() && !push.drifts.empty())
     return ProtocolFault{"drifts", "", "states levels, and so does amplitudes", "keep one of them"};
-  if (const auto fault = fault_of_levels(stage)) return fault;
-  return fault_of_cycles(stage);
+  if (const auto fault = fault_of_levels(push)) return fault;
+  return fault_of_cycles(push);
 }
 
 }  // namespace wythe

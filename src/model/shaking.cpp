@@ -67,31 +67,35 @@ class ShakeCompiler {
  public:
   ShakeCompiler(const std::string& path, const WallPlaces& places, Model& model, Stage& stage,
                 FaultList& faults)
-      : path_(path), places_(places), model_(model), stage_(stage), faults_(faults) {}
+      : path_(path),
+        places_(places),
+        model_(model),
+        stage_(stage),
+        shake_(stage.spec.get<ShakeStage>()),
+        faults_(faults) {}
 
   void run() {
-    const StageSpec& s = stage_.spec;
     stage_.drive_x = stage_.drive_y = stage_.drive_z = 0;
     std::vector<GroundMotion> motions;
-    for (std::size_t k = 0; k < s.record.size(); ++k) {
-      if (!is_sound(s.record[k], k)) return;
-      GroundMotion motion = s.record[k].pulse == PulseShape::kNone
-                                ? table_motion(s.record[k], model_.solve.gravity)
-                                : pulse_motion(s.record[k]);
-      motion.along = places_.axis(s.record[k].direction);
+    for (std::size_t k = 0; k < shake_.record.size(); ++k) {
+      if (!is_sound(shake_.record[k], k)) return;
+      GroundMotion motion = shake_.record[k].pulse == PulseShape::kNone
+                                ? table_motion(shake_.record[k], model_.solve.gravity)
+                                : pulse_motion(shake_.record[k]);
+      motion.along = places_.axis(shake_.record[k].direction);
       if (geometry_of(model_).dimension < 3 && motion.along.z != 0)
         return fault(key_of(k, "direction"),
-                     std::string(word_of(kDirectionWords, s.record[k].direction)),
+                     std::string(word_of(kDirectionWords, shake_.record[k].direction)),
                      "is out of the wall's plane, and this wall is no wall in space",
                      "write +x, -x, +y or -y, or give its blocks a third dimension");
-      motion.source = !s.record[k].file.empty() ? s.record[k].file
-                      : s.record[k].pulse != PulseShape::kNone
-                          ? std::string(word_of(kPulseShapeWords, s.record[k].pulse))
+      motion.source = !shake_.record[k].file.empty() ? shake_.record[k].file
+                      : shake_.record[k].pulse != PulseShape::kNone
+                          ? std::string(word_of(kPulseShapeWords, shake_.record[k].pulse))
                           : "table";
       motions.push_back(std::move(motion));
     }
     const bool weighs = std::any_of(model_.stages.begin(), model_.stages.end(), [](const Stage& b) {
-      return b.spec.kind == StageKind::kGravity;
+      return b.spec.kind() == StageKind::kGravity;
     });
     if (!weighs && model_.solve.gravity > 0)
       fault("record", "", "shakes a wall that does not carry its weight yet",
@@ -103,7 +107,7 @@ class ShakeCompiler {
       weigh(motions[k], k);
       GroundMotion motion = scaled(std::move(motions[k]), factor);
       if (faults_.all().size() == before) look_at(motion, k);
-      if (is_stated(s.record[k].at))
+      if (is_stated(shake_.record[k].at))
         drive(std::move(motion), k);
       else
         add_to_base(std::move(motion), k);
@@ -127,20 +131,19 @@ class ShakeCompiler {
         0.1;  // of the rows: residuals are their mean (dynamics/stages/shake.cpp)
     double longest = stage_.driven_motion.duration();
     for (const GroundMotion& m : stage_.base) longest = std::max(longest, m.duration());
-    longest += stage_.spec.free_vibration;
-    if (stage_.spec.free_vibration < kTail * longest)
+    longest += shake_.free_vibration;
+    if (shake_.free_vibration < kTail * longest)
       note("shake.residuals_in_record", {{"stage", stage_.spec.name},
-                                         {"free_s", stage_.spec.free_vibration},
+                                         {"free_s", shake_.free_vibration},
                                          {"wanted_s", kTail * longest}});
-    if (stage_.spec.interval * kMostRows < longest)
-      fault("interval", fmt::format("{:g} s", stage_.spec.interval),
-            fmt::format("makes {:.3g} rows, at most a million are kept",
-                        longest / stage_.spec.interval),
+    if (shake_.interval * kMostRows < longest)
+      fault("interval", fmt::format("{:g} s", shake_.interval),
+            fmt::format("makes {:.3g} rows, at most a million are kept", longest / shake_.interval),
             "write a longer one");
-    if (stage_.spec.interval > longest_interval(longest))
+    if (shake_.interval > longest_interval(longest))
       note("shake.rows", {{"stage", stage_.spec.name},
                           {"interval_s", longest_interval(longest)},
-                          {"stated_s", stage_.spec.interval}});
+                          {"stated_s", shake_.interval}});
   }
 
   // Checks for models from programs; files are checked where they are read.
@@ -193,7 +196,7 @@ class ShakeCompiler {
   }
 
   double common_factor(const GroundMotion& first) {
-    const ScaleSpec& s = stage_.spec.scale;
+    const ScaleSpec& s = shake_.scale;
     if (is_set(s.factor)) return s.factor;
     if (is_set(s.pga)) return reach(s.pga, peak_acceleration(first));
     if (is_set(s.pgv)) return reach(s.pgv, peak_velocity(first));
@@ -218,9 +221,9 @@ class ShakeCompiler {
   void weigh(const GroundMotion& m, std::size_t k) {
     constexpr double kMost = 5, kLeast = kLeastShake;  // [g]: limits of all records
     const double pga = peak_acceleration(m) / kGravityOfRecords;
-    if (stage_.spec.record[k].pulse != PulseShape::kNone || (pga >= kLeast && pga <= kMost)) return;
+    if (shake_.record[k].pulse != PulseShape::kNone || (pga >= kLeast && pga <= kMost)) return;
     if (pga == 0)
-      return fault(key_of(k, stage_.spec.record[k].file.empty() ? "accelerations" : "file"), "",
+      return fault(key_of(k, shake_.record[k].file.empty() ? "accelerations" : "file"), "",
                    "is zero throughout: nothing shakes", "give a record, or leave the stage out");
     fault(key_of(k, "unit"), fmt::format("{:.3g} g", pga),
           "is the peak acceleration with this unit, and no earthquake's",
@@ -233,10 +236,10 @@ class ShakeCompiler {
     constexpr double kDrift = 0.05;  // of the largest velocity left at the end
     const double pga = peak_acceleration(m) / kGravityOfRecords;
     if (!(pga <= kMost))
-      fault(stage_.spec.record[k].pulse == PulseShape::kNone ? "scale" : key_of(k, "amplitude"),
+      fault(shake_.record[k].pulse == PulseShape::kNone ? "scale" : key_of(k, "amplitude"),
             fmt::format("{:.3g} g", pga), "is the peak acceleration that follows",
             "write a smaller one");
-    note_record(m, stage_.spec.record[k], pga);
+    note_record(m, shake_.record[k], pga);
     note_coarse(m, k);
     const double left = std::fabs(m.velocity.back()), most = peak_velocity(m);
     if (left > kDrift * most)
@@ -294,7 +297,7 @@ class ShakeCompiler {
   // In the plane compile.cpp compares the samples of the base with the wall's first period.
   void note_coarse(const GroundMotion& m, std::size_t k) {
     constexpr double kUsual = 0.0201;  // [s] between samples; older records have 0.02
-    const RecordSpec& r = stage_.spec.record[k];
+    const RecordSpec& r = shake_.record[k];
     const bool compared = geometry_of(model_).dimension == 2 && !is_stated(r.at);
     if (compared || r.pulse != PulseShape::kNone || m.time.size() < 3) return;
     const double step = m.duration() / static_cast<double>(m.time.size() - 1);
@@ -309,7 +312,7 @@ class ShakeCompiler {
     for (const GroundMotion& other : stage_.base)
       if (std::fabs(dot(other.along, motion.along)) > 0.5)
         return fault(key_of(k, "direction"),
-                     std::string(word_of(kDirectionWords, stage_.spec.record[k].direction)),
+                     std::string(word_of(kDirectionWords, shake_.record[k].direction)),
                      "has a record already", "give each direction one record");
     stage_.base.push_back(std::move(motion));
   }
@@ -319,7 +322,7 @@ class ShakeCompiler {
     if (!stage_.driven_motion.empty())
       return fault(key_of(k, "at"), "", "is a second motion beside that of the base",
                    "move one group of blocks or supports, along one direction");
-    stage_.driven = places_.blocks(stage_.spec.record[k].at);
+    stage_.driven = places_.blocks(shake_.record[k].at);
     const auto support = [&](BlockId id) { return id >= model_.n_block; };
     const auto supports = std::count_if(stage_.driven.begin(), stage_.driven.end(), support);
     if (stage_.driven.empty() ||
@@ -329,7 +332,6 @@ class ShakeCompiler {
                                          : "finds both supports and blocks",
                    "name blocks by id, a point in a block, or a box round their centres");
     stage_.driven_share.assign(stage_.driven.size(), 1.0);
-    stage_.spec.as = Manner::kEach;
     stage_.drive_x = motion.along.x, stage_.drive_y = motion.along.y;
     stage_.drive_z = motion.along.z;
     stage_.driven_motion = std::move(motion);
@@ -347,6 +349,7 @@ class ShakeCompiler {
   const WallPlaces& places_;
   Model& model_;
   Stage& stage_;
+  const ShakeStage& shake_;
   FaultList& faults_;
 };
 
@@ -390,8 +393,9 @@ void compile_watched(const std::vector<HistorySpec>& history, const WallPlaces& 
                middle = geometry_of(model).centroid(model, block);
     model.watched.push_back({history[k].name, block, point - middle, point.y - places.lowest});
   }
-  const bool shakes = std::any_of(model.stages.begin(), model.stages.end(),
-                                  [](const Stage& s) { return s.spec.kind == StageKind::kShake; });
+  const bool shakes = std::any_of(model.stages.begin(), model.stages.end(), [](const Stage& s) {
+    return s.spec.kind() == StageKind::kShake;
+  });
   if (!history.empty() || !shakes || model.n_block == 0) return;
   const auto top = std::max_element(model.centroid_y.begin(), model.centroid_y.end());
   const auto block = static_cast<BlockId>(top - model.centroid_y.begin());
@@ -421,7 +425,8 @@ static void note_loads_left_out(const Stage& factor, double pressed, double carr
     weight += mass * model.solve.gravity;
   if (pressed > kSome * weight)
     model.anatomy.notes.push_back(
-        {factor.spec.kind == StageKind::kTilt ? "tilt.loads_left_out" : "body_force.loads_left_out",
+        {factor.spec.kind() == StageKind::kTilt ? "tilt.loads_left_out"
+                                                : "body_force.loads_left_out",
          {{"stage", factor.spec.name}, {"load_kN", 1e-3 * pressed}, {"weight_kN", 1e-3 * weight}}});
   // a mass of floors without a load is left out too
   if (const double more = carried * model.solve.gravity - pressed; more > kSome * weight)
@@ -436,9 +441,9 @@ void carry_floors(const std::vector<double>& bare, Model& model) {
   for (std::size_t i = 0; i < bare.size(); ++i) carried += std::fmax(0.0, model.mass[i] - bare[i]);
   for (Stage& stage : model.stages) {
     for (const PointLoad& load : stage.loads) pressed += std::fmax(0, -load.fy);
-    if (stage.spec.kind == StageKind::kBodyForce || stage.spec.kind == StageKind::kTilt)
+    if (stage.spec.kind() == StageKind::kBodyForce || stage.spec.kind() == StageKind::kTilt)
       note_loads_left_out(stage, pressed, carried, model);
-    if (stage.spec.kind != StageKind::kShake) continue;
+    if (stage.spec.kind() != StageKind::kShake) continue;
     for (std::size_t i = 0; i < bare.size(); ++i)
       if (model.mass[i] > bare[i])
         stage.carried.push_back({static_cast<BlockId>(i), 0, 0, model.mass[i] - bare[i], 0});
@@ -472,7 +477,7 @@ MaxwellElement maxwell_element(double fraction, double frequency) {
   return {share, 1 / (2 * M_PI * frequency * std::sqrt(1 + share))};
 }
 
-double viscous_fraction(const StageSpec& shake, double frequency) {
+double viscous_fraction(const ShakeStage& shake, double frequency) {
   const auto of = [&](const ViscousSpec& v, auto share) {
     return is_set(v.fraction) ? v.fraction * share(frequency / v.frequency) : 0;
   };
@@ -518,14 +523,14 @@ void note_brief_pulses(const Stage& stage, Model& m) {
 }  // namespace
 
 // Notes that the stated restitution holds for a single block that falls flat, not for a pile.
-static void note_rebound(const StageSpec& shake, const Dashpots& d, Model& m) {
+static void note_rebound(const std::string& name, double restitution, const Dashpots& d, Model& m) {
   constexpr double kApart = 0.05;
   if (!(d.impact > 0)) return;
   const std::optional<double> obtained = rebound_of_wall(m, d);
-  if (obtained && std::fabs(*obtained - shake.restitution) > kApart)
+  if (obtained && std::fabs(*obtained - restitution) > kApart)
     m.anatomy.notes.push_back({"shake.rebound",
-                               {{"stage", shake.name},
-                                {"restitution", shake.restitution},
+                               {{"stage", name},
+                                {"restitution", restitution},
                                 {"obtained", *obtained},
                                 {"energy_percent", 100 * *obtained * *obtained}}});
 }
@@ -535,44 +540,47 @@ static void note_damping_obtained(Model& model) {
   constexpr double kApart =
       0.2;  // of the request: Maxwell elements keep 0.8 of it within an octave
   for (const Stage& stage : model.stages) {
-    const StageSpec& s = stage.spec;
+    const auto* shake = std::get_if<ShakeStage>(&stage.spec.action);
+    if (shake == nullptr || stage.base.empty()) continue;
     double asked = 0;
-    for (const ViscousSpec& v : {s.mass_damping, s.joint_damping, s.maxwell_damping})
+    for (const ViscousSpec& v : {shake->mass_damping, shake->joint_damping, shake->maxwell_damping})
       asked = std::fmax(asked, v.fraction);
-    if (!(asked > 0) || stage.base.empty()) continue;
+    if (!(asked > 0)) continue;
     const auto& along = stage.base.front().along;
     const double frequency = 1 / geometry_of(model).first_period(model, along);
-    const double obtained = viscous_fraction(s, frequency);
+    const double obtained = viscous_fraction(*shake, frequency);
     if (!(std::fabs(obtained - asked) > kApart * asked)) continue;
-    model.anatomy.notes.push_back({"shake.damping_obtained",
-                                   {{"stage", s.name},
-                                    {"asked_percent", 100 * asked},
-                                    {"obtained_percent", 100 * obtained},
-                                    {"frequency_hz", frequency},
-                                    {"half_percent", 100 * viscous_fraction(s, 0.5 * frequency)},
-                                    {"half_hz", 0.5 * frequency}}});
+    model.anatomy.notes.push_back(
+        {"shake.damping_obtained",
+         {{"stage", stage.spec.name},
+          {"asked_percent", 100 * asked},
+          {"obtained_percent", 100 * obtained},
+          {"frequency_hz", frequency},
+          {"half_percent", 100 * viscous_fraction(*shake, 0.5 * frequency)},
+          {"half_hz", 0.5 * frequency}}});
   }
 }
 
 void set_dashpots(Model& m) {
   note_damping_obtained(m);
   for (Stage& stage : m.stages) {
-    const StageSpec& s = stage.spec;
-    if (s.kind != StageKind::kShake) continue;
+    const auto* shake = std::get_if<ShakeStage>(&stage.spec.action);
+    if (shake == nullptr) continue;
+    const std::string& name = stage.spec.name;
     note_brief_pulses(stage, m);
     Dashpots& d = stage.dashpots;
-    if (is_set(s.restitution) && s.restitution < 1)
-      d.impact = fraction_of_restitution(s.restitution);
-    if (is_set(s.joint_damping.fraction))
-      d.proportional = s.joint_damping.fraction / (M_PI * s.joint_damping.frequency);
-    if (is_set(s.maxwell_damping.fraction)) {
+    if (is_set(shake->restitution) && shake->restitution < 1)
+      d.impact = fraction_of_restitution(shake->restitution);
+    if (is_set(shake->joint_damping.fraction))
+      d.proportional = shake->joint_damping.fraction / (M_PI * shake->joint_damping.frequency);
+    if (is_set(shake->maxwell_damping.fraction)) {
       const MaxwellElement e =
-          maxwell_element(s.maxwell_damping.fraction, s.maxwell_damping.frequency);
+          maxwell_element(shake->maxwell_damping.fraction, shake->maxwell_damping.frequency);
       d.spring_share = e.share, d.relaxation = e.relaxation;
       m.anatomy.notes.push_back({"shake.maxwell",
-                                 {{"stage", s.name},
-                                  {"fraction_percent", 100 * s.maxwell_damping.fraction},
-                                  {"frequency_hz", s.maxwell_damping.frequency},
+                                 {{"stage", name},
+                                  {"fraction_percent", 100 * shake->maxwell_damping.fraction},
+                                  {"frequency_hz", shake->maxwell_damping.frequency},
                                   {"stiffer_percent", 100 * e.share},
                                   {"times", std::sqrt(1 + e.share)}}});
     }
@@ -580,15 +588,16 @@ void set_dashpots(Model& m) {
     if (!has_dashpots && !(d.spring_share > 0)) continue;
     put_dashpots(m, d);
     if (!has_dashpots) continue;
-    note_rebound(s, d, m);
+    note_rebound(name, shake->restitution, d, m);
     d.rate = geometry_of(m).dashpot_rate(m, d);
     m.anatomy.notes.push_back(
-        {"shake.dashpots", {{"stage", s.name}, {"times", 1 / share_of_step(m.omega_max, d)}}});
+        {"shake.dashpots", {{"stage", name}, {"times", 1 / share_of_step(m.omega_max, d)}}});
   }
 }
 
-std::vector<Message> damping_of(const StageSpec& shake,
+std::vector<Message> damping_of(const StageSpec& stage,
                                 const std::map<std::string, std::string>& drawn) {
+  const auto& shake = stage.get<ShakeStage>();
   std::vector<Message> out;
   const auto tell = [&](const char* key, bool is_stated, const Message& stated) {
     if (const auto input = drawn.find(key); input != drawn.end())
@@ -605,8 +614,8 @@ std::vector<Message> damping_of(const StageSpec& shake,
   viscous("maxwell_damping", "damping.maxwell", shake.maxwell_damping);
   tell("restitution", is_set(shake.restitution),
        {"damping.restitution", {{"restitution", shake.restitution}}});
-  tell("damping", is_set(shake.damping) && shake.damping > 0,
-       {"damping.local", {{"share", shake.damping}}});
+  tell("damping", is_set(stage.damping) && stage.damping > 0,
+       {"damping.local", {{"share", stage.damping}}});
   if (out.empty()) out.push_back({"damping.none"});
   return out;
 }
@@ -624,8 +633,9 @@ std::vector<std::vector<BlockId>> blocks_at_tops(const Model& m) {
 }
 
 void note_storeys_without_top(Model& m) {
-  const bool shakes = std::any_of(m.stages.begin(), m.stages.end(),
-                                  [](const Stage& s) { return s.spec.kind == StageKind::kShake; });
+  const bool shakes = std::any_of(m.stages.begin(), m.stages.end(), [](const Stage& s) {
+    return s.spec.kind() == StageKind::kShake;
+  });
   if (!shakes) return;
   const auto found = blocks_at_tops(m);
   for (std::size_t k = 0; k < found.size(); ++k)

@@ -48,7 +48,7 @@ struct MaxwellElement {
 [[nodiscard]] MaxwellElement maxwell_element(double fraction, double frequency);
 // Fraction of critical damping that a shake's viscous damping gives an elastic vibration of this frequency [Hz], from all
 // kinds together (14.9a).
-[[nodiscard]] double viscous_fraction(const StageSpec& shake, double frequency);
+[[nodiscard]] double viscous_fraction(const ShakeStage& shake, double frequency);
 // Longest stable step with these dashpots over that without, from the bound `omega_max` on the highest frequency [1/s]
 // (14.5, 14.10).
 [[nodiscard]] double share_of_step(double omega_max, const Dashpots& dashpots);
@@ -67,7 +67,7 @@ inline constexpr double kMostShakeRows = 4000;  // default number of rows
 }
 
 // Damping of a shake in words. `drawn`: keys of the stage that samples of a study draw, with the names of their inputs.
-[[nodiscard]] std::vector<Message> damping_of(const StageSpec& shake,
+[[nodiscard]] std::vector<Message> damping_of(const StageSpec& stage,
                                               const std::map<std::string, std::string>& drawn);
 
 // Blocks at the top of each storey.

@@ -80,24 +80,24 @@ double blocks_of(const ModelSpec& spec) {
 }
 
 // Turns of a push [m]. Before the wall is built the height of drifts is unknown; `kUsualHeight` replaces it.
-std::vector<double> turns_of(const StageSpec& stage) {
-  constexpr double kUsualHeight = 3;                                 // [m]
-  if (stage.targets.empty() && fault_of_protocol(stage)) return {};  // reported elsewhere
-  return targets_of(stage, kUsualHeight);
+std::vector<double> turns_of(const PushStage& push) {
+  constexpr double kUsualHeight = 3;                               // [m]
+  if (push.targets.empty() && fault_of_protocol(push)) return {};  // reported elsewhere
+  return targets_of(push, kUsualHeight);
 }
 
 // Largest |displacement| of a push: states for reading are stored up to it once, however often it returns.
-double push_reach(const StageSpec& stage) {
-  if (!goes_to_and_fro(stage)) return or_else(stage.until, 0);
+double push_reach(const PushStage& push) {
+  if (!goes_to_and_fro(push)) return or_else(push.until, 0);
   double reach = 0;
-  for (const double target : turns_of(stage)) reach = std::max(reach, std::fabs(target));
+  for (const double target : turns_of(push)) reach = std::max(reach, std::fabs(target));
   return reach;
 }
 
-double push_path(const StageSpec& stage) {
-  if (!goes_to_and_fro(stage)) return or_else(stage.until, 0);
+double push_path(const PushStage& push) {
+  if (!goes_to_and_fro(push)) return or_else(push.until, 0);
   double path = 0, at = 0;
-  for (const double target : turns_of(stage)) {
+  for (const double target : turns_of(push)) {
     path += std::fabs(target - at);
     at = target;
   }
@@ -105,9 +105,9 @@ double push_path(const StageSpec& stage) {
 }
 
 // Duration of the longest record with its free vibration.
-double shake_seconds(const StageSpec& stage) {
+double shake_seconds(const ShakeStage& shake) {
   double longest = 0;
-  for (const RecordSpec& r : stage.record) {
+  for (const RecordSpec& r : shake.record) {
     const std::vector<double>& times = r.file.empty() ? r.times : r.read_times;
     if (!times.empty()) longest = std::max(longest, times.back() - times.front());
     if (times.empty() && !r.accelerations.empty())
@@ -115,7 +115,7 @@ double shake_seconds(const StageSpec& stage) {
           std::max(longest, static_cast<double>(r.accelerations.size() - 1) * or_else(r.step, 0));
     if (r.pulse != PulseShape::kNone) longest = std::max(longest, 3 * or_else(r.period, 0));
   }
-  return longest + stage.free_vibration;
+  return longest + shake.free_vibration;
 }
 
 // Time step of the stiffest joint between two units [s]: 2 / omega with omega^2 = 2 K / m.
@@ -194,11 +194,11 @@ void check_time(const ModelSpec& spec, const Size& size, FaultList& faults) {
 
 }  // namespace
 
-StageSpec with_velocity(StageSpec stage) {
-  if (stage.kind != StageKind::kPush || !std::isnan(stage.velocity)) return stage;
-  stage.velocity = kWaitingVelocity;
-  if (std::isnan(stage.fast_velocity)) stage.fast_velocity = kAdaptedVelocity;
-  return stage;
+PushStage with_velocity(PushStage push) {
+  if (!std::isnan(push.velocity)) return push;
+  push.velocity = kWaitingVelocity;
+  if (std::isnan(push.fast_velocity)) push.fast_velocity = kAdaptedVelocity;
+  return push;
 }
 
 Pace pace_of(const StageSpec& stage) {
@@ -206,27 +206,25 @@ Pace pace_of(const StageSpec& stage) {
   const auto at_rate = [](double path, double rate, const char* key) -> Pace {
     return {path, or_else(path / rate, 0), key};
   };
-  switch (stage.kind) {
-    case StageKind::kGravity:
-    case StageKind::kLoad:
-    case StageKind::kCut: break;
-    case StageKind::kPush: {
-      const StageSpec adapted = with_velocity(stage);
-      // adaptive pushes took 1 to 5 times as many steps as at full speed (docs/evidence/rate.md)
-      constexpr double kOfAdapting = 2;
-      const bool adapts = adapted.fast_velocity > adapted.velocity;
-      Pace pace =
-          at_rate(push_path(stage), adapts ? adapted.fast_velocity / kOfAdapting : adapted.velocity,
-                  adapts ? "fast_velocity" : "velocity");
-      pace.seconds += 0.5 * ramp;
-      return pace;
-    }
-    case StageKind::kBodyForce: return at_rate(or_else(stage.factor, 0), stage.rate, "rate");
-    case StageKind::kTilt:
-      return at_rate(or_else(stage.tilt_until, 0), stage.tilt_rate, "tilt_rate");
-    case StageKind::kHold: return {0, or_else(stage.duration, 0), "duration"};
-    case StageKind::kShake: return {0, shake_seconds(stage), "record"};
+  if (const auto* push = std::get_if<PushStage>(&stage.action)) {
+    const PushStage adapted = with_velocity(*push);
+    // adaptive pushes took 1 to 5 times as many steps as at full speed (docs/evidence/rate.md)
+    constexpr double kOfAdapting = 2;
+    const bool adapts = adapted.fast_velocity > adapted.velocity;
+    Pace pace =
+        at_rate(push_path(*push), adapts ? adapted.fast_velocity / kOfAdapting : adapted.velocity,
+                adapts ? "fast_velocity" : "velocity");
+    pace.seconds += 0.5 * ramp;
+    return pace;
   }
+  if (const auto* force = std::get_if<BodyForceStage>(&stage.action))
+    return at_rate(or_else(force->factor, 0), force->rate, "rate");
+  if (const auto* tilt = std::get_if<TiltStage>(&stage.action))
+    return at_rate(or_else(tilt->tilt_until, 0), tilt->tilt_rate, "tilt_rate");
+  if (const auto* hold = std::get_if<HoldStage>(&stage.action))
+    return {0, or_else(hold->duration, 0), "duration"};
+  if (const auto* shake = std::get_if<ShakeStage>(&stage.action))
+    return {0, shake_seconds(*shake), "record"};
   return {0, ramp + kSeconds, "ramp"};
 }
 
@@ -241,8 +239,8 @@ Size size_of(const ModelSpec& spec) {
   for (const StageSpec& stage : spec.stage) {
     seconds += pace_of(stage).seconds;
     // a wall pushed by its own height has fallen
-    if (stage.kind == StageKind::kPush)
-      kept += std::min(push_reach(stage), or_else(height, 1)) / kReadEvery;
+    if (const auto* push = std::get_if<PushStage>(&stage.action))
+      kept += std::min(push_reach(*push), or_else(height, 1)) / kReadEvery;
   }
   size.bytes = size.blocks * (kBuildBytes + kCopies * kept * state);
   size.steps = seconds / step_of(spec);

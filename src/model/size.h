@@ -11,8 +11,8 @@
 
 namespace wythe {
 
-// Default velocities (kWaitingVelocity, kAdaptedVelocity) for a push that states none; other stages are unchanged.
-[[nodiscard]] StageSpec with_velocity(StageSpec stage);
+// Default velocities (kWaitingVelocity, kAdaptedVelocity) for a push that states none.
+[[nodiscard]] PushStage with_velocity(PushStage push);
 
 // Course of a stage: path [m] or load factor, which its rows divide; probable duration [s];
 // and the key that makes it longer.

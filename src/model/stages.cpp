@@ -39,16 +39,16 @@ class StageCompiler {
     for (std::size_t k = 0; k < spec_.stage.size(); ++k) {
       path_ = fmt::format("stage.{}", k);
       Stage stage;
-      stage.spec = with_velocity(spec_.stage[k]);
-      set_defaults(stage);
+      stage.spec = spec_.stage[k];
+      set_defaults(stage.spec);
       set_direction(stage);
       refuse_space(stage);
-      if (stage.spec.kind == StageKind::kLoad) set_loads(stage);
-      if (stage.spec.kind == StageKind::kPush) {
-        set_driven(stage);
-        set_targets(path_, stage, faults_);
+      if (const auto* load = std::get_if<LoadStage>(&stage.spec.action)) set_loads(*load, stage);
+      if (auto* push = std::get_if<PushStage>(&stage.spec.action)) {
+        set_driven(*push, stage);
+        set_targets(path_, *push, stage, faults_);
       }
-      if (stage.spec.kind == StageKind::kShake)
+      if (stage.spec.kind() == StageKind::kShake)
         compile_shake(path_, places(), model_, stage, faults_);
       refuse_second_factor(stage);
       if (k == sets_floors) stage.loads.insert(stage.loads.end(), floors_.begin(), floors_.end());
@@ -66,34 +66,34 @@ class StageCompiler {
   // Refuses a second body force or tilt: it would have to remove the first one while it grows.
   void refuse_second_factor(const Stage& stage) {
     const bool factor =
-        stage.spec.kind == StageKind::kBodyForce || stage.spec.kind == StageKind::kTilt;
+        stage.spec.kind() == StageKind::kBodyForce || stage.spec.kind() == StageKind::kTilt;
     if (factor && has_factor_)
       fault("kind", "", "a model holds one body_force or tilt stage only",
             "run the second one on a model of its own");
     has_factor_ = has_factor_ || factor;
   }
 
-  void set_defaults(Stage& stage) const {
-    StageSpec& s = stage.spec;
-    if (std::isnan(s.damping)) s.damping = s.kind == StageKind::kShake ? 0.0 : model_.solve.damping;
-    const bool push = s.kind == StageKind::kPush;
-    if (std::isnan(s.ramp) && !push) s.ramp = kLoadRamp;  // pushes: set_push_ramps
-    if (s.as == Manner::kDefault) {
-      if (push) s.as = Manner::kSpreader;
-      if (s.kind == StageKind::kLoad) s.as = Manner::kPressure;
-    }
+  void set_defaults(StageSpec& s) const {
+    set_manner(s);
+    if (std::isnan(s.damping))
+      s.damping = s.kind() == StageKind::kShake ? 0.0 : model_.solve.damping;
+    if (auto* push = std::get_if<PushStage>(&s.action))
+      *push = with_velocity(std::move(*push));
+    else if (std::isnan(s.ramp))
+      s.ramp = kLoadRamp;  // pushes: set_push_ramps
   }
 
   // Refuses keys for walls in space.
   void refuse_space(const Stage& stage) {
-    const StageSpec& s = stage.spec;
-    const bool tilts = s.kind == StageKind::kBodyForce || s.kind == StageKind::kTilt;
+    const StageKind kind = stage.spec.kind();
+    const DriveSpec drive = drive_of(stage.spec);
+    const bool tilts = kind == StageKind::kBodyForce || kind == StageKind::kTilt;
     if (tilts && stage.drive_x == 0)
-      fault("direction", std::string(word_of(kDirectionWords, s.direction)),
-            fmt::format("a {} stage acts sideways", word_of(kStageKindWords, s.kind)),
+      fault("direction", std::string(word_of(kDirectionWords, drive.direction)),
+            fmt::format("a {} stage acts sideways", word_of(kStageKindWords, kind)),
             "write direction = \"+x\" or \"-x\"");
     else if (stage.drive_z != 0)
-      fault("direction", std::string(word_of(kDirectionWords, s.direction)),
+      fault("direction", std::string(word_of(kDirectionWords, drive.direction)),
             "is out of the wall's plane, and this wall is no wall in space",
             "write +x, -x, +y or -y, or give its blocks a third dimension");
     const auto refuse = [&](const char* key, bool is_there) {
@@ -101,22 +101,28 @@ class StageCompiler {
         fault(key, "", "is for walls in space, and this one is in its plane",
               "leave it out, or give the blocks a third dimension");
     };
-    refuse("along", !s.along.empty());
-    refuse("face", !s.face.empty());
-    refuse("pattern", s.pattern == Pattern::kArea);
     const auto is_deep = [](const PlaceSpec& p) {
       return std::isfinite(p.z) || std::isfinite(p.depth) || !p.role.empty();
     };
-    refuse("at", is_deep(s.at));
-    refuse("control", is_deep(s.control));
-    for (const auto& [key, load] : {std::pair("force", s.force), {"line_load", s.line_load}})
-      refuse(key, std::isfinite(load));
-    const PlaceSpec& on = s.on;
-    refuse("on", !on.block.empty() || std::isfinite(on.x) || std::isfinite(on.y) || is_deep(on));
+    refuse("along", !drive.along.empty());
+    if (const auto* push = std::get_if<PushStage>(&stage.spec.action)) {
+      refuse("pattern", push->pattern == Pattern::kArea);
+      refuse("at", is_deep(push->at));
+      refuse("control", is_deep(push->control));
+    }
+    if (const auto* load = std::get_if<LoadStage>(&stage.spec.action)) {
+      const PlaceSpec& on = load->on;
+      refuse("along", !load->along.empty());
+      refuse("face", !load->face.empty());
+      refuse("at", is_deep(load->at));
+      refuse("force", std::isfinite(load->force));
+      refuse("line_load", std::isfinite(load->line_load));
+      refuse("on", !on.block.empty() || std::isfinite(on.x) || std::isfinite(on.y) || is_deep(on));
+    }
   }
 
   static void set_direction(Stage& stage) {
-    const Vec3 d = vector_of(stage.spec.direction);
+    const Vec3 d = vector_of(drive_of(stage.spec).direction);
     stage.drive_x = d.x, stage.drive_y = d.y, stage.drive_z = d.z;
   }
 
@@ -144,8 +150,7 @@ class StageCompiler {
     return blocks_at_point(at);
   }
 
-  void set_loads(Stage& stage) {
-    const StageSpec& s = stage.spec;
+  void set_loads(const LoadStage& s, Stage& stage) {
     if (std::isfinite(s.beam_load)) load_role(stage, Role::kBeam, s.beam_load, "beam_load");
     if (std::isfinite(s.pressure))
       press(stage, lowest(&Vec2::x), lowest(&Vec2::x) + assembly_.length,
@@ -155,14 +160,14 @@ class StageCompiler {
       load_role(stage, Role::kPlate, s.pier_load, "pier_load");
       return;
     }
-    say_strips(stage);
+    say_strips(s, stage);
     for (const geometry::Pier& pier : assembly_.piers)
       press(stage, pier.x0, pier.x1, s.pier_load / (pier.x1 - pier.x0), "pier_load");
   }
 
   // Notes the load of each strip of full height. Openings at different places above each other leave narrower
   // strips than the piers of any storey.
-  void say_strips(const Stage& stage) {
+  void say_strips(const LoadStage& load, const Stage& stage) {
     if (assembly_.piers.empty())
       fault("pier_load", "", "the openings leave no strip of full height to load",
             "load the wall's top (pressure = ...), or lay [[floor]]s on the storeys");
@@ -172,7 +177,7 @@ class StageCompiler {
       strips += fmt::format("{}{:.3g} to {:.3g} m", strips.empty() ? "" : ", ", pier.x0, pier.x1);
     model_.anatomy.notes.push_back({"load.strips",
                                     {{"stage", stage.spec.name},
-                                     {"load_kN", 1e-3 * stage.spec.pier_load},
+                                     {"load_kN", 1e-3 * load.pier_load},
                                      {"count", assembly_.piers.size()},
                                      {"strips", strips}}});
   }
@@ -247,19 +252,19 @@ class StageCompiler {
     return top;
   }
 
-  void set_driven(Stage& stage) {
-    const PlaceSpec& at = stage.spec.at;
-    const std::vector<double>& targets = stage.spec.targets;
-    const bool moves = goes_to_and_fro(stage.spec)
+  void set_driven(const PushStage& push, Stage& stage) {
+    const PlaceSpec& at = push.at;
+    const std::vector<double>& targets = push.targets;
+    const bool moves = goes_to_and_fro(push)
                            ? targets.empty() || std::any_of(targets.begin(), targets.end(),
                                                             [](double t) { return t != 0; })
-                           : stage.spec.until > 0;
+                           : push.until > 0;
     if (!moves)
       fault("until", "", "the displacement of a push cannot be zero",
             "write e.g. until = \"50 mm\"");
-    if (stage.spec.pattern != Pattern::kNone) {
-      set_pattern(stage);
-      set_control(stage);
+    if (push.pattern != Pattern::kNone) {
+      set_pattern(push, stage);
+      set_control(push.control, stage);
       return;
     }
     const std::vector<std::size_t> found = blocks_at(at);
@@ -278,14 +283,14 @@ class StageCompiler {
     }
     stage.driven_share.assign(stage.driven.size(), 1.0);
     stage.load_height = height / static_cast<double>(stage.driven.size()) - lowest(&Vec2::y);
-    if (std::isfinite(stage.spec.contraflexure)) set_contraflexure(stage);
-    set_control(stage);
+    if (std::isfinite(push.contraflexure)) set_contraflexure(push.contraflexure, stage);
+    set_control(push.control, stage);
   }
 
   // Sets the line of the push. Rows follow the displacement of the head, since the end of its arm is no point of the wall.
-  void set_contraflexure(Stage& stage) {
+  void set_contraflexure(double point, Stage& stage) {
     const auto head = static_cast<std::size_t>(stage.driven.front());
-    const std::string value = fmt::format("{:g}", stage.spec.contraflexure);
+    const std::string value = fmt::format("{:g}", point);
     if (stage.driven.size() > 1)
       return fault("contraflexure", value,
                    fmt::format("needs one head, and {} blocks are pushed", stage.driven.size()),
@@ -293,7 +298,7 @@ class StageCompiler {
     if (model_.turn_freedom[head] == 0)
       return fault("contraflexure", value, "needs a head that turns, and the beam is held level",
                    "leave wall.beam.rotation = \"blocked\" out");
-    const double height = stage.spec.contraflexure * assembly_.height;
+    const double height = point * assembly_.height;
     stage.drive_arm = lowest(&Vec2::y) + height - model_.centroid_y[head];
     stage.control = stage.driven.front();
   }
@@ -307,9 +312,9 @@ class StageCompiler {
     double share = 0;
   };
 
-  void set_pattern(Stage& stage) {
-    const bool all = stage.spec.pattern == Pattern::kMass;
-    std::vector<Level> levels = all ? every_block() : levels_of(stage);
+  void set_pattern(const PushStage& push, Stage& stage) {
+    const bool all = push.pattern == Pattern::kMass;
+    std::vector<Level> levels = all ? every_block() : levels_of(push);
     const std::vector<double> zones = zone_mass_on_blocks();
     const auto weighs = [&](std::size_t b) {
       if (!all) return mass_of(b);
@@ -381,8 +386,7 @@ class StageCompiler {
     return {all};
   }
 
-  std::vector<Level> levels_of(const Stage& stage) {
-    const StageSpec& s = stage.spec;
+  std::vector<Level> levels_of(const PushStage& s) {
     const double bottom = lowest(&Vec2::y);
     std::vector<Level> levels;
     if (s.pattern == Pattern::kGiven && s.shares.size() != s.levels.size()) {
@@ -458,8 +462,7 @@ class StageCompiler {
   }
 
   // Finds the block whose displacement the push follows.
-  void set_control(Stage& stage) {
-    const PlaceSpec& at = stage.spec.control;
+  void set_control(const PlaceSpec& at, Stage& stage) {
     if (!std::isfinite(at.x) && at.block.empty()) return;
     const std::size_t none = assembly_.blocks.size();
     std::size_t found = none;
@@ -581,8 +584,8 @@ std::size_t stage_of_floors(const ModelSpec& spec, FaultList& faults) {
   };
   for (std::size_t k = 0; k < none; ++k) {
     const StageSpec& s = spec.stage[k];
-    if (s.kind == StageKind::kGravity) gravity = std::min(gravity, k);
-    if (!s.floors) continue;
+    if (s.kind() == StageKind::kGravity) gravity = std::min(gravity, k);
+    if (const auto* load = std::get_if<LoadStage>(&s.action); !load || !load->floors) continue;
     if (spec.floor.empty())
       fault(k, "there is no floor to set on the wall",
             "write [[floor]] tables, or leave floors out");
@@ -595,7 +598,7 @@ std::size_t stage_of_floors(const ModelSpec& spec, FaultList& faults) {
     faults.add({"", "floor.0", "", "no stage sets it on the wall",
                 "add a gravity stage, or a load stage with floors = true", 0});
   for (std::size_t k = 0; k < found && found < none && !spec.floor.empty(); ++k) {
-    if (!drives(spec.stage[k].kind)) continue;
+    if (!drives(spec.stage[k].kind())) continue;
     fault(found, fmt::format("would lie on the wall only after stage.{} has moved it", k),
           "put the stage that sets them before it");
     break;
@@ -603,8 +606,14 @@ std::size_t stage_of_floors(const ModelSpec& spec, FaultList& faults) {
   return found;
 }
 
-void set_targets(const std::string& path, Stage& stage, FaultList& faults) {
-  StageSpec& s = stage.spec;
+void set_manner(StageSpec& stage) {
+  if (auto* load = std::get_if<LoadStage>(&stage.action); load && load->as == Manner::kDefault)
+    load->as = Manner::kPressure;
+  if (auto* push = std::get_if<PushStage>(&stage.action); push && push->as == Manner::kDefault)
+    push->as = Manner::kSpreader;
+}
+
+void set_targets(const std::string& path, PushStage& s, const Stage& stage, FaultList& faults) {
   if (const auto found = fault_of_protocol(s))
     faults.add({"", path + "." + found->key, found->value, found->problem, found->cure, 0});
   else if (!s.drifts.empty() && !stage.driven.empty() && !(stage.load_height > 0))

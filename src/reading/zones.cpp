@@ -126,8 +126,8 @@ ShownColumns columns_of(const Model& model) {
   ShownColumns of{.lintel_of_zones = reading::first_lintel(model) != nullptr ||
                                      reading::first_lintel_in_space(model) != nullptr};
   for (const Stage& stage : model.stages)  // the curve belongs to the last push
-    if (stage.spec.kind == StageKind::kPush)
-      of.held_head = stage.spec.across == Freedom::kBlocked && dimension_of(model) == 2;
+    if (const PushStage* push = stage.push())
+      of.held_head = push->fixity.across == Freedom::kBlocked && dimension_of(model) == 2;
   return of;
 }
 

@@ -424,57 +424,72 @@ Json stage_of(const Stage& stage) {
   const auto add = [&](const char* key, double value, const char* unit, double factor) {
     if (!std::isnan(value)) rows.push_back(row(key, value * factor, unit));
   };
-  if (s.kind == StageKind::kPush) rows.push_back({"direction", direction_word(s.direction), ""});
-  add("pier_load", s.pier_load, "kN", 1e-3);
-  add("pressure", s.pressure, "MPa", 1e-6);
-  add("beam_load", s.beam_load, "kN", 1e-3);
-  add("force", s.force, "kN", 1e-3);
-  add("line_load", s.line_load, "kN/m", 1e-3);
-  if (s.kind == StageKind::kGravity || s.floors) add("floors", weight_of(stage), "kN", 1e-3);
-  add("velocity", s.velocity, "mm/s", 1e3);
-  add("fast_velocity", s.fast_velocity, "mm/s", 1e3);
-  if (!goes_to_and_fro(s)) add("until", s.until, "mm", 1e3);
-  if (s.pattern != Pattern::kNone)
-    rows.push_back(Json::array(
-        {"pattern", translated(words_of_pattern(std::string(word_of(kPatternWords, s.pattern)))),
-         ""}));
-  for (double level : s.levels) add("level", level, "m", 1);
-  for (double share : s.shares) add("share", share, "", 1);
-  if (has_protocol(s))
-    rows.push_back({"amplitudes", told_levels(s), s.amplitudes.empty() ? "%" : "mm"});
-  else
-    for (double target : s.targets) add("target", target, "mm", 1e3);
-  add("load_factor_rate", s.rate, "1/s", 1);
-  add("load_factor_until", s.factor, "", 1);
-  add("tilt_rate", s.tilt_rate, "°/s", kDegree);
-  add("tilt_until", s.tilt_until, "°", kDegree);
+  const PushStage* push = stage.push();
+  const auto* load = std::get_if<LoadStage>(&s.action);
+  if (load != nullptr) {
+    add("pier_load", load->pier_load, "kN", 1e-3);
+    add("pressure", load->pressure, "MPa", 1e-6);
+    add("beam_load", load->beam_load, "kN", 1e-3);
+    add("force", load->force, "kN", 1e-3);
+    add("line_load", load->line_load, "kN/m", 1e-3);
+  }
+  if (s.kind() == StageKind::kGravity || (load != nullptr && load->floors))
+    add("floors", weight_of(stage), "kN", 1e-3);
+  if (push != nullptr) {
+    rows.push_back({"direction", direction_word(push->drive.direction), ""});
+    add("velocity", push->velocity, "mm/s", 1e3);
+    add("fast_velocity", push->fast_velocity, "mm/s", 1e3);
+    if (!goes_to_and_fro(*push)) add("until", push->until, "mm", 1e3);
+    if (stage.has_pattern())
+      rows.push_back(Json::array(
+          {"pattern",
+           translated(words_of_pattern(std::string(word_of(kPatternWords, push->pattern)))), ""}));
+    for (double level : push->levels) add("level", level, "m", 1);
+    for (double share : push->shares) add("share", share, "", 1);
+    if (has_protocol(*push))
+      rows.push_back({"amplitudes", told_levels(*push), push->amplitudes.empty() ? "%" : "mm"});
+    else
+      for (double target : push->targets) add("target", target, "mm", 1e3);
+    if (push->stop_below > 0) add("stop_below", push->stop_below, "", 1);
+  }
+  if (const auto* force = std::get_if<BodyForceStage>(&s.action)) {
+    add("load_factor_rate", force->rate, "1/s", 1);
+    add("load_factor_until", force->factor, "", 1);
+  }
+  if (const auto* tilt = std::get_if<TiltStage>(&s.action)) {
+    add("tilt_rate", tilt->tilt_rate, "°/s", kDegree);
+    add("tilt_until", tilt->tilt_until, "°", kDegree);
+  }
   for (const GroundMotion& motion : stage.base) {
     rows.push_back({"record", motion.source, ""});
     add("record_peak", peak_acceleration(motion) / 9.80665, "g", 1);
     add("record_factor", motion.factor, "", 1);
   }
-  add("mass_damping", s.mass_damping.fraction, "%", 1e2);
-  add("mass_damping_at", s.mass_damping.frequency, "Hz", 1);
-  add("joint_damping", s.joint_damping.fraction, "%", 1e2);
-  add("joint_damping_at", s.joint_damping.frequency, "Hz", 1);
-  add("maxwell_damping", s.maxwell_damping.fraction, "%", 1e2);
-  add("maxwell_damping_at", s.maxwell_damping.frequency, "Hz", 1);
-  add("restitution", s.restitution, "", 1);
-  if (s.stop_below > 0) add("stop_below", s.stop_below, "", 1);
-  add("duration", s.duration, "s", 1);
+  if (const auto* shake = std::get_if<ShakeStage>(&s.action)) {
+    add("mass_damping", shake->mass_damping.fraction, "%", 1e2);
+    add("mass_damping_at", shake->mass_damping.frequency, "Hz", 1);
+    add("joint_damping", shake->joint_damping.fraction, "%", 1e2);
+    add("joint_damping_at", shake->joint_damping.frequency, "Hz", 1);
+    add("maxwell_damping", shake->maxwell_damping.fraction, "%", 1e2);
+    add("maxwell_damping_at", shake->maxwell_damping.frequency, "Hz", 1);
+    add("restitution", shake->restitution, "", 1);
+  }
+  if (const auto* hold = std::get_if<HoldStage>(&s.action)) add("duration", hold->duration, "s", 1);
   add("ramp", s.ramp, "s", 1);
   add("damping", s.damping, "", 1);
-  if (stage.control >= 0) rows.push_back({"control", control_of(s.control), ""});
+  if (push != nullptr && stage.control >= 0)
+    rows.push_back({"control", control_of(push->control), ""});
   if (!stage.driven.empty()) {
     rows.push_back(row("driven_blocks", static_cast<double>(stage.driven.size()), ""));
     rows.push_back(row("load_height", stage.load_height, "m"));
-    add("contraflexure", s.contraflexure, "", 1);
-    if (s.rotation == Freedom::kBlocked)
-      rows.push_back({"rotation", word_of(kFreedomWords, s.rotation), ""});
-    if (s.across == Freedom::kBlocked)
-      rows.push_back({"across", word_of(kFreedomWords, s.across), ""});
+    if (push != nullptr) add("contraflexure", push->contraflexure, "", 1);
+    const FixitySpec fixity = fixity_of(s);
+    if (fixity.rotation == Freedom::kBlocked)
+      rows.push_back({"rotation", word_of(kFreedomWords, fixity.rotation), ""});
+    if (fixity.across == Freedom::kBlocked)
+      rows.push_back({"across", word_of(kFreedomWords, fixity.across), ""});
   }
-  return {{"name", s.name}, {"kind", word_of(kStageKindWords, s.kind)}, {"rows", rows}};
+  return {{"name", s.name}, {"kind", word_of(kStageKindWords, s.kind())}, {"rows", rows}};
 }
 
 }  // namespace

@@ -153,7 +153,7 @@ void add_faces(Bundle& bundle, const Model& model, const Vec3& middle) {
 // Direction of the last driving stage, and the blocks that it drives; none for a load on all of them.
 Json load_of(const Model& model) {
   for (auto stage = model.stages.rbegin(); stage != model.stages.rend(); ++stage) {
-    const StageKind kind = stage->spec.kind;
+    const StageKind kind = stage->spec.kind();
     const bool drives =
         kind == StageKind::kPush || kind == StageKind::kBodyForce || kind == StageKind::kTilt;
     if (!drives || !(dot(stage->drive(), stage->drive()) > 0)) continue;

@@ -239,7 +239,7 @@ class VerdictPage {
   [[nodiscard]] bool is_judged(const study::Elevation& wall) const {
     if (dimension_of(model_) == 2) return true;
     const auto push = std::find_if(model_.stages.rbegin(), model_.stages.rend(),
-                                   [](const Stage& s) { return s.spec.kind == StageKind::kPush; });
+                                   [](const Stage& s) { return s.push() != nullptr; });
     return push != model_.stages.rend() && study::is_along(wall, push->drive());
   }
   // Whether the drift of this pier ends near collapse, or the deciding limit state, in any wall.

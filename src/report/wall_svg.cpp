@@ -428,8 +428,9 @@ std::string draw_elevations(const Model& model, const std::vector<study::Elevati
 }
 
 std::vector<PushPart> push_parts(const Model& model, const Stage& push) {
-  if (push.spec.pattern == Pattern::kNone) return {{push.driven}};
+  if (!push.has_pattern()) return {{push.driven}};
   constexpr double kThirds = 3;  // of all blocks
+  const std::vector<double>& levels = push.push()->levels;
   const auto y_of = [&](BlockId b) { return model.centroid_y[b]; };
   std::map<long, std::pair<PushPart, double>> parts;  // by level or third, with the sum of shares
   double bottom = std::numeric_limits<double>::infinity();
@@ -437,11 +438,11 @@ std::vector<PushPart> push_parts(const Model& model, const Stage& push) {
   for (std::size_t k = 0; k < push.driven.size(); ++k) {
     const double height = y_of(push.driven[k]) - bottom;
     long part = static_cast<long>(kThirds * height / model.anatomy.height);
-    if (!push.spec.levels.empty()) {
-      const auto nearest = std::min_element(
-          push.spec.levels.begin(), push.spec.levels.end(),
-          [&](double a, double b) { return std::fabs(a - height) < std::fabs(b - height); });
-      part = nearest - push.spec.levels.begin();
+    if (!levels.empty()) {
+      const auto nearest = std::min_element(levels.begin(), levels.end(), [&](double a, double b) {
+        return std::fabs(a - height) < std::fabs(b - height);
+      });
+      part = nearest - levels.begin();
     }
     auto& [of, share] = parts[part];
     of.blocks.push_back(push.driven[k]);

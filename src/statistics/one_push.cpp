@@ -42,11 +42,12 @@ bool waits_at_cracks(const Model& model) {
   constexpr double kNearBalance = 1e-4, kMostDamping = 0.2, kRounding = 1 + 1e-9;
   if (!may_wait(model)) return false;
   for (auto stage = model.stages.rbegin(); stage != model.stages.rend(); ++stage) {
-    const StageSpec& push = stage->spec;
-    if (push.kind != StageKind::kPush) continue;
-    return push.fast_velocity > push.velocity && push.velocity <= kWaitingVelocity * kRounding &&
-           push.fast_velocity <= kAdaptedVelocity * kRounding &&
-           push.fast_below <= kNearBalance * kRounding && push.damping <= kMostDamping * kRounding;
+    const PushStage* push = stage->push();
+    if (push == nullptr) continue;
+    return push->fast_velocity > push->velocity && push->velocity <= kWaitingVelocity * kRounding &&
+           push->fast_velocity <= kAdaptedVelocity * kRounding &&
+           push->fast_below <= kNearBalance * kRounding &&
+           stage->spec.damping <= kMostDamping * kRounding;
   }
   return false;
 }

@@ -194,7 +194,7 @@ TEST(Collapse, makes_no_energy) {
       ModelSpec spec = collapse(in_space, 0.3);
       spec.solve.step_fraction *= share;
       for (StageSpec& stage : spec.stage)
-        if (stage.kind != StageKind::kGravity) stage.damping = 0;
+        if (stage.kind() != StageKind::kGravity) stage.damping = 0;
       const Model model = compile(spec);
       State state = initial_state(model);
       const Result result = solve(model, state);

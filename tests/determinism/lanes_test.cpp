@@ -246,7 +246,7 @@ TEST(Lanes, walls_in_space_with_frames_too) {
   const auto wall = [](double strength) {
     ModelSpec spec = scenes::framed(scenes::small_wall(0.1e-3, 0.05));
     spec.stage.erase(spec.stage.begin() + 1);  // what presses on piers is of the plane
-    spec.stage.back().at.x = 0.05;
+    spec.stage.back().get<PushStage>().at.x = 0.05;
     spec.frame[0].yield_strength *= strength;
     return scenes::along_a_line(spec);
   };
@@ -478,44 +478,39 @@ TEST(Lanes, curve_and_ledger_of_a_wall_with_a_deformable_lintel) {
 TEST(Lanes, a_loaded_wall_pushed_to_and_fro_and_held) {
   ModelSpec spec = scenes::small_wall(0.1e-3, 0.05);
   spec.solve.mass_scaling = 10;
-  spec.stage.back().targets = {0.1e-3, -0.05e-3};
-  spec.stage.back().rotation = Freedom::kBlocked;
-  StageSpec hold;
-  hold.name = "hold";
-  hold.kind = StageKind::kHold;
-  hold.duration = 0.01;
+  spec.stage.back().get<PushStage>().targets = {0.1e-3, -0.05e-3};
+  spec.stage.back().get<PushStage>().fixity.rotation = Freedom::kBlocked;
+  StageSpec hold{.name = "hold", .action = HoldStage{.duration = 0.01}};
   spec.stage.push_back(hold);
   expect_same_result(spec);
 }
 TEST(Lanes, a_push_that_changes_its_pace) {
   ModelSpec spec = scenes::plain_wall(4, 5, 0.5e-3, 0.02);
   const std::int64_t steps = solve_alone(spec).steps;
-  spec.stage.back().fast_velocity = 0.1;
-  spec.stage.back().fast_below = 1e-2;
+  spec.stage.back().get<PushStage>().fast_velocity = 0.1;
+  spec.stage.back().get<PushStage>().fast_below = 1e-2;
   EXPECT_LT(solve_alone(spec).steps, steps);
   expect_same_result(spec);
 }
 TEST(Lanes, a_push_in_a_pattern_with_a_control_block) {
   for (const Pattern pattern : {Pattern::kMass, Pattern::kMassHeight}) {
     ModelSpec spec = scenes::small_wall(0.3e-3, 0.02);
-    spec.stage.back().at = {};
-    spec.stage.back().pattern = pattern;
-    if (pattern != Pattern::kMass) spec.stage.back().levels = {0.4, 0.8};
-    spec.stage.back().control.x = 0;
-    spec.stage.back().control.y = 0.8;
+    auto& push = spec.stage.back().get<PushStage>();
+    push.at = {};
+    push.pattern = pattern;
+    if (pattern != Pattern::kMass) push.levels = {0.4, 0.8};
+    push.control.x = 0;
+    push.control.y = 0.8;
     expect_same_result(spec);
     EXPECT_GT(solve_alone(spec).responses.peak_raw, 0);
   }
 }
 TEST(Lanes, body_force_and_tilt) {
-  for (const StageKind kind : {StageKind::kBodyForce, StageKind::kTilt}) {
+  for (const StageAction& action :
+       {StageAction{BodyForceStage{.rate = 0.2, .factor = 0.005}},
+        StageAction{TiltStage{.tilt_rate = 0.2, .tilt_until = 0.005}}}) {
     ModelSpec spec = scenes::plain_wall(4, 5, 0.1e-3, 0.05);
-    StageSpec& stage = spec.stage.back() = {};
-    stage.name = "load";
-    stage.kind = kind;
-    stage.ramp = 0.01;
-    stage.rate = stage.tilt_rate = 0.2;
-    stage.factor = stage.tilt_until = 0.005;
+    spec.stage.back() = {.name = "load", .ramp = 0.01, .action = action};
     expect_same_result(spec);
     EXPECT_GT(solve_alone(spec).load_factor, 0);
   }

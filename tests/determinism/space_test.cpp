@@ -35,7 +35,7 @@ ModelSpec leaves(double strength = 1, double until = 2e-3) {
   joint.mode_1_energy *= strength;
   ModelSpec spec = scenes::in_space(bodies, joint);
   StageSpec push = scenes::push_stage("l0c5*", Direction::kPlusX, 0.05, until);
-  push.along = {0.3, 0, 1};
+  push.get<PushStage>().drive.along = {0.3, 0, 1};
   spec.stage = {scenes::gravity_stage(), push};
   TieSpec tie;  // that yields on the way
   tie.from.block = "l0c4u1";

@@ -288,17 +288,14 @@ class Change {
 ModelSpec plates_wall() {
   ModelSpec spec = scenes::small_wall();
   for (StageSpec& stage : spec.stage)
-    if (std::isfinite(stage.pier_load)) stage.as = Manner::kPlate;
+    if (auto* load = std::get_if<LoadStage>(&stage.action)) load->as = Manner::kPlate;
   return spec;
 }
 
 ModelSpec beam_wall() {
   ModelSpec spec = scenes::plain_wall(6, 6, 1e-3, 0.01);
   spec.wall.beam = {.height = 0.2, .density = 2500, .rotation = Freedom::kBlocked};
-  StageSpec load;
-  load.name = "load";
-  load.kind = StageKind::kLoad;
-  load.beam_load = 1e4;
+  StageSpec load{.name = "load", .action = LoadStage{.beam_load = 1e4}};
   spec.stage.insert(spec.stage.begin() + 1, load);
   return spec;
 }
@@ -433,8 +430,7 @@ TEST(Compiler, names_of_stages_are_in_the_shape_where_blocks_name_one) {
                                     scenes::elastic_joint(20e9, 8e9), 2000);
   base.stage = {scenes::gravity_stage()};
   for (const char* name : {"first", "second"}) {
-    StageSpec stage;
-    stage.name = name, stage.kind = StageKind::kCut;
+    StageSpec stage{.name = name, .action = CutStage{}};
     base.stage.push_back(stage);
   }
   ModelSpec renamed = base;

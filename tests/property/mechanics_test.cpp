@@ -162,7 +162,7 @@ TEST(Energy, ledger_closes_for_every_law) {
 
 TEST(Energy, dissipation_never_falls_and_damage_never_heals) {
   ModelSpec spec = scenes::small_wall(2e-3, 0.05);
-  spec.stage.back().targets = {1e-3, -1e-3};
+  spec.stage.back().get<PushStage>().targets = {1e-3, -1e-3};
   Rig rig(compile(spec));
   rig.state.gravity_y = -9.81;
   rig.settle(1e-4);

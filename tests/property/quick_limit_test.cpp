@@ -19,22 +19,13 @@ namespace wythe::quick_limit_test {
 namespace {
 
 StageSpec body_force() {
-  StageSpec stage;
-  stage.name = "body force";
-  stage.kind = StageKind::kBodyForce;
-  stage.direction = Direction::kPlusX;
-  stage.rate = 0.1;
-  stage.factor = 2;
-  return stage;
+  return {.name = "body force",
+          .action =
+              BodyForceStage{.drive = {.direction = Direction::kPlusX}, .rate = 0.1, .factor = 2}};
 }
 
 StageSpec tilt() {
-  StageSpec stage;
-  stage.name = "tilt";
-  stage.kind = StageKind::kTilt;
-  stage.tilt_rate = 0.01;
-  stage.tilt_until = 1.5;
-  return stage;
+  return {.name = "tilt", .action = TiltStage{.tilt_rate = 0.01, .tilt_until = 1.5}};
 }
 
 // A wall in running bond with a window, under a load on its piers.
@@ -55,7 +46,7 @@ ModelSpec any_wall() {
     joint.residual_friction_angle = joint.friction_angle;
     joint.residual_cohesion = *rc::gen::element(0.0, 0.0, 1e3, 50e3);
   }
-  spec.stage.back().at.y = kCourse * (courses - 1.5);
+  spec.stage.back().get<PushStage>().at.y = kCourse * (courses - 1.5);
   switch (*rc::gen::inRange(0, 4)) {
     case 0: spec.stage.back() = body_force(); break;
     case 1: spec.stage.back() = tilt(); break;
@@ -113,7 +104,7 @@ RC_GTEST_PROP(quick_limit, is_the_exact_load_to_its_error, ()) {
       .crushing = *rc::gen::element(CrushingChoice::kNone, CrushingChoice::kPoints)};
   const Answer exact = answer_of(model, options, false), quick = answer_of(model, options, true);
   // the tilts before the last one differ, and with them which of its refusals a tilt comes to first
-  const bool tilts = model.stages.back().spec.kind == StageKind::kTilt;
+  const bool tilts = model.stages.back().spec.kind() == StageKind::kTilt;
   const bool alike =
       tilts ? quick.refusal.empty() == exact.refusal.empty() : quick.refusal == exact.refusal;
   RC_ASSERT(alike);

@@ -58,17 +58,17 @@ struct End {
 std::set<std::string> middle_of(const Model& model, const State& state, const RunRecord& record) {
   const StageSpec& stage = model.stages[state.stage].spec;
   const char* kinds[] = {"gravity", "load", "push", "body force", "tilt", "hold", "shake", "cut"};
-  std::set<std::string> found = {kinds[static_cast<int>(stage.kind)]};
-  const bool settles = stage.kind == StageKind::kGravity || stage.kind == StageKind::kLoad;
+  std::set<std::string> found = {kinds[static_cast<int>(stage.kind())]};
+  const bool settles = stage.kind() == StageKind::kGravity || stage.kind() == StageKind::kLoad;
   if (settles) found.insert(state.stage_time < stage.ramp ? "ramp" : "settling");
-  if (stage.kind == StageKind::kLoad && state.load_scale[1] == 1) found.insert("held load");
-  if (stage.kind == StageKind::kPush && state.pace > 0 && state.pace < 1) found.insert("servo");
-  if (stage.kind == StageKind::kPush && state.target > 0) found.insert("cycle");
+  if (stage.kind() == StageKind::kLoad && state.load_scale[1] == 1) found.insert("held load");
+  if (stage.kind() == StageKind::kPush && state.pace > 0 && state.pace < 1) found.insert("servo");
+  if (stage.kind() == StageKind::kPush && state.target > 0) found.insert("cycle");
   const std::vector<CurveRow>& curve = record.result.curve;
   const double peak = record.recording.side[0].peak;
   if (peak > 0 && !curve.empty() && curve.back().reaction < 0.7 * peak)
     found.insert("after the peak");
-  const bool grows = stage.kind == StageKind::kTilt || stage.kind == StageKind::kBodyForce;
+  const bool grows = stage.kind() == StageKind::kTilt || stage.kind() == StageKind::kBodyForce;
   if (grows && state.balance > 2 * model.solve.settle_ratio) found.insert("standstill");
   if (!record.recording.slid_off.empty() && record.recording.numbers.steps > 0) found.insert("row");
   return found;
@@ -149,18 +149,16 @@ TEST(Restart, at_any_step_of_a_stage_gives_the_same_result) {
 TEST(Restart, after_the_peak_of_a_servo_with_elastic_unloading_gives_the_same_result) {
   ModelSpec spec = scenes::small_wall(4e-3, 0.05, 2e3);
   for (auto& [name, material] : spec.material) material.unloading = Unloading::kElastic;
-  spec.stage.back().fast_velocity = 3 * spec.stage.back().velocity;
-  spec.stage.back().fast_below = 3e-2;
-  spec.stage.back().stop_below = 0.3;
+  auto& push = spec.stage.back().get<PushStage>();
+  push.fast_velocity = 3 * push.velocity;
+  push.fast_below = 3e-2;
+  push.stop_below = 0.3;
   expect_invisible(spec, kPiece, {"push", "servo", "after the peak"});
 }
 
 TEST(Restart, in_a_hold_after_a_push_gives_the_same_result) {
   ModelSpec spec = scenes::small_wall(0.2e-3, 0.05);
-  StageSpec hold;
-  hold.name = "hold";
-  hold.kind = StageKind::kHold;
-  hold.duration = 0.02;
+  StageSpec hold{.name = "hold", .action = HoldStage{.duration = 0.02}};
   spec.stage.push_back(hold);
   expect_invisible(spec, kPiece, {"push", "hold"});
 }
@@ -173,10 +171,10 @@ TEST(Restart, a_support_that_shakes_what_lies_on_it_in_pieces_gives_the_same_res
                                     scenes::dry_joint(1e9, 4e8, std::atan(0.3)));
   spec.solve.contacts = Contacts::kFree;
   spec.stage = {scenes::gravity_stage(), scenes::shake_stage(8, 0.2)};
-  spec.stage.back().record.front().at.block = "floor";
-  spec.stage.back().free_vibration = 0.01;
+  spec.stage.back().get<ShakeStage>().record.front().at.block = "floor";
+  spec.stage.back().get<ShakeStage>().free_vibration = 0.01;
   for (const double restitution : {1.0, 0.2}) {
-    spec.stage.back().restitution = restitution;
+    spec.stage.back().get<ShakeStage>().restitution = restitution;
     const End whole = run(spec, 0);
     ASSERT_EQ(whole.result.status, SolveStatus::kCompleted) << whole.result.reason;
     EXPECT_EQ(run(spec, kPiece).whole, whole.whole);
@@ -188,7 +186,7 @@ TEST(Restart, a_support_that_shakes_what_lies_on_it_in_pieces_gives_the_same_res
 TEST(Restart, a_shaken_wall_in_pieces_gives_the_same_result) {
   ModelSpec spec = scenes::small_wall();
   spec.stage.back() = scenes::shake_stage(8, 0.02);
-  spec.stage.back().free_vibration = 0.01;
+  spec.stage.back().get<ShakeStage>().free_vibration = 0.01;
   expect_invisible(spec, kPiece, {"gravity", "shake"});
 }
 
@@ -210,13 +208,13 @@ TEST(Restart, zones_in_space_in_pieces_give_the_same_result) {
 
 TEST(Restart, a_wall_with_ties_in_pieces_gives_the_same_result) {
   ModelSpec spec = scenes::tied(scenes::small_wall(0.1e-3, 0.05));
-  spec.stage.back().targets = {0.1e-3, -0.1e-3};
+  spec.stage.back().get<PushStage>().targets = {0.1e-3, -0.1e-3};
   expect_invisible(spec, kPiece, {"gravity", "push", "cycle"});
 }
 
 TEST(Restart, a_wall_with_a_frame_that_yields_in_pieces_gives_the_same_result) {
   ModelSpec spec = scenes::framed(scenes::small_wall(0.1e-3, 0.05));
-  spec.stage.back().targets = {0.1e-3, -0.1e-3};
+  spec.stage.back().get<PushStage>().targets = {0.1e-3, -0.1e-3};
   expect_invisible(spec, kPiece, {"gravity", "push", "cycle"});
 }
 
@@ -228,7 +226,7 @@ TEST(Restart, a_wall_whose_opening_is_cut_in_pieces_gives_the_same_result) {
 TEST(Restart, a_wall_in_space_whose_opening_is_cut_in_pieces_gives_the_same_result) {
   ModelSpec spec = scenes::cut_under_load(scenes::framed(scenes::small_wall(0.1e-3, 0.05)));
   spec.stage.erase(spec.stage.begin() + 1);  // what presses on piers is of the plane
-  spec.stage.back().at.x = 0.05;
+  spec.stage.back().get<PushStage>().at.x = 0.05;
   expect_invisible(scenes::along_a_line(spec), kPiece, {"gravity", "cut", "push"});
 }
 
@@ -239,25 +237,24 @@ TEST(Restart, a_wall_with_a_layer_that_is_cut_in_pieces_gives_the_same_result) {
 
 TEST(Restart, a_wall_with_layers_that_come_off_and_break_in_pieces_gives_the_same_result) {
   ModelSpec spec = scenes::layered(scenes::small_wall(0.1e-3, 0.05));
-  spec.stage.back().targets = {0.1e-3, -0.1e-3};
+  spec.stage.back().get<PushStage>().targets = {0.1e-3, -0.1e-3};
   expect_invisible(spec, kPiece, {"gravity", "push", "cycle"});
 }
 
 TEST(Restart, a_cyclic_push_in_pieces_gives_the_same_result) {
   ModelSpec spec = scenes::small_wall();
-  spec.stage.back().targets = {0.4e-3, -0.4e-3, 0.2e-3};
-  spec.stage.back().fast_velocity = 1.5 * spec.stage.back().velocity;
+  spec.stage.back().get<PushStage>().targets = {0.4e-3, -0.4e-3, 0.2e-3};
+  spec.stage.back().get<PushStage>().fast_velocity =
+      1.5 * spec.stage.back().get<PushStage>().velocity;
   expect_invisible(spec, kPiece, {"push", "cycle"});
 }
 
 TEST(Restart, a_tilt_in_pieces_gives_the_same_result) {
   ModelSpec spec = scenes::small_wall();
   spec.stage.resize(1);
-  StageSpec tilt;
-  tilt.name = "tilt";
-  tilt.kind = StageKind::kTilt;
-  tilt.tilt_rate = scenes::degrees(40);
-  tilt.tilt_until = scenes::degrees(5);
+  StageSpec tilt{
+      .name = "tilt",
+      .action = TiltStage{.tilt_rate = scenes::degrees(40), .tilt_until = scenes::degrees(5)}};
   spec.stage.push_back(tilt);
   expect_invisible(spec, kPiece, {"tilt", "row"});
 }
@@ -265,11 +262,7 @@ TEST(Restart, a_tilt_in_pieces_gives_the_same_result) {
 TEST(Restart, a_body_force_that_stands_still_in_pieces_gives_the_same_result) {
   ModelSpec spec = scenes::block_on_ground(
       0.5, 2.0, scenes::dry_joint(20e9, 8e9, scenes::degrees(60)), 0.1, 2000);
-  StageSpec quake;
-  quake.name = "quake";
-  quake.kind = StageKind::kBodyForce;
-  quake.rate = 0.5;
-  quake.factor = 1;
+  StageSpec quake{.name = "quake", .action = BodyForceStage{.rate = 0.5, .factor = 1}};
   spec.stage = {scenes::gravity_stage(), quake};
   expect_invisible(spec, kPiece, {"body force", "standstill"});
 }

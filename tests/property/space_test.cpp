@@ -34,7 +34,7 @@ ModelSpec leaves() {
                 {0.2, 0.1, 0.12}));
   ModelSpec spec = scenes::in_space(bodies, scenes::paper_joint());
   StageSpec push = scenes::push_stage("l0c3*", Direction::kPlusX, 0.05, 1);
-  push.along = {0.3, 0, 1};
+  push.get<PushStage>().drive.along = {0.3, 0, 1};
   spec.stage = {push};
   return spec;
 }
@@ -134,7 +134,8 @@ ModelSpec mirrored(ModelSpec spec) {
       for (Vec3& v : part.vertex) v.x = -v.x;
       for (auto& face : part.face) std::reverse(face.begin(), face.end());
     }
-  for (StageSpec& stage : spec.stage) stage.along[0] = -stage.along[0];
+  for (StageSpec& stage : spec.stage)
+    stage.get<PushStage>().drive.along[0] = -stage.get<PushStage>().drive.along[0];
   return spec;
 }
 
@@ -167,7 +168,7 @@ TEST(SpaceWorld, a_face_cut_in_two_carries_the_same_while_it_is_elastic) {
        box("b", {-0.15, 0.1, -0.1}, {0.3, 0.1, 0.2})},
       scenes::elastic_joint(2e9, 8e8));
   StageSpec shove = scenes::push_stage("b", Direction::kPlusX, 0.05, 1);
-  shove.along = {0.3, 0.2, 1};
+  shove.get<PushStage>().drive.along = {0.3, 0.2, 1};
   whole.stage = {shove};
   ModelSpec halves = whole;
   halves.body[0] = box("left", {-1, -0.2, -1}, {1.05, 0.2, 2}, true);

@@ -130,7 +130,7 @@ void set_if_unset(double& value, double otherwise) {
   if (std::isnan(value)) value = otherwise;
 }
 
-void make_one_load(StageSpec& stage) {
+void make_one_load(LoadStage& stage) {
   const double load = std::clamp(std::abs(any_bits()), 1e-3, 1e12);
   PlaceSpec point, far;
   point.x = -0.0, point.y = 0.7, point.z = 1.0 / 3;
@@ -170,7 +170,7 @@ void make_place(PlaceSpec& at) {
   }
 }
 
-void make_pattern(StageSpec& stage) {
+void make_pattern(PushStage& stage) {
   const std::vector<double> levels = stage.levels;
   stage.levels.clear(), stage.shares.clear();
   stage.control = {};
@@ -186,7 +186,7 @@ void make_pattern(StageSpec& stage) {
 }
 
 // Levels that grow, by one of their keys, with cycles for all or for each.
-void make_protocol(StageSpec& stage) {
+void make_protocol(PushStage& stage) {
   stage.amplitudes.clear(), stage.drifts.clear(), stage.cycles.clear();
   if (!stage.targets.empty() || coin(2)) return;
   (coin(2) ? stage.drifts : stage.amplitudes) = {0.001, 1.0 / 3};
@@ -199,24 +199,25 @@ void make_targets(std::vector<double>& targets) {
   targets.erase(std::unique(targets.begin(), targets.end()), targets.end());
 }
 
-void make_push(StageSpec& stage) {
+void make_push(PushStage& stage) {
   make_targets(stage.targets);
   make_protocol(stage);
   make_pattern(stage);
   set_if_unset(stage.velocity, 0.01);
   stage.fast_velocity = coin(2) ? kUnset : stage.velocity;
-  if (std::isnan(stage.fast_velocity)) stage.fast_below = StageSpec{}.fast_below;
+  if (std::isnan(stage.fast_velocity)) stage.fast_below = PushStage{}.fast_below;
   if (!goes_to_and_fro(stage)) set_if_unset(stage.until, 0.05);
   const bool alike = stage.pattern == Pattern::kNone && coin(2);
   stage.as = coin(3) ? Manner::kDefault : alike ? Manner::kEach : Manner::kSpreader;
-  const bool level = stage.direction == Direction::kPlusX || stage.direction == Direction::kMinusX;
+  const Direction direction = stage.drive.direction;
+  const bool level = direction == Direction::kPlusX || direction == Direction::kMinusX;
   if (!level || stage.pattern != Pattern::kNone || stage.as == Manner::kEach ||
-      stage.rotation == Freedom::kBlocked || goes_to_and_fro(stage))
+      stage.fixity.rotation == Freedom::kBlocked || goes_to_and_fro(stage))
     stage.contraflexure = kUnset;  // is for one head that turns
 }
 
 // A pulse in each of some directions, and one of the ways to scale them.
-void make_shake(StageSpec& stage) {
+void make_shake(ShakeStage& stage) {
   if (stage.record.empty()) stage.record.emplace_back();
   for (RecordSpec& record : stage.record) {
     if (record.pulse == PulseShape::kNone) record.pulse = PulseShape::kRicker;
@@ -243,27 +244,24 @@ void make_shake(StageSpec& stage) {
 
 void make_valid(StageSpec& stage, std::size_t index) {
   stage.name += std::to_string(index);
-  const bool has_direction = stage.kind == StageKind::kBodyForce || stage.kind == StageKind::kTilt;
-  if (has_direction && stage.direction != Direction::kPlusX) stage.direction = Direction::kMinusX;
-  const std::string plate_joint = stage.plate_joint;
-  stage.plate_joint = StageSpec{}.plate_joint;
-  switch (stage.kind) {
-    case StageKind::kGravity:
-    case StageKind::kCut: break;
-    case StageKind::kLoad:
-      make_one_load(stage);
-      if (stage.as == Manner::kPlate) stage.plate_joint = plate_joint;
-      break;
-    case StageKind::kPush: make_push(stage); break;
-    case StageKind::kBodyForce:
-      set_if_unset(stage.rate, 0.1), set_if_unset(stage.factor, 1.0 / 3);
-      break;
-    case StageKind::kTilt:
-      set_if_unset(stage.tilt_rate, 0.1), set_if_unset(stage.tilt_until, 0.3);
-      break;
-    case StageKind::kHold: set_if_unset(stage.duration, 1.0 / 3); break;
-    case StageKind::kShake: make_shake(stage); break;
+  const auto make_level = [](DriveSpec& drive) {
+    if (drive.direction != Direction::kPlusX) drive.direction = Direction::kMinusX;
+  };
+  if (auto* load = std::get_if<LoadStage>(&stage.action)) {
+    make_one_load(*load);
+    if (load->as != Manner::kPlate) load->plate_joint = LoadStage{}.plate_joint;
   }
+  if (auto* push = std::get_if<PushStage>(&stage.action)) make_push(*push);
+  if (auto* force = std::get_if<BodyForceStage>(&stage.action)) {
+    make_level(force->drive);
+    set_if_unset(force->rate, 0.1), set_if_unset(force->factor, 1.0 / 3);
+  }
+  if (auto* tilt = std::get_if<TiltStage>(&stage.action)) {
+    make_level(tilt->drive);
+    set_if_unset(tilt->tilt_rate, 0.1), set_if_unset(tilt->tilt_until, 0.3);
+  }
+  if (auto* hold = std::get_if<HoldStage>(&stage.action)) set_if_unset(hold->duration, 1.0 / 3);
+  if (auto* shake = std::get_if<ShakeStage>(&stage.action)) make_shake(*shake);
 }
 
 // A law the check accepts: Table 1 of the paper, with more energy than snap-back needs, or a body.

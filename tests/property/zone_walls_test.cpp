@@ -217,7 +217,7 @@ TEST(ZoneWalls, an_uncut_block_and_one_of_very_stiff_zones_answer_alike) {
   rigid.material["soft"] = stiff.material["soft"];
   for (ModelSpec* spec : {&stiff, &rigid}) {
     spec->material["joint"] = scenes::elastic_joint(1e9, 1e9);
-    spec->stage.back().until = 0.1e-3;
+    spec->stage.back().get<PushStage>().until = 0.1e-3;
     spec->solve.raise_light_inertia = false;
     spec->solve.points_per_face = 9;  // a rigid face of many points is one cut at every node
   }

@@ -181,11 +181,10 @@ ModelSpec window_wall(LintelModel kind, double until = 0.3e-3) {
   for (geometry::BuiltBody& body : geometry::build_bodies({builder, spec}, notes, faults))
     spec.body.push_back(std::move(body.body));
   faults.throw_if_any();
-  StageSpec load;
-  load.kind = StageKind::kLoad, load.name = "load", load.pressure = 0.2e6;
-  load.on.block = "front.c13*";
+  StageSpec load{.name = "load",
+                 .action = LoadStage{.pressure = 0.2e6, .on = {.block = "front.c13*"}}};
   StageSpec push = scenes::push_stage("front.c12*", Direction::kPlusX, 0.02, until);
-  push.along = {1, 0, 0.3};
+  push.get<PushStage>().drive.along = {1, 0, 0.3};
   spec.stage = {scenes::gravity_stage(), load, push};
   return spec;
 }
@@ -318,11 +317,7 @@ TEST(ZonesInSpace, what_zones_cannot_do_is_refused_by_name) {
   spec = scenes::column_of_zones(column);
   spec.stage = {scenes::gravity_stage(), scenes::push_stage("column", Direction::kPlusX, 0.01, 1)};
   expect_fault(spec, "loads and pushes act on rigid blocks");
-  StageSpec load;
-  load.kind = StageKind::kLoad;
-  load.name = "load";
-  load.force = 1000;
-  load.at.block = "column";
+  StageSpec load{.name = "load", .action = LoadStage{.force = 1000, .at = {.block = "column"}}};
   spec.stage = {load};
   expect_fault(spec, "loads and pushes act on rigid blocks");
   FloorSpec floor;
@@ -332,7 +327,7 @@ TEST(ZonesInSpace, what_zones_cannot_do_is_refused_by_name) {
   floor.load = 1000;
   spec = scenes::column_of_zones(column);
   spec.stage = {scenes::gravity_stage(), load};
-  spec.stage[1].at.block = "cap";
+  spec.stage[1].get<PushStage>().at.block = "cap";
   spec.floor = {floor};
   expect_fault(spec, "loads act on rigid blocks");
 }

@@ -77,13 +77,8 @@ ModelSpec sample_spec() {
   spec.wall.thickness = 0.1;
   spec.wall.unit = {.length = 0.2, .height = 0.1, .width = kUnset, .density = 1250};
   spec.material["joint"] = tuff_joint();
-  StageSpec gravity, push;
-  gravity.name = "gravity";
-  push.name = "push";
-  push.kind = StageKind::kPush;
-  push.velocity = 0.01;
-  push.until = 0.01;
-  spec.stage = {gravity, push};
+  spec.stage = {{.name = "gravity"},
+                {.name = "push", .action = PushStage{.velocity = 0.01, .until = 0.01}}};
   return spec;
 }
 

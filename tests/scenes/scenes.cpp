@@ -139,9 +139,7 @@ ModelSpec bonded_wall(int columns, int courses) {
 
 StageSpec push_at(double y, double velocity, double until) {
   StageSpec push = push_stage("", Direction::kPlusX, velocity, until);
-  push.at = {};
-  push.at.x = 0;
-  push.at.y = y;
+  push.get<PushStage>().at = {.x = 0, .y = y};
   return push;
 }
 
@@ -155,10 +153,7 @@ ModelSpec small_wall(double until, double velocity, double pier_load) {
   window.width = 2 * 0.155;
   window.height = 2 * 0.11;
   spec.wall.opening.push_back(window);
-  StageSpec load;
-  load.name = "precompression";
-  load.kind = StageKind::kLoad;
-  load.pier_load = pier_load;
+  StageSpec load{.name = "precompression", .action = LoadStage{.pier_load = pier_load}};
   spec.stage.push_back(load);
   spec.stage.push_back(push_at(6.5 * 0.11, velocity, until));
   return spec;
@@ -183,12 +178,8 @@ ModelSpec falling_portal(double until) {
     blocks.push_back(rectangle(fmt::format("top{}", stone), 0.5 * stone, 5 * kHigh, 0.5, kHigh));
   ModelSpec spec = assembly(std::move(blocks), dry_joint(2e9, 1e9, degrees(30)), 0.3, 2000);
   spec.solve.contacts = Contacts::kFree;
-  StageSpec fall;
-  fall.name = "fall";
-  fall.kind = StageKind::kHold;
-  fall.duration = 0.4;
-  fall.release = true;
-  fall.damping = 0.05;
+  StageSpec fall{
+      .name = "fall", .damping = 0.05, .action = HoldStage{.duration = 0.4, .release = true}};
   StageSpec push = push_stage("p0c4h0", Direction::kPlusX, 0.4, until);
   push.ramp = 0.02;
   push.damping = 0.2;
@@ -199,7 +190,7 @@ ModelSpec falling_portal(double until) {
 
 ModelSpec tuff_wall(const std::string& source_dir, double until) {
   ModelSpec spec = read_model(source_dir + "/examples/tuff_wall/model.toml");
-  spec.stage.back().until = until;
+  spec.stage.back().get<PushStage>().until = until;
   return spec;
 }
 
@@ -254,9 +245,7 @@ ModelSpec framed(ModelSpec spec) {
 }
 
 ModelSpec cut_under_load(ModelSpec spec) {
-  StageSpec cut;
-  cut.name = "cut";
-  cut.kind = StageKind::kCut;
+  StageSpec cut{.name = "cut", .action = CutStage{}};
   spec.stage.insert(spec.stage.end() - 1, cut);
   spec.wall.opening[0].cut = "cut";
   return spec;
@@ -336,9 +325,10 @@ ModelSpec along_a_line(ModelSpec plane, int wythes) {
   plane.wall.opening.clear();
   plane.wall.length = kUnset;
   for (FrameSpec& frame : plane.frame) frame.wall = "w";
-  for (StageSpec& stage : plane.stage) {
-    if (stage.at.block.empty() && std::isfinite(stage.at.x)) stage.at.z = 0;
-  }
+  for (StageSpec& stage : plane.stage)
+    if (auto* push = std::get_if<PushStage>(&stage.action);
+        push && push->at.block.empty() && std::isfinite(push->at.x))
+      push->at.z = 0;
   lay_bodies({.plan_wall = {wall}, .slab = {}, .arch = {}, .dome = {}}, plane);
   return plane;
 }
@@ -359,45 +349,46 @@ ModelSpec turned_about_y(ModelSpec spec, double angle) {
     for (Polyhedron& part : body.part)
       for (Vec3& v : part.vertex) v = wythe::turned(v, turn);
   for (StageSpec& stage : spec.stage)
-    if (stage.along.size() == 3) {
-      const Vec3 d = wythe::turned(Vec3{stage.along[0], stage.along[1], stage.along[2]}, turn);
-      stage.along = {d.x, d.y, d.z};
+    if (auto* along = along_of(stage); along && along->size() == 3) {
+      const Vec3 d = wythe::turned(Vec3{(*along)[0], (*along)[1], (*along)[2]}, turn);
+      *along = {d.x, d.y, d.z};
     }
   return spec;
 }
 
-StageSpec gravity_stage() {
-  StageSpec stage;
-  stage.name = "gravity";
-  stage.kind = StageKind::kGravity;
-  return stage;
+std::vector<double>* along_of(StageSpec& stage) {
+  const auto of = [](auto& action) -> std::vector<double>* {
+    if constexpr (requires { action.drive; })
+      return &action.drive.along;
+    else if constexpr (requires { action.along; })
+      return &action.along;
+    else
+      return nullptr;
+  };
+  return std::visit(of, stage.action);
 }
 
+StageSpec gravity_stage() { return {.name = "gravity"}; }
+
 StageSpec shake_stage(double amplitude, double period) {
-  StageSpec shake;
-  shake.name = "quake";
-  shake.kind = StageKind::kShake;
   RecordSpec record;
   record.pulse = PulseShape::kCycle;
   record.amplitude = amplitude;
   record.period = period;
-  shake.record = {record};
-  shake.restitution = 0.5;
-  shake.mass_damping = {0.02, 10};
-  shake.maxwell_damping = {0.05, 20};
-  shake.interval = 2e-3;
-  return shake;
+  return {.name = "quake",
+          .action = ShakeStage{.record = {record},
+                               .interval = 2e-3,
+                               .mass_damping = {0.02, 10},
+                               .restitution = 0.5,
+                               .maxwell_damping = {0.05, 20}}};
 }
 
 StageSpec push_stage(const std::string& block, Direction direction, double velocity, double until) {
-  StageSpec stage;
-  stage.name = "push";
-  stage.kind = StageKind::kPush;
-  stage.at.block = block;
-  stage.direction = direction;
-  stage.velocity = velocity;
-  stage.until = until;
-  return stage;
+  return {.name = "push",
+          .action = PushStage{.at = {.block = block},
+                              .drive = {.direction = direction},
+                              .velocity = velocity,
+                              .until = until}};
 }
 
 ModelSpec with_fields(ModelSpec spec, int seed) {
@@ -434,10 +425,13 @@ ModelSpec mirrored(ModelSpec spec) {
     std::reverse(block.polygon.begin(), block.polygon.end());
   }
   for (StageSpec& stage : spec.stage) {
-    if (stage.direction == Direction::kPlusX)
-      stage.direction = Direction::kMinusX;
-    else if (stage.direction == Direction::kMinusX)
-      stage.direction = Direction::kPlusX;
+    auto* push = std::get_if<PushStage>(&stage.action);
+    if (push == nullptr) continue;
+    Direction& direction = push->drive.direction;
+    if (direction == Direction::kPlusX)
+      direction = Direction::kMinusX;
+    else if (direction == Direction::kMinusX)
+      direction = Direction::kPlusX;
   }
   return spec;
 }
@@ -464,7 +458,7 @@ ModelSpec scaled(ModelSpec spec, double s) {
   spec.solve.gravity /= s;
   for (StageSpec& stage : spec.stage) {
     stage.ramp *= s;
-    stage.until *= s;
+    if (auto* push = std::get_if<PushStage>(&stage.action)) push->until *= s;
   }
   return spec;
 }
@@ -472,7 +466,7 @@ ModelSpec scaled(ModelSpec spec, double s) {
 std::size_t add_load(Model& model, const PointLoad& load) {
   Stage stage;
   stage.spec.name = "load";
-  stage.spec.kind = StageKind::kLoad;
+  stage.spec.action = LoadStage{};
   stage.spec.ramp = 0.05;
   stage.spec.damping = model.solve.damping;
   stage.loads.push_back(load);

@@ -93,6 +93,8 @@ struct BondSize {
 // --- stages --------------------------------------------------------------------------------------
 
 [[nodiscard]] StageSpec gravity_stage();
+// The vector along which a push, a body force, a tilt or a load acts; null for any other stage.
+[[nodiscard]] std::vector<double>* along_of(StageSpec& stage);
 [[nodiscard]] StageSpec push_stage(const std::string& block, Direction direction, double velocity,
                                    double until);
 

@@ -93,9 +93,9 @@ class SpaceRig {
 [[nodiscard]] inline ModelSpec in_frame(ModelSpec spec, const Frame& frame) {
   for (BodySpec& body : spec.body) body = frame.body(body);
   for (StageSpec& stage : spec.stage)
-    if (stage.along.size() == 3) {
-      const Vec3 d = frame.direction({stage.along[0], stage.along[1], stage.along[2]});
-      stage.along = {d.x, d.y, d.z};
+    if (auto* along = along_of(stage); along && along->size() == 3) {
+      const Vec3 d = frame.direction({(*along)[0], (*along)[1], (*along)[2]});
+      *along = {d.x, d.y, d.z};
     }
   return spec;
 }

@@ -56,7 +56,7 @@ Ran solved(const ModelSpec& spec, std::int64_t steps = 0) {
 Ran pulled(Direction direction, double until) {
   ModelSpec spec = anchored_block();
   StageSpec push = scenes::push_stage("b0", direction, 0.01, until);
-  push.rotation = Freedom::kBlocked;
+  push.get<PushStage>().fixity.rotation = Freedom::kBlocked;
   spec.stage = {scenes::gravity_stage(), push};
   return solved(spec);
 }
@@ -189,7 +189,7 @@ TEST(Wedges, have_their_force_when_they_are_in) {
 TEST(Wedges, stay_when_the_jack_is_gone) {
   ModelSpec spec = without_push(wedged_wall());
   StageSpec more = spec.stage[1];
-  ASSERT_EQ(more.kind, StageKind::kLoad);
+  ASSERT_EQ(more.kind(), StageKind::kLoad);
   more.name = "more";
   spec.stage.push_back(more);
   const Ran r = solved(spec);

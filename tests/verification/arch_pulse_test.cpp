@@ -235,12 +235,8 @@ ModelSpec shaken_arch(double amplitude, double period) {
   record.amplitude = amplitude;
   record.period = period;
   record.direction = Direction::kPlusX;
-  StageSpec shake;
-  shake.name = "quake";
-  shake.kind = StageKind::kShake;
-  shake.record = {record};
-  shake.free_vibration = 6;
-  shake.restitution = 0;
+  StageSpec shake{.name = "quake",
+                  .action = ShakeStage{.record = {record}, .free_vibration = 6, .restitution = 0}};
   spec.stage = {scenes::gravity_stage(), shake};
   HistorySpec middle;
   middle.name = "middle";
@@ -305,8 +301,8 @@ TEST(ArchUnderPulse, SH21_the_first_swing_is_that_of_its_four_hinges) {
 // Without any damping its stones rattle: what friction takes of that is in the ledger.
 TEST(ArchUnderPulse, the_ledger_of_the_undamped_arch_closes) {
   ModelSpec spec = shaken_arch(5, 0.8);
-  spec.stage.back().restitution = 1;
-  spec.stage.back().free_vibration = 1;
+  spec.stage.back().get<ShakeStage>().restitution = 1;
+  spec.stage.back().get<ShakeStage>().free_vibration = 1;
   double motion = 0;
   for (const auto& [fraction, most] : {std::pair(0.5, 2e-2), {0.1, 2e-3}}) {
     spec.solve.step_fraction = fraction;

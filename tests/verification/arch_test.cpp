@@ -77,12 +77,7 @@ ModelSpec bare_arch(const ArchSpec& arch, double span, double friction_angle) {
 }
 
 StageSpec body_force() {
-  StageSpec stage;
-  stage.name = "body force";
-  stage.kind = StageKind::kBodyForce;
-  stage.rate = 0.1;
-  stage.factor = 2;
-  return stage;
+  return {.name = "body force", .action = BodyForceStage{.rate = 0.1, .factor = 2}};
 }
 
 // A semicircle with `ratio` = thickness over mean radius. Friction is high, so the arch can only turn about hinges.

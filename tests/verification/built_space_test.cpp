@@ -89,8 +89,7 @@ TEST(BuiltSpace, an_arch_on_spreading_supports_thrusts_the_least_and_weighs_its_
   const double depth = 0.2;
   ModelSpec spec = standing(semicircle(depth, 16));
   spec.stage.push_back(scenes::push_stage("a.right", Direction::kPlusX, 2e-3, 2e-3));
-  StageSpec hold;
-  hold.name = "hold", hold.kind = StageKind::kHold, hold.duration = 0.5;
+  StageSpec hold{.name = "hold", .action = HoldStage{.duration = 0.5}};
   spec.stage.push_back(hold);
   const Outcome r = run(spec);
   ASSERT_EQ(r.result.status, SolveStatus::kCompleted);
@@ -139,10 +138,10 @@ TEST(BuiltSpace, a_ring_beam_bends_and_turns_round_its_corner) {
   spec.body.front().fixed = true;
   spec.solve.gravity = 0;
   spec.solve.settle_ratio = 1e-7;
-  StageSpec load;
-  load.name = "load", load.kind = StageKind::kLoad, load.force = force;
-  load.at.x = leg + step / 2, load.at.y = 1 + high / 2, load.at.z = arm;
-  load.along = {0, -1, 0};
+  StageSpec load{.name = "load",
+                 .action = LoadStage{.force = force,
+                                     .at = {.x = leg + step / 2, .y = 1 + high / 2, .z = arm},
+                                     .along = {0, -1, 0}}};
   spec.stage = {load};
   const Outcome r = run(spec);
   ASSERT_EQ(r.result.status, SolveStatus::kCompleted) << text_of(r.result.reason);

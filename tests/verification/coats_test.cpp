@@ -88,8 +88,7 @@ TEST(Coats, mortar_over_a_joint_without_friction_bears_its_own_shear) {
   spec.material["plaster"].friction_angle = spec.material["plaster"].residual_friction_angle = 0;
   StageSpec push = scenes::push_stage("b1", Direction::kPlusX, 2e-3, 0.6e-3);
   push.damping = 0.3;
-  push.rotation = Freedom::kBlocked;
-  push.across = Freedom::kBlocked;
+  push.get<PushStage>().fixity = {Freedom::kBlocked, Freedom::kBlocked};
   spec.stage = {scenes::gravity_stage(), push};
   Ran r{compile(spec), {}, {}};
   r.state = initial_state(r.model);

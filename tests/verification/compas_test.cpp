@@ -94,9 +94,9 @@ TEST(Compas, a_bridge_of_hooked_arms_stands) {
 
 // A joint whose teeth hook into each other: it holds at 50 degrees, where friction of 0.84 alone holds up to 40.
 TEST(Compas, a_hooked_joint_holds_where_friction_alone_does_not) {
-  StageSpec tilt;
-  tilt.name = "tilt", tilt.kind = StageKind::kTilt;
-  tilt.tilt_rate = 4 * scenes::kPi / 180, tilt.tilt_until = 50 * scenes::kPi / 180;
+  StageSpec tilt{.name = "tilt",
+                 .action = TiltStage{.tilt_rate = 4 * scenes::kPi / 180,
+                                     .tilt_until = 50 * scenes::kPi / 180}};
   const Outcome hooked =
       run(bodies_of("concave-long.json", 1, [](const BodySpec& body) { return body.id == "0"; }),
           0.84, {tilt});
@@ -223,8 +223,7 @@ TEST(Compas, a_barrel_vault_weighs_and_thrusts_as_it_must) {
   EXPECT_GT(175970, least);
 
   // joints so stiff that a spread of 1 mm opens hinges, and so small a spread that the rise of 0.35 m stays
-  StageSpec hold;
-  hold.name = "hold", hold.kind = StageKind::kHold, hold.duration = 0.5;
+  StageSpec hold{.name = "hold", .action = HoldStage{.duration = 0.5}};
   const Outcome spread =
       run(std::move(bodies), 0.5,
           {scenes::push_stage("right*", Direction::kPlusX, 2e-3, 1e-3), hold}, 1e11);
@@ -256,8 +255,7 @@ TEST(Compas, a_cross_vault_stands_and_thrusts_less_on_spread_supports) {
           "at rest to the criterion of gravity"},
          left.lift + right.lift);
   EXPECT_NEAR(right.thrust / left.thrust, 1, 5e-3);
-  StageSpec hold;
-  hold.name = "hold", hold.kind = StageKind::kHold, hold.duration = 0.5;
+  StageSpec hold{.name = "hold", .action = HoldStage{.duration = 0.5}};
   const Outcome spread = run(std::move(bodies), 0.7,
                              {scenes::push_stage("right*", Direction::kPlusX, 5e-3, 5e-3), hold});
   ASSERT_EQ(spread.result.status, SolveStatus::kCompleted) << spread.result.reason;

@@ -343,10 +343,7 @@ TEST(FreeContacts, a_dead_load_falls_no_faster_than_a_weight) {
   constexpr double kHeight = 0.1;
   ModelSpec spec = with_free_contacts(
       {table(0, 0.5), scenes::rectangle("block", 0.4, 0, 0.3, kHeight)}, stiff());
-  StageSpec load;
-  load.name = "load";
-  load.kind = StageKind::kLoad;
-  load.pressure = 5e5;
+  StageSpec load{.name = "load", .action = LoadStage{.pressure = 5e5}};
   spec.stage = {scenes::gravity_stage(), load};
   Rig rig(compile(spec));
   let_go(rig);

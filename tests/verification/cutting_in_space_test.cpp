@@ -24,11 +24,9 @@ ModelSpec plane_wall() {
   ModelSpec spec = scenes::small_wall(1e-3, 0.02, 0);
   spec.wall.opening[0].name = "window";
   spec.wall.opening[0].cut = "cut";
-  spec.stage[1].pier_load = kUnset;
-  spec.stage[1].pressure = kPressure;
-  StageSpec cut;
-  cut.name = "cut";
-  cut.kind = StageKind::kCut;
+  spec.stage[1].get<LoadStage>().pier_load = kUnset;
+  spec.stage[1].get<LoadStage>().pressure = kPressure;
+  StageSpec cut{.name = "cut", .action = CutStage{}};
   spec.stage.back() = cut;
   spec.solve.settle_ratio = 1e-7;
   return spec;
@@ -179,8 +177,7 @@ TEST(CuttingInSpace, bears_as_much_as_the_same_wall_in_its_plane) {
   const auto pushed = [](ModelSpec spec) {
     spec.solve.settle_ratio = 1e-4;
     spec.stage.push_back(scenes::push_stage("", Direction::kPlusX, 5e-3, 1e-3));
-    spec.stage.back().at = {};
-    spec.stage.back().at.x = 0.05, spec.stage.back().at.y = 6.5 * 0.11;
+    spec.stage.back().get<PushStage>().at = {.x = 0.05, .y = 6.5 * 0.11};
     return spec;
   };
   const Ran flat = solved(pushed(plane_wall())), r = solved(along_a_line(pushed(plane_wall())));
@@ -195,8 +192,7 @@ TEST(CuttingInSpace, bears_as_much_as_the_same_wall_in_its_plane) {
 TEST(CuttingInSpace, the_limit_load_is_that_of_the_wall_after_the_cut) {
   const auto pushed = [](ModelSpec spec) {
     spec.stage.push_back(scenes::push_stage("", Direction::kPlusX, 5e-3, 1e-3));
-    spec.stage.back().at = {};
-    spec.stage.back().at.x = 0.05, spec.stage.back().at.y = 6.5 * 0.11;
+    spec.stage.back().get<PushStage>().at = {.x = 0.05, .y = 6.5 * 0.11};
     return compile(along_a_line(with_lintel(spec)));
   };
   const Model cut = pushed(plane_wall());
@@ -225,8 +221,7 @@ TEST(CuttingInSpace, a_prop_comes_without_force_and_goes_without_a_trace) {
     }
     spec.stage = {scenes::gravity_stage()};
     for (const char* name : {"prop", "unprop"}) {
-      StageSpec stage;
-      stage.name = name, stage.kind = StageKind::kCut;
+      StageSpec stage{.name = name, .action = CutStage{}};
       spec.stage.push_back(stage);
     }
     spec.solve.settle_ratio = 1e-8;

@@ -19,12 +19,7 @@ namespace {
 
 constexpr double kLoad = 20e3;  // on each pier [N]
 
-StageSpec cut_stage() {
-  StageSpec cut;
-  cut.name = "cut";
-  cut.kind = StageKind::kCut;
-  return cut;
-}
+StageSpec cut_stage() { return {.name = "cut", .action = CutStage{}}; }
 
 // The window of small_wall, cut under load; no push.
 ModelSpec cut_wall() {
@@ -325,8 +320,7 @@ TEST(Cutting, zones_elsewhere_stay_as_they_are) {
 TEST(Cutting, the_limit_load_is_that_of_the_wall_after_the_cut) {
   const auto pushed = [](ModelSpec spec) {
     spec.stage.push_back(scenes::push_stage("", Direction::kPlusX, 0.02, 1e-3));
-    spec.stage.back().at = {};
-    spec.stage.back().at.x = 0, spec.stage.back().at.y = 6.5 * 0.11;
+    spec.stage.back().get<PushStage>().at = {.x = 0, .y = 6.5 * 0.11};
     return with_lintel(spec, scenes::dry_joint(20e9, 8e9, 0.4));
   };
   const Model cut = compile(pushed(cut_wall())), whole = compile(pushed(built_wall()));

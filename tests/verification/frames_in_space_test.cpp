@@ -55,7 +55,7 @@ const std::vector<double> kAcross = {std::sin(kTurn), 0, std::cos(kTurn)};
 StageSpec push(const std::string& block, const std::vector<double>& along, double until,
                double velocity) {
   StageSpec stage = scenes::push_stage(block, Direction::kPlusX, velocity, until);
-  stage.along = along;
+  stage.get<PushStage>().drive.along = along;
   return stage;
 }
 
@@ -164,9 +164,8 @@ TEST(FramesInSpace, energy_balances_while_a_frame_swings_freely) {
   spec.frame = {portal(FrameFeet::kFixed)};
   spec.frame[0].yield_strength = 1e12;
   spec.solve.step_fraction = 0.1;
-  StageSpec swing;
-  swing.name = "swing", swing.kind = StageKind::kHold, swing.duration = 0.05;
-  swing.damping = 0, swing.release = true;
+  StageSpec swing{
+      .name = "swing", .damping = 0, .action = HoldStage{.duration = 0.05, .release = true}};
   spec.stage = {swing};
   Ran r{compile(spec), {}, {}};
   r.state = initial_state(r.model);
@@ -205,7 +204,7 @@ Ran pulled(const std::vector<double>& along, double until) {
       .spacing = 0.25, .depth = 0.1, .tension = kTension, .shear = kShear, .slip = 1e-3};
   spec.frame = {column};
   StageSpec stage = push("b0", along, until, 0.01);
-  stage.rotation = Freedom::kBlocked;
+  stage.get<PushStage>().fixity.rotation = Freedom::kBlocked;
   spec.stage = {scenes::gravity_stage(), stage};
   return solved(spec);
 }
@@ -233,9 +232,9 @@ TEST(FramesInSpace, anchors_are_pulled_out_and_sheared_off_at_their_strengths) {
 ModelSpec plane_wall() {
   ModelSpec spec = scenes::small_wall(1e-3, 5e-3, 0);
   spec.wall.opening[0].name = "window";
-  spec.stage[1].pier_load = kUnset;
-  spec.stage[1].pressure = 50e3;
-  spec.stage.back().at.x = 0.05;
+  spec.stage[1].get<LoadStage>().pier_load = kUnset;
+  spec.stage[1].get<LoadStage>().pressure = 50e3;
+  spec.stage.back().get<PushStage>().at.x = 0.05;
   spec.material["joint"] = scenes::elastic_joint(20e9, 8e9);
   spec.material["unit"] = scenes::elastic_joint(40e9, 16e9);
   spec = scenes::framed(spec);

@@ -202,8 +202,7 @@ TEST(Frames, a_beam_fails_with_hinges_at_its_ends_and_in_the_middle) {
   spec.frame = {portal(FrameFeet::kFixed)};
   spec.frame[0].beam_profile = "IPE 200";
   StageSpec down = push("", Direction::kMinusY, 0.05, 0.02);
-  down.at = {};
-  down.at.x = 0.5 - 0.3, down.at.width = 0.6, down.at.y = kHeight - 0.05, down.at.height = 0.1;
+  down.get<PushStage>().at = {.x = 0.5 - 0.3, .y = kHeight - 0.05, .width = 0.6, .height = 0.1};
   spec.stage = {scenes::gravity_stage(), down};
   const Ran r = solved(spec);
   ASSERT_EQ(r.model.stages[1].driven.size(), 2U);
@@ -308,8 +307,8 @@ TEST(Frames, energy_balances_over_a_plastic_cycle) {
   ModelSpec spec = yard();
   spec.frame = {portal(FrameFeet::kFixed)};
   StageSpec cycle = push("frame0_0", Direction::kPlusX, 0, 0.05);
-  cycle.until = kUnset;
-  cycle.targets = {0.08, -0.08, 0.0};
+  cycle.get<PushStage>().until = kUnset;
+  cycle.get<PushStage>().targets = {0.08, -0.08, 0.0};
   spec.stage = {scenes::gravity_stage(), cycle};
   const Ran r = solved(spec);
   ASSERT_EQ(r.result.status, SolveStatus::kCompleted);

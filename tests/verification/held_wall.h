@@ -103,12 +103,8 @@ inline double shaken_bend(const HeldWall& w, const RecordSpec& record, double st
   top.at.x = w.b, top.at.y = 2 * w.h;
   top.stiffness = 1e9;  // at 1e8, and hinges of 1e10 Pa/m, the mean is 0.031, rms 0.053
   spec.spring = {top};
-  StageSpec shake;
-  shake.name = "quake";
-  shake.kind = StageKind::kShake;
-  shake.record = {record};
-  shake.restitution = 0;
-  shake.free_vibration = 2;
+  StageSpec shake{.name = "quake",
+                  .action = ShakeStage{.record = {record}, .free_vibration = 2, .restitution = 0}};
   spec.stage = {scenes::gravity_stage(), shake};
   HistorySpec lower;
   lower.name = "lower";

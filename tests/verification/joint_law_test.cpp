@@ -63,7 +63,7 @@ TEST(ClosedForm, CF10_opening_at_zero_stress) {
 double energy_of_pulling(const JointMaterial& joint) {
   ModelSpec spec = scenes::block_on_ground(0.5, 0.1, joint, 0.2, 2000);
   StageSpec pull = scenes::push_stage("b0", Direction::kPlusY, 1e-3, 2e-4);
-  pull.as = Manner::kEach;
+  pull.get<PushStage>().as = Manner::kEach;
   spec.stage = {pull};
   const Model model = compile(spec);
   State state = initial_state(model);

@@ -112,7 +112,7 @@ class Held {
     stage.driven.clear();
     for (BlockId i = 0; i < model.n_block; ++i) stage.driven.push_back(i);
     stage.driven_share.assign(stage.driven.size(), 1.0);
-    stage.spec.as = Manner::kEach;
+    stage.spec.action = PushStage{.as = Manner::kEach};
     return model;
   }
 

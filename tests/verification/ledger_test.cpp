@@ -28,13 +28,10 @@ RecordSpec pulse(PulseShape shape, double amplitude, double period, Direction di
 // The base goes to and fro, and up and down four times as fast: the block slides both ways, under a pressure that rises and
 // falls by the shaking and by its own bouncing on its joint.
 StageSpec to_and_fro() {
-  StageSpec shake;
-  shake.name = "quake";
-  shake.kind = StageKind::kShake;
-  shake.record = {pulse(PulseShape::kCycle, 9, 0.4, Direction::kPlusX),
-                  pulse(PulseShape::kRicker, 6, 0.1, Direction::kPlusY)};
-  shake.free_vibration = 0.1;
-  return shake;
+  return {.name = "quake",
+          .action = ShakeStage{.record = {pulse(PulseShape::kCycle, 9, 0.4, Direction::kPlusX),
+                                          pulse(PulseShape::kRicker, 6, 0.1, Direction::kPlusY)},
+                               .free_vibration = 0.1}};
 }
 
 EnergyLedger ledger(ModelSpec spec, double step_fraction) {
@@ -93,7 +90,8 @@ ModelSpec on_a_table(const JointMaterial& joint) {
 TEST(Ledger, a_block_that_slides_to_and_fro_in_space) {
   ModelSpec spec = scenes::prisms(on_a_table(scenes::dry_joint(1e9, 4e8, degrees(25))));
   // across, out of step: the slip turns, and so does the block
-  spec.stage.back().record.push_back(pulse(PulseShape::kCycle, 7, 0.25, Direction::kPlusZ));
+  spec.stage.back().get<ShakeStage>().record.push_back(
+      pulse(PulseShape::kCycle, 7, 0.25, Direction::kPlusZ));
   expect_second_order("block sliding in two directions", spec, 2e-5);
 }
 

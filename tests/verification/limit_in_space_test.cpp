@@ -24,13 +24,9 @@ constexpr double kG = 9.81, kDensity = 2000;
 BodySpec floor_slab() { return box("floor", {-2, -0.2, -2}, {4, 0.2, 4}, true); }
 
 StageSpec body_force(Vec3 along) {
-  StageSpec stage;
-  stage.name = "force";
-  stage.kind = StageKind::kBodyForce;
-  stage.rate = 0.1;
-  stage.factor = 2;
-  stage.along = {along.x, along.y, along.z};
-  return stage;
+  return {.name = "force",
+          .action = BodyForceStage{
+              .drive = {.along = {along.x, along.y, along.z}}, .rate = 0.1, .factor = 2}};
 }
 
 ModelSpec block_on_slab(Vec3 size, double mu, Vec3 along) {
@@ -175,8 +171,7 @@ TEST(LimitInSpace, what_a_run_carries_is_below_its_limit_load) {
   verify({"LP-S5", "limit load of the wall with returns, turned by 30 degrees", "-", one, 1e-6,
           "1e-6: what both theorems may differ by"},
          answer_of([&] {
-           StageSpec& stage = spec.stage.back();
-           stage.along = {0, 0, -1};
+           *scenes::along_of(spec.stage.back()) = {0, 0, -1};
            return scenes::turned_about_y(spec, M_PI / 6);
          }())
              .load);
@@ -187,22 +182,19 @@ TEST(LimitInSpace, what_a_run_carries_is_below_its_limit_load) {
 TEST(LimitInSpace, a_tilt_is_the_angle_whose_tangent_a_body_force_has) {
   ModelSpec spec = block_on_slab({0.4, 0.02, 0.3}, 0.6, {0.6, 0, 0.8});
   const double force = answer_of(spec).load;
-  spec.stage.back().kind = StageKind::kTilt;
-  spec.stage.back().tilt_until = 0.7;
+  spec.stage.back().action = TiltStage{.drive = drive_of(spec.stage.back()), .tilt_until = 0.7};
   EXPECT_NEAR(answer_of(spec).load, force, 1e-6);
 }
 
 // At no tilt the wind is carried; over the cosine of the limit tilt it would not be.
 TEST(LimitInSpace, a_tilted_wall_stands_at_rest_under_the_loads_it_has_there) {
   ModelSpec spec = block_on_slab({0.4, 0.4, 0.4}, 2, {0, 0, 1});
-  StageSpec wind;
-  wind.name = "wind";
-  wind.kind = StageKind::kLoad;
   const double weight = kDensity * 0.4 * 0.4 * 0.4 * kG;
-  wind.pressure = 0.5 * weight / (0.4 * 0.4), wind.face = "+z";  // towards -z, it falls at 1
+  // towards -z, it falls at 1
+  const StageSpec wind{.name = "wind",
+                       .action = LoadStage{.pressure = 0.5 * weight / (0.4 * 0.4), .face = "+z"}};
   spec.stage.insert(spec.stage.begin() + 1, wind);
-  spec.stage.back().kind = StageKind::kTilt;
-  spec.stage.back().tilt_until = 1.5;
+  spec.stage.back().action = TiltStage{.drive = drive_of(spec.stage.back()), .tilt_until = 1.5};
   // sin t - 0.5 = cos t: the wind keeps its direction beside a weight that turns
   const double t = M_PI / 4 + std::asin(0.5 / std::sqrt(2.0));
   EXPECT_NEAR(answer_of(spec).load, std::tan(t), 1e-4 * std::tan(t));
@@ -221,11 +213,11 @@ TEST(LimitInSpace, circles_that_were_not_reached_are_noted) {
 TEST(LimitInSpace, a_push_on_a_block_is_a_force) {
   ModelSpec spec = block_on_slab({0.4, 0.1, 0.2}, 0.6, {1, 0, 0});
   spec.stage.back() = scenes::push_stage("b", Direction::kPlusX, 2e-3, 1e-3);
-  spec.stage.back().along = {0.6, 0, 0.8};
+  spec.stage.back().get<PushStage>().drive.along = {0.6, 0, 0.8};
   for (const Freedom rotation : {Freedom::kFree, Freedom::kBlocked})
     for (const Manner manner : {Manner::kSpreader, Manner::kEach}) {
-      spec.stage.back().rotation = rotation;
-      spec.stage.back().as = manner;
+      spec.stage.back().get<PushStage>().fixity.rotation = rotation;
+      spec.stage.back().get<PushStage>().as = manner;
       verify(
           {"LP-S6", "limit force of a pushed block that slides", "N",
            0.6 * kDensity * 0.4 * 0.1 * 0.2 * kG, 1e-6, "1e-6: what both theorems may differ by"},
@@ -272,10 +264,7 @@ TEST(LimitInSpace, what_has_no_limit_load_is_refused_by_name) {
   EXPECT_TRUE(has(fault_of(overhung), "ledge: cannot stand")) << fault_of(overhung);
   // dead loads that topple it: it stands only where the force holds it up, and so has no strength
   ModelSpec pushed_over = block_on_slab({1, 2, 0.4}, 0.65, {0, 0, 1});
-  StageSpec wind;
-  wind.name = "wind";
-  wind.kind = StageKind::kLoad;
-  wind.pressure = 5e3, wind.face = "+z";
+  StageSpec wind{.name = "wind", .action = LoadStage{.pressure = 5e3, .face = "+z"}};
   pushed_over.stage.insert(pushed_over.stage.begin() + 1, wind);
   EXPECT_TRUE(has(fault_of(pushed_over), "cannot stand under the dead loads alone"))
       << fault_of(pushed_over);
@@ -291,10 +280,9 @@ TEST(LimitInSpace, a_stone_stands_below_the_friction_of_its_bed_and_not_above) {
     ModelSpec blown = block_on_slab({size, size, size}, 0.6, {1, 0, 0});
     for (const auto& [face, part] :
          {std::pair("+x", std::cos(M_PI / 8)), {"+z", std::sin(M_PI / 8)}}) {
-      StageSpec wind;
-      wind.name = std::string("wind on ") + face;
-      wind.kind = StageKind::kLoad;
-      wind.pressure = share * weight * part / (size * size), wind.face = face;
+      StageSpec wind{
+          .name = std::string("wind on ") + face,
+          .action = LoadStage{.pressure = share * weight * part / (size * size), .face = face}};
       blown.stage.insert(blown.stage.end() - 1, wind);
     }
     const std::string fault = fault_of(blown);

@@ -29,13 +29,9 @@ void load_before_push(Model& model, const PointLoad& load) {
 constexpr double kGravity = 9.81;
 
 StageSpec body_force() {
-  StageSpec stage;
-  stage.name = "body force";
-  stage.kind = StageKind::kBodyForce;
-  stage.direction = Direction::kPlusX;
-  stage.rate = 0.1;
-  stage.factor = 2;
-  return stage;
+  return {.name = "body force",
+          .action =
+              BodyForceStage{.drive = {.direction = Direction::kPlusX}, .rate = 0.1, .factor = 2}};
 }
 
 ModelSpec with_stages(ModelSpec spec, StageSpec growing) {
@@ -84,9 +80,10 @@ TEST(Pattern, Ferris_and_Tin_Loi_walls_reach_the_published_factors_and_fall_behi
   for (const auto& wall : walls) {
     ModelSpec spec = read_model(source_dir() + "/validation/ferris_tinloi_walls/model.toml",
                                 {std::string("wall.blocks=data/") + wall.file + ".json"});
-    StageSpec push;
-    push.name = "push", push.kind = StageKind::kPush, push.pattern = Pattern::kMass;
-    push.velocity = 2e-3, push.damping = 0.1, push.until = wall.until;
+    StageSpec push{
+        .name = "push",
+        .damping = 0.1,
+        .action = PushStage{.pattern = Pattern::kMass, .velocity = 2e-3, .until = wall.until}};
     spec.stage = {spec.stage.front(), push};
     spec.solve.collapse_displacement = 2;
     const Model model = compile(spec);
@@ -287,11 +284,11 @@ double pushed_beam(Freedom rotation, const char* as = "free") {
   ModelSpec spec = scenes::assembly(blocks, scenes::dry_joint(20e9, 8e9, degrees(60)), 0.3, 1e-6);
   spec.wall.beam.rotation = rotation;
   StageSpec push = scenes::push_stage("beam", Direction::kPlusX, 0.01, 0.01);
-  if (std::string(as) == "blocked") push.rotation = Freedom::kBlocked;
+  if (std::string(as) == "blocked") push.get<PushStage>().fixity.rotation = Freedom::kBlocked;
   spec.stage = {scenes::gravity_stage(), push};
   Model model = compile(spec);
   Stage load = model.stages.front();
-  load.spec.kind = StageKind::kLoad;
+  load.spec.action = LoadStage{};
   load.loads = {{.block = scenes::block_named(model, "beam"), .fy = -200e3}};
   model.stages.insert(model.stages.begin() + 1, load);
   const LimitResult answer = limit_load(model, {});
@@ -313,11 +310,7 @@ TEST(LimitLoad, a_beam_kept_level_rocks_the_panel_on_both_its_corners) {
 // A slab with bond on a tilting ground.
 Model tilted_slab(double density) {
   ModelSpec spec = scenes::block_on_ground(1.0, 0.1, scenes::paper_joint(), 0.31, density);
-  StageSpec tilt;
-  tilt.name = "tilt";
-  tilt.kind = StageKind::kTilt;
-  tilt.tilt_rate = 0.01;
-  tilt.tilt_until = 1.5;
+  StageSpec tilt{.name = "tilt", .action = TiltStage{.tilt_rate = 0.01, .tilt_until = 1.5}};
   return compile(with_stages(spec, tilt));
 }
 constexpr LimitOptions kBond{.strength = JointStrength::kBonded};
@@ -349,7 +342,7 @@ TEST(LimitLoad, loads_that_come_after_the_push_do_not_hold_it) {
   Model model = compile(loaded_pier(kUnlimited));
   const double without = limit_load(model, {}).load;
   Stage late = model.stages.front();
-  late.spec.kind = StageKind::kLoad;
+  late.spec.action = LoadStage{};
   late.loads = {{.block = 0, .fy = -200e3}};
   model.stages.push_back(late);
   EXPECT_EQ(limit_load(model, {}).load, without);
@@ -369,7 +362,7 @@ TEST(LimitLoad, of_blocks_that_weigh_nothing_is_said_or_refused) {
   EXPECT_NE(notes(spec).find("weigh nothing"), std::string::npos);
   std::swap(spec.stage[0], spec.stage[1]);
   EXPECT_EQ(notes(spec), "");
-  spec.stage[1].kind = StageKind::kBodyForce;
+  spec.stage[1].action = BodyForceStage{};
   EXPECT_EQ(notes(spec), "");
   Model floating = compile(spec);
   floating.solve.gravity = 0;
@@ -386,9 +379,9 @@ TEST(LimitLoad, targets_behind_the_push_turn_it_round) {
   StageSpec push = scenes::push_stage("r6c0", Direction::kMinusX, 0.01, 0.01);
   spec.stage = {scenes::gravity_stage(), push};
   const double there = limit_load(compile(spec), {}).load;
-  spec.stage[1].direction = Direction::kPlusX;
+  spec.stage[1].get<PushStage>().drive.direction = Direction::kPlusX;
   const double back = limit_load(compile(spec), {}).load;
-  spec.stage[1].targets = {-0.002, -0.001, -0.003};
+  spec.stage[1].get<PushStage>().targets = {-0.002, -0.001, -0.003};
   EXPECT_NEAR(limit_load(compile(spec), {}).load, there, 1e-9 * there);
   EXPECT_GT(std::fabs(back - there), 1e-3 * there) << "else it shows nothing";
 }

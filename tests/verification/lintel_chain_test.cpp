@@ -85,10 +85,7 @@ Model beam(int n, int points) {
 // A stage that holds `blocks` in the direction (x, y) and lets go what is free.
 Stage holding(std::vector<BlockId> blocks, double x, double y, Freedom rotation, Freedom across) {
   Stage hold;
-  hold.spec.kind = StageKind::kPush;
-  hold.spec.as = Manner::kEach;
-  hold.spec.rotation = rotation;
-  hold.spec.across = across;
+  hold.spec.action = PushStage{.as = Manner::kEach, .fixity = {rotation, across}};
   hold.driven = std::move(blocks);
   hold.driven_share.assign(hold.driven.size(), 1.0);
   hold.drive_x = x;

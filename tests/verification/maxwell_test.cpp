@@ -31,13 +31,9 @@ RecordSpec pulse(double amplitude, double period) {
   return record;
 }
 StageSpec shake(double amplitude) {
-  StageSpec stage;
-  stage.name = "quake";
-  stage.kind = StageKind::kShake;
-  stage.record = {pulse(amplitude, 0.3)};
-  stage.free_vibration = 1.5;
-  stage.interval = 1e-3;
-  return stage;
+  return {.name = "quake",
+          .action = ShakeStage{
+              .record = {pulse(amplitude, 0.3)}, .free_vibration = 1.5, .interval = 1e-3}};
 }
 
 // 20 kg on an upright spring; a push from below sets it going.
@@ -49,7 +45,7 @@ ModelSpec oscillator(const ViscousSpec& damping) {
   ModelSpec spec = scenes::assembly(
       std::move(blocks), scenes::elastic_joint(stiffness, 0.4 * stiffness), 0.3, 20 / 0.009);
   StageSpec quake = shake(2);
-  quake.maxwell_damping = damping;
+  quake.get<ShakeStage>().maxwell_damping = damping;
   spec.stage = {scenes::gravity_stage(), quake};
   spec.solve.step_fraction = 0.02;  // some 200 steps a period
   return spec;
@@ -120,7 +116,7 @@ TEST(Maxwell, elements_never_give_back_more_than_they_took) {
       scenes::block_on_ground(0.2, 0.5, scenes::dry_joint(1e9, 4e8, degrees(25)), 0.2, 2000);
   spec.solve.point_rule = PointRule::kCorners;
   StageSpec quake = shake(0);
-  quake.maxwell_damping = {0.2, 30};
+  quake.get<ShakeStage>().maxwell_damping = {0.2, 30};
   spec.stage = {scenes::gravity_stage(), quake};
   Rig rig(compile(spec));
   rig.state.gravity_y = -kG;
@@ -150,10 +146,11 @@ TEST(Maxwell, elements_never_give_back_more_than_they_took) {
 // A stage with other dashpots leaves nothing in them: what they held would come back as a blow in the next stage that has some.
 TEST(Maxwell, elements_hold_nothing_after_a_stage_without_them) {
   ModelSpec plane = oscillator({0.3, 2});
-  plane.stage.back().record = {pulse(2, 0.2)};
-  plane.stage.back().free_vibration = 0;
+  plane.stage.back().get<ShakeStage>().record = {pulse(2, 0.2)};
+  plane.stage.back().get<ShakeStage>().free_vibration = 0;
   StageSpec other = plane.stage.back();
-  other.name = "other", other.maxwell_damping = {}, other.restitution = 0.3;
+  other.name = "other", other.get<ShakeStage>().maxwell_damping = {},
+  other.get<ShakeStage>().restitution = 0.3;
   const auto held = [](const ModelSpec& spec) {
     const Model model = compile(spec);
     State state = initial_state(model);
@@ -185,7 +182,7 @@ Bounce bounce(double restitution) {
       scenes::assembly(std::move(blocks), scenes::dry_joint(2e10, 8e9, degrees(40)), 0.2, 2000);
   spec.solve.contacts = Contacts::kFree;
   StageSpec quake = shake(0);
-  quake.restitution = restitution;
+  quake.get<ShakeStage>().restitution = restitution;
   spec.stage = {scenes::gravity_stage(), quake};
   Rig rig(compile(spec));
   std::fill(rig.state.handed_over.begin(), rig.state.handed_over.end(), 1.0);

@@ -107,8 +107,8 @@ ModelSpec portal_spec(double pier_load = 20e3) {
 Model portal_wall(double direction = 1) {
   ModelSpec spec = portal_spec();
   if (direction < 0) {
-    spec.stage.back().direction = Direction::kMinusX;
-    spec.stage.back().at.x = 1.24;
+    spec.stage.back().get<PushStage>().drive.direction = Direction::kMinusX;
+    spec.stage.back().get<PushStage>().at.x = 1.24;
   }
   return compile(spec);
 }
@@ -243,8 +243,8 @@ TEST(MacroBlock, a_load_over_a_jamb_counts_once) {
   };
   const auto loaded = [&](double direction, double round_off) {
     if (direction < 0) {
-      spec.stage.back().direction = Direction::kMinusX;
-      spec.stage.back().at.x = 1.24;
+      spec.stage.back().get<PushStage>().drive.direction = Direction::kMinusX;
+      spec.stage.back().get<PushStage>().at.x = 1.24;
     }
     Model model = compile(spec);
     for (const double x : {0.31 + round_off, 0.62 + round_off, 0.93 + round_off})
@@ -423,15 +423,15 @@ TEST(MacroBlock, walls_outside_are_refused_with_a_cure) {
   expect_refusal(refusal(scenes::small_wall()), "turn against the push");
   // pushed on the pier ahead, the chain would have to be pulled
   ModelSpec pulled = portal_spec();
-  pulled.stage.back().at.x = 1.24;
+  pulled.stage.back().get<PushStage>().at.x = 1.24;
   expect_refusal(refusal(pulled), "would have to pull");
-  pulled.stage.back().at.x = 0.62, pulled.stage.back().at.y = 0.7;
+  pulled.stage.back().get<PushStage>().at.x = 0.62, pulled.stage.back().get<PushStage>().at.y = 0.7;
   expect_refusal(refusal(pulled), "would have to pull");
   ModelSpec low = portal_spec();
-  low.stage.back().at.y = 0.05;
+  low.stage.back().get<PushStage>().at.y = 0.05;
   expect_refusal(refusal(low), "the load point lies outside");
   ModelSpec vertical = portal_spec();
-  vertical.stage.back().direction = Direction::kMinusY;
+  vertical.stage.back().get<PushStage>().drive.direction = Direction::kMinusY;
   expect_refusal(refusal(vertical), "not horizontal");
   ModelSpec none = portal_spec();
   none.stage.pop_back();

@@ -34,10 +34,7 @@ ModelSpec pier(const JointMaterial& base, double until, int supports) {
   blocks.push_back(scenes::rectangle("head", 0, body, kLength, head_height));
   ModelSpec spec = scenes::assembly(blocks, scenes::elastic_joint(400e9, 160e9), kThickness, 2000);
   spec.material["foundation"] = base;
-  StageSpec load;
-  load.name = "load";
-  load.kind = StageKind::kLoad;
-  load.pier_load = kLoad;
+  StageSpec load{.name = "load", .action = LoadStage{.pier_load = kLoad}};
   StageSpec push = scenes::push_stage("head", Direction::kPlusX, 1e-3, until);
   push.damping = 0;  // local damping would drag: a rocking body's velocity keeps its sign
   push.ramp = 0.2;
@@ -114,7 +111,7 @@ ModelSpec toppling_block() {
   light.density = 100;
   spec.material["handle"] = light;
   StageSpec push = scenes::push_stage("handle", Direction::kPlusX, 0.01, 0.42);
-  push.as = Manner::kEach;
+  push.get<PushStage>().as = Manner::kEach;
   push.ramp = 0.5;
   push.damping = 0;  // as above
   spec.stage = {scenes::gravity_stage(), push};

@@ -20,12 +20,7 @@ using scenes::Rig;
 
 constexpr double kG = 9.81;
 
-StageSpec plain_shake() {
-  StageSpec shake;
-  shake.name = "quake";
-  shake.kind = StageKind::kShake;
-  return shake;
-}
+StageSpec plain_shake() { return {.name = "quake", .action = ShakeStage{}}; }
 RecordSpec pulse(PulseShape shape, double amplitude, double period,
                  Direction direction = Direction::kPlusX) {
   RecordSpec record;
@@ -67,9 +62,10 @@ TEST(Shaking, an_oscillator_under_half_a_sine_moves_as_in_closed_form) {
   constexpr double kAmplitude = 2, kPulse = 0.3;  // period of the sine: it lasts 0.75 T
   ModelSpec spec = oscillator();
   StageSpec shake = plain_shake();
-  shake.record = {pulse(PulseShape::kHalfCycle, kAmplitude, kPulse, Direction::kPlusY)};
-  shake.free_vibration = 0.3;
-  shake.interval = 1e-3;
+  shake.get<ShakeStage>().record = {
+      pulse(PulseShape::kHalfCycle, kAmplitude, kPulse, Direction::kPlusY)};
+  shake.get<ShakeStage>().free_vibration = 0.3;
+  shake.get<ShakeStage>().interval = 1e-3;
   spec.stage.push_back(shake);
   const Shaken s = shaken(spec);
   ASSERT_EQ(s.result.status, SolveStatus::kCompleted) << s.result.reason;
@@ -115,9 +111,9 @@ double decrement(const StageSpec& shake) {
   rig.settle(1e-12);
   const double rest = rig.state.uy[0];
   rig.controls.damping = 0;
-  if (std::isfinite(shake.mass_damping.fraction))
-    rig.controls.mass_damping =
-        4 * M_PI * shake.mass_damping.fraction * shake.mass_damping.frequency;
+  const ViscousSpec& damping = shake.get<ShakeStage>().mass_damping;
+  if (std::isfinite(damping.fraction))
+    rig.controls.mass_damping = 4 * M_PI * damping.fraction * damping.frequency;
   if (!stage.dashpots.normal.empty()) rig.controls.dashpots = &stage.dashpots;
   rig.state.vy[0] = 0;
   rig.state.uy[0] = rest + 1e-3;
@@ -140,8 +136,9 @@ TEST(Shaking, damping_has_the_stated_fraction_at_the_stated_frequency) {
   constexpr double kFraction = 0.05;
   const double wanted = 2 * M_PI * kFraction / std::sqrt(1 - kFraction * kFraction);
   StageSpec by_mass = plain_shake(), by_joints = by_mass;
-  by_mass.record = by_joints.record = {stillness(1)};
-  by_mass.mass_damping = by_joints.joint_damping = {kFraction, 1 / kPeriod};
+  by_mass.get<ShakeStage>().record = by_joints.get<ShakeStage>().record = {stillness(1)};
+  by_mass.get<ShakeStage>().mass_damping =
+      by_joints.get<ShakeStage>().joint_damping = {kFraction, 1 / kPeriod};
   verify({"SH02", "damping by mass: logarithmic decrement", "-", wanted, 1e-2,
           "turns are read at steps"},
          decrement(by_mass));
@@ -152,8 +149,8 @@ TEST(Shaking, damping_has_the_stated_fraction_at_the_stated_frequency) {
 
 TEST(Shaking, damping_by_mass_halves_where_the_frequency_doubles) {
   StageSpec by_mass = plain_shake();
-  by_mass.record = {stillness(1)};
-  by_mass.mass_damping = {0.05, 0.5 / kPeriod};
+  by_mass.get<ShakeStage>().record = {stillness(1)};
+  by_mass.get<ShakeStage>().mass_damping = {0.05, 0.5 / kPeriod};
   EXPECT_NEAR(decrement(by_mass), 2 * M_PI * 0.025, 0.02 * 2 * M_PI * 0.025);
 }
 
@@ -166,26 +163,27 @@ const Message* obtained_of(const Model& model) {
 
 TEST(Shaking, a_fraction_that_the_wall_does_not_get_is_told_as_the_decrement_shows_it) {
   StageSpec shake = plain_shake();
-  shake.record = {pulse(PulseShape::kCycle, 0.1, 0.1, Direction::kPlusY)};
+  shake.get<ShakeStage>().record = {pulse(PulseShape::kCycle, 0.1, 0.1, Direction::kPlusY)};
   for (const auto member :
-       {&StageSpec::mass_damping, &StageSpec::joint_damping, &StageSpec::maxwell_damping}) {
-    shake.*member = {0.02, 1 / kPeriod};
+       {&ShakeStage::mass_damping, &ShakeStage::joint_damping, &ShakeStage::maxwell_damping}) {
+    shake.get<ShakeStage>().*member = {0.02, 1 / kPeriod};
     ModelSpec spec = oscillator();
     spec.stage.push_back(shake);
     EXPECT_EQ(obtained_of(compile(spec)), nullptr);
-    (shake.*member).frequency = 3 / kPeriod;
+    (shake.get<ShakeStage>().*member).frequency = 3 / kPeriod;
     spec.stage.back() = shake;
     const Model model = compile(spec);
     const Message* note = obtained_of(model);
     ASSERT_NE(note, nullptr);
     const double xi = 1e-2 * note->number("obtained_percent");
     const double shown =
-        member == &StageSpec::maxwell_damping ? 0.02 * 0.6 : decrement(shake) / (2 * M_PI);
+        member == &ShakeStage::maxwell_damping ? 0.02 * 0.6 : decrement(shake) / (2 * M_PI);
     EXPECT_NEAR(xi, shown, 0.02 * xi);
     EXPECT_NEAR(note->number("frequency_hz"), 1 / kPeriod, 1e-3 / kPeriod);
-    shake.*member = {};
+    shake.get<ShakeStage>().*member = {};
   }
-  shake.mass_damping = {0.02, 1 / kPeriod}, shake.joint_damping = {0.02, 1 / kPeriod};
+  shake.get<ShakeStage>().mass_damping = {0.02, 1 / kPeriod};
+  shake.get<ShakeStage>().joint_damping = {0.02, 1 / kPeriod};
   ModelSpec both = oscillator();
   both.stage.push_back(shake);
   const Model model = compile(both);
@@ -194,8 +192,8 @@ TEST(Shaking, a_fraction_that_the_wall_does_not_get_is_told_as_the_decrement_sho
 
 TEST(Shaking, a_wall_in_space_is_told_what_its_plane_picture_is) {
   StageSpec shake = plain_shake();
-  shake.record = {pulse(PulseShape::kCycle, 0.1, 0.1)};
-  shake.mass_damping = {0.02, 1};
+  shake.get<ShakeStage>().record = {pulse(PulseShape::kCycle, 0.1, 0.1)};
+  shake.get<ShakeStage>().mass_damping = {0.02, 1};
   ModelSpec plane = scenes::plain_wall(4, 6, 1e-3, 0.02);
   plane.stage = {scenes::gravity_stage(), shake};
   const Message* in_plane = nullptr;
@@ -215,8 +213,8 @@ double rebound(double restitution) {
   ModelSpec spec =
       scenes::block_on_ground(0.4, 0.2, scenes::dry_joint(2e10, 8e9, degrees(40)), 0.2, 2000);
   StageSpec shake = plain_shake();
-  shake.record = {stillness(1)};
-  shake.restitution = restitution;
+  shake.get<ShakeStage>().record = {stillness(1)};
+  shake.get<ShakeStage>().restitution = restitution;
   spec.stage = {scenes::gravity_stage(), shake};
   Rig rig(compile(spec));
   const Stage& stage = rig.model.stages.back();
@@ -263,8 +261,8 @@ ModelSpec rocking_spec(const Rocking& r, double stiffness, double restitution) {
   spec.solve.point_rule = PointRule::kCorners;
   spec.solve.points_per_face = 2;
   StageSpec shake = plain_shake();
-  shake.record = {stillness(1)};
-  shake.restitution = restitution;
+  shake.get<ShakeStage>().record = {stillness(1)};
+  shake.get<ShakeStage>().restitution = restitution;
   spec.stage = {scenes::gravity_stage(), shake};
   return spec;
 }
@@ -354,8 +352,8 @@ constexpr double kWatched = 4;  // after the pulse [s]
 // The same by the engine.
 double shaken_tilt(const Rocking& r, const RecordSpec& record, double stiffness) {
   ModelSpec spec = rocking_spec(r, stiffness, 0);
-  spec.stage.back().record = {record};
-  spec.stage.back().free_vibration = kWatched;
+  spec.stage.back().get<ShakeStage>().record = {record};
+  spec.stage.back().get<ShakeStage>().free_vibration = kWatched;
   HistorySpec corner;
   corner.name = "corner";
   corner.at.x = 0, corner.at.y = 2 * r.h;  // of the top
@@ -376,7 +374,7 @@ TEST(Shaking, half_a_sine_overturns_a_block_where_the_rocking_equation_says) {
   const auto falls = [&](double amplitude) {
     const RecordSpec record = pulse(PulseShape::kHalfCycle, amplitude, kPulse);
     ModelSpec spec = rocking_spec(r, 1e10, 0);
-    spec.stage.back().record = {record};
+    spec.stage.back().get<ShakeStage>().record = {record};
     return rocked(r, compile(spec).stages.back().base.front(), kWatched) == 9;
   };
   double low = 0, high = 40;
@@ -395,7 +393,7 @@ TEST(Shaking, rocking_under_many_pulses_is_that_of_the_rocking_equation) {
     for (const double over : {1.3, 1.6, 2.0, 2.4, 2.8, 3.2}) {
       const RecordSpec record = pulse(PulseShape::kCycle, over * kG * 0.25, period);
       ModelSpec spec = rocking_spec(r, 1e10, 0);
-      spec.stage.back().record = {record};
+      spec.stage.back().get<ShakeStage>().record = {record};
       const double wanted = rocked(r, compile(spec).stages.back().base.front(), period + kWatched);
       const double tilt = shaken_tilt(r, record, 1e10);
       ++runs;
@@ -424,7 +422,7 @@ TEST(Shaking, a_wall_held_at_its_top_bends_as_two_rocking_bodies) {
       const RecordSpec record = pulse(PulseShape::kCycle, over * w.uplift(), period);
       ModelSpec spec = oscillator();
       StageSpec shake = plain_shake();
-      shake.record = {record};
+      shake.get<ShakeStage>().record = {record};
       spec.stage = {scenes::gravity_stage(), shake};
       const double wanted = bent(w, compile(spec).stages.back().base.front(), period + 2);
       const double found = shaken_bend(w, record, 4e10);
@@ -470,8 +468,8 @@ ModelSpec stones_of_storeys(int storeys) {
   record.unit = RecordUnit::kMetres;
   record.times = {0, 1e-6, 0.2, 0.2 + 1e-6};
   record.accelerations = {0, 4, 4, 0};
-  shake.record = {record};
-  shake.free_vibration = 0.5;
+  shake.get<ShakeStage>().record = {record};
+  shake.get<ShakeStage>().free_vibration = 0.5;
   spec.stage = {scenes::gravity_stage(), shake};
   return spec;
 }

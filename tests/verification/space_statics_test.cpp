@@ -189,9 +189,9 @@ TEST(SpaceStatics, a_face_answers_in_every_direction_as_the_law_does) {
                                          box("b", {-0.2, 0, -0.1}, {0.4, 0.1, 0.2})},
                                         joint, kDensity);
       StageSpec push = scenes::push_stage("b", Direction::kPlusX, 0.01, 1);
-      push.along = {along.x, along.y, along.z};
-      push.rotation = push.across = Freedom::kBlocked;
-      push.as = Manner::kEach;
+      push.get<PushStage>().drive.along = {along.x, along.y, along.z};
+      push.get<PushStage>().fixity = {Freedom::kBlocked, Freedom::kBlocked};
+      push.get<PushStage>().as = Manner::kEach;
       spec.stage = {push};
       SpaceRig rig(compile(scenes::in_frame(std::move(spec), frame)));
       rig.controls.dt = 2e-5;

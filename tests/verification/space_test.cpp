@@ -25,7 +25,7 @@ BodySpec floor_slab() { return box("floor", {-2, -0.2, -2}, {4, 0.2, 4}, true); 
 
 StageSpec push(const std::string& block, Vec3 along, double velocity, double until) {
   StageSpec stage = scenes::push_stage(block, Direction::kPlusX, velocity, until);
-  stage.along = {along.x, along.y, along.z};
+  stage.get<PushStage>().drive.along = {along.x, along.y, along.z};
   return stage;
 }
 
@@ -60,7 +60,7 @@ TEST(Space, a_block_slides_at_the_same_force_in_twelve_directions) {
                                       scenes::dry_joint(1e9, 4e8, std::atan(mu)), kDensity);
     spec.stage = {scenes::gravity_stage(),
                   push("b", {std::cos(angle), 0, std::sin(angle)}, 2e-3, 1e-3)};
-    spec.stage.back().rotation = Freedom::kBlocked;
+    spec.stage.back().get<PushStage>().fixity.rotation = Freedom::kBlocked;
     const Outcome r = run(spec);
     const double weight = kDensity * 0.4 * 0.1 * 0.2 * kG;
     verify({"SP02", "sliding force at " + std::to_string(30 * k) + " degrees", "N", mu * weight,
@@ -83,12 +83,10 @@ TEST(Space, a_block_overturns_about_each_edge) {
                         Case{0, {0, 0, -1}, 0.2 / 1.2}, Case{0.5, {1, 0, 0}, 0.3 / 1.2}}) {
     ModelSpec spec = scenes::in_space({floor_slab(), box("b", {-0.15, 0, -0.1}, {0.3, 1.2, 0.2})},
                                       scenes::dry_joint(2e10, 8e9, std::atan(2.0)), kDensity);
-    StageSpec force;
-    force.name = "force";
-    force.kind = StageKind::kBodyForce;
-    force.rate = 0.02;
-    force.factor = 0.5;
-    force.along = {c.along.x, c.along.y, c.along.z};
+    StageSpec force{
+        .name = "force",
+        .action = BodyForceStage{
+            .drive = {.along = {c.along.x, c.along.y, c.along.z}}, .rate = 0.02, .factor = 0.5}};
     spec.stage = {scenes::gravity_stage(), force};
     const Outcome r = run(scenes::turned_about_y(spec, c.turn));
     EXPECT_EQ(r.result.status, SolveStatus::kCollapsed);
@@ -150,10 +148,7 @@ TEST(Space, a_wall_of_prisms_is_the_plane_wall) {
   plane.solve.points_per_face = 3;
   plane.solve.point_rule = PointRule::kLobatto;
   plane.solve.settle_ratio = 1e-10;
-  StageSpec hold;
-  hold.name = "hold";
-  hold.kind = StageKind::kHold;
-  hold.duration = 0.2;
+  StageSpec hold{.name = "hold", .action = HoldStage{.duration = 0.2}};
   plane.stage = {scenes::gravity_stage(), scenes::push_stage("r7c0", Direction::kPlusX, 0.01, 1e-5),
                  hold};
   plane.stage[1].ramp = 2e-4;

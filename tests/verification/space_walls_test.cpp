@@ -50,14 +50,9 @@ ModelSpec wall(int courses, bool held) {
 
 StageSpec load(const std::string& name, double pressure, const std::string& face,
                const std::string& on) {
-  StageSpec stage;
-  stage.name = name;
-  stage.kind = StageKind::kLoad;
-  stage.pressure = pressure;
-  stage.face = face;
-  stage.on.block = on;
-  stage.ramp = 0.5;
-  return stage;
+  return {.name = name,
+          .ramp = 0.5,
+          .action = LoadStage{.pressure = pressure, .on = {.block = on}, .face = face}};
 }
 
 bool stands(ModelSpec spec, double overburden, double pressure, int courses) {
@@ -115,12 +110,9 @@ TEST(SpaceWalls, a_wall_held_at_foot_and_top_carries_the_pressure_of_its_hinge) 
 TEST(SpaceWalls, a_dry_wall_falls_at_the_tilt_of_its_thickness_over_its_height) {
   const int courses = 5;
   ModelSpec spec = wall(courses, false);
-  StageSpec tilt;
-  tilt.name = "tilt";
-  tilt.kind = StageKind::kTilt;
-  tilt.along = {0, 0, 1};
-  tilt.tilt_rate = 0.02;
-  tilt.tilt_until = 0.6;
+  StageSpec tilt{
+      .name = "tilt",
+      .action = TiltStage{.drive = {.along = {0, 0, 1}}, .tilt_rate = 0.02, .tilt_until = 0.6}};
   spec.stage.push_back(tilt);
   const Model model = compile(spec);
   State state = initial_state(model);
@@ -227,8 +219,8 @@ ModelSpec panel_of(const Panel& p, const std::vector<BodySpec>& bodies) {
   spec.material["smooth"] = scenes::dry_joint(2e10, 8e9, 0);
   spec.contact = {{{"prop", "masonry"}, "smooth"}};
   StageSpec wind = scenes::push_stage("", Direction::kPlusZ, 2e-3, 5e-3);
-  wind.pattern = Pattern::kArea;
-  wind.on.block = "c*";
+  wind.get<PushStage>().pattern = Pattern::kArea;
+  wind.get<PushStage>().on.block = "c*";
   spec.stage = {scenes::gravity_stage(), wind};
   return spec;
 }
@@ -346,7 +338,8 @@ TEST(SpaceWalls, two_way_bending_between_returns_reaches_its_limit_load_in_time)
   middle.from = -0.5;
   const double least = pressure_of_cracks(middle);
   ModelSpec spec = with_returns(bonded);
-  spec.stage.back().velocity = 5e-3, spec.stage.back().until = 1.2e-3;
+  spec.stage.back().get<PushStage>().velocity = 5e-3,
+  spec.stage.back().get<PushStage>().until = 1.2e-3;
   const double limit = limit_load(compile(spec), {.strength = JointStrength::kBonded}).load / area;
   verify(
       {"SP44", "wall between returns and its foot, two-way bending: pressure by virtual work", "Pa",
@@ -367,7 +360,7 @@ TEST(SpaceWalls, two_way_bending_between_returns_reaches_its_limit_load_in_time)
   JointMaterial& joint = spec.material["joint"];
   joint.mode_1_energy = 1e4, joint.mode_2_energy = 1e5;
   joint.normal_stiffness *= 32, joint.shear_stiffness *= 32;
-  spec.stage.back().until = 3e-3;
+  spec.stage.back().get<PushStage>().until = 3e-3;
   const Result result = scenes::run(spec).result;
   const double most = largest(result, 1);
   EXPECT_LT(most, 1.01 * largest(result, 2e-3));

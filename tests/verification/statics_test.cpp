@@ -45,11 +45,8 @@ TEST(ClosedForm, CF01a_block_on_slope_sticks) {
 
 TEST(ClosedForm, CF01b_slope_angle_at_which_sliding_starts) {
   ModelSpec spec = slab(0.6);
-  StageSpec tilt;
-  tilt.name = "tilt";
-  tilt.kind = StageKind::kTilt;
-  tilt.tilt_rate = degrees(1);
-  tilt.tilt_until = degrees(45);
+  StageSpec tilt{.name = "tilt",
+                 .action = TiltStage{.tilt_rate = degrees(1), .tilt_until = degrees(45)}};
   spec.stage = {scenes::gravity_stage(), tilt};
   const Model model = compile(spec);
   State state = initial_state(model);
@@ -143,11 +140,8 @@ TEST(ClosedForm, CF09_cantilever_column_many_points) {
 double tilt_at_collapse(int n) {
   ModelSpec spec =
       scenes::stack(n, 0.4, 1.6 / n, scenes::dry_joint(20e9, 8e9, std::atan(0.7)), 0.1, 2000);
-  StageSpec tilt;
-  tilt.name = "tilt";
-  tilt.kind = StageKind::kTilt;
-  tilt.tilt_rate = degrees(1);
-  tilt.tilt_until = degrees(30);
+  StageSpec tilt{.name = "tilt",
+                 .action = TiltStage{.tilt_rate = degrees(1), .tilt_until = degrees(30)}};
   spec.stage = {scenes::gravity_stage(), tilt};
   const Model model = compile(spec);
   State state = initial_state(model);
@@ -172,11 +166,7 @@ TEST(ClosedForm, CF20_tilt_angle_of_collapse_of_a_dry_stack) {
 TEST(ClosedForm, CF20_uplift_acceleration) {
   ModelSpec spec =
       scenes::block_on_ground(0.5, 2.0, scenes::dry_joint(20e9, 8e9, degrees(60)), 0.1, 2000);
-  StageSpec quake;
-  quake.name = "quake";
-  quake.kind = StageKind::kBodyForce;
-  quake.rate = 0.005;
-  quake.factor = 1;
+  StageSpec quake{.name = "quake", .action = BodyForceStage{.rate = 0.005, .factor = 1}};
   spec.stage = {scenes::gravity_stage(), quake};
   const Model model = compile(spec);
   State state = initial_state(model);

@@ -15,6 +15,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -151,6 +152,19 @@ struct Stage {
   Dashpots dashpots;
 
   [[nodiscard]] Vec3 drive() const { return {drive_x, drive_y, drive_z}; }
+  // The stage as a push; null for another kind.
+  [[nodiscard]] const PushStage* push() const { return std::get_if<PushStage>(&spec.action); }
+  // Displacements of a cyclic push, in turn [m]; none for any other stage.
+  [[nodiscard]] std::span<const double> targets() const {
+    return push() != nullptr ? std::span<const double>(push()->targets) : std::span<const double>();
+  }
+  [[nodiscard]] bool has_pattern() const {
+    return push() != nullptr && push()->pattern != Pattern::kNone;
+  }
+  // Whether each driven block moves the same way; else their mean is prescribed, and they share the force.
+  [[nodiscard]] bool moves_each() const {
+    return push() != nullptr ? push()->as == Manner::kEach : spec.kind() == StageKind::kShake;
+  }
 };
 
 // Names and positions for pictures, failure modes and reports; no pass of the step reads them.

@@ -6,9 +6,12 @@
 
 #include <array>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "wythe/parts/body.h"
@@ -57,9 +60,9 @@ struct PlaceSpec {
   double x = kUnset, y = kUnset, z = kUnset;               // [m]
   double width = kUnset, height = kUnset, depth = kUnset;  // [m]
   int courses = 1;
-  std::string block;
+  std::string block = {};
   bool beam = false;
-  std::string role;  // in space: word of BlockRole (model.h)
+  std::string role = {};  // in space: word of BlockRole (model.h)
 };
 
 struct LintelSpec {
@@ -446,67 +449,148 @@ struct HistorySpec {
 // (docs/theory/integration.md).
 inline constexpr double kWaitingVelocity = 0.1e-3, kAdaptedVelocity = 5e-3;
 
-struct StageSpec {
-  std::string name;
-  StageKind kind = StageKind::kGravity;  // derived from the keys that are present
-  double ramp = kUnset;     // duration of the smooth start [s]; unset: documented default
-  double damping = kUnset;  // local damping of this stage; unset: solve.damping
-  // load
-  double pier_load = kUnset;  // on the top of each pier [N]
-  double pressure = kUnset;   // on the whole wall top [Pa]
-  double beam_load = kUnset;  // on the beam's centre [N]
-  Manner as = Manner::kDefault;
+// Direction in which a push, a body force or a tilt drives the wall.
+struct DriveSpec {
+  Direction direction = Direction::kPlusX;
+  std::vector<double> along = {};  // in space: any direction, in place of `direction`
+};
+
+// Whether driven blocks may turn, and move across their drive.
+struct FixitySpec {
+  Freedom rotation = Freedom::kFree;
+  Freedom across = Freedom::kFree;
+};
+
+// The actions of stages follow, one record for each StageKind and in its order.
+
+// The weight of the wall, and of floors that no load stage sets.
+struct GravityStage {};
+
+// A dead load: one of the loads, or all floors.
+struct LoadStage {
+  double pier_load = kUnset;     // on the top of each pier [N]
+  double pressure = kUnset;      // on the whole wall top [Pa]
+  double beam_load = kUnset;     // on the beam's centre [N]
+  bool floors = false;           // applies every [[floor]]; without such a stage gravity does
+  Manner as = Manner::kDefault;  // kPressure or kPlate
   std::string plate_joint = "foundation";  // joint material under a plate
-  // push
-  PlaceSpec at;
+  PlaceSpec on = {};                       // in space: blocks under the pressure; unset: all
+  std::string face = {};      // in space: direction of those faces, a word of Direction; "": up
+  double force = kUnset;      // in space: load at the point `at` [N]
+  PlaceSpec at = {};          // of that force
+  double line_load = kUnset;  // in space: load along the line `from` - `to` [N/m]
+  PlaceSpec from = {}, to = {};
+  std::vector<double> along = {};  // direction of force and line load; empty: downwards
+};
+
+// A push moves blocks with a given velocity, one way or to and fro (docs/theory/integration.md).
+struct PushStage {
+  PlaceSpec at = {};                 // the pushed blocks
+  Manner as = Manner::kDefault;      // kSpreader or kEach
   Pattern pattern = Pattern::kNone;  // forces at several levels, in place of `at`
-  std::vector<double> levels;        // their heights [m]
-  std::vector<double> shares;        // kGiven: of the force, one a level
-  PlaceSpec control;                 // its displacement is controlled; unset: the driven mean
+  std::vector<double> levels = {};   // their heights [m]
+  std::vector<double> shares = {};   // kGiven: of the force, one a level
+  PlaceSpec on = {};                 // in space: blocks that a pattern drives; unset: all
+  PlaceSpec control = {};            // its displacement is controlled; unset: the driven mean
   // Height of the zero of the push's moment above the wall's foot, over the height of the wall: the push acts along that
   // line; unset: through the centroids of the pushed blocks.
   double contraflexure = kUnset;
-  Direction direction = Direction::kPlusX;
-  double velocity = kUnset;       // [m/s]
-  double fast_velocity = kUnset;  // while the wall is near balance [m/s]; unset: one velocity
-  double fast_below = 1e-4;       // unbalance ratio below which the wall is near balance
-  double until = kUnset;          // [m]
-  std::vector<double> along;      // in space: any direction, in place of `direction`
-  PlaceSpec on;                   // in space: blocks under the pressure; unset: all
-  std::string face;               // in space: direction of those faces, a word of Direction; "": up
-  double force = kUnset;          // in space: load at the point `at` [N]
-  double line_load = kUnset;      // in space: load along the line `from` - `to` [N/m]
-  PlaceSpec from, to;
-  std::vector<double> targets;  // cyclic: displacements along `direction`, in turn [m]
+  DriveSpec drive = {};
+  FixitySpec fixity = {};
+  double velocity = kUnset;          // [m/s]
+  double fast_velocity = kUnset;     // while the wall is near balance [m/s]; unset: one velocity
+  double fast_below = 1e-4;          // unbalance ratio below which the wall is near balance
+  double until = kUnset;             // displacement at its end [m]
+  std::vector<double> targets = {};  // cyclic: displacements along the drive, in turn [m]
   // cyclic, by a protocol (model/protocol.h): amplitude of each level as a length or a drift, and number of its cycles
-  std::vector<double> amplitudes;  // [m]
-  std::vector<double> drifts;      // over the height that the rows' drift uses [-]
-  std::vector<double> cycles;      // one number for all levels, or one for each; empty: one cycle
-  double stop_below = 0;           // share of the peak: stop when the reaction stays below it
-  Freedom rotation = Freedom::kFree;
-  Freedom across = Freedom::kFree;  // motion across the push direction
-  // body force: horizontal force lambda W_i on every block, growing at `rate` up to `factor`
+  std::vector<double> amplitudes = {};  // [m]
+  std::vector<double> drifts = {};      // over the height that the rows' drift uses [-]
+  std::vector<double> cycles = {};  // one number for all levels, or one for each; empty: one cycle
+  double stop_below = 0;            // share of the peak: stop when the reaction stays below it
+};
+
+// A horizontal force lambda W_i on every block grows at `rate` up to `factor`.
+struct BodyForceStage {
+  DriveSpec drive = {};
   double rate = kUnset;    // [1/s]
   double factor = kUnset;  // largest lambda
-  // tilt
+};
+
+// The ground tilts.
+struct TiltStage {
+  DriveSpec drive = {};
   double tilt_rate = kUnset;   // [rad/s]
   double tilt_until = kUnset;  // [rad]
-  // hold
+};
+
+// Loads stay, and pushed blocks keep their place.
+struct HoldStage {
   double duration = kUnset;  // [s]
   bool release = false;      // releases what a previous push holds
-  // load
-  bool floors = false;  // applies every [[floor]]; without such a stage gravity does
-  // shake
-  std::vector<RecordSpec> record;
-  ScaleSpec scale;
-  double free_vibration = 0;    // after the record [s]
-  double interval = kUnset;     // between rows of the history [s]
-  ViscousSpec mass_damping;     // on the velocity relative to the base
-  ViscousSpec joint_damping;    // of closed points, proportional to their stiffness
-  double restitution = kUnset;  // of a block that falls flat on another; unset: elastic
-  // Of closed contacts, largest at its frequency: a spring and a dashpot in series, parallel to the contact.
-  ViscousSpec maxwell_damping;
 };
+
+// An earthquake: motion of the base, or of some blocks against it (docs/theory/dynamics.md).
+struct ShakeStage {
+  std::vector<RecordSpec> record = {};
+  ScaleSpec scale = {};
+  FixitySpec fixity = {};          // of blocks that have a record of their own
+  double free_vibration = 0;       // after the record [s]
+  double interval = kUnset;        // between rows of the history [s]
+  ViscousSpec mass_damping = {};   // on the velocity relative to the base
+  ViscousSpec joint_damping = {};  // of closed points, proportional to their stiffness
+  double restitution = kUnset;     // of a block that falls flat on another; unset: elastic
+  // Of closed contacts, largest at its frequency: a spring and a dashpot in series, parallel to the contact.
+  ViscousSpec maxwell_damping = {};
+};
+
+// Takes the masonry out of the openings that name the stage, and puts up their frames.
+struct CutStage {};
+
+using StageAction = std::variant<GravityStage, LoadStage, PushStage, BodyForceStage, TiltStage,
+                                 HoldStage, ShakeStage, CutStage>;
+static_assert(std::variant_size_v<StageAction> == std::size(kStageKindWords));
+
+// One phase of the test.
+struct StageSpec {
+  std::string name = {};
+  double ramp = kUnset;     // duration of the smooth start [s]; unset: documented default
+  double damping = kUnset;  // local damping of this stage; unset: solve.damping
+  StageAction action = {};
+
+  [[nodiscard]] StageKind kind() const { return static_cast<StageKind>(action.index()); }
+  // The action of a stage of this kind; throws std::bad_variant_access for another.
+  template <class Kind>
+  [[nodiscard]] const Kind& get() const {
+    return std::get<Kind>(action);
+  }
+  template <class Kind>
+  [[nodiscard]] Kind& get() {
+    return std::get<Kind>(action);
+  }
+};
+
+// Direction in which a stage drives the wall; +x for one that does not.
+[[nodiscard]] inline DriveSpec drive_of(const StageSpec& stage) {
+  if (const auto* push = std::get_if<PushStage>(&stage.action)) return push->drive;
+  if (const auto* force = std::get_if<BodyForceStage>(&stage.action)) return force->drive;
+  if (const auto* tilt = std::get_if<TiltStage>(&stage.action)) return tilt->drive;
+  return {};
+}
+// How a stage guides the blocks that it drives.
+[[nodiscard]] inline FixitySpec fixity_of(const StageSpec& stage) {
+  if (const auto* push = std::get_if<PushStage>(&stage.action)) return push->fixity;
+  if (const auto* shake = std::get_if<ShakeStage>(&stage.action)) return shake->fixity;
+  return {};
+}
+// The records of a shake; none of any other stage.
+[[nodiscard]] inline std::span<RecordSpec> records_of(StageSpec& stage) {
+  auto* shake = std::get_if<ShakeStage>(&stage.action);
+  return shake != nullptr ? std::span(shake->record) : std::span<RecordSpec>();
+}
+[[nodiscard]] inline std::span<const RecordSpec> records_of(const StageSpec& stage) {
+  const auto* shake = std::get_if<ShakeStage>(&stage.action);
+  return shake != nullptr ? std::span(shake->record) : std::span<const RecordSpec>();
+}
 
 // Positions of a face's contact points and their shares of its area (model/quadrature.h).
 enum class PointRule { kDefault, kCorners, kTrapezoid, kLobatto, kGauss };

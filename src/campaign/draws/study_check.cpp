@@ -453,11 +453,12 @@ std::vector<Fault> check_study(const StudySpec& study) { return StudyCheck(study
 std::vector<Message> notes_of(const StudySpec& study, const ModelSpec& base) {
   double end = 0;  // of the farthest push [m]
   for (const StageSpec& stage : base.stage) {
-    if (stage.kind != StageKind::kPush) continue;
-    if (!std::isnan(stage.until)) end = std::max(end, stage.until);
-    if (!stage.drifts.empty())
+    const auto* push = std::get_if<PushStage>(&stage.action);
+    if (push == nullptr) continue;
+    if (!std::isnan(push->until)) end = std::max(end, push->until);
+    if (!push->drifts.empty())
       return notes_of_fields(base);  // their height is known only when the wall is built
-    for (const double target : targets_of(stage, 0)) end = std::max(end, std::fabs(target));
+    for (const double target : targets_of(*push, 0)) end = std::max(end, std::fabs(target));
   }
   std::vector<Message> notes = notes_of_fields(base);
   if (!(end > 0)) return notes;

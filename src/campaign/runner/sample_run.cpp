@@ -31,7 +31,7 @@ std::vector<double> state_displacements(const StudySpec& spec) {
 
 bool shakes(const Model& model) {
   return std::any_of(model.stages.begin(), model.stages.end(),
-                     [](const Stage& s) { return s.spec.kind == StageKind::kShake; });
+                     [](const Stage& s) { return s.spec.kind() == StageKind::kShake; });
 }
 
 }  // namespace

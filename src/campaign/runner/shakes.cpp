@@ -111,7 +111,7 @@ ShakeResult shake_answer(const ShakingSpec& shaking, double intensity, const Mod
   if (result.status != SolveStatus::kUnstable) out.state_hash = result.state_hash;
   for (const Stage& stage : model.stages) {
     const bool is_it = shaking.is_asked() ? stage.spec.name == shaking.stage
-                                          : stage.spec.kind == StageKind::kShake;
+                                          : stage.spec.kind() == StageKind::kShake;
     if (!is_it) continue;
     const GroundMotion& first = stage.base.empty() ? stage.driven_motion : stage.base.front();
     if (first.empty()) break;

@@ -291,7 +291,7 @@ void Store::set_value(const std::string& key, const std::string& value) {
 double load_height_of(const Model& model) {
   double height = model.stages.back().load_height;
   for (const Stage& stage : model.stages)
-    if (stage.spec.kind == StageKind::kPush) height = stage.load_height;
+    if (stage.spec.kind() == StageKind::kPush) height = stage.load_height;
   return height;
 }
 
@@ -446,7 +446,7 @@ namespace {
 // The stage to which stored states belong: the last one with a curve. It decides which blocks stand.
 int stage_of_states(const Model& model) {
   const auto has_curve = [](const Stage& stage) {
-    const StageKind kind = stage.spec.kind;
+    const StageKind kind = stage.spec.kind();
     return kind == StageKind::kPush || kind == StageKind::kBodyForce || kind == StageKind::kTilt ||
            kind == StageKind::kShake;
   };

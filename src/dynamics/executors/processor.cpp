@@ -102,7 +102,7 @@ void place_loads(const Model& model, const State& state, const WallView& wall,
   }
   const auto now = static_cast<std::size_t>(state.stage);
   const bool cuts = model.standing.any() && now < model.stages.size() &&
-                    model.stages[now].spec.kind == StageKind::kCut;
+                    model.stages[now].spec.kind() == StageKind::kCut;
   for (int i = 0; cuts && i < model.n_block; ++i) clear_load(i, wall);
   for (std::size_t k = 0; k < model.stages.size(); ++k) {
     const double scale = state.load_scale[k];

@@ -46,7 +46,7 @@ inline constexpr double kOutrun = 0.15;
 [[nodiscard]] Message why_out_of_balance(const std::vector<CurveRow>& curve);
 
 // Whether a push goes faster while the wall is in balance (4.7a).
-[[nodiscard]] inline bool adapts(const StageSpec& push) {
+[[nodiscard]] inline bool adapts(const PushStage& push) {
   return push.fast_velocity > push.velocity;
 }
 

@@ -355,7 +355,7 @@ namespace {
 bool ended_in_curve(const Model& model, const Result& result) {
   const std::size_t reports = std::min(result.stages.size(), model.stages.size());
   for (std::size_t k = reports; k-- > 0;)
-    if (model.stages[k].spec.kind == result.curve_of) return k + 1 == reports;
+    if (model.stages[k].spec.kind() == result.curve_of) return k + 1 == reports;
   return true;
 }
 }  // namespace

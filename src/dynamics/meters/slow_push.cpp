@@ -33,8 +33,12 @@ struct Jump {
 // Rows of a push up to a displacement, with the largest displacement up to each row.
 class PushPath {
  public:
-  PushPath(const Curve& rows, double peak, const StageSpec& push, double up_to)
-      : rows_(rows), peak_(peak), push_(push), up_to_(up_to) {
+  PushPath(const Curve& rows, double peak, const Stage& stage, double up_to)
+      : rows_(rows),
+        peak_(peak),
+        push_(stage.spec.get<PushStage>()),
+        damping_(stage.spec.damping),
+        up_to_(up_to) {
     for (const CurveRow& row : rows)
       far_.push_back(std::max(far_.empty() ? 0.0 : far_.back(), std::fabs(row.displacement)));
     end_ =
@@ -60,7 +64,7 @@ class PushPath {
       }
       if (i < rows_.size()) least = std::min(least, carried(i));
       if (carried(before) - least < kFall * peak_) continue;
-      way /= dynamics::kUnbalance * (1 - push_.damping) * far_[before];
+      way /= dynamics::kUnbalance * (1 - damping_) * far_[before];
       found.push_back({far_[before], far_[i - 1], std::min(1.0, way)});
     }
     return found;
@@ -105,22 +109,22 @@ class PushPath {
 
   const Curve& rows_;
   double peak_;
-  const StageSpec& push_;
-  double up_to_;
+  const PushStage& push_;
+  double damping_, up_to_;
   std::vector<double> far_;  // largest displacement so far
   std::size_t end_ = 0;      // first row at the displacement `up_to_`
 };
 
 const Stage* last_push(const Model& model) {
   for (auto stage = model.stages.rbegin(); stage != model.stages.rend(); ++stage)
-    if (stage->spec.kind == StageKind::kPush) return &*stage;
+    if (stage->push() != nullptr) return &*stage;
   return nullptr;
 }
 
 SlowPushVerdict not_known(Message why) { return {"not known", std::move(why)}; }
 
 // The cure: a speed at which `excess`, the ratio to what is allowed, would be half as large.
-Message cure(const StageSpec& push, double excess) {
+Message cure(const PushStage& push, double excess) {
   const double slower = std::min(0.5, 0.5 / excess);
   if (dynamics::adapts(push))
     return {"promise.cure_adapted",
@@ -128,7 +132,7 @@ Message cure(const StageSpec& push, double excess) {
   return {"promise.cure", {{"velocity", 1e3 * slower * push.velocity}}};
 }
 
-SlowPushVerdict of_jump(const Jump& jump, const StageSpec& push) {
+SlowPushVerdict of_jump(const Jump& jump, const PushStage& push) {
   return not_known({"promise.jump",
                     {{"displacement_mm", 1e3 * jump.from},
                      {"way_percent", 100 * jump.way},
@@ -136,7 +140,7 @@ SlowPushVerdict of_jump(const Jump& jump, const StageSpec& push) {
                      {"cure", cure(push, jump.way / kAllowedWay)}}});
 }
 
-std::optional<SlowPushVerdict> of_drag(const PushPath& path, const StageSpec& push) {
+std::optional<SlowPushVerdict> of_drag(const PushPath& path, const PushStage& push) {
   const double drag = path.drag();
   if (drag <= kAllowedDrag) return std::nullopt;
   return not_known({"promise.drag",
@@ -181,14 +185,14 @@ SlowPushVerdict displacement_of_slow_push(const Model& model, const JudgedCurve&
   const Stage* push = last_push(model);
   if (const auto said = without_judging(model, curve, push)) return *said;
   const double at = curve.responses.displacement_at_80;
-  const PushPath path(curve.rows, curve.responses.peak_reaction, push->spec, at);
+  const PushPath path(curve.rows, curve.responses.peak_reaction, *push, at);
   for (const Jump& jump : path.jumps()) {
     // this jump is the fall itself: a slow push reaches its beginning on the same path and falls at least as far
     const bool is_fall =
         !curve.responses.censored_80 && jump.to >= at && at - jump.from <= kLastingShare * at;
-    if (jump.way > kAllowedWay && !is_fall) return of_jump(jump, push->spec);
+    if (jump.way > kAllowedWay && !is_fall) return of_jump(jump, *push->push());
   }
-  if (const auto said = of_drag(path, push->spec)) return *said;
+  if (const auto said = of_drag(path, *push->push())) return *said;
   if (const auto said = of_threshold(curve)) return *said;
   return {"slow enough", {}};
 }
@@ -202,10 +206,10 @@ SlowPushVerdict mode_of_slow_push(const Model& model, const JudgedCurve& curve, 
   const Stage* push = last_push(model);
   if (const auto said = without_judging(model, curve, push)) return *said;
   if (!(std::fabs(read_at) > 0)) return not_known({"promise.no_mode"});
-  const PushPath path(curve.rows, curve.responses.peak_reaction, push->spec, std::fabs(read_at));
+  const PushPath path(curve.rows, curve.responses.peak_reaction, *push, std::fabs(read_at));
   for (const Jump& jump : path.jumps())
-    if (jump.way > kAllowedWay) return of_jump(jump, push->spec);
-  if (const auto said = of_drag(path, push->spec)) return *said;
+    if (jump.way > kAllowedWay) return of_jump(jump, *push->push());
+  if (const auto said = of_drag(path, *push->push())) return *said;
   if (!is_firm) return not_known({"promise.name"});
   return {"slow enough", {}};
 }
@@ -219,7 +223,7 @@ Message warning_of(const Model& model, const Result& result) {
 
 bool adapts(const Model& model) {
   const Stage* push = last_push(model);
-  return push != nullptr && dynamics::adapts(push->spec);
+  return push != nullptr && dynamics::adapts(*push->push());
 }
 
 }  // namespace wythe

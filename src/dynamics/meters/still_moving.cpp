@@ -16,7 +16,8 @@ bool is_still_moving(const Model& model, const Result& result) {
   const std::vector<ShakeRow>& row = result.history.row;
   double free = 0;  // seconds after the last record
   for (const Stage& stage : model.stages)
-    if (stage.spec.kind == StageKind::kShake) free = stage.spec.free_vibration;
+    if (const auto* shake = std::get_if<ShakeStage>(&stage.spec.action))
+      free = shake->free_vibration;
   if (row.empty()) return false;
   const std::size_t tail = row.size() - std::max<std::size_t>(1, row.size() / 10);
   double before = 0, last = 0, largest = 0;

@@ -223,15 +223,16 @@ WYTHE_INLINE double drive_blocks(const Drive& d, const WallView& wall, double ve
 }
 
 [[nodiscard]] inline Drive drive_of(const Stage& push) {
+  const FixitySpec fixity = fixity_of(push.spec);
   return {push.driven.data(),
           push.driven_share.data(),
           static_cast<int>(push.driven.size()),
           push.drive_x,
           push.drive_y,
-          push.spec.as != Manner::kEach,
-          push.spec.across == Freedom::kFree,
-          push.spec.rotation == Freedom::kFree,
-          push.spec.pattern != Pattern::kNone,
+          !push.moves_each(),
+          fixity.across == Freedom::kFree,
+          fixity.rotation == Freedom::kFree,
+          push.has_pattern(),
           push.drive_arm == push.drive_arm,  // set
           push.drive_arm};
 }
@@ -245,7 +246,7 @@ WYTHE_INLINE double drive_blocks(const Drive& d, const WallView& wall, double ve
 [[nodiscard]] inline double jacks_set(const Model& model, const State& state) {
   const auto now = static_cast<std::size_t>(state.stage);
   const bool cuts = model.standing.any() && now < model.stages.size() &&
-                    model.stages[now].spec.kind == StageKind::kCut;
+                    model.stages[now].spec.kind() == StageKind::kCut;
   return cuts ? state.load_scale[now] : -1.0;
 }
 

@@ -164,7 +164,7 @@ void SpaceProcessor::begin_step() {
     }
     const auto now = static_cast<std::size_t>(state.stage);
     const bool cuts = wall.model->standing.any() && now < wall.model->stages.size() &&
-                      wall.model->stages[now].spec.kind == StageKind::kCut;
+                      wall.model->stages[now].spec.kind() == StageKind::kCut;
     for (int i = 0; cuts && i < wall.view.blocks; ++i) clear_load(i, wall.view);
     for (std::size_t k = 0; k < wall.model->stages.size(); ++k)
       if (state.load_scale[k] != 0)

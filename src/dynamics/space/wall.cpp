@@ -176,14 +176,14 @@ Free move_freely(std::ptrdiff_t i, const Stage& push, const WallView& w, const V
   const bool components = w.t.damps_components;
   const auto across = [&](const Vec& a) { return a - dot(a, p) * p; };
   Free now{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0};
-  if (push.spec.across == Freedom::kFree) {
+  if (fixity_of(push.spec).across == Freedom::kFree) {
     const Vec v0 = across(w.body_vector(i, kV)), f = across(w.still_vector(i, kTotal));
     const Vec damped = damping_of(f, v0, lambda, components);
     now.v = v0 + (dt / m) * (f + damped);
     now.mean_v = 0.5 * (v0 + now.v);
     now.damping += dt * dot(damped, now.mean_v);
   }
-  if (push.spec.rotation == Freedom::kFree) {
+  if (fixity_of(push.spec).rotation == Freedom::kFree) {
     const Quaternion<double> q = w.turn(i);
     const Inertia<double> body = inertia_of(i, w);
     const Vec l0 = w.body_vector(i, kL), torque = w.still_vector(i, kTotalMoment);
@@ -381,8 +381,8 @@ double drive(const Stage& push, const WallView& w, double velocity, WallWork& wo
     return drive_supports(push, w, velocity, work);
   const Vec p{push.drive_x, push.drive_y, push.drive_z};
   const double dt = w.wall_value(kStep), lambda = w.wall_value(kLambda);
-  const bool spread = push.spec.as != Manner::kEach;
-  const bool is_pattern = push.spec.pattern != Pattern::kNone;
+  const bool spread = !push.moves_each();
+  const bool is_pattern = push.has_pattern();
   double reaction = 0, sum = 0, mobility = 0, squares = 0;
   for (std::size_t k = 0; k < push.driven.size(); ++k) {
     const BlockId i = push.driven[k];
@@ -417,7 +417,7 @@ double drive(const Stage& push, const WallView& w, double velocity, WallWork& wo
       work.damping -= lambda * magnitude(left) * sign(along_v) * 0.5 * (along_v + vp) * dt;
       if (is_pattern) {
         w.still(i, kLacking) = length(left * p + (total - along_f * p));
-        if (push.spec.rotation == Freedom::kFree)
+        if (fixity_of(push.spec).rotation == Freedom::kFree)
           w.still(i, kLacking) += length(w.still_vector(i, kTotalMoment)) / radius_of(i, w);
       }
     } else {

@@ -66,11 +66,11 @@ void Recorder::begin(double read_at) {
   n_.next_reading = kReadEvery;
   n_.read_at = read_at;
   n_.due = std::min({state_at_.front(), n_.next_reading, read_at});
-  const bool one_way = stage_.spec.kind == StageKind::kPush && stage_.spec.targets.empty();
+  const bool one_way = stage_.push() != nullptr && stage_.targets().empty();
   n_.next_shape = one_way ? kShapesFrom : std::numeric_limits<double>::infinity();
   const auto joints = static_cast<std::size_t>(model_.n_joint);
   recording_.slid_off.assign(joints, 0);
-  result_.curve_of = stage_.spec.kind;
+  result_.curve_of = stage_.spec.kind();
   result_.curve.clear();
   result_.rise.clear();
   result_.links.clear();
@@ -94,9 +94,9 @@ void Recorder::take(const WallAccess& access, State& state, const Controls& cont
                     double reaction, double displacement, double load_factor, double travelled) {
   if (n_.start_time < 0) {
     n_.start_time = state.time - state.stage_time;
-    if (!stage_.spec.targets.empty() && stage_.spec.kind == StageKind::kPush) {
+    if (!stage_.targets().empty()) {
       const auto leg = static_cast<std::size_t>(state.target);
-      const double from = leg == 0 ? 0.0 : stage_.spec.targets[leg - 1];
+      const double from = leg == 0 ? 0.0 : stage_.targets()[leg - 1];
       begin_leg(leg, from, travelled - std::fabs(displacement - from));
     }
     while (n_.next_close < travelled) plan_close();
@@ -138,7 +138,7 @@ void Recorder::take(const WallAccess& access, State& state, const Controls& cont
 // States are taken at the step, not at the row, so neither rows nor requested states shift a reading.
 void Recorder::take_states(const WallAccess& access, State& state) {
   const double far = std::fabs(displacement_);
-  const bool turns = n_.grows != 0 && far < n_.farthest && !stage_.spec.targets.empty();
+  const bool turns = n_.grows != 0 && far < n_.farthest && !stage_.targets().empty();
   n_.grows = far > n_.farthest ? 1 : 0;
   n_.farthest = std::max(n_.farthest, far);
   if (!turns && far < n_.due) return;
@@ -201,8 +201,8 @@ void Recorder::begin_leg(std::size_t leg, double from, double travelled) {
   constexpr double kFewest =
       20;  // rows of a leg, where output.window does not give a window's length
   n_.leg_way = 0;
-  if (leg >= stage_.spec.targets.size()) return;
-  n_.leg_target = stage_.spec.targets[leg];
+  if (leg >= stage_.targets().size()) return;
+  n_.leg_target = stage_.targets()[leg];
   n_.leg_way = n_.leg_target >= from ? 1 : -1;
   const double length = std::fabs(n_.leg_target - from);
   const double fewest = std::isfinite(model_.output.window) ? 1.0 : kFewest;
@@ -235,11 +235,11 @@ void Recorder::take_frame(const State& state, double travelled) {
 // tilted wall it is scaled to full weight, as the reaction is: W tan against W sin / cos.
 double Recorder::resisted_by_ground(const WallAccess& access, const State& state) const {
   const double shear = access.base_shear(stage_.drive());
-  if (stage_.spec.kind == StageKind::kTilt) {
+  if (stage_.spec.kind() == StageKind::kTilt) {
     const double down = -state.gravity_y / model_.solve.gravity;
     return down > 0 ? shear / down : shear;
   }
-  return stage_.spec.kind == StageKind::kPush ? shear - n_.dead : shear;
+  return stage_.spec.kind() == StageKind::kPush ? shear - n_.dead : shear;
 }
 
 // Force along the push of the weights of blocks that are not driven, and of the dead loads on them [N].
@@ -470,7 +470,7 @@ void Recorder::note_limits(const State& state, double displacement, double react
 // Checked again after each hundredth of displacement, because it evaluates the whole curve. The curve then shows why the push ended.
 std::optional<LastingFall> Recorder::lasting_fall() {
   constexpr double kAgain = 1.01;
-  const double way = std::fabs(displacement_), share = stage_.spec.stop_below;
+  const double way = std::fabs(displacement_), share = stage_.push()->stop_below;
   const CurveRow& row = result_.curve.back();
   const RecordedSide& side = recording_.side[displacement_ < 0 ? 1 : 0];
   const double force = displacement_ < 0 ? -row.reaction : row.reaction;

@@ -39,8 +39,8 @@ class Shake final : public StageRun {
         duration_(shake_duration(stage)),
         interval_(shake_interval(stage)) {
     if (!stage.driven_motion.empty()) drive(stage);
-    if (std::isfinite(stage.spec.mass_damping.fraction))
-      controls_.mass_damping = decay_of(stage.spec.mass_damping);
+    const ViscousSpec& damping = stage.spec.get<ShakeStage>().mass_damping;
+    if (std::isfinite(damping.fraction)) controls_.mass_damping = decay_of(damping);
     if (stage.dashpots.any()) controls_.dashpots = &stage.dashpots;
     if (state_.stage_time == 0) begin();
     if (!(state_.stage_time < duration_)) end({});
@@ -270,13 +270,14 @@ std::vector<StoreyDrift> evaluate_storeys(const ShakeHistory& h, std::size_t tai
 double shake_duration(const Stage& stage) {
   double longest = stage.driven_motion.duration();
   for (const GroundMotion& motion : stage.base) longest = std::max(longest, motion.duration());
-  return longest + stage.spec.free_vibration;
+  return longest + stage.spec.get<ShakeStage>().free_vibration;
 }
 
 double shake_interval(const Stage& stage) {
   constexpr double kUsual = 5e-3;
   const double longest = longest_interval(shake_duration(stage));
-  if (std::isfinite(stage.spec.interval)) return std::min(stage.spec.interval, longest);
+  const double stated = stage.spec.get<ShakeStage>().interval;
+  if (std::isfinite(stated)) return std::min(stated, longest);
   return std::max(kUsual, shake_duration(stage) / kMostShakeRows);
 }
 

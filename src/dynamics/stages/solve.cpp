@@ -144,7 +144,7 @@ void WallRun::move_to(std::unique_ptr<WallAccess> access) {
 bool WallRun::is_of_supports() const {
   for (int k = std::min(state_.stage, static_cast<int>(model_.stages.size()) - 1); k >= 0; --k) {
     const Stage& stage = model_.stages[k];
-    if (stage.spec.kind == StageKind::kPush) return drives_supports(model_, stage);
+    if (stage.spec.kind() == StageKind::kPush) return drives_supports(model_, stage);
   }
   return false;
 }

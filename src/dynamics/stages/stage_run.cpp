@@ -35,14 +35,14 @@ double smooth_step(double x) {
 }
 
 double stage_mass_scaling(const Model& model, const Stage& stage) {
-  return settles(stage.spec.kind) ? model.solve.mass_scaling : 1.0;
+  return settles(stage.spec.kind()) ? model.solve.mass_scaling : 1.0;
 }
 
 // Dashpots use the velocities of the half step before: omega^2 dt^2/4 + rate dt/2 <= 1. The step of a shake
 // is at most half of the longest step, a quarter where impacts rebound (docs/theory/dynamics.md, "The step").
 double stage_time_step(const Model& model, const Stage& stage) {
   const double of_impacts = rebounds(stage.dashpots) ? 0.25 : 0.5;
-  const double fraction = stage.spec.kind == StageKind::kShake
+  const double fraction = stage.spec.kind() == StageKind::kShake
                               ? std::min(model.solve.step_fraction, of_impacts)
                               : model.solve.step_fraction;
   const double step = fraction * 2.0 / model.omega_max *
@@ -51,9 +51,9 @@ double stage_time_step(const Model& model, const Stage& stage) {
 }
 
 double driven_path(const Stage& stage) {
-  if (stage.spec.targets.empty()) return stage.spec.until;
+  if (stage.targets().empty()) return stage.spec.get<PushStage>().until;
   double path = 0, at = 0;
-  for (const double target : stage.spec.targets) {
+  for (const double target : stage.targets()) {
     path += std::fabs(target - at);
     at = target;
   }
@@ -167,7 +167,7 @@ void StageRun::check_run(double share) {
   if (state_.step % kCheckEvery != 0 || ended_) return;
   check_motion(share);
   if (ended_) return;
-  if (controls_.push != nullptr && stage_.spec.pattern != Pattern::kNone && stage_.drive().y == 0)
+  if (controls_.push != nullptr && stage_.has_pattern() && stage_.drive().y == 0)
     return check_falls();
   // a head is driven at the end of an arm, and moves farther than that end where the pier turns
   const double driven =
@@ -209,7 +209,7 @@ StageEnd StageRun::fallen(const Furthest& furthest) const {
               {"force_kN", 1e-3 * force},
               {"stage", stage_.spec.name}}},
             false};
-  const bool loads = settles(stage_.spec.kind);
+  const bool loads = settles(stage_.spec.kind());
   const std::optional<Message> why = loads ? crushed() : std::nullopt;
   Message reason{why     ? "block.moved_away_crushed"
                  : loads ? "block.cannot_stand"
@@ -285,11 +285,11 @@ class SettlingStage : public StageRun {
 
   void prepare() override {
     const double share = smooth_step((state_.stage_time + controls_.dt) / stage_.spec.ramp);
-    if (stage_.spec.kind == StageKind::kGravity) {
+    if (stage_.spec.kind() == StageKind::kGravity) {
       state_.gravity_x = state_.gravity_z = 0;
       state_.gravity_y = -model_.solve.gravity * share;
     }
-    if (stage_.spec.kind == StageKind::kLoad || stage_.spec.kind == StageKind::kCut ||
+    if (stage_.spec.kind() == StageKind::kLoad || stage_.spec.kind() == StageKind::kCut ||
         !stage_.loads.empty() || model_.links.set_by == state_.stage)
       state_.load_scale[state_.stage] = share;
   }
@@ -366,8 +366,8 @@ class Push : public StageRun {
  public:
   Push(StageContext& wall, const Stage& stage)
       : StageRun(wall, stage),
-        targets_(stage.spec.targets.empty() ? std::vector<double>{stage.spec.until}
-                                            : stage.spec.targets),
+        push_(stage.spec.get<PushStage>()),
+        targets_(push_.targets.empty() ? std::vector<double>{push_.until} : push_.targets),
         path_(driven_path(stage)),
         recorder_(model_, stage, path_, wall.options.frames, wall.options.read_modes_at,
                   wall.record) {
@@ -396,7 +396,7 @@ class Push : public StageRun {
       state_.turn_time = state_.stage_time;
     }
     check_run(state_.travelled / path_);
-    if (recorder_.row_closed() && stage_.spec.stop_below > 0) end_where_it_fell();
+    if (recorder_.row_closed() && push_.stop_below > 0) end_where_it_fell();
     if (!ended() && !target_left()) end({});
     if (stage_.control >= 0) end_where_control_stays_back();
   }
@@ -452,16 +452,16 @@ class Push : public StageRun {
            {"mean_mm", 1e3 * state_.drive_displacement}}},
          false});
   }
-  [[nodiscard]] bool has_servo() const { return std::isfinite(stage_.spec.fast_velocity); }
+  [[nodiscard]] bool has_servo() const { return std::isfinite(push_.fast_velocity); }
   [[nodiscard]] double velocity() const {
-    if (!has_servo()) return stage_.spec.velocity;
-    return stage_.spec.velocity + state_.pace * (stage_.spec.fast_velocity - stage_.spec.velocity);
+    if (!has_servo()) return push_.velocity;
+    return push_.velocity + state_.pace * (push_.fast_velocity - push_.velocity);
   }
   // Pushes faster where the wall is near balance. A full change takes the time of the smooth start.
   void set_pace() {
     if (!has_servo() || state_.step % kSettleEvery != 0) return;
     const double ratio = wall_.access->unbalance_ratio();
-    const double wanted = smooth_step(2.0 - ratio / stage_.spec.fast_below);
+    const double wanted = smooth_step(2.0 - ratio / push_.fast_below);
     const double most = std::min(1.0, kSettleEvery * controls_.dt / stage_.spec.ramp);
     state_.pace += clip(wanted - state_.pace, -most, most);
   }
@@ -485,6 +485,7 @@ class Push : public StageRun {
     recorder_.finish(*wall_.access, state_, controls_, !at_furthest);
   }
 
+  const PushStage& push_;
   std::vector<double> targets_;
   double path_;
   Recorder recorder_;
@@ -496,9 +497,11 @@ class Factor : public StageRun {
  public:
   Factor(StageContext& wall, const Stage& stage)
       : StageRun(wall, stage),
-        tilting_(stage.spec.kind == StageKind::kTilt),
-        rate_(tilting_ ? stage.spec.tilt_rate : stage.spec.rate),
-        last_(tilting_ ? stage.spec.tilt_until : stage.spec.factor),
+        tilting_(stage.spec.kind() == StageKind::kTilt),
+        rate_(tilting_ ? stage.spec.get<TiltStage>().tilt_rate
+                       : stage.spec.get<BodyForceStage>().rate),
+        last_(tilting_ ? stage.spec.get<TiltStage>().tilt_until
+                       : stage.spec.get<BodyForceStage>().factor),
         recorder_(model_, stage, last_, wall.options.frames, wall.options.read_modes_at,
                   wall.record),
         factor_(state_.body_factor) {
@@ -583,14 +586,15 @@ class Factor : public StageRun {
 // No new action: loads are constant, and blocks driven by an earlier push keep their place.
 class Hold : public StageRun {
  public:
-  Hold(StageContext& wall, const Stage& stage) : StageRun(wall, stage) {
-    if (const Stage* push = push_before(); push != nullptr && !stage.spec.release) drive(*push);
+  Hold(StageContext& wall, const Stage& stage)
+      : StageRun(wall, stage), hold_(stage.spec.get<HoldStage>()) {
+    if (const Stage* push = push_before(); push != nullptr && !hold_.release) drive(*push);
     end_when_over();
   }
 
   void prepare() override {}
   void after_step(double) override {
-    check_run(state_.stage_time / stage_.spec.duration);
+    check_run(state_.stage_time / hold_.duration);
     keep_state();
     end_when_over();
   }
@@ -599,37 +603,39 @@ class Hold : public StageRun {
   // Keeps states for the film of a fall after a release: at equal times, and the last one.
   void keep_state() {
     const auto states_at = [&](double time) {
-      return std::floor(wall_.options.frames * time / stage_.spec.duration);
+      return std::floor(wall_.options.frames * time / hold_.duration);
     };
-    if (!stage_.spec.release ||
+    if (!hold_.release ||
         !(states_at(state_.stage_time) > states_at(state_.stage_time - controls_.dt)))
       return;
     wall_.access->store_state(state_);
     wall_.record.result.frames.push_back({"", state_.drive_displacement, 0, state_});
   }
   void finish(StageEnd&) override {
-    if (!stage_.spec.release) return;
+    if (!hold_.release) return;
     wall_.access->store_state(state_);
     wall_.record.result.snapshots.push_back({"fallen", state_.drive_displacement, 0, state_});
   }
   void end_when_over() {
-    if (!ended() && !(state_.stage_time < stage_.spec.duration)) end({});
+    if (!ended() && !(state_.stage_time < hold_.duration)) end({});
   }
   // The last push before this stage, or null.
   [[nodiscard]] const Stage* push_before() const {
     const Stage* last = nullptr;
     for (const Stage& other : model_.stages) {
       if (&other == &stage_) break;
-      if (other.spec.kind == StageKind::kPush) last = &other;
+      if (other.push() != nullptr) last = &other;
     }
     return last;
   }
+
+  const HoldStage& hold_;
 };
 
 }  // namespace
 
 std::unique_ptr<StageRun> StageRun::start(StageContext& wall, const Stage& stage) {
-  switch (stage.spec.kind) {
+  switch (stage.spec.kind()) {
     case StageKind::kGravity:
     case StageKind::kLoad: return std::make_unique<SettlingStage>(wall, stage);
     case StageKind::kCut: begin_cut(wall); return std::make_unique<SettlingStage>(wall, stage);

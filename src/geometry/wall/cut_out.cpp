@@ -40,14 +40,14 @@ int find_cut_stage(const std::vector<StageSpec>& stages, const std::string& path
     const StageSpec& stage = stages[k];
     names.push_back(stage.name);
     if (stage.name == name) {
-      if (stage.kind != StageKind::kCut)
-        fault(fmt::format("is a {} stage", word_of(kStageKindWords, stage.kind)),
+      if (stage.kind() != StageKind::kCut)
+        fault(fmt::format("is a {} stage", word_of(kStageKindWords, stage.kind())),
               "write kind = \"cut\" in a stage of its own, after gravity");
       else if (!stands)
         fault("comes before gravity: nothing stands there yet", "put a stage of gravity before it");
       return static_cast<int>(k);
     }
-    stands = stands || stage.kind == StageKind::kGravity;
+    stands = stands || stage.kind() == StageKind::kGravity;
   }
   fault("no stage has this name",
         names.empty()

@@ -64,7 +64,7 @@ std::vector<CurveRow> parse_curve(const std::string& path) {
 // The model with its push in the opposite direction.
 Model reversed(Model model) {
   for (Stage& stage : model.stages) {
-    if (stage.spec.kind != StageKind::kPush) continue;
+    if (stage.push() == nullptr) continue;
     stage.drive_x = -stage.drive_x;
     stage.drive_y = -stage.drive_y;
     stage.drive_z = -stage.drive_z;
@@ -76,7 +76,7 @@ Model reversed(Model model) {
 double weight_on_push(const Model& model) {
   const Stage* push = nullptr;
   for (const Stage& stage : model.stages)
-    if (stage.spec.kind == StageKind::kPush) push = &stage;
+    if (stage.push() != nullptr) push = &stage;
   if (push == nullptr) return 0;
   double sum = 0;
   for (const BlockId b : push->driven)
@@ -132,7 +132,7 @@ struct SummaryFile {
 void take_curve(const Model& model, std::vector<CurveRow> rows, ComparedRun& run) {
   std::vector<double> targets;
   for (const Stage& stage : model.stages)
-    if (stage.spec.kind == StageKind::kPush) targets = stage.spec.targets;
+    if (stage.push() != nullptr) targets = stage.push()->targets;
   const bool forth = targets.empty() || *std::max_element(targets.begin(), targets.end()) > 0;
   const bool back = !targets.empty() && *std::min_element(targets.begin(), targets.end()) < 0;
   if (!forth)

@@ -21,6 +21,7 @@
 #include "io/keys/describe_shaking.h"
 #include "io/keys/describe_space.h"
 #include "io/keys/key.h"
+#include "io/keys/stage_records.h"
 #include "wythe/parts/wall_spec.h"
 
 namespace wythe::io {
@@ -391,30 +392,30 @@ void describe(Visitor& v, ScatterSpec& s) {
 // --- stages --------------------------------------------------------------------------------------
 
 template <class Visitor>
-void describe_load(Visitor& v, StageSpec& s) {
-  v.quantity("pier_load", s.pier_load, {.unit = "N", .shown = "kN", .range = kNotNegative,
+void describe_load(Visitor& v, StageRecords& r) {
+  v.quantity("pier_load", r.load.pier_load, {.unit = "N", .shown = "kN", .range = kNotNegative,
              .kinds = kLoadStage, .fallback = "one of the loads, or floors", .example = "200 kN",
              .doc = "Vertical load on the top of each pier, downwards."});
-  v.quantity("pressure", s.pressure, {.unit = "Pa", .shown = "MPa", .range = kNotNegative,
+  v.quantity("pressure", r.load.pressure, {.unit = "Pa", .shown = "MPa", .range = kNotNegative,
              .kinds = kLoadStage, .fallback = "one of the loads, or floors", .example = "0.3 MPa",
              .doc = "Vertical pressure on the whole wall top, downwards. In space on all faces that look towards `face` and have "
                     "nothing before them: a window sill has its head before it. With `on` all free faces of the blocks there."});
-  v.quantity("beam_load", s.beam_load, {.unit = "N", .shown = "kN", .range = kNotNegative,
+  v.quantity("beam_load", r.load.beam_load, {.unit = "N", .shown = "kN", .range = kNotNegative,
              .kinds = kLoadStage, .fallback = "one of the loads, or floors", .example = "100 kN",
              .doc = "Vertical load on the centre of the loading beam, downwards."});
-  v.flag("floors", s.floors, {.kinds = kLoadStage, .example = "true",
+  v.flag("floors", r.load.floors, {.kinds = kLoadStage, .example = "true",
          .doc = "Sets every `[[floor]]` on the wall, in the place of a load. Without such a stage the "
                 "first gravity stage does."});
-  v.choice("as", s.as, kMannerWords, {.kinds = kLoadStage | kPushStage,
+  v.choice("as", r.push.as, kMannerWords, {.kinds = kLoadStage | kPushStage,
            .fallback = "pressure (load), spreader (push)", .example = "plate",
            .doc = "A load acts as a uniform pressure or through a free stiff plate; a push moves "
                   "its blocks through a spreader (equal forces, mean path) or each the same way."});
-  v.text("plate_joint", s.plate_joint, {.kinds = kLoadStage, .example = "foundation",
+  v.text("plate_joint", r.load.plate_joint, {.kinds = kLoadStage, .example = "foundation",
          .doc = "Name of the joint material under a plate."});
 }
 
 template <class Visitor>
-void describe_push(Visitor& v, StageSpec& s) {
+void describe_push(Visitor& v, PushStage& s) {
   v.table("at", s.at, {.kinds = kPushStage | kLoadStage, .in_braces = true, .optional = true,
           .fallback = "required, or pattern; of a load needed by force",
           .example = "{ x = \"0 m\", y = \"3.12 m\", courses = 3 }",
@@ -446,7 +447,7 @@ void describe_push(Visitor& v, StageSpec& s) {
                   "held against turning, in effect; 1: a cantilever. The push acts on an arm of the "
                   "one block that `at` names, e.g. { beam = true }; the rows tell that block's "
                   "displacement."});
-  v.choice("direction", s.direction, kDirectionWords, {.kinds = kDirectedStage, .example = "+x",
+  v.choice("direction", s.drive.direction, kDirectionWords, {.kinds = kDirectedStage, .example = "+x",
            .doc = "Which way the wall is pushed or tilted; +x is to the right, +y upwards."});
   v.quantity("velocity", s.velocity, {.unit = "m/s", .shown = "mm/s", .range = kSpeed,
              .kinds = kPushStage, .fallback = "adapts: 0.1 mm/s, and 5 mm/s near balance", .example = "10 mm/s",
@@ -480,29 +481,29 @@ void describe_push(Visitor& v, StageSpec& s) {
   v.number("stop_below", s.stop_below, {.range = kBelowOne, .kinds = kPushStage,
            .example = "0.2",
            .doc = "End when the reaction has stayed below this share of its peak over a tenth of the displacement; 0: never."});
-  v.choice("rotation", s.rotation, kFreedomWords, {.kinds = kPushStage | kShakeStage, .example = "blocked",
+  v.choice("rotation", s.fixity.rotation, kFreedomWords, {.kinds = kPushStage | kShakeStage, .example = "blocked",
            .doc = "Whether the pushed blocks, or those with a record of their own, may turn."});
-  v.choice("across", s.across, kFreedomWords, {.kinds = kPushStage | kShakeStage, .example = "blocked",
+  v.choice("across", s.fixity.across, kFreedomWords, {.kinds = kPushStage | kShakeStage, .example = "blocked",
            .doc = "Whether they may move across the push, or across their record."});
 }
 
 template <class Visitor>
-void describe_other_drives(Visitor& v, StageSpec& s) {
-  v.quantity("rate", s.rate, {.unit = "1/s", .shown = "1/s", .range = kPositive,
+void describe_other_drives(Visitor& v, StageRecords& r) {
+  v.quantity("rate", r.body_force.rate, {.unit = "1/s", .shown = "1/s", .range = kPositive,
              .kinds = kBodyForceStage, .fallback = kRequired, .example = "0.05 1/s",
              .doc = "Growth of the factor lambda; every block carries lambda times its weight."});
-  v.number("factor", s.factor, {.range = kPositive, .kinds = kBodyForceStage,
+  v.number("factor", r.body_force.factor, {.range = kPositive, .kinds = kBodyForceStage,
            .fallback = kRequired, .example = "0.5", .doc = "Largest lambda."});
-  v.quantity("tilt_rate", s.tilt_rate, {.unit = "rad/s", .shown = "deg/s", .range = kPositive,
+  v.quantity("tilt_rate", r.tilt.tilt_rate, {.unit = "rad/s", .shown = "deg/s", .range = kPositive,
              .kinds = kTiltStage, .fallback = kRequired, .example = "1 deg/s",
              .doc = "Speed at which the ground tilts."});
-  v.quantity("tilt_until", s.tilt_until, {.unit = "rad", .shown = "deg", .range = kTiltAngle,
+  v.quantity("tilt_until", r.tilt.tilt_until, {.unit = "rad", .shown = "deg", .range = kTiltAngle,
              .kinds = kTiltStage, .fallback = kRequired, .example = "30 deg",
              .doc = "Tilt at which the stage ends."});
-  v.quantity("duration", s.duration, {.unit = "s", .shown = "s", .range = kPositive,
+  v.quantity("duration", r.hold.duration, {.unit = "s", .shown = "s", .range = kPositive,
              .kinds = kHoldStage, .fallback = kRequired, .example = "1 s",
              .doc = "How long loads and pushed blocks are held."});
-  v.flag("release", s.release, {.kinds = kHoldStage, .example = "true",
+  v.flag("release", r.hold.release, {.kinds = kHoldStage, .example = "true",
          .doc = "Lets go of the blocks that a push before it moved; loads stay."});
 }
 
@@ -511,18 +512,22 @@ void describe(Visitor& v, StageSpec& s) {
   v.text("name", s.name, {.fallback = kRequired, .example = "push",
          .doc = "Its name, different from the other stages'; `--set stage.push.velocity=...` "
                 "finds it by this."});
-  v.choice("kind", s.kind, kStageKindWords, {.fallback = "follows from the other keys",
+  StageKind kind = s.kind();
+  v.choice("kind", kind, kStageKindWords, {.fallback = "follows from the other keys",
            .example = "push", .doc = "What the stage does; a stage named gravity is one. `cut`: takes the masonry out of the openings that name it (`wall.opening.cut`) and puts up the frames that do (`frame.stage`), which fades in over the ramp."});
   v.quantity("ramp", s.ramp, {.unit = "s", .shown = "s", .range = kNotNegative,
              .kinds = kRampedStage, .fallback = "push: 8 first periods of the wall; 0.1 s otherwise",
              .example = "0.1 s", .doc = "Duration of the smooth start."});
   v.number("damping", s.damping, {.range = kBelowOne, .fallback = "solve.damping; 0 in a shake",
            .example = "0.8", .doc = "Local damping in this stage."});
-  describe_load(v, s);
-  describe_push(v, s);
-  describe_other_drives(v, s);
-  describe_space(v, s, kDirectedStage, kLoadStage);
-  describe_shaking(v, s, kShakeStage);
+  StageRecords records(s.action);
+  describe_load(v, records);
+  describe_push(v, records.push);
+  describe_other_drives(v, records);
+  describe_space(v, records, kDirectedStage, kLoadStage);
+  describe_shaking(v, records.shake, kShakeStage);
+  if constexpr (requires { v.kind_by_keys(kind); }) kind = v.kind_by_keys(kind);
+  s.action = records.of(kind);
 }
 
 // --- settings ------------------------------------------------------------------------------------

@@ -83,7 +83,7 @@ void describe(Visitor& v, HistorySpec& s) {
 }
 
 template <class Visitor>
-void describe_shaking(Visitor& v, StageSpec& s, Kinds shake) {
+void describe_shaking(Visitor& v, ShakeStage& s, Kinds shake) {
   v.list("record", s.record, {.kinds = shake, .in_braces = true, .optional = true, .fallback = kRequired,
          .doc = "How the base moves: one table for each direction, or one inline table. A second motion of "
                 "some blocks or supports names them with `at`."});

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "io/keys/key.h"
+#include "io/keys/stage_records.h"
 #include "wythe/parts/wall_spec.h"
 
 namespace wythe::io {
@@ -19,26 +20,26 @@ void describe_space(Visitor& v, WallSpec& s) {
 }
 
 template <class Visitor>
-void describe_space(Visitor& v, StageSpec& s, Kinds directed, Kinds load) {
-  v.numbers("along", s.along, {.kinds = directed | load, .fallback = "direction; of force and line_load: downwards",
+void describe_space(Visitor& v, StageRecords& r, Kinds directed, Kinds load) {
+  v.numbers("along", r.push.drive.along, {.kinds = directed | load, .fallback = "direction; of force and line_load: downwards",
             .example = "[1, 0, 0.5]",
             .doc = "In space: any direction as a vector, in the place of `direction`."});
-  v.quantity("force", s.force, {.unit = "N", .shown = "kN", .range = kNotNegative, .kinds = load,
+  v.quantity("force", r.load.force, {.unit = "N", .shown = "kN", .range = kNotNegative, .kinds = load,
              .fallback = "one of the loads, or floors", .example = "20 kN",
              .doc = "In space: a load at one point, `at`: a point of a block, or a block's centroid. It keeps its "
                     "direction and goes along with its block."});
-  v.quantity("line_load", s.line_load, {.unit = "N/m", .shown = "kN/m", .range = kNotNegative, .kinds = load,
+  v.quantity("line_load", r.load.line_load, {.unit = "N/m", .shown = "kN/m", .range = kNotNegative, .kinds = load,
              .fallback = "one of the loads, or floors", .example = "12 kN/m",
              .doc = "In space: a load along the line from `from` to `to`, on the faces of blocks that look "
                     "against it there."});
-  v.table("from", s.from, {.kinds = load, .in_braces = true, .optional = true, .fallback = "needed by line_load",
+  v.table("from", r.load.from, {.kinds = load, .in_braces = true, .optional = true, .fallback = "needed by line_load",
           .example = "{ x = \"0 m\", y = \"2.7 m\", z = \"0 m\" }", .doc = "In space: one end of that line."});
-  v.table("to", s.to, {.kinds = load, .in_braces = true, .optional = true, .fallback = "needed by line_load",
+  v.table("to", r.load.to, {.kinds = load, .in_braces = true, .optional = true, .fallback = "needed by line_load",
           .example = "{ x = \"4 m\", y = \"2.7 m\", z = \"0 m\" }", .doc = "The other end."});
-  v.table("on", s.on, {.kinds = load, .in_braces = true, .optional = true, .fallback = "every block",
+  v.table("on", r.push.on, {.kinds = load, .in_braces = true, .optional = true, .fallback = "every block",
           .example = "{ block = \"leaf*\" }",
           .doc = "In space: the blocks whose free faces the pressure acts on."});
-  v.text("face", s.face, {.kinds = load, .fallback = "up: +y, or +z where z points up",
+  v.text("face", r.load.face, {.kinds = load, .fallback = "up: +y, or +z where z points up",
          .example = "-z",
          .doc = "In space: where those faces look. The pressure acts against that direction and keeps "
                 "its own."});

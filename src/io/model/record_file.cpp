@@ -547,15 +547,17 @@ void read_file_of(ReadContext& context, const ModelSpec& spec, const std::string
 }  // namespace
 
 void parse_records(ReadContext& context, ModelSpec& spec) {
-  for (std::size_t k = 0; k < spec.stage.size(); ++k)
-    for (std::size_t i = 0; i < spec.stage[k].record.size(); ++i) {
+  for (std::size_t k = 0; k < spec.stage.size(); ++k) {
+    auto* shake = std::get_if<ShakeStage>(&spec.stage[k].action);
+    for (std::size_t i = 0; shake != nullptr && i < shake->record.size(); ++i) {
       const std::string path = fmt::format("stage.{}.record.{}", k, i);
-      RecordSpec& record = spec.stage[k].record[i];
+      RecordSpec& record = shake->record[i];
       check_sources(context, record, path);
       if (!record.file.empty() && !context.has_fault_at(path + ".unit") &&
           !context.has_fault_at(path + ".file") && !context.has_fault_at(path + ".step"))
         read_file_of(context, spec, path, record);
     }
+  }
 }
 
 std::string record_text(const RecordSpec& record) {

@@ -41,8 +41,8 @@ std::string telling_keys(const TableReader& reader) {
   return joined(out, ", ");
 }
 
-// Sets stage.kind; false when the keys do not determine it.
-bool tell_kind(TableReader& reader, StageSpec& stage) {
+// Whether the keys determine the kind; where they do not, a fault says so.
+bool has_kind(TableReader& reader, const StageSpec& stage) {
   if (reader.has("kind")) return !reader.context().has_fault_at(reader.below("kind"));
   const Kinds told = told_kinds(reader);
   if (told == 0) {
@@ -61,8 +61,6 @@ bool tell_kind(TableReader& reader, StageSpec& stage) {
                         "make them separate stages");
     return false;
   }
-  for (const auto& word : kStageKindWords)
-    if (kind_bit(word.value) == told) stage.kind = word.value;
   return true;
 }
 
@@ -85,7 +83,7 @@ void need_keys(TableReader& reader, StageKind kind) {
                   fmt::format("is missing, a {} stage needs it", word_of(kStageKindWords, kind)));
 }
 
-void check_load(TableReader& reader, const StageSpec& stage) {
+void check_load(TableReader& reader, const LoadStage& stage) {
   const auto is_given = [&](const char* name) { return reader.has(name); };
   const std::initializer_list<const char*> loads = {"pier_load", "pressure", "beam_load", "force",
                                                     "line_load"};
@@ -153,7 +151,7 @@ bool list_has_faults(TableReader& reader, const char* key) {
 }
 
 // Checks the keys of a pattern, or else of the pushed place.
-void check_pattern(TableReader& reader, const StageSpec& stage) {
+void check_pattern(TableReader& reader, const PushStage& stage) {
   if (!reader.has("pattern")) {
     bool is_of_pattern = false;
     for (const char* key : {"levels", "shares"})
@@ -193,7 +191,7 @@ void check_pattern(TableReader& reader, const StageSpec& stage) {
     reader.refuse("levels", "is empty", "write e.g. levels = [\"3.0 m\", \"6.2 m\"]");
 }
 
-void check_control(TableReader& reader, const StageSpec& stage) {
+void check_control(TableReader& reader, const PushStage& stage) {
   if (place_has_faults(reader, "control")) return;
   const PlaceSpec& at = stage.control;
   const bool point = at.x == at.x && at.y == at.y;
@@ -208,9 +206,9 @@ void check_control(TableReader& reader, const StageSpec& stage) {
 }
 
 // The head turns freely with the wall, and no other key may give the place of the push.
-void check_contraflexure(TableReader& reader, const StageSpec& stage) {
+void check_contraflexure(TableReader& reader, const PushStage& stage) {
   const char* key = "contraflexure";
-  if (stage.rotation == Freedom::kBlocked)
+  if (stage.fixity.rotation == Freedom::kBlocked)
     reader.refuse(key, "needs a head that turns, and rotation = \"blocked\" holds it",
                   "leave one of them out; a head that does not turn finds its own point");
   if (reader.has("pattern"))
@@ -219,14 +217,14 @@ void check_contraflexure(TableReader& reader, const StageSpec& stage) {
   if (stage.as == Manner::kEach)
     reader.refuse(key, "is for one head, and as = \"each\" moves several blocks alike",
                   "leave `as` out");
-  if (stage.direction != Direction::kPlusX && stage.direction != Direction::kMinusX)
+  if (stage.drive.direction != Direction::kPlusX && stage.drive.direction != Direction::kMinusX)
     reader.refuse(key, "is a height, and this push is not horizontal",
                   "write direction = \"+x\" or \"-x\"");
   if (goes_to_and_fro(stage))
     reader.refuse(key, "follows a push in one direction", "write until in the place of targets");
 }
 
-void check_protocol(TableReader& reader, const StageSpec& stage) {
+void check_protocol(TableReader& reader, const PushStage& stage) {
   constexpr const char* kKeys[] = {"amplitudes", "drifts", "cycles"};
   const auto is_bad = [&](const char* key) { return list_has_faults(reader, key); };
   if (std::any_of(std::begin(kKeys), std::end(kKeys), is_bad)) return;
@@ -244,9 +242,9 @@ void check_protocol(TableReader& reader, const StageSpec& stage) {
   reader.context().fault(reader.below(found->key), line, found->value, found->problem, found->cure);
 }
 
-void check_push(TableReader& reader, const StageSpec& stage) {
+void check_push(TableReader& reader, const PushStage& stage) {
   const double slow = std::isnan(stage.velocity) ? kWaitingVelocity : stage.velocity;
-  if (stage.fast_below != StageSpec{}.fast_below && reader.has("velocity") &&
+  if (stage.fast_below != PushStage{}.fast_below && reader.has("velocity") &&
       !reader.has("fast_velocity"))
     reader.refuse("fast_below", "has no effect: a stated velocity holds throughout",
                   "give fast_velocity too, or leave velocity out");
@@ -275,21 +273,30 @@ void check_push(TableReader& reader, const StageSpec& stage) {
 }
 
 void check_manner(TableReader& reader, const StageSpec& stage) {
-  if (stage.plate_joint != StageSpec{}.plate_joint && stage.as != Manner::kPlate)
+  const auto text = [&](std::string_view name, const std::string& absent) {
+    for (const TableReader::Entry& entry : reader.entries())
+      if (entry.node && entry.name == name) return entry.node->value_or(absent);
+    return absent;
+  };
+  const std::string plate_joint = LoadStage{}.plate_joint;
+  if (text("plate_joint", plate_joint) != plate_joint && text("as", "") != "plate")
     reader.refuse("plate_joint", "has no effect: no plate is asked for",
                   "write as = \"plate\", or leave it out");
-  if (!reader.has("as") || stage.as == Manner::kDefault) return;
-  const bool of_load = stage.as == Manner::kPressure || stage.as == Manner::kPlate;
-  if (stage.kind == StageKind::kLoad && !of_load)
+  const auto* load = std::get_if<LoadStage>(&stage.action);
+  const auto* push = std::get_if<PushStage>(&stage.action);
+  const Manner as = load ? load->as : push ? push->as : Manner::kDefault;
+  if (!reader.has("as") || as == Manner::kDefault) return;
+  const bool of_load = as == Manner::kPressure || as == Manner::kPlate;
+  if (load && !of_load)
     reader.refuse("as", "a load acts as pressure or plate", "write e.g. as = \"plate\"");
-  if (stage.kind == StageKind::kLoad && stage.as == Manner::kPlate && !reader.has("pier_load"))
+  if (load && as == Manner::kPlate && !reader.has("pier_load"))
     reader.refuse("as", "a plate stands on each pier and needs pier_load",
                   "leave `as` out, or write pier_load");
-  if (stage.kind == StageKind::kPush && of_load)
+  if (push && of_load)
     reader.refuse("as", "a push acts as spreader or each", "write e.g. as = \"spreader\"");
 }
 
-void check_shake(TableReader& reader, const StageSpec& stage) {
+void check_shake(TableReader& reader, const ShakeStage& stage) {
   const auto is_set = [](double number) { return number == number; };
   const ScaleSpec& scale = stage.scale;
   const int ways = (is_set(scale.factor) ? 1 : 0) + (is_set(scale.pga) ? 1 : 0) +
@@ -305,7 +312,7 @@ void check_shake(TableReader& reader, const StageSpec& stage) {
                !r.at.role.empty();
       });
   for (const auto& [key, freedom] :
-       {std::pair("rotation", stage.rotation), {"across", stage.across}})
+       {std::pair("rotation", stage.fixity.rotation), {"across", stage.fixity.across}})
     if (freedom == Freedom::kBlocked && !drives)
       reader.refuse(key,
                     "has no effect: it is of blocks that a record moves, and no record has `at`",
@@ -322,10 +329,10 @@ void check_shake(TableReader& reader, const StageSpec& stage) {
 
 // Checks further requirements of a kind.
 void check_needs(TableReader& reader, const StageSpec& stage) {
-  need_keys(reader, stage.kind);
-  if (stage.kind == StageKind::kLoad) check_load(reader, stage);
-  if (stage.kind == StageKind::kPush) check_push(reader, stage);
-  if (stage.kind == StageKind::kShake) check_shake(reader, stage);
+  need_keys(reader, stage.kind());
+  if (const auto* load = std::get_if<LoadStage>(&stage.action)) check_load(reader, *load);
+  if (const auto* push = std::get_if<PushStage>(&stage.action)) check_push(reader, *push);
+  if (const auto* shake = std::get_if<ShakeStage>(&stage.action)) check_shake(reader, *shake);
 }
 
 }  // namespace
@@ -339,6 +346,15 @@ std::string role_advice(const std::string& role) {
   return name_advice(role, known);
 }
 
+StageKind TableReader::kind_by_keys(StageKind stated) const {
+  if (has("kind") && !context_.has_fault_at(below("kind"))) return stated;
+  const Kinds told = told_kinds(*this);
+  if (told & kShakeStage) return StageKind::kShake;  // beside others: its records have their faults
+  for (const auto& word : kStageKindWords)
+    if (kind_bit(word.value) == told) return word.value;
+  return stated;
+}
+
 void finish(TableReader& reader, PlaceSpec& place) {
   if (const std::string cure = role_advice(place.role); !cure.empty())
     reader.refuse("role", "is no role of a block", cure);
@@ -349,8 +365,8 @@ void finish(TableReader& reader, StageSpec& stage) {
     reader.miss("name", "is missing, a stage needs one", "write e.g. name = \"push\"");
   else if (stage.name.empty() && !reader.context().has_fault_at(reader.below("name")))
     reader.refuse("name", "is empty", "write e.g. name = \"push\"");
-  if (!tell_kind(reader, stage)) return;
-  refuse_foreign_keys(reader, stage.kind);
+  if (!has_kind(reader, stage)) return;
+  refuse_foreign_keys(reader, stage.kind());
   check_needs(reader, stage);
   check_manner(reader, stage);
 }

@@ -145,7 +145,7 @@ void walk_state(A& archive, const Model& model, S& state) {
   walk_free_contacts(archive, model, state);
   const auto stage = static_cast<std::size_t>(state.stage);
   archive.require(state.stage >= 0 && stage < model.stages.size(), "it is in no stage");
-  const std::size_t targets = model.stages[stage].spec.targets.size();
+  const std::size_t targets = model.stages[stage].targets().size();
   archive.require(state.target >= 0 && static_cast<std::size_t>(state.target) <= targets,
                   "it pushes to no target");
 }

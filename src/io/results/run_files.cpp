@@ -149,14 +149,15 @@ std::string used_model(const std::string& folder, const ModelSpec& spec, const M
   for (std::size_t k = 0; k < used.stage.size() && k < model.stages.size(); ++k)
     used.stage[k] = model.stages[k].spec;
   for (StageSpec& stage : used.stage)
-    if (has_protocol(stage)) stage.targets.clear();  // its levels give them
+    if (auto* push = std::get_if<PushStage>(&stage.action); push && has_protocol(*push))
+      push->targets.clear();  // its levels give them
   if (!used.wall.blocks.empty()) {
     write_file(inside(folder, "blocks.json"), io::blocks_text(used));
     used.wall.blocks = "blocks.json";
   }
   int records = 0;
   for (StageSpec& stage : used.stage)
-    for (RecordSpec& record : stage.record) {
+    for (RecordSpec& record : records_of(stage)) {
       if (record.file.empty()) continue;
       record.file = fmt::format("record_{}.csv", ++records);
       write_file(inside(folder, record.file), io::record_text(record));
@@ -174,7 +175,7 @@ std::uint64_t spec_hash(const ModelSpec& spec) {
   hash.add(write_model(spec));
   hash.add(io::blocks_text(spec));
   for (const StageSpec& stage : spec.stage)
-    for (const RecordSpec& record : stage.record) {
+    for (const RecordSpec& record : records_of(stage)) {
       hash.add(record.read_times);
       hash.add(record.read_accelerations);
     }

@@ -404,16 +404,16 @@ Json shaking_json(const Model& model, const Result& result) {
                        {"residual_drift_percent", 1e2 * r.storey[k].residual}});
   Json damping = Json::array();
   for (const Stage& stage : model.stages) {
-    const StageSpec& s = stage.spec;
-    if (s.kind != StageKind::kShake) continue;
-    damping.push_back({{"stage", s.name}, {"local", s.damping}});
+    const auto* shake = std::get_if<ShakeStage>(&stage.spec.action);
+    if (shake == nullptr) continue;
+    damping.push_back({{"stage", stage.spec.name}, {"local", stage.spec.damping}});
     Json& json = damping.back();
-    for (const auto& [name, viscous] : {std::pair("mass", s.mass_damping),
-                                        {"joints", s.joint_damping},
-                                        {"maxwell", s.maxwell_damping}})
+    for (const auto& [name, viscous] : {std::pair("mass", shake->mass_damping),
+                                        {"joints", shake->joint_damping},
+                                        {"maxwell", shake->maxwell_damping}})
       if (std::isfinite(viscous.fraction))
         json[name] = {{"fraction", viscous.fraction}, {"frequency_Hz", viscous.frequency}};
-    if (std::isfinite(s.restitution)) json["restitution"] = s.restitution;
+    if (std::isfinite(shake->restitution)) json["restitution"] = shake->restitution;
   }
   return {{"collapsed", r.collapsed},
           {"collapse_time_s", r.collapsed ? Json(r.collapse_time) : Json()},

@@ -182,8 +182,8 @@ class ShakingReader {
     if (base_.stage.empty()) return;  // the model has faults
     std::vector<std::string> shakes;
     for (const StageSpec& stage : base_.stage) {
-      if (stage.kind == StageKind::kShake) shakes.push_back(stage.name);
-      if (stage.kind == StageKind::kPush || stage.kind == StageKind::kTilt)
+      if (stage.kind() == StageKind::kShake) shakes.push_back(stage.name);
+      if (stage.kind() == StageKind::kPush || stage.kind() == StageKind::kTilt)
         reader.refuse_table(
             fmt::format("asks for shakes of a model whose stage {} pushes or tilts", stage.name),
             "leave that stage out: a study with records tells of shakes alone");
@@ -202,8 +202,8 @@ class ShakingReader {
       return reader.refuse("stage", "is no stage of the base model with a record",
                            "write " + joined(shakes, " or "));
     for (const StageSpec& stage : base_.stage)
-      if (stage.name == out_.stage && !stage.record.empty())
-        direction_ = word_of(kDirectionWords, stage.record.front().direction);
+      if (const auto records = records_of(stage); stage.name == out_.stage && !records.empty())
+        direction_ = word_of(kDirectionWords, records.front().direction);
   }
 
   // The tables under [[name]].
@@ -398,7 +398,7 @@ std::map<std::string, std::string> given_records(ReadContext& context, const tom
 void parse_shaking(ReadContext& context, const toml::table& root, const ModelSpec& base,
                    StudySpec& study) {
   for (const StageSpec& stage : base.stage)
-    for (const RecordSpec& record : stage.record)
+    for (const RecordSpec& record : records_of(stage))
       if (!record.file.empty() && !study.record_text.contains(record.file))
         study.record_text[record.file] =
             read_text((fs::path(base.folder) / record.file).string(), kMostCsv);

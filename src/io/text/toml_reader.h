@@ -129,6 +129,9 @@ class TableReader {
   // The node of a key that is parsed by hand; null when absent.
   const toml::node* find(const char* name, const Key& key, bool is_text = false);
 
+  // The kind of a stage: the stated one, or that of the keys that are present (stage_check.cpp).
+  [[nodiscard]] StageKind kind_by_keys(StageKind stated) const;
+
   // --- for finish() ---
   struct Entry {
     std::string name;

@@ -24,7 +24,7 @@ std::vector<double> levels_of(const ModelSpec& spec, const Stage& push) {
   std::vector<double> levels;
   double top = 0;
   for (const StoreySpec& storey : spec.storey) levels.push_back(top += storey.height);
-  if (levels.empty()) levels = push.spec.levels;
+  if (levels.empty()) levels = push.push()->levels;
   std::sort(levels.begin(), levels.end());
   return levels;
 }
@@ -119,8 +119,8 @@ std::vector<PierDrift> pier_drifts(const Model& model, const Result& result) {
 }
 
 bool drives(const Stage& stage) {
-  return stage.spec.kind == StageKind::kPush || stage.spec.kind == StageKind::kBodyForce ||
-         stage.spec.kind == StageKind::kTilt;
+  const StageKind kind = stage.spec.kind();
+  return kind == StageKind::kPush || kind == StageKind::kBodyForce || kind == StageKind::kTilt;
 }
 
 // Forces along the push before or during it: dead loads, and ties prestressed
@@ -145,8 +145,7 @@ Message barred_by_stages(const Model& model, const Stage& push) {
   for (const Stage& stage : model.stages) {
     if (&stage == &push) break;
     if (drives(stage))
-      return {stage.spec.kind == StageKind::kPush ? "assessment.driven_before"
-                                                  : "assessment.held_before",
+      return {stage.push() != nullptr ? "assessment.driven_before" : "assessment.held_before",
               {{"stage", stage.spec.name}, {"push", push.spec.name}}};
   }
   if (const double force = thrust_on(model, push); force > 0)
@@ -219,10 +218,10 @@ JudgedPush judged_push(const Model& model) {
   const Stage* last = nullptr;
   for (const Stage& stage : model.stages)
     if (drives(stage)) last = &stage;
-  push.curve_of = last == nullptr ? StageKind::kHold : last->spec.kind;
+  push.curve_of = last == nullptr ? StageKind::kHold : last->spec.kind();
   if (last == nullptr) return push;
   push.is_horizontal = std::fabs(last->drive_y) < 1e-12;
-  push.is_patterned = last->spec.pattern != Pattern::kNone;
+  push.is_patterned = last->has_pattern();
   push.barred = barred_by_stages(model, *last);
   return push;
 }
@@ -400,14 +399,14 @@ void caution_of_control(const ModelSpec& spec, const Model& model, JudgedPush& p
   constexpr double kHalf = 0.5;  // of the uppermost storey, and of the height
   const double lowest = std::fmax(roof - kHalf * (roof - below), kHalf * of_wall);
   const double height = stage->load_height;
-  if (stage->control >= 0 || stage->spec.pattern == Pattern::kNone) {
+  if (stage->control >= 0 || !stage->has_pattern()) {
     if (height < lowest)
       push.cautions.push_back(
           {"assessment.caution.control", {{"height_m", height}, {"roof_m", roof}}});
     return;
   }
   const double top = top_of(stage->driven);
-  const bool is_low = stage->spec.pattern == Pattern::kGiven && height < kHalf * roof;
+  const bool is_low = stage->push()->pattern == Pattern::kGiven && height < kHalf * roof;
   if (top < lowest || is_low)
     push.cautions.push_back(
         {"assessment.caution.levels", {{"top_m", top}, {"height_m", height}, {"roof_m", roof}}});

@@ -14,7 +14,7 @@ namespace study {
 // The last push, because the curve belongs to the last stage that has one.
 const Stage* push_of(const Model& model) {
   for (std::size_t k = model.stages.size(); k-- > 0;)
-    if (model.stages[k].spec.kind == StageKind::kPush) return &model.stages[k];
+    if (model.stages[k].push() != nullptr) return &model.stages[k];
   return nullptr;
 }
 

@@ -19,8 +19,8 @@ namespace {
 constexpr const char* kAtPlace = "at";  // a push without a pattern
 
 bool drives(const StageSpec& stage) {
-  return stage.kind == StageKind::kPush || stage.kind == StageKind::kBodyForce ||
-         stage.kind == StageKind::kTilt;
+  const StageKind kind = stage.kind();
+  return kind == StageKind::kPush || kind == StageKind::kBodyForce || kind == StageKind::kTilt;
 }
 // Number of the stage whose curve is judged, the last one that drives the wall; the number of stages if none does.
 std::size_t driving_stage(const ModelSpec& spec) {
@@ -52,10 +52,10 @@ Direction opposite(Direction d) {
   return Direction::kPlusZ;
 }
 
-std::string direction_of(const StageSpec& push) {
-  if (push.along.empty()) return word_of(kDirectionWords, push.direction);
+std::string direction_of(const DriveSpec& drive) {
+  if (drive.along.empty()) return word_of(kDirectionWords, drive.direction);
   std::string out;
-  for (const double x : push.along) out += fmt::format("{}{:g}", out.empty() ? "" : ", ", x);
+  for (const double x : drive.along) out += fmt::format("{}{:g}", out.empty() ? "" : ", ", x);
   return "[" + out + "]";
 }
 
@@ -109,7 +109,7 @@ class Ways {
   }
 
  private:
-  [[nodiscard]] const StageSpec& push() const { return spec_.stage[number_]; }
+  [[nodiscard]] const PushStage& push() const { return spec_.stage[number_].get<PushStage>(); }
   [[nodiscard]] std::string key(const std::string& name) const {
     return fmt::format("stage.{}.{}", number_, name);
   }
@@ -147,11 +147,12 @@ class Ways {
     const std::string stage = fmt::format("stage.{}", number_);
     const char* cure =
         "let the last stage push the wall: a place or a pattern, direction and until";
-    if (push().kind != StageKind::kPush)
-      return refuse(stage,
-                    text_of({push().kind == StageKind::kTilt ? "assessment.of_tilt"
-                                                             : "assessment.of_body_force"}),
-                    cure);
+    const StageKind kind = spec_.stage[number_].kind();
+    if (kind != StageKind::kPush)
+      return refuse(
+          stage,
+          text_of({kind == StageKind::kTilt ? "assessment.of_tilt" : "assessment.of_body_force"}),
+          cure);
     const JudgedPush judged = study::judged_push(model_);
     for (const auto& [name, list] : {std::pair("targets", &push().targets),
                                      {"amplitudes", &push().amplitudes},
@@ -160,7 +161,7 @@ class Ways {
         return refuse(key(name), text_of({"assessment.of_cycles"}),
                       fmt::format("write until in the place of {}", name));
     if (!judged.is_horizontal)
-      return refuse(push().along.empty() ? key("direction") : key("along"),
+      return refuse(push().drive.along.empty() ? key("direction") : key("along"),
                     text_of({"assessment.not_horizontal"}), "push the wall sideways");
     if (!judged.barred.empty()) refuse(stage, text_of(judged.barred), cure);
   }
@@ -210,11 +211,11 @@ class Ways {
 
   std::vector<std::string> mirror() {
     std::vector<std::string> settings;
-    if (push().along.empty()) {
-      opposite_ = word_of(kDirectionWords, opposite(push().direction));
+    if (push().drive.along.empty()) {
+      opposite_ = word_of(kDirectionWords, opposite(push().drive.direction));
       settings.push_back(key("direction") + "=" + opposite_);
     } else {
-      StageSpec other = push();
+      DriveSpec other = push().drive;
       other.along = reversed(other.along);
       opposite_ = direction_of(other);
       settings.push_back(key("along") + "=" + list_of(other.along, ""));
@@ -267,9 +268,10 @@ class Ways {
 PushWay way_of(const ModelSpec& spec) {
   const std::size_t k = driving_stage(spec);
   if (k == spec.stage.size()) return {};
-  const StageSpec& push = spec.stage[k];
-  return {direction_of(push),
-          push.pattern == Pattern::kNone ? kAtPlace : word_of(kPatternWords, push.pattern)};
+  const auto* push = std::get_if<PushStage>(&spec.stage[k].action);
+  return {direction_of(drive_of(spec.stage[k])), push == nullptr || push->pattern == Pattern::kNone
+                                                     ? kAtPlace
+                                                     : word_of(kPatternWords, push->pattern)};
 }
 
 PushWays ways_of(const ModelSpec& spec, const Model& model) { return Ways(spec, model).all(); }

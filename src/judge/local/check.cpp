@@ -286,7 +286,7 @@ void study::conclude(const ModelSpec& spec, const Model& model, bool crushes, Lo
 // Whether rules may look for parts: a body force across the wall has its own mechanism.
 static bool is_pushed_or_alone(const Model& model) {
   const Stage* grows = limit::growing_stage(model);
-  return grows == nullptr || grows->spec.kind == StageKind::kPush;
+  return grows == nullptr || grows->push() != nullptr;
 }
 
 bool has_parts(const ModelSpec& spec, const Model& model) {
@@ -331,7 +331,7 @@ void add_local_checks(const ModelSpec& spec, const Model& model, bool asks_for_p
     opinion.refused.push_back({{"local.parts"}, text_of(Message{"local.parts_in_space"})});
   }
   const Stage* grows = limit::growing_stage(model);
-  if (grows == nullptr || grows->spec.kind != StageKind::kBodyForce) return;
+  if (grows == nullptr || grows->spec.kind() != StageKind::kBodyForce) return;
   const NamedLimit* of = nullptr;
   for (const NamedLimit& limit : opinion.limits) {
     const LimitOptions& o = limit.answer.options;

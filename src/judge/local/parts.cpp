@@ -325,7 +325,7 @@ class Strip {
     Found found;
     std::set<const FloorSpec*> beside;
     for (const Stage& stage : model_.stages) {
-      const StageKind kind = stage.spec.kind;
+      const StageKind kind = stage.spec.kind();
       if (kind == StageKind::kPush || kind == StageKind::kBodyForce || kind == StageKind::kTilt ||
           kind == StageKind::kShake)
         break;

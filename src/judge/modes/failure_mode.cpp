@@ -33,7 +33,7 @@ const Stage* stage_of(const Model& model, const Snapshot& s) {
 
 bool is_cyclic(const Model& model, const Snapshot& s) {
   const Stage* stage = stage_of(model, s);
-  return stage != nullptr && !stage->spec.targets.empty();
+  return stage != nullptr && !stage->targets().empty();
 }
 
 // The first state at displacement `read_at`, else the last state. For a cyclic push, the last state there before
@@ -65,7 +65,7 @@ Message millimetres(double displacement) {
 bool is_falling(const Model& model, const Snapshot& s) {
   const Stage* stage = stage_of(model, s);
   return stage != nullptr && s.state.balance >= 2 * model.solve.settle_ratio &&
-         (stage->spec.kind == StageKind::kBodyForce || stage->spec.kind == StageKind::kTilt);
+         (stage->spec.kind() == StageKind::kBodyForce || stage->spec.kind() == StageKind::kTilt);
 }
 
 // A wall that falls moves as a mechanism, and its size depends on where the run ended. So the limit widths shrink with it.

@@ -47,7 +47,7 @@ void add_fault(FaultList& faults, std::string path, std::string value, std::stri
 const Stage* push_of(const Model& model) {
   const Stage* found = nullptr;
   for (const Stage& stage : model.stages)
-    if (stage.spec.kind == StageKind::kPush) found = &stage;
+    if (stage.push() != nullptr) found = &stage;
   return found;
 }
 
@@ -56,14 +56,14 @@ void refuse_what_chains_ignore(const Model& model, const Stage& push, const Port
                                FaultList& faults) {
   const std::string stage = "stage." + push.spec.name;
   const char* cure = "leave it out, or take the limit load of the blocks, which counts it";
-  if (push.spec.rotation == Freedom::kBlocked)
+  if (push.push()->fixity.rotation == Freedom::kBlocked)
     add_fault(faults, stage + ".rotation", "blocked", "the macro-blocks turn where they are pushed",
               cure);
-  if (push.spec.across == Freedom::kBlocked)
+  if (push.push()->fixity.across == Freedom::kBlocked)
     add_fault(faults, stage + ".across", "blocked", "the macro-blocks rise where they are pushed",
               cure);
   for (const BlockId b : push.driven) {
-    if (push.spec.as != Manner::kEach) break;
+    if (!push.moves_each()) break;
     const double off = model.centroid_y[b] - portal.load_point.y;
     if (std::fabs(off) < 1e-6) continue;
     add_fault(faults, stage + ".as", "each",
@@ -72,15 +72,15 @@ void refuse_what_chains_ignore(const Model& model, const Stage& push, const Port
     break;
   }
   if (std::isfinite(push.drive_arm))
-    add_fault(faults, stage + ".contraflexure", fmt::format("{:g}", push.spec.contraflexure),
+    add_fault(faults, stage + ".contraflexure", fmt::format("{:g}", push.push()->contraflexure),
               "macro-blocks are pushed at a point of theirs, and here it is the end of an arm",
               cure);
-  if (push.spec.pattern != Pattern::kNone)
-    add_fault(faults, stage + ".pattern", word_of(kPatternWords, push.spec.pattern),
+  if (push.has_pattern())
+    add_fault(faults, stage + ".pattern", word_of(kPatternWords, push.push()->pattern),
               "macro-blocks are pushed at one point", cure);
   const Stage* grows = limit::growing_stage(model);
   for (const Stage& s : model.stages)
-    if (s.spec.kind == StageKind::kBodyForce || s.spec.kind == StageKind::kTilt)
+    if (s.spec.kind() == StageKind::kBodyForce || s.spec.kind() == StageKind::kTilt)
       add_fault(faults, "stage." + s.spec.name, "",
                 grows == &s
                     ? "is what grows last, not the push"

@@ -381,7 +381,7 @@ class LinkCompiler {
     const std::vector<double>& prestress = model_.links.prestress;
     if (std::none_of(prestress.begin(), prestress.end(), drawn)) return;
     for (std::size_t k = 0; k < spec_.stage.size(); ++k) {
-      const StageKind kind = spec_.stage[k].kind;
+      const StageKind kind = spec_.stage[k].kind();
       if (kind != StageKind::kGravity && kind != StageKind::kLoad) continue;
       model_.links.set_by = static_cast<int>(k);
       return;

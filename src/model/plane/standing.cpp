@@ -179,7 +179,7 @@ void compile_standing(const ModelSpec& spec, const geometry::Assembly& assembly,
 
 void note_idle_cuts(const ModelSpec& spec, const std::vector<int>& used, Model& model) {
   for (std::size_t k = 0; k < spec.stage.size(); ++k)
-    if (spec.stage[k].kind == StageKind::kCut &&
+    if (spec.stage[k].kind() == StageKind::kCut &&
         std::find(used.begin(), used.end(), static_cast<int>(k)) == used.end())
       model.anatomy.notes.push_back({"cut.nothing", {{"stage", spec.stage[k].name}}});
 }

@@ -54,8 +54,8 @@ void refuse_plane_parts(const ModelSpec& spec, FaultList& faults) {
   refuse("wall.beam", std::isfinite(spec.wall.beam.height));
   refuse("wall.foundation", !spec.wall.foundation.empty());
   for (std::size_t k = 0; k < spec.stage.size(); ++k)
-    refuse(fmt::format("stage.{}.contraflexure", k).c_str(),
-           std::isfinite(spec.stage[k].contraflexure));
+    if (const auto* push = std::get_if<PushStage>(&spec.stage[k].action))
+      refuse(fmt::format("stage.{}.contraflexure", k).c_str(), std::isfinite(push->contraflexure));
 }
 
 // In space storeys are levels for drifts and for diaphragms. Walls along plan lines have their own
@@ -531,10 +531,10 @@ void spread_over_slabs(const std::vector<double>& bare, Model& model) {
 void set_ramps(Model& model) {
   constexpr double kUsual = 0.05;  // [s]
   for (Stage& stage : model.stages) {
-    StageSpec& s = stage.spec;
-    if (s.kind != StageKind::kPush || !std::isnan(s.ramp)) continue;
-    const double first = s.targets.empty() ? s.until : std::fabs(s.targets.front());
-    s.ramp = std::fmin(kUsual, 0.2 * first / s.velocity);
+    const PushStage* push = stage.push();
+    if (push == nullptr || !std::isnan(stage.spec.ramp)) continue;
+    const double first = push->targets.empty() ? push->until : std::fabs(push->targets.front());
+    stage.spec.ramp = std::fmin(kUsual, 0.2 * first / push->velocity);
   }
 }
 

@@ -126,7 +126,7 @@ std::optional<Line> line_of(const PlaceSpec& from, const PlaceSpec& to, const Sp
 }
 
 // Unit vector of a load: `along`, or downwards.
-std::optional<Vec3> direction_of(const StageSpec& s, const SpacePlaces& places) {
+std::optional<Vec3> direction_of(const LoadStage& s, const SpacePlaces& places) {
   if (s.along.empty()) return Vec3{0, -1, 0};
   if (s.along.size() != 3) return std::nullopt;  // reported with the stage
   const Vec3 d = geometry::unit({s.along[0], s.along[1], s.along[2]});
@@ -166,7 +166,7 @@ std::vector<LinePiece> pieces_under(const SpaceAssembly& assembly, Vec3 from, Ve
   return pieces;
 }
 
-std::vector<PointLoad> stated_loads(const StageSpec& s, const SpacePlaces& places,
+std::vector<PointLoad> stated_loads(const LoadStage& s, const SpacePlaces& places,
                                     const SpaceAssembly& assembly, const std::vector<BlockId>& id,
                                     const std::string& path, FaultList& faults) {
   const std::optional<Vec3> d = direction_of(s, places);

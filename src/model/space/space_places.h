@@ -56,7 +56,7 @@ struct LinePiece {
                                                   const std::string& path, FaultList& faults);
 
 // Force or line load of a load stage; empty, with a fault, where it has no place.
-[[nodiscard]] std::vector<PointLoad> stated_loads(const StageSpec& stage, const SpacePlaces& places,
+[[nodiscard]] std::vector<PointLoad> stated_loads(const LoadStage& stage, const SpacePlaces& places,
                                                   const geometry::SpaceAssembly& assembly,
                                                   const std::vector<BlockId>& id,
                                                   const std::string& path, FaultList& faults);

@@ -41,23 +41,21 @@ class SpaceStages {
     for (std::size_t k = 0; k < spec_.stage.size(); ++k) {
       path_ = fmt::format("stage.{}", k);
       Stage stage;
-      stage.spec = with_velocity(spec_.stage[k]);
+      stage.spec = spec_.stage[k];
       StageSpec& s = stage.spec;
-      const bool push = s.kind == StageKind::kPush;
+      set_manner(s);
       if (std::isnan(s.damping))
-        s.damping = s.kind == StageKind::kShake ? 0.0 : spec_.solve.damping;
-      if (std::isnan(s.ramp) && !push) s.ramp = kLoadRamp;
-      if (s.as == Manner::kDefault) {
-        if (push) s.as = Manner::kSpreader;
-        if (s.kind == StageKind::kLoad) s.as = Manner::kPressure;
-      }
+        s.damping = s.kind() == StageKind::kShake ? 0.0 : spec_.solve.damping;
       set_direction(stage);
-      if (s.kind == StageKind::kLoad) set_loads(stage);
-      if (push) {
-        set_driven(stage);
-        set_targets(path_, stage, faults_);
+      if (const auto* load = std::get_if<LoadStage>(&s.action)) set_loads(*load, stage);
+      if (auto* push = std::get_if<PushStage>(&s.action)) {
+        *push = with_velocity(std::move(*push));
+        set_driven(*push, stage);
+        set_targets(path_, *push, stage, faults_);
+      } else if (std::isnan(s.ramp)) {
+        s.ramp = kLoadRamp;
       }
-      if (s.kind == StageKind::kShake) compile_shake(path_, places(), model_, stage, faults_);
+      if (s.kind() == StageKind::kShake) compile_shake(path_, places(), model_, stage, faults_);
       refuse_second_factor(s);
       refuse_zones(stage);
       if (k == sets_floors) stage.loads.insert(stage.loads.end(), floors_.begin(), floors_.end());
@@ -80,11 +78,10 @@ class SpaceStages {
     for (const BlockId block : stage.driven)
       if (is_solid(block)) solids.insert(block);
     if (is_solid(stage.control)) solids.insert(stage.control);
-    const StageSpec& s = stage.spec;
-    const char* key = s.kind != StageKind::kLoad   ? "at"
-                      : std::isfinite(s.force)     ? "at"
-                      : std::isfinite(s.line_load) ? "line_load"
-                                                   : "on";
+    const auto* load = std::get_if<LoadStage>(&stage.spec.action);
+    const char* key = load == nullptr || std::isfinite(load->force) ? "at"
+                      : std::isfinite(load->line_load)              ? "line_load"
+                                                                    : "on";
     for (const BlockId block : solids)
       fault(key, model_.space.solids.bodies[solid_of(block)].body.id,
             "is a block of zones; loads and pushes act on rigid blocks",
@@ -92,16 +89,19 @@ class SpaceStages {
   }
 
   void set_direction(Stage& stage) {
-    const StageSpec& s = stage.spec;
-    Vec3 d = places_.in_wall(vector_of(s.direction));
-    if (!s.along.empty()) {
-      if (s.along.size() != 3 || !(geometry::norm({s.along[0], s.along[1], s.along[2]}) > 0))
+    const DriveSpec drive = drive_of(stage.spec);
+    const auto* load = std::get_if<LoadStage>(&stage.spec.action);
+    const std::vector<double>& along = load != nullptr ? load->along : drive.along;
+    Vec3 d = places_.in_wall(vector_of(drive.direction));
+    if (!along.empty()) {
+      if (along.size() != 3 || !(geometry::norm({along[0], along[1], along[2]}) > 0))
         return fault("along", "", "must be three numbers that are not all 0",
                      "write e.g. along = [1, 0, 0.5]");
-      d = places_.in_wall(geometry::unit({s.along[0], s.along[1], s.along[2]}));
+      d = places_.in_wall(geometry::unit({along[0], along[1], along[2]}));
     }
     stage.drive_x = d.x, stage.drive_y = d.y, stage.drive_z = d.z;
-    const bool tilts = s.kind == StageKind::kBodyForce || s.kind == StageKind::kTilt;
+    const StageKind kind = stage.spec.kind();
+    const bool tilts = kind == StageKind::kBodyForce || kind == StageKind::kTilt;
     if (tilts && std::fabs(d.y) > 1e-12)
       fault("direction", "", "a body force or tilt acts sideways",
             "write a direction without a part upwards");
@@ -131,7 +131,7 @@ class SpaceStages {
 
   // The load factor of a body force continues from stage to stage, so a second one is refused.
   void refuse_second_factor(const StageSpec& s) {
-    if (s.kind != StageKind::kBodyForce && s.kind != StageKind::kTilt) return;
+    if (s.kind() != StageKind::kBodyForce && s.kind() != StageKind::kTilt) return;
     if (has_factor_) fault("kind", "", "is a second body force or tilt", "keep one of them");
     has_factor_ = true;
   }
@@ -170,8 +170,7 @@ class SpaceStages {
     return {open, open > 0 ? (1 / open) * moment : middle};
   }
 
-  void set_loads(Stage& stage) {
-    const StageSpec& s = stage.spec;
+  void set_loads(const LoadStage& s, Stage& stage) {
     for (const auto& [key, load] :
          {std::pair("pier_load", s.pier_load), {"beam_load", s.beam_load}})
       if (std::isfinite(load))
@@ -212,8 +211,7 @@ class SpaceStages {
 
   // --- pushes -----------------------------------------------------------------------------------------
 
-  void set_driven(Stage& stage) {
-    const StageSpec& s = stage.spec;
+  void set_driven(PushStage& s, Stage& stage) {
     const bool patterned = s.pattern != Pattern::kNone;
     if (patterned && s.pattern != Pattern::kMass && s.pattern != Pattern::kArea)
       return fault("pattern", "", "is for walls in their plane",
@@ -244,8 +242,8 @@ class SpaceStages {
     for (double& share : stage.driven_share)
       share *= static_cast<double>(stage.driven.size()) / total;
     stage.load_height = height / total;
-    if (fixed) stage.spec.as = Manner::kEach;
-    set_control(stage, fixed);
+    if (fixed) s.as = Manner::kEach;
+    set_control(s.control, stage, fixed);
   }
 
   // Loads and pushes act on rigid blocks. So the mass of a body of zones goes to the blocks in contact, by the
@@ -288,8 +286,7 @@ class SpaceStages {
     return area;
   }
 
-  void set_control(Stage& stage, bool fixed) {
-    const PlaceSpec& c = stage.spec.control;
+  void set_control(const PlaceSpec& c, Stage& stage, bool fixed) {
     if (c.block.empty() && !std::isfinite(c.x) && !std::isfinite(c.y) && !std::isfinite(c.z))
       return;
     const std::vector<std::size_t> found = places_.find(c);

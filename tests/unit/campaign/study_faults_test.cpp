@@ -335,7 +335,7 @@ TEST(StudyRefused, files_that_are_not_there) {
 
 TEST(StudyNotes, what_the_push_does_not_reach) {
   StudySpec study = parsed(kStudy);
-  const double end = model_builder(study)({}).stage.back().until;
+  const double end = model_builder(study)({}).stage.back().get<PushStage>().until;
   study.states = {end, 1.5 * end};
   study.read_modes_at = 2 * end;
   const ModelSpec base = model_builder(parsed(kStudy))({});

@@ -107,9 +107,10 @@ TEST(Step, the_bound_is_not_wasteful) {
 // Small wall whose push moves the three blocks on the left edge.
 Model spread_wall(Manner manner) {
   ModelSpec spec = scenes::small_wall();
-  spec.stage.back().at.courses = 3;
-  spec.stage.back().at.y = 5.5 * 0.11;
-  spec.stage.back().as = manner;
+  auto& push = spec.stage.back().get<PushStage>();
+  push.at.courses = 3;
+  push.at.y = 5.5 * 0.11;
+  push.as = manner;
   return compile(spec);
 }
 
@@ -195,8 +196,8 @@ TEST(Readings, and_their_name_do_not_depend_on_what_is_written) {
 
 TEST(Readings, of_a_cyclic_push_are_taken_where_it_turns_farther_than_before) {
   ModelSpec spec = scenes::small_wall(1e-3, 0.1);
-  spec.stage.back().until = kUnset;
-  spec.stage.back().targets = {0.3e-3, -0.3e-3, 0.5e-3, -0.2e-3};
+  spec.stage.back().get<PushStage>().until = kUnset;
+  spec.stage.back().get<PushStage>().targets = {0.3e-3, -0.3e-3, 0.5e-3, -0.2e-3};
   const Model model = compile(spec);
   State state = initial_state(model);
   const Result result = solve(model, state);
@@ -242,7 +243,7 @@ TEST(Validity, lasts_on_ground_that_goes_on) {
 TEST(Scenes, tuff_wall_is_the_paper_s) {
   const Model model = compile(scenes::tuff_wall(source_dir(), 1e-3));
   EXPECT_EQ(model.anatomy.masonry_blocks_before_lintels, 825);
-  EXPECT_EQ(model.stages.back().spec.until, 1e-3);
+  EXPECT_EQ(model.stages.back().spec.get<PushStage>().until, 1e-3);
 }
 
 // --- how stages end -------------------------------------------------------------------------------------
@@ -293,7 +294,8 @@ TEST(Stages, a_wall_that_ran_away_has_not_collapsed) {
 TEST(Stages, a_push_back_is_not_stopped_before_its_peak) {
   ModelSpec spec = scenes::small_wall(0.3e-3, 0.02);
   StageSpec back = spec.stage.back();
-  back.name = "back", back.direction = Direction::kMinusX, back.stop_below = 0.5;
+  back.name = "back", back.get<PushStage>().drive.direction = Direction::kMinusX,
+  back.get<PushStage>().stop_below = 0.5;
   spec.stage.push_back(back);
   const Model model = compile(spec);
   State state = initial_state(model);
@@ -306,9 +308,8 @@ TEST(Stages, a_push_back_is_not_stopped_before_its_peak) {
 TEST(Stages, stages_after_a_push_that_fell_go_on) {
   ModelSpec spec = scenes::stack(2, 0.2, 0.1, scenes::paper_joint(), 0.1, 2000);
   spec.stage = {scenes::gravity_stage(), scenes::push_stage("b1", Direction::kPlusX, 5e-4, 1e-3)};
-  spec.stage[1].stop_below = 0.7;
-  StageSpec hold;
-  hold.name = "hold", hold.kind = StageKind::kHold, hold.duration = 0.01;
+  spec.stage[1].get<PushStage>().stop_below = 0.7;
+  StageSpec hold{.name = "hold", .action = HoldStage{.duration = 0.01}};
   spec.stage.push_back(hold);
   const Model model = compile(spec);
   State state = initial_state(model);
@@ -322,7 +323,7 @@ TEST(Stages, stages_after_a_push_that_fell_go_on) {
 TEST(Stages, a_push_stops_where_the_reaction_has_fallen_to_stay) {
   ModelSpec spec = scenes::stack(2, 0.2, 0.1, scenes::paper_joint(), 0.1, 2000);
   spec.stage = {scenes::gravity_stage(), scenes::push_stage("b1", Direction::kPlusX, 5e-4, 1e-3)};
-  spec.stage[1].stop_below = 0.7;
+  spec.stage[1].get<PushStage>().stop_below = 0.7;
   const Model model = compile(spec);
   State state = initial_state(model);
   const Result result = solve(model, state);
@@ -343,8 +344,8 @@ TEST(Stages, a_push_to_and_fro_says_in_which_direction_it_fell) {
   for (const double way : {1.0, -1.0}) {
     ModelSpec spec = scenes::stack(2, 0.2, 0.1, scenes::paper_joint(), 0.1, 2000);
     spec.stage = {scenes::gravity_stage(), scenes::push_stage("b1", Direction::kPlusX, 5e-4, 1e-3)};
-    spec.stage[1].stop_below = 0.7;
-    spec.stage[1].targets = {-way * 0.02e-3, way * 1e-3};
+    spec.stage[1].get<PushStage>().stop_below = 0.7;
+    spec.stage[1].get<PushStage>().targets = {-way * 0.02e-3, way * 1e-3};
     const Model model = compile(spec);
     State state = initial_state(model);
     const Message why = solve(model, state).reason;
@@ -359,21 +360,21 @@ TEST(Stages, a_push_without_a_velocity_adapts_it) {
   ModelSpec spec = scenes::stack(2, 0.2, 0.1, scenes::paper_joint(), 0.1, 2000);
   spec.stage = {scenes::gravity_stage(), scenes::push_stage("b1", Direction::kPlusX, kUnset, 1e-3)};
   const StageSpec push = compile(spec).stages[1].spec;
-  EXPECT_EQ(push.velocity, kWaitingVelocity);
-  EXPECT_EQ(push.fast_velocity, kAdaptedVelocity);
-  spec.stage[1].fast_velocity = 2e-3;
-  EXPECT_EQ(compile(spec).stages[1].spec.fast_velocity, 2e-3);
-  spec.stage[1].fast_velocity = kUnset;
-  spec.stage[1].velocity = 1e-3;
-  EXPECT_TRUE(std::isnan(compile(spec).stages[1].spec.fast_velocity));
+  EXPECT_EQ(push.get<PushStage>().velocity, kWaitingVelocity);
+  EXPECT_EQ(push.get<PushStage>().fast_velocity, kAdaptedVelocity);
+  spec.stage[1].get<PushStage>().fast_velocity = 2e-3;
+  EXPECT_EQ(compile(spec).stages[1].spec.get<PushStage>().fast_velocity, 2e-3);
+  spec.stage[1].get<PushStage>().fast_velocity = kUnset;
+  spec.stage[1].get<PushStage>().velocity = 1e-3;
+  EXPECT_TRUE(std::isnan(compile(spec).stages[1].spec.get<PushStage>().fast_velocity));
 }
 
 // Seconds of a cracking wall that is pushed at 20 mm/s, and at 100 mm/s while its unbalance is less than `below`.
 double push_seconds(double fast, double below) {
   ModelSpec spec = scenes::small_wall(3e-3, 0.02);
   spec.stage.back().ramp = 0.05;
-  spec.stage.back().fast_velocity = fast;
-  spec.stage.back().fast_below = below;
+  spec.stage.back().get<PushStage>().fast_velocity = fast;
+  spec.stage.back().get<PushStage>().fast_below = below;
   const Model model = compile(spec);
   State state = initial_state(model);
   const Result result = solve(model, state);
@@ -429,7 +430,7 @@ TEST(Stages, a_row_is_the_mean_over_its_path_however_fast_the_push_goes) {
   ModelSpec spec = scenes::stack(1, 0.2, 0.1, scenes::paper_joint(), 0.1, 2000);
   spec.stage = {scenes::gravity_stage(),
                 scenes::push_stage("b0", Direction::kPlusX, 1e-4, 0.01e-3)};
-  spec.stage[1].across = spec.stage[1].rotation = Freedom::kBlocked;
+  spec.stage[1].get<PushStage>().fixity = {Freedom::kBlocked, Freedom::kBlocked};
   spec.stage[1].ramp = 0.08;  // nearly half of the path
   spec.output.rows = 10;
   const Model model = compile(spec);
@@ -465,7 +466,7 @@ TEST(Stages, what_settling_damped_is_not_the_pushs_share) {
 TEST(Stages, a_cyclic_push_visits_its_targets) {
   ModelSpec spec = scenes::stack(1, 0.2, 0.1, scenes::paper_joint(), 0.1, 2000);
   spec.stage = {scenes::gravity_stage(), scenes::push_stage("b0", Direction::kPlusX, 0.01, 1e-3)};
-  spec.stage[1].targets = {1e-3, -0.5e-3, 0};
+  spec.stage[1].get<PushStage>().targets = {1e-3, -0.5e-3, 0};
   const Model model = compile(spec);
   State state = initial_state(model);
   const Result result = solve(model, state);

@@ -104,8 +104,7 @@ TEST(Size, a_forecast_has_seconds_for_every_kind_of_stage) {
   const RunEstimate settled = forecast({});
   const RunEstimate push = forecast({pushed.back()});
   EXPECT_GT(push.steps, settled.steps);
-  StageSpec tilt;
-  tilt.name = "tilt", tilt.kind = StageKind::kTilt, tilt.tilt_until = 0.1, tilt.tilt_rate = 0.1;
+  StageSpec tilt{.name = "tilt", .action = TiltStage{.tilt_rate = 0.1, .tilt_until = 0.1}};
   EXPECT_GT(forecast({tilt}).steps, settled.steps);
   StageSpec still = pushed.front();  // nothing is left to settle
   still.name = "still";

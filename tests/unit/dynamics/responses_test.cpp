@@ -279,8 +279,9 @@ TEST(Lasting, a_return_too_short_to_be_held_at_the_end_makes_no_dip) {
 // show.
 TEST(Lasting, a_fall_after_the_push_is_none_of_it) {
   Model model;
-  for (const StageKind kind : {StageKind::kGravity, StageKind::kPush, StageKind::kHold})
-    model.stages.emplace_back().spec.kind = kind;
+  model.stages.resize(3);
+  model.stages[1].spec.action = PushStage{};
+  model.stages[2].spec.action = HoldStage{};
   Result result;
   result.curve = curve_of({{0, 0}, {2, 100}, {10, 89}, {11.1, 88}});
   result.status = SolveStatus::kCollapsed;
@@ -598,9 +599,9 @@ TEST(SmoothStep, starts_and_ends_flat) {
 
 TEST(DrivenPath, adds_up_the_legs_of_a_cyclic_push) {
   Stage stage;
-  stage.spec.until = 5;
+  stage.spec.action = PushStage{.until = 5};
   EXPECT_EQ(dynamics::driven_path(stage), 5);
-  stage.spec.targets = {1, -1, 2};
+  stage.spec.get<PushStage>().targets = {1, -1, 2};
   EXPECT_EQ(dynamics::driven_path(stage), 1 + 2 + 3);
 }
 

@@ -155,9 +155,9 @@ TEST_F(RecordFile, csv_is_read_by_its_head) {
   write("a.csv", kCsv);
   const ModelSpec spec =
       parse("record = { file = \"a.csv\", unit = \"g\", column = \"ns\", direction = \"-x\" }\n");
-  ASSERT_EQ(spec.stage.back().record.size(), 1U);
-  const RecordSpec& r = spec.stage.back().record.front();
-  EXPECT_EQ(spec.stage.back().kind, StageKind::kShake);
+  ASSERT_EQ(spec.stage.back().get<ShakeStage>().record.size(), 1U);
+  const RecordSpec& r = spec.stage.back().get<ShakeStage>().record.front();
+  EXPECT_EQ(spec.stage.back().kind(), StageKind::kShake);
   EXPECT_EQ(r.read_times, (std::vector<double>{0, 0.01, 0.02}));
   EXPECT_DOUBLE_EQ(r.read_accelerations[1], 0.2 * 9.81);
   const Model model = compile(spec);
@@ -170,7 +170,7 @@ TEST_F(RecordFile, at2_is_read_by_its_head) {
         "PEER NGA\nsomewhere\nACCELERATION TIME SERIES IN UNITS OF G\n"
         "NPTS=      5, DT=   .0050 SEC,\n  .1E-01  -.2\n .3 .4\n .5\n");
   const ModelSpec spec = parse("record = [{ file = \"a.AT2\", unit = \"g\" }]\n");
-  const RecordSpec& r = spec.stage.back().record.front();
+  const RecordSpec& r = spec.stage.back().get<ShakeStage>().record.front();
   ASSERT_EQ(r.read_times.size(), 5U);
   EXPECT_DOUBLE_EQ(r.read_times[4], 0.02);
   EXPECT_DOUBLE_EQ(r.read_accelerations[1], -0.2 * 9.81);
@@ -184,7 +184,8 @@ TEST_F(RecordFile, the_second_of_two_columns_is_the_motion) {
       write("a.csv", std::string(head) + "0,0.1\n0.01,0.2\n0.02,-0.1\n");
       const std::string lines =
           std::string("record = { file = \"a.csv\", unit = \"g\"") + step + " }\n";
-      EXPECT_EQ(parse(lines).stage.back().record.front().read_accelerations, expected)
+      EXPECT_EQ(parse(lines).stage.back().get<ShakeStage>().record.front().read_accelerations,
+                expected)
           << head << step;
     }
 }
@@ -270,8 +271,10 @@ TEST_F(RecordFile, tables_are_read_whatever_stands_between_their_cells) {
       {"time,acc\n", with("{:.2f},{:.3f},")}};
   for (const auto& [head, row] : files) {
     write("a.csv", motion(head, row));
-    const RecordSpec read =
-        parse("record = { file = \"a.csv\", unit = \"cm/s2\" }\n").stage.back().record.front();
+    const RecordSpec read = parse("record = { file = \"a.csv\", unit = \"cm/s2\" }\n")
+                                .stage.back()
+                                .get<ShakeStage>()
+                                .record.front();
     ASSERT_EQ(read.read_accelerations.size(), 4U) << head;
     for (int k = 0; k < 4; ++k) {
       EXPECT_DOUBLE_EQ(read.read_accelerations[k], kMotion[k] / 100) << head;
@@ -300,6 +303,7 @@ TEST_F(RecordFile, the_column_is_the_one_that_is_named_as_an_acceleration) {
     write("a.csv", motion(head + "\n", row));
     const RecordSpec read = parse("record = { file = \"a.csv\", unit = \"cm/s2\"" + more + " }\n")
                                 .stage.back()
+                                .get<ShakeStage>()
                                 .record.front();
     return *std::min_element(read.read_accelerations.begin(), read.read_accelerations.end());
   };
@@ -377,6 +381,7 @@ TEST_F(RecordFile, row_numbers_are_no_times) {
         const RecordSpec read =
             parse(std::string("record = { file = \"a.csv\", unit = \"cm/s2\"") + kStep + " }\n")
                 .stage.back()
+                .get<ShakeStage>()
                 .record.front();
         ASSERT_EQ(read.read_times.size(), 9U) << head;
         EXPECT_DOUBLE_EQ(read.read_times[1], 0.05) << head;
@@ -516,8 +521,10 @@ TEST_F(RecordFile, heads_of_at2_that_are_in_use) {
         "  .0500  NPTS, DT\n",
         "ACCELERATION, UNITS: g\nNPTS: 3 DT: 5e-2\n", "DT=0.05 NPTS=3\n"}) {
     write("a.AT2", std::string(head) + " .1E+00 -.2 .3\n");
-    const RecordSpec read =
-        parse("record = { file = \"a.AT2\", unit = \"g\" }\n").stage.back().record.front();
+    const RecordSpec read = parse("record = { file = \"a.AT2\", unit = \"g\" }\n")
+                                .stage.back()
+                                .get<ShakeStage>()
+                                .record.front();
     ASSERT_EQ(read.read_times.size(), 3U) << head;
     EXPECT_DOUBLE_EQ(read.read_times[1], 0.05) << head;
     EXPECT_DOUBLE_EQ(read.read_accelerations[1], -0.2 * 9.81) << head;
@@ -756,9 +763,11 @@ TEST_F(RecordFile, the_step_of_at2_is_in_its_unit) {
     write("a.AT2", std::string("PEER\nx\nACCELERATION TIME SERIES IN UNITS OF G\n") + line +
                        "\n .1 .2 -.3\n");
     try {
-      return fmt::format(
-          "{:g}",
-          parse("record = { file = \"a.AT2\" }\n").stage.back().record.front().read_times[1]);
+      return fmt::format("{:g}", parse("record = { file = \"a.AT2\" }\n")
+                                     .stage.back()
+                                     .get<ShakeStage>()
+                                     .record.front()
+                                     .read_times[1]);
     } catch (const InputError& error) {
       return std::string(error.what());
     }
@@ -791,6 +800,7 @@ TEST_F(RecordFile, formats_of_the_field_are_read_or_named) {
     const RecordSpec read =
         parse(std::string("record = { file = \"") + file + "\", unit = \"cm/s2\" }\n")
             .stage.back()
+            .get<ShakeStage>()
             .record.front();
     ASSERT_EQ(read.read_accelerations.size(), 4U) << file;
     EXPECT_DOUBLE_EQ(read.read_times[1], 0.05) << file;
@@ -836,7 +846,8 @@ std::string cosmos(double step_s, double step_ms, int count, const std::string& 
 TEST_F(RecordFile, a_channel_of_cosmos_is_read_by_its_widths_and_its_step) {
   const auto reads = [&](const std::string& text, double step, std::vector<double> values) {
     write("a.V2c", text);
-    const RecordSpec record = parse("record = { file = \"a.V2c\" }\n").stage.back().record.front();
+    const RecordSpec record =
+        parse("record = { file = \"a.V2c\" }\n").stage.back().get<ShakeStage>().record.front();
     ASSERT_EQ(record.read_accelerations.size(), values.size());
     for (std::size_t k = 0; k < values.size(); ++k) {
       EXPECT_DOUBLE_EQ(record.read_accelerations[k], 0.01 * values[k]);
@@ -1019,6 +1030,7 @@ TEST_F(RecordFile, a_changed_file_is_refused_where_its_hash_is_stated) {
   write("a.csv", kCsv);
   const std::string was = parse("record = { file = \"a.csv\", unit = \"g\", column = \"ns\" }\n")
                               .stage.back()
+                              .get<ShakeStage>()
                               .record.front()
                               .hash;
   ASSERT_EQ(was.size(), 16U);
@@ -1067,14 +1079,12 @@ TEST_F(RecordFile, all_components_are_scaled_by_the_first) {
 // --- runs -------------------------------------------------------------------------------------------------
 
 StageSpec shaken_by(PulseShape shape, double amplitude, double period) {
-  StageSpec shake;
-  shake.name = "quake";
-  shake.kind = StageKind::kShake;
+  StageSpec shake{.name = "quake", .action = ShakeStage{}};
   RecordSpec record;
   record.pulse = shape;
   record.amplitude = amplitude;
   record.period = period;
-  shake.record = {record};
+  shake.get<ShakeStage>().record = {record};
   return shake;
 }
 
@@ -1095,7 +1105,7 @@ ModelSpec lone_block(double width, double height, double friction) {
 TEST(Shake, without_friction_the_base_slides_away_under_the_block) {
   ModelSpec spec = lone_block(1, 0.2, 1e-9);
   StageSpec shake = shaken_by(PulseShape::kCycle, 2, 0.5);
-  shake.free_vibration = 0.1;
+  shake.get<ShakeStage>().free_vibration = 0.1;
   spec.stage.push_back(shake);
   const Result r = shaken(spec);
   ASSERT_EQ(r.status, SolveStatus::kCompleted) << r.reason;
@@ -1111,11 +1121,11 @@ TEST(Shake, a_block_slides_as_newmark_says) {
   constexpr double kMu = 0.2, kG = 9.81, kA = 4, kT = 0.2;
   ModelSpec spec = lone_block(2, 0.1, kMu);
   StageSpec shake = shaken_by(PulseShape::kNone, 0, 0);
-  RecordSpec& record = shake.record.front();
+  RecordSpec& record = shake.get<ShakeStage>().record.front();
   record.unit = RecordUnit::kMetres;
   record.times = {0, 1e-6, kT, kT + 1e-6};
   record.accelerations = {0, kA, kA, 0};
-  shake.free_vibration = 0.5;
+  shake.get<ShakeStage>().free_vibration = 0.5;
   spec.stage.push_back(shake);
   const Result r = shaken(spec);
   ASSERT_EQ(r.status, SolveStatus::kCompleted) << r.reason;
@@ -1133,14 +1143,14 @@ TEST(Shake, a_toppled_block_is_a_collapse_and_a_rocking_one_is_not) {
   spec.solve.point_rule = PointRule::kCorners;
   spec.solve.points_per_face = 2;
   StageSpec shake = shaken_by(PulseShape::kHalfCycle, 4, 0.8);
-  shake.restitution = 0.2;
-  shake.free_vibration = 3;
+  shake.get<ShakeStage>().restitution = 0.2;
+  shake.get<ShakeStage>().free_vibration = 3;
   spec.stage.push_back(shake);
   const Result rocks = shaken(spec);
   EXPECT_EQ(rocks.status, SolveStatus::kCompleted) << rocks.reason;
   EXPECT_FALSE(rocks.shaking.collapsed);
   EXPECT_GT(rocks.shaking.motion.front().peak, 1e-3);
-  spec.stage.back().record.front().amplitude = 12;
+  spec.stage.back().get<ShakeStage>().record.front().amplitude = 12;
   const Result falls = shaken(spec);
   EXPECT_EQ(falls.status, SolveStatus::kCollapsed);
   EXPECT_EQ(falls.reason.code, "block.toppled");
@@ -1151,10 +1161,10 @@ TEST(Shake, a_toppled_block_is_a_collapse_and_a_rocking_one_is_not) {
 TEST(Shake, rows_far_apart_do_not_hide_the_motion) {
   ModelSpec spec = lone_block(0.3, 1.2, 2);
   StageSpec shake = shaken_by(PulseShape::kHalfCycle, 4, 0.8);
-  shake.restitution = 0.2;
+  shake.get<ShakeStage>().restitution = 0.2;
   spec.stage.push_back(shake);
   const Result usual = shaken(spec);
-  spec.stage.back().interval = 100;
+  spec.stage.back().get<ShakeStage>().interval = 100;
   const Result far = shaken(spec);
   EXPECT_GT(usual.shaking.motion.front().peak, 1e-3);
   EXPECT_NEAR(far.shaking.motion.front().peak, usual.shaking.motion.front().peak,
@@ -1167,11 +1177,11 @@ TEST(Shake, rows_far_apart_do_not_hide_the_motion) {
 TEST(Shake, a_mirrored_record_mirrors_the_answer) {
   ModelSpec spec = lone_block(0.3, 1.2, 2);
   StageSpec shake = shaken_by(PulseShape::kCycle, 5, 0.6);
-  shake.restitution = 0.3;
-  shake.free_vibration = 0.5;
+  shake.get<ShakeStage>().restitution = 0.3;
+  shake.get<ShakeStage>().free_vibration = 0.5;
   spec.stage.push_back(shake);
   const Result one = shaken(spec);
-  spec.stage.back().scale.factor = -1;
+  spec.stage.back().get<ShakeStage>().scale.factor = -1;
   const Result other = shaken(spec);
   ASSERT_EQ(one.history.row.size(), other.history.row.size());
   double most = 0;
@@ -1190,9 +1200,9 @@ TEST(Shake, moving_supports_are_the_frame_of_the_base) {
                                        scenes::box("b", {-0.2, 0.3, -0.15}, {0.4, 0.3, 0.3})},
                                       scenes::dry_joint(1e9, 4e8, std::atan(0.3)));
     StageSpec shake = shaken_by(PulseShape::kCycle, 4, 0.3);
-    if (supports) shake.record.front().at.block = "floor";
-    shake.record.front().direction = Direction::kPlusZ;
-    shake.free_vibration = 0.1;
+    if (supports) shake.get<ShakeStage>().record.front().at.block = "floor";
+    shake.get<ShakeStage>().record.front().direction = Direction::kPlusZ;
+    shake.get<ShakeStage>().free_vibration = 0.1;
     spec.stage = {scenes::gravity_stage(), shake};
     return spec;
   };
@@ -1220,8 +1230,8 @@ TEST(Shake, in_space_as_in_the_plane) {
   plane.solve.point_rule = PointRule::kCorners;
   plane.solve.points_per_face = 2;
   StageSpec shake = shaken_by(PulseShape::kCycle, 6, 0.4);
-  shake.restitution = 0.5;
-  shake.mass_damping = {0.02, 10};
+  shake.get<ShakeStage>().restitution = 0.5;
+  shake.get<ShakeStage>().mass_damping = {0.02, 10};
   plane.stage = {scenes::gravity_stage(), shake};
   plane.solve.damping_form = DampingForm::kComponents;
   const Result flat = shaken(plane), space = shaken(scenes::prisms(plane));

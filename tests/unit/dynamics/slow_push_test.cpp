@@ -44,9 +44,8 @@ Pushed pushed(const Push& p) {
   Pushed made;
   made.model.n_block = 1;
   Stage push;
-  push.spec.kind = StageKind::kPush;
+  push.spec.action = PushStage{.velocity = kVelocity};
   push.spec.damping = p.damping;
-  push.spec.velocity = kVelocity;
   made.model.stages.push_back(push);
   std::vector<CurveRow>& rows = made.result.curve;
   for (int i = 0; i <= p.rows; ++i) {
@@ -112,7 +111,7 @@ TEST(SlowPushVerdict, the_way_pushed_in_a_jump_does_not_hang_on_the_rows) {
 // A control point may run ahead of the drive.
 TEST(SlowPushVerdict, the_way_pushed_is_that_of_the_drive) {
   Pushed flies = pushed({.unbalance = 0.012});
-  flies.model.stages.back().spec.velocity = 0.1 * kVelocity;
+  flies.model.stages.back().spec.get<PushStage>().velocity = 0.1 * kVelocity;
   EXPECT_EQ(flies.displacement().verdict, "slow enough");
 }
 
@@ -188,9 +187,9 @@ TEST(SlowPushVerdict, the_cure_is_that_of_the_push) {
   EXPECT_EQ(cure().code, "promise.cure");
   EXPECT_NEAR(cure().number("velocity"), 0.5,
               0.01);  // 5 % where 1 % is allowed: a tenth of the speed
-  made.model.stages.back().spec.velocity = 1e-4;
-  made.model.stages.back().spec.fast_velocity = 5e-3;
-  made.model.stages.back().spec.fast_below = 1e-4;
+  made.model.stages.back().spec.get<PushStage>().velocity = 1e-4;
+  made.model.stages.back().spec.get<PushStage>().fast_velocity = 5e-3;
+  made.model.stages.back().spec.get<PushStage>().fast_below = 1e-4;
   EXPECT_EQ(cure().code, "promise.cure_adapted");
   EXPECT_NEAR(cure().number("velocity"), 0.5, 0.01);
   EXPECT_NEAR(cure().number("below"), 5e-5, 1e-9);

@@ -295,8 +295,7 @@ TEST(Storeys, a_pressure_on_the_top_acts_on_the_thickness_there) {
     spec.material[name] = scenes::paper_joint();
   spec.storey[1].thickness = 0.2;
   spec.stage = {scenes::gravity_stage(), scenes::gravity_stage()};
-  spec.stage[1].kind = StageKind::kLoad;
-  spec.stage[1].pressure = 1e5;
+  spec.stage[1].action = LoadStage{.pressure = 1e5};
   double load = 0;
   for (const PointLoad& force : compile(spec).stages[1].loads) load -= force.fy;
   EXPECT_NEAR(load / (1e5 * 2 * 0.2), 1, 1e-12);

@@ -39,11 +39,7 @@ ModelSpec plain_wall(int columns, int courses) {
 }
 
 StageSpec plate_load(const std::string& name, double newtons) {
-  StageSpec stage;
-  stage.name = name;
-  stage.pier_load = newtons;
-  stage.as = Manner::kPlate;
-  return stage;
+  return {.name = name, .action = LoadStage{.pier_load = newtons, .as = Manner::kPlate}};
 }
 
 OpeningSpec hole(double x, double y, double width, double height) {

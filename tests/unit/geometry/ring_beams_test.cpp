@@ -401,10 +401,7 @@ TEST(Storeys, the_guided_way_of_a_surveyed_wall_is_not_offered_where_a_storey_re
 TEST(PierLoad, on_a_building_says_on_which_strips_it_acts) {
   ModelSpec spec = wall(true);
   spec.wall.opening = {window(0.4, 0.1, 0.4, 0.3), window(1.0, 0.6, 0.4, 0.3)};
-  StageSpec load;
-  load.name = "load";
-  load.kind = StageKind::kLoad;
-  load.pier_load = 50e3;
+  StageSpec load{.name = "load", .action = LoadStage{.pier_load = 50e3}};
   spec.stage.push_back(load);
   std::string notes;
   for (const Message& note : compile(spec).anatomy.notes) notes += text_of(note) + "\n";
@@ -414,10 +411,7 @@ TEST(PierLoad, on_a_building_says_on_which_strips_it_acts) {
 TEST(PierLoad, without_a_strip_of_full_height_is_refused_and_would_load_nothing) {
   ModelSpec spec = wall(true);
   spec.wall.opening = {window(0, 0.1, 1.2, 0.3), window(1.0, 0.6, 1.0, 0.3)};
-  StageSpec load;
-  load.name = "load";
-  load.kind = StageKind::kLoad;
-  load.pier_load = 50e3;
+  StageSpec load{.name = "load", .action = LoadStage{.pier_load = 50e3}};
   spec.stage.push_back(load);
   try {
     (void)compile(spec);

@@ -28,10 +28,10 @@ TEST(Model, example_is_understood) {
   EXPECT_EQ(spec.material.at("joint").tensile_strength, 0.15e6);
   EXPECT_TRUE(std::isnan(spec.material.at("timber").cohesion));
   ASSERT_EQ(spec.stage.size(), 3U);
-  EXPECT_EQ(spec.stage[0].kind, StageKind::kGravity);
-  EXPECT_EQ(spec.stage[1].kind, StageKind::kLoad);
-  EXPECT_EQ(spec.stage[2].kind, StageKind::kPush);
-  EXPECT_EQ(spec.stage[2].at.courses, 3);
+  EXPECT_EQ(spec.stage[0].kind(), StageKind::kGravity);
+  EXPECT_EQ(spec.stage[1].kind(), StageKind::kLoad);
+  EXPECT_EQ(spec.stage[2].kind(), StageKind::kPush);
+  EXPECT_EQ(spec.stage[2].get<PushStage>().at.courses, 3);
   EXPECT_TRUE(std::isnan(spec.stage[2].damping));
 }
 
@@ -43,7 +43,8 @@ TEST(Model, written_and_read_is_the_same) {
 TEST(Model, comparison_sees_every_bit) {
   const ModelSpec spec = parse_model(kModel, "model.toml");
   ModelSpec other = spec;
-  other.stage[2].velocity = std::nextafter(other.stage[2].velocity, 1.0);
+  other.stage[2].get<PushStage>().velocity =
+      std::nextafter(other.stage[2].get<PushStage>().velocity, 1.0);
   EXPECT_NE(io::first_difference(spec, other).find("stage.2.velocity"), std::string::npos);
 }
 
@@ -53,9 +54,9 @@ TEST(Model, kind_is_told_from_the_keys) {
       "tilt_rate = \"1 deg/s\"\ntilt_until = \"30 deg\"\n[[stage]]\nname = \"c\"\n"
       "duration = \"1 s\"\n[[stage]]\nname = \"gravity\"\n";
   const ModelSpec spec = parse_model(with(kModel, "name = \"gravity\"\n", stages), "model.toml");
-  EXPECT_EQ(spec.stage[0].kind, StageKind::kBodyForce);
-  EXPECT_EQ(spec.stage[1].kind, StageKind::kTilt);
-  EXPECT_EQ(spec.stage[2].kind, StageKind::kHold);
+  EXPECT_EQ(spec.stage[0].kind(), StageKind::kBodyForce);
+  EXPECT_EQ(spec.stage[1].kind(), StageKind::kTilt);
+  EXPECT_EQ(spec.stage[2].kind(), StageKind::kHold);
 }
 
 // One friction angle before and after: no shear strength is lost at any pressure.
@@ -363,7 +364,7 @@ TEST(StageRefused, key_of_another_kind) {
 
 TEST(StageDefault, push_may_leave_its_velocity_out) {
   const std::string text = with(kModel, "velocity = \"10 mm/s\"\n", "");
-  EXPECT_TRUE(std::isnan(parse_model(text, "model.toml").stage[2].velocity));
+  EXPECT_TRUE(std::isnan(parse_model(text, "model.toml").stage[2].get<PushStage>().velocity));
   EXPECT_EQ(fault_of("velocity = \"10 mm/s\"\n", "fast_velocity = \"0.05 mm/s\"\n"),
             "model.toml:40: stage.2.fast_velocity = 0.05 mm/s: is slower than velocity, 0.1 mm/s "
             "where none is given; write a "
@@ -436,7 +437,9 @@ TEST(StageRefused, a_protocol_that_cannot_be_run) {
 TEST(StageRead, one_number_of_cycles_is_for_all_levels) {
   const auto read = [](const std::string& cycles) {
     const std::string keys = "drifts = [\"0.1 %\", \"0.2 %\"]\n" + cycles;
-    return parse_model(with(kModel, "until = \"50 mm\"", keys), "model.toml").stage[2];
+    return parse_model(with(kModel, "until = \"50 mm\"", keys), "model.toml")
+        .stage[2]
+        .get<PushStage>();
   };
   EXPECT_EQ(read("cycles = 3").cycles, std::vector<double>{3});
   EXPECT_EQ(read("cycles = [3, 1]").cycles, (std::vector<double>{3, 1}));
@@ -528,10 +531,10 @@ TEST(Set, changes_members_by_name_and_by_index) {
       parse_model(kModel, "m",
                   {"stage.push.velocity=1 mm/s", "wall.opening.0.width=\"1.2 m\"",
                    "wall.opening.door.x = 2 m", "stage.2.at.courses=5", "wall.bond=stack"});
-  EXPECT_EQ(spec.stage[2].velocity, 0.001);
+  EXPECT_EQ(spec.stage[2].get<PushStage>().velocity, 0.001);
   EXPECT_EQ(spec.wall.opening[0].width, 1.2);
   EXPECT_EQ(spec.wall.opening[0].x, 2.0);
-  EXPECT_EQ(spec.stage[2].at.courses, 5);
+  EXPECT_EQ(spec.stage[2].get<PushStage>().at.courses, 5);
   EXPECT_EQ(spec.wall.bond, Bond::kStack);
 }
 

@@ -106,8 +106,8 @@ TEST(Study, options_are_written_and_read_too) {
   EXPECT_EQ(slow.study.variant_place, 1);
   EXPECT_EQ(study.variant, "base");
   // an option's settings come after those of the command line, and its samples are the base's
-  EXPECT_EQ(model_builder(slow.study)({}).stage.back().velocity, 1e-3);
-  EXPECT_EQ(model_builder(study)({}).stage.back().velocity, 5e-3);
+  EXPECT_EQ(model_builder(slow.study)({}).stage.back().get<PushStage>().velocity, 1e-3);
+  EXPECT_EQ(model_builder(study)({}).stage.back().get<PushStage>().velocity, 5e-3);
   const SampleTable base = draw_samples(study), option = draw_samples(slow.study);
   EXPECT_EQ(other_inputs(base, option), "");
   EXPECT_NE(base.value, option.value);  // but for the dependent that it changes

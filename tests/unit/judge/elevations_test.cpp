@@ -46,7 +46,7 @@ ModelSpec portal() {
 ModelSpec portal_in_space(double turn = 0) {
   ModelSpec plane = portal();
   ModelSpec solid = scenes::prisms(plane);
-  solid.stage.back().along = {1, 0, 0};
+  solid.stage.back().get<PushStage>().drive.along = {1, 0, 0};
   return turn == 0 ? solid : scenes::turned_about_y(solid, turn);
 }
 
@@ -436,8 +436,8 @@ TEST(Elevations, frames_and_what_is_cut_out_are_no_walls) {
   for (const bool is_cut : {false, true}) {
     ModelSpec spec = scenes::framed(scenes::small_wall());
     spec.wall.opening[0].name = "window";
-    spec.stage[1].pier_load = kUnset;
-    spec.stage[1].pressure = 50e3;
+    spec.stage[1].get<LoadStage>().pier_load = kUnset;
+    spec.stage[1].get<LoadStage>().pressure = 50e3;
     if (is_cut) spec = scenes::cut_under_load(spec);
     const Model model = compile(scenes::along_a_line(spec));
     ASSERT_GT(model.frames.n, 0);

@@ -484,7 +484,7 @@ TEST(NameFailureMode, push_that_ended_before_is_read_at_its_end_and_says_so) {
 
 TEST(NameFailureMode, cyclic_push_is_read_where_it_last_turned_before_going_farther) {
   Model cyclic = tuff_wall();
-  cyclic.stages.back().spec.targets = {40e-3, -40e-3, 60e-3};
+  cyclic.stages.back().spec.get<PushStage>().targets = {40e-3, -40e-3, 60e-3};
   Result result = run_of(kFm4, {10e-3, 40e-3, 40e-3, 40e-3, 41e-3, 60e-3, 10e-3});
   for (std::size_t i : {2U, 3U}) result.readings[i].label = "turn";
   result.readings[3].displacement = -40e-3;
@@ -499,7 +499,7 @@ TEST(NameFailureMode, cyclic_push_is_read_where_it_last_turned_before_going_fart
 
 TEST(NameFailureMode, falling_wall_under_a_load_factor_is_read_out_of_balance) {
   Model tilted = tuff_wall();
-  tilted.stages.back().spec.kind = StageKind::kTilt;
+  tilted.stages.back().spec.action = TiltStage{};
   Result result = run_of(kFm4, {0.1e-3, 40e-3});
   for (Snapshot& s : result.readings) s.state.stage = static_cast<int>(tilted.stages.size()) - 1;
   result.readings.back().state.balance = 1;

@@ -124,10 +124,7 @@ TEST(Floors, the_ground_carries_weight_and_floor) {
 
 TEST(Floors, a_load_stage_that_asks_for_them_sets_them_in_the_place_of_gravity) {
   ModelSpec spec = wall_with(floor_at(0.66));
-  StageSpec load;
-  load.name = "floors";
-  load.kind = StageKind::kLoad;
-  load.floors = true;
+  StageSpec load{.name = "floors", .action = LoadStage{.floors = true}};
   spec.stage.insert(spec.stage.begin() + 1, load);
   const Model model = compile(spec);
   EXPECT_TRUE(model.stages[0].loads.empty());
@@ -152,9 +149,10 @@ TEST(Floors, patterns_count_the_floor_as_mass_at_its_level) {
   const auto share_of_floor = [](Pattern pattern, double load) {
     ModelSpec spec = wall_with(floor_at(0.66, load));
     spec.stage = {spec.stage[0], spec.stage[2]};
-    spec.stage.back().at = {};
-    spec.stage.back().pattern = pattern;
-    if (pattern != Pattern::kMass) spec.stage.back().levels = {0.275, 0.605};
+    auto& pushed = spec.stage.back().get<PushStage>();
+    pushed.at = {};
+    pushed.pattern = pattern;
+    if (pattern != Pattern::kMass) pushed.levels = {0.275, 0.605};
     const Model model = compile(spec);
     const Stage& push = model.stages.back();
     double at = 0, all = 0;
@@ -182,11 +180,7 @@ TEST(Floors, patterns_count_the_floor_as_mass_at_its_level) {
 TEST(Floors, limit_analysis_takes_their_weight) {
   ModelSpec spec = scenes::block_on_ground(
       0.5, 2.0, scenes::dry_joint(20e9, 8e9, scenes::degrees(80)), 0.1, 2000);
-  StageSpec quake;
-  quake.name = "quake";
-  quake.kind = StageKind::kBodyForce;
-  quake.rate = 0.5;
-  quake.factor = 10;
+  StageSpec quake{.name = "quake", .action = BodyForceStage{.rate = 0.5, .factor = 10}};
   spec.stage = {scenes::gravity_stage(), quake};
   spec.floor = {floor_at(2.0, 4e3)};
   const double weight = 2000 * 0.5 * 2.0 * 0.1 * kGravity;
@@ -253,11 +247,11 @@ TEST(Floors, half_said_floors_are_refused) {
   spec.stage.erase(spec.stage.begin());
   expect_refused(spec, "floor.0", "no stage sets it", "gravity stage");
   spec = scenes::small_wall();
-  spec.stage[1].pier_load = kUnset;
-  spec.stage[1].floors = true;
+  spec.stage[1].get<LoadStage>().pier_load = kUnset;
+  spec.stage[1].get<LoadStage>().floors = true;
   expect_refused(spec, "stage.1.floors", "there is no floor", "[[floor]]");
   spec = wall_with(floor_at(0.66));
-  spec.stage[1].floors = true;
+  spec.stage[1].get<LoadStage>().floors = true;
   spec.stage.insert(spec.stage.begin() + 1, spec.stage[1]);
   expect_refused(spec, "stage.2.floors", "already", "one stage");
 }
@@ -265,10 +259,7 @@ TEST(Floors, half_said_floors_are_refused) {
 // Pushed first and loaded then, a wall would be judged without its floors.
 TEST(Floors, a_wall_is_not_pushed_before_its_floors_lie_on_it) {
   ModelSpec spec = wall_with(floor_at(0.66));
-  StageSpec load;
-  load.name = "floors";
-  load.kind = StageKind::kLoad;
-  load.floors = true;
+  StageSpec load{.name = "floors", .action = LoadStage{.floors = true}};
   spec.stage.push_back(load);
   const std::string stage = "stage." + std::to_string(spec.stage.size() - 1) + ".floors";
   expect_refused(spec, stage, "only after stage.", "before it");

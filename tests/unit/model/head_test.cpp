@@ -24,7 +24,7 @@ constexpr int kCourses = 21;                                     // the last is 
 StageSpec pushed_head(double contraflexure, double velocity, double until) {
   StageSpec push =
       scenes::push_stage("b" + std::to_string(kCourses - 1), Direction::kPlusX, velocity, until);
-  push.contraflexure = contraflexure;
+  push.get<PushStage>().contraflexure = contraflexure;
   return push;
 }
 
@@ -84,7 +84,7 @@ INSTANTIATE_TEST_SUITE_P(Shares, Contraflexure, testing::Values(0.5, 0.75, 0.95,
 // The drive works on the end of the arm, by force and moment: the ledger closes.
 TEST(Head, work_of_its_push_is_in_the_ledger) {
   ModelSpec spec = column(0.5);
-  spec.stage.back().velocity = 5e-3;
+  spec.stage.back().get<PushStage>().velocity = 5e-3;
   spec.solve.damping = 0.2;
   const Model model = compile(spec);
   State state = initial_state(model);
@@ -106,14 +106,11 @@ ModelSpec rocking(double contraflexure, double until = 2e-3) {
   blocks.push_back(scenes::rectangle("head", 0, 2.5, 1.7, 0.1));
   ModelSpec spec = scenes::assembly(blocks, scenes::elastic_joint(400e9, 160e9), 0.31, 2000);
   spec.material["foundation"] = scenes::dry_joint(20e9, 8e9, scenes::degrees(60));
-  StageSpec load;
-  load.name = "load";
-  load.kind = StageKind::kLoad;
-  load.pier_load = 200e3;
+  StageSpec load{.name = "load", .action = LoadStage{.pier_load = 200e3}};
   StageSpec push = scenes::push_stage("head", Direction::kPlusX, 1e-3, until);
   push.damping = 0;  // a rocking body's velocity keeps its sign, so that local damping would drag
   push.ramp = 0.2;
-  push.contraflexure = contraflexure;
+  push.get<PushStage>().contraflexure = contraflexure;
   spec.output.rows = 50;
   spec.stage = {load, push};
   return spec;
@@ -188,7 +185,7 @@ TEST(Head, refuses_a_point_of_contraflexure_that_cannot_be) {
 
 TEST(Head, held_against_rising_tells_its_axial_force) {
   ModelSpec spec = rocking(0.75);
-  spec.stage.back().across = Freedom::kBlocked;
+  spec.stage.back().get<PushStage>().fixity.across = Freedom::kBlocked;
   spec.stage.back().damping = 0.3;
   spec.stage.insert(spec.stage.begin(), scenes::gravity_stage());
   const Model model = compile(spec);
@@ -214,7 +211,7 @@ TEST(Head, held_against_rising_tells_its_axial_force) {
 TEST(Head, that_is_free_to_rise_has_no_such_column) {
   const auto columns = [](Freedom across) {
     ModelSpec spec = rocking(0.75);
-    spec.stage.back().across = across;
+    spec.stage.back().get<PushStage>().fixity.across = across;
     return io::curve_csv({CurveRow{}}, columns_of(compile(spec)));
   };
   EXPECT_NE(columns(Freedom::kBlocked).find("head_axial_kN"), std::string::npos);

@@ -99,8 +99,8 @@ TEST(Links, a_tie_yields_at_its_area_times_yield_strength_and_hangs_slack_on_the
   spec.tie = {anchored()};
   spec.tie[0].yield_strength = 40e6;  // 400 N, at 0.2 mm
   StageSpec push = push_right(Direction::kMinusX, 0);
-  push.until = kUnset;
-  push.targets = {0.5e-3, 0.05e-3};
+  push.get<PushStage>().until = kUnset;
+  push.get<PushStage>().targets = {0.5e-3, 0.05e-3};
   spec.stage.push_back(push);
   const Ran r = solved(spec);
   ASSERT_EQ(r.result.status, SolveStatus::kCompleted);
@@ -205,8 +205,8 @@ TEST(Links, a_spring_that_only_pushes_opens_a_gap_and_yields_at_its_strength) {
   wall.pushes_only = true;
   spec.spring = {wall};
   StageSpec push = push_right(Direction::kPlusX, 0);
-  push.until = kUnset;
-  push.targets = {-0.2e-3, 0.5e-3, 0.1e-3};
+  push.get<PushStage>().until = kUnset;
+  push.get<PushStage>().targets = {-0.2e-3, 0.5e-3, 0.1e-3};
   spec.stage.push_back(push);
   const Ran r = solved(spec);
   ASSERT_EQ(r.result.status, SolveStatus::kCompleted);
@@ -225,7 +225,7 @@ TEST(Links, a_diaphragm_takes_the_other_column_along) {
                                          2.0 * column, 0.25 * k, 0.5, 0.25));
   ModelSpec spec = scenes::assembly(blocks, scenes::elastic_joint(1e9, 0.4e9), 0.2, 2000);
   StageSpec push = scenes::push_stage("c03", Direction::kPlusX, 0.01, 0.5e-3);
-  push.rotation = Freedom::kBlocked;
+  push.get<PushStage>().fixity.rotation = Freedom::kBlocked;
   spec.stage = {scenes::gravity_stage(), push};
   const auto moved = [](const Ran& r, const char* id) {
     return r.state.ux[scenes::block_named(r.model, id)];
@@ -277,11 +277,7 @@ TEST(Links, a_wall_with_ties_keeps_its_ledger) {
 ModelSpec overturning() {
   ModelSpec spec = scenes::block_on_ground(
       0.5, 2.0, scenes::dry_joint(20e9, 8e9, scenes::degrees(80)), 0.1, 2000);
-  StageSpec quake;
-  quake.name = "quake";
-  quake.kind = StageKind::kBodyForce;
-  quake.rate = 0.5;
-  quake.factor = 10;
+  StageSpec quake{.name = "quake", .action = BodyForceStage{.rate = 0.5, .factor = 10}};
   spec.stage = {scenes::gravity_stage(), quake};
   return spec;
 }

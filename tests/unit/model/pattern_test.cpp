@@ -20,9 +20,9 @@ using scenes::Rig;
 
 ModelSpec pushed_at(Pattern pattern, std::vector<double> levels, double until = 2e-3) {
   ModelSpec spec = scenes::small_wall(until);
-  spec.stage.back().at = {};
-  spec.stage.back().pattern = pattern;
-  spec.stage.back().levels = std::move(levels);
+  spec.stage.back().get<PushStage>().at = {};
+  spec.stage.back().get<PushStage>().pattern = pattern;
+  spec.stage.back().get<PushStage>().levels = std::move(levels);
   return spec;
 }
 
@@ -30,7 +30,7 @@ const Stage& push_of(const Model& model) { return model.stages.back(); }
 
 TEST(Pattern, forces_have_their_shares_and_the_mean_with_these_shares_is_prescribed) {
   ModelSpec spec = pushed_at(Pattern::kGiven, {0.3, 0.8});
-  spec.stage.back().shares = {1, 3};
+  spec.stage.back().get<PushStage>().shares = {1, 3};
   Rig rig(compile(spec));
   rig.controls.damping = 0;
   rig.drive(2, 0.05);
@@ -98,8 +98,8 @@ TEST(Pattern, of_mass_pushes_every_block_by_its_mass) {
 // The lintel's mass goes to the blocks that it touches, and to no other: in sum all masses push.
 TEST(Pattern, of_mass_counts_a_lintel_of_zones) {
   ModelSpec spec = scenes::lintel_wall(LintelModel::kZones);
-  spec.stage.back().at = {};
-  spec.stage.back().pattern = Pattern::kMass;
+  spec.stage.back().get<PushStage>().at = {};
+  spec.stage.back().get<PushStage>().pattern = Pattern::kMass;
   const Model model = compile(spec);
   double zones = 0, added = 0;
   for (const double mass : model.solids.node_gravity_mass) zones += mass;
@@ -119,11 +119,11 @@ TEST(Pattern, of_mass_counts_a_lintel_of_zones) {
 
 TEST(Pattern, at_levels_counts_a_lintel_of_zones_where_it_is_nearest) {
   ModelSpec spec = scenes::lintel_wall(LintelModel::kZones);
-  spec.stage.back().at = {};
-  spec.stage.back().pattern = Pattern::kUniform;
+  spec.stage.back().get<PushStage>().at = {};
+  spec.stage.back().get<PushStage>().pattern = Pattern::kUniform;
   const Model plain = compile(scenes::lintel_wall(LintelModel::kZones));
   const double top = plain.anatomy.height;
-  spec.stage.back().levels = {0.25 * top, 0.95 * top};
+  spec.stage.back().get<PushStage>().levels = {0.25 * top, 0.95 * top};
   const Model model = compile(spec);
   double low = 0, high = 0, share = 0, all = 0;
   const auto add = [&](double mass, double y) {
@@ -152,9 +152,9 @@ TEST(Pattern, at_levels_counts_a_lintel_of_zones_where_it_is_nearest) {
 ModelSpec dry_wall(const std::string& wall) {
   ModelSpec spec = read_model(source_dir() + "/validation/ferris_tinloi_walls/model.toml",
                               {"wall.blocks=data/" + wall + ".json"});
-  StageSpec push;
-  push.name = "push", push.kind = StageKind::kPush, push.pattern = Pattern::kMass;
-  push.velocity = 2e-3, push.damping = 0.1, push.until = 0.05;
+  StageSpec push{.name = "push",
+                 .damping = 0.1,
+                 .action = PushStage{.pattern = Pattern::kMass, .velocity = 2e-3, .until = 0.05}};
   spec.stage = {spec.stage.front(), push};
   spec.solve.collapse_displacement = 0.175;  // a block's height
   return spec;
@@ -176,9 +176,8 @@ TEST(Pattern, a_part_of_the_wall_that_turns_has_not_collapsed) {
 TEST(Pattern, a_block_that_falls_has) {
   ModelSpec spec = scenes::block_on_ground(
       0.2, 1.0, scenes::dry_joint(20e9, 8e9, scenes::degrees(60)), 0.3, 2000);
-  StageSpec push;
-  push.name = "push", push.kind = StageKind::kPush, push.pattern = Pattern::kMass;
-  push.velocity = 0.2, push.until = 0.8;
+  StageSpec push{.name = "push",
+                 .action = PushStage{.pattern = Pattern::kMass, .velocity = 0.2, .until = 0.8}};
   spec.stage = {scenes::gravity_stage(), push};
   spec.solve.collapse_displacement = 0.1;
   const Model model = compile(spec);
@@ -191,7 +190,7 @@ TEST(Pattern, a_block_that_falls_has) {
 // The meters look at what is driven too: otherwise a pushed wall would have nothing out of balance.
 TEST(Pattern, a_fast_push_of_every_block_is_not_called_slow) {
   ModelSpec spec = pushed_at(Pattern::kMass, {});
-  spec.stage.back().velocity = 0.5;
+  spec.stage.back().get<PushStage>().velocity = 0.5;
   const Model model = compile(spec);
   State state = initial_state(model);
   const Result result = solve(model, state);
@@ -209,15 +208,12 @@ TEST(Pattern, the_limit_load_of_a_mass_pattern_is_the_load_factor_times_the_weig
       material.compressive_strength = kUnlimited;
     }
     spec.stage = {scenes::gravity_stage(), spec.stage.back()};
-    spec.stage.back().at = {};
-    spec.stage.back().pattern = Pattern::kMass;
+    spec.stage.back().get<PushStage>().at = {};
+    spec.stage.back().get<PushStage>().pattern = Pattern::kMass;
     return spec;
   }();
   ModelSpec body = push;
-  StageSpec& stage = body.stage.back() = {};
-  stage.name = "lean";
-  stage.kind = StageKind::kBodyForce;
-  stage.rate = 0.1, stage.factor = 2;
+  body.stage.back() = {.name = "lean", .action = BodyForceStage{.rate = 0.1, .factor = 2}};
   const Model model = compile(push);
   const double force = limit_load(model, {}).load, factor = limit_load(compile(body), {}).load;
   EXPECT_NEAR(force / (factor * model.weight), 1, 1e-6);
@@ -225,8 +221,8 @@ TEST(Pattern, the_limit_load_of_a_mass_pattern_is_the_load_factor_times_the_weig
 
 TEST(Control, the_rows_tell_and_the_push_ends_where_the_control_block_is) {
   ModelSpec spec = pushed_at(Pattern::kUniform, {0.85}, 0.1e-3);
-  spec.stage.back().control.x = 0;
-  spec.stage.back().control.y = 0.7;
+  spec.stage.back().get<PushStage>().control.x = 0;
+  spec.stage.back().get<PushStage>().control.y = 0.7;
   const Model model = compile(spec);
   ASSERT_GE(push_of(model).control, 0);
   const auto i = static_cast<std::size_t>(push_of(model).control);
@@ -245,8 +241,8 @@ TEST(Control, the_rows_tell_and_the_push_ends_where_the_control_block_is) {
 // The lower course slides through; the upper one, which is the control, springs back.
 TEST(Control, that_goes_back_ends_the_push_and_is_no_reversal) {
   ModelSpec spec = pushed_at(Pattern::kUniform, {0.4, 0.8}, 1e-3);
-  spec.stage.back().control.x = 0;
-  spec.stage.back().control.y = 0.8;
+  spec.stage.back().get<PushStage>().control.x = 0;
+  spec.stage.back().get<PushStage>().control.y = 0.8;
   const Model model = compile(spec);
   State state = initial_state(model);
   const Result result = solve(model, state);
@@ -266,7 +262,7 @@ TEST(Control, that_stays_behind_ends_the_push_and_says_so) {
   for (auto& p : other.polygon) p[0] += 2;
   spec.block.push_back(other);
   spec.stage.push_back(scenes::push_stage("b0", Direction::kPlusX, 2e-3, 0.05));
-  spec.stage.back().control.block = "other";
+  spec.stage.back().get<PushStage>().control.block = "other";
   const Model model = compile(spec);
   State state = initial_state(model);
   const Result result = solve(model, state);
@@ -340,18 +336,16 @@ TEST(PlaneWall, refuses_what_only_a_wall_in_space_has) {
     }
     return text;
   };
-  StageSpec force;
-  force.name = "force";
-  force.kind = StageKind::kBodyForce;
-  force.rate = force.factor = 0.1;
-  force.direction = Direction::kPlusY;
+  StageSpec force{.name = "force",
+                  .action = BodyForceStage{
+                      .drive = {.direction = Direction::kPlusY}, .rate = 0.1, .factor = 0.1}};
   EXPECT_NE(said(force).find("stage.2.direction: a body_force stage acts sideways"),
             std::string::npos)
       << said(force);
   StageSpec push = scenes::small_wall().stage.back();
-  push.direction = Direction::kMinusZ;
-  push.at.z = 0.1;
-  push.along = {0, 0, 1};
+  push.get<PushStage>().drive.direction = Direction::kMinusZ;
+  push.get<PushStage>().at.z = 0.1;
+  push.get<PushStage>().drive.along = {0, 0, 1};
   for (const char* words : {"direction: is out of the wall's plane", "along: is for walls in space",
                             "at: is for walls in space"})
     EXPECT_NE(said(push).find(words), std::string::npos) << words << "\n" << said(push);

@@ -11,11 +11,8 @@
 namespace wythe::protocol_test {
 namespace {
 
-StageSpec levels(std::vector<double> amplitudes, std::vector<double> cycles = {}) {
-  StageSpec stage;
-  stage.amplitudes = std::move(amplitudes);
-  stage.cycles = std::move(cycles);
-  return stage;
+PushStage levels(std::vector<double> amplitudes, std::vector<double> cycles = {}) {
+  return {.amplitudes = std::move(amplitudes), .cycles = std::move(cycles)};
 }
 
 TEST(Protocol, levels_and_cycles_are_targets_that_end_at_zero) {
@@ -23,10 +20,8 @@ TEST(Protocol, levels_and_cycles_are_targets_that_end_at_zero) {
   EXPECT_EQ(targets_of(levels({1, 3}), 0), (Targets{1, -1, 3, -3, 0}));
   EXPECT_EQ(targets_of(levels({1, 3}, {2}), 0), (Targets{1, -1, 1, -1, 3, -3, 3, -3, 0}));
   EXPECT_EQ(targets_of(levels({1, 3}, {2, 1}), 0), (Targets{1, -1, 1, -1, 3, -3, 0}));
-  StageSpec drifts;
-  drifts.drifts = {0.001, 0.002};
-  EXPECT_EQ(targets_of(drifts, 2), (Targets{0.002, -0.002, 0.004, -0.004, 0}));
-  StageSpec plain;
+  EXPECT_EQ(targets_of({.drifts = {0.001, 0.002}}, 2), (Targets{0.002, -0.002, 0.004, -0.004, 0}));
+  PushStage plain;
   EXPECT_TRUE(targets_of(plain, 2).empty());
   plain.targets = {1, -2};
   EXPECT_EQ(targets_of(plain, 2), plain.targets);
@@ -38,11 +33,12 @@ TEST(Protocol, levels_are_told_with_their_cycles) {
 
 // The file's reader says the same words with their place (ModelRefused.a_protocol_that_cannot_be_run).
 TEST(Protocol, a_spec_that_no_file_was_read_for_is_refused_by_compile) {
-  const auto refused_at = [](const StageSpec& protocol) -> std::string {
+  const auto refused_at = [](const PushStage& protocol) -> std::string {
     ModelSpec spec = scenes::stack(1, 0.2, 0.1, scenes::paper_joint(), 0.1, 2000);
     spec.stage = {scenes::gravity_stage(), scenes::push_stage("b0", Direction::kPlusX, 0.01, 1e-3)};
-    spec.stage[1].amplitudes = protocol.amplitudes, spec.stage[1].cycles = protocol.cycles;
-    spec.stage[1].drifts = protocol.drifts, spec.stage[1].targets = protocol.targets;
+    auto& push = spec.stage[1].get<PushStage>();
+    push.amplitudes = protocol.amplitudes, push.cycles = protocol.cycles;
+    push.drifts = protocol.drifts, push.targets = protocol.targets;
     try {
       (void)compile(spec);
     } catch (const InputError& error) {
@@ -59,7 +55,7 @@ TEST(Protocol, a_spec_that_no_file_was_read_for_is_refused_by_compile) {
   EXPECT_EQ(refused_at(levels({1e-3, 2e-3, 3e-3}, {1, 2})), "stage.1.cycles");
   EXPECT_EQ(refused_at(levels({1e-3}, {1e9})), "stage.1.cycles");
   EXPECT_EQ(refused_at(levels({}, {2})), "stage.1.cycles");
-  StageSpec both = levels({1e-3});
+  PushStage both = levels({1e-3});
   both.targets = {1e-3};
   EXPECT_EQ(refused_at(both), "stage.1.targets");
   both.targets.clear(), both.drifts = {1e-3};
@@ -69,7 +65,7 @@ TEST(Protocol, a_spec_that_no_file_was_read_for_is_refused_by_compile) {
 // The bits of a run by its levels, by drifts of them, and by the same targets written out.
 TEST(Protocol, gives_the_bits_of_its_targets) {
   ModelSpec spec = scenes::small_wall(1e-3, 0.1);
-  StageSpec& push = spec.stage.back();
+  auto& push = spec.stage.back().get<PushStage>();
   push.until = kUnset;
   const auto hash = [&] {
     const Model model = compile(spec);
@@ -88,7 +84,7 @@ TEST(Protocol, gives_the_bits_of_its_targets) {
   // the rows' own drift: 0.25 mm over the height of what is pushed
   push.amplitudes.clear();
   push.drifts = {0.25e-3 / height, 0.5e-3 / height};
-  const std::vector<double> targets = compile(spec).stages.back().spec.targets;
+  const std::vector<double> targets = compile(spec).stages.back().push()->targets;
   ASSERT_EQ(targets.size(), 7U);
   EXPECT_NEAR(targets.front(), 0.25e-3, 1e-18);
   EXPECT_EQ(targets.back(), 0);
@@ -97,17 +93,17 @@ TEST(Protocol, gives_the_bits_of_its_targets) {
 // The path of a protocol, and the memory for it, before and after the wall is built.
 TEST(Protocol, is_as_long_as_its_targets) {
   ModelSpec spec = scenes::small_wall(1e-3, 0.1);
-  StageSpec push = spec.stage.back();
+  auto& push = spec.stage.back().get<PushStage>();
   push.until = kUnset;
   push.amplitudes = {1e-3, 2e-3}, push.cycles = {2};
-  EXPECT_NEAR(pace_of(push).path, 24e-3, 1e-12);
-  spec.stage.back() = push;
-  EXPECT_EQ(pace_of(compile(spec).stages.back().spec).path, pace_of(push).path);
+  const double path = pace_of(spec.stage.back()).path;
+  EXPECT_NEAR(path, 24e-3, 1e-12);
+  EXPECT_EQ(pace_of(compile(spec).stages.back().spec).path, path);
   // states are kept where the push goes farther, not at each of its cycles
-  spec.stage.back().cycles = {1000};
+  push.cycles = {1000};
   const double to_and_fro = size_of(spec).bytes;
-  spec.stage.back().amplitudes.clear(), spec.stage.back().cycles.clear();
-  spec.stage.back().until = 2e-3;
+  push.amplitudes.clear(), push.cycles.clear();
+  push.until = 2e-3;
   EXPECT_EQ(size_of(spec).bytes, to_and_fro);
 }
 

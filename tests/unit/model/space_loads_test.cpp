@@ -31,12 +31,8 @@ PlaceSpec block(const std::string& id) {
   return place;
 }
 
-StageSpec load_stage(const std::string& name) {
-  StageSpec stage;
-  stage.name = name;
-  stage.kind = StageKind::kLoad;
-  stage.ramp = 0.3;
-  return stage;
+StageSpec load_stage(const std::string& name, LoadStage load) {
+  return {.name = name, .ramp = 0.3, .action = std::move(load)};
 }
 
 // Two courses along x, 1.2 m long, 0.3 m thick (z from 0 to 0.3), three stones each, in stack bond.
@@ -89,9 +85,8 @@ std::string faults_of(const ModelSpec& spec) {
 
 TEST(SpaceLoads, a_force_at_a_point_presses_with_its_eccentricity) {
   ModelSpec spec = two_courses();
-  spec.stage.push_back(load_stage("hook"));
-  spec.stage.back().force = 3000;
-  spec.stage.back().at = at(0.6, 0.6, 0.19);  // 40 mm off the middle of c1u1
+  // 40 mm off the middle of c1u1
+  spec.stage.push_back(load_stage("hook", {.force = 3000, .at = at(0.6, 0.6, 0.19)}));
   const Ran r = solved(spec);
   ASSERT_EQ(r.result.status, SolveStatus::kCompleted);
   const double weight = kDensity * kG * 0.4 * 0.3 * 0.3;
@@ -103,10 +98,7 @@ TEST(SpaceLoads, a_force_at_a_point_presses_with_its_eccentricity) {
 
 TEST(SpaceLoads, a_force_goes_where_along_says) {
   ModelSpec spec = two_courses();
-  spec.stage.push_back(load_stage("wind"));
-  spec.stage.back().force = 100;
-  spec.stage.back().at = block("c1u1");
-  spec.stage.back().along = {0, 0, 2};
+  spec.stage.push_back(load_stage("wind", {.force = 100, .at = block("c1u1"), .along = {0, 0, 2}}));
   const Ran r = solved(spec);
   ASSERT_EQ(r.result.status, SolveStatus::kCompleted);
   EXPECT_NEAR(under(r, "c1u1").shear, 100, 0.01);
@@ -119,8 +111,7 @@ TEST(SpaceLoads, a_pressure_presses_the_faces_that_nothing_stands_before) {
                box("left", {0, 0, 0}, {0.4, 0.6, 0.3}), box("right", {0.8, 0, 0}, {0.4, 0.6, 0.3}),
                box("sill", {0.4, 0, 0}, {0.4, 0.3, 0.3}),
                box("head", {0, 0.6, 0}, {1.2, 0.3, 0.3})};
-  spec.stage.push_back(load_stage("snow"));
-  spec.stage.back().pressure = 10e3;
+  spec.stage.push_back(load_stage("snow", {.pressure = 10e3}));
   const auto pressed = [&] {
     const Model model = compile(spec);
     std::vector<std::string> ids;
@@ -129,12 +120,13 @@ TEST(SpaceLoads, a_pressure_presses_the_faces_that_nothing_stands_before) {
     return ids;
   };
   EXPECT_EQ(pressed(), std::vector<std::string>{"head"});
-  spec.stage.back().face = "-x";  // not the reveal of the right pier, which looks at the left one
+  // not the reveal of the right pier, which looks at the left one
+  spec.stage.back().get<LoadStage>().face = "-x";
   EXPECT_EQ(pressed(), (std::vector<std::string>{"left", "head"}));
-  spec.stage.back().face = "";
-  spec.stage.back().on = block("sill");
+  spec.stage.back().get<LoadStage>().face = "";
+  spec.stage.back().get<LoadStage>().on = block("sill");
   EXPECT_EQ(pressed(), std::vector<std::string>{"sill"});
-  spec.stage.back().on = block("*");  // names all, and says so
+  spec.stage.back().get<LoadStage>().on = block("*");  // names all, and says so
   EXPECT_EQ(pressed(), (std::vector<std::string>{"sill", "head"}));
 }
 
@@ -145,8 +137,7 @@ TEST(SpaceLoads, a_pressure_presses_the_open_part_of_a_face) {
     spec.body = {box("ground", {-1, -0.2, -1}, {8, 0.2, 8}, true),
                  box("slab", {0, 0, 0}, {6, 0.2, 3})};
     for (BodySpec& body : above) spec.body.push_back(body);
-    spec.stage.push_back(load_stage("snow"));
-    spec.stage.back().pressure = 10e3;
+    spec.stage.push_back(load_stage("snow", {.pressure = 10e3}));
     const Model model = compile(spec);
     double force = 0;
     for (const PointLoad& load : model.stages[1].loads)
@@ -166,10 +157,8 @@ TEST(SpaceLoads, a_pressure_presses_the_open_part_of_a_face) {
 
 TEST(SpaceLoads, a_line_load_falls_to_each_block_by_the_length_on_it) {
   ModelSpec spec = two_courses();
-  spec.stage.push_back(load_stage("wall above"));
-  spec.stage.back().line_load = 10e3;
-  spec.stage.back().from = at(0.3, 0.6, 0.12);
-  spec.stage.back().to = at(1.2, 0.6, 0.12);
+  spec.stage.push_back(load_stage(
+      "wall above", {.line_load = 10e3, .from = at(0.3, 0.6, 0.12), .to = at(1.2, 0.6, 0.12)}));
   const Model model = compile(spec);
   const auto& loads = model.stages[1].loads;
   ASSERT_EQ(loads.size(), 3U);
@@ -194,10 +183,9 @@ TEST(SpaceLoads, a_line_on_the_edge_of_two_leaves_is_shared) {
       {box("ground", {-1, -0.2, -1}, {4, 0.2, 3}, true), box("front", {0, 0, 0}, {1, 0.5, 0.2}),
        box("back", {0, 0, 0.2}, {1, 0.5, 0.2})},
       scenes::dry_joint(2e10, 8e9, 0.6), kDensity);
-  spec.stage = {scenes::gravity_stage(), load_stage("line")};
-  spec.stage.back().line_load = 4e3;
-  spec.stage.back().from = at(0, 0.5, 0.2);
-  spec.stage.back().to = at(1, 0.5, 0.2);
+  spec.stage = {
+      scenes::gravity_stage(),
+      load_stage("line", {.line_load = 4e3, .from = at(0, 0.5, 0.2), .to = at(1, 0.5, 0.2)})};
   const Model model = compile(spec);
   ASSERT_EQ(model.stages[1].loads.size(), 2U);
   for (const PointLoad& load : model.stages[1].loads) EXPECT_NEAR(load.fy, -2e3, 1e-9);
@@ -206,31 +194,25 @@ TEST(SpaceLoads, a_line_on_the_edge_of_two_leaves_is_shared) {
 TEST(SpaceLoads, a_line_that_lies_on_nothing_is_refused_with_the_gap) {
   ModelSpec spec = two_courses();
   spec.body.erase(spec.body.begin() + 5);  // c1u1: an opening
-  spec.stage.push_back(load_stage("line"));
-  spec.stage.back().line_load = 4e3;
-  spec.stage.back().from = at(0, 0.6, 0.15);
-  spec.stage.back().to = at(1.2, 0.6, 0.15);
+  spec.stage.push_back(
+      load_stage("line", {.line_load = 4e3, .from = at(0, 0.6, 0.15), .to = at(1.2, 0.6, 0.15)}));
   EXPECT_NE(faults_of(spec).find("from 0.400 to 0.800 m"), std::string::npos) << faults_of(spec);
   spec = two_courses();
-  spec.stage.push_back(load_stage("line"));
-  spec.stage.back().line_load = 4e3;
-  spec.stage.back().from = at(0, 0.75, 0.15);
-  spec.stage.back().to = at(1.2, 0.75, 0.15);
+  spec.stage.push_back(
+      load_stage("line", {.line_load = 4e3, .from = at(0, 0.75, 0.15), .to = at(1.2, 0.75, 0.15)}));
   EXPECT_NE(faults_of(spec).find("the nearest is 0.150 m off"), std::string::npos)
       << faults_of(spec);
 }
 
 TEST(SpaceLoads, a_force_beside_the_wall_or_on_a_support_is_refused) {
   ModelSpec spec = two_courses();
-  spec.stage.push_back(load_stage("a"));
-  spec.stage.back().force = 1;
-  spec.stage.back().at = at(0.6, 0.9, 0.15);
+  spec.stage.push_back(load_stage("a", {.force = 1, .at = at(0.6, 0.9, 0.15)}));
   EXPECT_NE(faults_of(spec).find("stage.1.at [(0.6, 0.9, 0.15) m] lies on no block"),
             std::string::npos)
       << faults_of(spec);
-  spec.stage.back().at = block("ground");
+  spec.stage.back().get<LoadStage>().at = block("ground");
   EXPECT_NE(faults_of(spec).find("one block that moves"), std::string::npos);
-  spec.stage.back().at = block("c1*");
+  spec.stage.back().get<LoadStage>().at = block("c1*");
   EXPECT_NE(faults_of(spec).find("one block that moves"), std::string::npos);
 }
 
@@ -284,8 +266,8 @@ TEST(SpaceFloors, keys_of_the_plane_are_refused_here_and_those_of_space_there) {
   plane.floor[0].y = 0.88;
   EXPECT_NE(faults_of(plane).find("floor.0.from"), std::string::npos) << faults_of(plane);
   plane = scenes::small_wall();
-  plane.stage[1].force = 10;
-  plane.stage[1].at.block = "b0";
+  plane.stage[1].get<LoadStage>().force = 10;
+  plane.stage[1].get<LoadStage>().at.block = "b0";
   EXPECT_NE(faults_of(plane).find("stage.1.force"), std::string::npos) << faults_of(plane);
 }
 
@@ -293,7 +275,7 @@ TEST(SpaceFloors, a_push_by_mass_counts_the_floors_that_lie_on_it) {
   ModelSpec spec = two_courses();
   spec.floor = {floor_on_top()};
   StageSpec push = scenes::push_stage("", Direction::kPlusX, 0.01, 1e-3);
-  push.pattern = Pattern::kMass;
+  push.get<PushStage>().pattern = Pattern::kMass;
   spec.stage.push_back(push);
   const Model model = compile(spec);
   const double own = kDensity * 0.4 * 0.3 * 0.3, with = own + 5e3 * 0.4 / kG;
@@ -381,11 +363,9 @@ TEST(SpaceLinks, a_tie_across_the_wall_adds_its_yield_force_to_the_limit_load) {
     ModelSpec spec = scenes::in_space(
         {box("ground", {-1, -0.2, -3}, {4, 0.2, 6}, true), box("wall", {0, 0, 0}, {1.5, 2, 0.4})},
         scenes::dry_joint(20e9, 8e9, scenes::degrees(60)), kDensity);
-    StageSpec quake;
-    quake.name = "quake";
-    quake.kind = StageKind::kBodyForce;
-    quake.rate = 0.5, quake.factor = 5;
-    quake.along = {0, 0, 1};
+    StageSpec quake{
+        .name = "quake",
+        .action = BodyForceStage{.drive = {.along = {0, 0, 1}}, .rate = 0.5, .factor = 5}};
     spec.stage = {scenes::gravity_stage(), quake};
     spec.tie = {tie_between(at(0.7, 2, side < 0 ? 0.0 : 0.4), at(0.7, 2, 2 * side), true)};
     spec.tie[0].yield_strength = 10e6;  // 1 kN
@@ -402,13 +382,11 @@ TEST(SpaceLinks, a_dead_line_load_is_in_the_limit_load) {
   ModelSpec spec = scenes::in_space(
       {box("ground", {-1, -0.2, -3}, {4, 0.2, 6}, true), box("wall", {0, 0, 0}, {1.5, 2, 0.4})},
       scenes::dry_joint(20e9, 8e9, scenes::degrees(60)), kDensity);
-  StageSpec line = load_stage("line"), quake;
-  line.line_load = 8e3;
-  line.from = at(0, 2, 0.1), line.to = at(1.5, 2, 0.1);
-  quake.name = "quake";
-  quake.kind = StageKind::kBodyForce;
-  quake.rate = 0.5, quake.factor = 5;
-  quake.along = {0, 0, 1};
+  const StageSpec line =
+      load_stage("line", {.line_load = 8e3, .from = at(0, 2, 0.1), .to = at(1.5, 2, 0.1)});
+  const StageSpec quake{
+      .name = "quake",
+      .action = BodyForceStage{.drive = {.along = {0, 0, 1}}, .rate = 0.5, .factor = 5}};
   spec.stage = {scenes::gravity_stage(), line, quake};
   const double weight = kDensity * kG * 1.5 * 2 * 0.4;
   const LimitResult answer = limit_load(compile(spec), {.strength = JointStrength::kDry});
@@ -488,17 +466,15 @@ TEST(SpaceLinks, places_mean_the_same_with_z_up) {
   spring.stiffness = 1e6;
   spring.direction = Direction::kPlusZ;
   y_up.spring = {spring};
-  y_up.stage.push_back(load_stage("line"));
-  y_up.stage.back().line_load = 1e3;
-  y_up.stage.back().from = at(0, 0.6, 0.1);
-  y_up.stage.back().to = at(1.2, 0.6, 0.2);
+  y_up.stage.push_back(
+      load_stage("line", {.line_load = 1e3, .from = at(0, 0.6, 0.1), .to = at(1.2, 0.6, 0.2)}));
   ModelSpec z_up = y_up;
   z_up.wall.up = "z";
   const auto turned = [](PlaceSpec& p) { p = at(p.x, -p.z, p.y); };
   z_up.diaphragm[0].z = {-0.1, -0.2};
   turned(z_up.tie[0].from), turned(z_up.tie[0].to), turned(z_up.spring[0].at);
   z_up.spring[0].direction = Direction::kMinusY;
-  turned(z_up.stage[1].from), turned(z_up.stage[1].to);
+  turned(z_up.stage[1].get<LoadStage>().from), turned(z_up.stage[1].get<LoadStage>().to);
   const Model a = compile(y_up), b = compile(z_up);
   ASSERT_EQ(a.links.n, 3);
   for (const auto array :

@@ -95,16 +95,16 @@ TEST(SupportRate, the_other_supports_say_whether_a_spread_is_slow_enough) {
 
 TEST(SupportRate, a_settlement_of_all_supports_is_slow_until_it_is_not) {
   ModelSpec spec = wedge_between(0.002, 4e-3);
-  spec.stage[1].direction = Direction::kMinusY;
+  spec.stage[1].get<PushStage>().drive.direction = Direction::kMinusY;
   spec.body[0].id = "support left", spec.body[1].id = "support right";
-  spec.stage[1].at = {};
-  spec.stage[1].at.block = "support*";
+  spec.stage[1].get<PushStage>().at = {.block = "support*"};
   const Result slow = ran(spec);
   EXPECT_EQ(slow.quasi_static.judgement, "slow enough") << text_of(slow.quasi_static.verdict);
   const double weight = 2000 * 9.81 * 0.3 * 0.3 * 0.55;
   EXPECT_NEAR(slow.curve.back().reaction, -weight, 1e-3 * weight);
   EXPECT_NEAR(slow.curve.back().base_shear, -weight, 1e-6 * weight);
-  spec.stage[1].velocity = 3, spec.stage[1].until = 0.3;  // the ground drops from under it
+  spec.stage[1].get<PushStage>().velocity = 3,
+  spec.stage[1].get<PushStage>().until = 0.3;  // the ground drops from under it
   const Result fast = ran(spec);
   EXPECT_EQ(fast.quasi_static.judgement, "too fast") << text_of(fast.quasi_static.verdict);
 }

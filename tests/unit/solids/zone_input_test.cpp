@@ -186,10 +186,7 @@ TEST(ZoneInput, neighbours_loads_and_pushes_need_rigid_blocks) {
   spec = three_blocks();
   std::swap(spec.block[1].zone, spec.block[2].zone);
   std::swap(spec.block[1].material, spec.block[2].material);
-  StageSpec load;
-  load.name = "load";
-  load.kind = StageKind::kLoad;
-  load.pressure = 1e5;
+  StageSpec load{.name = "load", .action = LoadStage{.pressure = 1e5}};
   spec.stage = {load};
   EXPECT_TRUE(has(refusal(spec), "stage.0.pressure = b2: would act on a block of zones"))
       << refusal(spec);

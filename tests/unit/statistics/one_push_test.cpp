@@ -17,7 +17,8 @@ namespace {
 // A push as the pages of evidence had them.
 StageSpec waiting_push() {
   StageSpec push = scenes::push_stage("b1", Direction::kPlusX, 0.1e-3, 1e-3);
-  push.fast_velocity = 5e-3, push.fast_below = 1e-4, push.damping = 0.2;
+  push.get<PushStage>().fast_velocity = 5e-3, push.get<PushStage>().fast_below = 1e-4,
+  push.damping = 0.2;
   return push;
 }
 Model model_with(const StageSpec& push) {
@@ -35,10 +36,10 @@ TEST(OnePush, waits_at_cracks_as_those_that_were_compared_with_slow_ones) {
   };
   EXPECT_TRUE(waits([](StageSpec& s) { s.damping = 0.02; }));
   EXPECT_FALSE(waits([](StageSpec& s) { s.damping = 0.8; }));  // pushes with it went another way
-  EXPECT_FALSE(waits([](StageSpec& s) { s.fast_velocity = 20e-3; }));
-  EXPECT_FALSE(waits([](StageSpec& s) { s.fast_velocity = kUnset; }));
-  EXPECT_FALSE(waits([](StageSpec& s) { s.velocity = 1e-3; }));
-  EXPECT_FALSE(waits([](StageSpec& s) { s.fast_below = 1; }));
+  EXPECT_FALSE(waits([](StageSpec& s) { s.get<PushStage>().fast_velocity = 20e-3; }));
+  EXPECT_FALSE(waits([](StageSpec& s) { s.get<PushStage>().fast_velocity = kUnset; }));
+  EXPECT_FALSE(waits([](StageSpec& s) { s.get<PushStage>().velocity = 1e-3; }));
+  EXPECT_FALSE(waits([](StageSpec& s) { s.get<PushStage>().fast_below = 1; }));
   Model free = model_with(waiting_push());
   free.solve.contacts = Contacts::kFree;
   EXPECT_FALSE(study::waits_at_cracks(free));
@@ -58,7 +59,7 @@ TEST(OnePush, leaves_to_the_scatter_what_is_no_matter_of_its_speed) {
 // Whoever asked many walls needs no advice to ask many walls: of every reason that a promise may have.
 TEST(OnePush, advises_nothing_that_is_done_already) {
   StageSpec fast = waiting_push();
-  fast.velocity = 2e-3, fast.fast_velocity = kUnset;
+  fast.get<PushStage>().velocity = 2e-3, fast.get<PushStage>().fast_velocity = kUnset;
   std::ifstream file(source_dir() + "/src/core/messages.json");
   const nlohmann::json messages = nlohmann::json::parse(file).at("messages");
   int reasons = 0;
