@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""tools/check_words finds each kind of name that does not exist, long sentences, and nothing in a tree without faults."""
+"""tools/check_words finds each kind of name that does not exist, long sentences, lists that run together, and nothing in a tree without faults."""
 import os
 import pathlib
 import subprocess
@@ -25,6 +25,7 @@ BAD = [  # file, a line put at its end, what must be said
     ("docs/theory/law.md", "decision 0002", "0002: no such decision"),
     ("docs/theory/law.md", "`make cake`", "cake: the Makefile has no such target"),
     ("docs/theory/law.md", "`Model::weight`", "Model::weight: no such name in the code"),
+    ("docs/theory/law.md", "- One. - Two.", "docs/theory/law.md:5: - Two.: an item of a list begins a line of its own"),
     ("src/law.h", "// drive.cpp", "src/law.h:3: drive.cpp: no such file"),
     ("src/law.h", "// by (3.9)", "3.9: no such equation in docs/theory"),
     ("src/law.h", "// find_zero() does it", "find_zero: no such name in the code"),
