@@ -61,7 +61,7 @@ async function push(page) {
   await stonesOf(page);
 }
 test("what a push finds, on a desktop and a phone, in both themes", async () => {
-  const page = await openStudio(browser, file);
+  const page = await openStudio(browser, file, { limit: true });
   const isFine = async (name) => {
     for (const [width, height] of [[1440, 900], [390, 844]])
       for (const colorScheme of ["light", "dark"]) {

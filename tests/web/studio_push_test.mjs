@@ -233,7 +233,7 @@ test("where the engine fails on a text, the stones look outdated and nothing is 
 });
 
 test("the browser's own errors have a sentence of the page's language, with the browser's words after it", async () => {
-  const other = await openStudio(browser, file, { impatient: true, locale: "de-DE" });
+  const other = await openStudio(browser, file, { impatient: true, limit: true, locale: "de-DE" });
   await other.addInitScript(() => {
     window.Worker = class {
       postMessage(question) {
