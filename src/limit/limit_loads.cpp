@@ -10,6 +10,7 @@
 
 #include "core/elementary.h"
 #include "geometry/polygon.h"
+#include "model/parts.h"
 #include "wythe/parts/error.h"
 #include "wythe/parts/limit.h"
 #include "wythe/parts/reading.h"
@@ -142,21 +143,6 @@ void add_joint(const Solids& s, std::size_t c, BlockId body, Model& model) {
   ++model.n_joint;
 }
 
-void list_joints_of_blocks(Model& model) {
-  std::vector<std::vector<std::int32_t>> of(static_cast<std::size_t>(model.n_block));
-  for (int side = 0; side < 2; ++side) {
-    const std::vector<BlockId>& blocks = side == 0 ? model.joint_a : model.joint_b;
-    for (int j = 0; j < model.n_joint; ++j)
-      if (const BlockId b = blocks[j]; b != kGroundBlock) of[b].push_back(2 * j + side);
-  }
-  model.block_begin.assign(1, 0);
-  model.block_entry.clear();
-  for (const auto& entries : of) {
-    model.block_entry.insert(model.block_entry.end(), entries.begin(), entries.end());
-    model.block_begin.push_back(static_cast<std::int32_t>(model.block_entry.size()));
-  }
-}
-
 }  // namespace
 
 bool has_weight(const Model& model, const Stage* grows) {
@@ -226,7 +212,7 @@ Model with_rigid_bodies(Model model) {
   for (const SolidBody& body : solids.bodies) limit::add_block(solids, body, model);
   for (std::size_t c = 0; c < static_cast<std::size_t>(solids.n_contact); ++c)
     limit::add_joint(solids, c, first + limit::body_of(solids, solids.contact_p[c]), model);
-  limit::list_joints_of_blocks(model);
+  list_joints_of_blocks(model);
   return model;
 }
 

@@ -7,6 +7,7 @@
 
 #include "limit/limit_loads.h"
 #include "model/fields.h"
+#include "model/parts.h"
 #include "wythe/parts/reading.h"
 
 namespace wythe::limit {
@@ -140,22 +141,7 @@ void StandingWall::take_out() {
     for (BlockId& id : stage.driven) renumber(id);
     renumber(stage.control);
   }
-  list_joints();
-}
-
-void StandingWall::list_joints() {
-  std::vector<std::vector<std::int32_t>> of(static_cast<std::size_t>(model.n_block));
-  for (const int side : {0, 1})
-    for (int j = 0; j < model.n_joint; ++j) {
-      const BlockId id = (side == 0 ? model.joint_a : model.joint_b)[j];
-      if (id >= 0 && id < model.n_block) of[id].push_back(2 * j + side);
-    }
-  model.block_begin.assign(1, 0);
-  model.block_entry.clear();
-  for (const auto& entries : of) {
-    model.block_entry.insert(model.block_entry.end(), entries.begin(), entries.end());
-    model.block_begin.push_back(static_cast<std::int32_t>(model.block_entry.size()));
-  }
+  list_joints_of_blocks(model);
 }
 
 void StandingWall::spread_out(LimitResult& answer) const {

@@ -20,7 +20,6 @@ class StandingWall {
 
  private:
   void take_out();
-  void list_joints();
 
   std::vector<int> block_, joint_, link_, point_;  // new numbers, -1: left out
   std::vector<bool> stays_;                        // of points

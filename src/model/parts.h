@@ -46,6 +46,8 @@ struct SolidFace {
 // compiles joints, points, gather lists and their materials; chains get their beam stiffness.
 void compile_joints(const ModelSpec& spec, const geometry::Assembly& assembly, const BlockMap& map,
                     const FieldValues& fields, Model& model, FaultList& faults);
+// Fills Model::block_begin and block_entry from the sides of the joints, in the plane and in space.
+void list_joints_of_blocks(Model& model);
 // compiles nodes and zones of deformable blocks.
 void compile_solids(const ModelSpec& spec, const geometry::Assembly& assembly, Model& model,
                     FaultList& faults);

@@ -240,28 +240,23 @@ void add_joint(const Face& face, int material, double half_scale, double thickne
   if (a != kGroundBlock) ++m.n_pair;
 }
 
-void set_gather_lists(Model& m) {
-  m.block_begin.assign(static_cast<std::size_t>(m.n_block) + 1, 0);
-  const auto count = [&](BlockId block) {
-    if (block != kGroundBlock) ++m.block_begin[block + 1];
-  };
-  for (std::size_t j = 0; j < m.joint_a.size(); ++j) {
-    count(m.joint_a[j]);
-    count(m.joint_b[j]);
-  }
-  std::partial_sum(m.block_begin.begin(), m.block_begin.end(), m.block_begin.begin());
-  m.block_entry.resize(m.block_begin.back());
-  std::vector<std::int32_t> next(m.block_begin.begin(), m.block_begin.end() - 1);
-  const auto put = [&](BlockId block, std::size_t joint, int side) {
-    if (block == kGroundBlock) return;
-    const auto at = static_cast<std::size_t>(next[block]++);
-    m.block_entry[at] = static_cast<std::int32_t>(2 * joint) + side;
-  };
-  for (std::size_t j = 0; j < m.joint_a.size(); ++j) put(m.joint_a[j], j, 0);
-  for (std::size_t j = 0; j < m.joint_b.size(); ++j) put(m.joint_b[j], j, 1);
-}
-
 }  // namespace
+
+// First the joints in which a block is side a, then those in which it is b.
+void list_joints_of_blocks(Model& model) {
+  std::vector<std::vector<std::int32_t>> of(static_cast<std::size_t>(model.n_block));
+  for (const int side : {0, 1})
+    for (int j = 0; j < model.n_joint; ++j) {
+      const BlockId block = (side == 0 ? model.joint_a : model.joint_b)[j];
+      if (block >= 0 && block < model.n_block) of[block].push_back(2 * j + side);
+    }
+  model.block_begin.assign(1, 0);
+  model.block_entry.clear();
+  for (const auto& entries : of) {
+    model.block_entry.insert(model.block_entry.end(), entries.begin(), entries.end());
+    model.block_begin.push_back(static_cast<std::int32_t>(model.block_entry.size()));
+  }
+}
 
 JointMaterial chain_material(const JointMaterial& body, double spacing, double depth, double face) {
   constexpr double kShearCorrection = 5.0 / 6.0;  // rectangular section
@@ -317,7 +312,7 @@ void compile_joints(const ModelSpec& spec, const Assembly& assembly, const Block
   }
   for (const std::size_t f : joint_order(faces, map, material, model))
     add_joint(faces[f], material[f], half_scale[f], thickness[f], map, model);
-  set_gather_lists(model);
+  list_joints_of_blocks(model);
   if (!model.solids.bodies.empty())
     compile_contacts(assembly, map, std::move(solid_faces), model, faults);
 }

@@ -461,21 +461,6 @@ void fill_joints(const ModelSpec& spec, const SpaceAssembly& assembly,
   note_foundation(spec, model);
 }
 
-// Lists for each block first the joints in which it is side a, then those in which it is b.
-void fill_lists(Model& model) {
-  std::vector<std::vector<std::int32_t>> of(static_cast<std::size_t>(model.n_block));
-  for (const bool is_b : {false, true})
-    for (int j = 0; j < model.n_joint; ++j) {
-      const BlockId block = is_b ? model.joint_b[j] : model.joint_a[j];
-      if (block < model.n_block) of[block].push_back(2 * j + (is_b ? 1 : 0));
-    }
-  model.block_begin.push_back(0);
-  for (const std::vector<std::int32_t>& entries : of) {
-    model.block_entry.insert(model.block_entry.end(), entries.begin(), entries.end());
-    model.block_begin.push_back(static_cast<std::int32_t>(model.block_entry.size()));
-  }
-}
-
 void measure(const SpaceAssembly& assembly, Model& model) {
   geometry::Box3 all;
   double smallest = 1e300;
@@ -598,7 +583,7 @@ Model compile_space(const ModelSpec& spec, const SpaceAssembly& assembly) {
     faults.add({"", "wall.blocks", "", "holds no block that moves", "leave at least one free", 0});
   faults.throw_if_any();
   fill_joints(spec, assembly, id, fields, model, faults);
-  fill_lists(model);
+  list_joints_of_blocks(model);
   measure(assembly, model);
   std::vector<Message>& notes = model.anatomy.notes;
   notes.insert(notes.begin(), spec.built.begin(), spec.built.end());
