@@ -64,16 +64,13 @@ StudySpec study_with_options(const CampaignArguments& a) {
 
 void refuse(const std::string& option, const std::string& value, const std::string& problem,
             const std::string& cure) {
-  throw InputError(
-      {{.file = option, .path = "", .value = value, .problem = problem, .cure = cure}});
+  throw InputError({{.file = option, .value = value, .problem = problem, .cure = cure}});
 }
 
 void check_inner_folder(const std::string& folder) {
   std::error_code error;
   if (!fs::is_symlink(fs::symlink_status(folder, error))) return;
   throw InputError({{.file = folder,
-                     .path = "",
-                     .value = "",
                      .problem = fmt::format("is a link to {}, and results stay within their folder",
                                             fs::read_symlink(folder, error).string()),
                      .cure = "remove it, or name another folder"}});
@@ -174,7 +171,6 @@ StudySpec stored_study(const CampaignArguments& a) {
     throw InputError(
         {{.file = a.out,
           .path = "variant",
-          .value = "",
           .problem = fmt::format("was {} when the array was handed in, is {} now", listed(was),
                                  listed(is)),
           .cure = "put it back as it was, or begin another campaign in another folder (nothing "

@@ -32,15 +32,11 @@ void check_runs(const std::vector<OptionRun>& runs, const std::string& out, bool
   std::vector<Fault> faults;
   if (holds_campaign(out))
     faults.push_back({.file = out,
-                      .path = "",
-                      .value = "",
                       .problem = "holds a campaign without options",
                       .cure = "name another folder"});
   for (const OptionRun& run : runs) {
     if (!resume && holds_campaign(run.folder))
       faults.push_back({.file = run.folder,
-                        .path = "",
-                        .value = "",
                         .problem = "holds a campaign already",
                         .cure = "--resume goes on with it; or name another folder"});
     try {
@@ -295,8 +291,6 @@ void refuse_runs(const CompareArguments& a) {
       for (const std::string& one : a.folders)
         models += " " + shell_path(holds_campaign(one) ? one : one + "/model.used.toml");
       faults.push_back({.file = folder,
-                        .path = "",
-                        .value = "",
                         .problem = "is a run of one wall, pushed one way",
                         .cure = "wythe compare" + models + " --out " + shell_path(a.out) +
                                 " pushes several walls of each model both ways"});

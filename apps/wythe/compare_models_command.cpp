@@ -46,7 +46,7 @@ void check_files(const std::vector<std::string>& files) {
   std::vector<Fault> faults;
   const auto add = [&](const std::string& file, const std::string& problem,
                        const std::string& cure) {
-    faults.push_back({.file = file, .path = "", .value = "", .problem = problem, .cure = cure});
+    faults.push_back({.file = file, .problem = problem, .cure = cure});
   };
   const auto model = std::find_if(files.begin(), files.end(), [](const std::string& file) {
     std::error_code error;
@@ -167,8 +167,6 @@ int compare_pushed_models(const CompareArguments& a) {
                       folders_of(folder, ways)});
     if (models.back().campaign.empty() || option_folders(folder).size() != ways.size())
       faults.push_back({.file = folder,
-                        .path = "",
-                        .value = "",
                         .problem = "was pushed in other ways than " + a.folders.front(),
                         .cure = "push both alike, with wythe compare of their models or with wythe "
                                 "assess of each"});

@@ -340,11 +340,8 @@ void refuse_empty(int argc, char** argv) {
     std::string place = fmt::format("argument {}", i);
     if (is_empty_option) place = argument.substr(0, argument.size() - 1);
     if (is_blank && before.starts_with("--")) place = before;
-    faults.push_back({.file = place,
-                      .path = "",
-                      .value = "",
-                      .problem = "is empty",
-                      .cure = "give it a value, or leave it out"});
+    faults.push_back(
+        {.file = place, .problem = "is empty", .cure = "give it a value, or leave it out"});
   }
   if (!faults.empty()) throw wythe::InputError(std::move(faults));
 }
@@ -364,7 +361,6 @@ void refuse_unknown_command(const CLI::App& app, const std::string& before, int 
   }
   if (word == "-h" || std::find(names.begin(), names.end(), word) != names.end()) return;
   throw wythe::InputError({{.file = "wythe" + (before.empty() ? "" : " " + before),
-                            .path = "",
                             .value = word,
                             .problem = word.starts_with("-") ? "there is no such option here"
                                                              : "there is no such command",

@@ -24,7 +24,6 @@ namespace {
 void check_numbers(const PictureArguments& a) {
   const auto refuse = [](const char* option, double value, std::string problem, std::string cure) {
     throw InputError({{.file = option,
-                       .path = "",
                        .value = fmt::format("{}", value),
                        .problem = std::move(problem),
                        .cure = std::move(cure)}});
@@ -47,7 +46,6 @@ int picture(const PictureArguments& a) {
   if (a.sample < 1 || a.sample > campaign.samples.n_sample())
     throw InputError(
         {{.file = "--sample",
-          .path = "",
           .value = std::to_string(a.sample),
           .problem = fmt::format("the campaign has samples 1 to {}", campaign.samples.n_sample()),
           .cure = "name one of them"}});
@@ -64,7 +62,6 @@ int picture(const PictureArguments& a) {
       states.push_back(std::move(s));
   if (states.empty())
     throw InputError({{.file = "--at",
-                       .path = "",
                        .value = fmt::format("{}", fmt::join(a.at_mm, " ")),
                        .problem = fmt::format("sample {} has no state there", a.sample),
                        .cure = stored.empty() ? "none is stored: write study.states"

@@ -75,8 +75,6 @@ int export_tables(const ExportArguments& a) {
     if (std::find(names.begin(), names.end(), name) != names.end() || name.starts_with("."))
       continue;
     throw InputError({{.file = a.out,
-                       .path = "",
-                       .value = "",
                        .problem = "holds " + name + ", which no export of these campaigns wrote",
                        .cure = "name a new folder, an empty one, or one that holds an earlier "
                                "export alone"}});

@@ -50,7 +50,7 @@ std::string in_digits(const std::string& text) {
 std::string model_text(const std::string& path) {
   std::string text = read_data(path);
   const auto refuse = [&](const char* problem, const char* cure) {
-    throw InputError({{.file = path, .path = "", .value = "", .problem = problem, .cure = cure}});
+    throw InputError({{.file = path, .problem = problem, .cure = cure}});
   };
   if (text.size() > kLongest) refuse("is longer than 1 MB", "name a model file");
   std::string letters = text;  // line ends and tabs are text too
@@ -67,8 +67,6 @@ int studio(const StudioArguments& a) {
   const std::string page = studio_page();
   if (page.empty())
     throw InputError({{.file = "wythe studio",
-                       .path = "",
-                       .value = "",
                        .problem = "this installation has no studio",
                        .cure = "build it in the sources with make studio, then make "
                                "install or make package"}});

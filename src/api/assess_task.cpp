@@ -31,11 +31,8 @@ constexpr int kMostWalls = 100'000;
 
 [[noreturn]] void refuse(const std::string& path, double value, const std::string& problem,
                          const std::string& cure) {
-  throw InputError({{.file = "",
-                     .path = path,
-                     .value = fmt::format("{}", value),
-                     .problem = problem,
-                     .cure = cure}});
+  throw InputError(
+      {{.path = path, .value = fmt::format("{}", value), .problem = problem, .cure = cure}});
 }
 
 double share_between(const Inputs& in, const char* name, double above, const char* range) {
@@ -79,11 +76,8 @@ Way way_of(const StudySpec& study, const std::vector<int>& batches) {
 // The model's own way comes first. Refuses all that can be refused before the first wall is pushed.
 std::vector<StudySpec> studies_of(const Inputs& in) {
   if (!in.has("file"))
-    throw InputError({{.file = "",
-                       .path = "file",
-                       .value = "",
-                       .problem = "is missing",
-                       .cure = "give the path of the model's file"}});
+    throw InputError(
+        {{.path = "file", .problem = "is missing", .cure = "give the path of the model's file"}});
   AskedWalls asked{.model_file = in.one("file"), .overrides = in.all("set")};
   asked.walls = batches_of(in).front();
   asked.seed = in.integer("seed", 0, 0, 2'147'483'647);

@@ -36,8 +36,7 @@ bool do_task(Job& job) {
   if (task != tasks().end()) return task->second(job);
   std::string known;
   for (const auto& [name, function] : tasks()) known += (known.empty() ? "" : ", ") + name;
-  throw InputError({{.file = "",
-                     .path = "task",
+  throw InputError({{.path = "task",
                      .value = job.task,
                      .problem = "is no task",
                      .cure = "write one of: " + known}});

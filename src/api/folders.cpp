@@ -34,7 +34,6 @@ void check_language(const std::string& language, const std::string& option) {
   const std::vector<std::string> known = report_languages();
   if (std::find(known.begin(), known.end(), language) != known.end()) return;
   throw InputError({{.file = option,
-                     .path = "",
                      .value = language,
                      .problem = "is no language of the report",
                      .cure = fmt::format("write one of: {}", fmt::join(known, ", "))}});
@@ -52,8 +51,6 @@ void rewrite_page(const std::string& folder, const std::string& language) {
   const std::string data = folder + "/report.data";
   if (!std::filesystem::exists(data))
     throw InputError({{.file = folder,
-                       .path = "",
-                       .value = "",
                        .problem = "holds no data of a report (report.data)",
                        .cure = "name a folder that run, campaign, replay or limit wrote"}});
   std::string page;

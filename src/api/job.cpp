@@ -22,7 +22,6 @@ void refuse_others(const Map& given, const std::vector<std::string>& known, cons
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
     faults.add({.file = task,
                 .path = name,
-                .value = "",
                 .problem = fmt::format("is no {} that this task takes", what),
                 .cure = known.empty() ? "leave it out" : "known are " + joined(known, ", ")});
   }
@@ -51,11 +50,8 @@ std::string Inputs::one(const std::string& name, const std::string& otherwise) c
 std::string Inputs::out_folder() const {
   const std::string folder = one("out");
   if (has("out") && folder.empty())
-    throw InputError({{.file = "",
-                       .path = "out",
-                       .value = "",
-                       .problem = "is empty",
-                       .cure = "name a folder, or leave it out"}});
+    throw InputError(
+        {{.path = "out", .problem = "is empty", .cure = "name a folder, or leave it out"}});
   return folder;
 }
 
@@ -67,8 +63,7 @@ std::vector<std::string> Inputs::all(const std::string& name) const {
 int Inputs::integer(const std::string& name, int otherwise, int least, int most) const {
   const double value = real(name, otherwise);
   if (value == std::floor(value) && value >= least && value <= most) return static_cast<int>(value);
-  throw InputError({{.file = "",
-                     .path = name,
+  throw InputError({{.path = name,
                      .value = fmt::format("{}", value),
                      .problem = fmt::format("must be a whole number from {} to {}", least, most),
                      .cure = "write one, or leave it out"}});

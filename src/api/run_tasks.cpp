@@ -44,9 +44,7 @@ GivenModel read_given(const Inputs& in) {
     given.spec = read_model(file, settings);
   } else {
     throw InputError(
-        {{.file = "",
-          .path = "model",
-          .value = "",
+        {{.path = "model",
           .problem = "is missing",
           .cure = "give the TOML as the text `model`, or the path of a file as `file`"}});
   }
@@ -224,7 +222,6 @@ bool do_contact(Job& job) {
     if (found != job.in.column.end()) return found->second;
     faults.add({.file = "path",
                 .path = name,
-                .value = "",
                 .problem = "is missing",
                 .cure = "a path needs the columns opening_mm and slip_mm"});
     return kNone;
@@ -232,7 +229,6 @@ bool do_contact(Job& job) {
   const std::vector<double>&opening = column("opening_mm"), &slip = column("slip_mm");
   if (opening.size() != slip.size() || opening.empty())
     faults.add({.file = "path",
-                .path = "",
                 .value = fmt::format("{} and {} rows", opening.size(), slip.size()),
                 .problem = "needs as many rows of opening as of slip, and one at least",
                 .cure = "give both for each point of the path"});
@@ -269,11 +265,8 @@ bool do_report(Job& job) {
   job.in.check("report", {"folder", "language"}, {}, false);
   const std::string folder = job.in.one("folder");
   if (folder.empty())
-    throw InputError({{.file = "",
-                       .path = "folder",
-                       .value = "",
-                       .problem = "is missing",
-                       .cure = "name the folder of results"}});
+    throw InputError(
+        {{.path = "folder", .problem = "is missing", .cure = "name the folder of results"}});
   rewrite_page(folder, job.in.one("language", "en"));
   return false;
 }

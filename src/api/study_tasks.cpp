@@ -25,7 +25,7 @@ using Json = nlohmann::ordered_json;
 
 [[noreturn]] void refuse(const std::string& path, const std::string& value,
                          const std::string& problem, const std::string& cure) {
-  throw InputError({{.file = "", .path = path, .value = value, .problem = problem, .cure = cure}});
+  throw InputError({{.path = path, .value = value, .problem = problem, .cure = cure}});
 }
 
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
@@ -248,7 +248,6 @@ bool do_replay(Job& job) {
   if (!run.refused.empty())
     throw InputError({{.file = job.in.one("folder"),
                        .path = fmt::format("sample {}", sample),
-                       .value = "",
                        .problem = "was refused: " + run.refused,
                        .cure = "choose another sample"}});
   std::string stored;

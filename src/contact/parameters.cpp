@@ -371,8 +371,7 @@ std::vector<ContactAnswer> drive(const JointMaterial& material,
   for (const ContactPathRow& to : path) {
     if (!driver.go_to(to))
       throw InputError(
-          {{.file = "",
-            .path = fmt::format("path.{}", answers.size()),
+          {{.path = fmt::format("path.{}", answers.size()),
             .value = fmt::format("opening {:g} mm, slip {:g} mm", 1e3 * to.opening, 1e3 * to.slip),
             .problem = "the law can't be followed there",
             .cure = "go there in several shorter rows"}});

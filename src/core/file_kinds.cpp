@@ -97,8 +97,7 @@ FileKind foreign_kind(std::string_view bytes) {
 void refuse_foreign(const std::string& path, std::string_view bytes) {
   const FileKind kind = foreign_kind(bytes);
   if (kind.what.empty()) return;
-  throw InputError(
-      {{.file = path, .path = "", .value = "", .problem = "is " + kind.what, .cure = kind.cure}});
+  throw InputError({{.file = path, .problem = "is " + kind.what, .cure = kind.cure}});
 }
 
 }  // namespace wythe

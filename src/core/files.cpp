@@ -23,7 +23,6 @@ namespace {
 [[noreturn]] void refuse(const std::string& path, std::string value, std::string problem,
                          std::string cure, int line = 0) {
   throw InputError({{.file = path,
-                     .path = "",
                      .value = std::move(value),
                      .problem = std::move(problem),
                      .cure = std::move(cure),

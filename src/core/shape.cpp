@@ -70,8 +70,6 @@ class Scan {
 
   [[noreturn]] void refuse(const std::string& problem, const std::string& cure) const {
     throw InputError({{.file = file_,
-                       .path = "",
-                       .value = "",
                        .problem = problem,
                        .cure = cure + " (docs/reference/limits.md)",
                        .line = line_}});

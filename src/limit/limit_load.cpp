@@ -32,8 +32,7 @@ struct Unsure : std::exception {};
 
 [[noreturn]] void refuse(std::string path, std::string value, std::string problem,
                          std::string cure) {
-  throw InputError({{.file = "",
-                     .path = std::move(path),
+  throw InputError({{.path = std::move(path),
                      .value = std::move(value),
                      .problem = std::move(problem),
                      .cure = std::move(cure)}});

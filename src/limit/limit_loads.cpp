@@ -171,9 +171,7 @@ LimitLoads limit_loads(const Model& model, double secant, bool loads_are_masses)
   LimitLoads loads;
   loads.stage = growing_stage(model);
   if (loads.stage == nullptr)
-    throw InputError({{.file = "",
-                       .path = "stage",
-                       .value = "",
+    throw InputError({{.path = "stage",
                        .problem = "no stage has a load that grows",
                        .cure = "add a push, e.g. at = { x = \"0 m\", y = \"3.12 m\" }, or a "
                                "body_force stage"}});

@@ -104,13 +104,10 @@ void throw_if_nothing(const OpinionAsked& asked, const SecondOpinion& opinion,
   for (const Refusal& r : opinion.refused) {
     const auto same = [&](const Fault& f) { return f.problem == r.why; };
     if (std::none_of(faults.begin(), faults.end(), same))
-      faults.push_back(
-          {.file = "", .path = text_of(r.what), .value = "", .problem = r.why, .cure = ""});
+      faults.push_back({.path = text_of(r.what), .problem = r.why});
   }
   if (faults.empty())
-    faults.push_back({.file = "",
-                      .path = "",
-                      .value = kParts,
+    faults.push_back({.value = kParts,
                       .problem =
                           "none is here to check: parts that fall on their face are of walls "
                           "in their plane, pushed along it or left to stand",
@@ -129,13 +126,11 @@ void check_asked(const OpinionAsked& asked, const std::string& option) {
   for (const std::string& word : asked.only)
     if (std::find(known.begin(), known.end(), word) == known.end())
       faults.add({.file = option,
-                  .path = "",
                   .value = word,
                   .problem = "is nothing that limit analysis answers",
                   .cure = "write one of: " + joined(known, ", ")});
     else if (word == kParts && !asked.assessment)
       faults.add({.file = option,
-                  .path = "",
                   .value = word,
                   .problem = "are checked by an assessment alone",
                   .cure = "add --assessment"});

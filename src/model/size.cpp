@@ -304,7 +304,6 @@ double memory_limit() {
     if ((unit == name || unit == std::string(" ") + name) && std::isfinite(number) && number > 0)
       return number * factor;
   throw InputError({{.file = "WYTHE_MEMORY",
-                     .path = "",
                      .value = stated,
                      .problem = "is no size of memory",
                      .cure = "write e.g. WYTHE_MEMORY=\"64 GB\""}});

@@ -41,7 +41,6 @@ Texts::Texts(const std::string& language) {
   const auto at = std::find(known.begin(), known.end(), language);
   if (at == known.end())
     throw InputError({{.file = "--lang",
-                       .path = "",
                        .value = language,
                        .problem = "is no language of the report",
                        .cure = "write one of: " + joined(known, ", ")}});

@@ -69,7 +69,7 @@ void refuse_others(const std::vector<ComparedCampaign>& stores) {
   std::vector<Fault> faults;
   const auto add = [&](const std::string& folder, const std::string& problem,
                        const std::string& cure) {
-    faults.push_back({.file = folder, .path = "", .value = "", .problem = problem, .cure = cure});
+    faults.push_back({.file = folder, .problem = problem, .cure = cure});
   };
   if (stores.size() < 2)
     add(stores.empty() ? "wythe compare" : stores.front().folder, "has nothing to be compared with",

@@ -374,11 +374,8 @@ namespace wythe {
 
 FragilityEvent fragility_event(const std::string& text) {
   const auto refuse = [&](const std::string& problem, const std::string& cure) {
-    throw InputError({{.file = "",
-                       .path = "fragility",
-                       .value = "\"" + text + "\"",
-                       .problem = problem,
-                       .cure = cure}});
+    throw InputError(
+        {{.path = "fragility", .value = "\"" + text + "\"", .problem = problem, .cure = cure}});
   };
   constexpr const char* kExample = "write e.g. \"peak_reaction > 150 kN\"";
   FragilityEvent event;

@@ -56,11 +56,7 @@ struct RuleReader {
   FaultList& faults;
 
   void fault(const std::string& problem, const std::string& cure = kExampleOfRule) const {
-    faults.add({.file = "",
-                .path = "until",
-                .value = "\"" + rule + "\"",
-                .problem = problem,
-                .cure = cure});
+    faults.add({.path = "until", .value = "\"" + rule + "\"", .problem = problem, .cure = cure});
   }
   static constexpr double kWidest = 1e6;
   double limit_of(const std::string& clause, const std::string& text) const {

@@ -13,12 +13,12 @@ namespace wythe {
 
 // One fault of the input: its place, the value read, the problem and the cure.
 struct Fault {
-  std::string file;     // file name, or "--set" for an override
-  std::string path;     // dotted key path, e.g. "wall.opening.0.width"
-  std::string value;    // the value as read, empty when missing
-  std::string problem;  // what is wrong, in one clause
-  std::string cure;     // what to write instead, may be empty
-  int line = 0;         // line in `file`, 0 when unknown
+  std::string file = {};   // file name, or "--set" for an override
+  std::string path = {};   // dotted key path, e.g. "wall.opening.0.width"
+  std::string value = {};  // the value as read, empty when missing
+  std::string problem;     // what is wrong, in one clause
+  std::string cure = {};   // what to write instead, may be empty
+  int line = 0;            // line in `file`, 0 when unknown
 };
 
 // "model.toml:12: wall.length = -3 m: must be positive; write e.g. length = \"5.10 m\""

@@ -160,7 +160,6 @@ void check_correlation(const StudySpec& study, FaultList& faults) {
   copula.matrix = nearest_positive_definite(copula.matrix);
   faults.add({.file = study.file,
               .path = "correlation",
-              .value = "",
               .problem = "the pairs together are not a correlation matrix (not positive definite)",
               .cure = "the nearest that is one: " + pairs_text(study, copula)});
 }

@@ -32,20 +32,17 @@ using Clock = std::chrono::steady_clock;
 void check_options(const StudySpec& asked, const CampaignOptions& options) {
   if (options.shards < 1 || options.shard < 1 || options.shard > options.shards)
     refuse({.file = "--shard",
-            .path = "",
             .value = fmt::format("{}/{}", options.shard, options.shards),
             .problem = "is not a shard",
             .cure = "write I/N with I from 1 to N, e.g. --shard 1/4"});
   if (options.jobs < 0)
     refuse({.file = "--jobs",
-            .path = "",
             .value = std::to_string(options.jobs),
             .problem = "must not be negative",
             .cure = "leave it out for one sample per core"});
   check_rule(asked.until);
   if (!asked.until.empty() && options.shards > 1)
     refuse({.file = "--until",
-            .path = "",
             .value = asked.until,
             .problem = "can't be judged by a shard, which sees only its own samples",
             .cure = "run without --shard, or drop --until"});
@@ -220,8 +217,6 @@ CampaignOutcome run_campaign(const StudySpec& asked, const ModelBuilder& build,
   const bool there = study::holds_store(folder);
   if (there && !options.resume)
     study::refuse({.file = folder,
-                   .path = "",
-                   .value = "",
                    .problem = "holds a campaign already",
                    .cure = "--resume goes on with it; or name another folder"});
   const study::StoreHead head = study::head_of(asked, build, options);

@@ -15,14 +15,10 @@ study::Store opened(const std::string& folder) {
   const std::string base = folder + "/" + kBaseFolder;
   if (!study::holds_store(folder) && study::holds_store(base))
     throw InputError({{.file = folder,
-                       .path = "",
-                       .value = "",
                        .problem = "holds several campaigns, of a study with [[variant]]",
                        .cure = "name one of its folders, e.g. " + base}});
   if (!study::holds_store(folder))
     throw InputError({{.file = folder,
-                       .path = "",
-                       .value = "",
                        .problem = "holds no campaign (no campaign.db)",
                        .cure = "name the folder that wythe campaign --out wrote"}});
   return {folder, study::Store::Access::kRead};

@@ -71,9 +71,7 @@ class Reader {
     return number;
   }
   [[noreturn]] static void damaged() {
-    throw InputError({{.file = "",
-                       .path = "record",
-                       .value = "",
+    throw InputError({{.path = "record",
                        .problem = "is damaged, or of another wall, model, setting or program",
                        .cure = "give what it was pushed with, or push that wall again"}});
   }

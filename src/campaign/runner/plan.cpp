@@ -64,7 +64,6 @@ void refuse_changes(Store& store, const StudySpec& was, const StudySpec& asked,
   if (stored.shard != head.shard)
     faults.push_back({.file = name,
                       .path = "shard",
-                      .value = "",
                       .problem = fmt::format("was {} when the campaign began, is {} now",
                                              stored.shard, head.shard),
                       .cure = "give each shard a folder of its own"});

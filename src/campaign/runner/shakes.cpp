@@ -142,8 +142,7 @@ void check_control_point(const ShakingSpec& shaking, const Model& model) {
   for (const LimitStateSpec& limit : shaking.limit_state)
     if (std::isfinite(limit.peak_drift) || std::isfinite(limit.residual_drift))
       throw InputError(
-          {{.file = "",
-            .path = "history." + model.watched.front().name,
+          {{.path = "history." + model.watched.front().name,
             .value = fmt::format("{:g} m", model.watched.front().height),
             .problem = fmt::format("is the height of the control point, and limit "
                                    "state {} asks for its drift, which is its way "

@@ -75,7 +75,6 @@ class ShardCheck {
     if (const std::string is = store.head().shard; !shard.empty() && is != shard)
       add({.file = name,
            .path = "shard",
-           .value = "",
            .problem = fmt::format("is {}, would be {}", is, shard),
            .cure = "name another folder, or write as many tasks as there are shards"});
   }

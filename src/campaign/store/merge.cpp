@@ -108,9 +108,7 @@ class Comparison {
       faults_.push_back(
           {.file = name,
            .path = "samples",
-           .value = "",
-           .problem = "is not that of " + first_ + ", nor does one go on from the other",
-           .cure = ""});
+           .problem = "is not that of " + first_ + ", nor does one go on from the other"});
       return;
     }
     if (!faults_.empty() || store.samples.value.empty()) return;
@@ -120,9 +118,7 @@ class Comparison {
                     samples_.value.begin(), same_inputs))
       faults_.push_back({.file = store.folder,
                          .path = "samples",
-                         .value = "",
-                         .problem = "other values were drawn than in " + first_,
-                         .cure = ""});
+                         .problem = "other values were drawn than in " + first_});
     else if (store.samples.value.size() > samples_.value.size())
       spec_.batch = store.spec.batch, samples_ = store.samples;
   }
@@ -159,9 +155,7 @@ class Comparison {
                   now.state_hash, there.first, now.provenance, before.provenance);
     faults_.push_back({.file = here.first,
                        .path = fmt::format("sample {}", sample),
-                       .value = "",
-                       .problem = problem + ": " + difference,
-                       .cure = ""});
+                       .problem = problem + ": " + difference});
   }
 
   std::string first_;

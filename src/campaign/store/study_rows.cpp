@@ -293,17 +293,12 @@ void add_model_changes(const std::string& was, const std::string& is, const std:
   const auto compare = [&](const auto& these, const auto& others, const std::string& problem) {
     for (const std::string& line : these)
       if (std::find(others.begin(), others.end(), line) == others.end())
-        found.push_back(
-            {.file = store, .path = "model", .value = line, .problem = problem, .cure = ""});
+        found.push_back({.file = store, .path = "model", .value = line, .problem = problem});
   };
   compare(before, now, fmt::format("stood in the model {} and does not now", then));
   compare(now, before, fmt::format("did not stand in the model {}", then));
   if (found.empty())
-    found.push_back({.file = store,
-                     .path = "model",
-                     .value = "",
-                     .problem = "its lines were in another order",
-                     .cure = ""});
+    found.push_back({.file = store, .path = "model", .problem = "its lines were in another order"});
   if (found.size() > kLinesShown) found.resize(kLinesShown);
   faults.insert(faults.end(), found.begin(), found.end());
 }
@@ -426,19 +421,14 @@ std::vector<Fault> changes(const StudySpec& was, const StudySpec& is, const std:
     if (may_change(key) || key == "model" || old == value) return;
     if (key == "settings" && in_effect(lines_of(old)) == in_effect(lines_of(value))) return;
     if (key == "blocks") {
-      faults.push_back({.file = store,
-                        .path = "wall.blocks",
-                        .value = "",
-                        .problem = "holds other blocks than " + then,
-                        .cure = ""});
+      faults.push_back(
+          {.file = store, .path = "wall.blocks", .problem = "holds other blocks than " + then});
       return;
     }
     if (key.starts_with("record_text.")) {
       faults.push_back({.file = store,
                         .path = key.substr(key.find('.') + 1),
-                        .value = "",
-                        .problem = "holds another record than " + then,
-                        .cure = ""});
+                        .problem = "holds another record than " + then});
       return;
     }
     const auto shown = [](const std::string& text) {
@@ -448,9 +438,7 @@ std::vector<Fault> changes(const StudySpec& was, const StudySpec& is, const std:
     faults.push_back(
         {.file = store,
          .path = key,
-         .value = "",
-         .problem = fmt::format("was {} {}, is {} now", shown(old), then, shown(value)),
-         .cure = ""});
+         .problem = fmt::format("was {} {}, is {} now", shown(old), then, shown(value))});
   };
   for (const auto& [key, value] : before) add(key, value, value_of(now, key));
   for (const auto& [key, value] : now)

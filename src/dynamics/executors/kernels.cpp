@@ -40,7 +40,6 @@ std::vector<const Kernels*> choose() {
     names += (k > 0 ? ", " : "") + std::string(sets[k]->name);
   }
   throw InputError({{.file = "WYTHE_SIMD",
-                     .path = "",
                      .value = forced,
                      .problem = "is not an instruction set that this build and this processor have",
                      .cure = "write one of " + names +

@@ -23,7 +23,6 @@ int lanes_in_use() {
   for (const int lanes : {1, 2, 4, 8})
     if (text == std::to_string(lanes)) return lanes;
   throw InputError({{.file = "WYTHE_LANES",
-                     .path = "",
                      .value = text,
                      .problem = "is not a number of walls that can be stepped side by side",
                      .cure = "write 1, 2, 4 or 8, or leave it out for this processor's best"}});

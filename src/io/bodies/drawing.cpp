@@ -92,7 +92,6 @@ class Facade {
     if (!is_absent || layer == "none" || !faults_.empty()) return;
     faults_.add({.file = file_,
                  .path = "layer " + layer,
-                 .value = "",
                  .problem = "holds no closed polyline",
                  .cure = fmt::format("name the layer, --{} LAYER{}; the drawing has {}", what,
                                      std::string_view(what) == "openings" ? " (or none)" : "",

@@ -44,7 +44,6 @@ struct Group {
 [[noreturn]] void refuse(const std::string& file, std::string value, std::string problem,
                          std::string cure, int line = 0) {
   throw InputError({{.file = file,
-                     .path = "",
                      .value = std::move(value),
                      .problem = std::move(problem),
                      .cure = std::move(cure),
@@ -511,7 +510,6 @@ Fault fault_of(const Unread& entity, const std::string& file) {
   const std::string handle = entity.handle.empty() ? "" : " " + entity.handle;
   return {.file = file,
           .path = fmt::format("{}{} on layer {}", entity.type, handle, entity.layer),
-          .value = "",
           .problem = entity.problem,
           .cure = entity.cure,
           .line = entity.line};

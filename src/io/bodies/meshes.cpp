@@ -262,7 +262,6 @@ void MeshFaults::add(int line, std::string_view value, std::string problem, std:
     return static_cast<unsigned char>(c) < 32 || static_cast<unsigned char>(c) > 126;
   });
   faults_.add({.file = file_,
-               .path = "",
                .value = std::move(shown),
                .problem = std::move(problem),
                .cure = std::move(cure),

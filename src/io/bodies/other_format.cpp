@@ -45,7 +45,6 @@ const Format* format_of(std::string_view text) {
 void refuse_other_format(const std::string& file, std::string_view text) {
   const auto refuse = [&](std::string value, std::string problem, std::string cure) {
     throw InputError({{.file = file,
-                       .path = "",
                        .value = std::move(value),
                        .problem = std::move(problem),
                        .cure = std::move(cure)}});

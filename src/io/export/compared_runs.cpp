@@ -201,7 +201,6 @@ std::vector<ComparedRun> read_compared_runs(const std::string& folder) {
   if (holds_campaign(folder)) return parse_samples(folder);
   if (fs::exists(fs::path(folder) / "summary.json")) return {parse_run(folder)};
   throw InputError({{.file = "--with",
-                     .path = "",
                      .value = folder,
                      .problem = "holds neither a run (summary.json) nor a campaign (campaign.db)",
                      .cure = "name the --out folder of a finished wythe run or wythe campaign"}});

@@ -52,7 +52,7 @@ bool is_export_file(const std::string& name) {
 
 [[noreturn]] void refuse(const std::string& file, const std::string& problem,
                          const std::string& cure) {
-  throw InputError({{.file = file, .path = "", .value = "", .problem = problem, .cure = cure}});
+  throw InputError({{.file = file, .problem = problem, .cure = cure}});
 }
 
 // --- tables ----------------------------------------------------------------------------------------

@@ -154,7 +154,6 @@ void apply_overrides(ReadContext& context, toml::table& root,
                      const std::vector<std::string>& texts) {
   if (texts.size() > kMostSettings) {
     context.faults.add({.file = "--set",
-                        .path = "",
                         .value = fmt::format("{} settings", texts.size()),
                         .problem = fmt::format("at most {} are taken", kMostSettings),
                         .cure = "write them into the model"});
@@ -167,7 +166,6 @@ void apply_overrides(ReadContext& context, toml::table& root,
       context.faults.add(
           {.file = "--set",
            .path = path,
-           .value = "",
            .problem = equals == std::string::npos ? "has no '='" : "has no path before '='",
            .cure = "write path=value, e.g. --set stage.push.velocity=\"1 mm/s\""});
       continue;

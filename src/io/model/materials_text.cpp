@@ -156,7 +156,6 @@ std::string materials_text(const std::string& name) {
   for (const materials::Entry& entry : materials::library()) names.emplace_back(entry.name);
   const std::string near = nearest_name(name, names);
   throw InputError({{.file = "wythe materials",
-                     .path = "",
                      .value = name,
                      .problem = "no such material or rule",
                      .cure = near.empty() ? "wythe materials lists them"

@@ -38,8 +38,6 @@ void refuse_present(const fs::path& file) {
   std::error_code error;
   if (fs::symlink_status(file, error).type() == fs::file_type::not_found) return;
   throw InputError({{.file = file.string(),
-                     .path = "",
-                     .value = "",
                      .problem = "is there already; a starter replaces nothing",
                      .cure = "name a new folder, or remove the file"}});
 }
@@ -56,9 +54,7 @@ std::vector<std::string> starter_kinds() {
 std::vector<std::string> write_starter(const std::string& kind, const std::string& folder) {
   const std::vector<std::string> kinds = starter_kinds();
   if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
-    throw InputError({{.file = "",
-                       .path = "",
-                       .value = kind,
+    throw InputError({{.value = kind,
                        .problem = "is no starter",
                        .cure = fmt::format("write one of: {}", fmt::join(kinds, ", "))}});
   for (const StarterFile& file : kFiles)

@@ -278,7 +278,7 @@ void walk_order(A& archive, O& order) {
 
 [[noreturn]] void refuse(const std::string& path, const std::string& problem,
                          const std::string& cure) {
-  throw InputError({{.file = path, .path = "", .value = "", .problem = problem, .cure = cure}});
+  throw InputError({{.file = path, .problem = problem, .cure = cure}});
 }
 
 constexpr const char* kAgain = "remove it and start the run again";

@@ -58,8 +58,6 @@ bool is_there(const fs::path& hidden) {
   if (type == fs::file_type::none)
     throw IoError(fmt::format("{}: cannot be looked at: {}", hidden.string(), error.message()));
   throw InputError({{.file = hidden.string(),
-                     .path = "",
-                     .value = "",
                      .problem = "is no folder, and new results are kept in one of that name",
                      .cure = "remove it, or name another place"}});
 }

@@ -72,8 +72,6 @@ void refuse_checkpoint(const std::string& folder) {
   if (!fs::exists(fs::symlink_status(file, error))) return;
   throw InputError(
       {{.file = file,
-        .path = "",
-        .value = "",
         .problem = "is the checkpoint of a run that has not come to its end",
         .cure = fmt::format("go on with: wythe run --resume {}; or remove the file, or "
                             "name another folder",
@@ -110,8 +108,6 @@ void refuse_others(const std::string& folder, const char* command = "run") {
   const std::size_t more = others.size() - 1;
   throw InputError(
       {{.file = folder,
-        .path = "",
-        .value = "",
         .problem =
             fmt::format("holds {}{}, which no {} wrote: results are not put among other files",
                         others.front(), more > 0 ? fmt::format(" and {} more", more) : "", command),
@@ -196,14 +192,10 @@ void check_folder(const std::string& folder, FolderFor use) {
       if (fs::exists(inside(folder, name), error) &&
           !fs::exists(inside(folder, "summary.json"), error))
         throw InputError({{.file = folder,
-                           .path = "",
-                           .value = "",
                            .problem = fmt::format("holds {}, which no campaign in it wrote", name),
                            .cure = "name another folder"}});
   if (!fs::exists(inside(folder, run ? "campaign.db" : "summary.json"), error)) return;
   throw InputError({{.file = folder,
-                     .path = "",
-                     .value = "",
                      .problem = run ? "holds a campaign, whose report would be lost"
                                     : "holds the results of a run, whose report would be lost",
                      .cure = "name another folder"}});
@@ -229,8 +221,6 @@ void refuse_model_inside(const std::string& folder, const Origin& origin) {
       !fs::equivalent(file.parent_path(), folder, error))
     return;
   throw InputError({{.file = origin.file,
-                     .path = "",
-                     .value = "",
                      .problem = "lies among the results that would replace it",
                      .cure = "name another folder, or move the model out of this one"}});
 }
@@ -249,8 +239,6 @@ void check_origin_of(const char* result, const std::string& folder, const Origin
   if (file.empty())
     throw InputError(
         {{.file = folder,
-          .path = "",
-          .value = "",
           .problem = fmt::format("holds results, and {}, which names their model, is missing or "
                                  "damaged",
                                  kOrigin),
@@ -258,8 +246,6 @@ void check_origin_of(const char* result, const std::string& folder, const Origin
   const bool is_same = origin.spec_hash != 0 && hash == hash_text(origin.spec_hash);
   if (is_same || file == full_name(origin.file)) return;
   throw InputError({{.file = folder,
-                     .path = "",
-                     .value = "",
                      .problem = "holds results of another model or campaign, " + file,
                      .cure = "name another folder, or replace them with --replace"}});
 }
@@ -299,11 +285,8 @@ void check_answer_file(const std::string& path, const std::vector<std::string>& 
                        const std::string& mark) {
   std::error_code error;
   const auto refuse = [&](const char* problem) {
-    throw InputError({{.file = path,
-                       .path = "",
-                       .value = "",
-                       .problem = problem,
-                       .cure = "name another file, or remove this one"}});
+    throw InputError(
+        {{.file = path, .problem = problem, .cure = "name another file, or remove this one"}});
   };
   check_output(path);
   for (const std::string& input : inputs)
@@ -358,8 +341,6 @@ void check_verdict_folder(const std::string& folder, const Origin& origin) {
   if (fs::exists(inside(folder, std::string(kBaseFolder) + "/campaign.db"), error))
     throw InputError(
         {{.file = folder,
-          .path = "",
-          .value = "",
           .problem = "holds the campaigns of an assessment, whose report would be lost",
           .cure = "name another folder"}});
   check_folder(folder, FolderFor::kRun);

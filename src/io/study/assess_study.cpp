@@ -94,9 +94,7 @@ std::string text_of_study(const AskedWalls& asked) {
   try {
     if (!spec.draws_fields() && std::isnan(asked.between))
       throw InputError(
-          {{.file = "",
-            .path = "scatter",
-            .value = "",
+          {{.path = "scatter",
             .problem = "is missing: nothing scatters within this wall, so all walls would be one",
             .cure = "write [scatter] and under it use = \"clay_brick\", or add --set "
                     "scatter.use=clay_brick"}});
@@ -116,8 +114,6 @@ std::string io::text_of_ways(const AskedWalls& asked, const std::vector<PushWay>
   if (!is_utf8(whole))  // a study names its model in TOML
     throw InputError(
         {{.file = asked.model_file,
-          .path = "",
-          .value = "",
           .problem = "has a name, or lies in a folder of a name, that is no UTF-8 text",
           .cure = "rename it, or copy the model to another folder"}});
   std::string study = fmt::format(

@@ -456,7 +456,6 @@ class StudyReader {
       model_faults_.push_back(placed(
           {.file = "--set",
            .path = path,
-           .value = "",
            .problem = fmt::format("{}has no effect, it is set by {}",
                                   whole ? "its " + key.substr(path.size() + 1) + " " : "", setter),
            .cure = cure}));

@@ -70,8 +70,6 @@ std::vector<std::string> cells_of(std::string_view line, char delimiter, std::si
 
 void CsvLines::refuse(int most, const char* what) const {
   throw InputError({{.file = file_,
-                     .path = "",
-                     .value = "",
                      .problem = fmt::format("has more than {} {}", most, what),
                      .cure = "name the file that is meant, or split it (docs/reference/limits.md)",
                      .line = line_}});

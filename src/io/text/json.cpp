@@ -17,12 +17,8 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& file, const std::string& problem,
                          const std::string& cure, std::ptrdiff_t line = 0) {
-  throw InputError({{.file = file,
-                     .path = "",
-                     .value = "",
-                     .problem = problem,
-                     .cure = cure,
-                     .line = static_cast<int>(line)}});
+  throw InputError(
+      {{.file = file, .problem = problem, .cure = cure, .line = static_cast<int>(line)}});
 }
 
 // Checks only keys, in a pass of its own: the parser's callback costs the square of a long list.

@@ -39,8 +39,6 @@ void refuse_study(const toml::table& root, const std::string& file) {
   const auto base = root["study"]["model"].value<std::string>();
   throw InputError(
       {{.file = file,
-        .path = "",
-        .value = "",
         .problem = "is a study, and a model is asked for",
         .cure = fmt::format("name its model{}; a study runs by wythe campaign STUDY.toml "
                             "--out DIR",
@@ -50,8 +48,6 @@ void refuse_study(const toml::table& root, const std::string& file) {
 void refuse_model(const toml::table& root, const std::string& file) {
   if (has_study(root) || !has_model(root)) return;
   throw InputError({{.file = file,
-                     .path = "",
-                     .value = "",
                      .problem = "is a model, and a study is asked for",
                      .cure = "one wall runs by wythe run MODEL.toml --out DIR; wythe new study DIR "
                              "writes a study to start from"}});

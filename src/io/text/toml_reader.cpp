@@ -483,8 +483,6 @@ toml::table parse_toml(const std::string& text, const std::string& file) {
     if (slip.problem.empty()) slip = stated_twice(written, error.description());
     if (slip.problem.empty()) slip = slip_of_parser(error.description());
     throw InputError({Fault{.file = file,
-                            .path = "",
-                            .value = "",
                             .problem = "not valid TOML: " + slip.problem,
                             .cure = slip.cure,
                             .line = line}});
@@ -518,8 +516,6 @@ std::string read_input(const std::string& path, const char* example, std::size_t
   const std::string nearest = nearest_file(path);
   throw InputError({Fault{
       .file = path,
-      .path = "",
-      .value = "",
       .problem = "there is no such file",
       .cure = nearest.empty() ? fmt::format("name a file, e.g. {}", example)
                               : fmt::format("did you mean {}?", (above / nearest).string())}});

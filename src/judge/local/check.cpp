@@ -119,8 +119,7 @@ LocalStateCheck check_state(const AssessmentSpec& spec, LimitState state, const 
   const SpectrumSpec& given = spectrum_for(spec, state);
   const double damping = given.kind == SpectrumKind::kTable ? 0.05 : given.damping;
   if (!(damping > 0) && part.building.share() > 0)
-    throw InputError({{.file = "",
-                       .path = "assessment.spectrum.damping",
+    throw InputError({{.path = "assessment.spectrum.damping",
                        .value = "0",
                        .problem = "without damping the building brings its part into resonance "
                                   "without end, and (21.10) has no value",

@@ -34,11 +34,7 @@ struct LyingPiece {
 };
 
 [[noreturn]] void refuse(std::string problem, std::string cure) {
-  throw InputError({{.file = "",
-                     .path = "stage",
-                     .value = "",
-                     .problem = std::move(problem),
-                     .cure = std::move(cure)}});
+  throw InputError({{.path = "stage", .problem = std::move(problem), .cure = std::move(cure)}});
 }
 
 class Mechanism {

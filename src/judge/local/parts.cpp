@@ -112,8 +112,7 @@ class Strip {
  private:
   [[noreturn]] void refuse(const std::string& key, std::string value, std::string problem,
                            std::string cure) const {
-    throw InputError({{.file = "",
-                       .path = path_ + key,
+    throw InputError({{.path = path_ + key,
                        .value = std::move(value),
                        .problem = std::move(problem),
                        .cure = std::move(cure)}});

@@ -37,8 +37,7 @@ constexpr double kStressBlock = 0.85;  // of fc, in the crushed part of a joint
 
 void add_fault(FaultList& faults, std::string path, std::string value, std::string problem,
                std::string cure) {
-  faults.add({.file = "",
-              .path = std::move(path),
+  faults.add({.path = std::move(path),
               .value = std::move(value),
               .problem = std::move(problem),
               .cure = std::move(cure)});

@@ -117,7 +117,7 @@ class Follower {
 };
 
 [[noreturn]] void refuse(const std::string& problem, const std::string& cure) {
-  throw InputError({{.file = "", .path = "wall", .value = "", .problem = problem, .cure = cure}});
+  throw InputError({{.path = "wall", .problem = problem, .cure = cure}});
 }
 
 struct End {
