@@ -15,23 +15,6 @@ namespace {
 
 constexpr double kNothing = 1e-7;  // share of the force unit: a smaller circle resists nothing
 
-// Gravity after the stages before the growing one; a body force or a tilt stays in force.
-Vec3 space_gravity_before(const Model& model, const Stage* grows) {
-  const double g = model.solve.gravity;
-  Vec3 gravity;
-  for (const Stage& s : model.stages) {
-    const bool now = &s == grows;
-    if (s.spec.kind() == StageKind::kGravity || (now && is_factor(s))) gravity = {0, -g, 0};
-    if (now) break;
-    if (const auto* force = std::get_if<BodyForceStage>(&s.spec.action))
-      gravity = Vec3{0, -g, 0} + g * force->factor * s.drive();
-    if (const auto* tilt = std::get_if<TiltStage>(&s.spec.action))
-      gravity = g * elementary::sin(tilt->tilt_until) * s.drive() +
-                Vec3{0, -g * elementary::cos(tilt->tilt_until), 0};
-  }
-  return gravity;
-}
-
 // Arms of a joint's point from the centroids, and the axes of its face.
 struct Place {
   Vec3 arm_a, arm_b, t1, t2, n;
@@ -83,15 +66,14 @@ LinkPlace link_place(const Links& l, std::size_t k) {
 
 // Columns: load | p, s1, s2 of each point | forces of links | restraints of driven blocks. Rows: equilibrium of each block (force,
 // moment), friction circles.
-class StaticProgramme {
+class StaticProgramme : public StaticRows<6> {
  public:
   StaticProgramme(const Model& m, const SpaceLoads& loads, const SpaceYield& y, const Units& u)
-      : m_(m), loads_(loads), y_(y), u_(u), balance_(6 * static_cast<std::size_t>(m.n_block)) {}
+      : StaticRows(m, u, loads.is_force), loads_(loads), y_(y) {}
 
-  // The load is a variable for kLoad only, else it is zero; for kUnbalanced, unbalanced forces have a cost.
+  // For kUnbalanced, unbalanced forces have a cost.
   void build(Purpose purpose) {
-    const bool grows = purpose == Purpose::kLoad;
-    load_ = lp_.add_column(grows ? -kFree : 0, grows ? kFree : 0, grows ? -1 : 0);
+    add_load(purpose);
     for (int j = 0; j < m_.n_joint; ++j) add_joint(j);
     for (std::size_t k = 0; k < y_.link.size(); ++k) add_link(k);
     add_loads();
@@ -118,86 +100,33 @@ class StaticProgramme {
 
   SpaceStaticSolution solve(const Monitor& monitor, const Tolerance& tolerance) {
     SpaceStaticSolution answer;
-    answer.status = lp_.solve(monitor, tolerance);
-    answer.accuracy = lp_.accuracy();
-    answer.error = lp_.error() * (loads_.is_force ? u_.force : 1.0);
-    answer.rows = lp_.rows();
-    answer.columns = lp_.columns();
-    if (answer.status == ProgrammeStatus::kUnbounded) answer.carrier = carrier(lp_.ray());
-    if (answer.status != ProgrammeStatus::kOptimal) return answer;
+    const auto first = [this](int joint) { return column(m_.space.point_begin[joint]); };
+    if (!solve_for(answer, monitor, tolerance, first)) return answer;
     const std::vector<double>& x = lp_.solution();
-    answer.load = x[load_] * (loads_.is_force ? u_.force : 1.0);
     for (int p = 0; p < m_.n_point(); ++p) {
       answer.compression.push_back(x[column(p)] * u_.force);
       answer.shear_1.push_back(x[column(p) + 1] * u_.force);
       answer.shear_2.push_back(x[column(p) + 2] * u_.force);
     }
-    for (std::size_t k = 0; k < y_.link.size(); ++k)
-      answer.link_force.push_back(x[static_cast<std::size_t>(column(m_.n_point())) + k] * u_.force);
-    answer.dual = mechanism(answer);
+    add_motion(answer.dual);
     return answer;
   }
 
-  // After build(Purpose::kRest).
-  ProgrammeStatus stands(const Monitor& monitor) { return solve_rest(lp_, monitor); }
-
-  // The largest unbalanced force, after build(Purpose::kUnbalanced).
-  Unbalanced worst(const Monitor& monitor) {
-    Unbalanced found;
-    found.status = lp_.solve(monitor);
-    if (found.status != ProgrammeStatus::kOptimal) return found;
-    double total = 0;
-    for (std::size_t row = 0; row < balance_.size(); ++row) {
-      const double unbalanced =
-          lp_.solution()[slack_ + 2 * row] + lp_.solution()[slack_ + 2 * row + 1];
-      total += unbalanced;
-      if (unbalanced * u_.force > found.force)
-        found = {found.status, static_cast<BlockId>(row / 6), unbalanced * u_.force};
-    }
-    return total < kBalanced ? Unbalanced{found.status} : found;
-  }
-
  private:
-  [[nodiscard]] SpaceKinematicSolution mechanism(const SpaceStaticSolution& forces) const {
-    SpaceKinematicSolution m;
-    m.status = forces.status;
-    m.accuracy = forces.accuracy;
-    m.load = -lp_.dual_objective() * (loads_.is_force ? u_.force : 1.0);
+  void add_motion(SpaceKinematicSolution& m) const {
     const double scale = loads_.is_force ? 1.0 : 1.0 / u_.force;
     const auto velocity = [&](std::size_t block, std::size_t axis) {
       return lp_.multipliers()[balance_row_[6 * block + axis]];
     };
-    m.dissipation = m.load;
     for (std::size_t i = 0; i < loads_.dead.size(); ++i) {
       const BodyForce& f = loads_.dead[i];
       m.velocity.push_back(scale * Vec3{velocity(i, 0), velocity(i, 1), velocity(i, 2)});
       m.spin.push_back(scale / u_.length * Vec3{velocity(i, 3), velocity(i, 4), velocity(i, 5)});
       m.dissipation += dot(f.force, m.velocity[i]) + dot(f.moment, m.spin[i]);
     }
-    return m;
   }
 
   [[nodiscard]] static int column(int point) { return 1 + 3 * point; }
-
-  [[nodiscard]] int carrier(const std::vector<double>& ray) const {
-    int joint = -1;
-    double most = 0;
-    for (int j = 0; j < m_.n_joint; ++j)
-      for (int p = m_.space.point_begin[j]; p < m_.space.point_begin[j + 1]; ++p)
-        for (int c = 0; c < 3; ++c)
-          if (const std::size_t k = static_cast<std::size_t>(column(p) + c);
-              k < ray.size() && std::fabs(ray[k]) > most) {
-            most = std::fabs(ray[k]);
-            joint = j;
-          }
-    for (std::size_t i = 0; i < y_.link.size(); ++i)
-      if (const std::size_t k = static_cast<std::size_t>(column(m_.n_point())) + i;
-          k < ray.size() && std::fabs(ray[k]) > most) {
-        most = std::fabs(ray[k]);
-        joint = m_.n_joint + static_cast<int>(i);
-      }
-    return joint;
-  }
 
   void act(BlockId block, int column, const Vec3& force, const Vec3& arm) {
     if (!moves(m_, block)) return;
@@ -262,22 +191,8 @@ class StaticProgramme {
     if (loads_.together) sum_ = sum;
   }
 
-  void add_slack() {
-    slack_ = static_cast<std::size_t>(lp_.columns());
-    for (std::vector<Entry>& row : balance_)
-      for (const double sign : {1.0, -1.0}) row.push_back({lp_.add_column(0, kFree, 1), sign});
-  }
-
-  const Model& m_;
   const SpaceLoads& loads_;
   const SpaceYield& y_;
-  Units u_;
-  LinearProgramme lp_;
-  std::vector<std::vector<Entry>> balance_;  // force and moment rows of each block
-  std::vector<int> balance_row_;             // of the programme
-  std::vector<Entry> sum_;
-  int load_ = 0;
-  std::size_t slack_ = 0;
 };
 
 // Largest relative excess of a shear force over its circle.
@@ -446,7 +361,7 @@ SpaceLoads space_loads(const Model& model, double secant, bool loads_are_masses)
            "run it, or add a push on blocks or a body_force stage");
   loads.dead.resize(model.n_block);
   loads.growing.resize(model.n_block);
-  const Vec3 gravity = space_gravity_before(model, loads.stage);
+  const Vec3 gravity = gravity_before(model, loads.stage);
   for (std::size_t i = 0; i < loads.dead.size(); ++i)
     loads.dead[i].force = model.gravity_mass[i] * gravity;
   for (const Stage& stage : model.stages) {

@@ -47,18 +47,9 @@ struct SpaceKinematicSolution {
                                                      const SpaceYield& yield, const Units& units,
                                                      const Monitor& monitor = {});
 
-struct SpaceStaticSolution {
-  ProgrammeStatus status = ProgrammeStatus::kFailed;
-  double load = 0;
-  SpaceKinematicSolution dual;  // multipliers of the balance are velocities of a mechanism
+struct SpaceStaticSolution : StaticAnswer<SpaceKinematicSolution> {
   std::vector<double> compression, shear_1, shear_2;  // (n_point) [N]
-  std::vector<double> link_force;                     // (n_link), tension + [N]
   double friction_excess = 0;  // largest relative excess of a shear over its circle
-  double accuracy = 0;
-  double error = 0;  // of the load, to first order
-  int carrier =
-      -1;  // of a load without limit: the joint that carries most of it, links after joints
-  int rows = 0, columns = 0;
 };
 [[nodiscard]] SpaceStaticSolution solve_static(const Model& model, const SpaceLoads& loads,
                                                const SpaceYield& yield, const Units& units,

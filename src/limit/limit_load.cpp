@@ -69,15 +69,6 @@ bool has_joint(const Model& model, BlockId block) {
          "support it, give its joints friction or cohesion, or lower the dead loads");
 }
 
-[[noreturn]] void refuse_unlimited(const std::string& carrier) {
-  refuse("stage", "",
-         fmt::format("the load can grow without end: no mechanism exists, {} carries any force",
-                     carrier),
-         "push where blocks can move, give that joint or tie a strength, or count crushing. What "
-         "friction holds between blocks that cannot give way counts as pressed together; a run "
-         "tells whether it is");
-}
-
 [[noreturn]] void refuse_unsolved() {
   refuse("wall", "", "its linear programme was not solved: round-off is larger than the answer",
          "look for joints or blocks a thousand times smaller or stronger than the rest");
@@ -91,27 +82,17 @@ void check_it_stands_alone(const Model& model, const Unbalanced& without_load) {
   if (without_load.block >= 0) refuse_unbalanced(model, without_load);
 }
 
-// The joint that carries most of a load without limit.
-[[noreturn]] void refuse_unlimited(const Model& model, const StaticSolution& answer,
-                                   const YieldModel& yield) {
-  std::string between = "its joints";
-  const std::size_t stride = 1 + yield.points();
-  double most = 0;
-  for (int j = 0; j < model.n_joint; ++j) {
-    for (std::size_t k = 0; k < stride; ++k) {
-      const std::size_t at = 1 + static_cast<std::size_t>(j) * stride + k;
-      if (at >= answer.ray.size() || std::fabs(answer.ray[at]) <= most) continue;
-      most = std::fabs(answer.ray[at]);
-      between = joint_text(model, j);
-    }
-  }
-  for (std::size_t k = 0; k < yield.link.size(); ++k) {
-    const std::size_t at = 1 + static_cast<std::size_t>(model.n_joint) * stride + k;
-    if (at >= answer.ray.size() || std::fabs(answer.ray[at]) <= most) continue;
-    most = std::fabs(answer.ray[at]);
-    between = model.links.name[k];
-  }
-  refuse_unlimited(between);
+// `carrier`: a joint or, after those, a link.
+[[noreturn]] void refuse_unlimited(const Model& model, int carrier) {
+  const std::string name = carrier < 0               ? "some joint"
+                           : carrier < model.n_joint ? joint_text(model, carrier)
+                                                     : model.links.name[carrier - model.n_joint];
+  refuse(
+      "stage", "",
+      fmt::format("the load can grow without end: no mechanism exists, {} carries any force", name),
+      "push where blocks can move, give that joint or tie a strength, or count crushing. What "
+      "friction holds between blocks that cannot give way counts as pressed together; a run "
+      "tells whether it is");
 }
 
 // Entries of the model's own blocks and joints; its deformable ones came after them.
@@ -136,20 +117,58 @@ Monitor monitor_from(const LimitMonitor& monitor, double from, double to) {
 // the next; a dry wall without loads needs only the first, whose factor is 1.
 double secant_of(double tangent) { return std::sqrt(1 + tangent * tangent); }
 
-struct Programmes {
+// What is solved, and how its answer is written down, in the plane and in space.
+struct InPlane {
   LimitLoads loads;
   YieldModel yield;
   Units units;
   StaticSolution by_forces;
+
+  InPlane(const Model& model, const LimitOptions& options, double secant, bool masses)
+      : loads(limit_loads(model, secant, masses)),
+        yield(yield_of(model, options, secant)),
+        units(units_of(model, loads, yield)) {}
+
+  void write(const KinematicSolution& by_motion, LimitResult& answer) const {
+    answer.shear_force = by_forces.shear;
+    answer.point_force = by_forces.point_force;
+    answer.vx = by_motion.vx;
+    answer.vy = by_motion.vy;
+    answer.omega = by_motion.omega;
+    answer.cuts = static_cast<int>(yield.tangent.size());
+  }
+};
+struct InSpace {
+  SpaceLoads loads;
+  SpaceYield yield;
+  Units units;
+  SpaceStaticSolution by_forces;
+
+  InSpace(const Model& model, const LimitOptions& options, double secant, bool masses)
+      : loads(space_loads(model, secant, masses)),
+        yield(space_yield(model, options, secant)),
+        units(units_of(model, loads)) {}
+
+  void write(const SpaceKinematicSolution& by_motion, LimitResult& answer) const {
+    answer.point_force = by_forces.compression;
+    answer.shear_force = by_forces.shear_1;
+    answer.shear_force_2 = by_forces.shear_2;
+    answer.friction_excess = by_forces.friction_excess;
+    for (std::size_t i = 0; i < by_motion.velocity.size(); ++i) {
+      answer.vx.push_back(by_motion.velocity[i].x);
+      answer.vy.push_back(by_motion.velocity[i].y);
+      answer.vz.push_back(by_motion.velocity[i].z);
+      answer.omega_x.push_back(by_motion.spin[i].x);
+      answer.omega_y.push_back(by_motion.spin[i].y);
+      answer.omega.push_back(by_motion.spin[i].z);
+    }
+  }
 };
 
-Programmes solve_by_forces(const Model& model, const LimitOptions& options, const Search& search,
-                           double secant, const LimitMonitor& monitor) {
-  Programmes p{limit_loads(model, secant, options.loads_are_masses),
-               yield_of(model, options, secant),
-               {},
-               {}};
-  p.units = units_of(model, p.loads, p.yield);
+template <class Wall>
+Wall solve_by_forces(const Model& model, const LimitOptions& options, const Search& search,
+                     double secant, const LimitMonitor& monitor) {
+  Wall p(model, options, secant, options.loads_are_masses);
   const Monitor part_monitor = monitor_from(monitor, 0, 0.5);
   p.by_forces = solve_static(model, p.loads, p.yield, p.units, part_monitor, search.tolerance);
   if (p.by_forces.status == ProgrammeStatus::kStopped) throw LimitStopped();
@@ -159,42 +178,7 @@ Programmes solve_by_forces(const Model& model, const LimitOptions& options, cons
   if (p.by_forces.status == ProgrammeStatus::kUnbounded) {
     // the load may grow beside a wall that falls: both are proofs, and the solver gives one
     check_it_stands_alone(model, find_unbalanced(model, p.loads, p.yield, p.units, part_monitor));
-    refuse_unlimited(model, p.by_forces, p.yield);
-  }
-  return p;
-}
-
-struct SpaceProgrammes {
-  SpaceLoads loads;
-  SpaceYield yield;
-  Units units;
-  SpaceStaticSolution by_forces;
-};
-
-// What carries most of a load without limit: a joint or, after those, a link.
-std::string carrier_text(const Model& model, int carrier) {
-  if (carrier < 0) return "its joints";
-  if (carrier < model.n_joint) return joint_text(model, carrier);
-  return model.links.name[carrier - model.n_joint];
-}
-
-SpaceProgrammes solve_by_forces_in_space(const Model& model, const LimitOptions& options,
-                                         const Search& search, double secant,
-                                         const LimitMonitor& monitor) {
-  SpaceProgrammes p{space_loads(model, secant, options.loads_are_masses),
-                    space_yield(model, options, secant),
-                    {},
-                    {}};
-  p.units = units_of(model, p.loads);
-  const Monitor part_monitor = monitor_from(monitor, 0, 0.5);
-  p.by_forces = solve_static(model, p.loads, p.yield, p.units, part_monitor, search.tolerance);
-  if (p.by_forces.status == ProgrammeStatus::kStopped) throw LimitStopped();
-  if (search.by_dual && p.by_forces.status == ProgrammeStatus::kFailed) throw Unsure();
-  if (p.by_forces.status == ProgrammeStatus::kInfeasible)
-    refuse_unbalanced(model, find_unbalanced(model, p.loads, p.yield, p.units, part_monitor));
-  if (p.by_forces.status == ProgrammeStatus::kUnbounded) {
-    check_it_stands_alone(model, find_unbalanced(model, p.loads, p.yield, p.units, part_monitor));
-    refuse_unlimited(carrier_text(model, p.by_forces.carrier));
+    refuse_unlimited(model, p.by_forces.carrier);
   }
   return p;
 }
@@ -229,36 +213,23 @@ auto solve_tilted(const Search& search, const Solve& solve) {
          "use a body force, which needs no second look");
 }
 
-// At rest a tilted wall has its loads and strengths as they are, not those over the cosine of its limit tilt.
-template <class Programmes>
-bool is_tilt(const Programmes& p) {
-  return p.loads.stage->spec.kind() == StageKind::kTilt;
-}
-
 // Whether the wall stands without the growing load, in the plane or in space. The programme of unbalanced forces takes
 // longer, and names the block that does not.
-template <class Loads, class Yield>
-void check_rest(const Model& model, const Search& search, const Loads& loads, const Yield& yield,
-                const Units& units, const LimitMonitor& monitor) {
+template <class Wall>
+void check_rest(const Model& model, const Search& search, const Wall& wall, const Units& units,
+                const LimitMonitor& monitor) {
   const Monitor part_monitor = monitor_from(monitor, 1, 1);
   if (search.by_dual) {
-    const ProgrammeStatus found = find_rest(model, loads, yield, units, part_monitor);
+    const ProgrammeStatus found = find_rest(model, wall.loads, wall.yield, units, part_monitor);
     if (found == ProgrammeStatus::kStopped) throw LimitStopped();
     if (found == ProgrammeStatus::kOptimal) return;
   }
-  check_it_stands_alone(model, find_unbalanced(model, loads, yield, units, part_monitor));
-}
-
-template <class Static, class Kinematic>
-void check_solved(const Static& by_forces, const Kinematic& by_motion) {
-  if (by_forces.status != ProgrammeStatus::kOptimal ||
-      by_motion.status != ProgrammeStatus::kOptimal)
-    refuse_unsolved();
+  check_it_stands_alone(model, find_unbalanced(model, wall.loads, wall.yield, units, part_monitor));
 }
 
 // What both programmes say of a wall, in the plane or in space.
-template <class Programmes, class Kinematic>
-LimitResult answer_of(const LimitOptions& options, const Search& search, const Programmes& p,
+template <class Wall, class Kinematic>
+LimitResult answer_of(const LimitOptions& options, const Search& search, const Wall& p,
                       const Kinematic& by_motion) {
   LimitResult answer;
   answer.options = options;
@@ -285,67 +256,26 @@ LimitResult answer_of(const LimitOptions& options, const Search& search, const P
   return answer;
 }
 
-LimitResult limit_in_plane(const Model& model, const LimitOptions& options, const Search& search,
-                           const LimitMonitor& monitor) {
-  const Programmes p = solve_tilted(search, [&](double secant) {
-    return solve_by_forces(model, options, search, secant, monitor);
+template <class Wall>
+LimitResult limit_in(const Model& model, const LimitOptions& options, const Search& search,
+                     const LimitMonitor& monitor) {
+  const Wall p = solve_tilted(search, [&](double secant) {
+    return solve_by_forces<Wall>(model, options, search, secant, monitor);
   });
-  const KinematicSolution by_motion =
-      search.by_dual
-          ? p.by_forces.dual
-          : solve_kinematic(model, p.loads, p.yield, p.units, monitor_from(monitor, 0.5, 1));
+  const auto by_motion = search.by_dual ? p.by_forces.dual
+                                        : solve_kinematic(model, p.loads, p.yield, p.units,
+                                                          monitor_from(monitor, 0.5, 1));
   if (by_motion.status == ProgrammeStatus::kStopped) throw LimitStopped();
-  if (by_motion.status == ProgrammeStatus::kInfeasible)
-    refuse_unlimited(model, p.by_forces, p.yield);
-  check_solved(p.by_forces, by_motion);
-  if (is_tilt(p))
-    check_rest(model, search, limit_loads(model), yield_of(model, options), p.units, monitor);
-  else
-    check_rest(model, search, p.loads, p.yield, p.units, monitor);
+  if (by_motion.status == ProgrammeStatus::kInfeasible) refuse_unlimited(model, -1);
+  if (p.by_forces.status != ProgrammeStatus::kOptimal ||
+      by_motion.status != ProgrammeStatus::kOptimal)
+    refuse_unsolved();
+  // at rest a tilted wall has its loads and strengths as they are, not those over the cosine of its limit tilt
+  const bool is_tilt = p.loads.stage->spec.kind() == StageKind::kTilt;
+  check_rest(model, search, is_tilt ? Wall(model, options, 1, false) : p, p.units, monitor);
   LimitResult answer = answer_of(options, search, p, by_motion);
-  answer.shear_force = p.by_forces.shear;
-  answer.point_force = p.by_forces.point_force;
   answer.link_force = p.by_forces.link_force;
-  answer.vx = by_motion.vx;
-  answer.vy = by_motion.vy;
-  answer.omega = by_motion.omega;
-  answer.cuts = static_cast<int>(p.yield.tangent.size());
-  return answer;
-}
-
-LimitResult limit_in_space(const Model& model, const LimitOptions& options, const Search& search,
-                           const LimitMonitor& monitor) {
-  if (options.crushing == CrushingChoice::kStressBlock)
-    refuse("crushing", "stress block", "is for walls in their plane",
-           "let each contact point carry its share of fc A");
-  const SpaceProgrammes p = solve_tilted(search, [&](double secant) {
-    return solve_by_forces_in_space(model, options, search, secant, monitor);
-  });
-  const SpaceKinematicSolution by_motion =
-      search.by_dual
-          ? p.by_forces.dual
-          : solve_kinematic(model, p.loads, p.yield, p.units, monitor_from(monitor, 0.5, 1));
-  if (by_motion.status == ProgrammeStatus::kStopped) throw LimitStopped();
-  if (by_motion.status == ProgrammeStatus::kInfeasible) refuse_unlimited("some joint");
-  check_solved(p.by_forces, by_motion);
-  if (is_tilt(p))
-    check_rest(model, search, space_loads(model), space_yield(model, options), p.units, monitor);
-  else
-    check_rest(model, search, p.loads, p.yield, p.units, monitor);
-  LimitResult answer = answer_of(options, search, p, by_motion);
-  answer.point_force = p.by_forces.compression;
-  answer.shear_force = p.by_forces.shear_1;
-  answer.shear_force_2 = p.by_forces.shear_2;
-  answer.link_force = p.by_forces.link_force;
-  answer.friction_excess = p.by_forces.friction_excess;
-  for (std::size_t i = 0; i < by_motion.velocity.size(); ++i) {
-    answer.vx.push_back(by_motion.velocity[i].x);
-    answer.vy.push_back(by_motion.velocity[i].y);
-    answer.vz.push_back(by_motion.velocity[i].z);
-    answer.omega_x.push_back(by_motion.spin[i].x);
-    answer.omega_y.push_back(by_motion.spin[i].y);
-    answer.omega.push_back(by_motion.spin[i].z);
-  }
+  p.write(by_motion, answer);
   return answer;
 }
 
@@ -382,8 +312,11 @@ LimitResult limit_of(const Model& model, const LimitOptions& options, const Sear
                "\" is a share of the blocks' weight",
            "give gravity, or push with a force");
   const auto start = std::chrono::steady_clock::now();
-  LimitResult answer = model.in_space() ? limit_in_space(model, options, search, monitor)
-                                        : limit_in_plane(model, options, search, monitor);
+  if (model.in_space() && options.crushing == CrushingChoice::kStressBlock)
+    refuse("crushing", "stress block", "is for walls in their plane",
+           "let each contact point carry its share of fc A");
+  LimitResult answer = model.in_space() ? limit_in<InSpace>(model, options, search, monitor)
+                                        : limit_in<InPlane>(model, options, search, monitor);
   answer.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return answer;
 }

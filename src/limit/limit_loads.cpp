@@ -18,26 +18,8 @@
 namespace wythe::limit {
 namespace {
 
-// Gravity after the stages before the growing one; a body force or a tilt stays in force. Tests
-// built in code may omit gravity; then blocks have no weight.
-Vec2 gravity_before(const Model& model, const Stage* grows) {
-  const double g = model.solve.gravity;
-  Vec2 gravity;
-  for (const Stage& s : model.stages) {
-    const bool now = &s == grows;
-    if (s.spec.kind() == StageKind::kGravity || (now && is_factor(s))) gravity = {0, -g};
-    if (now) break;
-    if (const auto* force = std::get_if<BodyForceStage>(&s.spec.action))
-      gravity = {g * force->factor * s.drive_x, -g};
-    if (const auto* tilt = std::get_if<TiltStage>(&s.spec.action))
-      gravity = {g * elementary::sin(tilt->tilt_until) * s.drive_x,
-                 -g * elementary::cos(tilt->tilt_until)};
-  }
-  return gravity;
-}
-
 void add_dead_loads(const Model& model, double secant, LimitLoads& loads) {
-  const Vec2 gravity = gravity_before(model, loads.stage);
+  const Vec3 gravity = gravity_before(model, loads.stage);
   for (std::size_t i = 0; i < loads.dead.size(); ++i) {
     loads.dead[i].fx += gravity.x * model.gravity_mass[i];
     loads.dead[i].fy += gravity.y * model.gravity_mass[i];
@@ -144,6 +126,22 @@ void add_joint(const Solids& s, std::size_t c, BlockId body, Model& model) {
 }
 
 }  // namespace
+
+Vec3 gravity_before(const Model& model, const Stage* grows) {
+  const double g = model.solve.gravity;
+  Vec3 gravity;
+  for (const Stage& s : model.stages) {
+    const bool now = &s == grows;
+    if (s.spec.kind() == StageKind::kGravity || (now && is_factor(s))) gravity = {0, -g, 0};
+    if (now) break;
+    if (const auto* force = std::get_if<BodyForceStage>(&s.spec.action))
+      gravity = Vec3{0, -g, 0} + g * force->factor * s.drive();
+    if (const auto* tilt = std::get_if<TiltStage>(&s.spec.action))
+      gravity = g * elementary::sin(tilt->tilt_until) * s.drive() +
+                Vec3{0, -g * elementary::cos(tilt->tilt_until), 0};
+  }
+  return gravity;
+}
 
 bool has_weight(const Model& model, const Stage* grows) {
   if (!(model.solve.gravity > 0)) return false;

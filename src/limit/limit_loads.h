@@ -34,6 +34,9 @@ struct LimitLoads {
 // when no stage grows.
 [[nodiscard]] LimitLoads limit_loads(const Model& model, double secant = 1,
                                      bool loads_are_masses = false);
+// Gravity after the stages before the growing one; a body force or a tilt stays in force. Tests
+// built in code may omit gravity; then blocks have no weight.
+[[nodiscard]] Vec3 gravity_before(const Model& model, const Stage* grows);
 // Whether a push goes against its direction, since all its targets lie behind it.
 [[nodiscard]] bool goes_back(const Stage& push);
 // Whether a stage applies a non-zero weight of blocks before `grows` ends.

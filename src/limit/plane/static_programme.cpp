@@ -16,15 +16,14 @@ namespace {
 constexpr int kRounds = 60;        // of tangents; the tuff wall needs about 10
 constexpr double kSettled = 1e-8;  // a round that changes the load by less is the last
 
-class StaticProgramme {
+class StaticProgramme : public StaticRows<3> {
  public:
   StaticProgramme(const Model& m, const LimitLoads& loads, const YieldModel& y, const Units& units)
-      : m_(m), loads_(loads), y_(y), u_(units), balance_(3 * static_cast<std::size_t>(m.n_block)) {}
+      : StaticRows(m, units, loads.is_force), loads_(loads), y_(y) {}
 
-  // The load is a variable for kLoad only, else it is zero; for kUnbalanced, unbalanced forces have a cost.
+  // For kUnbalanced, unbalanced forces have a cost.
   void build(Purpose purpose) {
-    const bool grows = purpose == Purpose::kLoad;
-    load_ = lp_.add_column(grows ? -kFree : 0, grows ? kFree : 0, grows ? -1 : 0);
+    add_load(purpose);
     for (int j = 0; j < m_.n_joint; ++j) add_joint(j);
     for (std::size_t k = 0; k < y_.link.size(); ++k) add_link(k);
     add_loads();
@@ -47,58 +46,24 @@ class StaticProgramme {
 
   StaticSolution solve(const Monitor& monitor, const Tolerance& tolerance) {
     StaticSolution answer;
-    answer.status = lp_.solve(monitor, tolerance);
-    answer.accuracy = lp_.accuracy();
-    answer.error = lp_.error() * (loads_.is_force ? u_.force : 1.0);
-    answer.rows = lp_.rows();
-    answer.columns = lp_.columns();
-    if (answer.status == ProgrammeStatus::kUnbounded) answer.ray = lp_.ray();
-    if (answer.status != ProgrammeStatus::kOptimal) return answer;
+    if (!solve_for(answer, monitor, tolerance, [this](int j) { return shear(j); })) return answer;
     const std::vector<double>& x = lp_.solution();
-    answer.load = x[load_] * (loads_.is_force ? u_.force : 1.0);
     for (int j = 0; j < m_.n_joint; ++j) {
       answer.shear.push_back(x[shear(j)] * u_.force);
       for (std::size_t k = 0; k < y_.points(); ++k)
         answer.point_force.push_back(x[point(j, k)] * u_.force);
     }
-    for (std::size_t k = 0; k < y_.link.size(); ++k)
-      answer.link_force.push_back(x[static_cast<std::size_t>(shear(m_.n_joint)) + k] * u_.force);
-    answer.dual = mechanism(answer);
+    add_motion(answer.dual);
     return answer;
   }
 
-  // After build(Purpose::kRest).
-  ProgrammeStatus stands(const Monitor& monitor) { return solve_rest(lp_, monitor); }
-
-  // The largest unbalanced force, after build(Purpose::kUnbalanced).
-  Unbalanced worst(const Monitor& monitor) {
-    Unbalanced found;
-    found.status = lp_.solve(monitor);
-    if (found.status != ProgrammeStatus::kOptimal) return found;
-    const std::vector<double>& x = lp_.solution();
-    double total = 0;
-    for (std::size_t row = 0; row < balance_.size(); ++row) {
-      const double unbalanced = x[slack_ + 2 * row] + x[slack_ + 2 * row + 1];
-      total += unbalanced;
-      if (unbalanced * u_.force > found.force)
-        found = {found.status, static_cast<BlockId>(row / 3), unbalanced * u_.force};
-    }
-    if (total < kBalanced) return {found.status};
-    return found;
-  }
-
  private:
-  [[nodiscard]] KinematicSolution mechanism(const StaticSolution& forces) const {
-    KinematicSolution m;
-    m.status = forces.status;
-    m.accuracy = forces.accuracy;
-    m.load = -lp_.dual_objective() * (loads_.is_force ? u_.force : 1.0);
+  void add_motion(KinematicSolution& m) const {
     const double scale = loads_.is_force ? 1.0 : 1.0 / u_.force;
     const auto velocity = [&](std::size_t block, std::size_t axis) {
       const int row = balance_row_[3 * block + axis];
       return row < 0 ? 0.0 : scale * lp_.multipliers()[row];
     };
-    m.dissipation = m.load;
     for (std::size_t i = 0; i < loads_.dead.size(); ++i) {
       m.vx.push_back(velocity(i, 0));
       m.vy.push_back(velocity(i, 1));
@@ -106,7 +71,6 @@ class StaticProgramme {
       const BlockForce& f = loads_.dead[i];
       m.dissipation += f.fx * m.vx[i] + f.fy * m.vy[i] + f.moment * m.omega[i];
     }
-    return m;
   }
 
   [[nodiscard]] int shear(int j) const { return 1 + j * static_cast<int>(1 + y_.points()); }
@@ -171,14 +135,6 @@ class StaticProgramme {
     sum_ = sum;
   }
 
-  void add_slack() {
-    slack_ = static_cast<std::size_t>(lp_.columns());
-    for (std::size_t row = 0; row < balance_.size(); ++row) {
-      for (const double sign : {1.0, -1.0})
-        balance_[row].push_back({lp_.add_column(0, kFree, 1), sign});
-    }
-  }
-
   [[nodiscard]] bool is_held(std::size_t block, int axis) const {
     if (axis == 2) return loads_.held_turn[block] != 0;
     const bool across = loads_.stage->drive_x != 0 ? axis == 1 : axis == 0;
@@ -208,16 +164,9 @@ class StaticProgramme {
     }
   }
 
-  const Model& m_;
   const LimitLoads& loads_;
   const YieldModel& y_;
-  Units u_;
-  LinearProgramme lp_;
-  std::vector<std::vector<Entry>> balance_;  // rows x, y, moment of each block
-  std::vector<int> balance_row_;             // of the programme; -1: held
-  std::vector<Entry> sum_;
-  int load_ = 0;
-  std::size_t slack_ = 0, tangents_ = 0;
+  std::size_t tangents_ = 0;
 };
 
 }  // namespace
