@@ -22,14 +22,9 @@ struct DashpotState {
 };
 
 inline DashpotState::Twist twist_of(std::ptrdiff_t i, const WallView& w) {
-  Inertia<double> body;
-  for (int k = 0; k < 3; ++k) {
-    const auto axis = [&](int c) { return w.t.axes[w.layout->number(i, kAxisRows, 3 * k + c, 1)]; };
-    body.axis[k] = {axis(0), axis(1), axis(2)};
-    body.inverse[k] = w.body(i, kInverse + k);
-  }
   const Quaternion<double> q = w.turn(i);
-  return {w.body_vector(i, kV), turned(q, body.rate(turned_back(q, w.body_vector(i, kL))))};
+  return {w.body_vector(i, kV),
+          turned(q, inertia_of(i, w).rate(turned_back(q, w.body_vector(i, kL))))};
 }
 
 // Velocity of a support in the last step.

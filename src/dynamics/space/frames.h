@@ -30,12 +30,9 @@ inline double add_frame_forces(const WallView& w, const Model& m, State& s) {
                              {-0.5 * torque, 0, f.lean_stiffness[k] * jump.lean}});
         });
     const std::ptrdiff_t row = w.layout->first_frame + static_cast<std::ptrdiff_t>(k);
-    for (const auto& [rows, v] :
-         {std::pair(w.t.force, loads.f), {w.t.moment_a, loads.on_a}, {w.t.moment_b, loads.on_b}}) {
-      w.column_of(rows, row, 0) = v.x;
-      w.column_of(rows, row, 1) = v.y;
-      w.column_of(rows, row, 2) = v.z;
-    }
+    w.store_vector(loads.f, w.t.force, row);
+    w.store_vector(loads.on_a, w.t.moment_a, row);
+    w.store_vector(loads.on_b, w.t.moment_b, row);
   }
   return yielded;
 }

@@ -73,10 +73,7 @@ SpaceFrame SpaceBodies::frame_of(std::int32_t body, const WallView& wall) const 
   if (support >= m_.space.n_support) return {{0, 0, 0}, {1, {0, 0, 0}}};
   const Vec start = vec(m_.space.centroid[body]);
   if (support < 0) return {start + wall.shift(body), wall.turn(body)};
-  return {start + Vec{wall.column_of(wall.t.support, support, 0),
-                      wall.column_of(wall.t.support, support, 1),
-                      wall.column_of(wall.t.support, support, 2)},
-          {1, {0, 0, 0}}};
+  return {start + wall.vector(wall.t.support, support), {1, {0, 0, 0}}};
 }
 
 Box SpaceBodies::box_of(std::int32_t body, const WallView& wall) const {
@@ -326,11 +323,8 @@ SpaceBodies::Jump SpaceBodies::jump_of(JointId joint, const WallView& wall) cons
   const auto pose = [&](BlockId i) { return contact::Pose<double>{wall.shift(i), wall.turn(i)}; };
   const contact::Pose<double> b = pose(m_.joint_b[j]);
   if (const int support = m_.joint_a[j] - m_.n_block; support >= 0) {
-    const Vec moved{wall.column_of(wall.t.support, support, 0),
-                    wall.column_of(wall.t.support, support, 1),
-                    wall.column_of(wall.t.support, support, 2)};
-    const contact::SupportFace<double> face(moved, b, vec(s.arm_b[j]), vec(s.tangent[j]),
-                                            vec(s.normal[j]));
+    const contact::SupportFace<double> face(wall.vector(wall.t.support, support), b,
+                                            vec(s.arm_b[j]), vec(s.tangent[j]), vec(s.normal[j]));
     return {face.gap(), length(b.q.v)};
   }
   const contact::PairFace<double> face(pose(m_.joint_a[j]), b, vec(s.arm_a[j]), vec(s.arm_b[j]),
@@ -395,12 +389,8 @@ bool SpaceBodies::holds(JointId joint, const WallView& wall) const {
 
 ForceMoment SpaceBodies::joint_force(JointId joint, std::int32_t on, const WallView& wall) const {
   const std::int32_t place = layout_.joint_place[joint];
-  const auto of = [&](double* rows) {
-    return Vec{wall.column_of(rows, place, 0), wall.column_of(rows, place, 1),
-               wall.column_of(rows, place, 2)};
-  };
-  if (m_.joint_a[joint] == on) return {of(wall.t.force), of(wall.t.moment_a)};
-  return {-1.0 * of(wall.t.force), of(wall.t.moment_b)};
+  if (m_.joint_a[joint] == on) return {wall.force(place), wall.vector(wall.t.moment_a, place)};
+  return {-1.0 * wall.force(place), wall.vector(wall.t.moment_b, place)};
 }
 
 double SpaceBodies::elastic_energy(JointId joint, const WallView& wall) const {

@@ -105,16 +105,6 @@ Load<double> sum_forces(std::ptrdiff_t i, const WallView& w) {
   return total;
 }
 
-Inertia<double> inertia_of(std::ptrdiff_t i, const WallView& w) {
-  Inertia<double> body;
-  for (int k = 0; k < 3; ++k) {
-    const auto axis = [&](int c) { return w.t.axes[w.layout->number(i, kAxisRows, 3 * k + c, 1)]; };
-    body.axis[k] = {axis(0), axis(1), axis(2)};
-    body.inverse[k] = w.body(i, kInverse + k);
-  }
-  return body;
-}
-
 // Mean radius of gyration over all axes, which converts moments and rates of rotation.
 double radius_of(std::ptrdiff_t i, const WallView& w) {
   const Vec inertia = w.still_vector(i, kBodyInertia);
@@ -133,25 +123,16 @@ double drive_supports(const Stage& push, const WallView& w, double velocity, Wal
     for (int n = 0; n < chunk.n; ++n) {
       const std::ptrdiff_t j = static_cast<std::ptrdiff_t>(chunk.begin) * w.layout->group() + n;
       if (!w.is_driven_support(w.t.joint_a[j])) continue;
-      const Vec f{w.column_of(w.t.force, j, 0), w.column_of(w.t.force, j, 1),
-                  w.column_of(w.t.force, j, 2)};
-      reaction -= dot(f, p);
+      reaction -= dot(w.force(j), p);
     }
   }
   if (w.first_free >= 0)
-    for (const BlockId id : push.driven)
-      reaction -= dot(Vec{w.column_of(w.t.force, w.first_free + id, 0),
-                          w.column_of(w.t.force, w.first_free + id, 1),
-                          w.column_of(w.t.force, w.first_free + id, 2)},
-                      p);
+    for (const BlockId id : push.driven) reaction -= dot(w.force(w.first_free + id), p);
   const std::vector<BlockId>& pressed = w.contact_block == nullptr ? kNone : *w.contact_block;
   for (std::size_t c = 0; c < pressed.size(); ++c) {
     const std::int32_t support = pressed[c] - w.blocks;
     if (support < 0 || !w.is_driven_support(support)) continue;
-    const std::ptrdiff_t row = w.layout->first_contact + static_cast<std::ptrdiff_t>(c);
-    reaction -= dot(Vec{w.column_of(w.t.force, row, 0), w.column_of(w.t.force, row, 1),
-                        w.column_of(w.t.force, row, 2)},
-                    p);
+    reaction -= dot(w.force(w.layout->first_contact + static_cast<std::ptrdiff_t>(c)), p);
   }
   for (const BlockId id : push.driven)
     for (int c = 0; c < 3; ++c) {
@@ -197,6 +178,16 @@ Free move_freely(std::ptrdiff_t i, const Stage& push, const WallView& w, const V
 }
 
 }  // namespace
+
+Inertia<double> inertia_of(std::ptrdiff_t i, const WallView& w) {
+  Inertia<double> body;
+  for (int k = 0; k < 3; ++k) {
+    const auto axis = [&](int c) { return w.t.axes[w.layout->number(i, kAxisRows, 3 * k + c, 1)]; };
+    body.axis[k] = {axis(0), axis(1), axis(2)};
+    body.inverse[k] = w.body(i, kInverse + k);
+  }
+  return body;
+}
 
 WallView view_of(const Layout& layout, const Model& model, const Tables& tables, int lane) {
   WallView view;
@@ -347,29 +338,11 @@ LinkWork add_link_forces(const WallView& w, double set, double jacked) {
         w.shift(ib), w.turn(ib), Vec{of(kLinkArmBX), of(kLinkArmBY), of(kLinkArmBZ)});
     const contact::SpaceLinkLine line = contact::link_line(
         Vec{of(kLinkSpanX), of(kLinkSpanY), of(kLinkSpanZ)}, of(kLinkFollows) > 0, a, b);
-    const double before = of(kLinkForce);
-    double drawn = of(kLinkDrawn);
-    if (of(kLinkPrestress) != 0) drawn = set * of(kLinkPrestress) / of(kLinkStiffness);
-    if (jacked >= 0 && of(kLinkJack) > 0)
-      drawn = of(kLinkPlastic) - line.elongation - jacked * of(kLinkJack) / of(kLinkStiffness);
-    const contact::LinkForce pull =
-        contact::force_of_link({of(kLinkStiffness), of(kLinkTension), of(kLinkCompression)},
-                               line.elongation, of(kLinkPlastic), drawn);
-    const double mean = 0.5 * (before + pull.force);
-    work.dissipated += mean * pull.flow;
-    work.tensioned += mean * (drawn - of(kLinkDrawn));
-    w.link(k, kLinkForce) = pull.force;
-    w.link(k, kLinkPlastic) = of(kLinkPlastic) + pull.flow;
-    w.link(k, kLinkDrawn) = drawn;
-    const Vec f = pull.force * line.axis;
-    const Vec on_a = cross(a.arm, f), on_b = Vec{0, 0, 0} - cross(b.arm, f);
+    const Vec f = pull_link(w, k, line.elongation, set, jacked, work) * line.axis;
     const std::ptrdiff_t row = w.layout->n_joint + k;
-    for (const auto& [rows, v] :
-         {std::pair(w.t.force, f), {w.t.moment_a, on_a}, {w.t.moment_b, on_b}}) {
-      w.column_of(rows, row, 0) = v.x;
-      w.column_of(rows, row, 1) = v.y;
-      w.column_of(rows, row, 2) = v.z;
-    }
+    w.store_vector(f, w.t.force, row);
+    w.store_vector(cross(a.arm, f), w.t.moment_a, row);
+    w.store_vector(Vec{0, 0, 0} - cross(b.arm, f), w.t.moment_b, row);
   }
   return work;
 }
@@ -438,9 +411,7 @@ double drive(const Stage& push, const WallView& w, double velocity, WallWork& wo
     const double shift[4] = {v.x * dt, v.y * dt, v.z * dt, q1.w - q.w};
     for (int c = 0; c < 4; ++c) w.column_of(w.t.shift, i, c) += shift[c];
     w.column_of(w.t.shift, i, 3) = q1.w;
-    w.column_of(w.t.turn, i, 0) = q1.v.x;
-    w.column_of(w.t.turn, i, 1) = q1.v.y;
-    w.column_of(w.t.turn, i, 2) = q1.v.z;
+    w.store_vector(q1.v, w.t.turn, i);
   }
   return reaction;
 }
@@ -460,8 +431,7 @@ double unbalance_of(const WallView& w, const Model& m, const ZoneRun* zones) {
   for (int j = 0; j < m.n_joint; ++j) {
     const std::int32_t e = w.layout->joint_place[j];
     const double sides = j < m.n_pair ? 2.0 : 1.0;
-    contact += sides * length({w.column_of(w.t.force, e, 0), w.column_of(w.t.force, e, 1),
-                               w.column_of(w.t.force, e, 2)});
+    contact += sides * length(w.force(e));
   }
   for (int k = 0; k < w.links; ++k) {
     const double sides = w.t.link_a[k] == w.t.n_block ? 1.0 : 2.0;
@@ -470,8 +440,7 @@ double unbalance_of(const WallView& w, const Model& m, const ZoneRun* zones) {
   for (int k = 0; k < w.layout->n_frame; ++k) {
     const std::ptrdiff_t row = w.layout->first_frame + k;
     const double sides = m.frames.a[k] == kGroundBlock ? 1.0 : 2.0;
-    contact += sides * length({w.column_of(w.t.force, row, 0), w.column_of(w.t.force, row, 1),
-                               w.column_of(w.t.force, row, 2)});
+    contact += sides * length(w.force(row));
   }
   for (int i = 0; w.first_free >= 0 && i < w.blocks; ++i)
     contact += w.column_of(w.t.force, w.first_free + i, 3);
@@ -496,28 +465,16 @@ double kinetic_of(const WallView& w, double mass_scaling) {
 
 double shear_of(const WallView& w, const Model& m, const Vec3& along) {
   double sum = 0;  // the force on side a, the support, resists with the opposite sign
+  const auto add = [&](std::ptrdiff_t row) { sum += dot(w.force(row), vec(along)); };
   for (int j = m.n_pair; j < m.n_joint; ++j) {
     const std::int32_t e = w.layout->joint_place[j];
-    if (w.is_driven_support(w.t.joint_a[e])) continue;
-    sum += w.column_of(w.t.force, e, 0) * along.x + w.column_of(w.t.force, e, 1) * along.y +
-           w.column_of(w.t.force, e, 2) * along.z;
+    if (!w.is_driven_support(w.t.joint_a[e])) add(e);
   }
-  for (int k = 0; k < w.links; ++k) {
-    const std::ptrdiff_t e = w.layout->n_joint + k;
-    if (w.t.link_a[k] == w.t.n_block)
-      sum += w.column_of(w.t.force, e, 0) * along.x + w.column_of(w.t.force, e, 1) * along.y +
-             w.column_of(w.t.force, e, 2) * along.z;
-  }
-  for (int k = 0; k < w.layout->n_frame; ++k) {
-    if (m.frames.a[k] != kGroundBlock) continue;
-    const std::ptrdiff_t row = w.layout->first_frame + k;
-    sum += w.column_of(w.t.force, row, 0) * along.x + w.column_of(w.t.force, row, 1) * along.y +
-           w.column_of(w.t.force, row, 2) * along.z;
-  }
-  for (int i = w.blocks; i < w.bodies; ++i)
-    sum += w.column_of(w.t.force, w.first_free + i, 0) * along.x +
-           w.column_of(w.t.force, w.first_free + i, 1) * along.y +
-           w.column_of(w.t.force, w.first_free + i, 2) * along.z;
+  for (int k = 0; k < w.links; ++k)
+    if (w.t.link_a[k] == w.t.n_block) add(w.layout->n_joint + k);
+  for (int k = 0; k < w.layout->n_frame; ++k)
+    if (m.frames.a[k] == kGroundBlock) add(w.layout->first_frame + k);
+  for (int i = w.blocks; i < w.bodies; ++i) add(w.first_free + i);
   return sum;
 }
 

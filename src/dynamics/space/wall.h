@@ -51,15 +51,20 @@ struct WallView {
   [[nodiscard]] double& column_of(double* rows, std::ptrdiff_t e, int c) const {
     return rows[(4 * e + c) * t.lanes + lane];
   }
+  // Its first three columns.
+  [[nodiscard]] Vec vector(double* rows, std::ptrdiff_t e) const {
+    return {column_of(rows, e, 0), column_of(rows, e, 1), column_of(rows, e, 2)};
+  }
+  void store_vector(const Vec& v, double* rows, std::ptrdiff_t e) const {
+    column_of(rows, e, 0) = v.x, column_of(rows, e, 1) = v.y, column_of(rows, e, 2) = v.z;
+  }
+  [[nodiscard]] Vec force(std::ptrdiff_t row) const { return vector(t.force, row); }
   [[nodiscard]] bool is_driven_support(std::int32_t support) const {
     return column_of(t.support, support, kDriven) > 0;
   }
-  [[nodiscard]] Vec shift(std::ptrdiff_t i) const {
-    return {column_of(t.shift, i, 0), column_of(t.shift, i, 1), column_of(t.shift, i, 2)};
-  }
+  [[nodiscard]] Vec shift(std::ptrdiff_t i) const { return vector(t.shift, i); }
   [[nodiscard]] Quaternion<double> turn(std::ptrdiff_t i) const {
-    return {column_of(t.shift, i, 3),
-            {column_of(t.turn, i, 0), column_of(t.turn, i, 1), column_of(t.turn, i, 2)}};
+    return {column_of(t.shift, i, 3), vector(t.turn, i)};
   }
   [[nodiscard]] double& wall_value(int row) const { return t.wall[row * t.lanes + lane]; }
   [[nodiscard]] Vec gravity() const {
@@ -84,6 +89,7 @@ void release(const WallView& wall, const State& state, double share);
 // Stores motion and history of a lane into the state's arrays.
 void store_lane(const WallView& wall, const Model& model, State& state);
 
+[[nodiscard]] Inertia<double> inertia_of(std::ptrdiff_t i, const WallView& wall);
 // Pose of block i in the step before (turning.h).
 [[nodiscard]] contact::Pose<double> pose_before(std::ptrdiff_t i, const WallView& wall);
 void set_rates(const WallView& wall, double dt, double mass_scaling);

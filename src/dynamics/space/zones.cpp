@@ -175,11 +175,8 @@ void ZoneRun::ask(std::size_t c, const WallView& w, JointWork<double>& work) {
   }
   std::copy_n(side, 4, side_force_.begin() + static_cast<std::ptrdiff_t>(4 * c));
   const std::ptrdiff_t row = w.layout->first_contact + static_cast<std::ptrdiff_t>(c);
-  for (const auto& [rows, v] : {std::pair(w.t.force, sum), {w.t.moment_a, moment}}) {
-    w.column_of(rows, row, 0) = v.x;
-    w.column_of(rows, row, 1) = v.y;
-    w.column_of(rows, row, 2) = v.z;
-  }
+  w.store_vector(sum, w.t.force, row);
+  w.store_vector(moment, w.t.moment_a, row);
 }
 
 void ZoneRun::press(const WallView& wall, Workers* workers) {
@@ -235,10 +232,8 @@ double ZoneRun::unbalanced() const {
 double ZoneRun::pressed(const WallView& w) const {
   double sum = 0;
   for (int c = 0; c < s_.n_contact; ++c) {
-    const std::ptrdiff_t row = w.layout->first_contact + c;
     const double sides = s_.contact_block[c] < w.blocks ? 2.0 : 1.0;
-    sum += sides * length_of({w.column_of(w.t.force, row, 0), w.column_of(w.t.force, row, 1),
-                              w.column_of(w.t.force, row, 2)});
+    sum += sides * length_of(w.force(w.layout->first_contact + c));
   }
   return sum;
 }
@@ -255,9 +250,7 @@ double ZoneRun::shear(const WallView& w, const Vec3& along) const {
   for (int c = 0; c < s_.n_contact; ++c) {
     const std::int32_t support = s_.contact_block[c] - w.blocks;
     if (support < 0 || w.is_driven_support(support)) continue;
-    const std::ptrdiff_t row = w.layout->first_contact + c;
-    sum += w.column_of(w.t.force, row, 0) * along.x + w.column_of(w.t.force, row, 1) * along.y +
-           w.column_of(w.t.force, row, 2) * along.z;
+    sum += dot(w.force(w.layout->first_contact + c), vec(along));
   }
   return sum;
 }
