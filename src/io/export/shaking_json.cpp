@@ -53,28 +53,21 @@ Json counts_json(const LimitStateFragility& f, const std::string& unit) {
 
 // `above`: null where the end was not reached.
 Json brackets_json(const LimitStateFragility& f, const std::string& unit) {
-  Json list = Json::array();
-  for (const Bracket& b : f.bracket)
-    list.push_back({{"sample", b.sample},
-                    {"wall", b.wall + 1},
-                    {"record", b.record + 1},
-                    {"not_at" + unit, number(b.low)},
-                    {"reached_at" + unit, number(b.high)},
-                    {"known", b.is_known},
-                    {"came_back", b.came_back}});
-  return list;
+  return io::list_of(f.bracket, [&](const Bracket& b) -> Json {
+    return {{"sample", b.sample},
+            {"wall", b.wall + 1},
+            {"record", b.record + 1},
+            {"not_at" + unit, number(b.low)},
+            {"reached_at" + unit, number(b.high)},
+            {"known", b.is_known},
+            {"came_back", b.came_back}};
+  });
 }
 
 Json curve_json(const LimitStateFragility& f, const std::string& unit) {
   Json json = Json::object();
-  for (const char* key : {"probability", "low", "high"}) json[key] = Json::array();
-  Json& x = json["intensity" + unit] = Json::array();
-  for (const FragilityPoint& p : f.curve) {
-    x.push_back(number(p.x));
-    json["probability"].push_back(number(p.probability.value));
-    json["low"].push_back(number(p.probability.interval.low));
-    json["high"].push_back(number(p.probability.interval.high));
-  }
+  add_probabilities(json, f.curve);
+  json["intensity" + unit] = list_of(f.curve, [](const FragilityPoint& p) { return number(p.x); });
   return json;
 }
 

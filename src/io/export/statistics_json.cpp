@@ -77,24 +77,17 @@ Json samples_json(const Statistics& s) {
 }
 
 Json inputs_json(const Statistics& s) {
-  Json list = Json::array();
-  for (const InputSummary& in : s.input) {
-    list.push_back({{"name", in.name},
-                    {"unit", in.unit},
-                    {"random", in.is_random},
-                    {"mean", number(in.mean)},
-                    {"cov", number(in.cov)},
-                    {"min", number(in.min)},
-                    {"max", number(in.max)}});
-  }
-  return list;
+  return io::list_of(s.input, [&](const InputSummary& in) -> Json {
+    return {{"name", in.name},         {"unit", in.unit},       {"random", in.is_random},
+            {"mean", number(in.mean)}, {"cov", number(in.cov)}, {"min", number(in.min)},
+            {"max", number(in.max)}};
+  });
 }
 
 Json input_correlation_json(const Statistics& s) {
-  Json list = Json::array();
-  for (const InputCorrelation& c : s.input_correlation)
-    list.push_back({{"a", c.a}, {"b", c.b}, {"spearman", number(c.rank)}});
-  return list;
+  return io::list_of(s.input_correlation, [&](const InputCorrelation& c) -> Json {
+    return {{"a", c.a}, {"b", c.b}, {"spearman", number(c.rank)}};
+  });
 }
 
 Json shares_json(const Statistics& s) {
@@ -200,16 +193,14 @@ Json walls_json(const WallEnsemble& walls) {
 
 Json precision_json(const Statistics& s) {
   const auto size = [](int n) { return n > 0 ? Json(n) : Json(nullptr); };
-  Json list = Json::array();
-  for (const Precision& p : s.precision) {
-    list.push_back({{"what", p.what},
-                    {"half_width_asked", p.target},
-                    {"half_width_now", number(p.now)},
-                    {"first_met_at", size(p.first_met)},
-                    {"held_from", size(p.held_from)},
-                    {"expected_at", size(p.expected)}});
-  }
-  return list;
+  return io::list_of(s.precision, [&](const Precision& p) -> Json {
+    return {{"what", p.what},
+            {"half_width_asked", p.target},
+            {"half_width_now", number(p.now)},
+            {"first_met_at", size(p.first_met)},
+            {"held_from", size(p.held_from)},
+            {"expected_at", size(p.expected)}};
+  });
 }
 
 Json correlation_json(const Statistics& s) {
@@ -264,21 +255,17 @@ Json modes_json(const Statistics& s) {
 }
 
 Json mean_curve_json(const MeanCurve& curve) {
-  Json json = {{"curves", curve.n}};
-  for (const char* key :
-       {"displacement_mm", "drift_percent", "n", "reaction_mean_kN",
-        "reaction_standard_deviation_kN", "reaction_5_percent_kN", "reaction_95_percent_kN"})
-    json[key] = Json::array();
-  for (const CurvePoint& p : curve.point) {
-    json["displacement_mm"].push_back(number(p.displacement * 1e3));
-    json["drift_percent"].push_back(number(p.drift * 1e2));
-    json["n"].push_back(p.n);
-    json["reaction_mean_kN"].push_back(number(p.mean * 1e-3));
-    json["reaction_standard_deviation_kN"].push_back(number(p.standard_deviation * 1e-3));
-    json["reaction_5_percent_kN"].push_back(number(p.low * 1e-3));
-    json["reaction_95_percent_kN"].push_back(number(p.high * 1e-3));
-  }
-  return json;
+  const auto column = [&](double CurvePoint::*value, double to_unit) {
+    return list_of(curve.point, [&](const CurvePoint& p) { return number(p.*value * to_unit); });
+  };
+  return {{"curves", curve.n},
+          {"displacement_mm", column(&CurvePoint::displacement, 1e3)},
+          {"drift_percent", column(&CurvePoint::drift, 1e2)},
+          {"n", list_of(curve.point, &CurvePoint::n)},
+          {"reaction_mean_kN", column(&CurvePoint::mean, 1e-3)},
+          {"reaction_standard_deviation_kN", column(&CurvePoint::standard_deviation, 1e-3)},
+          {"reaction_5_percent_kN", column(&CurvePoint::low, 1e-3)},
+          {"reaction_95_percent_kN", column(&CurvePoint::high, 1e-3)}};
 }
 
 Json drift_limits_json(const Statistics& s) {
@@ -342,17 +329,11 @@ Json fragility_input_json(const FragilityOfInput& of) {
                {"entangled_with", of.entangled}};
   if (of.verdict == FragilityVerdict::kSeparated)
     json["parted_between"] = pair({of.parted_low, of.parted_high});
-  json["fits"] = Json::array();
-  for (const FragilityFit& fit : of.fit) json["fits"].push_back(fit_json(fit));
+  json["fits"] = list_of(of.fit, fit_json);
   if (of.point.empty()) return json;
   Json& curve = json["curve"] = {{"law", word_of(kFragilityLawWords, of.fit.front().law)}};
-  for (const char* key : {"input", "probability", "low", "high"}) curve[key] = Json::array();
-  for (const FragilityPoint& p : of.point) {
-    curve["input"].push_back(number(p.x));
-    curve["probability"].push_back(number(p.probability.value));
-    curve["low"].push_back(number(p.probability.interval.low));
-    curve["high"].push_back(number(p.probability.interval.high));
-  }
+  curve["input"] = list_of(of.point, [](const FragilityPoint& p) { return number(p.x); });
+  add_probabilities(curve, of.point);
   return json;
 }
 

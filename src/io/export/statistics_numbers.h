@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/number.h"
+#include "io/results/message_json.h"
 #include "wythe/parts/statistics.h"
 
 namespace wythe::io {
@@ -24,6 +25,15 @@ inline Json pair(const Interval& interval, double scale = 1) {
 inline void add(Json& json, const std::string& key, const Estimate& estimate, double scale = 1) {
   json[key] = number(estimate.value * scale);
   json[key + "_interval"] = pair(estimate.interval, scale);
+}
+// Probabilities of a fragility with their intervals, point by point.
+inline void add_probabilities(Json& json, const std::vector<FragilityPoint>& points) {
+  const auto each = [&](const auto& value) {
+    return list_of(points, [&](const FragilityPoint& p) { return number(value(p.probability)); });
+  };
+  json["probability"] = each([](const Estimate& e) { return e.value; });
+  json["low"] = each([](const Estimate& e) { return e.interval.low; });
+  json["high"] = each([](const Estimate& e) { return e.interval.high; });
 }
 
 }  // namespace wythe::io

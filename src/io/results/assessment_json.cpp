@@ -33,24 +33,23 @@ Json criteria_json(const LimitStateCheck& check) {
 }
 
 Json limit_states_json(const CodeAssessment& a) {
-  Json list = Json::array();
-  for (const LimitStateCheck& check : a.limit_states)
-    list.push_back({{"state", word_of(kLimitStateWords, check.state)},
-                    {"is_checked", check.is_asked},
-                    {"verdict", word_of(kAssessmentVerdictWords, check.verdict)},
-                    {"displacement_mm", check.displacement * 1e3},
-                    {"drift_percent", check.drift * 1e2},
-                    {"at_least", check.at_least},
-                    {"governing", check.governing},
-                    {"capacity_over_demand", check.ratio},
-                    {"spectrum_factor", check.scale},
-                    {"pga_g", check.acceleration / kStandardGravity},
-                    {"ground_acceleration_g", check.rock_acceleration / kStandardGravity},
-                    {"demand_pga_g", check.demand_acceleration / kStandardGravity},
-                    {"demand_displacement_mm", check.demand_displacement * 1e3},
-                    {"q", check.q},
-                    {"criteria", criteria_json(check)}});
-  return list;
+  return io::list_of(a.limit_states, [&](const LimitStateCheck& check) -> Json {
+    return {{"state", word_of(kLimitStateWords, check.state)},
+            {"is_checked", check.is_asked},
+            {"verdict", word_of(kAssessmentVerdictWords, check.verdict)},
+            {"displacement_mm", check.displacement * 1e3},
+            {"drift_percent", check.drift * 1e2},
+            {"at_least", check.at_least},
+            {"governing", check.governing},
+            {"capacity_over_demand", check.ratio},
+            {"spectrum_factor", check.scale},
+            {"pga_g", check.acceleration / kStandardGravity},
+            {"ground_acceleration_g", check.rock_acceleration / kStandardGravity},
+            {"demand_pga_g", check.demand_acceleration / kStandardGravity},
+            {"demand_displacement_mm", check.demand_displacement * 1e3},
+            {"q", check.q},
+            {"criteria", criteria_json(check)}};
+  });
 }
 
 Json mass_json(const MassAndShape& m) {
@@ -85,14 +84,10 @@ Json spectrum_json(const ElasticSpectrum& s) {
     if (corner < last) periods.push_back(corner);
   std::sort(periods.begin(), periods.end());
   periods.erase(std::unique(periods.begin(), periods.end()), periods.end());
-  Json acceleration = Json::array(), displacement = Json::array();
-  for (const double T : periods) {
-    acceleration.push_back(s.acceleration(T) / kStandardGravity);
-    displacement.push_back(s.displacement(T) * 1e3);
-  }
   json["period_s"] = periods;
-  json["acceleration_g"] = acceleration;
-  json["displacement_mm"] = displacement;
+  json["acceleration_g"] =
+      list_of(periods, [&](double T) { return s.acceleration(T) / kStandardGravity; });
+  json["displacement_mm"] = list_of(periods, [&](double T) { return s.displacement(T) * 1e3; });
   return json;
 }
 
@@ -149,19 +144,13 @@ Json fragility_json(const PgaFragility& f) {
   json["beta"] = number(f.beta);
   json["demand_pga_g"] = number(f.demand * kToG);
   add(json, "probability_at_demand", f.at_demand);
-  for (const char* key : {"pga_g", "probability", "low", "high"})
-    json["curve"][key] = Json::array();
-  for (const FragilityPoint& p : f.curve) {
-    json["curve"]["pga_g"].push_back(number(p.x * kToG));
-    json["curve"]["probability"].push_back(number(p.probability.value));
-    json["curve"]["low"].push_back(number(p.probability.interval.low));
-    json["curve"]["high"].push_back(number(p.probability.interval.high));
-  }
-  for (const char* key : {"pga_g", "share_reached"}) json["samples"][key] = Json::array();
-  for (const ExceedancePoint& p : f.point) {
-    json["samples"]["pga_g"].push_back(number(p.value * kToG));
-    json["samples"]["share_reached"].push_back(number(1 - p.probability.value));
-  }
+  json["curve"]["pga_g"] =
+      list_of(f.curve, [&](const FragilityPoint& p) { return number(p.x * kToG); });
+  add_probabilities(json["curve"], f.curve);
+  json["samples"] = {
+      {"pga_g", list_of(f.point, [&](const auto& p) { return number(p.value * kToG); })},
+      {"share_reached",
+       list_of(f.point, [](const auto& p) { return number(1 - p.probability.value); })}};
   return json;
 }
 
@@ -179,8 +168,7 @@ Json assessment_json(const CampaignAssessment& a) {
   put(json, "cautions", cautions_of(a));
   put(json, "reason", a.reason);
   put(json, "notes", a.notes);
-  json["limit_states"] = Json::array();
-  for (const PgaFragility& f : a.fragility) json["limit_states"].push_back(fragility_json(f));
+  json["limit_states"] = list_of(a.fragility, fragility_json);
   return json;
 }
 

@@ -19,53 +19,36 @@ constexpr double kMilli = 1e3, kPerKilo = 1e-3;
 
 Json point_json(Vec2 p) { return {p.x, p.y}; }
 
-Json points_json(const std::vector<Vec2>& points) {
-  Json list = Json::array();
-  for (const Vec2& p : points) list.push_back(point_json(p));
-  return list;
-}
+Json points_json(const std::vector<Vec2>& points) { return io::list_of(points, point_json); }
 
 Json forces_json(const std::vector<Vec2>& forces) {
-  Json list = Json::array();
-  for (const Vec2& f : forces) list.push_back({f.x * kPerKilo, f.y * kPerKilo});
-  return list;
+  return io::list_of(forces, [](Vec2 f) -> Json { return {f.x * kPerKilo, f.y * kPerKilo}; });
 }
 
 // An infinite strength has no number in JSON.
 Json number_json(double value) { return std::isfinite(value) ? Json(value) : Json("unlimited"); }
 
 Json bodies_json(const Chain& chain) {
-  Json list = Json::array();
-  for (const MacroBlock& body : chain.bodies) {
-    Json loads = Json::array();
-    for (const BodyLoad& load : body.loads)
-      loads.push_back({{"kind", load.is_weight ? "self-weight" : "dead load"},
-                       {"at_m", point_json(load.at)},
-                       {"fx_kN", load.fx * kPerKilo},
-                       {"fy_kN", load.fy * kPerKilo}});
-    list.push_back(
-        {{"name", body.name}, {"outline_m", points_json(body.outline)}, {"loads", loads}});
-  }
-  return list;
+  return io::list_of(chain.bodies, [](const MacroBlock& body) -> Json {
+    const Json loads = io::list_of(body.loads, [](const BodyLoad& load) -> Json {
+      return {{"kind", load.is_weight ? "self-weight" : "dead load"},
+              {"at_m", point_json(load.at)},
+              {"fx_kN", load.fx * kPerKilo},
+              {"fy_kN", load.fy * kPerKilo}};
+    });
+    return {{"name", body.name}, {"outline_m", points_json(body.outline)}, {"loads", loads}};
+  });
 }
 
 // One array for each quantity with one entry for each state, for pages that draw the moving bodies.
 Json curve_json(const CapacityCurve& curve) {
-  Json displacement = Json::array(), force = Json::array(), rotation = Json::array(),
-       rate = Json::array(), hinges = Json::array();
-  for (const ChainState& s : curve.states) {
-    displacement.push_back(s.displacement * kMilli);
-    force.push_back(s.force * kPerKilo);
-    rotation.push_back(s.rotation);
-    rate.push_back(s.rate);
-    hinges.push_back(points_json(s.hinges));
-  }
+  const auto hinges = [](const ChainState& s) { return points_json(s.hinges); };
   return {{"ends_where", word_of(kChainEndWords, curve.end)},
-          {"displacement_mm", displacement},
-          {"force_kN", force},
-          {"rotation_rad", rotation},
-          {"rotation_ratio", rate},
-          {"hinges_m", hinges}};
+          {"displacement_mm", io::column_of(curve.states, &ChainState::displacement, kMilli)},
+          {"force_kN", io::column_of(curve.states, &ChainState::force, kPerKilo)},
+          {"rotation_rad", io::list_of(curve.states, &ChainState::rotation)},
+          {"rotation_ratio", io::list_of(curve.states, &ChainState::rate)},
+          {"hinges_m", io::list_of(curve.states, hinges)}};
 }
 
 Json assessment_json(const Assessment& a, const LimitStateShares& shares) {
@@ -163,57 +146,42 @@ Json limit_json(const NamedLimit& limit) {
 }
 
 Json rows_json(const std::vector<CurveRow>& rows) {
-  Json displacement = Json::array(), force = Json::array();
-  for (const CurveRow& row : rows) {
-    displacement.push_back(row.displacement * kMilli);
-    force.push_back(row.reaction * kPerKilo);
-  }
-  return {{"displacement_mm", displacement}, {"force_kN", force}};
+  return {{"displacement_mm", io::column_of(rows, &CurveRow::displacement, kMilli)},
+          {"force_kN", io::column_of(rows, &CurveRow::reaction, kPerKilo)}};
 }
 
 Json envelope_json(const std::vector<EnvelopePoint>& points) {
-  Json json{{"displacement_mm", Json::array()},
-            {"low_kN", Json::array()},
-            {"percentile_5_kN", Json::array()},
-            {"mean_kN", Json::array()},
-            {"percentile_95_kN", Json::array()},
-            {"high_kN", Json::array()},
-            {"runs", Json::array()}};
-  for (const EnvelopePoint& p : points) {
-    json["displacement_mm"].push_back(p.displacement * kMilli);
-    json["low_kN"].push_back(p.low * kPerKilo);
-    json["percentile_5_kN"].push_back(p.percentile_5 * kPerKilo);
-    json["mean_kN"].push_back(p.mean * kPerKilo);
-    json["percentile_95_kN"].push_back(p.percentile_95 * kPerKilo);
-    json["high_kN"].push_back(p.high * kPerKilo);
-    json["runs"].push_back(p.runs);
-  }
-  return json;
+  using Point = EnvelopePoint;
+  return {{"displacement_mm", io::column_of(points, &Point::displacement, kMilli)},
+          {"low_kN", io::column_of(points, &Point::low, kPerKilo)},
+          {"percentile_5_kN", io::column_of(points, &Point::percentile_5, kPerKilo)},
+          {"mean_kN", io::column_of(points, &Point::mean, kPerKilo)},
+          {"percentile_95_kN", io::column_of(points, &Point::percentile_95, kPerKilo)},
+          {"high_kN", io::column_of(points, &Point::high, kPerKilo)},
+          {"runs", io::list_of(points, &Point::runs)}};
 }
 
 Json verdicts_json(const Comparison& c) {
-  Json list = Json::array();
-  for (const CurveVerdict& v : c.curves)
-    list.push_back({{"run", v.run},
-                    {"mode", v.mode},
-                    {"mechanism", v.mechanism},
-                    {"peak_ratio", v.peak_ratio},
-                    {"post_peak_gap_kN", v.gap * kPerKilo},
-                    {"post_peak_gap_share_of_peak", v.gap_share}});
-  return list;
+  return io::list_of(c.curves, [&](const CurveVerdict& v) -> Json {
+    return {{"run", v.run},
+            {"mode", v.mode},
+            {"mechanism", v.mechanism},
+            {"peak_ratio", v.peak_ratio},
+            {"post_peak_gap_kN", v.gap * kPerKilo},
+            {"post_peak_gap_share_of_peak", v.gap_share}};
+  });
 }
 
 Json groups_json(const Comparison& c) {
-  Json list = Json::array();
-  for (const GroupVerdict& g : c.groups)
-    list.push_back({{"mode", g.mode},
-                    {"mechanism", g.mechanism},
-                    {"runs", g.runs},
-                    {"mean_peak_kN", g.mean_peak * kPerKilo},
-                    {"mean_peak_ratio", g.peak_ratio},
-                    {"mean_post_peak_gap_kN", g.gap * kPerKilo},
-                    {"mean_post_peak_gap_share_of_peak", g.gap_share}});
-  return list;
+  return io::list_of(c.groups, [&](const GroupVerdict& g) -> Json {
+    return {{"mode", g.mode},
+            {"mechanism", g.mechanism},
+            {"runs", g.runs},
+            {"mean_peak_kN", g.mean_peak * kPerKilo},
+            {"mean_peak_ratio", g.peak_ratio},
+            {"mean_post_peak_gap_kN", g.gap * kPerKilo},
+            {"mean_post_peak_gap_share_of_peak", g.gap_share}};
+  });
 }
 
 Json bounds_json(const Comparison& c) {
@@ -307,8 +275,7 @@ nlohmann::ordered_json io::local_json(const LocalCheck& c) {
                       {"storeys", c.building.storeys},
                       {"part_at_m", known(c.building.height)},
                       {"share_of_first_mode", c.building.share()}};
-  json["limit_states"] = Json::array();
-  for (const LocalStateCheck& s : c.states) json["limit_states"].push_back(local_state_json(s));
+  json["limit_states"] = list_of(c.states, local_state_json);
   return json;
 }
 
@@ -321,10 +288,8 @@ std::string mechanisms_json(const Model& model, const SecondOpinion& opinion) {
       json["mechanisms"].back()["assessment"] =
           assessment_json(opinion.assessments[i], opinion.shares);
   }
-  json["local"] = Json::array();
-  for (const LocalCheck& check : opinion.local) json["local"].push_back(io::local_json(check));
-  json["limit_loads"] = Json::array();
-  for (const NamedLimit& limit : opinion.limits) json["limit_loads"].push_back(limit_json(limit));
+  json["local"] = io::list_of(opinion.local, io::local_json);
+  json["limit_loads"] = io::list_of(opinion.limits, limit_json);
   json["refused"] = Json::array();
   for (const Refusal& r : opinion.refused) {
     io::put(json["refused"].emplace_back(), "what", r.what);

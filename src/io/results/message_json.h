@@ -1,6 +1,7 @@
-// Messages in JSON files: KEY in English, and KEY_message as data.
+// Messages in JSON files: KEY in English, and KEY_message as data. Lists and columns of numbers.
 #pragma once
 
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -9,6 +10,20 @@
 #include "core/messages.h"
 
 namespace wythe::io {
+
+// What `of`, a function or a member, gives for each item.
+template <class Items, class Of>
+nlohmann::ordered_json list_of(const Items& items, const Of& of) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const auto& item : items) list.push_back(std::invoke(of, item));
+  return list;
+}
+// A number of each item, in another unit.
+template <class Item>
+nlohmann::ordered_json column_of(const std::vector<Item>& items, double Item::*value,
+                                 double to_unit = 1) {
+  return list_of(items, [&](const Item& item) { return item.*value * to_unit; });
+}
 
 template <class Json>
 Json data_of(const Message& message) {

@@ -55,16 +55,10 @@ struct Answers {
 };
 
 Json evidence_json(const std::vector<Evidence>& evidence) {
-  Json list = Json::array();
-  for (const Evidence& e : evidence) {
-    list.push_back({{"element", e.element},
-                    {"measure", e.measure},
-                    {"value", e.value},
-                    {"threshold", e.threshold},
-                    {"unit", e.unit},
-                    {"margin", e.margin()}});
-  }
-  return list;
+  return io::list_of(evidence, [&](const Evidence& e) -> Json {
+    return {{"element", e.element},     {"measure", e.measure}, {"value", e.value},
+            {"threshold", e.threshold}, {"unit", e.unit},       {"margin", e.margin()}};
+  });
 }
 
 Json flags_json(const std::vector<Evidence>& flags) {
@@ -140,12 +134,10 @@ Json slow_push_json(const SlowPushVerdict& promise) {
 }
 
 Json features_json(const std::vector<Feature>& features) {
-  Json list = Json::array();
-  for (const Feature& f : features) {
-    list.push_back(
-        {{"name", f.name}, {"displacement_mm", f.displacement * 1e3}, {"value_mm", f.value * 1e3}});
-  }
-  return list;
+  return io::list_of(features, [&](const Feature& f) -> Json {
+    return {
+        {"name", f.name}, {"displacement_mm", f.displacement * 1e3}, {"value_mm", f.value * 1e3}};
+  });
 }
 
 Json events_json(const std::vector<Event>& events) {
@@ -221,15 +213,13 @@ Json layers_json(const Model& model, const Result& result) {
 }
 
 Json stages_json(const std::vector<StageReport>& stages) {
-  Json list = Json::array();
-  for (const StageReport& stage : stages) {
-    list.push_back({{"name", stage.name},
-                    {"time_s", stage.time},
-                    {"steps", stage.steps},
-                    {"unbalance_ratio", stage.unbalance_ratio},
-                    {"settled", stage.settled}});
-  }
-  return list;
+  return io::list_of(stages, [&](const StageReport& stage) -> Json {
+    return {{"name", stage.name},
+            {"time_s", stage.time},
+            {"steps", stage.steps},
+            {"unbalance_ratio", stage.unbalance_ratio},
+            {"settled", stage.settled}};
+  });
 }
 
 Json provenance_json(std::uint64_t spec_hash) {
@@ -240,49 +230,37 @@ Json provenance_json(std::uint64_t spec_hash) {
 }
 
 Json falls_json(const std::vector<FallTo>& falls) {
-  Json list = Json::array();
-  for (const FallTo& fall : falls) {
-    list.push_back({{"fraction", fall.fraction},
-                    {"displacement_mm", fall.displacement * 1e3},
-                    {"drift_percent", fall.drift * 1e2},
-                    {"censored", fall.censored},
-                    {"first_mm", fall.first * 1e3},
-                    {"last_mm", fall.last * 1e3}});
-  }
-  return list;
+  return io::list_of(falls, [&](const FallTo& fall) -> Json {
+    return {{"fraction", fall.fraction},         {"displacement_mm", fall.displacement * 1e3},
+            {"drift_percent", fall.drift * 1e2}, {"censored", fall.censored},
+            {"first_mm", fall.first * 1e3},      {"last_mm", fall.last * 1e3}};
+  });
 }
 
 // d(r): arrays of equal length, by the remaining share of the peak; for a push, or for one of its directions.
 template <class Readings>
 Json drift_capacity_json(const Readings& r) {
-  Json json = {{"left", Json::array()},
-               {"first_mm", Json::array()},
-               {"lasting_mm", Json::array()},
-               {"last_mm", Json::array()},
-               {"lasting_drift_percent", Json::array()},
-               {"censored_first", Json::array()},
-               {"censored_last", Json::array()},
-               {"censored", Json::array()}};
-  for (const FallTo& fall : r.drift_capacity) {
-    json["left"].push_back(fall.fraction);
-    json["first_mm"].push_back(fall.first * 1e3);
-    json["lasting_mm"].push_back(fall.displacement * 1e3);
-    json["last_mm"].push_back(fall.last * 1e3);
-    json["lasting_drift_percent"].push_back(fall.drift * 1e2);
-    json["censored"].push_back(fall.censored);
-    json["censored_first"].push_back(fall.censored_first);
-    json["censored_last"].push_back(fall.censored_last);
-  }
+  const auto column = [&](double FallTo::*value, double to_unit) {
+    return io::column_of(r.drift_capacity, value, to_unit);
+  };
+  Json json = {{"left", column(&FallTo::fraction, 1)},
+               {"first_mm", column(&FallTo::first, 1e3)},
+               {"lasting_mm", column(&FallTo::displacement, 1e3)},
+               {"last_mm", column(&FallTo::last, 1e3)},
+               {"lasting_drift_percent", column(&FallTo::drift, 1e2)},
+               {"censored_first", io::list_of(r.drift_capacity, &FallTo::censored_first)},
+               {"censored_last", io::list_of(r.drift_capacity, &FallTo::censored_last)},
+               {"censored", io::list_of(r.drift_capacity, &FallTo::censored)}};
   json["lasts_percent"] = kLastingShare * 1e2;
   const std::optional<bool> decides = threshold_decides(r.drift_capacity);
   json["threshold_decides"] = decides ? Json(*decides) : Json(nullptr);
-  json["dips"] = Json::array();
-  for (const Dip& dip : r.dips)
-    json["dips"].push_back({{"left", dip.fraction},
-                            {"from_mm", dip.from * 1e3},
-                            {"back_mm", dip.back * 1e3},
-                            {"lowest_left", dip.lowest},
-                            {"before_peak", dip.before_peak}});
+  json["dips"] = io::list_of(r.dips, [](const Dip& dip) -> Json {
+    return {{"left", dip.fraction},
+            {"from_mm", dip.from * 1e3},
+            {"back_mm", dip.back * 1e3},
+            {"lowest_left", dip.lowest},
+            {"before_peak", dip.before_peak}};
+  });
   return json;
 }
 
@@ -303,11 +281,6 @@ void add_responses(Json& json, const Responses& r) {
 }
 
 Json direction_json(const DirectionReadings& d) {
-  Json displacement = Json::array(), reaction = Json::array();
-  for (const BackbonePoint& point : d.backbone) {
-    displacement.push_back(point.displacement * 1e3);
-    reaction.push_back(point.reaction * 1e-3);
-  }
   return {{"peak_reaction_kN", d.peak_reaction * 1e-3},
           {"displacement_at_peak_mm", d.displacement_at_peak * 1e3},
           {"displacement_at_80_percent_mm", d.displacement_at_80 * 1e3},
@@ -321,28 +294,28 @@ Json direction_json(const DirectionReadings& d) {
           {"initial_stiffness_kN_per_mm", d.initial_stiffness * 1e-6},
           {"drift_capacity", drift_capacity_json(d)},
           {"bilinear", bilinear_json(d.bilinear)},
-          {"envelope", {{"displacement_mm", displacement}, {"reaction_kN", reaction}}}};
+          {"envelope",
+           {{"displacement_mm", io::column_of(d.backbone, &BackbonePoint::displacement, 1e3)},
+            {"reaction_kN", io::column_of(d.backbone, &BackbonePoint::reaction, 1e-3)}}}};
 }
 
 Json cycles_json(const std::vector<Cycle>& cycles) {
-  Json list = Json::array();
-  for (const Cycle& c : cycles) {
-    list.push_back({{"kind", c.kind},
-                    {"displacement_max_mm", c.displacement_max * 1e3},
-                    {"displacement_min_mm", c.displacement_min * 1e3},
-                    {"reaction_max_kN", c.reaction_max * 1e-3},
-                    {"reaction_min_kN", c.reaction_min * 1e-3},
-                    {"in_balance", c.in_balance},
-                    {"residual_max_mm", c.residual_max * 1e3},
-                    {"residual_min_mm", c.residual_min * 1e3},
-                    {"stiffness_kN_per_mm", c.stiffness * 1e-6},
-                    {"dissipated_J", c.dissipated},
-                    {"drag_J", c.drag},
-                    {"damping_ratio", c.damping_ratio},
-                    {"repeat", c.repeat},
-                    {"strength_kept", c.kept}});
-  }
-  return list;
+  return io::list_of(cycles, [&](const Cycle& c) -> Json {
+    return {{"kind", c.kind},
+            {"displacement_max_mm", c.displacement_max * 1e3},
+            {"displacement_min_mm", c.displacement_min * 1e3},
+            {"reaction_max_kN", c.reaction_max * 1e-3},
+            {"reaction_min_kN", c.reaction_min * 1e-3},
+            {"in_balance", c.in_balance},
+            {"residual_max_mm", c.residual_max * 1e3},
+            {"residual_min_mm", c.residual_min * 1e3},
+            {"stiffness_kN_per_mm", c.stiffness * 1e-6},
+            {"dissipated_J", c.dissipated},
+            {"drag_J", c.drag},
+            {"damping_ratio", c.damping_ratio},
+            {"repeat", c.repeat},
+            {"strength_kept", c.kept}};
+  });
 }
 
 Json cyclic_json(const CyclicReadings& c) {
