@@ -1,7 +1,6 @@
 // The functions of wythe/c.h; none of them lets an exception out.
 #include <fmt/format.h>
 
-#include <cmath>
 #include <mutex>
 #include <new>
 #include <nlohmann/json.hpp>

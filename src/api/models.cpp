@@ -1,6 +1,5 @@
 // Models before and after, from the campaigns of `wythe compare`, and their files.
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 
 #include "wythe/parts/comparison.h"

@@ -1,10 +1,8 @@
 // Tasks about many walls: batch, campaign, results, and replay of one sample.
 #include <fmt/format.h>
 
-#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <numeric>
 
 #include "api/job.h"
 #include "api/run_answers.h"

@@ -17,7 +17,6 @@
 
 #include <cmath>
 #include <limits>
-#include <span>
 #include <vector>
 
 #include "contact/law.h"

@@ -4,7 +4,6 @@
 // dropped.
 #include "contact/convex_contact_in_space.h"
 
-#include <algorithm>
 #include <array>
 
 namespace wythe::contact {

@@ -3,7 +3,6 @@
 #include "limit/standing.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "limit/limit_loads.h"
 #include "model/fields.h"

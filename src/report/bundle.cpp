@@ -3,8 +3,6 @@
 // are refused before they are unpacked. Arrays are stored as in memory, so the build requires little endian.
 #include "report/bundle.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <bit>
 #include <cmath>

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "report/bundle.h"
 #include "report/texts.h"

@@ -1,7 +1,6 @@
 // The pages after the sheet of a verdict: each wall, the end of each limit state,
 // the spectra, the origin of the masonry's values, and the program that ran.
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include "core/text.h"

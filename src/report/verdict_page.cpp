@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "core/ascii.h"
-#include "core/check.h"
 #include "judge/modes/in_space.h"
 #include "judge/modes/wall_parts.h"
 #include "report/html.h"

@@ -3,7 +3,6 @@
 // all arrays. A wall in space has space.* instead of most of wall.* (space_arrays.cpp).
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "report/bundle.h"

@@ -2,7 +2,6 @@
 #include "solids/hexahedron.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace wythe::solids {
 namespace {

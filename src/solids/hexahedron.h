@@ -14,7 +14,6 @@
 #pragma once
 
 #include <array>
-#include <vector>
 
 #include "core/rotation.h"
 #include "wythe/parts/contact_law.h"

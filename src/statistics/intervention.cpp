@@ -6,7 +6,6 @@
 // Called by write_models (api); theory: docs/theory/statistics.md, "Before and after".
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <tuple>
 #include <utility>

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
 
 #include "statistics/bootstrap.h"
 #include "statistics/intervals.h"

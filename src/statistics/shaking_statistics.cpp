@@ -7,7 +7,6 @@
 // bit. Shakes that do not count (ShakeResult::counts) are listed, but neither as survived nor as collapsed.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numeric>
 #include <optional>

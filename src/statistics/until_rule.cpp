@@ -7,7 +7,6 @@
 // check_rule() is for reading a study, precise_enough() for the runner, after every sample.
 #include <fmt/format.h>
 
-#include <cctype>
 #include <cmath>
 #include <map>
 

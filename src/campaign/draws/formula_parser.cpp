@@ -4,7 +4,6 @@
 #include "campaign/draws/formula_parser.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 

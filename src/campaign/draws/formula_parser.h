@@ -1,7 +1,6 @@
 // Reads the text of a formula into its nodes; the grammar is in formula.h.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "wythe/parts/error.h"
 #include "wythe/parts/study.h"

@@ -1,7 +1,6 @@
 // Dashpots at the closed points of faces in space, and damping in proportion to mass: as passes/dashpots.h.
 #pragma once
 
-#include <algorithm>
 #include <vector>
 
 #include "contact/parameters.h"

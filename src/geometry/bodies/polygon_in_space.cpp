@@ -2,7 +2,6 @@
 // the tolerance of a line belongs to both sides and is not duplicated. The rest is what each edge clips, in turn.
 #include "geometry/bodies/polygon_in_space.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "geometry/bodies/polyhedron.h"

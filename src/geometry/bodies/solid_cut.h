@@ -3,7 +3,6 @@
 // Called by slabs.cpp, which cuts pockets into walls.
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "geometry/bodies/polyhedron.h"

@@ -5,7 +5,6 @@
 // Equations and limits: docs/theory/builder.md, "Floor slabs".
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <set>
 
 #include <fmt/format.h>

@@ -10,7 +10,6 @@
 // openings.cpp and assembly.cpp.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "geometry/wall/openings.h"

@@ -3,7 +3,6 @@
 // Called by assembly.cpp; reads the assembly, writes faults.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "geometry/assembly.h"

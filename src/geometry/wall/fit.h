@@ -10,7 +10,6 @@
 // it has n steps, which share the missing joint (docs/theory/conventions.md).
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "wythe/parts/error.h"

@@ -10,7 +10,6 @@
 // them instead. Called by assembly.cpp.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "geometry/polygon.h"

@@ -11,7 +11,6 @@
 #pragma once
 
 #include <limits>
-#include <string>
 #include <vector>
 
 #include "geometry/assembly.h"

@@ -2,7 +2,6 @@
 // A fillet or rounded corner is a square less a quarter circle. Channels have tabulated values instead.
 #include "geometry/wall/profiles.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>

@@ -7,7 +7,6 @@
 // Called by assembly.cpp, which lays the masonry around them.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "geometry/wall/openings.h"

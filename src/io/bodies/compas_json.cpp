@@ -13,8 +13,6 @@
 #include <cmath>
 #include <map>
 
-#include <fmt/format.h>
-
 #include "core/limits.h"
 #include "core/number.h"
 #include "io/bodies/bodies_file.h"

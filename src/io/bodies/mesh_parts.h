@@ -3,9 +3,6 @@
 // Called by meshes.cpp and ply.cpp.
 #pragma once
 
-#include <cmath>
-#include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>

@@ -2,7 +2,6 @@
 #include "io/bodies/meshes.h"
 
 #include <algorithm>
-#include <cstring>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,6 @@
 // comparison.json: options side by side for other programs; keys in docs/reference/comparison.md.
 //
 // Numbers have nine significant digits; NaN and the open end of an interval are null.
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>

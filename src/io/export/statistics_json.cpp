@@ -2,7 +2,6 @@
 //
 // Numbers have nine significant digits, far more than any interval needs, without noise of binary fractions. NaN
 // and infinite values are null.
-#include <fmt/format.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>

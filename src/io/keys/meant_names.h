@@ -9,7 +9,6 @@
 // Done before anything is read, so that rules and checks find the values that the user meant.
 #pragma once
 
-#include <array>
 #include <map>
 #include <string>
 #include <type_traits>

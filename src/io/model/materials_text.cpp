@@ -1,5 +1,4 @@
 // Output of `wythe materials`: the library and the rules, from the tables that the program itself uses.
-#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>

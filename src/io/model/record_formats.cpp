@@ -4,7 +4,6 @@
 #include "io/model/record_formats.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <regex>

@@ -3,7 +3,6 @@
 #include "io/model/record_heads.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <functional>
 #include <regex>

@@ -3,7 +3,6 @@
 // The order matters. A variable's unit is that of the key which it sets, so the base model is read first and
 // its keys are listed. check_study, which compares the parts, comes last, and its faults get their lines.
 #include <algorithm>
-#include <filesystem>
 #include <set>
 
 #include <fmt/format.h>

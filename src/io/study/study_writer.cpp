@@ -1,6 +1,5 @@
 // write_study: a study as one text that needs no other file, with the base
 // model and measured values included; parse_study(write_study(s), s.file) == s.
-#include <cmath>
 
 #include <fmt/format.h>
 

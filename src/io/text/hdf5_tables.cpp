@@ -4,8 +4,6 @@
 
 #include <hdf5.h>
 
-#include <fmt/format.h>
-
 #include <limits>
 
 #include "io/text/csv.h"

@@ -4,7 +4,6 @@
 #include "io/text/table.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <limits>
 #include <regex>

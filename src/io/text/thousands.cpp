@@ -2,7 +2,6 @@
 // of a length in m does. Where both are possible, zeros at the end decide. Callers warn; no value is changed.
 #include "io/text/thousands.h"
 
-#include <cmath>
 #include <initializer_list>
 #include <stdexcept>
 

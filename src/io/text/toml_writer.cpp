@@ -8,7 +8,6 @@
 #include "io/keys/same_spec.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include "wythe/parts/io.h"

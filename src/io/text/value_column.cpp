@@ -4,7 +4,6 @@
 #include "io/text/value_column.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <utility>
 

@@ -2,7 +2,6 @@
 // push is the mirror image of the model's own, so that a symmetric wall gives the same result for both.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "geometry/wall/frames.h"
 #include "model/parts.h"

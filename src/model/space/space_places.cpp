@@ -5,8 +5,6 @@
 
 #include "model/space/space_roles.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 
