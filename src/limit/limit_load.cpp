@@ -45,15 +45,13 @@ std::string name_of(const Model& model, BlockId block) {
 }
 
 std::string joint_text(const Model& model, int joint) {
-  const auto j = static_cast<std::size_t>(joint);
-  return fmt::format("the joint between {} and {} ({})", name_of(model, model.joint_a[j]),
-                     name_of(model, model.joint_b[j]),
-                     model.material_names[model.joint_material[j]]);
+  return fmt::format("the joint between {} and {} ({})", name_of(model, model.joint_a[joint]),
+                     name_of(model, model.joint_b[joint]),
+                     model.material_names[model.joint_material[joint]]);
 }
 
 bool has_joint(const Model& model, BlockId block) {
-  const auto i = static_cast<std::size_t>(block);
-  return model.block_begin[i + 1] > model.block_begin[i];
+  return model.block_begin[block + 1] > model.block_begin[block];
 }
 
 [[noreturn]] void refuse_unbalanced(const Model& model, const Unbalanced& worst) {

@@ -76,8 +76,7 @@ BlockId body_of(const Solids& solids, std::int32_t node) {
 void add_block(const Solids& solids, const SolidBody& body, Model& model) {
   geometry::Polygon outline;
   for (const std::int32_t node : body.rim) {
-    const auto i = static_cast<std::size_t>(node);
-    outline.push_back({solids.node_x[i], solids.node_y[i]});
+    outline.push_back({solids.node_x[node], solids.node_y[node]});
     model.anatomy.outline_x.push_back(outline.back().x);
     model.anatomy.outline_y.push_back(outline.back().y);
   }

@@ -71,12 +71,10 @@ StandingWall::StandingWall(const Model& whole) : model(whole) {
   const Standing& standing = whole.standing;
   block_ = numbered(whole.n_block, [&](int i) { return standing.holds(i, stage); });
   joint_ = numbered(whole.n_joint, [&](int j) {
-    const auto k = static_cast<std::size_t>(j);
-    return standing.joins(whole.joint_a[k], whole.joint_b[k], stage);
+    return standing.joins(whole.joint_a[j], whole.joint_b[j], stage);
   });
   link_ = numbered(whole.links.n, [&](int k) {
-    const auto i = static_cast<std::size_t>(k);
-    return standing.joins(whole.links.a[i], whole.links.b[i], stage);
+    return standing.joins(whole.links.a[k], whole.links.b[k], stage);
   });
   for (JointId j = 0; j < whole.n_joint; ++j) {
     const PointRange range = points_of(whole, j);

@@ -104,10 +104,9 @@ void choose_materials(Model& m) {
     common[m.joint_material[j]] += m.area[j];
     for (const BlockId side : {m.joint_a[j], m.joint_b[j]}) {
       if (side == kGroundBlock) continue;  // supports in space have numbers
-      const auto i = static_cast<std::size_t>(side);
-      if (!(m.area[j] > largest[i])) continue;
-      largest[i] = m.area[j];
-      f.material[i] = m.joint_material[j];
+      if (!(m.area[j] > largest[side])) continue;
+      largest[side] = m.area[j];
+      f.material[side] = m.joint_material[j];
     }
   }
   const auto most = std::max_element(common.begin(), common.end()) - common.begin();

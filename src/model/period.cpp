@@ -179,9 +179,8 @@ class Elastic {
   [[nodiscard]] Eigen::VectorXd masses() const {
     Eigen::VectorXd mass(first_node_ + 2 * m_.solids.n_node);
     for (int i = 0; i < m_.n_block; ++i) {
-      const auto b = static_cast<std::size_t>(i);
-      mass[3 * i] = mass[3 * i + 1] = m_.mass[b];
-      mass[3 * i + 2] = m_.inertia[b];
+      mass[3 * i] = mass[3 * i + 1] = m_.mass[i];
+      mass[3 * i + 2] = m_.inertia[i];
     }
     for (int k = 0; k < m_.solids.n_node; ++k)
       mass[freedom(k, 0)] = mass[freedom(k, 1)] = m_.solids.node_mass[k];

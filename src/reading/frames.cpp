@@ -18,10 +18,9 @@ struct Side {
 };
 Side side_of(const State& s, BlockId block, double arm_x, double arm_y) {
   if (block == kGroundBlock) return {{0, 0, 0, 0}, 0, 1, 0};
-  const auto i = static_cast<std::size_t>(block);
-  const SinCos<double> half = sin_cos(0.5 * s.theta[i]);
-  return {contact::link_end(s.ux[i], s.uy[i], half.cos, half.sin, arm_x, arm_y), s.theta[i],
-          half.cos, half.sin};
+  const SinCos<double> half = sin_cos(0.5 * s.theta[block]);
+  return {contact::link_end(s.ux[block], s.uy[block], half.cos, half.sin, arm_x, arm_y),
+          s.theta[block], half.cos, half.sin};
 }
 
 double stored_in(double stiffness, double force) {

@@ -19,10 +19,9 @@ namespace {
 
 contact::BodyFrame frame_of(const Model& m, const State& s, std::int32_t body) {
   if (body >= m.n_block) return {0, 0, 1, 0};
-  const auto i = static_cast<std::size_t>(body);
-  const SinCos<double> half = sin_cos(0.5 * s.theta[i]);
-  return {m.centroid_x[i] + s.ux[i], m.centroid_y[i] + s.uy[i], 1 - 2 * half.sin * half.sin,
-          2 * half.sin * half.cos};
+  const SinCos<double> half = sin_cos(0.5 * s.theta[body]);
+  return {m.centroid_x[body] + s.ux[body], m.centroid_y[body] + s.uy[body],
+          1 - 2 * half.sin * half.sin, 2 * half.sin * half.cos};
 }
 
 contact::SpaceFrame frame_in_space(const Model& m, const State& s, std::int32_t body) {

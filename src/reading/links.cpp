@@ -7,9 +7,8 @@ namespace wythe {
 
 contact::LinkEnd reading::end_in(const State& s, BlockId block, double arm_x, double arm_y) {
   if (block == kGroundBlock) return {0, 0, 0, 0};
-  const auto i = static_cast<std::size_t>(block);
-  const SinCos<double> half = sin_cos(0.5 * s.theta[i]);
-  return contact::link_end(s.ux[i], s.uy[i], half.cos, half.sin, arm_x, arm_y);
+  const SinCos<double> half = sin_cos(0.5 * s.theta[block]);
+  return contact::link_end(s.ux[block], s.uy[block], half.cos, half.sin, arm_x, arm_y);
 }
 
 namespace {
@@ -18,9 +17,8 @@ using reading::end_in;
 
 contact::SpaceLinkEnd end_in_space(const State& s, BlockId block, const Vector<double>& arm) {
   if (block == kGroundBlock) return {{0, 0, 0}, {0, 0, 0}};
-  const auto i = static_cast<std::size_t>(block);
-  return contact::link_end({s.ux[i], s.uy[i], s.uz[i]}, {s.qw[i], {s.qx[i], s.qy[i], s.qz[i]}},
-                           arm);
+  return contact::link_end({s.ux[block], s.uy[block], s.uz[block]},
+                           {s.qw[block], {s.qx[block], s.qy[block], s.qz[block]}}, arm);
 }
 
 }  // namespace

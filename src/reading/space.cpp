@@ -29,17 +29,17 @@ struct Gap {
   contact::Frame<double> frame;
 };
 Gap gap_of(const Model& m, const State& s, JointId joint) {
-  const auto j = static_cast<std::size_t>(joint);
   const Space& w = m.space;
-  const contact::Pose<double> b = pose_of(s, m.joint_b[j]);
-  if (const int support = m.joint_a[j] - m.n_block; support >= 0) {
-    const auto k = static_cast<std::size_t>(support);
-    const contact::SupportFace<double> face({s.support_x[k], s.support_y[k], s.support_z[k]}, b,
-                                            vec(w.arm_b[j]), vec(w.tangent[j]), vec(w.normal[j]));
+  const contact::Pose<double> b = pose_of(s, m.joint_b[joint]);
+  if (const int support = m.joint_a[joint] - m.n_block; support >= 0) {
+    const contact::SupportFace<double> face(
+        {s.support_x[support], s.support_y[support], s.support_z[support]}, b, vec(w.arm_b[joint]),
+        vec(w.tangent[joint]), vec(w.normal[joint]));
     return {face.gap(), face.frame};
   }
-  const contact::PairFace<double> face(pose_of(s, m.joint_a[j]), b, vec(w.arm_a[j]),
-                                       vec(w.arm_b[j]), vec(w.tangent[j]), vec(w.normal[j]));
+  const contact::PairFace<double> face(pose_of(s, m.joint_a[joint]), b, vec(w.arm_a[joint]),
+                                       vec(w.arm_b[joint]), vec(w.tangent[joint]),
+                                       vec(w.normal[joint]));
   return {face.gap(), face.frame};
 }
 
@@ -84,18 +84,18 @@ void evaluate_contacts(const Model& m, const State& s, std::vector<PointReading>
   const SpaceSolids& z = m.space.solids;
   contact::Laws laws(m.materials);
   for (int contact = 0; contact < z.n_contact; ++contact) {
-    const std::size_t c = static_cast<std::size_t>(contact);
-    const contact::LawConstants<double>& law = laws.of(z.contact_material[c]);
+    const contact::LawConstants<double>& law = laws.of(z.contact_material[contact]);
     const RigidSide rigid = rigid_side(m, s, contact);
-    const Vec t1 = vec(z.contact_tangent[c]), n = vec(z.contact_normal[c]), t2 = cross(n, t1);
+    const Vec t1 = vec(z.contact_tangent[contact]), n = vec(z.contact_normal[contact]),
+              t2 = cross(n, t1);
     const contact::Frame<double> frame{turned(rigid.q, t1), turned(rigid.q, t2),
                                        turned(rigid.q, n)};
     const JointShape shape = contact_in_space(m, contact);
     const double reach = length(shape.half);
-    for (auto p = static_cast<std::size_t>(z.point_begin[c]);
-         p < static_cast<std::size_t>(z.point_begin[c + 1]); ++p) {
+    for (auto p = static_cast<std::size_t>(z.point_begin[contact]);
+         p < static_cast<std::size_t>(z.point_begin[contact + 1]); ++p) {
       const double r1 = m.space.point_r1[p], r2 = m.space.point_r2[p];
-      const Vec arm = vec(z.contact_arm[c]) + r1 * t1 + r2 * t2;
+      const Vec arm = vec(z.contact_arm[contact]) + r1 * t1 + r2 * t2;
       const Vec moved = vec(side_moved(m, s, contact, p));
       const Vec jump = moved - (vec(rigid.moved) + swing(rigid.q, arm));
       points[p] = evaluate_point(s, p, law, frame.in(jump), frame);
@@ -120,8 +120,7 @@ std::vector<Vec3> gaps_in_space(const Model& m, const State& s, JointId j) {
 Vec3 moved_in_space(const Model& m, const State& s, BlockId body, Vec3 arm) {
   if (body == kGroundBlock) return {};
   if (const int support = body - m.n_block; support >= 0) {
-    const auto k = static_cast<std::size_t>(support);
-    return {s.support_x[k], s.support_y[k], s.support_z[k]};
+    return {s.support_x[support], s.support_y[support], s.support_z[support]};
   }
   const contact::Pose<double> pose = pose_of(s, body);
   return vec3(pose.u + swing(pose.q, vec(arm)));

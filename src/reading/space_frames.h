@@ -64,8 +64,8 @@ inline void take_off_set(const State& s, std::size_t k, SpaceSectionJump& jump) 
 
 // Pose of a block in a state.
 [[nodiscard]] inline contact::Pose<double> pose_in_space(const State& s, BlockId block) {
-  const auto i = static_cast<std::size_t>(block);
-  return {{s.ux[i], s.uy[i], s.uz[i]}, {s.qw[i], {s.qx[i], s.qy[i], s.qz[i]}}};
+  return {{s.ux[block], s.uy[block], s.uz[block]},
+          {s.qw[block], {s.qx[block], s.qy[block], s.qz[block]}}};
 }
 [[nodiscard]] inline SpaceSectionJump section_in_space(const Model& m, const State& s,
                                                        std::size_t k) {

@@ -42,24 +42,23 @@ Rotation rotation_of(const double (&r)[3][3]) {
 
 JointShape contact_in_space(const Model& model, int contact) {
   const SpaceSolids& s = model.space.solids;
-  const std::size_t c = static_cast<std::size_t>(contact);
   JointShape shape;
   shape.id = model.n_joint + contact;
   shape.kind = JointKind::kLintelBond;
-  const BlockId rigid = s.contact_block[c];
+  const BlockId rigid = s.contact_block[contact];
   shape.a = rigid < model.n_block ? rigid : kGroundBlock;
-  shape.b = model.n_block + model.space.n_support + s.contact_body[c];
-  shape.material = s.contact_material[c];
-  shape.area = s.contact_area[c];
-  shape.centre = model.space.centroid[rigid] + s.contact_arm[c];
-  shape.along = s.contact_tangent[c];
-  shape.normal = s.contact_normal[c];
+  shape.b = model.n_block + model.space.n_support + s.contact_body[contact];
+  shape.material = s.contact_material[contact];
+  shape.area = s.contact_area[contact];
+  shape.centre = model.space.centroid[rigid] + s.contact_arm[contact];
+  shape.along = s.contact_tangent[contact];
+  shape.normal = s.contact_normal[contact];
   double reach = 0;
-  for (auto p = static_cast<std::size_t>(s.point_begin[c]);
-       p < static_cast<std::size_t>(s.point_begin[c + 1]); ++p)
+  for (auto p = static_cast<std::size_t>(s.point_begin[contact]);
+       p < static_cast<std::size_t>(s.point_begin[contact + 1]); ++p)
     reach = std::fmax(reach, std::fabs(model.space.point_r1[p]));
   shape.half = reach * shape.along;
-  if (shape.a != kGroundBlock) shape.arm_a = s.contact_arm[c];
+  if (shape.a != kGroundBlock) shape.arm_a = s.contact_arm[contact];
   return shape;
 }
 
@@ -76,11 +75,10 @@ Vec3 side_moved(const Model& model, const State& state, int contact, std::size_t
 RigidSide rigid_side(const Model& model, const State& s, int contact) {
   const BlockId block = model.space.solids.contact_block[contact];
   if (const int support = block - model.n_block; support >= 0) {
-    const std::size_t i = static_cast<std::size_t>(support);
-    return {{1, {0, 0, 0}}, {s.support_x[i], s.support_y[i], s.support_z[i]}};
+    return {{1, {0, 0, 0}}, {s.support_x[support], s.support_y[support], s.support_z[support]}};
   }
-  const std::size_t i = static_cast<std::size_t>(block);
-  return {{s.qw[i], {s.qx[i], s.qy[i], s.qz[i]}}, {s.ux[i], s.uy[i], s.uz[i]}};
+  return {{s.qw[block], {s.qx[block], s.qy[block], s.qz[block]}},
+          {s.ux[block], s.uy[block], s.uz[block]}};
 }
 
 BlockReading body_in_space(const Model& model, const State& state, int body) {

@@ -306,8 +306,7 @@ std::string draw_links(const Model& model, const State& state, double scale, con
   std::string out;
   for (std::size_t k = 0; k < now.size(); ++k) {
     const auto at = [&](int end) {
-      const auto e = static_cast<std::size_t>(end);
-      return canvas(rest[k].ends[e] + scale * (now[k].ends[e] - rest[k].ends[e]));
+      return canvas(rest[k].ends[end] + scale * (now[k].ends[end] - rest[k].ends[end]));
     };
     // a dowel is drawn as its anchor
     if (l.kind[k] == LinkKind::kDowel || !model.standing.joins(l.a[k], l.b[k], state.stage))

@@ -105,8 +105,7 @@ HexahedronMotion hexahedron_motion(const HexahedronShape& shape, const Hexahedro
   for (int a = 0; a < 3; ++a)
     for (int b = 0; b < 3; ++b) drop[a][b] = m.turn[a][b] - (a == b ? 1.0 : 0.0);
   for (int i = 0; i < 8; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    m.d[k] = times_transposed(m.turn, u[k] - mean) + times_transposed(drop, place_of(shape, i));
+    m.d[i] = times_transposed(m.turn, u[i] - mean) + times_transposed(drop, place_of(shape, i));
   }
   return m;
 }
@@ -116,15 +115,13 @@ HexahedronVectors hexahedron_force(const HexahedronShape& shape, const Hexahedro
   const HexahedronVectors f = corner_forces(shape, m.d);
   Vector<double> moment{0, 0, 0};
   for (int i = 0; i < 8; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    moment = moment + cross(place_of(shape, i) + m.d[k], f[k]);
+    moment = moment + cross(place_of(shape, i) + m.d[i], f[i]);
   }
   const Vector<double> spin = undo_spin(m.stretch, moment);
   HexahedronVectors out;
   for (int i = 0; i < 8; ++i) {
-    const auto k = static_cast<std::size_t>(i);
     const Vector<double> g{shape.gradient[i][0], shape.gradient[i][1], shape.gradient[i][2]};
-    out[k] = times(m.turn, cross(spin, g) - f[k]);
+    out[i] = times(m.turn, cross(spin, g) - f[i]);
   }
   return out;
 }

@@ -73,9 +73,8 @@ class GrowingFit {
     slope_.push_back(1 / length), shift_.push_back(mean / length);
     double of_constant = 0;
     for (Index j = 0; j <= k; ++j) {
-      const auto at = static_cast<std::size_t>(j);
-      trace_ += inverse[j] * inverse[j] * slope_[at] * slope_[at];
-      of_constant += inverse[j] * shift_[at];
+      trace_ += inverse[j] * inverse[j] * slope_[j] * slope_[j];
+      of_constant += inverse[j] * shift_[j];
     }
     trace_ += of_constant * of_constant;
     residual_ -= q.dot(residual_) * q;

@@ -85,11 +85,10 @@ constexpr Terms terms_of(Pass pass) {
 void release(const Model& model, const State& state, const WallView& wall) {
   const double share = 1 - state.load_scale[state.stage];
   for (int i = 0; i < model.n_block; ++i) {
-    const auto b = static_cast<std::size_t>(i);
-    if (state.release_x[b] == 0 && state.release_y[b] == 0 && state.release_m[b] == 0) continue;
-    wall.block(i, kLoadX) += share * state.release_x[b];
-    wall.block(i, kLoadY) += share * state.release_y[b];
-    wall.block(i, kLoadM) += share * state.release_m[b];
+    if (state.release_x[i] == 0 && state.release_y[i] == 0 && state.release_m[i] == 0) continue;
+    wall.block(i, kLoadX) += share * state.release_x[i];
+    wall.block(i, kLoadY) += share * state.release_y[i];
+    wall.block(i, kLoadM) += share * state.release_m[i];
   }
 }
 

@@ -318,17 +318,18 @@ int SpaceBodies::points_of_face(JointId joint) const {
 }
 
 SpaceBodies::Jump SpaceBodies::jump_of(JointId joint, const WallView& wall) const {
-  const auto j = static_cast<std::size_t>(joint);
   const Space& s = m_.space;
   const auto pose = [&](BlockId i) { return contact::Pose<double>{wall.shift(i), wall.turn(i)}; };
-  const contact::Pose<double> b = pose(m_.joint_b[j]);
-  if (const int support = m_.joint_a[j] - m_.n_block; support >= 0) {
+  const contact::Pose<double> b = pose(m_.joint_b[joint]);
+  if (const int support = m_.joint_a[joint] - m_.n_block; support >= 0) {
     const contact::SupportFace<double> face(wall.vector(wall.t.support, support), b,
-                                            vec(s.arm_b[j]), vec(s.tangent[j]), vec(s.normal[j]));
+                                            vec(s.arm_b[joint]), vec(s.tangent[joint]),
+                                            vec(s.normal[joint]));
     return {face.gap(), length(b.q.v)};
   }
-  const contact::PairFace<double> face(pose(m_.joint_a[j]), b, vec(s.arm_a[j]), vec(s.arm_b[j]),
-                                       vec(s.tangent[j]), vec(s.normal[j]));
+  const contact::PairFace<double> face(pose(m_.joint_a[joint]), b, vec(s.arm_a[joint]),
+                                       vec(s.arm_b[joint]), vec(s.tangent[joint]),
+                                       vec(s.normal[joint]));
   return {face.gap(), length(face.p)};
 }
 

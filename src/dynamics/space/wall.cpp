@@ -18,21 +18,19 @@ template <class S, class Act>
 void each_number(const WallView& w, const Model& m, S& s, const Act& act) {
   const Layout& l = *w.layout;
   for (int i = 0; i < m.n_block; ++i) {
-    const std::size_t k = static_cast<std::size_t>(i);
     const auto four = [&](auto& array, double* rows, int c) {
-      act(array[k], w.column_of(rows, i, c));
+      act(array[i], w.column_of(rows, i, c));
     };
     four(s.ux, w.t.shift, 0), four(s.uy, w.t.shift, 1), four(s.uz, w.t.shift, 2);
     four(s.qw, w.t.shift, 3);
     four(s.qx, w.t.turn, 0), four(s.qy, w.t.turn, 1), four(s.qz, w.t.turn, 2);
-    act(s.vx[k], w.body(i, kV)), act(s.vy[k], w.body(i, kV + 1)), act(s.vz[k], w.body(i, kV + 2));
-    act(s.lx[k], w.body(i, kL)), act(s.ly[k], w.body(i, kL + 1)), act(s.lz[k], w.body(i, kL + 2));
+    act(s.vx[i], w.body(i, kV)), act(s.vy[i], w.body(i, kV + 1)), act(s.vz[i], w.body(i, kV + 2));
+    act(s.lx[i], w.body(i, kL)), act(s.ly[i], w.body(i, kL + 1)), act(s.lz[i], w.body(i, kL + 2));
   }
   for (int i = 0; i < m.space.n_support; ++i) {
-    const std::size_t k = static_cast<std::size_t>(i);
-    act(s.support_x[k], w.column_of(w.t.support, i, 0));
-    act(s.support_y[k], w.column_of(w.t.support, i, 1));
-    act(s.support_z[k], w.column_of(w.t.support, i, 2));
+    act(s.support_x[i], w.column_of(w.t.support, i, 0));
+    act(s.support_y[i], w.column_of(w.t.support, i, 1));
+    act(s.support_z[i], w.column_of(w.t.support, i, 2));
   }
   for (int k = 0; k < w.links; ++k) {
     act(s.link_force[k], w.link(k, kLinkForce));

@@ -105,11 +105,10 @@ std::string compas_json(const Model& model, const State& state) {
   const bool in_space = dimension_of(model) == 3;
   Assembly assembly;
   for (BlockId b = 0; b < model.n_block; ++b) {
-    const auto i = static_cast<std::size_t>(b);
     assembly.add(in_space ? solid_now(model, state, b)
                           : std::vector{prism_of(outline_now(model, state, b),
-                                                 model.anatomy.block_thickness[i])},
-                 model.anatomy.block_id[i], false);
+                                                 model.anatomy.block_thickness[b])},
+                 model.anatomy.block_id[b], false);
   }
   if (in_space) {
     for (int s = 0; s < model.space.n_support; ++s)

@@ -112,9 +112,9 @@ bool are_bodies(const Model& model, std::int32_t a, std::int32_t b) {
 bool is_contact_of(const Model& model, const FreeContact& c) {
   const FreeShapes& f = model.free;
   const auto part = [&](std::int32_t body, std::int32_t number) {
-    const auto i = static_cast<std::size_t>(body);
-    return number >= 0 && number < f.part_begin[i + 1] - f.part_begin[i] ? f.part_begin[i] + number
-                                                                         : -1;
+    return number >= 0 && number < f.part_begin[body + 1] - f.part_begin[body]
+               ? f.part_begin[body] + number
+               : -1;
   };
   const std::int32_t a = part(c.a, c.part_a), b = part(c.b, c.part_b);
   if (a < 0 || b < 0 || f.corner_begin.empty()) return a >= 0 && b >= 0;

@@ -96,8 +96,7 @@ struct MovingMass {
 // The mass of a deformable block lies in its nodes.
 double mass_of(const Model& model, BlockId block) {
   if (block < model.n_block) {
-    const auto i = static_cast<std::size_t>(block);
-    return model.anatomy.block_role[i] == BlockRole::kCutOut ? 0.0 : model.gravity_mass[i];
+    return model.anatomy.block_role[block] == BlockRole::kCutOut ? 0.0 : model.gravity_mass[block];
   }
   const auto number = static_cast<std::size_t>(block - model.n_block - model.space.n_support);
   const auto of_nodes = [&](const auto& solids) {  // nodes in the plane or in space

@@ -139,11 +139,10 @@ class Strip {
       if (around.y1 <= y0 || around.y0 >= y1 || around.x1 <= x0_ || around.x0 >= x1_) continue;
       const Polygon inside = geometry::part_inside(outline, frame);
       if (inside.empty()) continue;
-      const auto i = static_cast<std::size_t>(b);
       const auto m = geometry::moments(inside);
       const double weight =
-          model_.solve.gravity * model_.gravity_mass[i] * m.area / geometry::moments(outline).area;
-      const double thickness = model_.anatomy.block_thickness[i];
+          model_.solve.gravity * model_.gravity_mass[b] * m.area / geometry::moments(outline).area;
+      const double thickness = model_.anatomy.block_thickness[b];
       piece.weight += weight;
       piece.first += weight * (m.centroid.y - y0_);
       piece.across += weight * 0.5 * thickness;

@@ -132,9 +132,8 @@ void take_teeth(const Model& model, const std::vector<BlockId>& own, Elevation& 
            block.across.common(thickness_at(block)) > least;
   };
   for (BlockId b = 0; b < model.n_block; ++b) {
-    const auto i = static_cast<std::size_t>(b);
-    if (wall.of[i] == 0 && model.anatomy.block_role[i] != BlockRole::kSlab && lies_in(b))
-      wall.of[i] = 1;
+    if (wall.of[b] == 0 && model.anatomy.block_role[b] != BlockRole::kSlab && lies_in(b))
+      wall.of[b] = 1;
   }
   for (std::size_t k = 0; k < model.space.solids.bodies.size(); ++k) {
     const BlockId body = model.n_block + model.space.n_support + static_cast<BlockId>(k);
@@ -270,14 +269,13 @@ Reach reach_of(const Elevation& seen, const Vec3& half, const Vec3& half_2) {
 }
 
 double inertia_of(const Model& model, const Elevation& seen, BlockId block) {
-  const auto i = static_cast<std::size_t>(block);
-  if (seen.of.empty()) return model.inertia[i];
+  if (seen.of.empty()) return model.inertia[block];
   const Space& s = model.space;
   const auto share = [&](const Vec3& axis) {
     return dot(axis, seen.across) * dot(axis, seen.across);
   };
-  return share(s.axis_1[i]) * s.inertia[i].x + share(s.axis_2[i]) * s.inertia[i].y +
-         share(s.axis_3[i]) * s.inertia[i].z;
+  return share(s.axis_1[block]) * s.inertia[block].x + share(s.axis_2[block]) * s.inertia[block].y +
+         share(s.axis_3[block]) * s.inertia[block].z;
 }
 
 bool makes_walls(const Model& model, BlockId block) {

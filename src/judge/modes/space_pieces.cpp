@@ -76,24 +76,23 @@ std::vector<Moved> evaluate_blocks(const Model& model, const State& state) {
   std::vector<Moved> blocks;
   const Space& space = model.space;
   for (BlockId b = 0; b < model.n_block; ++b) {
-    const auto k = static_cast<std::size_t>(b);
     const BlockReading now = read_block(model, state, b);
-    const Vec3& i = space.inertia[k];
-    const double mass = model.mass[k], least = std::fmin(i.x, std::fmin(i.y, i.z));
+    const Vec3& i = space.inertia[b];
+    const double mass = model.mass[b], least = std::fmin(i.x, std::fmin(i.y, i.z));
     // the inertia about the longest side is least
-    const Vec3 axis = least == i.x   ? space.axis_1[k]
-                      : least == i.y ? space.axis_2[k]
-                                     : space.axis_3[k];
+    const Vec3 axis = least == i.x   ? space.axis_1[b]
+                      : least == i.y ? space.axis_2[b]
+                                     : space.axis_3[b];
     const double others = i.x + i.y + i.z - least;
     const bool is_long = 2 * least < 0.8 * others && std::fabs(axis.y) < 0.3;
     blocks.push_back({b,
                       now.start,
                       now.moved,
-                      {state.qw[k], {state.qx[k], state.qy[k], state.qz[k]}},
+                      {state.qw[b], {state.qx[b], state.qy[b], state.qz[b]}},
                       mass,
                       std::sqrt((i.x + i.y + i.z) / (3 * mass)),
                       is_long ? axis : Vec3{},
-                      &space.body[k]});
+                      &space.body[b]});
   }
   return blocks;
 }
@@ -237,8 +236,7 @@ std::vector<std::vector<Moved>> clusters_of(const Model& model, const std::vecto
     return k;
   };
   for (JointId j = 0; j < model.n_pair; ++j) {
-    const auto joint = static_cast<std::size_t>(j);
-    const std::size_t a = first[model.joint_a[joint]], b = first[model.joint_b[joint]];
+    const std::size_t a = first[model.joint_a[j]], b = first[model.joint_b[j]];
     if (a == SIZE_MAX || b == SIZE_MAX) continue;
     const std::size_t low = std::min(root(a), root(b)), high = std::max(root(a), root(b));
     of[high] = low;

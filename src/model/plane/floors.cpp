@@ -244,11 +244,11 @@ class FloorCompiler {
     double inertia = 0;
     for (const Part& part : parts) {
       const BlockId block = map_[part.block];
-      const auto i = static_cast<std::size_t>(block);
       if (load > 0 || floor_->thrust != 0)
-        loads_.push_back({block, part.x - model_.centroid_x[i], part.y - model_.centroid_y[i],
-                          part.share * floor_->thrust, -part.share * load});
-      model_.mass[i] += part.share * floor_->mass * length;
+        loads_.push_back({block, part.x - model_.centroid_x[block],
+                          part.y - model_.centroid_y[block], part.share * floor_->thrust,
+                          -part.share * load});
+      model_.mass[block] += part.share * floor_->mass * length;
       inertia += part.share * floor_->mass * length;
     }
     const std::string name =

@@ -98,8 +98,7 @@ class FrameCompiler {
             },
             .arm =
                 [this](BlockId of, Vec2 p) {
-                  const auto i = static_cast<std::size_t>(of);
-                  return Vec3{p.x - model_.centroid_x[i], p.y - model_.centroid_y[i], 0};
+                  return Vec3{p.x - model_.centroid_x[of], p.y - model_.centroid_y[of], 0};
                 },
             .turned =
                 [](Vec2 v) {

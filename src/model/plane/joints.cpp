@@ -222,14 +222,13 @@ void add_joint(const Face& face, int material, double half_scale, double thickne
   const BlockId b = map[face.b];
   const double cx = 0.5 * (face.p0.x + face.p1.x), cy = 0.5 * (face.p0.y + face.p1.y);
   const double length = length_of(face);
-  const auto ib = static_cast<std::size_t>(b);
   m.joint_a.push_back(a);
   m.joint_b.push_back(b);
   m.joint_material.push_back(material);
   m.arm_a_x.push_back(a == kGroundBlock ? 0.0 : cx - m.centroid_x[a]);
   m.arm_a_y.push_back(a == kGroundBlock ? 0.0 : cy - m.centroid_y[a]);
-  m.arm_b_x.push_back(cx - m.centroid_x[ib]);
-  m.arm_b_y.push_back(cy - m.centroid_y[ib]);
+  m.arm_b_x.push_back(cx - m.centroid_x[b]);
+  m.arm_b_y.push_back(cy - m.centroid_y[b]);
   m.tangent_x.push_back((face.p1.x - face.p0.x) / length);
   m.tangent_y.push_back((face.p1.y - face.p0.y) / length);
   m.half_x.push_back(0.5 * half_scale * (face.p1.x - face.p0.x));

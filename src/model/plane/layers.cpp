@@ -75,10 +75,9 @@ class LayerCompiler {
   // Finds pairs of blocks with a bonded joint.
   void find_bonded() {
     for (int j = 0; j < model_.n_pair; ++j) {
-      const auto i = static_cast<std::size_t>(j);
-      const JointMaterial& law = model_.materials[model_.joint_material[i]];
+      const JointMaterial& law = model_.materials[model_.joint_material[j]];
       if (law.tensile_strength > 0 || law.cohesion > 0)
-        bonded_.insert(std::minmax(model_.joint_a[i], model_.joint_b[i]));
+        bonded_.insert(std::minmax(model_.joint_a[j], model_.joint_b[j]));
     }
   }
 
@@ -319,9 +318,8 @@ class LayerCompiler {
       const Node& next = last ? node : nodes[k + 1];
       const BlockId a = map_[node.block], b = map_[next.block];
       const auto arm = [&](BlockId block, double at) {
-        const auto i = static_cast<std::size_t>(block);
         const Vec2 p = fibres.upright ? Vec2{line.across, at} : Vec2{at, line.across};
-        return Vec2{p.x - model_.centroid_x[i], p.y - model_.centroid_y[i]};
+        return Vec2{p.x - model_.centroid_x[block], p.y - model_.centroid_y[block]};
       };
       const Vec2 arm_a = arm(a, node.at), arm_b = arm(b, next.at);
       const double span = last ? 1 : next.at - node.at;

@@ -57,8 +57,7 @@ class PlaneSite {
     return length(Vec2{b.x - a.x, b.y - a.y});
   }
   [[nodiscard]] Vec3 centroid(BlockId block) const {
-    const auto i = static_cast<std::size_t>(block);
-    return {model_.centroid_x[i], model_.centroid_y[i], 0};
+    return {model_.centroid_x[block], model_.centroid_y[block], 0};
   }
 
   // The moving block whose box is nearest to a point; of equally near ones the one with the nearest centre; or the named

@@ -205,8 +205,7 @@ class ContactBuilder {
 
   // Coordinates along and across the face.
   [[nodiscard]] Vec2 seen_from_start(int node) const {
-    const auto i = static_cast<std::size_t>(node);
-    const Vec2 d{s_.node_x[i] - p0_.x, s_.node_y[i] - p0_.y};
+    const Vec2 d{s_.node_x[node] - p0_.x, s_.node_y[node] - p0_.y};
     return {d.x * t_.x + d.y * t_.y, d.y * t_.x - d.x * t_.y};
   }
 

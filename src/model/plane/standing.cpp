@@ -135,13 +135,12 @@ class StandingCompiler {
 
   void place(const geometry::Block& block, BlockId id) {
     if (id < 0) return;
-    const auto i = static_cast<std::size_t>(id);
     if (block.cut_from >= 0) {
-      model_.standing.until[i] = cut_[block.cut_from];
+      model_.standing.until[id] = cut_[block.cut_from];
     } else if (block.frame >= 0) {
-      model_.standing.from[i] = up_[block.frame];
+      model_.standing.from[id] = up_[block.frame];
     } else if (block.opening >= 0) {  // lintel or sill
-      model_.standing.from[i] = cut_[block.opening];
+      model_.standing.from[id] = cut_[block.opening];
     }
   }
 
