@@ -119,10 +119,6 @@ void print_models(const PairedComparison& comparison, const std::string& out) {
   fmt::print("comparison {}/comparison.html\n", readable(out));
 }
 
-}  // namespace
-
-namespace {
-
 ChangeLimits limits_of(const CompareArguments& a) {
   return {.stiffness = share_of("--stiffness", a.stiffness),
           .strength = share_of("--strength", a.strength),

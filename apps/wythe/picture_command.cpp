@@ -17,10 +17,6 @@ bool is_wanted(const Snapshot& s, const std::vector<double>& at_mm) {
   return at_mm.empty();
 }
 
-}  // namespace
-
-namespace {
-
 void check_numbers(const PictureArguments& a) {
   const auto refuse = [](const char* option, double value, std::string problem, std::string cure) {
     throw InputError({{.file = option,

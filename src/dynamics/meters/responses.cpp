@@ -348,9 +348,6 @@ void evaluate_load(const Curve& curve, const ResponseOptions& options, Responses
   if (!carried_any) r.peak_reason = {"balance.nothing_carried"};
 }
 
-}  // namespace
-
-namespace {
 // Whether the run ended in the stage of its curve, not in a later stage.
 bool ended_in_curve(const Model& model, const Result& result) {
   const std::size_t reports = std::min(result.stages.size(), model.stages.size());

@@ -173,9 +173,6 @@ void refuse_idle(const ModelSpec& spec, const ReadContext& context) {
   faults.throw_if_any();
 }
 
-}  // namespace
-
-namespace {
 // The materials of the mortar of layers: of [[layer]] the names under mortar.joint.
 std::set<std::string, std::less<>> mortars_in(const toml::table& root) {
   std::set<std::string, std::less<>> names;

@@ -401,9 +401,6 @@ Json shaking_json(const Model& model, const Result& result) {
           {"damping", damping}};
 }
 
-}  // namespace
-
-namespace {
 // The largest rotation of any block at the end of the run [rad].
 double lean_of(const Model& model, const Result& result) {
   if (result.snapshots.empty()) return 0;

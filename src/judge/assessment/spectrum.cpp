@@ -125,9 +125,6 @@ class SpectrumFaults {
   std::vector<Fault> faults_;
 };
 
-}  // namespace
-
-namespace {
 const SpectrumSpec& own_spectrum(const AssessmentSpec& spec, LimitState state) {
   switch (state) {
     case LimitState::kOperational: return spec.spectra.operational;
