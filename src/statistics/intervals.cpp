@@ -14,44 +14,9 @@ namespace {
 
 constexpr double kTail = 0.025;
 
-double polynomial(const double* coefficient, int count, double x) {
-  double sum = 0;
-  for (int i = 0; i < count; ++i) sum = sum * x + coefficient[i];
-  return sum;
-}
-
-// Lower tail and middle of Acklam's approximation, relative error 1.2e-9.
-double rough_normal_quantile(double p) {
-  static constexpr double kA[] = {-3.969683028665376e+01, 2.209460984245205e+02,
-                                  -2.759285104469687e+02, 1.383577518672690e+02,
-                                  -3.066479806614716e+01, 2.506628277459239e+00};
-  static constexpr double kB[] = {-5.447609879822406e+01, 1.615858368580409e+02,
-                                  -1.556989798598866e+02, 6.680131188771972e+01,
-                                  -1.328068155288572e+01, 1};
-  static constexpr double kC[] = {-7.784894002430293e-03, -3.223964580411365e-01,
-                                  -2.400758277161838e+00, -2.549732539343734e+00,
-                                  4.374664141464968e+00,  2.938163982698783e+00};
-  static constexpr double kD[] = {7.784695709041462e-03, 3.224671290700398e-01,
-                                  2.445134137142996e+00, 3.754408661907416e+00, 1};
-  if (p > 0.5) return -rough_normal_quantile(1 - p);
-  if (p < 0.02425) {
-    const double q = std::sqrt(-2 * std::log(p));
-    return polynomial(kC, 6, q) / polynomial(kD, 5, q);
-  }
-  const double q = p - 0.5;
-  return q * polynomial(kA, 6, q * q) / polynomial(kB, 6, q * q);
-}
-
 }  // namespace
 
 double normal_cdf(double z) { return 0.5 * std::erfc(-z / std::sqrt(2.0)); }
-
-double normal_quantile(double p) {
-  const double z = rough_normal_quantile(p);
-  constexpr double kRootTwoPi = 2.5066282746310002;
-  const double step = (normal_cdf(z) - p) * kRootTwoPi * std::exp(z * z / 2);
-  return z - step / (1 + z * step / 2);
-}
 
 double student_95(int degrees) {
   const double z = kNormal95, z2 = z * z, nu = degrees;

@@ -8,6 +8,7 @@
 
 #include <vector>
 
+#include "core/normal.h"
 #include "wythe/parts/statistics.h"
 
 namespace wythe::study {
@@ -15,8 +16,7 @@ namespace wythe::study {
 inline constexpr double kNormal95 = 1.959963984540054;  // quantile of 97.5 % of the normal
 
 [[nodiscard]] double normal_cdf(double z);
-// Quantile of the standard normal, 0 < p < 1; Acklam's rational form and one Halley step: 1e-15.
-[[nodiscard]] double normal_quantile(double p);
+using wythe::normal_quantile;
 // 97.5 % quantile of Student's t by the expansion of Abramowitz and Stegun 26.7.5: relative error
 // below 1e-3 from 4 degrees of freedom on.
 [[nodiscard]] double student_95(int degrees);
