@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <numeric>
@@ -24,12 +23,9 @@ constexpr int kPair = 2;             // walls run first, to measure how long the
 
 double number_between(const std::string& option, const std::string& text, double above,
                       const char* range) {
-  double value = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || stop != end || !(value > above) || !(value <= 1))
-    refuse(option, text, std::string("must be a number ") + range, "write e.g. " + option + " 0.3");
-  return value;
+  return option_number(
+      option, text, [&](double value) { return value > above && value <= 1; },
+      std::string("must be a number ") + range, "write e.g. " + option + " 0.3");
 }
 
 // The number of walls in each way of pushing. A resumed assessment keeps it unless more are asked for.

@@ -70,20 +70,17 @@ void refuse(const std::string& option, const std::string& value, const std::stri
 void check_inner_folder(const std::string& folder) {
   std::error_code error;
   if (!fs::is_symlink(fs::symlink_status(folder, error))) return;
-  throw InputError({{.file = folder,
-                     .problem = fmt::format("is a link to {}, and results stay within their folder",
-                                            fs::read_symlink(folder, error).string()),
-                     .cure = "remove it, or name another folder"}});
+  refuse(folder, "",
+         fmt::format("is a link to {}, and results stay within their folder",
+                     fs::read_symlink(folder, error).string()),
+         "remove it, or name another folder");
 }
 
 int whole_number(const std::string& option, const std::string& text, int least, int most,
                  const std::string& cure) {
-  int number = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, number);
-  if (error != std::errc() || stop != end || number < least || number > most)
-    refuse(option, text, fmt::format("must be a whole number from {} to {}", least, most), cure);
-  return number;
+  return option_number<int>(
+      option, text, [&](int n) { return n >= least && n <= most; },
+      fmt::format("must be a whole number from {} to {}", least, most), cure);
 }
 
 int jobs_of(const std::string& text) {

@@ -1,6 +1,7 @@
 // The commands for campaigns: run, merge shards, replay a sample, rewrite results, check a study.
 #pragma once
 
+#include <charconv>
 #include <functional>
 #include <string>
 #include <vector>
@@ -73,6 +74,16 @@ void check_inner_folder(const std::string& folder);
 // Throws the fault of an option on the command line.
 [[noreturn]] void refuse(const std::string& option, const std::string& value,
                          const std::string& problem, const std::string& cure);
+// The number that an option states; refuses a text that is none, or none that fits.
+template <class Number = double, class Fits>
+Number option_number(const std::string& option, const std::string& text, const Fits& fits,
+                     const std::string& problem, const std::string& cure) {
+  Number number{};
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  if (error != std::errc() || stop != end || !fits(number)) refuse(option, text, problem, cure);
+  return number;
+}
 int whole_number(const std::string& option, const std::string& text, int least, int most,
                  const std::string& cure);
 // Number of cores, as in Python and C: 0, or no option, means all of them.

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <numeric>
 #include <string>
@@ -24,12 +23,9 @@ namespace fs = std::filesystem;
 // NaN where the option was not given.
 double share_of(const std::string& option, const std::string& text) {
   if (text.empty()) return kUnset;
-  double value = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || stop != end || !(value >= 0) || !(value < 1))
-    refuse(option, text, "must be a share from 0 to less than 1", "write e.g. " + option + " 0.05");
-  return value;
+  return option_number(
+      option, text, [](double value) { return value >= 0 && value < 1; },
+      "must be a share from 0 to less than 1", "write e.g. " + option + " 0.05");
 }
 
 // "wall.toml", or the whole path where two files have one name.

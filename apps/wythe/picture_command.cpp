@@ -18,19 +18,15 @@ bool is_wanted(const Snapshot& s, const std::vector<double>& at_mm) {
 }
 
 void check_numbers(const PictureArguments& a) {
-  const auto refuse = [](const char* option, double value, std::string problem, std::string cure) {
-    throw InputError({{.file = option,
-                       .value = fmt::format("{}", value),
-                       .problem = std::move(problem),
-                       .cure = std::move(cure)}});
-  };
   constexpr double kMostScale = 1e6;
   if (!(a.scale >= 0 && a.scale <= kMostScale))
-    refuse("--scale", a.scale, fmt::format("must be a number from 0 to {:g}", kMostScale),
+    refuse("--scale", fmt::format("{}", a.scale),
+           fmt::format("must be a number from 0 to {:g}", kMostScale),
            "write e.g. --scale 10, or leave it out for one that fits");
   for (const double mm : a.at_mm)
     if (!std::isfinite(mm))
-      refuse("--at", mm, "must be a finite number of millimetres", "write e.g. --at 10 20 40");
+      refuse("--at", fmt::format("{}", mm), "must be a finite number of millimetres",
+             "write e.g. --at 10 20 40");
 }
 
 }  // namespace
@@ -40,11 +36,9 @@ int picture(const PictureArguments& a) {
   check_answer_file(a.out, {}, "class=\"states\"");
   const Campaign campaign = read_campaign(a.folder);
   if (a.sample < 1 || a.sample > campaign.samples.n_sample())
-    throw InputError(
-        {{.file = "--sample",
-          .value = std::to_string(a.sample),
-          .problem = fmt::format("the campaign has samples 1 to {}", campaign.samples.n_sample()),
-          .cure = "name one of them"}});
+    refuse("--sample", std::to_string(a.sample),
+           fmt::format("the campaign has samples 1 to {}", campaign.samples.n_sample()),
+           "name one of them");
   const ModelBuilder build = model_builder(campaign.study);
   const Model model = compile(build(settings_of(campaign.samples, a.sample - 1)));
   std::vector<Snapshot> states;
@@ -57,11 +51,9 @@ int picture(const PictureArguments& a) {
     else
       states.push_back(std::move(s));
   if (states.empty())
-    throw InputError({{.file = "--at",
-                       .value = fmt::format("{}", fmt::join(a.at_mm, " ")),
-                       .problem = fmt::format("sample {} has no state there", a.sample),
-                       .cure = stored.empty() ? "none is stored: write study.states"
-                                              : "stored are, in mm: " + stored}});
+    refuse("--at", fmt::format("{}", fmt::join(a.at_mm, " ")),
+           fmt::format("sample {} has no state there", a.sample),
+           stored.empty() ? "none is stored: write study.states" : "stored are, in mm: " + stored);
   write_text(a.out, states_svg(model, states, a.scale, fmt::format("sample {}", a.sample)));
   if (!left_out.empty())
     fmt::print(stderr, "note: no state is stored at {} mm; stored are{} those drawn{}{}\n",

@@ -74,10 +74,8 @@ int export_tables(const ExportArguments& a) {
     const std::string name = entry.path().filename().string();
     if (std::find(names.begin(), names.end(), name) != names.end() || name.starts_with("."))
       continue;
-    throw InputError({{.file = a.out,
-                       .problem = "holds " + name + ", which no export of these campaigns wrote",
-                       .cure = "name a new folder, an empty one, or one that holds an earlier "
-                               "export alone"}});
+    refuse(a.out, "", "holds " + name + ", which no export of these campaigns wrote",
+           "name a new folder, an empty one, or one that holds an earlier export alone");
   }
   for (const std::string& name : names) export_one(a.folder + "/" + name, a.out + "/" + name, a);
   return 0;
