@@ -3,6 +3,9 @@
 // rows behind those of the joints, where the pass over blocks gathers both (tables.h).
 #pragma once
 
+#include <utility>
+#include <vector>
+
 #include "contact/link.h"
 #include "dynamics/passes/wall.h"
 
@@ -12,6 +15,27 @@ namespace wythe::dynamics {
 struct LinkWork {
   double dissipated = 0, tensioned = 0;
 };
+
+// Law and place of all links, without jacks; in space their third components follow.
+template <class View>
+void load_links(const View& wall, const Links& links) {
+  const std::pair<LinkRowName, const std::vector<double>*> rows[] = {
+      {kLinkStiffness, &links.stiffness},
+      {kLinkTension, &links.tension},
+      {kLinkCompression, &links.compression},
+      {kLinkPrestress, &links.prestress},
+      {kLinkArmAX, &links.arm_a_x},
+      {kLinkArmAY, &links.arm_a_y},
+      {kLinkArmBX, &links.arm_b_x},
+      {kLinkArmBY, &links.arm_b_y},
+      {kLinkSpanX, &links.span_x},
+      {kLinkSpanY, &links.span_y},
+      {kLinkFollows, &links.follows}};
+  for (int k = 0; k < links.n; ++k) {
+    for (const auto& [row, of] : rows) wall.link(k, row) = (*of)[k];
+    wall.link(k, kLinkJack) = 0;
+  }
+}
 
 WYTHE_INLINE contact::LinkEnd end_of(const WallView& wall, std::int32_t block, double arm_x,
                                      double arm_y) {

@@ -8,6 +8,7 @@
 #include "contact/layer.h"
 #include "contact/parameters.h"
 #include "core/real.h"
+#include "dynamics/passes/links.h"
 
 namespace wythe::dynamics {
 namespace {
@@ -68,26 +69,6 @@ void load_laws(const Layout& l, const Tables& t, int lane, const Model& m,
         t.law[l.law_number(chunk, n, k, static_cast<int>(t.lanes)) + lane] =
             law.*contact::kConstants<double>[k];
     }
-  }
-}
-
-void load_links(const WallView& wall, const Links& links) {
-  for (int k = 0; k < links.n; ++k) {
-    const auto put = [&](LinkRowName row, const std::vector<double>& of) {
-      wall.link(k, row) = of[k];
-    };
-    put(kLinkStiffness, links.stiffness);
-    put(kLinkTension, links.tension);
-    put(kLinkCompression, links.compression);
-    put(kLinkPrestress, links.prestress);
-    wall.link(k, kLinkJack) = 0;
-    put(kLinkArmAX, links.arm_a_x);
-    put(kLinkArmAY, links.arm_a_y);
-    put(kLinkArmBX, links.arm_b_x);
-    put(kLinkArmBY, links.arm_b_y);
-    put(kLinkSpanX, links.span_x);
-    put(kLinkSpanY, links.span_y);
-    put(kLinkFollows, links.follows);
   }
 }
 

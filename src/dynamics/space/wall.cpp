@@ -70,25 +70,6 @@ void load_laws(const WallView& w, const Model& m) {
   }
 }
 
-void load_links(const WallView& w, const Links& links) {
-  const std::pair<int, const std::vector<double>*> rows[] = {{kLinkStiffness, &links.stiffness},
-                                                             {kLinkTension, &links.tension},
-                                                             {kLinkCompression, &links.compression},
-                                                             {kLinkPrestress, &links.prestress},
-                                                             {kLinkArmAX, &links.arm_a_x},
-                                                             {kLinkArmAY, &links.arm_a_y},
-                                                             {kLinkArmAZ, &links.arm_a_z},
-                                                             {kLinkArmBX, &links.arm_b_x},
-                                                             {kLinkArmBY, &links.arm_b_y},
-                                                             {kLinkArmBZ, &links.arm_b_z},
-                                                             {kLinkSpanX, &links.span_x},
-                                                             {kLinkSpanY, &links.span_y},
-                                                             {kLinkSpanZ, &links.span_z},
-                                                             {kLinkFollows, &links.follows}};
-  for (int k = 0; k < w.links; ++k)
-    for (const auto& [row, of] : rows) w.link(k, row) = (*of)[k];
-}
-
 double length(const Vec& v) { return square_root(dot(v, v)); }
 
 // Forces on block i: those of its joints, and the total with dead loads and gravity.
@@ -207,6 +188,11 @@ void load_lane(const WallView& w, const Model& m, const State& s) {
               std::uint8_t{0});
   load_laws(w, m);
   load_links(w, m.links);
+  for (int k = 0; k < w.links; ++k) {
+    w.link(k, kLinkArmAZ) = m.links.arm_a_z[k];
+    w.link(k, kLinkArmBZ) = m.links.arm_b_z[k];
+    w.link(k, kLinkSpanZ) = m.links.span_z[k];
+  }
   each_number(w, m, s, [](double of, double& to) { to = of; });
   for (int i = 0; i < m.n_block; ++i) {
     const Vec3& inertia = m.space.inertia[i];

@@ -65,6 +65,15 @@ Json mass_json(const MassAndShape& m) {
 
 }  // namespace
 
+Json bilinear_json(const Bilinear& b) {
+  return {{"stiffness_kN_per_mm", b.stiffness * 1e-6},
+          {"force_kN", b.force * 1e-3},
+          {"yield_displacement_mm", b.yield_displacement * 1e3},
+          {"ultimate_displacement_mm", b.ultimate_displacement * 1e3},
+          {"ductility", b.ductility},
+          {"censored", b.censored}};
+}
+
 Json spectrum_json(const ElasticSpectrum& s) {
   Json json = {{"kind", word_of(kSpectrumKindWords, s.kind)},
                {"ground_acceleration_g", s.ground_acceleration / kStandardGravity},
@@ -108,12 +117,7 @@ Json assessment_json(const CodeAssessment& a) {
     json["decides"] = word_of(kLimitStateWords, check->state);
   json["mass"] = mass_json(a.mass);
   const Bilinear& b = a.bilinear;
-  json["bilinear"] = {{"stiffness_kN_per_mm", b.stiffness * 1e-6},
-                      {"force_kN", b.force * 1e-3},
-                      {"yield_displacement_mm", b.yield_displacement * 1e3},
-                      {"ultimate_displacement_mm", b.ultimate_displacement * 1e3},
-                      {"ductility", b.ductility},
-                      {"censored", b.censored}};
+  json["bilinear"] = bilinear_json(b);
   json["equivalent"] = {
       {"mass_kg", a.system.mass},
       {"participation_factor", a.system.participation},

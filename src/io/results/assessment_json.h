@@ -9,6 +9,7 @@
 namespace wythe::io {
 
 [[nodiscard]] nlohmann::ordered_json assessment_json(const CodeAssessment& assessment);
+[[nodiscard]] nlohmann::ordered_json bilinear_json(const Bilinear& bilinear);
 [[nodiscard]] nlohmann::ordered_json spectrum_json(const ElasticSpectrum& spectrum);
 // `assessment` of statistics.json (docs/reference/statistics.md).
 [[nodiscard]] nlohmann::ordered_json assessment_json(const CampaignAssessment& assessment);

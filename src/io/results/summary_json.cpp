@@ -264,15 +264,6 @@ Json drift_capacity_json(const Readings& r) {
   return json;
 }
 
-Json bilinear_json(const Bilinear& b) {
-  return {{"stiffness_kN_per_mm", b.stiffness * 1e-6},
-          {"force_kN", b.force * 1e-3},
-          {"yield_displacement_mm", b.yield_displacement * 1e3},
-          {"ultimate_displacement_mm", b.ultimate_displacement * 1e3},
-          {"ductility", b.ductility},
-          {"censored", b.censored}};
-}
-
 void add_responses(Json& json, const Responses& r) {
   each_response(Answers{json}, r);
   json["censored"] = r.censored_80;
@@ -293,7 +284,7 @@ Json direction_json(const DirectionReadings& d) {
           {"censored_max", d.censored_max},
           {"initial_stiffness_kN_per_mm", d.initial_stiffness * 1e-6},
           {"drift_capacity", drift_capacity_json(d)},
-          {"bilinear", bilinear_json(d.bilinear)},
+          {"bilinear", io::bilinear_json(d.bilinear)},
           {"envelope",
            {{"displacement_mm", io::column_of(d.backbone, &BackbonePoint::displacement, 1e3)},
             {"reaction_kN", io::column_of(d.backbone, &BackbonePoint::reaction, 1e-3)}}}};

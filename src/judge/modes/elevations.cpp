@@ -61,32 +61,6 @@ Vec3 rightwards(Vec3 along) {
   return turns ? -1.0 * along : along;
 }
 
-struct Group {
-  std::string name;
-  std::vector<Moved> blocks;
-};
-
-// Groups of blocks by the builder's names, then by connection; only masonry that stays, without slabs.
-std::vector<Group> groups_of(const Model& model) {
-  std::vector<Group> groups;
-  std::vector<Moved> unnamed;
-  for (const Moved& b : evaluate_blocks(model, initial_state(model))) {
-    if (!makes_walls(model, b.id)) continue;
-    const std::string name = wall_of(b.body->id);
-    if (name.empty()) {
-      unnamed.push_back(b);
-      continue;
-    }
-    auto group = std::find_if(groups.begin(), groups.end(),
-                              [&](const Group& known) { return known.name == name; });
-    if (group == groups.end()) group = groups.insert(group, {name, {}});
-    group->blocks.push_back(b);
-  }
-  for (std::vector<Moved>& cluster : clusters_of(model, unnamed))
-    groups.push_back({"", std::move(cluster)});
-  return groups;
-}
-
 // The space of a block in a wall.
 struct Taken {
   Range along, up, across;
@@ -200,7 +174,7 @@ std::vector<double> shares_of(const Model& model, const std::vector<BlockId>& ow
 std::vector<Elevation> walls_in_space(const Model& model) {
   constexpr double kThin = 0.1;
   std::vector<Elevation> walls;
-  for (const Group& group : groups_of(model)) {
+  for (const WallBlocks& group : groups_of(model)) {
     const Plan plan = plan_of(group.blocks);
     if (plan.thin > kThin) continue;
     Elevation wall{.wall = group.name,
@@ -276,6 +250,26 @@ double inertia_of(const Model& model, const Elevation& seen, BlockId block) {
   };
   return share(s.axis_1[block]) * s.inertia[block].x + share(s.axis_2[block]) * s.inertia[block].y +
          share(s.axis_3[block]) * s.inertia[block].z;
+}
+
+std::vector<WallBlocks> groups_of(const Model& model) {
+  std::vector<WallBlocks> groups;
+  std::vector<Moved> unnamed;
+  for (const Moved& b : evaluate_blocks(model, initial_state(model))) {
+    if (!makes_walls(model, b.id)) continue;
+    const std::string name = wall_of(b.body->id);
+    if (name.empty()) {
+      unnamed.push_back(b);
+      continue;
+    }
+    auto group = std::find_if(groups.begin(), groups.end(),
+                              [&](const WallBlocks& known) { return known.name == name; });
+    if (group == groups.end()) group = groups.insert(group, {name, {}});
+    group->blocks.push_back(b);
+  }
+  for (std::vector<Moved>& cluster : clusters_of(model, unnamed))
+    groups.push_back({"", std::move(cluster)});
+  return groups;
 }
 
 bool makes_walls(const Model& model, BlockId block) {

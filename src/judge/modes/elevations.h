@@ -18,6 +18,8 @@
 
 namespace wythe::study {
 
+struct Moved;  // space_pieces.h
+
 struct Elevation {
   std::string wall;      // the builder's name; empty in the plane and where the model has one wall
   Vec3 along{1, 0, 0};   // unit vectors
@@ -65,5 +67,11 @@ struct Reach {
 
 // The builder's name of the wall: "front" of front.c03u05a, front.lintel0; "" for other ids.
 [[nodiscard]] std::string wall_of(const std::string& id);
+// Groups of blocks by the builder's names, then by connection; only masonry that stays, without slabs.
+struct WallBlocks {
+  std::string name;
+  std::vector<Moved> blocks;
+};
+[[nodiscard]] std::vector<WallBlocks> groups_of(const Model& model);
 
 }  // namespace wythe::study

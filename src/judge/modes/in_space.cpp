@@ -499,25 +499,9 @@ WallsMoved moved_in_plane(const Model& model, const State& state,
 }
 
 WallsByPush walls_by_push(const Model& model, const Vec3& push) {
-  std::vector<Moved> unnamed;
-  std::vector<std::pair<std::string, std::vector<Moved>>> groups;
-  for (const Moved& b : evaluate_blocks(model, initial_state(model))) {
-    if (!makes_walls(model, b.id)) continue;
-    const std::string name = wall_of(b.body->id);
-    if (name.empty()) {
-      unnamed.push_back(b);
-      continue;
-    }
-    const auto same = [&](const auto& group) { return group.first == name; };
-    auto group = std::find_if(groups.begin(), groups.end(), same);
-    if (group == groups.end()) group = groups.insert(group, {name, {}});
-    group->second.push_back(b);
-  }
-  for (std::vector<Moved>& cluster : clusters_of(model, unnamed))
-    groups.emplace_back("", std::move(cluster));
   WallsByPush found;
-  for (const auto& [name, blocks] : groups) {
-    const Plan plan = plan_of(blocks);
+  for (const WallBlocks& group : groups_of(model)) {
+    const Plan plan = plan_of(group.blocks);
     const double off = std::fabs(dot(plan.normal, push));
     ++found.walls;
     if (plan.thin > kThin) continue;

@@ -20,6 +20,7 @@
 #include <limits>
 
 #include "geometry/polygon.h"
+#include "judge/assessment/assessment_parts.h"
 #include "judge/modes/wall_parts.h"
 #include "limit/limit_loads.h"
 #include "wythe/parts/error.h"
@@ -41,13 +42,6 @@ void add_fault(FaultList& faults, std::string path, std::string value, std::stri
               .value = std::move(value),
               .problem = std::move(problem),
               .cure = std::move(cure)});
-}
-
-const Stage* push_of(const Model& model) {
-  const Stage* found = nullptr;
-  for (const Stage& stage : model.stages)
-    if (stage.push() != nullptr) found = &stage;
-  return found;
 }
 
 // The motion of three hinged bodies is fixed. Other restraints of the pushed blocks are refused.
@@ -88,7 +82,7 @@ void refuse_what_chains_ignore(const Model& model, const Stage& push, const Port
 }
 
 void evaluate_push(const Model& model, Portal& portal, FaultList& faults) {
-  const Stage* push = push_of(model);
+  const Stage* push = study::push_of(model);
   if (push == nullptr || push->drive_x == 0 || push->driven.empty()) {
     add_fault(faults, "stage", push == nullptr ? "" : push->spec.name,
               push == nullptr ? "no stage pushes the wall" : "the push is not horizontal",

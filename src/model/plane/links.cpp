@@ -9,6 +9,7 @@
 #include "core/elementary.h"
 #include "geometry/polygon.h"
 #include "model/parts.h"
+#include "model/shaking.h"
 #include "model/space/space.h"
 #include "model/space/space_places.h"
 
@@ -19,19 +20,6 @@ using geometry::Assembly;
 using geometry::Role;
 
 constexpr double kReach = 0.01;  // distance of a point from the wall [m]
-
-// Direction of a spring, from its neighbour: motion towards the neighbour compresses it.
-Vec3 vector_of(Direction direction) {
-  switch (direction) {
-    case Direction::kPlusX: return {-1, 0, 0};
-    case Direction::kMinusX: return {1, 0, 0};
-    case Direction::kPlusY: return {0, -1, 0};
-    case Direction::kMinusY: return {0, 1, 0};
-    case Direction::kPlusZ: return {0, 0, -1};
-    case Direction::kMinusZ: return {0, 0, 1};
-  }
-  return {};
-}
 
 // A point of the wall with its block; no block where the ground holds it.
 struct End {
@@ -298,7 +286,8 @@ class LinkCompiler {
     need(".stiffness", s.stiffness, "stiffness = \"20 kN/mm\"");
     if (faults_.all().size() > before) return;
     // the neighbour stands in `direction`: motion towards it compresses the spring
-    const Vec3 from = site_.in_wall(vector_of(s.direction));
+    // from its neighbour: motion towards it compresses the spring
+    const Vec3 from = site_.in_wall(Vec3{} - vector_of(s.direction));
     if (!site_.knows(from))
       return fault(".direction", "", "is out of the wall's plane, in which the model is",
                    "write +x, -x, +y or -y");
