@@ -100,7 +100,7 @@ void add_inputs(Bundle& bundle, const Campaign& campaign) {
   }
   bundle.header["inputs"] = list;
   bundle.header["drawn"] = walls.size();
-  bundle.add("input", std::span<const float>(values));  // (n_column, n_sample)
+  bundle.add("input", values);  // (n_column, n_sample)
 }
 
 // --- results -------------------------------------------------------------------------------------
@@ -139,8 +139,8 @@ void add_samples(Bundle& bundle, const Shown& shown, double read_modes_at) {
     }
   }
   bundle.header["samples"] = list;
-  bundle.add("curve.displacement_mm", std::span<const float>(displacement));
-  bundle.add("curve.reaction_kN", std::span<const float>(reaction));
+  bundle.add("curve.displacement_mm", displacement);
+  bundle.add("curve.reaction_kN", reaction);
 }
 
 // Every shake that counts, for the figure of response over intensity.

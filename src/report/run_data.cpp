@@ -124,7 +124,7 @@ void add_curve(Bundle& bundle, const std::vector<CurveRow>& curve, ShownColumns 
     values.reserve(curve.size());
     for (const CurveRow& row : curve)
       values.push_back(static_cast<float>(row.*column.value * column.to_unit));
-    bundle.add(fmt::format("curve.{}", column.name), std::span<const float>(values));
+    bundle.add(fmt::format("curve.{}", column.name), values);
   }
 }
 
@@ -151,8 +151,7 @@ void add_shaking(Bundle& bundle, const Model& model, const Result& result) {
       put(fmt::format("storey_{}_percent", storey).c_str(), 1e2 * on({x, 0, z}));
     }
   }
-  for (const auto& [name, values] : columns)
-    bundle.add("shake." + name, std::span<const float>(values));
+  for (const auto& [name, values] : columns) bundle.add("shake." + name, values);
 }
 
 // The places of piers, spandrels, nodes and toes, and the forces of piers and
@@ -189,8 +188,7 @@ void add_parts(Bundle& bundle, const Model& model, const Result& result) {
   }
   if (rows == 0) return;
   bundle.header["forces"] = {{"elements", names}, {"displacement_mm", displacements}};
-  for (const auto& [name, values] : columns)
-    bundle.add("forces." + name, std::span<const float>(values));
+  for (const auto& [name, values] : columns) bundle.add("forces." + name, values);
 }
 
 // The sentence without the meanings of its modes, which follow further down.

@@ -57,15 +57,12 @@ struct Parts {
     part_begin.push_back(count_of(vertex_begin.size() - 1));
   }
   void write(Bundle& bundle) const {
-    const auto add_list = [&](const char* name, const std::vector<std::int32_t>& list) {
-      bundle.add(name, std::span<const std::int32_t>(list));
-    };
-    add_list("space.part_begin", part_begin);
-    add_list("space.vertex_begin", vertex_begin);
-    add_list("space.face_begin", face_begin);
-    add_list("space.corner_begin", corner_begin);
-    add_list("space.corner", corner);
-    bundle.add("space.vertex", std::span<const float>(vertex));
+    bundle.add("space.part_begin", part_begin);
+    bundle.add("space.vertex_begin", vertex_begin);
+    bundle.add("space.face_begin", face_begin);
+    bundle.add("space.corner_begin", corner_begin);
+    bundle.add("space.corner", corner);
+    bundle.add("space.vertex", vertex);
   }
 };
 
@@ -121,7 +118,7 @@ void add_names(Bundle& bundle, const std::vector<BodySpec>& bodies, Json& space)
     if (is_new) space["materials"].push_back(body.material);
     material.push_back(entry->second);
   }
-  bundle.add("space.material", std::span<const std::int32_t>(material));
+  bundle.add("space.material", material);
 }
 
 void add_faces(Bundle& bundle, const Model& model, const Vec3& middle) {
@@ -143,11 +140,11 @@ void add_faces(Bundle& bundle, const Model& model, const Vec3& middle) {
   for (std::size_t c = 0; c < static_cast<std::size_t>(s.n_contact); ++c)
     add(model.n_joint + static_cast<JointId>(c), s.contact_face[c], s.contact_block[c],
         model.n_block + zone_of(s, c));
-  bundle.add("space.joint_a", std::span<const BlockId>(a));
-  bundle.add("space.joint_b", std::span<const BlockId>(b));
-  bundle.add("space.kind", std::span<const std::uint8_t>(kind));
-  bundle.add("space.outline_begin", std::span<const std::int32_t>(begin));
-  bundle.add("space.outline", std::span<const float>(outline));
+  bundle.add("space.joint_a", a);
+  bundle.add("space.joint_b", b);
+  bundle.add("space.kind", kind);
+  bundle.add("space.outline_begin", begin);
+  bundle.add("space.outline", outline);
 }
 
 // Direction of the last driving stage, and the blocks that it drives; none for a load on all of them.
@@ -217,14 +214,14 @@ void add_space(Bundle& bundle, const Model& model, Json& wall) {
   for (const SpaceZoneReading& zone : read_space_zones(model, initial_state(model)))
     put(centroid, zone.middle - middle);
   std::for_each(support, s.centroid.end(), [&](const Vec3& c) { put(centroid, c - middle); });
-  bundle.add("space.centroid", std::span<const float>(centroid));
+  bundle.add("space.centroid", centroid);
   std::vector<std::uint8_t> role;
   for (const BlockRole one : model.anatomy.block_role)
     role.push_back(static_cast<std::uint8_t>(one));
   for (const SpaceSolidBody& body : s.solids.bodies)
     role.insert(role.end(), static_cast<std::size_t>(body.n_zone),
                 static_cast<std::uint8_t>(body.role));
-  bundle.add("space.role", std::span<const std::uint8_t>(role));
+  bundle.add("space.role", role);
   add_faces(bundle, model, middle);
 }
 
@@ -267,11 +264,11 @@ void SpaceFrames::write(Bundle& bundle, int count) const {
   bundle.add_rounded("frame.opening", opening_, count);
   bundle.add_rounded("frame.slip", slip_, count);
   bundle.add_rounded("frame.stress", stress_, count);
-  bundle.add("frame.damage", std::span<const std::uint8_t>(damage_));
-  bundle.add("frame.crushing", std::span<const std::uint8_t>(crushing_));
+  bundle.add("frame.damage", damage_);
+  bundle.add("frame.crushing", crushing_);
   if (link_force_.empty()) return;
   bundle.add_rounded("frame.link_force", link_force_);
-  bundle.add("frame.link_state", std::span<const std::uint8_t>(link_state_));
+  bundle.add("frame.link_state", link_state_);
 }
 
 }  // namespace wythe::report

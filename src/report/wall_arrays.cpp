@@ -25,7 +25,7 @@ std::vector<To> as(const std::vector<From>& values) {
 }
 
 void add_floats(Bundle& bundle, const std::string& name, const std::vector<double>& values) {
-  bundle.add(name, std::span<const float>(as<float>(values)));
+  bundle.add(name, as<float>(values));
 }
 
 // Words for the numbers of an enum in an array.
@@ -50,19 +50,19 @@ void add_column(Bundle& bundle, const std::string& name, const Rows& rows, Value
   std::vector<float> column;
   column.reserve(rows.size());
   for (const auto& row : rows) column.push_back(static_cast<float>(value(row)));
-  bundle.add(name, std::span<const float>(column));
+  bundle.add(name, column);
 }
 
 // The nodes of zones, the outlines of deformable blocks by nodes, and the zones' corners.
 void add_nodes(Bundle& bundle, const Solids& s) {
   std::vector<std::int32_t> rim, corners;  // four a zone
   for (const SolidBody& body : s.bodies) rim.insert(rim.end(), body.rim.begin(), body.rim.end());
-  bundle.add("wall.rim", std::span<const std::int32_t>(rim));
+  bundle.add("wall.rim", rim);
   add_floats(bundle, "wall.node_x", s.node_x);
   add_floats(bundle, "wall.node_y", s.node_y);
   for (int z = 0; z < s.n_zone; ++z)
     for (const auto& corner : s.corner) corners.push_back(corner[z]);
-  bundle.add("wall.zone", std::span<const std::int32_t>(corners));
+  bundle.add("wall.zone", corners);
 }
 
 // Deformable blocks follow the rigid ones, each with the nodes on its outline.
@@ -82,13 +82,13 @@ void add_blocks(Bundle& bundle, const Model& model) {
     thickness.push_back(s.shapes[s.zone_shape[body.first_zone]].thickness);
   std::vector<std::uint8_t> role;
   for (const BlockReading& block : blocks) role.push_back(static_cast<std::uint8_t>(block.role));
-  bundle.add("wall.outline_begin", std::span<const std::int32_t>(begin));
+  bundle.add("wall.outline_begin", begin);
   add_column(bundle, "wall.outline_x", outline, [](const Vec3& p) { return p.x; });
   add_column(bundle, "wall.outline_y", outline, [](const Vec3& p) { return p.y; });
   add_column(bundle, "wall.centroid_x", blocks, [](const auto& b) { return b.start.x; });
   add_column(bundle, "wall.centroid_y", blocks, [](const auto& b) { return b.start.y; });
   add_floats(bundle, "wall.thickness", thickness);
-  bundle.add("wall.role", std::span<const std::uint8_t>(role));
+  bundle.add("wall.role", role);
   if (!s.bodies.empty()) add_nodes(bundle, s);
 }
 
@@ -104,9 +104,9 @@ void add_joints(Bundle& bundle, const Model& model) {
     b.push_back(joints.back().b);
     kind.push_back(static_cast<std::uint8_t>(joints.back().kind));
   }
-  bundle.add("wall.joint_a", std::span<const BlockId>(a));
-  bundle.add("wall.joint_b", std::span<const BlockId>(b));
-  bundle.add("wall.kind", std::span<const std::uint8_t>(kind));
+  bundle.add("wall.joint_a", a);
+  bundle.add("wall.joint_b", b);
+  bundle.add("wall.kind", kind);
   add_column(bundle, "wall.half_x", joints, [](const auto& j) { return j.half.x; });
   add_column(bundle, "wall.half_y", joints, [](const auto& j) { return j.half.y; });
   joints.resize(model.n_joint);  // contacts have nodes, not arms
@@ -115,8 +115,8 @@ void add_joints(Bundle& bundle, const Model& model) {
   add_column(bundle, "wall.arm_b_x", joints, [](const auto& j) { return j.arm_b.x; });
   add_column(bundle, "wall.arm_b_y", joints, [](const auto& j) { return j.arm_b.y; });
   if (s.n_contact == 0) return;
-  bundle.add("wall.contact_p", std::span<const std::int32_t>(s.contact_p));
-  bundle.add("wall.contact_q", std::span<const std::int32_t>(s.contact_q));
+  bundle.add("wall.contact_p", s.contact_p);
+  bundle.add("wall.contact_q", s.contact_q);
   add_floats(bundle, "wall.share_0", s.share_0);
   add_floats(bundle, "wall.share_1", s.share_1);
 }
@@ -231,12 +231,12 @@ void add_wall(Bundle& bundle, const Model& model) {
       driven.insert(driven.end(), part.blocks.begin(), part.blocks.end());
       wall["pushed"].push_back({{"end", driven.size()}, {"length", part.length}});
     }
-    bundle.add("wall.driven", std::span<const BlockId>(driven));
+    bundle.add("wall.driven", driven);
   }
   bundle.header["wall"] = wall;
   add_blocks(bundle, model);
   add_joints(bundle, model);
-  bundle.add("wall.support_begin", std::span<const int>(a.support_begin));
+  bundle.add("wall.support_begin", a.support_begin);
   add_floats(bundle, "wall.support_x", a.support_x);
   add_floats(bundle, "wall.support_y", a.support_y);
 }
@@ -363,8 +363,8 @@ void FrameArrays::write(Bundle& bundle) const {
   if (!link_force_.empty()) bundle.add_rounded("frame.link_force", link_force_);
   bundle.add_rounded("frame.opening", opening_);
   bundle.add_rounded("frame.slip", slip_);
-  bundle.add("frame.damage", std::span<const std::uint8_t>(damage_));
-  bundle.add("frame.crushing", std::span<const std::uint8_t>(crushing_));
+  bundle.add("frame.damage", damage_);
+  bundle.add("frame.crushing", crushing_);
   if (!with_forces_) return;
   bundle.add_rounded("frame.compression", compression_);
   bundle.add_rounded("frame.shear", shear_);
