@@ -10,6 +10,7 @@
 #include "contact/parameters.h"
 #include "core/elementary.h"
 #include "model/field_places.h"
+#include "model/joint_laws.h"
 #include "model/parts.h"
 #include "model/quadrature.h"
 
@@ -50,55 +51,16 @@ double length_of(const Face& face) {
   return elementary::hypot(face.p1.x - face.p0.x, face.p1.y - face.p0.y);
 }
 
-// Converts names of materials to indices; checks each material at its first use.
-class MaterialTable {
+// The laws of joints, of mortar and of chains.
+class MaterialTable : public JointLaws {
  public:
   MaterialTable(const ModelSpec& spec, Model& model, FaultList& faults)
-      : spec_(spec), model_(model), faults_(faults) {}
+      : JointLaws(spec, model, faults, false) {}
 
-  int index_of(const std::string& name, bool shares_bed = false) {
-    const auto known = index_.find({name, shares_bed});
-    if (known != index_.end()) return known->second;
-    if (shares_bed) return index_[{name, true}] = head_index(name, index_of(name));
-    const JointMaterial& material = spec_.material.at(name);
-    const std::vector<MaterialFault> found =
-        contact::missing_as_one(check_joint_material(material));
-    if (!found.empty()) bad_.insert(name);
-    for (const MaterialFault& fault : found)
-      faults_.add({"",
-                   fault.key.empty() ? "material." + name : "material." + name + "." + fault.key,
-                   fault.value, fault.problem, fault.cure, 0});
-    if (material.tensile_strength == 0 && material.cohesion > 0)
-      model_.anatomy.notes.push_back({"material.cohesion_lost", {{"material", name}}});
-    return index_[{name, false}] = append(name, material);
-  }
-
-  // Index of the material of face `number`: its own where a field acts on it.
-  int index_of(const Face& face, int number, const FieldValues& fields) {
-    const int stated = index_of(face.material, face.shares_bed);
-    if (!fields.act_on(face.material)) return stated;
-    JointMaterial own = fields.of_face(number, spec_.material.at(face.material));
-    if (!stated_has_fault(face.material))
-      for (const MaterialFault& fault : check_joint_material(own)) note(face, fault);
-    if (face.shares_bed && own.head_joint_bond < 1) own = contact::head_joint_law(own);
-    const int index = append(face.material, own);
-    model_.stated_material.back() = stated;
-    return index;
-  }
-
-  // Reports values from fields that are inadmissible: for each key the first joint, and the number of others.
-  void report_drawn() {
-    for (const auto& [path, drawn] : drawn_) {
-      const std::string more =
-          drawn.joints > 1 ? fmt::format(" (and at {} more)", drawn.joints - 1) : "";
-      faults_.add(
-          {"", path, drawn.first.value,
-           fmt::format("at the joint at x = {:.3f} m, y = {:.3f} m{}: {}", drawn.x, drawn.y, more,
-                       drawn.first.problem),
-           "give the field a smaller cov or cut it off by lower and upper, or let what must "
-           "keep step follow it by a formula ([field.NAME] formula)",
-           0});
-    }
+  // Index of the material of face `number`.
+  int face_index(const Face& face, int number, const FieldValues& fields) {
+    return index_of(face.material, face.shares_bed, number,
+                    {0.5 * (face.p0.x + face.p1.x), 0.5 * (face.p0.y + face.p1.y), 0}, fields);
   }
 
   // Index of the law of mortar; one law for each distance of units.
@@ -134,14 +96,6 @@ class MaterialTable {
   }
 
  private:
-  // Index of the law of head joints beside beds with the law `bed`.
-  int head_index(const std::string& name, int bed) {
-    const JointMaterial law = model_.materials[bed];
-    if (!(law.head_joint_bond < 1)) return bed;
-    model_.anatomy.notes.push_back(head_bond_note(name, law));
-    return append(name, contact::head_joint_law(law));
-  }
-
   struct Chain {
     std::string material;
     double spacing, depth, face;  // [m]
@@ -154,33 +108,6 @@ class MaterialTable {
            near(a.face, b.face);
   }
 
-  int append(const std::string& name, const JointMaterial& material) {
-    model_.materials.push_back(material);
-    model_.material_names.push_back(name);
-    const auto index = static_cast<int>(model_.materials.size()) - 1;
-    if (!spec_.field.empty()) model_.stated_material.push_back(index);
-    return index;
-  }
-
-  struct Drawn {
-    MaterialFault first;
-    double x, y;  // position of the first joint [m]
-    int joints = 0;
-  };
-  void note(const Face& face, const MaterialFault& fault) {
-    const auto [drawn, is_new] = drawn_.try_emplace(
-        "material." + face.material + "." + fault.key,
-        Drawn{fault, 0.5 * (face.p0.x + face.p1.x), 0.5 * (face.p0.y + face.p1.y)});
-    ++drawn->second.joints;
-  }
-  [[nodiscard]] bool stated_has_fault(const std::string& name) const { return bad_.contains(name); }
-
-  const ModelSpec& spec_;
-  Model& model_;
-  FaultList& faults_;
-  std::map<std::pair<std::string, bool>, int> index_;  // by name and whether it shares a bed's
-  std::set<std::string> bad_;                          // inadmissible as stated
-  std::map<std::string, Drawn> drawn_;                 // by path of a key
   std::vector<Chain> chains_;
   std::vector<std::pair<Coat, int>> coats_;  // with the index of their law
   std::set<std::string> has_no_chain_;       // materials without moduli, reported once
@@ -286,13 +213,13 @@ void compile_joints(const ModelSpec& spec, const Assembly& assembly, const Block
   for (std::size_t number = 0; number < assembly.faces.size(); ++number) {
     const Face& face = assembly.faces[number];
     if (touches_solid(face, map)) {
-      solid_faces.push_back({&face, table.index_of(face, static_cast<int>(number), fields)});
+      solid_faces.push_back({&face, table.face_index(face, static_cast<int>(number), fields)});
       continue;
     }
     faces.push_back(face);
     thickness.push_back(assembly.thickness_of(face));
     if (face.kind != FaceKind::kLintelChain) {
-      material.push_back(table.index_of(face, static_cast<int>(number), fields));
+      material.push_back(table.face_index(face, static_cast<int>(number), fields));
       half_scale.push_back(1.0);
       continue;
     }

@@ -14,7 +14,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <set>
 
 #include "contact/parameters.h"
@@ -24,6 +23,7 @@
 #include "model/fields.h"
 #include "model/free_shapes.h"
 #include "model/idle_inputs.h"
+#include "model/joint_laws.h"
 #include "model/parts.h"
 #include "model/space/space_places.h"
 #include "model/space/space_points.h"
@@ -94,106 +94,6 @@ void check_materials_of_blocks(const ModelSpec& spec, FaultList& faults) {
   for (const BodySpec& body : spec.body) names.try_emplace(body.material, body.id);
   geometry::check_names(geometry::Shape(spec), names, faults);
 }
-
-// Materials by name; each is checked at its first use.
-class Materials {
- public:
-  Materials(const ModelSpec& spec, Model& model, FaultList& faults)
-      : spec_(spec), model_(model), faults_(faults) {}
-
-  std::int32_t index_of(const std::string& name, bool shares_bed = false) {
-    const auto known = index_.find({name, shares_bed});
-    if (known != index_.end()) return known->second;
-    if (shares_bed) return index_[{name, true}] = head_index(name, index_of(name));
-    const auto stated = spec_.material.find(name);
-    const std::int32_t index = append(name, {});
-    index_[{name, false}] = index;
-    if (stated == spec_.material.end()) {
-      faults_.add({"", "material." + name, "", "is missing; joints of the wall are made of it",
-                   fmt::format("add [material.{}], or name another in [[contact]]", name), 0});
-      return index;
-    }
-    for (const MaterialFault& fault :
-         contact::missing_as_one(check_joint_material(stated->second))) {
-      bad_.insert(name);
-      faults_.add({"",
-                   fault.key.empty() ? "material." + name : "material." + name + "." + fault.key,
-                   fault.value, fault.problem, fault.cure, 0});
-    }
-    model_.materials[index] = stated->second;
-    return index;
-  }
-
-  // Index of the material of face `number`: its own where a field acts on it.
-  std::int32_t index_of(const std::string& name, bool shares_bed, int number, const JointFace& face,
-                        const FieldValues& fields) {
-    const std::int32_t stated = index_of(name, shares_bed);
-    if (!fields.act_on(name)) return stated;
-    JointMaterial own = fields.of_face(number, model_.materials[index_of(name)]);
-    if (!bad_.contains(name))
-      for (const MaterialFault& fault : check_joint_material(own)) note(name, face, fault);
-    if (shares_bed && own.head_joint_bond < 1) own = contact::head_joint_law(own);
-    const std::int32_t index = append(name, own);
-    model_.stated_material.back() = stated;
-    return index;
-  }
-
-  // Reports values from fields that are inadmissible: for each key the first joint, and the number of others.
-  void report_drawn() {
-    for (const auto& [path, drawn] : drawn_)
-      faults_.add(
-          {"", path, drawn.first.value,
-           fmt::format("at the joint at x = {:.3f} m, y = {:.3f} m, z = {:.3f} m{}: {}", drawn.at.x,
-                       drawn.at.y, drawn.at.z,
-                       drawn.joints > 1 ? fmt::format(" (and at {} more)", drawn.joints - 1) : "",
-                       drawn.first.problem),
-           "give the field a smaller cov or cut it off by lower and upper, or let what must "
-           "keep step follow it by a formula ([field.NAME] formula)",
-           0});
-  }
-
-  // Index of a law that is derived from the moduli of a body.
-  std::int32_t derived(const std::string& name, const JointMaterial& law) {
-    const auto known = index_.find({name, false});
-    if (known != index_.end()) return known->second;
-    return index_[{name, false}] = append(name, law);
-  }
-
- private:
-  // Index of the law of head joints beside beds with the law `bed`.
-  std::int32_t head_index(const std::string& name, std::int32_t bed) {
-    const JointMaterial law = model_.materials[bed];
-    if (!(law.head_joint_bond < 1)) return bed;
-    model_.anatomy.notes.push_back(head_bond_note(name, law));
-    return append(name, contact::head_joint_law(law));
-  }
-
-  struct Drawn {
-    MaterialFault first;
-    Vec3 at;  // position of the first joint [m]
-    int joints = 0;
-  };
-  void note(const std::string& name, const JointFace& face, const MaterialFault& fault) {
-    const auto [drawn, is_new] =
-        drawn_.try_emplace("material." + name + "." + fault.key, Drawn{fault, face.centre});
-    ++drawn->second.joints;
-  }
-
-  std::int32_t append(const std::string& name, const JointMaterial& law) {
-    const auto index = static_cast<std::int32_t>(model_.materials.size());
-    model_.material_names.push_back(name);
-    model_.materials.push_back(law);
-    if (!spec_.field.empty()) model_.stated_material.push_back(index);
-    return index;
-  }
-
-  const ModelSpec& spec_;
-  Model& model_;
-  FaultList& faults_;
-  std::map<std::string, std::int32_t> index_;
-  std::set<std::string> bad_;           // inadmissible as stated
-  std::map<std::string, Drawn> drawn_;  // by path of a key
-};
 
 // Numbers bodies: free ones first, in order, then supports; deformable ones by solid_id().
 std::vector<BlockId> number(const SpaceAssembly& assembly, Model& model) {
@@ -325,7 +225,7 @@ double torsion_constant(double a, double b) {
 // kn = E/l in both, the chain has the EA and, about both axes, the EI of the beam. ks is chosen so that both together
 // have the beam's 5/6 GA, and the four points alone its GJ.
 std::array<Placed, 2> chain_joints(Placed joint, const std::string& of, const JointMaterial& body,
-                                   double spacing, Materials& materials) {
+                                   double spacing, JointLaws& laws) {
   const Vec3 t2 = cross(joint.normal, joint.tangent);
   double half_1 = 0, half_2 = 0;
   for (const Vec3& p : joint.outline) {
@@ -349,8 +249,8 @@ std::array<Placed, 2> chain_joints(Placed joint, const std::string& of, const Jo
   both[0].points = {{-c1, c1, c1, -c1}, {-c2, -c2, c2, c2}, {0.25, 0.25, 0.25, 0.25}};
   both[1].points = {{0.0}, {0.0}, {1.0}};
   const std::string name = fmt::format("{} chain {:.4f} x {:.4f} / {:.4f} m", of, h1, h2, spacing);
-  both[0].material = materials.derived(name + ", rim", rim);
-  both[1].material = materials.derived(name + ", core", core);
+  both[0].material = laws.derived(name + ", rim", rim);
+  both[1].material = laws.derived(name + ", core", core);
   return both;
 }
 
@@ -386,7 +286,7 @@ void fill_joints(const ModelSpec& spec, const SpaceAssembly& assembly,
                  const std::vector<BlockId>& id, const FieldValues& fields, Model& model,
                  FaultList& faults) {
   const Shape shape(spec);
-  Materials materials(spec, model, faults);
+  JointLaws laws(spec, model, faults, true);
   const QuadratureChoice choice = quadrature_choice(spec.solve);
   model.solve.point_rule = choice.rule;
   model.solve.points_per_face = choice.points;
@@ -401,11 +301,11 @@ void fill_joints(const ModelSpec& spec, const SpaceAssembly& assembly,
     const auto material = [&] {
       if (frame >= 0) {
         const int index = assembly.frames[frame].placed.index;
-        return materials.index_of(spec.frame[index].joint);
+        return laws.index_of(spec.frame[index].joint);
       }
-      return materials.index_of(joint_material_of(shape, a, b, face.normal),
-                                shares_bed(shape, a, b, face.normal), static_cast<int>(number),
-                                face, fields);
+      return laws.index_of(joint_material_of(shape, a, b, face.normal),
+                           shares_bed(shape, a, b, face.normal), static_cast<int>(number),
+                           face.centre, fields);
     };
     if (has_zones(a) || has_zones(b)) {
       add_solid_face(assembly, face, id, solids, faults);
@@ -432,13 +332,13 @@ void fill_joints(const ModelSpec& spec, const SpaceAssembly& assembly,
           dot(assembly.moments[face.b].centroid - assembly.moments[face.a].centroid, face.normal));
       Placed joint = placed(face, id[face.a], id[face.b], 0, choice);
       for (const Placed& half :
-           chain_joints(std::move(joint), a.material, body->second, spacing, materials))
+           chain_joints(std::move(joint), a.material, body->second, spacing, laws))
         joints.push_back(half);
       continue;
     }
     joints.push_back(placed(face, id[face.a], id[face.b], material(), choice));
   }
-  materials.report_drawn();
+  laws.report_drawn();
   faults.throw_if_any();
   const auto variant = [&](const Placed& joint) {
     const contact::LawChoice c = contact::choice_of(model.materials[joint.material]);
