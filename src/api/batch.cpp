@@ -109,7 +109,7 @@ std::vector<SampleRecord> run_batch(const BatchSpec& batch, const std::atomic<bo
   const SampleTable samples = BatchReader(batch, study).read();
   const Compiler compiler(build({}));
   const int total = samples.n_sample();
-  std::vector<SampleRecord> records(static_cast<std::size_t>(total));
+  std::vector<SampleRecord> records(total);
   std::atomic<bool> halt{false};
   std::mutex mutex;
   int next = 0, done = 0;

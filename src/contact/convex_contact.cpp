@@ -11,8 +11,8 @@ namespace wythe::contact {
 PartEdges::PartEdges(const FreeShapes& shapes) {
   std::map<std::vector<double>, Range> known;
   for (std::size_t part = 0; part + 1 < shapes.corner_begin.size(); ++part) {
-    const auto first = static_cast<std::size_t>(shapes.corner_begin[part]);
-    const auto last = static_cast<std::size_t>(shapes.corner_begin[part + 1]);
+    const std::size_t first = shapes.corner_begin[part];
+    const std::size_t last = shapes.corner_begin[part + 1];
     std::vector<double> outline;
     for (std::size_t i = first; i < last; ++i) {
       outline.push_back(shapes.corner_x[i]);

@@ -58,7 +58,7 @@ struct PartEdges {
   explicit PartEdges(const FreeShapes& shapes);
   [[nodiscard]] Part part(std::int32_t part) const {
     const Range& r = range[part];
-    const auto first = static_cast<std::size_t>(r.first);
+    const std::size_t first = r.first;
     return {&corner[2 * first], &edge[first], r.corners};
   }
 };

@@ -127,15 +127,15 @@ Cut& cut(Cut& polygon, Cut& room, int name, const Level& level) {
   std::array<double, kMostCorners> levels;
   bool whole = true;
   for (int i = 0; i < polygon.n; ++i) {
-    const auto k = static_cast<std::size_t>(i);
+    const std::size_t k = i;
     levels[k] = level(polygon.corner[k]);
     whole = whole && levels[k] <= 0;
   }
   if (whole) return polygon;
   room.n = 0;
   for (int i = 0; i < polygon.n; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    const auto next = static_cast<std::size_t>(i + 1 == polygon.n ? 0 : i + 1);
+    const std::size_t k = i;
+    const std::size_t next = i + 1 == polygon.n ? 0 : i + 1;
     const Vec &p = polygon.corner[k], &q = polygon.corner[next];
     const double lp = levels[k], lq = levels[next];
     const auto crossing = [&] { return p + (lp / (lp - lq)) * (q - p); };

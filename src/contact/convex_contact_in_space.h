@@ -44,8 +44,8 @@ struct SpaceParts {
 
   // Facets of a part.
   [[nodiscard]] std::span<const Facet> facets_of(std::int32_t part) const {
-    const auto s = static_cast<std::size_t>(shape[part]);
-    return std::span(facet).subspan(static_cast<std::size_t>(facet_begin[s]),
+    const std::size_t s = shape[part];
+    return std::span(facet).subspan(facet_begin[s],
                                     static_cast<std::size_t>(facet_begin[s + 1] - facet_begin[s]));
   }
 

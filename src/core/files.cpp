@@ -100,7 +100,7 @@ int write_all(int descriptor, std::string_view text) {
     const ssize_t written = ::write(descriptor, text.data(), text.size());
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) return errno;
-    text.remove_prefix(static_cast<std::size_t>(written));
+    text.remove_prefix(written);
   }
   return 0;
 }
@@ -145,7 +145,7 @@ std::string read_file(const std::string& path, std::size_t most) {
   struct stat there {};
   if (file.number < 0 || ::fstat(file.number, &there) != 0) refuse_reading(path, errno);
   check_readable(path, there);
-  const auto stated = static_cast<std::size_t>(there.st_size);
+  const std::size_t stated = there.st_size;
   if (stated > most) refuse_size(path, stated, most);
   // one spare byte shows that the file has grown, or that its size was unknown (/proc)
   std::string text(stated + 1, '\0');

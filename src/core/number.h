@@ -36,7 +36,7 @@ template <class T = double>
   const char* end = nullptr;
   if constexpr (std::is_floating_point_v<T>) {
     const auto read = fast_float::from_chars(first, last, out.value);
-    const auto length = static_cast<std::size_t>(read.ptr - first);
+    const std::size_t length = read.ptr - first;
     if (read.ec != std::errc() || detail::is_out_of_range(out.value, text.substr(0, length)))
       return std::nullopt;
     end = read.ptr;
@@ -45,7 +45,7 @@ template <class T = double>
     if (read.ec != std::errc()) return std::nullopt;
     end = read.ptr;
   }
-  out.rest = text.substr(static_cast<std::size_t>(end - first));
+  out.rest = text.substr(end - first);
   return out;
 }
 

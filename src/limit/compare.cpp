@@ -212,7 +212,7 @@ Message described(const Model& given) {
   Vec2 push;
   const auto n = static_cast<double>(grows->driven.size());
   for (std::size_t k = 0; k < grows->driven.size(); ++k) {
-    const auto b = static_cast<std::size_t>(grows->driven[k]);
+    const std::size_t b = grows->driven[k];
     push.x += grows->driven_share[k] * model.centroid_x[b] / n;
     push.y += grows->driven_share[k] * model.centroid_y[b] / n;
   }

@@ -95,8 +95,8 @@ void check_it_stands_alone(const Model& model, const Unbalanced& without_load) {
 
 // Entries of the model's own blocks and joints; its deformable ones came after them.
 void keep_first(const Model& model, LimitResult& answer) {
-  const auto blocks = static_cast<std::size_t>(model.n_block);
-  const auto joints = static_cast<std::size_t>(model.n_joint);
+  const std::size_t blocks = model.n_block;
+  const std::size_t joints = model.n_joint;
   const std::size_t points = answer.point_force.size() / answer.shear_force.size();
   for (auto* motion : {&answer.vx, &answer.vy, &answer.omega}) motion->resize(blocks);
   answer.shear_force.resize(joints);

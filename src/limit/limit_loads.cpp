@@ -40,7 +40,7 @@ void add_push(const Stage& push, LimitLoads& loads) {
   const FixitySpec fixity = fixity_of(push.spec);
   const auto n = static_cast<double>(push.driven.size());
   for (std::size_t k = 0; k < push.driven.size(); ++k) {
-    const auto i = static_cast<std::size_t>(push.driven[k]);
+    const std::size_t i = push.driven[k];
     const double share = push.driven_share[k];
     if (!loads.together) loads.growing[i] = {share * loads.push_x / n, share * loads.push_y / n, 0};
     // the push on a head acts along a line beside its centroid
@@ -172,7 +172,7 @@ LimitLoads limit_loads(const Model& model, double secant, bool loads_are_masses)
                        .problem = "no stage has a load that grows",
                        .cure = "add a push, e.g. at = { x = \"0 m\", y = \"3.12 m\" }, or a "
                                "body_force stage"}});
-  const auto n = static_cast<std::size_t>(model.n_block);
+  const std::size_t n = model.n_block;
   loads.dead.resize(n);
   loads.growing.resize(n);
   loads.held_across.assign(n, 0);

@@ -15,7 +15,7 @@ namespace {
 // New number of each entity, or -1 where it is left out.
 template <class Stays>
 std::vector<int> numbered(int count, const Stays& stays) {
-  std::vector<int> number(static_cast<std::size_t>(count), -1);
+  std::vector<int> number(count, -1);
   int next = 0;
   for (int i = 0; i < count; ++i)
     if (stays(i)) number[i] = next++;

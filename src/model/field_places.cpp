@@ -237,7 +237,7 @@ void FieldValues::put_into(const ModelSpec& spec, const BlockMap& map, const Den
     const FieldTarget& target = drawn.target;
     DrawnField shown{name, field.path, {}, {}};
     if (target.is_density()) {
-      shown.of_block.assign(static_cast<std::size_t>(model.n_block), kUnset);
+      shown.of_block.assign(model.n_block, kUnset);
       for (std::size_t b = 0; b < map.size(); ++b)
         if (map[b] >= 0 && map[b] < model.n_block && !std::isnan(drawn.value[b]))
           shown.of_block[map[b]] = put(drawn, static_cast<int>(b), density(b));

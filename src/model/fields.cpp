@@ -43,7 +43,7 @@ State initial_state(const Model& model) {
   for (const StateField& field : kStateFields) (s.*field.array).assign(count_of(model, field), 0.0);
   std::fill(s.qw.begin(), s.qw.end(), 1.0);
   for (std::size_t k = 0; k < model.frames.moved.size(); ++k) {
-    const auto block = static_cast<std::size_t>(model.frames.moved[k]);
+    const std::size_t block = model.frames.moved[k];
     s.ux[block] = model.frames.moved_x[k];
     s.uy[block] = model.frames.moved_y[k];
     if (!model.frames.moved_z.empty()) s.uz[block] = model.frames.moved_z[k];

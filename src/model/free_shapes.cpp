@@ -270,7 +270,7 @@ void compile_free_in_space(const ModelSpec& spec, Model& m, FaultList& faults) {
     ++f.n_fixed;
     f.part_begin.push_back(f.part_begin.back() + 1);
   }
-  f.thickness.assign(static_cast<std::size_t>(m.n_block + f.n_fixed), 1.0);
+  f.thickness.assign(m.n_block + f.n_fixed, 1.0);
   choose_materials(m);
 }
 

@@ -39,8 +39,8 @@ std::vector<Bed> beds_of(const Model& m, const Dashpots& d) {
 
 // Least number of beds between each block and the ground; -1: there is no path.
 std::vector<int> levels_of(int blocks, const std::vector<Bed>& beds) {
-  std::vector<std::vector<int>> next(static_cast<std::size_t>(blocks));
-  std::vector<int> level(static_cast<std::size_t>(blocks), -1);
+  std::vector<std::vector<int>> next(blocks);
+  std::vector<int> level(blocks, -1);
   std::queue<int> open;
   for (const Bed& bed : beds) {
     if (bed.low >= 0) {
@@ -79,8 +79,7 @@ std::optional<double> rebound_of_wall(const Model& m, const Dashpots& d) {
   if (levels < 2 || held < kNearlyAll * all) return std::nullopt;
 
   // stable, and fine enough that the first step of an impact has no influence
-  std::vector<double> stiff(static_cast<std::size_t>(m.n_block)),
-      viscous(static_cast<std::size_t>(m.n_block));
+  std::vector<double> stiff(m.n_block), viscous(static_cast<std::size_t>(m.n_block));
   double slowest = std::numeric_limits<double>::infinity(), dt = slowest;
   for (const Bed& bed : beds)
     for (const int block : {bed.low, bed.high}) {
@@ -96,8 +95,8 @@ std::optional<double> rebound_of_wall(const Model& m, const Dashpots& d) {
   }
   const double over = 2 * M_PI * levels / slowest;  // time of a shock up and down
 
-  std::vector<double> y(static_cast<std::size_t>(m.n_block), 0.0),
-      v(static_cast<std::size_t>(m.n_block), -1.0), force(static_cast<std::size_t>(m.n_block));
+  std::vector<double> y(m.n_block, 0.0), v(static_cast<std::size_t>(m.n_block), -1.0),
+      force(static_cast<std::size_t>(m.n_block));
   bool touched = false;
   double apart = 0;
   for (int step = 0; step < kMostSteps && apart < over; ++step) {

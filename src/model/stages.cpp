@@ -137,7 +137,7 @@ class StageCompiler {
       return ids;
     };
     places.point = [this](const PlaceSpec& at, BlockId block) {
-      const auto i = static_cast<std::size_t>(block);
+      const std::size_t i = block;
       const bool point = std::isfinite(at.x) && std::isfinite(at.y) && !std::isfinite(at.width);
       return point ? Vec3{at.x, at.y, 0} : Vec3{model_.centroid_x[i], model_.centroid_y[i], 0};
     };
@@ -187,7 +187,7 @@ class StageCompiler {
     const std::size_t before = stage.loads.size();
     for (std::size_t b = 0; b < assembly_.blocks.size(); ++b) {
       if (assembly_.blocks[b].role != role) continue;
-      const auto i = static_cast<std::size_t>(map_[b]);
+      const std::size_t i = map_[b];
       stage.loads.push_back({map_[b], 0.0, top_of(b) - model_.centroid_y[i], 0.0, -load});
     }
     if (stage.loads.size() == before)
@@ -221,7 +221,7 @@ class StageCompiler {
         const double from = std::max(std::min(p.x, n.x), x0), to = std::min(std::max(p.x, n.x), x1);
         if (to - from <= tolerance) continue;
         if (is_solid(map_[b])) return refuse_zones(b, key);
-        const auto i = static_cast<std::size_t>(map_[b]);
+        const std::size_t i = map_[b];
         stage.loads.push_back({map_[b], 0.5 * (from + to) - model_.centroid_x[i],
                                top - model_.centroid_y[i], 0.0, -q * (to - from)});
         pressed += to - from;
@@ -289,7 +289,7 @@ class StageCompiler {
 
   // Sets the line of the push. Rows follow the displacement of the head, since the end of its arm is no point of the wall.
   void set_contraflexure(double point, Stage& stage) {
-    const auto head = static_cast<std::size_t>(stage.driven.front());
+    const std::size_t head = stage.driven.front();
     const std::string value = fmt::format("{:g}", point);
     if (stage.driven.size() > 1)
       return fault("contraflexure", value,

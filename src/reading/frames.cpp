@@ -102,7 +102,7 @@ std::vector<FrameReading> frames_in_plane(const Model& m, const State& s) {
     // a foot at the end of the member has its axis reversed
     const double forth = f.axis_x[k] * member.direction_x + f.axis_y[k] * member.direction_y;
     FrameReading& now = read[k];
-    const auto i = static_cast<std::size_t>(f.b[k]);
+    const std::size_t i = f.b[k];
     now.where = {m.centroid_x[i] + f.arm_b_x[k] + end_b.moved_x,
                  m.centroid_y[i] + f.arm_b_y[k] + end_b.moved_y, 0};
     if (!m.standing.joins(f.a[k], f.b[k], s.stage)) continue;  // not installed yet

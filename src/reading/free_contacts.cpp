@@ -29,7 +29,7 @@ contact::SpaceFrame frame_in_space(const Model& m, const State& s, std::int32_t 
   const int support = body - m.n_block;
   if (support >= m.space.n_support) return {{0, 0, 0}, none};
   const Vec3& start = m.space.centroid[body];
-  const auto i = static_cast<std::size_t>(support < 0 ? body : support);
+  const std::size_t i = support < 0 ? body : support;
   if (support >= 0)
     return {{start.x + s.support_x[i], start.y + s.support_y[i], start.z + s.support_z[i]}, none};
   return {{start.x + s.ux[i], start.y + s.uy[i], start.z + s.uz[i]},

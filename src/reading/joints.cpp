@@ -148,7 +148,7 @@ std::vector<PointReading> reading::points_in_plane(const Model& m, const State& 
   contact::Laws law(m.materials);
   const Histories history(s);
   const std::vector<SinCos<double>> block = rotations_of(s);
-  std::vector<PointReading> points(static_cast<std::size_t>(m.n_history()));
+  std::vector<PointReading> points(m.n_history());
   for (JointId j = 0; j < m.n_joint; ++j) {
     const BlockId a = m.joint_a[j], b = m.joint_b[j];
     const double phi = a == kGroundBlock ? 0.0 : 0.5 * (s.theta[a] + s.theta[b]);

@@ -55,12 +55,12 @@ LinkReading reading::link_in_plane(const Model& m, const State& s, std::size_t k
           ? contact::force_of_link({l.stiffness[k], l.tension[k], l.compression[k]},
                                    line.elongation, s.link_plastic[k], s.link_drawn[k])
           : contact::LinkForce{0, 0};
-  const auto block = static_cast<std::size_t>(l.b[k]);
+  const std::size_t block = l.b[k];
   const Vec3 end{m.centroid_x[block] + l.arm_b_x[k] + b.moved_x,
                  m.centroid_y[block] + l.arm_b_y[k] + b.moved_y, 0};
   Vec3 start = end;
   if (l.a[k] != kGroundBlock && !(l.follows[k] > 0)) {
-    const auto other = static_cast<std::size_t>(l.a[k]);
+    const std::size_t other = l.a[k];
     start = {m.centroid_x[other] + l.arm_a_x[k] + a.moved_x,
              m.centroid_y[other] + l.arm_a_y[k] + a.moved_y, 0};
   }

@@ -92,7 +92,7 @@ void evaluate_contacts(const Model& m, const State& s, std::vector<PointReading>
                                        turned(rigid.q, n)};
     const JointShape shape = contact_in_space(m, contact);
     const double reach = length(shape.half);
-    for (auto p = static_cast<std::size_t>(z.point_begin[contact]);
+    for (std::size_t p = z.point_begin[contact];
          p < static_cast<std::size_t>(z.point_begin[contact + 1]); ++p) {
       const double r1 = m.space.point_r1[p], r2 = m.space.point_r2[p];
       const Vec arm = vec(z.contact_arm[contact]) + r1 * t1 + r2 * t2;
@@ -111,7 +111,7 @@ void evaluate_contacts(const Model& m, const State& s, std::vector<PointReading>
 std::vector<Vec3> gaps_in_space(const Model& m, const State& s, JointId j) {
   const contact::FaceGap<double> gap = gap_of(m, s, j).gap;
   std::vector<Vec3> gaps;
-  for (auto p = static_cast<std::size_t>(m.space.point_begin[j]);
+  for (std::size_t p = m.space.point_begin[j];
        p < static_cast<std::size_t>(m.space.point_begin[j + 1]); ++p)
     gaps.push_back(vec3(gap.j + m.space.point_r1[p] * gap.a + m.space.point_r2[p] * gap.b));
   return gaps;
@@ -127,7 +127,7 @@ Vec3 moved_in_space(const Model& m, const State& s, BlockId body, Vec3 arm) {
 }
 
 std::vector<PointReading> points_in_space(const Model& m, const State& s) {
-  std::vector<PointReading> points(static_cast<std::size_t>(m.n_history()));
+  std::vector<PointReading> points(m.n_history());
   contact::Laws laws(m.materials);
   for (JointId j = 0; j < m.n_joint; ++j) {
     const contact::LawConstants<double>& law = laws.of(m.joint_material[j]);
@@ -137,7 +137,7 @@ std::vector<PointReading> points_in_space(const Model& m, const State& s) {
     const BlockReading b = read_block(m, s, shape.b);
     const bool stands =
         m.standing.joins(m.joint_a[j], m.joint_b[j], s.stage);  // otherwise nothing is read
-    for (auto p = static_cast<std::size_t>(m.space.point_begin[j]);
+    for (std::size_t p = m.space.point_begin[j];
          p < static_cast<std::size_t>(m.space.point_begin[j + 1]); ++p) {
       const double r1 = m.space.point_r1[p], r2 = m.space.point_r2[p];
       if (stands)
@@ -166,8 +166,7 @@ JointReading joint_in_space(const Model& m, JointId j, const std::vector<PointRe
   joint.opening = -1e300;
   const Vec3 t1 = joint.shape.along, t2 = cross(joint.shape.normal, t1);
   double reach_1 = 0, reach_2 = 0, about_1 = 0, about_2 = 0;
-  for (auto p = static_cast<std::size_t>(joint.points.begin);
-       p < static_cast<std::size_t>(joint.points.end); ++p) {
+  for (std::size_t p = joint.points.begin; p < static_cast<std::size_t>(joint.points.end); ++p) {
     const PointReading& point = points[p];
     const double area = joint.shape.area * point.share;
     const double r1 = m.space.point_r1[p], r2 = m.space.point_r2[p];
@@ -233,16 +232,14 @@ bool slid_off_in_space(const Model& m, const std::vector<PointReading>& points, 
   const Vec3 t1 = shape.along, t2 = cross(shape.normal, t1);
   Vec3 slip;
   bool pressed = false;
-  for (auto p = static_cast<std::size_t>(range.begin); p < static_cast<std::size_t>(range.end);
-       ++p) {
+  for (std::size_t p = range.begin; p < static_cast<std::size_t>(range.end); ++p) {
     slip = slip + points[p].share * points[p].slip_vector;
     pressed = pressed || points[p].opening < 0;
   }
   const double way = length(slip);
   if (!pressed || way == 0) return false;
   double reach = 0;  // of the face in the direction of its slip
-  for (auto p = static_cast<std::size_t>(range.begin); p < static_cast<std::size_t>(range.end);
-       ++p) {
+  for (std::size_t p = range.begin; p < static_cast<std::size_t>(range.end); ++p) {
     const Vec3 arm = m.space.point_r1[p] * t1 + m.space.point_r2[p] * t2;
     reach = std::fmax(reach, std::fabs(dot(arm, slip)) / way);
   }

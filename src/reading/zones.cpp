@@ -21,7 +21,7 @@ using solids::ZoneVectors;
 ZoneVectors<double> displacements(const Solids& m, const State& s, std::size_t zone) {
   ZoneVectors<double> u;
   for (std::size_t k = 0; k < 4; ++k) {
-    const auto node = static_cast<std::size_t>(m.corner[k][zone]);
+    const std::size_t node = m.corner[k][zone];
     u.x[k] = s.node_ux[node];
     u.y[k] = s.node_uy[node];
   }
@@ -40,8 +40,8 @@ double mean_of(const SolidBody& body, const std::vector<double>& values, int col
 
 // Rotation of a column of nodes, from the lowest to the highest.
 double turn_of(const Solids& m, const SolidBody& body, const State& s, int column) {
-  const auto low = static_cast<std::size_t>(body.node(column, 0));
-  const auto high = static_cast<std::size_t>(body.node(column, body.rows));
+  const std::size_t low = body.node(column, 0);
+  const std::size_t high = body.node(column, body.rows);
   const double height = m.node_y[high] - m.node_y[low];
   return elementary::atan2(s.node_ux[low] - s.node_ux[high],
                            height + s.node_uy[high] - s.node_uy[low]);
@@ -51,7 +51,7 @@ double turn_of(const Solids& m, const SolidBody& body, const State& s, int colum
 double axial_of(const Solids& m, const SolidBody& body, const State& s, int column) {
   double force = 0;
   for (int j = 0; j < body.rows; ++j) {
-    const auto z = static_cast<std::size_t>(body.zone(column, j));
+    const std::size_t z = body.zone(column, j);
     const ZoneShape& shape = shape_of(m, z);
     const auto stress =
         solids::zone_stress(shape, solids::zone_motion(shape, displacements(m, s, z)).d);

@@ -54,7 +54,7 @@ JointShape contact_in_space(const Model& model, int contact) {
   shape.along = s.contact_tangent[contact];
   shape.normal = s.contact_normal[contact];
   double reach = 0;
-  for (auto p = static_cast<std::size_t>(s.point_begin[contact]);
+  for (std::size_t p = s.point_begin[contact];
        p < static_cast<std::size_t>(s.point_begin[contact + 1]); ++p)
     reach = std::fmax(reach, std::fabs(model.space.point_r1[p]));
   shape.half = reach * shape.along;
@@ -86,8 +86,8 @@ BlockReading body_in_space(const Model& model, const State& state, int body) {
   const SpaceSolidBody& of = s.bodies[body];
   Vec3 sum;
   double mass = 0;
-  for (std::size_t i = static_cast<std::size_t>(of.first_node);
-       i < static_cast<std::size_t>(of.first_node + of.n_node); ++i) {
+  for (std::size_t i = of.first_node; i < static_cast<std::size_t>(of.first_node + of.n_node);
+       ++i) {
     sum = sum + s.node_gravity_mass[i] * moved_of(state, i);
     mass += s.node_gravity_mass[i];
   }
@@ -107,7 +107,7 @@ std::vector<BeyondLimit> beyond_limits_in_space(const Model& model, const State&
   const SpaceSolids& s = model.space.solids;
   for (const SpaceSolidBody& body : s.bodies) {
     if (!std::isfinite(body.tension_limit) && !std::isfinite(body.compression_limit)) continue;
-    for (std::size_t z = static_cast<std::size_t>(body.first_zone);
+    for (std::size_t z = body.first_zone;
          z < static_cast<std::size_t>(body.first_zone + body.n_zone); ++z) {
       const auto u = displacements(s, state, z);
       const auto principal = solids::principal_of(solids::hexahedron_stress(shape_of(s, z), u));
@@ -148,7 +148,7 @@ class LintelStations {
     const int top = body_.count[1];
     double along = 0, high = 0;
     for (int across = 0; across <= others(); ++across) {
-      const std::size_t low = static_cast<std::size_t>(node(station, 0, across)),
+      const std::size_t low = node(station, 0, across),
                         up = static_cast<std::size_t>(node(station, top, across));
       const Vec3 between = m_.node[up] - m_.node[low] + moved_of(s, up) - moved_of(s, low);
       along += dot(between, along_), high += between.y;
@@ -163,8 +163,7 @@ class LintelStations {
     double force = 0;
     each_place(0, [&](int across, int row) {
       const int i = is_reversed_ ? count() - 1 - layer : layer;
-      const std::size_t z = static_cast<std::size_t>(runs_along_c_ ? body_.zone(across, row, i)
-                                                                   : body_.zone(i, row, across));
+      const std::size_t z = runs_along_c_ ? body_.zone(across, row, i) : body_.zone(i, row, across);
       const auto [xx, yy, zz, xy, yz, zx] =
           solids::hexahedron_stress(shape_of(m_, z), displacements(m_, s, z));
       const Vec3 d = along_;
@@ -225,7 +224,7 @@ std::vector<SpaceZoneReading> read_space_zones(const Model& model, const State& 
     now.turned = reading::rotation_of(solids::hexahedron_motion(shape, u).turn);
     now.principal = solids::principal_of(now.stress);
     for (std::size_t k = 0; k < 8; ++k) {
-      const auto node = static_cast<std::size_t>(s.corner[8 * z + k]);
+      const std::size_t node = s.corner[8 * z + k];
       const Vec3 moved = reading::moved_of(state, node);
       now.corner[k] = s.node[node] + moved;
       now.middle = now.middle + 0.125 * s.node[node];

@@ -98,7 +98,7 @@ std::string hinges(const ChainState& now, const MechanismCanvas& canvas) {
 }
 
 std::string arrow(const Mechanism& m, const ChainState& now, const MechanismCanvas& canvas) {
-  const auto body = static_cast<std::size_t>(m.chain.loaded_body);
+  const std::size_t body = m.chain.loaded_body;
   const Pixel tip = canvas(placed(m.chain, now, body, m.chain.load_point));
   const double back = -m.chain.direction;
   return path(

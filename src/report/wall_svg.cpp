@@ -245,7 +245,7 @@ std::string draw_crushed(const WallReading& wall, const Ends& ends_of, const Can
 
 // The stage with the push in the picture: the present one, else the first push.
 const Stage* pushing_stage(const Model& model, const State& state) {
-  const auto now = static_cast<std::size_t>(state.stage);
+  const std::size_t now = state.stage;
   if (now < model.stages.size() && !model.stages[now].driven.empty()) return &model.stages[now];
   for (const Stage& stage : model.stages)
     if (!stage.driven.empty()) return &stage;

@@ -99,7 +99,7 @@ SolidBody& add_triangles(const Triangles& mesh, const ZoneMaterial& material, So
     Corners at{};
     std::array<std::int32_t, 4> node{};
     for (std::size_t k = 0; k < 4; ++k) {
-      const auto local = static_cast<std::size_t>(corner[std::min<std::size_t>(k, 2)]);
+      const std::size_t local = corner[std::min<std::size_t>(k, 2)];
       node[k] = body.first_node + static_cast<std::int32_t>(local);
       at.x[k] = mesh.x[local];
       at.y[k] = mesh.y[local];

@@ -108,7 +108,7 @@ Resampled::Resampled(std::size_t n, int most) : m_(static_cast<int>(n)) {
   m_ = most;
   shrink_ = std::sqrt(static_cast<double>(m_) / static_cast<double>(n));
   RandomBits bits(kSeed);
-  const auto parts = static_cast<std::size_t>(most);
+  const std::size_t parts = most;
   for (std::size_t i = 0; i < parts; ++i) {
     const std::size_t first = i * n / parts, next = (i + 1) * n / parts;
     place_.push_back(first + static_cast<std::size_t>(bits.below(static_cast<int>(next - first))));

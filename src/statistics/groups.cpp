@@ -144,7 +144,7 @@ void put_few_intervals(const std::vector<Reading>& readings, bool can_be_censore
   std::sort(high.begin(), high.end());
   out.mean.interval = moments.student().interval;
   out.cov = vangel(out.cov.value, out.n);
-  const auto k = static_cast<std::size_t>(order_of_median(out.n));
+  const std::size_t k = order_of_median(out.n);
   if (k > 0) out.median.interval = {readings[k - 1].value, readings[readings.size() - k].value};
   if (!can_be_censored) return;
   if (at_the_end) out.survival_mean.interval = out.mean.interval;

@@ -321,7 +321,7 @@ struct Standing {
   [[nodiscard]] bool any() const { return !from.empty(); }
   [[nodiscard]] bool holds(BlockId block, int stage) const {
     if (from.empty() || block < 0) return true;
-    const auto i = static_cast<std::size_t>(block);
+    const std::size_t i = block;
     return i >= from.size() || (from[i] <= stage && stage < until[i]);
   }
   [[nodiscard]] bool joins(BlockId a, BlockId b, int stage) const {

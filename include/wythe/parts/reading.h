@@ -140,7 +140,7 @@ struct WallReading {
   std::vector<JointReading> joints;
   std::vector<PointReading> points;
   [[nodiscard]] std::span<const PointReading> points_of(const JointReading& joint) const {
-    return std::span(points).subspan(static_cast<std::size_t>(joint.points.begin),
+    return std::span(points).subspan(joint.points.begin,
                                      static_cast<std::size_t>(joint.points.size()));
   }
 };

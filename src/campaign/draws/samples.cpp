@@ -65,7 +65,7 @@ std::string shortened(const std::string& value) {
 
 // Repeats each drawn wall for each of its records.
 void meet_records(const StudySpec& study, SampleTable& table) {
-  const auto samples = static_cast<std::size_t>(count_samples(study));
+  const std::size_t samples = count_samples(study);
   if (study.variable.empty()) table.value.resize(samples);
   if (!study.shaking.is_asked() || study.variable.empty()) return;
   const std::vector<std::vector<double>> walls = std::move(table.value);

@@ -67,7 +67,7 @@ int most_sobol_variables() {
 }
 
 Columns unit_design(const DesignRequest& request, const std::vector<std::string>& names) {
-  const auto samples = static_cast<std::size_t>(request.samples);
+  const std::size_t samples = request.samples;
   std::vector<std::vector<std::uint64_t>> points;
   if (request.design == Design::kSobol) points = sobol_points(names.size(), samples);
   Columns u(names.size());

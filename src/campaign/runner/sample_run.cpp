@@ -87,7 +87,7 @@ void SampleJob::set_intensity(double intensity) {
 std::optional<double> SampleJob::next() const {
   const ShakingSpec& shaking = task_.spec.shaking;
   if (!shaking.is_asked() || !std::isnan(task_.only)) return std::nullopt;
-  const auto record = static_cast<std::size_t>(case_of(task_.spec, sample_ - 1).record);
+  const std::size_t record = case_of(task_.spec, sample_ - 1).record;
   return next_intensity(shaking, shaking.record[record], run_.shakes);
 }
 

@@ -49,7 +49,7 @@ void put_lists(RecordLists lists, SampleRecord& record) {
   FailureMode& mode = record.failure_mode;
   for (const ScoreRow& row : lists.scores) mode.scores[row.name] = row.score;
   for (SignRow& row : lists.signs) {
-    const auto element = static_cast<std::size_t>(row.of_element);
+    const std::size_t element = row.of_element;
     if (element < lists.elements.size())
       lists.elements[element].signs.push_back(std::move(row.sign));
   }

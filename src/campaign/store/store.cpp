@@ -166,7 +166,7 @@ std::map<int, std::vector<CurveRow>> load_curves(Database& database, int samples
   Statement select(database, "SELECT sample, rows, columns, data FROM curve " + where);
   while (select.step()) {
     const auto sample = static_cast<int>(select.integer(1, samples));
-    const auto rows = static_cast<std::size_t>(select.integer(1, kMostRows));
+    const std::size_t rows = select.integer(1, kMostRows);
     const std::vector<std::string> names = parts_of(select.text());
     database.take(static_cast<double>(rows * (names.size() * sizeof(double) + sizeof(CurveRow))));
     curves[sample] = curve_rows(

@@ -56,8 +56,8 @@ void check_pushed_wall(const Refuse& refuse, const RecordLists& lists) {
   const std::vector<PierRow>& piers = lists.piers;
   if (piers.empty()) return;
   const auto is_of_first = [&](const PierRow& row) { return row.element == piers.front().element; };
-  const auto states = static_cast<std::size_t>(
-      std::find_if_not(piers.begin(), piers.end(), is_of_first) - piers.begin());
+  const std::size_t states =
+      std::find_if_not(piers.begin(), piers.end(), is_of_first) - piers.begin();
   if (piers.size() % states != 0 || lists.moved.empty() ||
       piers.back().at.displacement != lists.moved.back().mass.displacement)
     refuse("a pier's drift is missing");
@@ -227,7 +227,7 @@ void Store::check_inputs_of(const SampleTable& drawn) {
       "SELECT sample, position, value FROM sample_input WHERE sample IN (SELECT sample "
       "FROM main.sample) ORDER BY sample, position");
   while (select.step()) {
-    const auto sample = static_cast<std::size_t>(select.integer(1, drawn.n_sample()));
+    const std::size_t sample = select.integer(1, drawn.n_sample());
     const std::vector<double>& inputs = drawn.value[sample - 1];
     const auto position =
         static_cast<std::size_t>(select.integer(0, static_cast<std::int64_t>(inputs.size()) - 1));

@@ -104,7 +104,7 @@ void LaneSolver::arrange() {
     if (lanes < 2) return;
     together_ = processor_for(first, lanes);
   }
-  std::vector<bool> taken(static_cast<std::size_t>(lanes), false);
+  std::vector<bool> taken(lanes, false);
   for (const auto& wall : walls_)
     if (wall->lane >= 0) taken[wall->lane] = true;
   for (const auto& wall : walls_) {

@@ -14,7 +14,7 @@ std::vector<double> rows_of_corners(const contact::PartEdges& edges) {
   std::vector<double> rows;
   for (const contact::PartEdges::Range& shape : edges.shape)
     for (int k = 0; k < kMostCorners; ++k) {
-      const auto corner = static_cast<std::size_t>(shape.first + std::min(k, shape.corners - 1));
+      const std::size_t corner = shape.first + std::min(k, shape.corners - 1);
       rows.push_back(edges.corner[2 * corner]);
       rows.push_back(edges.corner[2 * corner + 1]);
     }

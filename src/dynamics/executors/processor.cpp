@@ -99,7 +99,7 @@ void place_loads(const Model& model, const State& state, const WallView& wall,
     for (const PointLoad& load : stage.loads) clear_load(load.block, wall);
     for (const PointLoad& mass : stage.carried) clear_load(mass.block, wall);
   }
-  const auto now = static_cast<std::size_t>(state.stage);
+  const std::size_t now = state.stage;
   const bool cuts = model.standing.any() && now < model.stages.size() &&
                     model.stages[now].spec.kind() == StageKind::kCut;
   for (int i = 0; cuts && i < model.n_block; ++i) clear_load(i, wall);
@@ -291,8 +291,7 @@ void Processor::end_step() {
       const std::size_t chunk = kTerms * static_cast<std::size_t>(width_);
       for (int term = terms_of(pass).first; term < terms_of(pass).end; ++term) {
         double sum = *ledger[term];
-        for (std::size_t k = static_cast<std::size_t>(term * width_ + lane % width_);
-             k < works.size(); k += chunk)
+        for (std::size_t k = term * width_ + lane % width_; k < works.size(); k += chunk)
           sum += works[k];
         *ledger[term] = sum;
       }

@@ -37,7 +37,7 @@ std::vector<LayerRow> evaluate_layer_rows(const Model& model, const State& state
   const std::vector<LayerReading> nodes = read_layers(model, state);
   int last_broken = -1;  // the last strand of this layer counted as broken
   for (std::size_t k = 0; k < nodes.size(); ++k) {
-    const auto layer = static_cast<std::size_t>(l.layer[k]);
+    const std::size_t layer = l.layer[k];
     LayerRow& row = rows[layer];
     if (k > 0 && l.layer[k] != l.layer[k - 1]) last_broken = -1;
     length[layer] += l.length[k];

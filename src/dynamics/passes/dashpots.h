@@ -196,7 +196,7 @@ inline void damp_joints(const Layout& l, const WallView& wall, const Model& m,
     dashpot_state.before[i] = {wall.block(i, kVx), wall.block(i, kVy), wall.block(i, kOmega)};
   for (const Chunk& chunk : l.chunks[kJoints]) {
     for (int n = 0; n < chunk.n; ++n) {
-      const std::size_t j = static_cast<std::size_t>(chunk.first + n);
+      const std::size_t j = chunk.first + n;
       dashpot_state.force[j] = {0, 0, 0, 0};
       const std::size_t first = j * static_cast<std::size_t>(chunk.points);
       if (wall.t.joint[l.number(l.joint_place[j], kJointRows, kArea, 1)] == 0) {

@@ -244,7 +244,7 @@ WYTHE_INLINE double drive_blocks(const Drive& d, const WallView& wall, double ve
 
 // The present share of the force of wedges (jacks), while a cut stage drives them in. Below 0 in other stages.
 [[nodiscard]] inline double jacks_set(const Model& model, const State& state) {
-  const auto now = static_cast<std::size_t>(state.stage);
+  const std::size_t now = state.stage;
   const bool cuts = model.standing.any() && now < model.stages.size() &&
                     model.stages[now].spec.kind() == StageKind::kCut;
   return cuts ? state.load_scale[now] : -1.0;

@@ -248,8 +248,7 @@ auto FreeContacts<Bodies>::near_of(std::int32_t a, std::int32_t b) -> std::span<
                        [](const NearPair& p, const auto& wanted) { return bodies_of(p) < wanted; });
   auto end = first;
   while (end != near_.end() && bodies_of(*end) == std::pair(a, b)) ++end;
-  return std::span(near_).subspan(static_cast<std::size_t>(first - near_.begin()),
-                                  static_cast<std::size_t>(end - first));
+  return std::span(near_).subspan(first - near_.begin(), static_cast<std::size_t>(end - first));
 }
 
 template <class Bodies>

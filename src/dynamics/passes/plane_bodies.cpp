@@ -47,7 +47,7 @@ PlaneBodies::PlaneBodies(const Model& model, const Layout& layout, int width)
   double size = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(model.n_block); ++i) {
     double reach = 0, low = 1e300, high = -1e300;
-    for (auto k = static_cast<std::size_t>(f.corner_begin[f.part_begin[i]]);
+    for (std::size_t k = f.corner_begin[f.part_begin[i]];
          k < static_cast<std::size_t>(f.corner_begin[f.part_begin[i + 1]]); ++k) {
       reach = maximum(reach, f.corner_x[k] * f.corner_x[k] + f.corner_y[k] * f.corner_y[k]);
       low = minimum(low, f.corner_y[k]), high = maximum(high, f.corner_y[k]);
@@ -83,7 +83,7 @@ Box PlaneBodies::box_of(std::int32_t body, const WallView& wall) const {
   const FreeShapes& f = m_.free;
   const BodyFrame frame = frame_of(body, wall);
   Box box{{1e300, 1e300, 0}, {-1e300, -1e300, 0}};
-  for (auto i = static_cast<std::size_t>(f.corner_begin[f.part_begin[body]]);
+  for (std::size_t i = f.corner_begin[f.part_begin[body]];
        i < static_cast<std::size_t>(f.corner_begin[f.part_begin[body + 1]]); ++i) {
     const Direction2 arm = turned(frame, f.corner_x[i], f.corner_y[i]);
     const double place[2] = {frame.x + arm.x, frame.y + arm.y};
@@ -241,8 +241,8 @@ PlaneBodies::SlipUpdate PlaneBodies::update_slip(FreePair& pair, const PairGeome
 bool PlaneBodies::add_to(Packed& packed, const FreePair& pair) const {
   const FreeContact& c = pair.memory;
   const bool of_a = c.feature >= 0;
-  const auto part_a = static_cast<std::size_t>(m_.free.part_begin[c.a] + c.part_a);
-  const auto part_b = static_cast<std::size_t>(m_.free.part_begin[c.b] + c.part_b);
+  const std::size_t part_a = m_.free.part_begin[c.a] + c.part_a;
+  const std::size_t part_b = m_.free.part_begin[c.b] + c.part_b;
   const contact::PartEdges::Range &ref = edges_.range[of_a ? part_a : part_b],
                                   &other = edges_.range[of_a ? part_b : part_a];
   if (other.corners > kMostCorners) return false;
@@ -345,7 +345,7 @@ std::pair<std::int32_t, std::int32_t> PlaneBodies::sides_of(JointId joint) const
 }
 
 PlaneBodies::Gap PlaneBodies::gap_of(JointId joint, const WallView& wall) const {
-  const auto j = static_cast<std::size_t>(joint);
+  const std::size_t j = joint;
   const BlockId ja = m_.joint_a[j], jb = m_.joint_b[j];
   const BodyFrame b = frame_of(jb, wall);
   const Direction2 arm_b = turned(b, m_.arm_b_x[j], m_.arm_b_y[j]);
@@ -362,7 +362,7 @@ PlaneBodies::Gap PlaneBodies::gap_of(JointId joint, const WallView& wall) const 
 }
 
 PlaneBodies::Jump PlaneBodies::jump_of(JointId joint, const WallView& wall) const {
-  const auto j = static_cast<std::size_t>(joint);
+  const std::size_t j = joint;
   const BlockId ja = m_.joint_a[j];
   const bool ground = ja == kGroundBlock;
   const auto [jx, jy, tilt] = gap_of(joint, wall);
@@ -430,7 +430,7 @@ ForceMoment PlaneBodies::joint_force(JointId joint, std::int32_t on, const WallV
 }
 
 double PlaneBodies::elastic_energy(JointId joint, const WallView& wall) const {
-  const auto j = static_cast<std::size_t>(joint);
+  const std::size_t j = joint;
   const JointMaterial& material = m_.materials[m_.joint_material[j]];
   const auto law = contact::constants_of(material);
   const Jump jump = jump_of(joint, wall);

@@ -148,7 +148,7 @@ class Filler {
     std::fill_n(t_.joint_a, l_.joints, t_.n_block);
     std::fill_n(t_.joint_b, l_.joints, t_.n_block);
     for (int j = 0; j < m_.n_joint; ++j) {
-      const auto i = static_cast<std::size_t>(j);
+      const std::size_t i = j;
       const std::int32_t place = l_.joint_place[i];
       t_.joint_a[place] = pose_of(m_.joint_a[i]);
       t_.joint_b[place] = pose_of(m_.joint_b[i]);
@@ -169,7 +169,7 @@ class Filler {
     const Solids& s = m_.solids;
     std::fill_n(t_.edge_block, l_.edges, t_.n_block);
     for (int c = 0; c < s.n_contact; ++c) {
-      const auto i = static_cast<std::size_t>(c);
+      const std::size_t i = c;
       const std::int32_t place = l_.edge_place[i];
       t_.edge_block[place] = s.contact_block[i] == m_.n_block ? t_.n_block : s.contact_block[i];
       t_.edge_p[place] = s.contact_p[i];
@@ -202,7 +202,7 @@ class Filler {
   // crossings: first those of which it is side a, then side b. Then lists its zone contacts.
   void fill_blocks() {
     std::int32_t next = 0, next_edge = 0;
-    std::vector<std::vector<std::int32_t>> edges_of(static_cast<std::size_t>(m_.n_block));
+    std::vector<std::vector<std::int32_t>> edges_of(m_.n_block);
     for (int c = 0; c < m_.solids.n_contact; ++c)
       if (const BlockId block = m_.solids.contact_block[c]; block != m_.n_block)
         edges_of[block].push_back(l_.edge_place[c]);
@@ -309,7 +309,7 @@ Tables make_tables(const Layout& l, const Model& m, int walls, Memory& memory) {
   t.lanes = l.kind == Layout::kWalls ? walls : 1;
   t.n_block = l.blocks;
   // first run: count; second run: point
-  const auto lanes = static_cast<std::size_t>(t.lanes);
+  const std::size_t lanes = t.lanes;
   std::size_t shared = 0, own = 0, ids = 0, law_paths = 0;
   const auto count = [&](auto*& table, std::size_t n) {
     using T = std::remove_cvref_t<decltype(*table)>;

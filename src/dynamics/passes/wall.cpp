@@ -180,7 +180,7 @@ void load_lane(const Layout& l, const Tables& t, int lane, const Model& m, const
 void stand(const Layout& l, const Tables& t, const Model& m, const State& s) {
   const WallView wall = view_of(l, m, t, 0);
   for (JointId j = 0; j < m.n_joint; ++j) {
-    const auto i = static_cast<std::size_t>(j);
+    const std::size_t i = j;
     const std::int32_t place = l.joint_place[i];
     const bool stands = m.standing.joins(m.joint_a[i], m.joint_b[i], s.stage);
     const std::int32_t a = m.joint_a[i] == kGroundBlock ? t.n_block : m.joint_a[i];
@@ -191,7 +191,7 @@ void stand(const Layout& l, const Tables& t, const Model& m, const State& s) {
     std::fill_n(t.force + 4 * static_cast<std::ptrdiff_t>(place), 4, 0.0);
   }
   for (int k = 0; k < m.links.n; ++k) {
-    const auto i = static_cast<std::size_t>(k);
+    const std::size_t i = k;
     const BlockId a = m.links.a[i], b = m.links.b[i];
     const bool stands = m.standing.joins(a, b, s.stage);
     t.link_a[k] = stands && a != kGroundBlock ? a : t.n_block;
@@ -200,7 +200,7 @@ void stand(const Layout& l, const Tables& t, const Model& m, const State& s) {
     std::fill_n(t.force + 4 * static_cast<std::ptrdiff_t>(wall.joints + k), 4, 0.0);
   }
   for (int k = 0; k < m.frames.n; ++k) {
-    const auto i = static_cast<std::size_t>(k);
+    const std::size_t i = k;
     const bool stands = m.standing.joins(m.frames.a[i], m.frames.b[i], s.stage);
     const std::int32_t a = m.frames.a[i] == kGroundBlock ? t.n_block : m.frames.a[i];
     t.frame_a[k] = stands ? a : t.n_block;

@@ -50,7 +50,7 @@ template <class Face>
 contact::BlockLoads<double> damp_face(const Face& face, const contact::FaceGap<double>& rate,
                                       const Chunk& chunk, int n, const WallView& w, const Model& m,
                                       const Controls& controls, DashpotState& dashpot_state) {
-  const auto j = static_cast<std::size_t>(chunk.first + n);
+  const std::size_t j = chunk.first + n;
   const Dashpots& dashpots = *controls.dashpots;
   const double dt = controls.dt, c_n = dashpots.normal[j], c_s = dashpots.shear[j];
   const MaxwellStep maxwell = maxwell_step(dashpots, dt);
@@ -59,7 +59,7 @@ contact::BlockLoads<double> damp_face(const Face& face, const contact::FaceGap<d
   const contact::FaceGap<double> gap = face.gap();
   contact::FaceLoad<double> sum{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
   for (int k = 0; k < chunk.points; ++k) {
-    const auto p = static_cast<std::size_t>(m.space.point_begin[j] + k);
+    const std::size_t p = m.space.point_begin[j] + k;
     const auto history = [&](int row) {
       return w.t
           .history[w.layout->point_number(chunk, chunk.history, n, k, chunk.rows, row, w.t.lanes) +
@@ -95,7 +95,7 @@ contact::BlockLoads<double> damp_face(const Face& face, const contact::FaceGap<d
 inline contact::BlockLoads<double> damp_joint(const Chunk& chunk, int n, const WallView& w,
                                               const Model& m, const Controls& controls,
                                               DashpotState& dashpot_state) {
-  const std::size_t j = static_cast<std::size_t>(chunk.first + n);
+  const std::size_t j = chunk.first + n;
   const Space& s = m.space;
   const auto pose = [&](BlockId i) { return contact::Pose<double>{w.shift(i), w.turn(i)}; };
   const BlockId a = m.joint_a[j], b = m.joint_b[j];
@@ -133,7 +133,7 @@ inline void damp_joints(const WallView& w, const Model& m, const Controls& contr
   dashpot_state.maxwell.bears = controls.dashpots->spring_share > 0;
   for (const Chunk& chunk : w.layout->joints)
     for (int n = 0; n < chunk.n; ++n) {
-      const auto j = static_cast<std::size_t>(chunk.first + n);
+      const std::size_t j = chunk.first + n;
       dashpot_state.load[j] = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
       if (w.t.face[w.layout->number(w.layout->joint_place[j], kFaceRows, kFaceArea, 1)] == 0) {
         for (int p = m.space.point_begin[j];
@@ -157,8 +157,7 @@ inline void damp_joints(const WallView& w, const Model& m, const Controls& contr
 // Energy that the dashpots dissipated in the last step [J].
 inline double dashpot_work(const WallView& w, const Model& m, const DashpotState& dashpot_state,
                            double dt) {
-  std::vector<Load<double>> on(static_cast<std::size_t>(m.n_block),
-                               Load<double>{{0, 0, 0}, {0, 0, 0}});
+  std::vector<Load<double>> on(m.n_block, Load<double>{{0, 0, 0}, {0, 0, 0}});
   double power = 0;
   for (std::size_t j = 0; j < dashpot_state.load.size(); ++j) {
     const contact::BlockLoads<double>& l = dashpot_state.load[j];
@@ -181,7 +180,7 @@ inline double dashpot_work(const WallView& w, const Model& m, const DashpotState
 
 // Inertia force of mass that does not count as weight of its block. Gravity already contains the base acceleration.
 inline void add_carried(const WallView& w, const Model& m, const State& s) {
-  const auto now = static_cast<std::size_t>(s.stage);
+  const std::size_t now = s.stage;
   if (now >= m.stages.size()) return;
   const Vec base{s.gravity_x, s.gravity_y + m.solve.gravity, s.gravity_z};
   for (const PointLoad& mass : m.stages[now].carried)

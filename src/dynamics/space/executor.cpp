@@ -162,7 +162,7 @@ void SpaceProcessor::begin_step() {
       for (const PointLoad& load : stage.loads) clear_load(load.block, wall.view);
       for (const PointLoad& mass : stage.carried) clear_load(mass.block, wall.view);
     }
-    const auto now = static_cast<std::size_t>(state.stage);
+    const std::size_t now = state.stage;
     const bool cuts = wall.model->standing.any() && now < wall.model->stages.size() &&
                       wall.model->stages[now].spec.kind() == StageKind::kCut;
     for (int i = 0; cuts && i < wall.view.blocks; ++i) clear_load(i, wall.view);
@@ -282,8 +282,7 @@ void SpaceProcessor::end_step() {
         &wall.state->dissipated_crushing, &wall.state->work_loads, &wall.state->work_damping};
     const Bank& bank = bank_[lane / width_];
     for (const std::vector<double>* works : {&bank.joint_works, &bank.block_works})
-      for (std::size_t k = static_cast<std::size_t>(lane % width_); k < works->size();
-           k += static_cast<std::size_t>(width_))
+      for (std::size_t k = lane % width_; k < works->size(); k += static_cast<std::size_t>(width_))
         *ledger[k / static_cast<std::size_t>(width_) % kTerms] += (*works)[k];
     if (wall.zones) wall.zones->tell(*wall.state);
     if (free_) free_->moved(*wall.state, wall.controls.dt, wall.view);

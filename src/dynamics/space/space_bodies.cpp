@@ -368,7 +368,7 @@ contact::History<double> SpaceBodies::history_of(JointId joint, int point,
 }
 
 Vec SpaceBodies::gap_at(JointId joint, int point, const Jump& jump) const {
-  const auto p = static_cast<std::size_t>(m_.space.point_begin[joint] + point);
+  const std::size_t p = m_.space.point_begin[joint] + point;
   return jump.gap.j + m_.space.point_r1[p] * jump.gap.a + m_.space.point_r2[p] * jump.gap.b;
 }
 

@@ -83,8 +83,7 @@ struct Placed {
 };
 
 void place(const Layout& l, const Model& m, Tables& t, Placed& to) {
-  const std::size_t joints = static_cast<std::size_t>(l.n_joint),
-                    blocks = static_cast<std::size_t>(l.n_block),
+  const std::size_t joints = l.n_joint, blocks = static_cast<std::size_t>(l.n_block),
                     walls = static_cast<std::size_t>(t.lanes);
   const std::size_t group = l.grouped() ? kGroup : 1;
   to.take(t.face, joints * kFaceRows);
@@ -141,7 +140,7 @@ void fill_joints(const Layout& l, const Model& m, Tables& t) {
       put(kNormal, m.space.normal[j]);
       t.face[l.number(item, kFaceRows, kFaceArea, 1)] = m.area[j];
       for (int k = 0; k < chunk.points; ++k) {
-        const std::size_t p = static_cast<std::size_t>(m.space.point_begin[j] + k);
+        const std::size_t p = m.space.point_begin[j] + k;
         const auto row = [&](int r) -> double& {
           return t.point[l.point_number(chunk, chunk.rule, n, k, kPointRows, r, 1)];
         };

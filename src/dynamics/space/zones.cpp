@@ -48,7 +48,7 @@ ZoneRun::ZoneRun(const Model& model, const State& s)
   }
   for (const JointMaterial& material : model.materials)
     law_.push_back(contact::constants_of(material));
-  const std::size_t first = static_cast<std::size_t>(s_.point_begin.front());
+  const std::size_t first = s_.point_begin.front();
   point_.resize(static_cast<std::size_t>(s_.point_begin.back()) - first);
   for (std::size_t p = 0; p < point_.size(); ++p) {
     point_[p].history = {};
@@ -65,7 +65,7 @@ void ZoneRun::store_state(State& s) const {
     s.node_ux[i] = u_[i].x, s.node_uy[i] = u_[i].y, s.node_uz[i] = u_[i].z;
     s.node_vx[i] = v_[i].x, s.node_vy[i] = v_[i].y, s.node_vz[i] = v_[i].z;
   }
-  const std::size_t first = static_cast<std::size_t>(s_.point_begin.front());
+  const std::size_t first = s_.point_begin.front();
   for (std::size_t p = 0; p < point_.size(); ++p) {
     for (const StateField& field : kStateFields)
       if (field.entity == Entity::kPoint && !(s.*field.array).empty())
@@ -95,7 +95,7 @@ ZoneRun::ContactGeometry ZoneRun::contact_geometry(std::size_t c, const contact:
   const Vec n = turned(pose.q, vec(s_.contact_normal[c]));
   ContactGeometry m{pose, t1, cross(n, t1), n, {}};
   for (std::size_t k = 0; k < 4; ++k) {
-    const std::size_t i = static_cast<std::size_t>(s_.contact_node[4 * c + k]);
+    const std::size_t i = s_.contact_node[4 * c + k];
     m.node[k] = u_[i] - back * v_[i];
   }
   return m;
@@ -138,9 +138,9 @@ void ZoneRun::ask(std::size_t c, const WallView& w, JointWork<double>& work) {
   const Quaternion<double> q = on_block ? w.turn(block) : Quaternion<double>{1, {0, 0, 0}};
   const ContactGeometry m = contact_geometry(c, {moved, q}, 0);
   Vec sum{0, 0, 0}, moment{0, 0, 0}, side[4] = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
-  const std::size_t first = static_cast<std::size_t>(s_.point_begin.front());
-  for (auto p = static_cast<std::size_t>(s_.point_begin[c]);
-       p < static_cast<std::size_t>(s_.point_begin[c + 1]); ++p) {
+  const std::size_t first = s_.point_begin.front();
+  for (std::size_t p = s_.point_begin[c]; p < static_cast<std::size_t>(s_.point_begin[c + 1]);
+       ++p) {
     const double* share = &s_.node_share[4 * (p - first)];
     const ContactMotion now = contact_motion(c, p, m);
     Point& point = point_[p - first];
@@ -193,11 +193,10 @@ void ZoneRun::move(const WallView& w, double dt, double mass_scaling, Workers* w
   const Vec gravity = w.gravity();
   each(workers, s_.n_node, kNodeChunk, [&](std::size_t i, std::size_t chunk) {
     Vec f{0, 0, 0};
-    for (auto e = static_cast<std::size_t>(s_.zone_begin[i]);
-         e < static_cast<std::size_t>(s_.zone_begin[i + 1]); ++e)
+    for (std::size_t e = s_.zone_begin[i]; e < static_cast<std::size_t>(s_.zone_begin[i + 1]); ++e)
       f = f + corner_force_[s_.zone_entry[e]];
-    for (auto e = static_cast<std::size_t>(s_.contact_begin[i]);
-         e < static_cast<std::size_t>(s_.contact_begin[i + 1]); ++e)
+    for (std::size_t e = s_.contact_begin[i]; e < static_cast<std::size_t>(s_.contact_begin[i + 1]);
+         ++e)
       f = f + side_force_[s_.contact_entry[e]];
     const Vec load = s_.node_gravity_mass[i] * gravity;
     f = f + load;

@@ -29,7 +29,7 @@ struct Moved2 {
 };
 Moved2 moved_at(const State& s, BlockId block, double arm_x, double arm_y) {
   if (block == kGroundBlock) return {0, 0};
-  const auto i = static_cast<std::size_t>(block);
+  const std::size_t i = block;
   const SinCos<double> half = sin_cos(0.5 * s.theta[i]);
   const contact::LinkEnd end =
       contact::link_end(s.ux[i], s.uy[i], half.cos, half.sin, arm_x, arm_y);
@@ -80,7 +80,7 @@ class PutUp {
  private:
   // A segment of a frame is placed by itself. A lintel or sill is placed as one stiff body, joined by its chain.
   void find_groups() {
-    std::vector<BlockId> group(static_cast<std::size_t>(m_.n_block));
+    std::vector<BlockId> group(m_.n_block);
     for (BlockId i = 0; i < m_.n_block; ++i) group[i] = i;
     const auto root = [&](BlockId i) {
       while (group[i] != i) i = group[i];
@@ -144,7 +144,7 @@ class Fitter : PutUp {
   // the faces. Where the faces leave it free, small weights fit it along them and to the mean of all.
   void place(const std::vector<BlockId>& blocks) {
     constexpr double kAlong = 1e-3, kFaint = 1e-6;
-    const auto first = static_cast<std::size_t>(blocks.front());
+    const std::size_t first = blocks.front();
     const double cx = m_.centroid_x[first], cy = m_.centroid_y[first];
     Vec3 normal[3] = {}, wanted;  // rows of the equations of least squares
     const auto want = [&](const Vec3& row, double value, double weight) {
@@ -166,7 +166,7 @@ class Fitter : PutUp {
     want({0, 0, 1}, 0, faint);
     const Vec3 q = solved(normal, wanted);
     for (const BlockId block : blocks) {
-      const auto i = static_cast<std::size_t>(block);
+      const std::size_t i = block;
       const double x = m_.centroid_x[i] - cx, y = m_.centroid_y[i] - cy;
       const double sine = elementary::sin(q.z),
                    drop = -2 * elementary::pow(elementary::sin(0.5 * q.z), 2);
@@ -210,7 +210,7 @@ std::vector<BlockId> touched(const Model& m, int stage) {
   const auto changes = [&](BlockId i) {
     return i >= 0 && i < m.n_block && m.standing.holds(i, stage) != m.standing.holds(i, stage - 1);
   };
-  std::vector<bool> found(static_cast<std::size_t>(m.n_block), false);
+  std::vector<bool> found(m.n_block, false);
   const auto join = [&](BlockId a, BlockId b) {
     for (const auto& [own, other] : {std::pair(a, b), std::pair(b, a)})
       if (own >= 0 && own < m.n_block && m.standing.holds(own, stage) &&

@@ -68,7 +68,7 @@ void Recorder::begin(double read_at) {
   n_.due = std::min({state_at_.front(), n_.next_reading, read_at});
   const bool one_way = stage_.push() != nullptr && stage_.targets().empty();
   n_.next_shape = one_way ? kShapesFrom : std::numeric_limits<double>::infinity();
-  const auto joints = static_cast<std::size_t>(model_.n_joint);
+  const std::size_t joints = model_.n_joint;
   recording_.slid_off.assign(joints, 0);
   result_.curve_of = stage_.spec.kind();
   result_.curve.clear();
@@ -95,7 +95,7 @@ void Recorder::take(const WallAccess& access, State& state, const Controls& cont
   if (n_.start_time < 0) {
     n_.start_time = state.time - state.stage_time;
     if (!stage_.targets().empty()) {
-      const auto leg = static_cast<std::size_t>(state.target);
+      const std::size_t leg = state.target;
       const double from = leg == 0 ? 0.0 : stage_.targets()[leg - 1];
       begin_leg(leg, from, travelled - std::fabs(displacement - from));
     }
@@ -166,7 +166,7 @@ void Recorder::take_shape(const WallAccess& access, State& state) {
   const int supports = model_.space.n_support;
   const auto bodies =
       static_cast<int>(model_.solids.bodies.size() + model_.space.solids.bodies.size());
-  shape.moved.assign(static_cast<std::size_t>(model_.n_block + supports + bodies), 0.0);
+  shape.moved.assign(model_.n_block + supports + bodies, 0.0);
   for (BlockId b = 0; b < model_.n_block + supports + bodies; ++b) {
     if (b >= model_.n_block && b < model_.n_block + supports) continue;
     shape.moved[b] =
@@ -244,7 +244,7 @@ double Recorder::resisted_by_ground(const WallAccess& access, const State& state
 
 // Force along the push of the weights of blocks that are not driven, and of the dead loads on them [N].
 double Recorder::dead_along_push(const State& state) const {
-  std::vector<bool> driven(static_cast<std::size_t>(model_.n_block), false);
+  std::vector<bool> driven(model_.n_block, false);
   for (const BlockId block : stage_.driven)
     if (block < model_.n_block) driven[block] = true;  // else a support
   double mass = 0, force = 0;
@@ -368,8 +368,8 @@ void Recorder::note_frames(const State& state, double displacement, double react
     const FrameReading& section = sections[k];
     result_.frame_rows.push_back({section.normal, section.shear, section.moment});
     if (section.plastic == 0) continue;
-    const auto member = static_cast<std::size_t>(model_.frames.member[k]);
-    const auto frame = static_cast<std::size_t>(model_.frames.members[member].frame);
+    const std::size_t member = model_.frames.member[k];
+    const std::size_t frame = model_.frames.members[member].frame;
     const Message name{"event.frame_yields", {{"frame", model_.frames.name[frame]}}};
     if (!has_event(result_, name))
       result_.events.push_back({name, displacement, reaction, place_in_frame(model_, k)});
@@ -403,7 +403,7 @@ void Recorder::note_joints(const State& state, double displacement, double react
       if (std::exchange(event.found, true)) return;
       result_.events.push_back({{event.code}, displacement, reaction, place_of(joint, point)});
     };
-    const auto j = static_cast<std::size_t>(joint);
+    const std::size_t j = joint;
     const auto& m = model_.materials[model_.joint_material[j]];
     const bool dry = m.tensile_strength == 0;
     // a new block starts with the closing of the beds that it replaced (docs/theory/cutting.md)
@@ -438,11 +438,11 @@ void Recorder::note_slid_off(const std::vector<PointReading>& points, double dis
                              double reaction) {
   if (model_.free.any()) return;  // such a joint becomes a free contact
   for (JointId joint = 0; joint < model_.n_joint; ++joint) {
-    const auto j = static_cast<std::size_t>(joint);
+    const std::size_t j = joint;
     if (recording_.slid_off[j] != 0 || !has_slid_off(model_, points, joint)) continue;
     recording_.slid_off[j] = 1;
     if (result_.validity.joints++ > 0) continue;
-    const auto first = static_cast<std::size_t>(points_of(model_, joint).begin);
+    const std::size_t first = points_of(model_, joint).begin;
     result_.validity.overlap_lost = displacement;
     result_.validity.where = place_of(joint, points[first]);
     result_.events.push_back({{"event.slid_off"}, displacement, reaction, result_.validity.where});

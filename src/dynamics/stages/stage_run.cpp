@@ -116,7 +116,7 @@ bool StageRun::is_overloaded() const {
   for (std::size_t k = 0; k < model_.stages.size(); ++k)
     for (const PointLoad& dead : model_.stages[k].loads) load -= state_.load_scale[k] * dead.fy;
   for (int i = model_.n_pair; i < model_.n_joint; ++i) {
-    const auto j = static_cast<std::size_t>(i);
+    const std::size_t j = i;
     bears += model_.area[j] * model_.materials[model_.joint_material[j]].compressive_strength;
   }
   return load > bears;
@@ -186,7 +186,7 @@ int StageRun::pulled_by(BlockId block, double& force) const {
   const Vec3 moved = read_block(model_, state_, block).moved;
   const std::vector<LinkReading> links = read_links(model_, state_);
   for (int k = 0; k < model_.links.n; ++k) {
-    const auto i = static_cast<std::size_t>(k);
+    const std::size_t i = k;
     const bool at_a = model_.links.a[i] == block;
     if (!at_a && model_.links.b[i] != block) continue;
     const Vec3 along = links[i].ends[at_a ? 1 : 0] - links[i].ends[at_a ? 0 : 1];

@@ -280,7 +280,7 @@ int widest_axis(const std::vector<Box3>& boxes) {
 }  // namespace
 
 int frame_of(const SpaceAssembly& assembly, int body) {
-  const auto at = static_cast<std::size_t>(body);
+  const std::size_t at = body;
   for (std::size_t k = 0; k < assembly.frames.size(); ++k) {
     const SpaceFrame& frame = assembly.frames[k];
     if (at >= frame.first_body && at < frame.first_body + frame.placed.segments.size())

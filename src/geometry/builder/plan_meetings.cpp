@@ -543,7 +543,7 @@ void match_courses(std::vector<StraightWall>& walls, FaultList& faults) {
   for (std::size_t i = 0; i < walls.size(); ++i)
     for (int e = 0; e < 2; ++e) {
       const WallEnd& end = walls[i].end[e];
-      const auto k = static_cast<std::size_t>(end.other);
+      const std::size_t k = end.other;
       if (!toothed(i, e, EndKind::kCorner) || !teeth_fit(walls[i], e, walls[k], faults)) continue;
       const int parity = 1 ^ end.passes ^ walls[k].end[end.other_end].passes;
       if (i < k && !phases.bind(i, k, parity))
@@ -557,7 +557,7 @@ void match_courses(std::vector<StraightWall>& walls, FaultList& faults) {
     for (int e = 0; e < 2; ++e) {
       if (!toothed(i, e, EndKind::kTee)) continue;
       const WallEnd& end = walls[i].end[e];
-      const auto k = static_cast<std::size_t>(end.other);
+      const std::size_t k = end.other;
       if (!teeth_fit(walls[i], e, walls[k], faults)) continue;
       const auto& tees = walls[k].tees;
       const auto own = std::find_if(tees.begin(), tees.end(), [&](const Tee& t) {

@@ -135,7 +135,7 @@ Corner end_joint(const ArchSpec& arch, const Rect& hole) {
 
 // Lays the left half and mirrors it.
 PlacedArch lay_voussoirs(const ArchSpec& arch, const Rect& hole, int n) {
-  const std::size_t last = static_cast<std::size_t>(n);
+  const std::size_t last = n;
   PlacedArch laid{std::vector<Vec2>(last + 1), std::vector<Vec2>(last + 1)};
   const double twice = hole.x0 + hole.x1;
   const auto mirror = [&](Vec2 p) { return Vec2{twice - p.x, p.y}; };

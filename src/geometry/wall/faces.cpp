@@ -100,7 +100,7 @@ std::string band_material(const Shape& shape, const Block& a, const Block& b,
 
 // Joint material of an arch: its own, or that of the bed joints around; the same between arch and masonry.
 std::string arch_material(const Shape& shape, const Block& a, const Block& b) {
-  const auto opening = static_cast<std::size_t>(is_voussoir(a) ? a.opening : b.opening);
+  const std::size_t opening = is_voussoir(a) ? a.opening : b.opening;
   const std::string& own = shape.wall.opening[opening].arch.joint;
   return are_of_one_arch(a, b) && !own.empty() ? own : bed_material(shape, owner_of(a, b));
 }

@@ -473,7 +473,7 @@ std::vector<PlacedFrame> place_frames(const Shape& shape,
     for (const Block& segment : frame.segments) box = join(box, bounds(segment.outline));
     const Rect& wall = site.wall;
     if (overlaps(box, wall, -kNear)) continue;
-    const auto k = static_cast<std::size_t>(frame.index);
+    const std::size_t k = frame.index;
     add_fault(faults, path_of(k, "line"), metres(box.x0) + " to " + metres(box.x1),
               called(shape.frame[k], k) +
                   " stands outside the wall, which spans x = " + metres(wall.x0) + " to " +
@@ -499,7 +499,7 @@ void check_frames(const Assembly& assembly, FaultList& faults) {
     const auto known =
         std::find_if(assembly.frames.begin(), assembly.frames.end(),
                      [&](const PlacedFrame& frame) { return frame.index == segment.frame; });
-    const auto at = static_cast<std::size_t>(known - assembly.frames.begin());
+    const std::size_t at = known - assembly.frames.begin();
     if (told[at]) continue;
     told[at] = true;
     add_fault(faults, path_of(static_cast<std::size_t>(segment.frame), ""), "",

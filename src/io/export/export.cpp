@@ -206,7 +206,7 @@ struct Wall {
       cell_begin.push_back(cell_begin.back() +
                            (model.space.body.empty() ? 1 : model.space.body[b].part.size()));
     for (const ZoneReading& z : read_zones(model, start))
-      zone.push_back(mean_of(std::span(z.corner).first(static_cast<std::size_t>(z.corners))));
+      zone.push_back(mean_of(std::span(z.corner).first(z.corners)));
     for (const SpaceZoneReading& z : read_space_zones(model, start)) zone.push_back(z.middle);
     zone_body.resize(zone.size());
     number_zones(model.solids.bodies);

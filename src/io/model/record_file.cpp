@@ -55,7 +55,7 @@ class TableRecord {
   }
 
  private:
-  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+  static constexpr std::size_t kNone = -1;
   static constexpr double kCoarsest = 0.5;  // in a record: the coarsest in use have 0.02 s [s]
 
   [[noreturn]] void refuse(const char* key, std::string value, std::string problem,

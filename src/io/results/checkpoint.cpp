@@ -118,7 +118,7 @@ bool is_contact_of(const Model& model, const FreeContact& c) {
   };
   const std::int32_t a = part(c.a, c.part_a), b = part(c.b, c.part_b);
   if (a < 0 || b < 0 || f.corner_begin.empty()) return a >= 0 && b >= 0;
-  const auto i = static_cast<std::size_t>(c.feature < 0 ? b : a);
+  const std::size_t i = c.feature < 0 ? b : a;
   const std::int32_t edge = c.feature < 0 ? -1 - c.feature : c.feature;
   return edge < f.corner_begin[i + 1] - f.corner_begin[i];
 }
@@ -143,7 +143,7 @@ void walk_state(A& archive, const Model& model, S& state) {
     archive.array(state.*field.array, count_of(model, field));
   archive.array(state.load_scale, model.stages.size());
   walk_free_contacts(archive, model, state);
-  const auto stage = static_cast<std::size_t>(state.stage);
+  const std::size_t stage = state.stage;
   archive.require(state.stage >= 0 && stage < model.stages.size(), "it is in no stage");
   const std::size_t targets = model.stages[stage].targets().size();
   archive.require(state.target >= 0 && static_cast<std::size_t>(state.target) <= targets,

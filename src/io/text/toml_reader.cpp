@@ -348,7 +348,7 @@ void TableReader::texts(const char* name, std::vector<std::string>& values, cons
   const toml::node* node = find(name, key, true);
   if (!node) return;
   const toml::array* array = node->as_array();
-  const std::size_t count = static_cast<std::size_t>(key.count);
+  const std::size_t count = key.count;
   const bool good = array && (array->empty() || array->is_homogeneous<std::string>()) &&
                     (count == 0 || array->size() == count);
   if (!good) {

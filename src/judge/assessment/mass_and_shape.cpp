@@ -98,7 +98,7 @@ double mass_of(const Model& model, BlockId block) {
   if (block < model.n_block) {
     return model.anatomy.block_role[block] == BlockRole::kCutOut ? 0.0 : model.gravity_mass[block];
   }
-  const auto number = static_cast<std::size_t>(block - model.n_block - model.space.n_support);
+  const std::size_t number = block - model.n_block - model.space.n_support;
   const auto of_nodes = [&](const auto& solids) {  // nodes in the plane or in space
     const auto first = solids.node_gravity_mass.begin() + solids.bodies[number].first_node;
     return std::accumulate(first, first + solids.bodies[number].n_node, 0.0);

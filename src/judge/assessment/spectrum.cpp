@@ -43,7 +43,7 @@ double interpolated(const std::vector<double>& x, const std::vector<double>& y, 
   if (x.empty() || !(at >= x.front()) || at > x.back()) return kUnset;
   const auto next = std::upper_bound(x.begin(), x.end(), at);
   if (next == x.end()) return y.back();
-  const auto i = static_cast<std::size_t>(next - x.begin());
+  const std::size_t i = next - x.begin();
   const double share = (at - x[i - 1]) / (x[i] - x[i - 1]);
   return y[i - 1] + share * (y[i] - y[i - 1]);
 }

@@ -116,7 +116,7 @@ class Mechanism {
 
  private:
   void find_pieces() {
-    const auto n = static_cast<std::size_t>(model_.n_block);
+    const std::size_t n = model_.n_block;
     if (answer_.vx.size() != n)
       refuse("its mechanism leaves out deformable blocks",
              "leave zones out, or give the lintel model = \"segments\", for this analysis");

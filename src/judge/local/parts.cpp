@@ -328,7 +328,7 @@ class Strip {
           kind == StageKind::kShake)
         break;
       for (const PointLoad& load : stage.loads) {
-        const auto i = static_cast<std::size_t>(load.block);
+        const std::size_t i = load.block;
         const double x = model_.centroid_x[i] + load.arm_x, y = model_.centroid_y[i] + load.arm_y;
         if (y <= y0_ + 1e-9) continue;
         const Brought by = floor_at(load.block, x, y, -load.fy, found);
@@ -412,7 +412,7 @@ class Strip {
       const auto kind = model_.anatomy.joint_kind[j];
       if (kind != JointKind::kBed && kind != JointKind::kFoundation && kind != JointKind::kOther)
         continue;
-      const auto m = static_cast<std::size_t>(model_.joint_material[j]);
+      const std::size_t m = model_.joint_material[j];
       strength_ = std::min(strength_, model_.materials[m].compressive_strength);
     }
     crushes_ = std::isfinite(part_.inset) ? part_.inset > 0 : std::isfinite(strength_);

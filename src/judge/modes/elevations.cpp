@@ -136,7 +136,7 @@ std::vector<double> shares_of(const Model& model, const std::vector<BlockId>& ow
                               const Elevation& wall) {
   constexpr double kAll = 1 - 1e-6;
   const Range thickness = range_of(model, own, wall.across);
-  std::vector<Taken> taken(static_cast<std::size_t>(model.n_block));
+  std::vector<Taken> taken(model.n_block);
   const auto of = [&](BlockId b) -> const Taken& { return taken[b]; };
   std::vector<BlockId> by_foot;
   double tallest = 0;
@@ -151,7 +151,7 @@ std::vector<double> shares_of(const Model& model, const std::vector<BlockId>& ow
   }
   std::stable_sort(by_foot.begin(), by_foot.end(),
                    [&](BlockId a, BlockId b) { return of(a).up.low < of(b).up.low; });
-  std::vector<double> shares(static_cast<std::size_t>(model.n_joint), 1.0);
+  std::vector<double> shares(model.n_joint, 1.0);
   for (JointId j = 0; j < model.n_joint; ++j) {
     const JointShape joint = joint_shape(model, j);
     if (!wall.holds(joint.b)) continue;

@@ -27,7 +27,7 @@ constexpr double kNearly = 0.01;  // relative difference of equal displacements
 double far(const Snapshot& s) { return std::fabs(s.displacement); }
 
 const Stage* stage_of(const Model& model, const Snapshot& s) {
-  const auto stage = static_cast<std::size_t>(s.state.stage);
+  const std::size_t stage = s.state.stage;
   return stage < model.stages.size() ? &model.stages[stage] : nullptr;
 }
 

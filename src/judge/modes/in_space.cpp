@@ -367,7 +367,7 @@ struct Slip {
 };
 Slip slip_of_slabs(const Model& model, const WallReading& wall, const std::vector<Moved>& part,
                    double most) {
-  std::vector<bool> takes(static_cast<std::size_t>(model.n_block));
+  std::vector<bool> takes(model.n_block);
   for (const Moved& b : part) takes[b.id] = true;
   const auto takes_part = [&](BlockId b) { return b >= 0 && b < model.n_block && takes[b]; };
   Slip slip;
@@ -385,7 +385,7 @@ Slip slip_of_slabs(const Model& model, const WallReading& wall, const std::vecto
 // The walls with blocks that take part. A wall is a connected part of `masonry`.
 std::vector<Wall> walls_with(const Model& model, const std::vector<Moved>& masonry,
                              const std::vector<Moved>& part) {
-  std::vector<bool> takes(static_cast<std::size_t>(model.n_block));
+  std::vector<bool> takes(model.n_block);
   for (const Moved& b : part) takes[b.id] = true;
   std::vector<Wall> walls;
   for (std::vector<Moved>& all : clusters_of(model, masonry)) {

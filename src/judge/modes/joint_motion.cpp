@@ -227,7 +227,7 @@ std::vector<LineSum> scan(const std::vector<JointMotion>& joints, const Box& box
   constexpr long kMost = 100'000;  // pitches: far more than the raster of a wall has cells
   const int n = 4 * static_cast<int>(std::clamp(std::lround(length / pitch), 1L, kMost));
   const double step = length / n;
-  std::vector<LineSum> sums(static_cast<std::size_t>(n));
+  std::vector<LineSum> sums(n);
   for (int i = 0; i < n; ++i) sums[i].at = start + (i + 0.5) * step;
   for (const JointMotion& j : joints) {
     if (j.is_bed == level || !is_masonry(j.kind)) continue;

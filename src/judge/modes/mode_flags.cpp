@@ -27,7 +27,7 @@ double sliding_band(const Spandrel& s, const WallParts& parts,
 
 // Slip between the pushed blocks and their neighbours.
 double node_slip(const Model& model, const std::vector<JointMotion>& joints) {
-  std::vector<bool> driven(static_cast<std::size_t>(model.n_block), false);
+  std::vector<bool> driven(model.n_block, false);
   for (const Stage& stage : model.stages)
     for (const BlockId b : stage.driven) driven[b] = true;
   const auto is_driven = [&](BlockId b) { return b != kGroundBlock && driven[b]; };

@@ -91,7 +91,7 @@ void evaluate_push(const Model& model, Portal& portal, FaultList& faults) {
     return;
   }
   for (std::size_t k = 0; k < push->driven.size(); ++k) {
-    const auto b = static_cast<std::size_t>(push->driven[k]);
+    const std::size_t b = push->driven[k];
     portal.load_point.x += push->driven_share[k] * model.centroid_x[b];
     portal.load_point.y += push->driven_share[k] * model.centroid_y[b];
   }
@@ -128,7 +128,7 @@ void evaluate_strength(const Model& model, Portal& portal) {
     const JointKind kind = model.anatomy.joint_kind[j];
     if (kind != JointKind::kBed && kind != JointKind::kFoundation && kind != JointKind::kOther)
       continue;
-    const auto m = static_cast<std::size_t>(model.joint_material[j]);
+    const std::size_t m = model.joint_material[j];
     if (model.materials[m].compressive_strength >= portal.compressive_strength) continue;
     portal.compressive_strength = model.materials[m].compressive_strength;
     portal.strength_material = model.material_names[m];
@@ -220,7 +220,7 @@ void add_dead_loads(const Model& model, const Portal& portal, const Polygon& out
   for (const Stage& stage : model.stages) {
     if (&stage == grows) break;
     for (const PointLoad& p : stage.loads) {
-      const auto b = static_cast<std::size_t>(p.block);
+      const std::size_t b = p.block;
       const Vec2 at{model.centroid_x[b] + p.arm_x, model.centroid_y[b] + p.arm_y};
       const double share = share_of(portal, outline, at);
       if (share > 0) loads.push_back({at, share * p.fx, share * p.fy});

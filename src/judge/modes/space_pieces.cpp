@@ -227,7 +227,7 @@ std::vector<Piece> pieces_of(const Piece& whole) {
 Vec3 Piece::way_of(Vec3 point) const { return shift + vec3(swing(turned, vec(point - centre))); }
 
 std::vector<std::vector<Moved>> clusters_of(const Model& model, const std::vector<Moved>& blocks) {
-  std::vector<std::size_t> first(static_cast<std::size_t>(model.n_block), SIZE_MAX);
+  std::vector<std::size_t> first(model.n_block, SIZE_MAX);
   for (std::size_t k = 0; k < blocks.size(); ++k) first[blocks[k].id] = k;
   std::vector<std::size_t> of(blocks.size());  // an earlier block of the same cluster, or itself
   std::iota(of.begin(), of.end(), std::size_t{0});

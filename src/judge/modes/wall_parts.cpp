@@ -590,8 +590,8 @@ class Finder {
     for (Part& node : parts_.nodes)
       name(node, count.next(kNode, node.storey, parts_.nodes.size()), "N");
     const auto is_sill = [](const Spandrel& s) { return s.is_sill; };
-    const auto sills = static_cast<std::size_t>(
-        std::count_if(parts_.spandrels.begin(), parts_.spandrels.end(), is_sill));
+    const std::size_t sills =
+        std::count_if(parts_.spandrels.begin(), parts_.spandrels.end(), is_sill);
     const std::size_t above = parts_.spandrels.size() - sills;
     for (Spandrel& s : parts_.spandrels) {
       const Message words =

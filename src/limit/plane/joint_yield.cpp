@@ -71,7 +71,7 @@ int cut_stress_blocks(YieldModel& yield, const std::vector<double>& point_force)
 void drop_idle_tangents(YieldModel& yield, const std::vector<double>& point_force) {
   constexpr double kTouches = 1e-7;  // of C l
   std::erase_if(yield.tangent, [&](const Tangent& t) {
-    const auto j = static_cast<std::size_t>(t.joint);
+    const std::size_t j = t.joint;
     const JointYield& y = yield.joint[j];
     const double p0 = point_force[2 * j], p1 = point_force[2 * j + 1];
     const double m = (p1 - p0) * y.half_length;

@@ -41,7 +41,7 @@ class KinematicProgramme {
     // unit power is load x velocity in scaled units; a factor's load is a weight
     const double scale = loads_.is_force ? 1.0 : 1.0 / u_.force;
     for (int i = 0; i < m_.n_block; ++i) {
-      const auto c = static_cast<std::size_t>(3 * i);
+      const std::size_t c = 3 * i;
       answer.vx.push_back(x[c] * scale);
       answer.vy.push_back(x[c + 1] * scale);
       answer.omega.push_back(x[c + 2] * scale / u_.length);

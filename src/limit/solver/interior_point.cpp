@@ -216,7 +216,7 @@ class InteriorPoint {
     system_.selfadjointView<Eigen::Upper>() =
         lower.selfadjointView<Eigen::Lower>().twistedBy(order_);
     system_.makeCompressed();
-    std::vector<double> signs(static_cast<std::size_t>(size));
+    std::vector<double> signs(size);
     for (int i = 0; i < size; ++i) {
       diagonal_.push_back(entry(i, i));
       signs[order_.indices()[i]] = i < n_ ? 1 : -1;
@@ -245,7 +245,7 @@ class InteriorPoint {
 
   // Unknowns that an inequality or a circle holds, and for each the first of those it shares one with.
   void group_unknowns(std::vector<char>& held, std::vector<int>& group) const {
-    held.assign(static_cast<std::size_t>(n_), 0);
+    held.assign(n_, 0);
     group.resize(n_);
     std::iota(group.begin(), group.end(), 0);
     const auto head = [&](int i) {
@@ -272,11 +272,11 @@ class InteriorPoint {
     std::vector<char> held;
     std::vector<int> group;
     group_unknowns(held, group);
-    std::vector<int> place(static_cast<std::size_t>(n_), -1);
+    std::vector<int> place(n_, -1);
     int left = p_;
     for (int i = 0; i < n_; ++i)
       if (!held[i]) place[i] = left++;
-    std::vector<std::vector<int>> clique(static_cast<std::size_t>(n_));
+    std::vector<std::vector<int>> clique(n_);
     std::vector<Eigen::Triplet<double>> pattern;
     for (int i = 0; i < left; ++i) pattern.emplace_back(i, i, 1.0);
     for (int i = 0; i < n_; ++i) {

@@ -66,7 +66,7 @@ InequalityForm LinearProgramme::form() const {
     if (std::isfinite(row_low_[r])) above[r] = number(f.h, -row_low_[r]);
   }
   for (std::size_t i = 0; i < value_.size(); ++i) {
-    const auto r = static_cast<std::size_t>(row_of_[i]);
+    const std::size_t r = row_of_[i];
     if (equation[r] >= 0) f.equal.add(equation[r], column_of_[i], value_[i]);
     if (below[r] >= 0) f.below.add(below[r], column_of_[i], value_[i]);
     if (above[r] >= 0) f.below.add(above[r], column_of_[i], -value_[i]);
@@ -129,7 +129,7 @@ InequalityForm LinearProgramme::dual_form() const {
   for (std::size_t j = 0; j < low_.size(); ++j)
     if (d.place[j] >= 0) (d.is_free[j] ? f.b : f.h)[d.place[j]] = cost_[j];
   for (std::size_t i = 0; i < value_.size(); ++i) {
-    const auto j = static_cast<std::size_t>(column_of_[i]);
+    const std::size_t j = column_of_[i];
     if (d.place[j] >= 0) (d.is_free[j] ? f.equal : f.below).add(d.place[j], row_of_[i], value_[i]);
   }
   return f;

@@ -16,7 +16,7 @@ constexpr double kPutBack = 1e-4;  // what stands for it; 1e-7 and 1e30 end in w
 void SparseFactor::analyse(const Matrix& upper, std::vector<double> signs) {
   n_ = static_cast<int>(upper.rows());
   sign_ = std::move(signs);
-  const auto n = static_cast<std::size_t>(n_);
+  const std::size_t n = n_;
   begin_.assign(upper.outerIndexPtr(), upper.outerIndexPtr() + n_ + 1);
   row_.assign(upper.innerIndexPtr(), upper.innerIndexPtr() + upper.nonZeros());
   parent_.assign(n, -1);

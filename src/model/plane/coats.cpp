@@ -132,8 +132,8 @@ class CoatBuilder {
 
   // The stiffness of the mortar over the length of both units is put into the joint: E / distance of their centroids (22.8).
   [[nodiscard]] JointMaterial law(const LayerSpec& layer, const Face& face, double length) const {
-    const auto i = static_cast<std::size_t>(map_[face.a]);
-    const auto j = static_cast<std::size_t>(map_[face.b]);
+    const std::size_t i = map_[face.a];
+    const std::size_t j = map_[face.b];
     const double nx = -(face.p1.y - face.p0.y) / length, ny = (face.p1.x - face.p0.x) / length;
     const double apart = std::fabs(nx * (model_.centroid_x[j] - model_.centroid_x[i]) +
                                    ny * (model_.centroid_y[j] - model_.centroid_y[i]));
@@ -148,7 +148,7 @@ class CoatBuilder {
     if (!(per_area > 0)) return;
     for (std::size_t b = 0; b < assembly_.blocks.size(); ++b) {
       if (map_[b] < 0 || !holds_layers(spec_, assembly_.blocks[b])) continue;
-      const auto i = static_cast<std::size_t>(map_[b]);
+      const std::size_t i = map_[b];
       const double more =
           per_area * geometry::overlap_area(assembly_.blocks[b].outline, geometry::outline_of(box));
       if (!(more > 0)) continue;

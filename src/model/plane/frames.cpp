@@ -52,7 +52,7 @@ class FrameCompiler {
 
  private:
   void add(const PlacedFrame& placed) {
-    const auto index = static_cast<std::size_t>(placed.index);
+    const std::size_t index = placed.index;
     const FrameSpec& frame = spec_.frame[index];
     path_ = fmt::format("frame.{}", index);
     const std::size_t before = faults_.all().size();
@@ -123,7 +123,7 @@ class FrameCompiler {
     };
     const auto arm = [&](int segment) {
       if (segment == geometry::kGround) return Vec2{0, 0};
-      const auto i = static_cast<std::size_t>(id(segment));
+      const std::size_t i = id(segment);
       const Vec2 by = moved(segment);
       return Vec2{at.x - (model_.centroid_x[i] + by.x), at.y - (model_.centroid_y[i] + by.y)};
     };

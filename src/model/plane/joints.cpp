@@ -170,7 +170,7 @@ void add_joint(const Face& face, int material, double half_scale, double thickne
 
 // First the joints in which a block is side a, then those in which it is b.
 void list_joints_of_blocks(Model& model) {
-  std::vector<std::vector<std::int32_t>> of(static_cast<std::size_t>(model.n_block));
+  std::vector<std::vector<std::int32_t>> of(model.n_block);
   for (const int side : {0, 1})
     for (int j = 0; j < model.n_joint; ++j) {
       const BlockId block = (side == 0 ? model.joint_a : model.joint_b)[j];

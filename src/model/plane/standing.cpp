@@ -27,8 +27,8 @@ class StandingCompiler {
     refuse_what_is_not_built();
     if (faults_.all().size() > before) return;
     note_idle_stages();
-    model_.standing.from.assign(static_cast<std::size_t>(model_.n_block), 0);
-    model_.standing.until.assign(static_cast<std::size_t>(model_.n_block), kNever);
+    model_.standing.from.assign(model_.n_block, 0);
+    model_.standing.until.assign(model_.n_block, kNever);
     for (std::size_t b = 0; b < map_.size(); ++b) place(assembly_.blocks[b], map_[b]);
     refuse_zones_beside();
     for (std::size_t k = 0; k < cut_.size(); ++k)
@@ -114,7 +114,7 @@ class StandingCompiler {
   void refuse_zones_beside() {
     const Solids& solids = model_.solids;
     for (std::size_t c = 0; c < solids.contact_block.size(); ++c) {
-      const auto i = static_cast<std::size_t>(solids.contact_block[c]);
+      const std::size_t i = solids.contact_block[c];
       if (i >= model_.standing.from.size() ||
           (model_.standing.from[i] == 0 && model_.standing.until[i] == kNever))
         continue;

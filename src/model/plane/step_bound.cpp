@@ -64,7 +64,7 @@ std::vector<Eigen::Matrix3d> contact_stiffness(const Model& m) {
 // (once on the ground).
 std::vector<double> node_bounds(const Model& m) {
   const Solids& s = m.solids;
-  std::vector<double> stiffness(static_cast<std::size_t>(s.n_node), 0.0);
+  std::vector<double> stiffness(s.n_node, 0.0);
   for (std::size_t z = 0; z < s.zone_shape.size(); ++z) {
     const ZoneShape& shape = s.shapes[s.zone_shape[z]];
     for (std::size_t k = 0; k < 4; ++k)
@@ -123,7 +123,7 @@ void set_rigid_links(Model& m, double bound) {
 
 // Stiffness of links for each block: once where the other end is the ground, twice otherwise.
 std::vector<Eigen::Matrix3d> link_stiffness(const Model& m) {
-  std::vector<Eigen::Matrix3d> sum(static_cast<std::size_t>(m.n_block), Eigen::Matrix3d::Zero());
+  std::vector<Eigen::Matrix3d> sum(m.n_block, Eigen::Matrix3d::Zero());
   each_link_end(m, [&](std::size_t k, std::size_t i, const Eigen::Vector3d& row) {
     const double share = m.links.a[k] == kGroundBlock ? 1.0 : 2.0;
     sum[i] += share * m.links.stiffness[k] * row * row.transpose();
@@ -134,8 +134,7 @@ std::vector<Eigen::Matrix3d> link_stiffness(const Model& m) {
 // Stiffness of frame sections for block i: once where the other side is the ground, twice otherwise.
 std::vector<Eigen::Matrix3d> frame_stiffness(const Model& m) {
   const Frames& f = m.frames;
-  std::vector<Eigen::Matrix3d> sum(static_cast<std::size_t>(f.n > 0 ? m.n_block : 0),
-                                   Eigen::Matrix3d::Zero());
+  std::vector<Eigen::Matrix3d> sum(f.n > 0 ? m.n_block : 0, Eigen::Matrix3d::Zero());
   const auto add = [&](BlockId block, double share, std::size_t k, double rx, double ry) {
     const double nx = f.axis_x[k], ny = f.axis_y[k];
     const Eigen::Vector3d along(nx, ny, rx * ny - ry * nx), across(-ny, nx, rx * nx + ry * ny);
@@ -155,8 +154,7 @@ std::vector<Eigen::Matrix3d> frame_stiffness(const Model& m) {
 // Stiffness of fibres of layers for each block where they cross joints, twice as for links.
 std::vector<Eigen::Matrix3d> layer_stiffness(const Model& m) {
   const Layers& l = m.layers;
-  std::vector<Eigen::Matrix3d> sum(static_cast<std::size_t>(l.n > 0 ? m.n_block : 0),
-                                   Eigen::Matrix3d::Zero());
+  std::vector<Eigen::Matrix3d> sum(l.n > 0 ? m.n_block : 0, Eigen::Matrix3d::Zero());
   for (std::size_t k = 0; k < l.a.size(); ++k) {
     if (l.crossing[k] < 0) continue;
     const double length = elementary::hypot(l.span_x[k], l.span_y[k]);
@@ -223,7 +221,7 @@ double highest_eigenvalue(const Model& m, std::size_t i, Eigen::Matrix3d k,
                           const SpringsAt& springs_at) {
   for (auto e = m.block_begin[i]; e < m.block_begin[i + 1]; ++e) {
     const auto entry = m.block_entry[e];
-    const auto j = static_cast<std::size_t>(entry >> 1);
+    const std::size_t j = entry >> 1;
     const bool is_b = (entry & 1) != 0;
     const double share = static_cast<int>(j) < m.n_pair ? 2.0 : 1.0;
     k += share * own_stiffness(m, j, springs_at(j), is_b ? m.arm_b_x[j] : m.arm_a_x[j],
@@ -281,7 +279,7 @@ void raise_light_nodes(Model& m, double limit, std::vector<double>& bound) {
     double before = 0, added = 0, worst = 1;
     std::size_t at = 0;
     for (int k = body.first_node; k < body.first_node + body.n_node; ++k) {
-      const auto i = static_cast<std::size_t>(k);
+      const std::size_t i = k;
       before += s.node_mass[i];
       if (!(bound[i] > limit)) continue;
       const double factor = bound[i] / limit;
@@ -331,7 +329,7 @@ void bound_nodes(Model& m, double blocks) {
   if (!(*greatest > blocks)) return;
   m.omega_max = std::sqrt(*greatest);
   if (!(blocks > 0)) return;
-  const auto node = static_cast<std::size_t>(greatest - bound.begin());
+  const std::size_t node = greatest - bound.begin();
   m.anatomy.notes.push_back({"step.ruled_by_node",
                              {{"block", body_of(m.solids, node).id},
                               {"x_m", m.solids.node_x[node]},

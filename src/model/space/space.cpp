@@ -149,9 +149,9 @@ void fill_blocks(const ModelSpec& spec, const SpaceAssembly& assembly, const Fie
       anatomy.block_role.push_back(body.cut.empty() ? role_of(body) : BlockRole::kCutOut);
       anatomy.block_course.push_back(-1);
     }
-  model.inertia.assign(static_cast<std::size_t>(model.n_block),
+  model.inertia.assign(model.n_block,
                        0.0);  // of rotations in the plane: not used
-  model.turn_freedom.assign(static_cast<std::size_t>(model.n_block), 1.0);
+  model.turn_freedom.assign(model.n_block, 1.0);
 }
 
 // Tangent t1 of a face: along its longest side, so that it does not depend on the first corner of the polygon.
@@ -272,8 +272,7 @@ void add_solid_face(const SpaceAssembly& assembly, const JointFace& face,
 void note_foundation(const ModelSpec& spec, Model& model) {
   std::set<std::string> names;
   const std::string& named = spec.wall.joints.joint;
-  for (std::size_t j = static_cast<std::size_t>(model.n_pair);
-       j < static_cast<std::size_t>(model.n_joint); ++j) {
+  for (std::size_t j = model.n_pair; j < static_cast<std::size_t>(model.n_joint); ++j) {
     const std::string& name = model.material_names[model.joint_material[j]];
     if (name == (named.empty() ? "joint" : named)) names.insert("[material." + name + "]");
   }
@@ -379,7 +378,7 @@ void measure(const SpaceAssembly& assembly, Model& model) {
   anatomy.notes.insert(anatomy.notes.begin(), assembly.notes.begin(), assembly.notes.end());
   anatomy.support_begin = {0};
   anatomy.outline_begin.assign(static_cast<std::size_t>(model.n_block) + 1, 0);
-  anatomy.block_thickness.assign(static_cast<std::size_t>(model.n_block), anatomy.thickness);
+  anatomy.block_thickness.assign(model.n_block, anatomy.thickness);
   if (std::isnan(model.solve.collapse_displacement))
     model.solve.collapse_displacement = model.solve.contacts == Contacts::kFree
                                             ? std::numeric_limits<double>::infinity()

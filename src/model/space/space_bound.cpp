@@ -35,8 +35,7 @@ Matrix6 own_stiffness(const Model& m, std::size_t j, const Springs& springs, Vec
   const Space& s = m.space;
   const Vec3 t1 = s.tangent[j], n = s.normal[j], t2 = cross(n, t1);
   Matrix6 sum = Matrix6::Zero();
-  for (auto p = static_cast<std::size_t>(s.point_begin[j]);
-       p < static_cast<std::size_t>(s.point_begin[j + 1]); ++p) {
+  for (std::size_t p = s.point_begin[j]; p < static_cast<std::size_t>(s.point_begin[j + 1]); ++p) {
     const Vec3 to = arm + s.point_r1[p] * t1 + s.point_r2[p] * t2;
     const double area = m.area[j] * s.point_share[p];
     const auto spring = [&](Vec3 direction, double stiffness) {
@@ -137,7 +136,7 @@ double highest_eigenvalue(const Model& m, std::size_t i, Matrix6 k, const Spring
   const Space& s = m.space;
   for (auto e = m.block_begin[i]; e < m.block_begin[i + 1]; ++e) {
     const auto entry = m.block_entry[e];
-    const auto j = static_cast<std::size_t>(entry >> 1);
+    const std::size_t j = entry >> 1;
     const double share = static_cast<int>(j) < m.n_pair ? 2.0 : 1.0;
     k += share * own_stiffness(m, j, springs_at(j), (entry & 1) != 0 ? s.arm_b[j] : s.arm_a[j]);
   }
@@ -220,8 +219,8 @@ void add_contacts(const Model& m, std::vector<Matrix6>& sum) {
     if (s.contact_block[c] >= m.n_block) continue;
     const JointMaterial& law = m.materials[s.contact_material[c]];
     const Vec3 t1 = s.contact_tangent[c], n = s.contact_normal[c], t2 = cross(n, t1);
-    for (auto p = static_cast<std::size_t>(s.point_begin[c]);
-         p < static_cast<std::size_t>(s.point_begin[c + 1]); ++p) {
+    for (std::size_t p = s.point_begin[c]; p < static_cast<std::size_t>(s.point_begin[c + 1]);
+         ++p) {
       const Vec3 to = s.contact_arm[c] + m.space.point_r1[p] * t1 + m.space.point_r2[p] * t2;
       const double area = 2 * s.contact_area[c] * m.space.point_share[p];
       for (const auto& [direction, stiffness] : {std::pair(n, law.normal_stiffness),
@@ -268,7 +267,7 @@ void raise_light_nodes(Model& m, double rigid, std::vector<double>& bound) {
     double before = 0, added = 0, worst = 1;
     std::size_t at_node = 0;
     for (int k = body.first_node; k < body.first_node + body.n_node; ++k) {
-      const std::size_t i = static_cast<std::size_t>(k);
+      const std::size_t i = k;
       before += s.node_mass[i];
       if (!(bound[i] > limit)) continue;
       const double factor = bound[i] / limit;
@@ -367,7 +366,7 @@ double dashpot_rate_in_space(const Model& m, const Dashpots& dashpots) {
 
 void bound_space_step(Model& m) {
   std::vector<double> bound;
-  std::vector<Matrix6> free(static_cast<std::size_t>(m.n_block), Matrix6::Zero());
+  std::vector<Matrix6> free(m.n_block, Matrix6::Zero());
   if (m.free.any()) {
     const contact::SpaceParts parts = free_parts(m);
     for (int i = 0; i < m.n_block; ++i)

@@ -82,7 +82,7 @@ class SpaceFrameCompiler {
   }
 
   void add(const SpaceFrame& frame) {
-    const auto index = static_cast<std::size_t>(frame.placed.index);
+    const std::size_t index = frame.placed.index;
     const FrameSpec& spec = spec_.frame[index];
     path_ = fmt::format("frame.{}", index);
     const std::size_t before = faults_.all().size();
@@ -172,7 +172,7 @@ void check_space_frames(const Model& model, FaultList& faults) {
   const Frames& f = model.frames;
   const auto foot = std::find(f.a.begin(), f.a.end(), kGroundBlock);
   if (foot == f.a.end()) return;
-  const auto member = static_cast<std::size_t>(f.member[foot - f.a.begin()]);
+  const std::size_t member = f.member[foot - f.a.begin()];
   const std::string& name = f.name[f.members[member].frame];
   for (std::size_t k = 0; k < model.stages.size(); ++k) {
     const std::vector<BlockId>& driven = model.stages[k].driven;

@@ -38,8 +38,8 @@ Sparse stiffness_of(const Model& m) {
   for (std::size_t j = 0; j < static_cast<std::size_t>(m.n_joint); ++j) {
     const JointMaterial& law = m.materials[m.joint_material[j]];
     const Vec3 n = s.normal[j], t1 = s.tangent[j], t2 = cross(n, t1);
-    for (auto p = static_cast<std::size_t>(s.point_begin[j]);
-         p < static_cast<std::size_t>(s.point_begin[j + 1]); ++p) {
+    for (std::size_t p = s.point_begin[j]; p < static_cast<std::size_t>(s.point_begin[j + 1]);
+         ++p) {
       const Vec3 to = s.point_r1[p] * t1 + s.point_r2[p] * t2;
       const double area = m.area[j] * s.point_share[p];
       for (const auto& [along, stiffness] : {std::pair(n, law.normal_stiffness),

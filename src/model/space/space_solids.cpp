@@ -438,7 +438,7 @@ void compile_space_contacts(const std::vector<SpaceSolidFace>& faces,
 
 std::vector<double> space_node_bounds(const Model& m) {
   const SpaceSolids& s = m.space.solids;
-  std::vector<double> sum(static_cast<std::size_t>(s.n_node), 0.0);
+  std::vector<double> sum(s.n_node, 0.0);
   for (std::size_t k = 0; k < s.corner.size(); ++k) {
     const HexahedronShape& shape = s.shapes[s.zone_shape[k / 8]];
     sum[s.corner[k]] += shape.share[k % 8] * shape.mass * shape.omega_squared;
@@ -447,8 +447,7 @@ std::vector<double> space_node_bounds(const Model& m) {
     const JointMaterial& law = m.materials[s.contact_material[c]];
     const double k = std::fmax(law.normal_stiffness, law.shear_stiffness);
     const double sides = s.contact_block[c] < m.n_block ? 2.0 : 1.0;
-    for (auto p = static_cast<std::size_t>(s.point_begin[c]);
-         p < static_cast<std::size_t>(s.point_begin[c + 1]); ++p)
+    for (std::size_t p = s.point_begin[c]; p < static_cast<std::size_t>(s.point_begin[c + 1]); ++p)
       for (std::size_t n = 0; n < 4; ++n)
         sum[s.contact_node[4 * c + n]] +=
             sides * k * s.contact_area[c] * m.space.point_share[p] *

@@ -192,7 +192,7 @@ class SpaceStages {
     std::vector<bool> standing(assembly_.body.size());
     for (std::size_t k = 0; k < standing.size(); ++k) standing[k] = stands(k);
     for (const OuterFace& face : assembly_.outer) {
-      const auto k = static_cast<std::size_t>(face.body);
+      const std::size_t k = face.body;
       if (assembly_.body[k].fixed || dot(face.normal, looks) < kFacing || !stands(k)) continue;
       if (!std::binary_search(bodies.begin(), bodies.end(), k)) continue;
       const geometry::Facet facet = geometry::measured(face.polygon);
