@@ -211,10 +211,10 @@ void print_result(const ModelSpec& spec, const Model& model, const Result& r,
           1e3 * r.validity.overlap_lost, r.validity.joints, r.validity.joints == 1 ? "" : "s",
           text_of(r.validity.where));
     fmt::print("rate: {}\n", text_of(r.quasi_static.verdict));
-    for (std::size_t k = 0; k < r.frame_uses.size(); ++k)
-      fmt::print("{}\n", text_of(sentence_of(r.frame_uses[k], model.frames.name[k])));
-    for (std::size_t k = 0; k < r.layer_uses.size(); ++k)
-      fmt::print("{}\n", text_of(sentence_of(r.layer_uses[k], model.layers.name[k])));
+    for (std::size_t k = 0; k < r.strengthening.frame_uses.size(); ++k)
+      fmt::print("{}\n", text_of(sentence_of(r.strengthening.frame_uses[k], model.frames.name[k])));
+    for (std::size_t k = 0; k < r.strengthening.layer_uses.size(); ++k)
+      fmt::print("{}\n", text_of(sentence_of(r.strengthening.layer_uses[k], model.layers.name[k])));
     print_slow_push(displacement_of_slow_push(model, r), mode_of_slow_push(model, r),
                     r.quasi_static.judgement == "usable");
     print_assessment(spec, model, r);

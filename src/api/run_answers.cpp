@@ -99,13 +99,15 @@ Table joints_of(const Model& model, const State& state) {
 
 void answer_states(Job& job, const std::shared_ptr<const Done>& done) {
   Json states = Json::array();
-  for (std::size_t k = 0; k < done->result.snapshots.size(); ++k) {
-    const Snapshot& s = done->result.snapshots[k];
+  for (std::size_t k = 0; k < done->result.states.snapshots.size(); ++k) {
+    const Snapshot& s = done->result.states.snapshots[k];
     states.push_back({{"label", s.label},
                       {"displacement_mm", 1e3 * s.displacement},
                       {"reaction_kN", 1e-3 * s.reaction}});
     const std::string name = fmt::format("state {}", k);
-    const auto state = [done, k]() -> const State& { return done->result.snapshots[k].state; };
+    const auto state = [done, k]() -> const State& {
+      return done->result.states.snapshots[k].state;
+    };
     job.out.table_later(name + " blocks", [=] { return blocks_of(done->model, state()); });
     job.out.table_later(name + " joints", [=] { return joints_of(done->model, state()); });
     job.out.text_later(name + " compas", [=] { return compas_json(done->model, state()); });

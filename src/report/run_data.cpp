@@ -42,10 +42,10 @@ constexpr double kFarther = 1.12;
 
 std::vector<Frame> states_of_fall(const Result& result) {
   std::vector<Frame> fall;
-  if (!is_load_controlled(result) || result.frames.empty()) return fall;
-  const Snapshot& last = result.frames.back();
+  if (!is_load_controlled(result) || result.states.frames.empty()) return fall;
+  const Snapshot& last = result.states.frames.back();
   double far = std::fabs(last.displacement);
-  for (const Snapshot& s : result.readings) {
+  for (const Snapshot& s : result.states.readings) {
     if (s.state.time <= last.state.time || std::fabs(s.displacement) < kFarther * far) continue;
     far = std::fabs(s.displacement);
     fall.push_back({&s, {}, last.reaction});
@@ -56,7 +56,7 @@ std::vector<Frame> states_of_fall(const Result& result) {
 // Snapshots and frames by time, each state once with all its labels.
 std::vector<Frame> frames_of(const Result& result) {
   std::vector<Frame> all = states_of_fall(result);
-  for (const auto* list : {&result.snapshots, &result.frames})
+  for (const auto* list : {&result.states.snapshots, &result.states.frames})
     for (const Snapshot& s : *list)
       all.push_back(
           {&s, s.label.empty() ? std::vector<Json>{} : std::vector<Json>{label_of(s)}, s.reaction});
@@ -111,7 +111,7 @@ void add_frames(Bundle& bundle, const Model& model, const Result& result) {
                     {"displacement_mm", f.snapshot->displacement * 1e3},
                     {"reaction_kN", f.reaction * 1e-3}});
     if (result.shaking.was_shaken && result.curve.empty())  // since the beginning of the shaking
-      list.back()["time_s"] = f.snapshot->state.time - result.snapshots.front().state.time;
+      list.back()["time_s"] = f.snapshot->state.time - result.states.snapshots.front().state.time;
   }
   bundle.header["frames"] = list;
   bundle.header["energy"] = energy_of(model, frames);
@@ -204,18 +204,19 @@ Message brief(Message sentence) {
 // A sentence for each frame: its largest use and place, and whether it yields.
 Json frames_translated(const Model& model, const Result& result) {
   Json list = Json::array();
-  for (std::size_t k = 0; k < result.frame_uses.size(); ++k)
-    list.push_back(
-        {{"name", model.frames.name[k]},
-         {"words", translated(sentence_of(result.frame_uses[k], model.frames.name[k]))}});
+  for (std::size_t k = 0; k < result.strengthening.frame_uses.size(); ++k)
+    list.push_back({{"name", model.frames.name[k]},
+                    {"words", translated(sentence_of(result.strengthening.frame_uses[k],
+                                                     model.frames.name[k]))}});
   return list;
 }
 
 // A sentence for each layer: its largest use and place, and whether fibres break.
 Json layers_translated(const Model& model, const Result& result) {
   Json list = Json::array();
-  for (std::size_t k = 0; k < result.layer_uses.size(); ++k)
-    list.push_back(translated(sentence_of(result.layer_uses[k], model.layers.name[k])));
+  for (std::size_t k = 0; k < result.strengthening.layer_uses.size(); ++k)
+    list.push_back(
+        translated(sentence_of(result.strengthening.layer_uses[k], model.layers.name[k])));
   return list;
 }
 

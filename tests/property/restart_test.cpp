@@ -136,7 +136,7 @@ TEST(Restart, free_contacts_that_come_and_go_give_the_same_result) {
   EXPECT_EQ(pieced.hash, whole.hash);
   EXPECT_EQ(pieced.whole, whole.whole);
   EXPECT_EQ(run(spec, 20011, Through::kFiles).whole, whole.whole);
-  const State& end = whole.result.readings.back().state;
+  const State& end = whole.result.states.readings.back().state;
   EXPECT_GT(std::count(end.handed_over.begin(), end.handed_over.end(), 1.0), 3);
   EXPECT_FALSE(end.free_contacts.empty());
 }
@@ -178,7 +178,7 @@ TEST(Restart, a_support_that_shakes_what_lies_on_it_in_pieces_gives_the_same_res
     const End whole = run(spec, 0);
     ASSERT_EQ(whole.result.status, SolveStatus::kCompleted) << whole.result.reason;
     EXPECT_EQ(run(spec, kPiece).whole, whole.whole);
-    const State& end = whole.result.snapshots.back().state;
+    const State& end = whole.result.states.snapshots.back().state;
     EXPECT_EQ(std::count(end.handed_over.begin(), end.handed_over.end(), 1.0), 1);
   }
 }

@@ -162,7 +162,8 @@ Result sample_result() {
                3e3,
                {"place.joint", {{"joint", Message{"joint.bed"}}, {"x_m", 0.1}, {"y_m", 0.1}}}}};
   r.failure_mode = sample_mode();
-  r.snapshots = {{"start of push", 0, 0, sample_state()}, {"end", 10e-3, 6e3, sample_state()}};
+  r.states.snapshots = {{"start of push", 0, 0, sample_state()},
+                        {"end", 10e-3, 6e3, sample_state()}};
   r.stages = {
       {.name = "gravity", .time = 0.4, .steps = 4000, .unbalance_ratio = 1e-6, .settled = true}};
   r.steps = 12345;

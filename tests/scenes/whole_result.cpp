@@ -102,11 +102,11 @@ std::string whole(const Result& r) {
   text += rows(r.curve);
   for (const RisePoint& point : r.rise)
     text += "rise" + bits({point.displacement, point.force}) + "\n";
-  for (const LinkRow& row : r.links)
+  for (const LinkRow& row : r.strengthening.links)
     text += "link" + bits({row.force, row.elongation, row.plastic}) + "\n";
-  for (const FrameRow& row : r.frame_rows)
+  for (const FrameRow& row : r.strengthening.frame_rows)
     text += "frame" + bits({row.normal, row.shear, row.moment}) + "\n";
-  for (const LayerRow& row : r.layer_rows)
+  for (const LayerRow& row : r.strengthening.layer_rows)
     text += "layer" + bits({row.use, row.detached, row.broken, row.x, row.y}) + "\n";
   text += readings(r.responses);
   const EnergyLedger& e = r.energy;
@@ -130,8 +130,8 @@ std::string whole(const Result& r) {
                   row.base_force[1], row.drift, row.opening, row.slip, row.kinetic}) +
             "\n";
   for (const PointMotion& u : r.history.motion) text += "moved" + bits({u[0], u[1], u[2]}) + "\n";
-  return text + states("snapshot", r.snapshots) + states("reading", r.readings) +
-         states("frame", r.frames);
+  return text + states("snapshot", r.states.snapshots) + states("reading", r.states.readings) +
+         states("frame", r.states.frames);
 }
 
 }  // namespace wythe::scenes

@@ -280,14 +280,14 @@ TEST(Layers, a_column_that_is_pulled_apart_keeps_its_ledger) {
   const double work = kDetaches * (w - 2 / kRate * (1 - std::exp(-kRate * w / 2))) * kBreadth;
   EXPECT_NEAR(r.energy.drive, work + 0.5 * most * give, 0.03 * r.energy.drive);
   EXPECT_NEAR(r.energy.fracture, lost_at(w), 0.04 * lost_at(w));
-  ASSERT_EQ(r.layer_uses.size(), 1U);
-  EXPECT_NEAR(r.layer_uses[0].use, kDetaches / (kStrong * kArea), 0.02);
+  ASSERT_EQ(r.strengthening.layer_uses.size(), 1U);
+  EXPECT_NEAR(r.strengthening.layer_uses[0].use, kDetaches / (kStrong * kArea), 0.02);
   // s' = P1/(E A) (1 - exp(-B s)) along the strand, so exp(B s) - 1 fades over l; off is where 95 % of G is spent
   const double off = -std::log(1 - std::sqrt(0.95));                                   // B s there
   const double each = kDecay * std::log(std::expm1(kRate * w / 2) / std::expm1(off));  // side
   const double node = kBreadth / 4, length = 20 * kBreadth;
-  EXPECT_NEAR(r.layer_uses[0].detached, 2 * each / length, 2 * node / length);
-  EXPECT_GT(r.layer_uses[0].detached, 2 * node / length);
+  EXPECT_NEAR(r.strengthening.layer_uses[0].detached, 2 * each / length, 2 * node / length);
+  EXPECT_GT(r.strengthening.layer_uses[0].detached, 2 * node / length);
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ struct ElementForces {
     double distortion = 0;          // drift less the mean rotation of both ends [-]: 0 where the
                                     // element moved as one rigid body with the masonry beyond
   };
-  std::vector<Row> rows = {};  // at the start of the push, then of each of Result::readings
+  std::vector<Row> rows = {};  // at the start of the push, then of each of KeptStates::readings
 };
 
 // Piers, then spandrels, in the order of FailureMode::elements.

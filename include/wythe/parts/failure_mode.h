@@ -50,7 +50,7 @@ using ElementStates = std::vector<ElementState>;
 [[nodiscard]] FailureMode name_from_state(const Model& model, const State& state,
                                           const ModeRules& rules);
 
-// Names the mode from the state of Result::readings at `read_at` [m]; the run must have used the same
+// Names the mode from the state of KeptStates::readings at `read_at` [m]; the run must have used the same
 // SolveOptions::read_modes_at. Earlier readings give first displacements, snapshots give the
 // sensitivity. The name is "unclear" where margins are small, where half the section of a pier has slid
 // off its neighbours, or where no state was read.

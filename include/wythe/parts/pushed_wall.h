@@ -1,7 +1,7 @@
 // What an assessment reads of the states of a pushed wall. A sample of a campaign keeps this in place of its
 // states (docs/theory/assessment.md). SI units.
 //
-//   Result::readings ──read_pushed_wall()──► PushedWall ──► store ──► assessment
+//   KeptStates::readings ──read_pushed_wall()──► PushedWall ──► store ──► assessment
 #pragma once
 
 #include <limits>

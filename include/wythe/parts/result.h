@@ -183,16 +183,31 @@ struct StageReport {
   bool settled = false;
 };
 
+// What ties, springs, frames and layers did.
+struct Strengthening {
+  std::vector<LinkRow> links;        // (rows of the curve, links of the model)
+  std::vector<FrameRow> frame_rows;  // (rows of the curve, links of frames)
+  std::vector<FrameUse> frame_uses;  // of each frame
+  std::vector<LayerRow> layer_rows;  // (rows of the curve, layers)
+  std::vector<LayerUse> layer_uses;  // of each layer
+};
+
+// States of the wall that a run keeps.
+struct KeptStates {
+  std::vector<Snapshot> snapshots;  // start, output.states, peak and end
+  // For the failure mode, independent of output.states: the first step at each millimetre and at
+  // SolveOptions::read_modes_at, each turn of a cyclic push ("turn"), and the end ("end").
+  std::vector<Snapshot> readings;
+  std::vector<MovedBlocks> rise_shapes;  // of a one-way push, until readings are as close
+  std::vector<Snapshot> frames;          // between snapshots, as SolveOptions::frames requests
+};
+
 struct Result {
   SolveStatus status = SolveStatus::kCompleted;
   Message reason;  // residual with place and time, and why the stage stopped
   std::vector<CurveRow> curve;
-  std::vector<RisePoint> rise;            // of a push
-  std::vector<LinkRow> links;             // (rows of the curve, links of the model)
-  std::vector<FrameRow> frame_rows;       // (rows of the curve, links of frames)
-  std::vector<FrameUse> frame_uses;       // of each frame
-  std::vector<LayerRow> layer_rows;       // (rows of the curve, layers)
-  std::vector<LayerUse> layer_uses;       // of each layer
+  std::vector<RisePoint> rise;  // of a push
+  Strengthening strengthening;
   StageKind curve_of = StageKind::kPush;  // kind of the stage that gave the curve
   Responses responses;
   EnergyLedger energy;
@@ -207,12 +222,7 @@ struct Result {
   ShakeHistory history;   // rows of all shakes
   ShakeReadings shaking;  // its results
   PushedWall pushed;      // for an assessment; set by read_pushed_wall()
-  std::vector<Snapshot> snapshots;
-  // States for the failure mode, independent of output.states: the first step at each millimetre and
-  // at SolveOptions::read_modes_at, each turn of a cyclic push ("turn"), and the end ("end").
-  std::vector<Snapshot> readings;
-  std::vector<MovedBlocks> rise_shapes;  // of a one-way push, until readings are as close
-  std::vector<Snapshot> frames;          // between them, as SolveOptions::frames requests
+  KeptStates states;
   std::vector<StageReport> stages;
   double load_factor = 0;       // largest lambda in balance (body force), tan(tilt)
   double top_displacement = 0;  // [m]

@@ -21,7 +21,7 @@ struct Progress {
 
 struct SolveOptions {
   int threads = 1;               // within one wall; any number gives the same bits
-  int frames = 0;                // number of Result::frames of a push, for pictures
+  int frames = 0;                // number of KeptStates::frames of a push, for pictures
   double read_modes_at = 40e-3;  // displacement at which the state for the
                                  // failure mode is stored [m]
   std::int64_t step_budget = 0;  // most steps, then budget_spent; 0: no limit

@@ -179,15 +179,15 @@ std::vector<Snapshot> asked_states(const StudySpec& spec, const Result& result) 
   std::vector<Snapshot> states;
   bool missing = false;
   for (const double displacement : wanted) {
-    const auto found = std::find_if(result.snapshots.begin(), result.snapshots.end(),
+    const auto found = std::find_if(result.states.snapshots.begin(), result.states.snapshots.end(),
                                     [&](const Snapshot& s) { return s.asked == displacement; });
-    if (found == result.snapshots.end())
+    if (found == result.states.snapshots.end())
       missing = true;
     else
       states.push_back(*found);
   }
-  if (missing && !result.snapshots.empty() && result.snapshots.back().label == "end")
-    states.push_back(result.snapshots.back());
+  if (missing && !result.states.snapshots.empty() && result.states.snapshots.back().label == "end")
+    states.push_back(result.states.snapshots.back());
   return states;
 }
 

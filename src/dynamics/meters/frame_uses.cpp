@@ -40,10 +40,10 @@ std::vector<FrameUse> evaluate_frame_uses(const Model& model, const Result& resu
   const Frames& f = model.frames;
   std::vector<FrameUse> uses(f.name.size());
   const std::size_t n = f.a.size();
-  for (std::size_t row = 0; n > 0 && (row + 1) * n <= result.frame_rows.size(); ++row)
+  for (std::size_t row = 0; n > 0 && (row + 1) * n <= result.strengthening.frame_rows.size(); ++row)
     for (std::size_t k = 0; k < n; ++k) {
       const FrameMember& member = f.members[f.member[k]];
-      const FrameRow& now = result.frame_rows[row * n + k];
+      const FrameRow& now = result.strengthening.frame_rows[row * n + k];
       FrameUse& use = uses[member.frame];
       const double here = section_use(member, now.normal, now.shear, now.moment);
       if (!(here > use.use)) continue;

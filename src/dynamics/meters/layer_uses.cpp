@@ -63,9 +63,9 @@ Message place_in_layer(const LayerRow& row) {
 std::vector<LayerUse> evaluate_layer_uses(const Model& model, const Result& result) {
   std::vector<LayerUse> uses(model.layers.name.size());
   const std::size_t n = uses.size();
-  for (std::size_t row = 0; n > 0 && (row + 1) * n <= result.layer_rows.size(); ++row)
+  for (std::size_t row = 0; n > 0 && (row + 1) * n <= result.strengthening.layer_rows.size(); ++row)
     for (std::size_t k = 0; k < n; ++k) {
-      const LayerRow& now = result.layer_rows[row * n + k];
+      const LayerRow& now = result.strengthening.layer_rows[row * n + k];
       LayerUse& use = uses[k];
       use.detached = now.detached;
       use.broken = now.broken;

@@ -73,21 +73,21 @@ void Recorder::begin(double read_at) {
   result_.curve_of = stage_.spec.kind();
   result_.curve.clear();
   result_.rise.clear();
-  result_.links.clear();
-  result_.frame_rows.clear();
-  result_.layer_rows.clear();
+  result_.strengthening.links.clear();
+  result_.strengthening.frame_rows.clear();
+  result_.strengthening.layer_rows.clear();
   result_.events.clear();
-  result_.snapshots.clear();
-  result_.readings.clear();
-  result_.rise_shapes.clear();
-  result_.frames.clear();
+  result_.states.snapshots.clear();
+  result_.states.readings.clear();
+  result_.states.rise_shapes.clear();
+  result_.states.frames.clear();
   result_.validity = {};
   result_.joint_crack_displacement.assign(joints, std::numeric_limits<double>::quiet_NaN());
 }
 
 void Recorder::take_snapshot(const std::string& label, const State& state) {
   const double reaction = result_.curve.empty() ? 0.0 : result_.curve.back().reaction;
-  result_.snapshots.push_back({label, displacement_, reaction, state});
+  result_.states.snapshots.push_back({label, displacement_, reaction, state});
 }
 
 void Recorder::take(const WallAccess& access, State& state, const Controls& controls,
@@ -145,11 +145,11 @@ void Recorder::take_states(const WallAccess& access, State& state) {
   access.store_state(state);
   while (far >= next_state_at()) {
     take_snapshot(fmt::format("{:g} mm", 1e3 * next_state_at()), state);
-    result_.snapshots.back().asked = next_state_at();
+    result_.states.snapshots.back().asked = next_state_at();
     ++n_.next_state;
   }
   if (turns || far >= std::min(n_.next_reading, n_.read_at))
-    result_.readings.push_back({turns ? "turn" : "", displacement_, 0, state});
+    result_.states.readings.push_back({turns ? "turn" : "", displacement_, 0, state});
   if (far >= n_.next_reading) n_.next_reading = kReadEvery * (1 + std::floor(far / kReadEvery));
   if (far >= n_.read_at) n_.read_at = std::numeric_limits<double>::infinity();
   n_.due = std::min({next_state_at(), n_.next_reading, n_.read_at});
@@ -160,8 +160,8 @@ void Recorder::take_shape(const WallAccess& access, State& state) {
   if (displacement_ < n_.next_shape) return;
   access.store_state(state);
   const Vec3 along = stage_.drive();
-  const State& start = result_.snapshots.front().state;
-  MovedBlocks& shape = result_.rise_shapes.emplace_back();
+  const State& start = result_.states.snapshots.front().state;
+  MovedBlocks& shape = result_.states.rise_shapes.emplace_back();
   shape.displacement = displacement_;
   const int supports = model_.space.n_support;
   const auto bodies =
@@ -227,7 +227,7 @@ void Recorder::take_frame(const State& state, double travelled) {
   };
   if (n_.next_frame > frames_ || travelled < due()) return;
   while (n_.next_frame <= frames_ && travelled >= due()) ++n_.next_frame;
-  result_.frames.push_back({"", displacement_, result_.curve.back().reaction, state});
+  result_.states.frames.push_back({"", displacement_, result_.curve.back().reaction, state});
 }
 
 // The ground's force along the push, less the force that weights and dead loads cause there.
@@ -352,7 +352,7 @@ void Recorder::note_peak(const State& state) {
 void Recorder::note_links(const State& state, double displacement, double reaction) {
   const std::vector<LinkReading> links = read_links(model_, state);
   for (std::size_t k = 0; k < links.size(); ++k) {
-    result_.links.push_back({links[k].force, links[k].elongation, links[k].plastic});
+    result_.strengthening.links.push_back({links[k].force, links[k].elongation, links[k].plastic});
     const Message name{"event.link_yields", {{"link", model_.links.name[k]}}};
     if (links[k].plastic == 0 || has_event(result_, name)) continue;
     result_.events.push_back(
@@ -366,7 +366,7 @@ void Recorder::note_frames(const State& state, double displacement, double react
   const std::vector<FrameReading> sections = read_frames(model_, state);
   for (std::size_t k = 0; k < sections.size(); ++k) {
     const FrameReading& section = sections[k];
-    result_.frame_rows.push_back({section.normal, section.shear, section.moment});
+    result_.strengthening.frame_rows.push_back({section.normal, section.shear, section.moment});
     if (section.plastic == 0) continue;
     const std::size_t member = model_.frames.member[k];
     const std::size_t frame = model_.frames.members[member].frame;
@@ -380,7 +380,7 @@ void Recorder::note_layers(const State& state, double displacement, double react
   if (model_.layers.n == 0) return;
   const std::vector<LayerRow> rows = evaluate_layer_rows(model_, state);
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    result_.layer_rows.push_back(rows[k]);
+    result_.strengthening.layer_rows.push_back(rows[k]);
     if (!(rows[k].broken > 0)) continue;
     const Message name{"event.layer_breaks", {{"layer", model_.layers.name[k]}}};
     if (!has_event(result_, name))
@@ -499,13 +499,13 @@ void Recorder::finish(const WallAccess& access, State& state, const Controls& co
   const bool against = rank(recording_.side[1]) > rank(recording_.side[0]);
   RecordedSide& larger = recording_.side[against ? 1 : 0];
   if (larger.peak > 0)
-    result_.snapshots.push_back({"peak", larger.peak_displacement,
-                                 against ? -larger.peak : larger.peak,
-                                 std::move(larger.peak_state)});
+    result_.states.snapshots.push_back({"peak", larger.peak_displacement,
+                                        against ? -larger.peak : larger.peak,
+                                        std::move(larger.peak_state)});
   take_snapshot("end", state);
-  result_.readings.push_back(result_.snapshots.back());
+  result_.states.readings.push_back(result_.states.snapshots.back());
   std::stable_sort(
-      result_.snapshots.begin(), result_.snapshots.end(),
+      result_.states.snapshots.begin(), result_.states.snapshots.end(),
       [](const Snapshot& a, const Snapshot& b) { return a.state.time < b.state.time; });
   recording_ = {};
 }

@@ -179,10 +179,10 @@ class Shake final : public StageRun {
     const double due = duration_ * static_cast<double>(n_.shake_frames + 1) / (frames + 1);
     if (n_.shake_frames >= frames || state_.stage_time < due) return;
     ++n_.shake_frames;
-    result_.frames.push_back({"", control_now(), base_now(), state_});
+    result_.states.frames.push_back({"", control_now(), base_now(), state_});
   }
   void keep_state(const std::string& label) {
-    result_.snapshots.push_back({label, control_now(), base_now(), state_});
+    result_.states.snapshots.push_back({label, control_now(), base_now(), state_});
   }
   // Direction of the first record: the first point's displacement and the ground's force are taken along it.
   [[nodiscard]] Vec3 way() const {

@@ -159,8 +159,8 @@ Result WallRun::finish() {
   result.steps = state_.step;
   result.state_hash = state_hash(state_);
   add_curve_events(result);
-  result.frame_uses = evaluate_frame_uses(model_, result);
-  result.layer_uses = evaluate_layer_uses(model_, result);
+  result.strengthening.frame_uses = evaluate_frame_uses(model_, result);
+  result.strengthening.layer_uses = evaluate_layer_uses(model_, result);
   result.wall_seconds = seconds();
   return std::move(result);
 }

@@ -609,12 +609,13 @@ class Hold : public StageRun {
         !(states_at(state_.stage_time) > states_at(state_.stage_time - controls_.dt)))
       return;
     wall_.access->store_state(state_);
-    wall_.record.result.frames.push_back({"", state_.drive_displacement, 0, state_});
+    wall_.record.result.states.frames.push_back({"", state_.drive_displacement, 0, state_});
   }
   void finish(StageEnd&) override {
     if (!hold_.release) return;
     wall_.access->store_state(state_);
-    wall_.record.result.snapshots.push_back({"fallen", state_.drive_displacement, 0, state_});
+    wall_.record.result.states.snapshots.push_back(
+        {"fallen", state_.drive_displacement, 0, state_});
   }
   void end_when_over() {
     if (!ended() && !(state_.stage_time < hold_.duration)) end({});

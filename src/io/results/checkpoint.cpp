@@ -207,18 +207,21 @@ void walk_result(A& archive, const Model& model, R& result) {
   if constexpr (A::kReads) result.curve_of = static_cast<StageKind>(curve_of);
   archive.list(result.curve, plain);
   archive.list(result.rise, plain);
-  archive.list(result.links, plain);
+  archive.list(result.strengthening.links, plain);
   archive.require(
-      result.links.empty() || result.links.size() == result.curve.size() * model.links.a.size(),
+      result.strengthening.links.empty() ||
+          result.strengthening.links.size() == result.curve.size() * model.links.a.size(),
       "it has rows of other links");
-  archive.list(result.frame_rows, plain);
-  archive.require(result.frame_rows.empty() ||
-                      result.frame_rows.size() == result.curve.size() * model.frames.a.size(),
-                  "it has rows of other frames");
-  archive.list(result.layer_rows, plain);
-  archive.require(result.layer_rows.empty() ||
-                      result.layer_rows.size() == result.curve.size() * model.layers.name.size(),
-                  "it has rows of other layers");
+  archive.list(result.strengthening.frame_rows, plain);
+  archive.require(
+      result.strengthening.frame_rows.empty() ||
+          result.strengthening.frame_rows.size() == result.curve.size() * model.frames.a.size(),
+      "it has rows of other frames");
+  archive.list(result.strengthening.layer_rows, plain);
+  archive.require(
+      result.strengthening.layer_rows.empty() ||
+          result.strengthening.layer_rows.size() == result.curve.size() * model.layers.name.size(),
+      "it has rows of other layers");
   archive.list(result.joint_crack_displacement, plain);
   const std::size_t joints = result.joint_crack_displacement.size();
   archive.require(joints == 0 || joints == static_cast<std::size_t>(model.n_joint),
@@ -255,13 +258,13 @@ void walk_result(A& archive, const Model& model, R& result) {
                   "it has rows of other storeys");
   archive(result.load_factor);
   archive(result.wall_seconds);
-  walk_states(archive, model, result.snapshots);
-  walk_states(archive, model, result.readings);
-  archive.list(result.rise_shapes, [&](auto& shape) {
+  walk_states(archive, model, result.states.snapshots);
+  walk_states(archive, model, result.states.readings);
+  archive.list(result.states.rise_shapes, [&](auto& shape) {
     archive(shape.displacement);
     archive.array(shape.moved, moved_blocks(model));
   });
-  walk_states(archive, model, result.frames);
+  walk_states(archive, model, result.states.frames);
 }
 
 template <class A, class O>

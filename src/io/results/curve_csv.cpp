@@ -73,10 +73,10 @@ std::string links_csv(const std::vector<std::string>& names, const Result& resul
   std::string text = "displacement_mm";
   for (const std::string& name : names)
     text += ',' + csv_cell(name + " force_kN") + ',' + csv_cell(name + " elongation_mm");
-  for (std::size_t row = 0; (row + 1) * names.size() <= result.links.size(); ++row) {
+  for (std::size_t row = 0; (row + 1) * names.size() <= result.strengthening.links.size(); ++row) {
     text += fmt::format("\n{:.10g}", 1e3 * result.curve[row].displacement);
     for (std::size_t k = 0; k < names.size(); ++k) {
-      const LinkRow& link = result.links[row * names.size() + k];
+      const LinkRow& link = result.strengthening.links[row * names.size() + k];
       text += fmt::format(",{:.10g},{:.10g}", 1e-3 * link.force, 1e3 * link.elongation);
     }
   }
@@ -87,10 +87,10 @@ std::string frames_csv(const Model& model, const Result& result) {
   const Frames& f = model.frames;
   const std::size_t n = f.a.size();
   std::string text = "displacement_mm,frame,member,place_m,N_kN,V_kN,M_kNm,use";
-  for (std::size_t row = 0; (row + 1) * n <= result.frame_rows.size(); ++row)
+  for (std::size_t row = 0; (row + 1) * n <= result.strengthening.frame_rows.size(); ++row)
     for (std::size_t k = 0; k < n; ++k) {
       const FrameMember& member = f.members[f.member[k]];
-      const FrameRow& now = result.frame_rows[row * n + k];
+      const FrameRow& now = result.strengthening.frame_rows[row * n + k];
       text += fmt::format("\n{:.10g},{},{},{:.6g},{:.7g},{:.7g},{:.7g},{:.5g}",
                           1e3 * result.curve[row].displacement, csv_cell(f.name[member.frame]),
                           csv_cell(text_of(member.words)), f.place[k], 1e-3 * now.normal,
@@ -103,9 +103,9 @@ std::string frames_csv(const Model& model, const Result& result) {
 std::string layers_csv(const Model& model, const Result& result) {
   const std::size_t n = model.layers.name.size();
   std::string text = "displacement_mm,layer,use,x_m,y_m,detached_percent,broken_percent";
-  for (std::size_t row = 0; (row + 1) * n <= result.layer_rows.size(); ++row)
+  for (std::size_t row = 0; (row + 1) * n <= result.strengthening.layer_rows.size(); ++row)
     for (std::size_t k = 0; k < n; ++k) {
-      const LayerRow& now = result.layer_rows[row * n + k];
+      const LayerRow& now = result.strengthening.layer_rows[row * n + k];
       text += fmt::format("\n{:.10g},{},{:.5g},{:.6g},{:.6g},{:.5g},{:.5g}",
                           1e3 * result.curve[row].displacement, csv_cell(model.layers.name[k]),
                           now.use, now.x, now.y, 100 * now.detached, 100 * now.broken);

@@ -374,7 +374,7 @@ void write_run(const std::string& folder, const ModelSpec& spec, const Model& mo
   if (model.frames.n > 0) write_file(inside(folder, "frames.csv"), io::frames_csv(model, result));
   if (model.layers.n > 0) write_file(inside(folder, "layers.csv"), io::layers_csv(model, result));
   write_file(inside(folder, "model.used.toml"), used_model(folder, spec, model));
-  write_states(folder, model, result.snapshots);
+  write_states(folder, model, result.states.snapshots);
   write_file(inside(folder, "summary.json"), summary_json(spec, model, result));
 }
 

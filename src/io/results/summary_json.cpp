@@ -159,8 +159,8 @@ Json links_json(const Model& model, const Result& result) {
   for (std::size_t k = 0; k < n; ++k) {
     LinkRow largest, last;
     double at = 0;
-    for (std::size_t row = 0; row * n + k < result.links.size(); ++row) {
-      last = result.links[row * n + k];
+    for (std::size_t row = 0; row * n + k < result.strengthening.links.size(); ++row) {
+      last = result.strengthening.links[row * n + k];
       if (std::fabs(last.force) <= std::fabs(largest.force)) continue;
       largest = last;
       at = result.curve[row].displacement;
@@ -179,8 +179,8 @@ Json links_json(const Model& model, const Result& result) {
 // For each frame: the largest use with time and place, and the first yielding.
 Json frames_json(const Model& model, const Result& result) {
   Json list = Json::array();
-  for (std::size_t k = 0; k < result.frame_uses.size(); ++k) {
-    const FrameUse& use = result.frame_uses[k];
+  for (std::size_t k = 0; k < result.strengthening.frame_uses.size(); ++k) {
+    const FrameUse& use = result.strengthening.frame_uses[k];
     Json& json = list.emplace_back();
     json["name"] = model.frames.name[k];
     json["use"] = use.use;
@@ -197,8 +197,8 @@ Json frames_json(const Model& model, const Result& result) {
 // For each layer: the largest use with its place, when fibres broke, and the detached and broken parts at the end.
 Json layers_json(const Model& model, const Result& result) {
   Json list = Json::array();
-  for (std::size_t k = 0; k < result.layer_uses.size(); ++k) {
-    const LayerUse& use = result.layer_uses[k];
+  for (std::size_t k = 0; k < result.strengthening.layer_uses.size(); ++k) {
+    const LayerUse& use = result.strengthening.layer_uses[k];
     Json& json = list.emplace_back();
     json["name"] = model.layers.name[k];
     json["use"] = use.use;
@@ -394,10 +394,11 @@ Json shaking_json(const Model& model, const Result& result) {
 
 // The largest rotation of any block at the end of the run [rad].
 double lean_of(const Model& model, const Result& result) {
-  if (result.snapshots.empty()) return 0;
+  if (result.states.snapshots.empty()) return 0;
   double most = 0;
   for (BlockId b = 0; b < model.n_block; ++b)
-    most = std::max(most, length(read_block(model, result.snapshots.back().state, b).turned.by));
+    most = std::max(most,
+                    length(read_block(model, result.states.snapshots.back().state, b).turned.by));
   return most;
 }
 }  // namespace

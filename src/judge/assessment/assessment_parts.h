@@ -18,7 +18,7 @@ struct Extent {
 [[nodiscard]] Extent extent_of(const Model& model, BlockId block);
 // Lowest point of the moving blocks [m]; heights count from it.
 [[nodiscard]] double foot_of(const Model& model);
-// Result::readings of a push beyond its start, each displacement once, ascending. They
+// KeptStates::readings of a push beyond its start, each displacement once, ascending. They
 // depend neither on the requested states nor on frames, so a sample is judged like a run.
 [[nodiscard]] std::vector<const Snapshot*> states_by_displacement(const Result& result);
 // Displacement of each block along the push, ascending: at the displacements of Result::rise_shapes, and at those

@@ -45,7 +45,7 @@ double foot_of(const Model& model) {
 std::vector<double> moved_at(const Model& model, const Result& result, const Snapshot& state) {
   const Stage* push = push_of(model);
   const Vec3 along{push->drive_x, push->drive_y, push->drive_z};
-  const Snapshot& start = result.snapshots.front();  // "start" of the push
+  const Snapshot& start = result.states.snapshots.front();  // "start" of the push
   const std::vector<BlockId> blocks = moving_blocks(model);
   std::vector<double> moved(blocks.empty() ? 0 : static_cast<std::size_t>(blocks.back()) + 1, 0.0);
   for (const BlockId b : blocks)
@@ -56,8 +56,8 @@ std::vector<double> moved_at(const Model& model, const Result& result, const Sna
 
 std::vector<const Snapshot*> states_by_displacement(const Result& result) {
   std::vector<const Snapshot*> states;
-  if (result.snapshots.empty()) return states;
-  for (const Snapshot& s : result.readings)
+  if (result.states.snapshots.empty()) return states;
+  for (const Snapshot& s : result.states.readings)
     if (s.displacement > 0) states.push_back(&s);
   std::stable_sort(states.begin(), states.end(), [](const Snapshot* a, const Snapshot* b) {
     return a->displacement < b->displacement;
@@ -70,7 +70,7 @@ std::vector<const Snapshot*> states_by_displacement(const Result& result) {
 }
 
 std::vector<MovedBlocks> shapes_of(const Model& model, const Result& result) {
-  std::vector<MovedBlocks> shapes = result.rise_shapes;
+  std::vector<MovedBlocks> shapes = result.states.rise_shapes;
   for (const Snapshot* state : states_by_displacement(result))
     shapes.push_back({state->displacement, moved_at(model, result, *state)});
   std::stable_sort(shapes.begin(), shapes.end(), [](const MovedBlocks& a, const MovedBlocks& b) {

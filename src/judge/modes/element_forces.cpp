@@ -252,10 +252,10 @@ std::vector<ElementForces> read_element_forces(const Model& model, const Result&
       if (!s.is_sill)
         add({s.name, "spandrel", s.mark, s.storey, s.box.width()}, cut_spandrel(cutters[k], s), k);
   std::vector<const Snapshot*> states;
-  if (!result.snapshots.empty() && !result.readings.empty() &&
-      result.snapshots.front().label == "start")
-    states.push_back(&result.snapshots.front());
-  for (const Snapshot& s : result.readings)  // the end may be one of the readings
+  if (!result.states.snapshots.empty() && !result.states.readings.empty() &&
+      result.states.snapshots.front().label == "start")
+    states.push_back(&result.states.snapshots.front());
+  for (const Snapshot& s : result.states.readings)  // the end may be one of the readings
     if (states.empty() || states.back()->state.step != s.state.step) states.push_back(&s);
   for (const Snapshot* s : states) {
     const WallReading wall = read_wall(model, s->state);

@@ -222,8 +222,8 @@ std::vector<study::ElementReading> readings_up_to(const Model& model, const Elev
                                                   const WallParts& parts, const Result& result,
                                                   const Snapshot* read, const ModeRules& rules) {
   std::vector<study::ElementReading> readings;
-  readings.reserve(result.readings.size());
-  for (const Snapshot& s : result.readings) {
+  readings.reserve(result.states.readings.size());
+  for (const Snapshot& s : result.states.readings) {
     const WallMotion then = study::evaluate_motion(model, s.state, seen);
     readings.push_back({s.displacement, study::element_states(parts, then, rules)});
     if (&s == read) break;
@@ -264,7 +264,7 @@ std::vector<NameReading> sensitivity_of(const Model& model, const Elevation& see
   const auto same_place = [](const Snapshot& a, const Snapshot& b) {
     return a.state.step == b.state.step && a.displacement == b.displacement;
   };
-  for (const Snapshot& s : result.snapshots) {
+  for (const Snapshot& s : result.states.snapshots) {
     if (s.label == "start" || same_place(s, read) || same_place(s, *before)) continue;
     before = &s;
     const WallMotion there = study::evaluate_motion(model, s.state, seen);
@@ -418,9 +418,9 @@ FailureMode mode_of_wall(const Model& model, const Elevation& seen, const WallPa
   for (const study::ElementReading& r : readings)
     note_first(r.elements, r.displacement, mode.elements);
   // when a sound part fails later: limit states may lie beyond the state that is read
-  for (std::size_t i = readings.size(); i < result.readings.size() && !is_cyclic(model, read);
-       ++i) {
-    const Snapshot& s = result.readings[i];
+  for (std::size_t i = readings.size();
+       i < result.states.readings.size() && !is_cyclic(model, read); ++i) {
+    const Snapshot& s = result.states.readings[i];
     note_first(study::element_states(parts, study::evaluate_motion(model, s.state, seen), rules),
                s.displacement, mode.elements);
   }
@@ -441,7 +441,7 @@ NamedWall name_read(const Model& model, const Result& result, const Snapshot& re
 }
 
 FailureMode mode_of_push(const Model& model, const Result& result, double read_at) {
-  const Snapshot* read = state_to_read(model, result.readings, read_at);
+  const Snapshot* read = state_to_read(model, result.states.readings, read_at);
   if (read == nullptr) {
     FailureMode none;
     none.sentence = {"mode.no_state"};
@@ -555,7 +555,7 @@ WallMechanism mechanism_of_wall(const Model& model, const Elevation& seen, const
 }
 
 WallMechanism mechanism_of_push(const Model& model, const Result& result, double read_at) {
-  const Snapshot* read = state_to_read(model, result.readings, read_at);
+  const Snapshot* read = state_to_read(model, result.states.readings, read_at);
   if (read == nullptr) return {};
   const std::vector<Elevation> walls = study::elevations_of(model);
   NamedWall named{.mode = {}, .is_plane = true};

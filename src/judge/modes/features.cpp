@@ -48,7 +48,7 @@ std::vector<Feature> read_features(const Model& model, const Result& result) {
   for (const study::WallParts& parts : study::find_parts(model, elevations))
     regions.push_back(regions_of(parts));
   std::vector<Feature> features;
-  for (const Snapshot& snapshot : result.snapshots) {
+  for (const Snapshot& snapshot : result.states.snapshots) {
     const WallReading wall = read_wall(model, snapshot.state);
     for (std::size_t k = 0; k < elevations.size(); ++k) {
       const auto joints = study::evaluate_motion(model, wall, elevations[k]).joints;

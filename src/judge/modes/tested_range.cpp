@@ -24,9 +24,9 @@ bool is_beyond(double value, double low, double high) {
 
 // Mean pressure on the ground before the push, over the strength there; NaN where no joint crushes.
 double axial_ratio(const Model& model, const Result& result) {
-  if (result.snapshots.empty()) return kUnset;
+  if (result.states.snapshots.empty()) return kUnset;
   double force = 0, strength = 0;
-  const WallReading wall = read_wall(model, result.snapshots.front().state);
+  const WallReading wall = read_wall(model, result.states.snapshots.front().state);
   for (const JointReading& j : wall.joints) {
     if (j.shape.a != kGroundBlock && j.shape.b != kGroundBlock) continue;
     force += j.compression;
@@ -37,8 +37,9 @@ double axial_ratio(const Model& model, const Result& result) {
 
 // Ratio of the rotational stiffness of a joint with points to that of a continuous one; 3 with two end points.
 double times_too_stiff(const Model& model, const Result& result) {
-  if (result.snapshots.empty() || joint_count(model) == 0) return kUnset;
-  const std::vector<PointReading> points = read_points(model, result.snapshots.front().state);
+  if (result.states.snapshots.empty() || joint_count(model) == 0) return kUnset;
+  const std::vector<PointReading> points =
+      read_points(model, result.states.snapshots.front().state);
   double inertia = 0;
   const PointRange first = points_of(model, 0);
   for (PointId p = first.begin; p < first.end; ++p) {

@@ -162,10 +162,10 @@ TEST(Readings, are_of_the_first_step_at_each_millimetre_and_where_asked_and_of_t
   options.read_modes_at = 1.7e-3;
   const Result result = solve(model, state, options);
   const double expected[] = {1e-3, 1.7e-3, 2e-3, 3e-3, 3.2e-3};
-  ASSERT_EQ(result.readings.size(), std::size(expected));
+  ASSERT_EQ(result.states.readings.size(), std::size(expected));
   for (std::size_t i = 0; i < std::size(expected); ++i) {
-    EXPECT_GE(result.readings[i].displacement, expected[i]);
-    EXPECT_LT(result.readings[i].displacement, expected[i] + 0.1 * result.time_step);
+    EXPECT_GE(result.states.readings[i].displacement, expected[i]);
+    EXPECT_LT(result.states.readings[i].displacement, expected[i] + 0.1 * result.time_step);
   }
 }
 
@@ -202,7 +202,7 @@ TEST(Readings, of_a_cyclic_push_are_taken_where_it_turns_farther_than_before) {
   State state = initial_state(model);
   const Result result = solve(model, state);
   std::vector<double> turns;
-  for (const Snapshot& s : result.readings)
+  for (const Snapshot& s : result.states.readings)
     if (s.label == "turn") turns.push_back(s.displacement);
   ASSERT_GE(turns.size(), 2U);
   EXPECT_NEAR(turns.front(), 0.3e-3, 2 * 0.1 * result.time_step);

@@ -258,14 +258,14 @@ TEST(Frames, say_what_they_bore_and_where_they_yielded) {
   const Model m = compile(spec);
   State state = initial_state(m);
   const Result r = solve(m, state);
-  ASSERT_EQ(r.frame_rows.size(), r.curve.size() * m.frames.a.size());
-  ASSERT_EQ(r.frame_uses.size(), 1U);
-  const FrameUse& use = r.frame_uses[0];
+  ASSERT_EQ(r.strengthening.frame_rows.size(), r.curve.size() * m.frames.a.size());
+  ASSERT_EQ(r.strengthening.frame_uses.size(), 1U);
+  const FrameUse& use = r.strengthening.frame_uses[0];
   EXPECT_GT(use.use, 0.9);
   // no section bears more axial force and moment than it can; in shear it is elastic
-  for (std::size_t row = 0; row < r.frame_rows.size(); ++row) {
+  for (std::size_t row = 0; row < r.strengthening.frame_rows.size(); ++row) {
     const auto member = static_cast<std::size_t>(m.frames.member[row % m.frames.a.size()]);
-    const FrameRow& now = r.frame_rows[row];
+    const FrameRow& now = r.strengthening.frame_rows[row];
     ASSERT_LE(section_use(m.frames.members[member], now.normal, 0, now.moment), 1 + 1e-9);
   }
   EXPECT_LE(use.yields_at, 0.1e-3);
@@ -278,7 +278,7 @@ TEST(Frames, say_what_they_bore_and_where_they_yielded) {
   // one line a section and row, and the head
   const std::string csv = io::frames_csv(m, r);
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'),
-            static_cast<std::ptrdiff_t>(1 + r.frame_rows.size()));
+            static_cast<std::ptrdiff_t>(1 + r.strengthening.frame_rows.size()));
 }
 
 // --- in a file -------------------------------------------------------------------------------------------

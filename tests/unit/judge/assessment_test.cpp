@@ -592,9 +592,9 @@ TEST(MassAndShape, is_read_at_the_displacement_it_is_stated_for) {
   const ModelSpec spec = parse_model(wall_text(kAssessed), "wall.toml");
   const Model model = compile(spec);
   const Result result = pushed(model);
-  ASSERT_GT(result.rise_shapes.size(), 50u);
+  ASSERT_GT(result.states.rise_shapes.size(), 50u);
   double before = 0;
-  for (const MovedBlocks& shape : result.rise_shapes) {
+  for (const MovedBlocks& shape : result.states.rise_shapes) {
     EXPECT_GT(shape.displacement, before);
     if (before > 0) {
       EXPECT_LT(shape.displacement - before, 0.051 * before + 2e-6);
@@ -604,11 +604,11 @@ TEST(MassAndShape, is_read_at_the_displacement_it_is_stated_for) {
   EXPECT_NEAR(before, 12e-3, 1e-3);  // until readings are as close, at 20 mm
   // top course up to 0.2 mm straight, then ahead: the sums at 0.1 mm do not know what comes later
   Result made = result;
-  made.readings.clear();
-  made.rise_shapes.clear();
-  const std::size_t n = result.rise_shapes.front().moved.size();
+  made.states.readings.clear();
+  made.states.rise_shapes.clear();
+  const std::size_t n = result.states.rise_shapes.front().moved.size();
   for (const double d : {0.05e-3, 0.1e-3, 0.2e-3, 1e-3})
-    made.rise_shapes.push_back({d, std::vector<double>(n, d > 0.5e-3 ? 5 * d : d)});
+    made.states.rise_shapes.push_back({d, std::vector<double>(n, d > 0.5e-3 ? 5 * d : d)});
   const MassAndShape m = mass_and_shape(read_pushed_wall(spec, model, made), 0.15e-3);
   EXPECT_NEAR(m.read_at, 0.15e-3, 1e-15);
   EXPECT_NEAR(m.participation, 1, 1e-12);

@@ -45,7 +45,7 @@ ModelSpec two_storeys() {
 
 std::vector<ElementForces> forces_in(const Model& model, const State& state) {
   Result result;
-  result.readings.push_back({"end", 0, 0, state});
+  result.states.readings.push_back({"end", 0, 0, state});
   return read_element_forces(model, result);
 }
 

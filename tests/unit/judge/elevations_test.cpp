@@ -75,7 +75,7 @@ State in_space(const Model& plane, const State& flat, const Model& solid, double
 
 Result read_at(const State& state) {
   Result result;
-  result.readings.push_back({"end", 40e-3, 0, state});
+  result.states.readings.push_back({"end", 40e-3, 0, state});
   return result;
 }
 
@@ -328,7 +328,7 @@ TEST(Elevations, what_the_walls_of_a_house_carry_adds_up_to_its_weight) {
   const Result result = solve(model, state, {});
   ASSERT_EQ(result.status, SolveStatus::kCompleted) << result.reason;
   Result rest;
-  rest.readings.push_back({"end", 0, 0, state});
+  rest.states.readings.push_back({"end", 0, 0, state});
   double windows = 0, bare = 0;
   for (const ElementForces& e : read_element_forces(model, rest)) {
     if (e.kind != "pier") continue;

@@ -417,17 +417,17 @@ TEST(Sliding, beside_rocking_leaves_the_two_as_candidates) {
 // Readings and snapshots at the displacements.
 Result run_of(const Parts& parts, const std::vector<double>& displacements) {
   Result result;
-  result.snapshots.push_back({"start", 0, 0, initial_state(tuff_wall())});
+  result.states.snapshots.push_back({"start", 0, 0, initial_state(tuff_wall())});
   for (const double d : displacements) {
     const State state = moved(tuff_wall(), mechanism(parts, d / 3.12));
-    result.snapshots.push_back({fmt::format("{:g} mm", 1e3 * d), d, 0, state});
-    result.snapshots.back().state.step = static_cast<std::int64_t>(1e6 * d);
+    result.states.snapshots.push_back({fmt::format("{:g} mm", 1e3 * d), d, 0, state});
+    result.states.snapshots.back().state.step = static_cast<std::int64_t>(1e6 * d);
     CurveRow row;
     row.displacement = d;
     row.reaction = 100;
     result.curve.push_back(row);
   }
-  result.readings.assign(result.snapshots.begin() + 1, result.snapshots.end());
+  result.states.readings.assign(result.states.snapshots.begin() + 1, result.states.snapshots.end());
   return result;
 }
 
@@ -443,8 +443,8 @@ TEST(NameFailureMode, what_is_stored_for_the_user_changes_neither_name_nor_place
   const Result whole = run_of(kFm4, {0.1e-3, 10e-3, 40e-3, 40.3e-3, 50e-3});
   for (const std::size_t kept : {0U, 1U, 2U, 4U}) {
     Result result = whole;
-    result.snapshots.erase(result.snapshots.begin(),
-                           result.snapshots.end() - static_cast<long>(kept));
+    result.states.snapshots.erase(result.states.snapshots.begin(),
+                                  result.states.snapshots.end() - static_cast<long>(kept));
     const FailureMode mode = name_failure_mode(tuff_wall(), result);
     EXPECT_EQ(mode.name, "FM-4") << kept;
     EXPECT_DOUBLE_EQ(mode.read_at, 40e-3) << kept;
@@ -458,7 +458,7 @@ TEST(NameFailureMode, spandrel_that_shears_well_after_a_pier_does_not_take_the_n
       const double d = 1e-3 * mm;
       const Parts parts{.right_split = d >= pier_at,
                         .spandrel = d >= spandrel_at ? Parts::kLayers : Parts::kWhole};
-      result.readings.push_back({"", d, 0, moved(tuff_wall(), mechanism(parts, d / 3.12))});
+      result.states.readings.push_back({"", d, 0, moved(tuff_wall(), mechanism(parts, d / 3.12))});
     }
     const FailureMode mode = name_failure_mode(tuff_wall(), result);
     const WallMechanism whole = read_mechanism(tuff_wall(), result);
@@ -486,9 +486,10 @@ TEST(NameFailureMode, cyclic_push_is_read_where_it_last_turned_before_going_fart
   Model cyclic = tuff_wall();
   cyclic.stages.back().spec.get<PushStage>().targets = {40e-3, -40e-3, 60e-3};
   Result result = run_of(kFm4, {10e-3, 40e-3, 40e-3, 40e-3, 41e-3, 60e-3, 10e-3});
-  for (std::size_t i : {2U, 3U}) result.readings[i].label = "turn";
-  result.readings[3].displacement = -40e-3;
-  for (Snapshot& s : result.readings) s.state.stage = static_cast<int>(cyclic.stages.size()) - 1;
+  for (std::size_t i : {2U, 3U}) result.states.readings[i].label = "turn";
+  result.states.readings[3].displacement = -40e-3;
+  for (Snapshot& s : result.states.readings)
+    s.state.stage = static_cast<int>(cyclic.stages.size()) - 1;
   FailureMode mode = name_failure_mode(cyclic, result);
   EXPECT_DOUBLE_EQ(mode.read_at, -40e-3);
   EXPECT_EQ(text_of(mode.reading), "read at -40.0 mm, where the push last turned");
@@ -501,10 +502,11 @@ TEST(NameFailureMode, falling_wall_under_a_load_factor_is_read_out_of_balance) {
   Model tilted = tuff_wall();
   tilted.stages.back().spec.action = TiltStage{};
   Result result = run_of(kFm4, {0.1e-3, 40e-3});
-  for (Snapshot& s : result.readings) s.state.stage = static_cast<int>(tilted.stages.size()) - 1;
-  result.readings.back().state.balance = 1;
+  for (Snapshot& s : result.states.readings)
+    s.state.stage = static_cast<int>(tilted.stages.size()) - 1;
+  result.states.readings.back().state.balance = 1;
   EXPECT_EQ(text_of(name_failure_mode(tilted, result).reading), "read at 40.0 mm, out of balance");
-  result.readings.back().state.balance = 0;
+  result.states.readings.back().state.balance = 0;
   EXPECT_EQ(text_of(name_failure_mode(tilted, result).reading), "read at 40.0 mm");
 }
 
@@ -525,7 +527,7 @@ TEST(NameFailureMode, signs_know_when_they_first_showed) {
 TEST(NameFailureMode, readings_between_the_states_tell_when_and_later_ones_nothing) {
   // states at 10 mm steps, readings closer; the crack of the heel is one from 2.0 mm on
   Result result = run_of(kFm4, {10e-3, 20e-3, 40e-3});
-  result.readings = run_of(kFm4, {1e-3, 2e-3, 3e-3, 40e-3}).readings;
+  result.states.readings = run_of(kFm4, {1e-3, 2e-3, 3e-3, 40e-3}).states.readings;
   const FailureMode mode = name_failure_mode(tuff_wall(), result);
   EXPECT_DOUBLE_EQ(sign_of(mode.elements, "left pier", study::kFlexural).displacement_first, 3e-3);
   // read at 1 mm nothing has happened yet: what comes after is not its past
@@ -571,7 +573,7 @@ TEST(NameFailureMode, sudden_fall_raises_a_flag_and_a_slow_one_does_not) {
 TEST(Features, sum_the_joints_of_each_region) {
   // one bed between 3.2 m and the next course slides by 2 mm: the spandrel's 11 half units
   Result result;
-  result.snapshots.push_back({"20 mm", 20e-3, 0, moved(tuff_wall(), cut(3.2, 2e-3))});
+  result.states.snapshots.push_back({"20 mm", 20e-3, 0, moved(tuff_wall(), cut(3.2, 2e-3))});
   const std::vector<Feature> features = read_features(tuff_wall(), result);
   const auto value = [&](const std::string& name) {
     for (const Feature& f : features)

@@ -211,7 +211,7 @@ TEST_P(ModesInSpace, a_force_that_fell_is_not_called_none) {
   Snapshot read;
   read.state = w.state;
   read.displacement = 0.04;
-  result.readings = {read};
+  result.states.readings = {read};
   for (int k = 0; k <= 40; ++k) {
     CurveRow row;
     row.displacement = 1e-3 * k;

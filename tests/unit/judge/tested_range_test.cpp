@@ -35,9 +35,9 @@ Result run_of(const Model& model, const std::string& mode, double pressure = kPr
   result.responses.peak_reaction = 1e4;
   result.failure_mode.name = mode;
   const double kn = model.materials[model.joint_material[0]].normal_stiffness;
-  result.snapshots.push_back({"start", 0, 0, scenes::moved(model, [=](double, double) {
-                                return scenes::Motion{.move_y = -pressure / kn};
-                              })});
+  result.states.snapshots.push_back({"start", 0, 0, scenes::moved(model, [=](double, double) {
+                                       return scenes::Motion{.move_y = -pressure / kn};
+                                     })});
   return result;
 }
 

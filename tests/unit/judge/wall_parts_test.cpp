@@ -645,7 +645,7 @@ TEST(Mechanism, force_that_fell_without_a_failed_pier_or_spandrel_is_not_explain
   };
   const auto at_a_loss_of = [&](double lost) {
     Result result;
-    result.readings.push_back({"", 40e-3, 0, moved(two_storeys(), node)});
+    result.states.readings.push_back({"", 40e-3, 0, moved(two_storeys(), node)});
     for (const double at : {10e-3, 40e-3}) {
       CurveRow row;
       row.displacement = at;

@@ -170,14 +170,14 @@ TEST(Layers, a_run_says_what_they_bore) {
   const Model model = compile(scenes::layered(scenes::small_wall(0.1e-3, 0.05)));
   State state = initial_state(model);
   const Result r = solve(model, state);
-  ASSERT_EQ(r.layer_uses.size(), 2U);
-  EXPECT_EQ(r.layer_uses[0].use, 1);  // fibres break
-  EXPECT_GT(r.layer_uses[0].broken, 0);
-  EXPECT_GT(r.layer_uses[1].detached, 0);
-  EXPECT_LT(r.layer_uses[1].use, 1);
-  EXPECT_EQ(r.layer_rows.size(), 2 * r.curve.size());
+  ASSERT_EQ(r.strengthening.layer_uses.size(), 2U);
+  EXPECT_EQ(r.strengthening.layer_uses[0].use, 1);  // fibres break
+  EXPECT_GT(r.strengthening.layer_uses[0].broken, 0);
+  EXPECT_GT(r.strengthening.layer_uses[1].detached, 0);
+  EXPECT_LT(r.strengthening.layer_uses[1].use, 1);
+  EXPECT_EQ(r.strengthening.layer_rows.size(), 2 * r.curve.size());
   EXPECT_LT(r.energy.gap_ratio, 0.01);
-  expect_says(text_of(sentence_of(r.layer_uses[0], "both")), "layer both: ");
+  expect_says(text_of(sentence_of(r.strengthening.layer_uses[0], "both")), "layer both: ");
   EXPECT_EQ(text_of(sentence_of(LayerUse{}, "2")), "layer 2 carries nothing");
   LayerUse use;
   use.use = 0.734, use.displacement = 8.1e-3, use.detached = 0.042;

@@ -70,7 +70,8 @@ Ran solved(const ModelSpec& spec) {
 // The only link at the first row of the curve that is within 5 um of a displacement.
 const LinkRow& at(const Ran& r, double displacement) {
   for (std::size_t k = 0; k < r.result.curve.size(); ++k)
-    if (std::fabs(r.result.curve[k].displacement - displacement) < 5e-6) return r.result.links[k];
+    if (std::fabs(r.result.curve[k].displacement - displacement) < 5e-6)
+      return r.result.strengthening.links[k];
   throw std::runtime_error("no row there");
 }
 
@@ -268,7 +269,7 @@ TEST(Links, a_wall_with_ties_keeps_its_ledger) {
   const Ran r = solved(scenes::tied(scenes::small_wall(0.5e-3, 0.01)));
   ASSERT_EQ(r.result.status, SolveStatus::kCompleted);
   EXPECT_LT(r.result.energy.gap_ratio, 2e-3);
-  EXPECT_EQ(r.result.links.size(), r.result.curve.size() * 5);
+  EXPECT_EQ(r.result.strengthening.links.size(), r.result.curve.size() * 5);
 }
 
 // --- limit analysis ------------------------------------------------------------------------------

@@ -231,7 +231,7 @@ TEST(Control, the_rows_tell_and_the_push_ends_where_the_control_block_is) {
   const Result result = solve(model, state);
   ASSERT_EQ(result.status, SolveStatus::kCompleted) << result.reason;
   double start = 0;
-  for (const Snapshot& shot : result.snapshots)
+  for (const Snapshot& shot : result.states.snapshots)
     if (shot.label == "start") start = shot.state.ux[i];
   EXPECT_NEAR(result.curve.back().displacement, state.ux[i] - start, 1e-9);
   EXPECT_NEAR(result.curve.back().displacement, 0.1e-3, 2e-6);

@@ -409,7 +409,7 @@ TEST(SpaceLinks, a_tie_holds_a_wall_that_is_pushed_off_and_the_ledger_closes) {
   EXPECT_NEAR(r.result.curve.back().reaction, 2000 + friction, 20);
   EXPECT_NEAR(r.result.curve.back().base_shear, 2000 + friction, 20);  // of anchor and ground
   EXPECT_LT(r.result.energy.gap_ratio, 2e-3);
-  EXPECT_EQ(r.result.links.size(), r.result.curve.size());
+  EXPECT_EQ(r.result.strengthening.links.size(), r.result.curve.size());
 }
 
 TEST(SpaceLinks, prestress_presses_the_stones_and_loses_what_the_joint_yields) {

@@ -225,12 +225,12 @@ TEST(Report, damaged_data_are_refused) {
 TEST(RunData, header_has_the_summary_and_one_entry_a_state) {
   Result result = scenes::sample_result();
   // the end once more, and a state between: labels of one state are kept together
-  result.snapshots.push_back(result.snapshots.back());
-  result.snapshots.back().label = "10 mm";
-  Snapshot between = result.snapshots.front();
+  result.states.snapshots.push_back(result.states.snapshots.back());
+  result.states.snapshots.back().label = "10 mm";
+  Snapshot between = result.states.snapshots.front();
   between.label.clear();
   between.state.time = 2.0;
-  result.frames.push_back(between);
+  result.states.frames.push_back(between);
   const Json header = header_of(data_of(result));
   EXPECT_EQ(header["kind"], "run");
   EXPECT_EQ(header["summary"]["peak_reaction_kN"], 10.0);
@@ -248,7 +248,7 @@ TEST(RunData, zones_go_along) {
   const ModelSpec spec = scenes::lintel_wall(LintelModel::kZones);
   const Model model = compile(spec);
   Result result;
-  result.snapshots.push_back({"start", 0, 0, initial_state(model)});
+  result.states.snapshots.push_back({"start", 0, 0, initial_state(model)});
   const Json header = header_of(run_data(spec, model, result));
   const auto held = [&](const char* name) { return header["arrays"][name]["count"].get<int>(); };
   EXPECT_EQ(header["wall"]["blocks"], model.n_block + 1);
@@ -559,7 +559,7 @@ TEST(ReportLinks, are_drawn_with_their_forces_and_stand_in_the_page_s_data) {
   const Model model = compile(spec);
   State state = initial_state(model);
   Result result = solve(model, state);
-  result.snapshots = {{"end", 0, 0, state}};
+  result.states.snapshots = {{"end", 0, 0, state}};
   const std::string svg = wall_svg(model, state, 1);
   EXPECT_EQ(unclosed_tag(svg.substr(svg.find("<svg"))), "");
   EXPECT_EQ(count(svg, "class=\"link tie"), 2);
