@@ -1,5 +1,6 @@
 // Forces of links in a state.
 #include "contact/link.h"
+#include "reading/frames.h"
 #include "reading/readers.h"
 #include "wythe/parts/reading.h"
 

@@ -16,7 +16,6 @@ namespace {
 
 // A steeper slope is no valid result: P would go from 5 to 95 % within 0.2 standard deviations of the input.
 constexpr double kSteepest = 30;
-constexpr double kChi95 = kNormal95 * kNormal95;
 
 struct Point {
   double p, q, slope;  // probability, its complement (each with all its digits), d p / d eta
