@@ -327,7 +327,7 @@ TEST(ZonesInSpace, what_zones_cannot_do_is_refused_by_name) {
   floor.load = 1000;
   spec = scenes::column_of_zones(column);
   spec.stage = {scenes::gravity_stage(), load};
-  spec.stage[1].get<PushStage>().at.block = "cap";
+  spec.stage[1].get<LoadStage>().at.block = "cap";
   spec.floor = {floor};
   expect_fault(spec, "loads act on rigid blocks");
 }
