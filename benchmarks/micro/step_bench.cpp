@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "contact/law.h"
 #include "contact/parameters.h"
 #include "cracked.h"
 #include "dynamics/executors/processor.h"

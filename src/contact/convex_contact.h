@@ -19,7 +19,7 @@
 #include <limits>
 #include <vector>
 
-#include "contact/law.h"
+#include "contact/law_constants.h"
 #include "core/real.h"
 #include "wythe/parts/free_contacts.h"
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "contact/crushing.h"
+#include "contact/law.h"
 #include "core/elementary.h"
 #include "wythe/parts/error.h"
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "contact/law.h"
+#include "contact/law_constants.h"
 
 namespace wythe::contact {
 

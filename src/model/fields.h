@@ -6,7 +6,7 @@
 // state, restarts, packed snapshots, and the identity of a topology.
 //
 // To add a number to the history of the joint law: a member of contact::History and its line in
-// contact::kHistory (law.h), an array in State, and its line below, in the same order.
+// contact::kHistory (law_constants.h), an array in State, and its line below, in the same order.
 #pragma once
 
 #include <algorithm>

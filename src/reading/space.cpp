@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "contact/face_in_space.h"
+#include "contact/law.h"
 #include "contact/parameters.h"
 #include "core/elementary.h"
 #include "model/fields.h"

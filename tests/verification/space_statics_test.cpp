@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "contact/law.h"
 #include "contact/parameters.h"
 #include "record.h"
 #include "scenes/space_rig.h"

@@ -4,6 +4,7 @@
 // and itself, without an area. Feature e >= 0 is edge e of a, and -1 - e is edge e of b.
 #include "dynamics/passes/plane_bodies.h"
 
+#include "contact/law.h"
 #include "contact/parameters.h"
 #include "dynamics/passes/law_path.h"
 #include "model/free_shapes.h"

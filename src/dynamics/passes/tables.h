@@ -18,7 +18,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "contact/law.h"
+#include "contact/law_constants.h"
 #include "wythe/parts/zone_shape.h"
 
 namespace wythe {

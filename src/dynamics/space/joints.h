@@ -3,6 +3,7 @@
 #pragma once
 
 #include "contact/face_in_space.h"
+#include "contact/law.h"
 #include "dynamics/passes/joints.h"
 #include "dynamics/space/tables.h"
 #include "dynamics/space/turning.h"

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "contact/law.h"
 #include "contact/parameters.h"
 #include "dynamics/passes/law_path.h"
 #include "dynamics/space/dashpots.h"

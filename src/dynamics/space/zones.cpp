@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "contact/face_in_space.h"
+#include "contact/law.h"
 #include "contact/parameters.h"
 #include "model/fields.h"
 #include "solids/hexahedron.h"

@@ -13,7 +13,7 @@
 
 #include <vector>
 
-#include "contact/law.h"
+#include "contact/law_constants.h"
 #include "core/parallel.h"
 #include "dynamics/space/wall.h"
 

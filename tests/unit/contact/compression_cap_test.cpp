@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "contact/law.h"
 #include "contact/parameters.h"
 #include "scenes/scenes.h"
 #include "wythe/parts/contact_law.h"

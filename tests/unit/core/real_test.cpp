@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "contact/law.h"
 #include "contact/parameters.h"
 #include "core/dual.h"
 #include "core/real.h"
