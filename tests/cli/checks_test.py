@@ -1,4 +1,4 @@
-"""tools/check_layers reads every kind of file with code, and tools/check_sizes reports long files and functions."""
+"""tools/check_layers reads every kind of file with code, tools/check_sizes reports long files and functions, and tools/build_times counts cores."""
 import os
 import pathlib
 import subprocess
@@ -43,6 +43,16 @@ class Checks(unittest.TestCase):
             self.assertEqual(status, 0)
             self.assertIn(report, output)
             self.assertEqual("b.cpp" in output, False)
+
+    def test_compilers_that_wait_for_each_other_count_once(self):
+        cores = len(os.sched_getaffinity(0))
+        with tempfile.TemporaryDirectory() as folder:
+            jobs = [(0, 2000, f"busy{k}.o") for k in range(2 * cores)] + [(2000, 3000, "alone.o"), (2000, 9000, "linked")]
+            text = "# ninja log v5\n" + "".join(f"{start}\t{end}\t0\t{output}\tx\n" for start, end, output in jobs)
+            (pathlib.Path(folder) / ".ninja_log").write_text(text, encoding="utf-8")
+            done = subprocess.run([TOOLS / "build_times", "--build", folder], capture_output=True, text=True, check=False)
+        alone = 1.0 if cores > 1 else 0.5  # beside the linker
+        self.assertIn(f"{2 * cores + alone:7.1f} s  in all, {2 * cores + 1} files", done.stdout, done.stderr)
 
 
 if __name__ == "__main__":
