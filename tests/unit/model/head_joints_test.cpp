@@ -262,8 +262,7 @@ std::map<bool, std::vector<std::pair<std::string, std::string>>> faces_of(const 
   return found;
 }
 
-TEST(HeadJoints, of_walls_in_space_take_it_and_pieces_of_a_unit_do_not) {
-  const ModelSpec spec = parse_model(kSpace + R"(
+const std::string kCorner = R"(
 [material.unit]
 normal_stiffness = "20 GPa/m"
 shear_stiffness = "8 GPa/m"
@@ -282,8 +281,10 @@ line = [["0 m", "0 m"], ["0.75 m", "0 m"]]
 [[plan_wall]]
 name = "side"
 line = [["0 m", "0 m"], ["0 m", "0.75 m"]]
-)",
-                                     "wall.toml");
+)";
+
+TEST(HeadJoints, of_walls_in_space_take_it_and_pieces_of_a_unit_do_not) {
+  const ModelSpec spec = parse_model(kSpace + kCorner, "wall.toml");
   auto faces = faces_of(spec);
   EXPECT_GT(faces[true].size(), 20U);
   for (const auto& [a, b] : faces[true]) {
@@ -296,6 +297,17 @@ line = [["0 m", "0 m"], ["0 m", "0.75 m"]]
   std::map<double, std::size_t> joints;
   for (const std::int32_t m : model.joint_material) ++joints[model.materials[m].tensile_strength];
   EXPECT_EQ(joints[0.25 * 0.15e6], faces[true].size());
+}
+
+// The head joints' law of "joint" was once found under "oint", the name without its first letter.
+TEST(HeadJoints, in_space_leave_a_material_alone_whose_name_is_theirs_but_one_letter) {
+  std::string text = kCorner;
+  text.replace(text.find("[material.unit]"), 15, "[material.oint]");
+  const Model model = compile(parse_model(kSpace + text, "wall.toml", {"wall.unit_joint=oint"}));
+  std::map<double, int> joints;
+  for (const std::int32_t m : model.joint_material) ++joints[model.materials[m].tensile_strength];
+  EXPECT_GT(joints[1e6], 0);
+  EXPECT_GT(joints[0.25 * 0.15e6], 0);
 }
 
 // An even number of voussoirs has a joint at its crown, as upright as a head joint.
