@@ -66,7 +66,7 @@ TEST(Determinism, threads_do_not_change_a_bit_of_free_contacts) {
     }
     rig.controls.damping = 0;
     rig.run(300 * rig.controls.dt);
-    EXPECT_GT(rig.processor.free_counts().near, 512);
+    EXPECT_GT(rig.processor.n_near(), 512);
     EXPECT_GT(rig.state.free_contacts.size(), 5U);
     EXPECT_GT(std::count(rig.state.handed_over.begin(), rig.state.handed_over.end(), 1.0), 2);
     return std::pair(state_hash(rig.state), rig.energy().hand_over);

@@ -39,11 +39,6 @@ class WallAccess {
   virtual void reload_wall(State&) {}
 };
 
-// Numbers of free contacts in the last step: pairs that are near, pairs that may touch, and searches so far.
-struct FreeCounts {
-  int near = 0, awake = 0, searches = 0;
-};
-
 class Executor {
  public:
   Executor() = default;
@@ -65,7 +60,8 @@ class Executor {
   virtual void set(int lane, const Controls& controls) = 0;
   // Contact force on the driven blocks against the push, in the last step [N].
   [[nodiscard]] virtual double reaction(int lane) const = 0;
-  [[nodiscard]] virtual FreeCounts free_counts() const { return {}; }
+  // Pairs of bodies that are near each other, of a wall with free contacts.
+  [[nodiscard]] virtual int n_near() const { return 0; }
 
   // One time step of every wall.
   void step();

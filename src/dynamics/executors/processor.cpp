@@ -157,7 +157,7 @@ Processor::Processor(const Model& model, int lanes, int threads, const Kernels& 
 
 Processor::~Processor() = default;
 
-FreeCounts Processor::free_counts() const { return free_ ? free_->counts() : FreeCounts{}; }
+int Processor::n_near() const { return free_ ? free_->n_near() : 0; }
 
 void Processor::load_wall(int lane, const Model& model, State& state) {
   Wall& wall = wall_[lane];

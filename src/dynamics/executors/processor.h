@@ -45,7 +45,7 @@ class Processor final : public Executor {
   [[nodiscard]] const WallView& view(int lane) const { return wall_[lane].view; }
   // Copies motion, history and free contacts of the wall in a lane into the arrays of a state.
   void store_state(int lane, State& state) const;
-  [[nodiscard]] FreeCounts free_counts() const override;
+  [[nodiscard]] int n_near() const override;
 
  private:
   struct Wall {

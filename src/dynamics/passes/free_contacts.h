@@ -94,9 +94,7 @@ class FreeContacts {
                          -bodies_.rates_of(block, wall).f.y);
   }
 
-  [[nodiscard]] FreeCounts counts() const {
-    return {static_cast<int>(near_.size()), static_cast<int>(awake_.size()), searches_};
-  }
+  [[nodiscard]] int n_near() const { return static_cast<int>(near_.size()); }
 
  private:
   // Two bodies with joints between them: numbers first to end - 1 of joint_of_.
@@ -206,8 +204,7 @@ class FreeContacts {
   std::vector<double> margin_;          // search margin of each body [m]
   double since_search_ = 0, rounding_;  // [s]; rounding error of a place in a step [m]
   bool searched_ = false, needs_search_ = false, finite_ = true, damped_before_ = true;
-  bool acts_ = true;  // some row of forces is not zero
-  int searches_ = 0;
+  bool acts_ = true;                    // some row of forces is not zero
   const Dashpots* dashpots_ = nullptr;  // of this step
 };
 

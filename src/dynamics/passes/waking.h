@@ -62,7 +62,6 @@ void FreeContacts<Bodies>::search(double dt, const View& wall) {
     if (each.until > 0) let_sleep(each, each.until);
   needs_search_ = false;
   searched_ = true;
-  ++searches_;
 }
 
 // Adds an upper bound of the motion of the points of each body in the last step.

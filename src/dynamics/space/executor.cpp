@@ -98,7 +98,7 @@ SpaceProcessor::SpaceProcessor(const Model& model, int lanes, int threads, const
 
 SpaceProcessor::~SpaceProcessor() = default;
 
-FreeCounts SpaceProcessor::free_counts() const { return free_ ? free_->counts() : FreeCounts{}; }
+int SpaceProcessor::n_near() const { return free_ ? free_->n_near() : 0; }
 
 void SpaceProcessor::load_wall(int lane, const Model& model, State& state) {
   Wall& wall = wall_[lane];

@@ -40,7 +40,7 @@ class SpaceProcessor final : public Executor {
   // Copies motion, history and free contacts of the wall in a lane into the arrays of a state.
   void store_state(int lane, State& state) const;
   [[nodiscard]] const WallView& view(int lane) const { return wall_[lane].view; }
-  [[nodiscard]] FreeCounts free_counts() const override;
+  [[nodiscard]] int n_near() const override;
   // Null without deformable blocks.
   [[nodiscard]] const ZoneRun* zones(int lane) const { return wall_[lane].zones.get(); }
 
