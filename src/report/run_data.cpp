@@ -76,7 +76,7 @@ std::vector<Frame> frames_of(const Result& result) {
   return frames;
 }
 
-// Works since the start of the push, so that the ledger in the pictures begins at zero.
+// The energy ledger of each state; the page subtracts the first.
 Json energy_of(const Model& model, const std::vector<Frame>& frames) {
   Json rows = Json::array();
   for (const Frame& f : frames) {
