@@ -131,7 +131,7 @@ for (const [name, ...words] of [
       cwd: path.join(out, place),
       encoding: "utf8",
     });
-    const wasm = npx("assess", `${place}/model.toml`, "--out", `${place}/wasm`, "--quiet", ...words);
+    const wasm = command("assess", `${place}/model.toml`, "--out", `${place}/wasm`, "--quiet", ...words);
     assert.equal(wasm.status, native.status, wasm.stderr + native.stderr);
     assertSame(alike(place, "wasm"), alike(place, "native"));
     const said = (text) => text.split("\n").filter((line) => line && !/^(report|lost)/.test(line)); // they name folders
@@ -146,7 +146,7 @@ test("an assessment does not depend on the threads, goes on after a kill, and do
   fs.writeFileSync(path.join(place, "model.toml"), WALL);
   fs.writeFileSync(path.join(place, "other.toml"), WALL.replace("0.15 MPa", "0.14 MPa"));
   const short = ["--walls", "2", "--set", "stage.push.until=0.3 mm"];
-  const assess = (model, made, ...words) => npx("assess", `threads/${model}`, "--out", `threads/${made}`, "--quiet", ...short, ...words);
+  const assess = (model, made, ...words) => command("assess", `threads/${model}`, "--out", `threads/${made}`, "--quiet", ...short, ...words);
   for (const jobs of ["1", "3"]) assert.equal(assess("model.toml", `by_${jobs}`, "--jobs", jobs).status, 0);
   assert.deepEqual(alike("threads", "by_1"), alike("threads", "by_3"));
 
@@ -393,7 +393,7 @@ test("what an assessment refuses is told in the words of the native program", { 
   const file = path.join(place, "model.toml");
   fs.writeFileSync(file, WALL.replace(/\[scatter\]\nuse = .*\n/, ""));
   const native = spawnSync(process.env.WYTHE ?? path.join(root, "build/release/wythe"), ["assess", file, "--out", path.join(place, "out")], { encoding: "utf8" });
-  const wasm = npx("assess", file, "--out", "refused/out");
+  const wasm = command("assess", file, "--out", "refused/out");
   assert.equal(wasm.status, 2);
   assert.equal(wasm.stderr.trim().split("\n")[0], native.stderr.trim().split("\n")[0]);
   assert.ok(!fs.existsSync(path.join(place, "out")));
@@ -405,7 +405,7 @@ test("what an assessment refuses is told in the words of the native program", { 
     ["--between", "2", /between.*must be a number more than 0 and up to 1/],
     ["--shard", "1/2", /--shard: is no option of wythe assess/],
   ]) {
-    const ended = npx("assess", file, "--out", "refused/out", option, ...(value ? [value] : []));
+    const ended = command("assess", file, "--out", "refused/out", option, ...(value ? [value] : []));
     assert.equal(ended.status, 2, option);
     assert.match(ended.stderr, said);
   }
@@ -414,14 +414,14 @@ test("what an assessment refuses is told in the words of the native program", { 
 
 test("the page to draw walls on is that of make studio, with the model in it", { skip: skip || (fs.existsSync(path.join(made, "studio_page.html")) ? false : "make studio") }, () => {
   fs.copyFileSync(pier, path.join(out, "wall.toml"));
-  const told = npx("studio", "wall.toml", "--out", "wall.html");
+  const told = command("studio", "wall.toml", "--out", "wall.html");
   assert.equal(told.status, 0, told.stderr);
   assert.match(told.stdout, /open in a browser: .*wall\.html/);
   const page = read("wall.html");
   assert.ok(page.includes(fs.readFileSync(pier).toString("hex")));
   const whole = path.join(root, "build/studio.html");
   if (fs.existsSync(whole)) assert.equal(page.replace(fs.readFileSync(pier).toString("hex"), "<!--wythe:model-->"), fs.readFileSync(whole, "utf8"));
-  assert.equal(npx("studio", "--out", "wall.html").status, 0);
+  assert.equal(command("studio", "--out", "wall.html").status, 0);
   assert.ok(!read("wall.html").includes("<!--wythe:model-->"));
   fs.writeFileSync(path.join(out, "letter.html"), "<p>mine</p>");
   fs.writeFileSync(path.join(out, "study.toml"), '[study]\nbase = "model.toml"\n');
@@ -433,7 +433,7 @@ test("the page to draw walls on is that of make studio, with the model in it", {
     [["wall.toml", "--out", "none/wall.html"], /^none\/wall\.html: cannot be opened: its folder is missing; make it, or name another place\n$/, 4],
     [["wall.toml", "--out", "letter.html/wall.html"], /^letter\.html\/wall\.html: cannot be opened: a file stands where a folder must be; name another place\n$/, 4],
   ]) {
-    const refused = npx("studio", ...words);
+    const refused = command("studio", ...words);
     assert.equal(refused.status, code, refused.stdout);
     assert.match(refused.stderr, said);
   }
