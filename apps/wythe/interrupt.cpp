@@ -28,7 +28,7 @@ void on_interrupt(int signal) {
   if (!is_first) std::raise(signal);
 }
 
-constexpr int kLookEvery = 10;  // checks of the flag, while held [ms]
+constexpr int kPollEvery = 10;  // checks of the flag, while held [ms]
 
 }  // namespace
 
@@ -51,7 +51,7 @@ void hold_for_test(const std::string& point) {
   fmt::print(stderr, "held at {}\n", point);
   std::fflush(stderr);
   pollfd input{STDIN_FILENO, POLLIN, 0};
-  while (!interrupted && ::poll(&input, 1, kLookEvery) <= 0) {
+  while (!interrupted && ::poll(&input, 1, kPollEvery) <= 0) {
   }
 }
 

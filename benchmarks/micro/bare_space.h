@@ -268,7 +268,7 @@ struct SpaceStep {
   WYTHE_INLINE static Vec rows(const double* q, int row) {
     return {get<Real>(q, row), get<Real>(q, row + 1), get<Real>(q, row + 2)};
   }
-  WYTHE_INLINE static void keep_rows(const Vec& a, double* q, int row) {
+  WYTHE_INLINE static void store_rows(const Vec& a, double* q, int row) {
     put(a.x, q, row), put(a.y, q, row + 1), put(a.z, q, row + 2);
   }
   // Block i of walls side by side, or kW blocks from i kW on.
@@ -279,8 +279,8 @@ struct SpaceStep {
     Vec f = weight, m{zero, zero, zero};
     if constexpr (many) {
       f = f + rows(q, kBareF), m = rows(q, kBareM);
-      keep_rows({zero, zero, zero}, q, kBareF);
-      keep_rows({zero, zero, zero}, q, kBareM);
+      store_rows({zero, zero, zero}, q, kBareF);
+      store_rows({zero, zero, zero}, q, kBareM);
     } else {
       double all[6][kW];
       for (int k = 0; k < kW; ++k) {
@@ -325,8 +325,8 @@ struct SpaceStep {
     loads = loads + half * dt * dot(weight, v0 + v1);
     damped = damped + half * dt * (dot(drag, v0 + v1) + dot(brake, rate0 + rate1));
     const Quaternion<Real> next = dynamics::space::spin(now, inside, body, dt);
-    keep_rows(v1, q, kBareV);
-    keep_rows(l1, q, kBareL);
+    store_rows(v1, q, kBareV);
+    store_rows(l1, q, kBareL);
     shift = {shift.c0 + dt * v1.x, shift.c1 + dt * v1.y, shift.c2 + dt * v1.z, next.w};
     if constexpr (many) {
       put(shift.c0, u, 0), put(shift.c1, u, 1), put(shift.c2, u, 2), put(shift.c3, u, 3);

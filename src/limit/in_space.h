@@ -47,7 +47,7 @@ struct SpaceKinematicSolution {
                                                      const SpaceYield& yield, const Units& units,
                                                      const Monitor& monitor = {});
 
-struct SpaceStaticSolution : StaticAnswer<SpaceKinematicSolution> {
+struct SpaceStaticSolution : CommonStaticSolution<SpaceKinematicSolution> {
   std::vector<double> compression, shear_1, shear_2;  // (n_point) [N]
   double friction_excess = 0;  // largest relative excess of a shear over its circle
 };

@@ -106,7 +106,7 @@ class ShakeCompiler {
       const std::size_t before = faults_.all().size();
       weigh(motions[k], k);
       GroundMotion motion = scaled(std::move(motions[k]), factor);
-      if (faults_.all().size() == before) look_at(motion, k);
+      if (faults_.all().size() == before) check_motion(motion, k);
       if (is_stated(shake_.record[k].at))
         drive(std::move(motion), k);
       else
@@ -231,7 +231,7 @@ class ShakeCompiler {
   }
 
   // Checks the applied motion, and the drift of its baseline.
-  void look_at(const GroundMotion& m, std::size_t k) {
+  void check_motion(const GroundMotion& m, std::size_t k) {
     constexpr double kMost = 20;     // [g]: beyond lies a wrong scale
     constexpr double kDrift = 0.05;  // of the largest velocity left at the end
     const double pga = peak_acceleration(m) / kGravityOfRecords;

@@ -361,7 +361,7 @@ ModelSpec on_a_table(std::vector<BodySpec> bodies, double friction = 0.5236) {
   spec.solve.contacts = Contacts::kFree;
   return spec;
 }
-void let_go(SpaceRig& rig) {
+void release(SpaceRig& rig) {
   std::fill(rig.state.handed_over.begin(), rig.state.handed_over.end(), 1.0);
   rig.set_gravity({0, -kG, 0});
   rig.load_state();
@@ -371,7 +371,7 @@ TEST(ContactInSpace, a_block_over_an_edge_topples_when_its_centroid_has_passed_i
   for (const double beyond : {-8e-3, 8e-3}) {
     SpaceRig rig(compile(on_a_table({box("block", {0.35 + beyond, 0, -0.1}, {0.3, 0.1, 0.2})})));
     rig.controls.damping = 0.2;
-    let_go(rig);
+    release(rig);
     rig.run(1.0);
     const double turned = std::fabs(rig.turn(0).v.z);
     if (beyond < 0) {
@@ -387,7 +387,7 @@ TEST(ContactInSpace, friction_sticks_and_slides_at_its_tangent_in_any_direction)
   for (const double slope : {scenes::degrees(27), scenes::degrees(34)}) {
     SpaceRig rig(compile(on_a_table({box("block", {-0.5, 0, -0.1}, {0.2, 0.04, 0.2})}, friction)));
     rig.controls.damping = 0.5;
-    let_go(rig);
+    release(rig);
     rig.run(0.2);
     rig.controls.damping = 0;
     const Vec3 start = rig.moved(0);
@@ -416,12 +416,12 @@ TEST(ContactInSpace, a_support_that_moves_drags_what_lies_on_it) {
   spec.stage = {scenes::gravity_stage(), scenes::push_stage("table", Direction::kPlusX, 1, 1)};
   SpaceRig rig(compile(spec));
   rig.controls.damping = 0.5;
-  let_go(rig);
+  release(rig);
   rig.run(0.2);
   rig.controls.damping = 0;
   const double work = dynamics::energy_ledger(rig.model, rig.state, 1).drive,
                start = rig.state.ux[0];
-  const double rubbed = rig.state.dissipated_friction;
+  const double before = rig.state.dissipated_friction;
   rig.drive(1, kSpeed);
   rig.run(0.2);
   const double pull = kFriction * kG, weight = rig.model.mass[0] * kG;
@@ -435,7 +435,7 @@ TEST(ContactInSpace, a_support_that_moves_drags_what_lies_on_it) {
   EXPECT_NEAR(rig.state.vx[0], kSpeed, 2e-3);
   EXPECT_NEAR(rig.state.support_x[0] - (rig.state.ux[0] - start), behind, 5e-3 * behind);
   const EnergyLedger e = dynamics::energy_ledger(rig.model, rig.state, 1);
-  EXPECT_NEAR(e.friction - rubbed, kFriction * weight * behind, 0.01 * weight * behind);
+  EXPECT_NEAR(e.friction - before, kFriction * weight * behind, 0.01 * weight * behind);
   EXPECT_NEAR(e.drive - work, 2 * kFriction * weight * behind, 0.01 * weight * behind);
   EXPECT_LT(std::fabs(e.gap), 2e-3 * e.friction);
 }
@@ -449,7 +449,7 @@ TEST(ContactInSpace, a_support_that_moves_wakes_what_it_strikes) {
     SpaceRig rig(compile(spec));
     rig.controls.damping = 0;
     rig.controls.dt *= 0.3;  // an impact is right to 1 % there
-    let_go(rig);
+    release(rig);
     rig.drive(1, speed);
     rig.run(0.29 / speed);
     EXPECT_NEAR(rig.state.ux[0], 0, 1e-4) << "before it is struck";

@@ -35,7 +35,7 @@ BlockSpec table(double x, double width) {
 }
 
 // Every joint given up from the start: dry blocks that lie on each other.
-void let_go(Rig& rig) {
+void release(Rig& rig) {
   std::fill(rig.state.handed_over.begin(), rig.state.handed_over.end(), 1.0);
   rig.state.gravity_y = -kG;
 }
@@ -49,7 +49,7 @@ TEST(FreeContacts, a_block_over_an_edge_topples_when_its_centroid_has_passed_it)
   for (const double beyond : {-4e-3, 4e-3}) {  // on so narrow a strip it sinks in, and leans
     Rig rig(compile(with_free_contacts(
         {table(0, 0.5), scenes::rectangle("block", 0.35 + beyond, 0, 0.3, 0.1)}, stiff())));
-    let_go(rig);
+    release(rig);
     rig.controls.damping = 0.2;
     rig.run(1.0);
     const double turned = std::fabs(rig.state.theta[0]);
@@ -72,7 +72,7 @@ TEST(FreeContacts, a_leaning_tower_of_five_stands_up_to_the_harmonic_overhang) {
       blocks.push_back(scenes::rectangle("b" + std::to_string(5 - k), x, 0.1 * (5 - k), 0.3, 0.1));
     }
     Rig rig(compile(with_free_contacts(blocks, stiff())));
-    let_go(rig);
+    release(rig);
     rig.controls.damping = 0.8;
     for (int k = 1; k <= 50; ++k) {  // weight by and by
       rig.state.gravity_y = -kG * k / 50;
@@ -94,7 +94,7 @@ TEST(FreeContacts, a_stack_of_ten_rests_for_a_minute_without_drift) {
   for (int k = 0; k < 10; ++k)
     blocks.push_back(scenes::rectangle("b" + std::to_string(k), 0.01 * (k % 3), 0.1 * k, 0.3, 0.1));
   Rig rig(compile(with_free_contacts(blocks)));
-  let_go(rig);
+  release(rig);
   rig.settle(1e-9);
   const State settled = rig.state;
   rig.controls.damping = 0;  // nothing holds it back
@@ -114,7 +114,7 @@ TEST(FreeContacts, friction_sticks_and_slides_at_its_tangent) {
   for (const double slope : {degrees(27), degrees(33)}) {
     Rig rig(compile(with_free_contacts({table(-1, 3), scenes::rectangle("block", 0, 0, 0.3, 0.05)},
                                        dry(friction))));
-    let_go(rig);
+    release(rig);
     rig.settle(1e-9);
     rig.controls.damping = 0;
     const double start = rig.state.ux[0];
@@ -140,10 +140,10 @@ TEST(FreeContacts, a_driven_block_drags_what_lies_on_it) {
                                       dry(std::atan(kFriction)));
   spec.stage = {scenes::gravity_stage(), scenes::push_stage("sledge", Direction::kPlusX, 1, 1)};
   Rig rig(compile(spec));
-  let_go(rig);
+  release(rig);
   rig.settle(1e-9);
   rig.controls.damping = 0;
-  const double start = rig.state.ux[1], sledge = rig.state.ux[0], rubbed = rig.energy().friction;
+  const double start = rig.state.ux[1], sledge = rig.state.ux[0], before = rig.energy().friction;
   rig.drive(1, kSpeed);
   rig.run(0.2);
   const double pull = kFriction * kG, weight = rig.model.mass[1] * kG;
@@ -156,7 +156,7 @@ TEST(FreeContacts, a_driven_block_drags_what_lies_on_it) {
   // that of the block, and of both on the table
   const double below = kFriction * (weight + rig.model.mass[0] * kG) * (rig.state.ux[0] - sledge);
   const EnergyLedger e = rig.energy();
-  EXPECT_NEAR(e.friction - rubbed, kFriction * weight * behind + below, 0.01 * below);
+  EXPECT_NEAR(e.friction - before, kFriction * weight * behind + below, 0.01 * below);
   EXPECT_LT(ledger_gap(e), 2e-3 * e.friction);
 }
 
@@ -346,7 +346,7 @@ TEST(FreeContacts, a_dead_load_falls_no_faster_than_a_weight) {
   StageSpec load{.name = "load", .action = LoadStage{.pressure = 5e5}};
   spec.stage = {scenes::gravity_stage(), load};
   Rig rig(compile(spec));
-  let_go(rig);
+  release(rig);
   rig.state.load_scale[1] = 1;
   rig.controls.damping = 0;
   for (int k = 0; k < 1000000 && rig.state.uy[0] > -1.0; ++k) {

@@ -80,15 +80,15 @@ struct Blocks {
 
     const Vector<Real> l0 = vector(i, kL);
     const Vector<Real> rate0 = turned(q, body.rate(turned_back(q, l0)));
-    const Vector<Real> braked = damping_of(m, rate0, lambda, t.damps_components);
-    const Vector<Real> l = l0 + dt * (m + braked);
+    const Vector<Real> damped_moment = damping_of(m, rate0, lambda, t.damps_components);
+    const Vector<Real> l = l0 + dt * (m + damped_moment);
     const Vector<Real> in_block = turned_back(q, l);
     const Vector<Real> mean_rate = half * (rate0 + turned(q, body.rate(in_block)));
 
     Vector<Real> v1 = v, l1 = l, u{shift.c0 + dt * v.x, shift.c1 + dt * v.y, shift.c2 + dt * v.z};
     Quaternion<Real> q1 = spin(q, in_block, body, dt);
     Real loads = dt * (dot(load.f, mean_v) + dot(load.m, mean_rate));
-    Real damping = dt * (dot(damped, mean_v) + dot(braked, mean_rate));
+    Real damping = dt * (dot(damped, mean_v) + dot(damped_moment, mean_rate));
     if (special) {
       const auto is_free = load_row(i, kFree) > zero;
       const auto chosen = [&](const Vector<Real>& a, const Vector<Real>& b) {

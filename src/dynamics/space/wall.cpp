@@ -148,10 +148,10 @@ Free move_freely(std::ptrdiff_t i, const Stage& push, const WallView& w, const V
     const Inertia<double> body = inertia_of(i, w);
     const Vec l0 = w.body_vector(i, kL), torque = w.still_vector(i, kTotalMoment);
     const Vec rate0 = turned(q, body.rate(turned_back(q, l0)));
-    const Vec braked = damping_of(torque, rate0, lambda, components);
-    now.l = l0 + dt * (torque + braked);
+    const Vec damped_moment = damping_of(torque, rate0, lambda, components);
+    now.l = l0 + dt * (torque + damped_moment);
     now.mean_rate = 0.5 * (rate0 + turned(q, body.rate(turned_back(q, now.l))));
-    now.damping += dt * dot(braked, now.mean_rate);
+    now.damping += dt * dot(damped_moment, now.mean_rate);
   }
   return now;
 }

@@ -65,7 +65,7 @@ class PutUp {
     }
   }
 
-  void let_go_of_links() {
+  void release_links() {
     const std::vector<LinkReading> links = read_links(m_, s_);
     for (std::size_t k = 0; k < links.size(); ++k)
       if (m_.standing.begins(m_.links.a[k], m_.links.b[k], stage_))
@@ -106,7 +106,7 @@ class Fitter : PutUp {
     release_joints();  // before the gap opens: it is measured from here
     move_by_gaps();
     release_sections();
-    let_go_of_links();
+    release_links();
   }
 
  private:
@@ -238,7 +238,7 @@ class SpaceFitter : PutUp {
     release_joints();  // before the gap opens: it is measured from here
     move_by_gaps();
     release_sections();
-    let_go_of_links();
+    release_links();
   }
 
  private:

@@ -145,7 +145,7 @@ struct KinematicSolution {
 
 // What a static programme gives in the plane or in space.
 template <class Mechanism>
-struct StaticAnswer {
+struct CommonStaticSolution {
   ProgrammeStatus status = ProgrammeStatus::kFailed;
   double load = 0;
   Mechanism dual;                  // multipliers of the balance are velocities of a mechanism
@@ -156,7 +156,7 @@ struct StaticAnswer {
   int carrier = -1;
   int rows = 0, columns = 0;
 };
-struct StaticSolution : StaticAnswer<KinematicSolution> {
+struct StaticSolution : CommonStaticSolution<KinematicSolution> {
   std::vector<double> shear;        // (n_joint) [N]
   std::vector<double> point_force;  // (n_joint x points) [N], compression +
 };

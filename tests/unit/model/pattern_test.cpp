@@ -272,7 +272,7 @@ TEST(Control, that_stays_behind_ends_the_push_and_says_so) {
 
 // --- what is refused ----------------------------------------------------------------------------------
 
-std::string said_of(const std::string& push) {
+std::string refusal_of(const std::string& push) {
   const std::string text = write_model(scenes::small_wall());
   const std::size_t stage = text.rfind("[[stage]]"), rest = text.find("[solve]", stage);
   const std::string changed = text.substr(0, stage) +
@@ -315,12 +315,12 @@ TEST(PatternInput, what_makes_no_sense_is_refused_at_its_key) {
       {"pattern = \"mass\"\ncontrol = { x = \"0 m\" }", "stage.2.control", "must be one point"},
   };
   for (const auto& c : cases) {
-    const std::string said = said_of(c.push);
+    const std::string said = refusal_of(c.push);
     EXPECT_NE(said.find(c.key), std::string::npos) << c.push << "\n" << said;
     EXPECT_NE(said.find(c.problem), std::string::npos) << c.push << "\n" << said;
   }
-  EXPECT_EQ(said_of("pattern = \"mass_height\"\nlevels = [\"0.3 m\", \"0.8 m\"]\n"
-                    "control = { x = \"0 m\", y = \"0.8 m\" }"),
+  EXPECT_EQ(refusal_of("pattern = \"mass_height\"\nlevels = [\"0.3 m\", \"0.8 m\"]\n"
+                       "control = { x = \"0 m\", y = \"0.8 m\" }"),
             "");
 }
 

@@ -124,7 +124,7 @@ TEST(Columns, reference_has_each_with_its_unit) {
 
 // --- answers -------------------------------------------------------------------------------------
 
-std::vector<OutputKey> answer_keys() {
+std::vector<OutputKey> output_keys() {
   std::vector<OutputKey> keys;
   const auto add = [&](const OutputKey& key, const auto&) { keys.push_back(key); };
   const SampleRecord any;
@@ -139,7 +139,7 @@ TEST(Answers, each_is_in_the_summary_and_its_reference) {
   const std::string page = text_of("results.md");
   EXPECT_NE(page.find(responses_table()), std::string::npos)
       << "the table is not that of each_response(): make docs";
-  for (const OutputKey& key : answer_keys()) {
+  for (const OutputKey& key : output_keys()) {
     std::string path = "/" + std::string(key.summary);
     if (const auto dot = path.find('.'); dot != std::string::npos) path[dot] = '/';
     EXPECT_TRUE(summary.contains(report::Json::json_pointer(path))) << path;
@@ -154,7 +154,7 @@ TEST(Answers, each_has_columns_of_its_own_in_the_store_its_view_and_the_csv) {
   const std::string schema = study::schema_sql(), view = study::samples_view_sql(none.samples),
                     csv = samples_csv(none), page = text_of("results.md");
   std::set<std::string> stored, columns;
-  for (const OutputKey& key : answer_keys()) {
+  for (const OutputKey& key : output_keys()) {
     EXPECT_TRUE(stored.insert(key.stored).second) << key.stored;
     EXPECT_NE(schema.find(std::string(", ") + key.stored + " "), std::string::npos) << key.stored;
     if (key.listed == OutputKey::kNowhere) continue;
@@ -172,7 +172,7 @@ TEST(Answers, of_the_statistics_are_those_of_the_samples) {
   for (const Quantity& q : quantities()) {
     if (std::string(q.name) == "displacement_at_50_percent") continue;  // a fraction, asked for
     std::size_t found = 0;
-    for (const OutputKey& key : answer_keys())
+    for (const OutputKey& key : output_keys())
       found += key_of(q) == key.column && q.to_unit == key.to_unit;
     EXPECT_EQ(found, 1U) << key_of(q);
   }
