@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""tools/check_words finds each kind of name that does not exist, long sentences, lists that run together, and nothing in a tree without faults."""
+"""tools/check_words finds each kind of name that does not exist, long sentences, old names, lists that run together, and nothing in a tree without faults."""
 import os
 import pathlib
 import subprocess
@@ -83,6 +83,16 @@ class Words(unittest.TestCase):
             with self.subTest(f"{name}: {text}"):
                 status, output = check({**GOOD, name: text + "\n"})
                 self.assertEqual((status, output.count("words, 32 at most")), (found, found), output)
+
+    def test_an_old_name_of_decision_0033_is_found_in_code(self):
+        renames = {"docs/decisions/0033-names.md": "| | old | new |\n|---|---|---|\n| 1 | rub, brake (executors), put_... | update_slip |\n| 2 | look | poll |\n"}
+        for name, code, found in (("src/law.h", "int rub;", 1), ("tests/law.h", "x.brake();", 1), ("apps/main.cpp", "int look, executors, put_;", 0),
+                                  ("src/law.h", 'const char* kText = "rub";  // rub', 0), ("benchmarks/law.h", "int rub;", 0)):
+            with self.subTest(f"{name}: {code}"):
+                rooms = {f"{name.split('/')[0]}/README.md": f"`{name.split('/')[1]}`\n", **GOOD, **renames}
+                output = check({**rooms, name: GOOD.get(name, "") + code + "\n"})[1]
+                self.assertEqual(output.count("an old name, see decision 0033: update_slip"), found, output)
+                self.assertEqual(len(output.splitlines()), 1, output)
 
     def test_code_is_not_taken_for_a_comment(self):
         tree = {**GOOD, "src/law.h": GOOD["src/law.h"] + 'const char* kName = "// (9.9) drive.cpp";\n'}
