@@ -107,7 +107,7 @@ struct GroundStep {
 // One straight part of a frame, as built: with its gap.
 struct FramePart {
   Message words;  // "left column"
-  Vec2 from, way;
+  Vec2 from, direction;
   double length = 0;  // between corners, on the axis [m]
 };
 

@@ -63,7 +63,7 @@ std::vector<FrameReading> frames_in_space(const Model& m, const State& s) {
   std::vector<FrameReading> read(f.a.size());
   for (std::size_t k = 0; k < read.size(); ++k) {
     const SpaceSectionJump jump = section_in_space(m, s, k);
-    const contact::SectionForces pull = section_forces_in_space(f, s, k, jump);
+    const contact::SectionForces forces = section_forces_in_space(f, s, k, jump);
     const FrameMember& member = m.frames.members[f.member[k]];
     FrameReading& now = read[k];
     const Vec3 arm{f.arm_b_x[k], f.arm_b_y[k], f.arm_b_z[k]};
@@ -71,17 +71,17 @@ std::vector<FrameReading> frames_in_space(const Model& m, const State& s) {
     if (!m.standing.joins(f.a[k], f.b[k], s.stage)) continue;  // not installed yet
     // a foot at the end of the member, where the ground is side a, has its axis reversed
     const bool back = f.a[k] == kGroundBlock && f.place[k] > 0.5 * member.length;
-    now.normal = pull.normal;
-    now.shear = -pull.shear;
-    now.moment = back ? -pull.moment : pull.moment;
+    now.normal = forces.normal;
+    now.shear = -forces.shear;
+    now.moment = back ? -forces.moment : forces.moment;
     now.use = section_use(member, now.normal, now.shear, now.moment);
-    now.plastic = std::max({std::fabs(s.frame_left[k] + pull.left.flow),
-                            std::fabs(s.frame_middle[k] + pull.middle.flow),
-                            std::fabs(s.frame_right[k] + pull.right.flow)});
-    now.stored = stored_in(f.outer_stiffness[k], pull.left.force) +
-                 stored_in(f.outer_stiffness[k], pull.right.force) +
-                 stored_in(f.middle_stiffness[k], pull.middle.force) +
-                 stored_in(f.shear_stiffness[k], pull.shear) +
+    now.plastic = std::max({std::fabs(s.frame_left[k] + forces.left.flow),
+                            std::fabs(s.frame_middle[k] + forces.middle.flow),
+                            std::fabs(s.frame_right[k] + forces.right.flow)});
+    now.stored = stored_in(f.outer_stiffness[k], forces.left.force) +
+                 stored_in(f.outer_stiffness[k], forces.right.force) +
+                 stored_in(f.middle_stiffness[k], forces.middle.force) +
+                 stored_in(f.shear_stiffness[k], forces.shear) +
                  0.5 * (f.aside_stiffness[k] * jump.aside * jump.aside +
                         f.lean_stiffness[k] * jump.lean * jump.lean +
                         f.twist_stiffness[k] * jump.twist * jump.twist);
@@ -96,7 +96,7 @@ std::vector<FrameReading> frames_in_plane(const Model& m, const State& s) {
     const auto [jump, end_b] = section_in(m, s, k);
     const contact::SectionLaw law{f.outer_stiffness[k], f.middle_stiffness[k], f.shear_stiffness[k],
                                   f.fibre[k],           f.outer_yield[k],      f.middle_yield[k]};
-    const contact::SectionForces pull =
+    const contact::SectionForces forces =
         contact::section_forces(law, jump, s.frame_left[k], s.frame_middle[k], s.frame_right[k]);
     const FrameMember& member = m.frames.members[f.member[k]];
     // a foot at the end of the member has its axis reversed
@@ -106,15 +106,16 @@ std::vector<FrameReading> frames_in_plane(const Model& m, const State& s) {
     now.where = {m.centroid_x[i] + f.arm_b_x[k] + end_b.moved_x,
                  m.centroid_y[i] + f.arm_b_y[k] + end_b.moved_y, 0};
     if (!m.standing.joins(f.a[k], f.b[k], s.stage)) continue;  // not installed yet
-    now.normal = pull.normal;
-    now.shear = -pull.shear;
-    now.moment = forth < 0 ? -pull.moment : pull.moment;
+    now.normal = forces.normal;
+    now.shear = -forces.shear;
+    now.moment = forth < 0 ? -forces.moment : forces.moment;
     now.use = section_use(member, now.normal, now.shear, now.moment);
-    now.plastic = std::max({std::fabs(s.frame_left[k] + pull.left.flow),
-                            std::fabs(s.frame_middle[k] + pull.middle.flow),
-                            std::fabs(s.frame_right[k] + pull.right.flow)});
-    now.stored = stored_in(law.outer, pull.left.force) + stored_in(law.outer, pull.right.force) +
-                 stored_in(law.middle, pull.middle.force) + stored_in(law.shear, pull.shear);
+    now.plastic = std::max({std::fabs(s.frame_left[k] + forces.left.flow),
+                            std::fabs(s.frame_middle[k] + forces.middle.flow),
+                            std::fabs(s.frame_right[k] + forces.right.flow)});
+    now.stored = stored_in(law.outer, forces.left.force) +
+                 stored_in(law.outer, forces.right.force) +
+                 stored_in(law.middle, forces.middle.force) + stored_in(law.shear, forces.shear);
   }
   return read;
 }

@@ -32,7 +32,7 @@ LinkReading reading::link_in_space(const Model& m, const State& s, std::size_t k
   const contact::SpaceLinkEnd b =
       end_in_space(s, l.b[k], {l.arm_b_x[k], l.arm_b_y[k], l.arm_b_z[k]});
   const contact::SpaceLinkLine line = contact::link_line(span, l.follows[k] > 0, a, b);
-  const contact::LinkForce pull =
+  const contact::LinkForce now =
       m.standing.joins(l.a[k], l.b[k], s.stage)
           ? contact::force_of_link({l.stiffness[k], l.tension[k], l.compression[k]},
                                    line.elongation, s.link_plastic[k], s.link_drawn[k])
@@ -42,7 +42,7 @@ LinkReading reading::link_in_space(const Model& m, const State& s, std::size_t k
       c + Vec3{l.arm_b_x[k], l.arm_b_y[k], l.arm_b_z[k]} + Vec3{b.moved.x, b.moved.y, b.moved.z};
   const Vector<double> gone = span + (b.moved - a.moved);
   const Vec3 start = l.follows[k] > 0 ? end - Vec3{gone.x, gone.y, gone.z} : end;
-  return {l.stiffness[k], pull.force, line.elongation, s.link_plastic[k] + pull.flow, {start, end}};
+  return {l.stiffness[k], now.force, line.elongation, s.link_plastic[k] + now.flow, {start, end}};
 }
 
 LinkReading reading::link_in_plane(const Model& m, const State& s, std::size_t k) {
@@ -51,7 +51,7 @@ LinkReading reading::link_in_plane(const Model& m, const State& s, std::size_t k
   const contact::LinkEnd b = end_in(s, l.b[k], l.arm_b_x[k], l.arm_b_y[k]);
   const contact::LinkLine line =
       contact::link_line(l.span_x[k], l.span_y[k], l.follows[k] > 0, a, b);
-  const contact::LinkForce pull =
+  const contact::LinkForce now =
       m.standing.joins(l.a[k], l.b[k], s.stage)
           ? contact::force_of_link({l.stiffness[k], l.tension[k], l.compression[k]},
                                    line.elongation, s.link_plastic[k], s.link_drawn[k])
@@ -68,7 +68,7 @@ LinkReading reading::link_in_plane(const Model& m, const State& s, std::size_t k
   if (l.follows[k] > 0)
     start = {end.x - l.span_x[k] - (b.moved_x - a.moved_x),
              end.y - l.span_y[k] - (b.moved_y - a.moved_y), 0};
-  return {l.stiffness[k], pull.force, line.elongation, s.link_plastic[k] + pull.flow, {start, end}};
+  return {l.stiffness[k], now.force, line.elongation, s.link_plastic[k] + now.flow, {start, end}};
 }
 
 std::vector<LinkReading> read_links(const Model& m, const State& s) {

@@ -213,12 +213,12 @@ BlockReading block_in_plane(const Model& model, const State& state, BlockId bloc
           {{0, 0, state.theta[i]}}};
 }
 
-Vec3 way_in_plane(const Model&, const State& s, BlockId i, Vec3 arm) {
+Vec3 displacement_in_plane(const Model&, const State& s, BlockId i, Vec3 arm) {
   const Vec3 tip = turned(arm, Rotation{{0, 0, s.theta[i]}});
   return Vec3{s.ux[i], s.uy[i], 0} + tip - arm;
 }
 
-Vec3 way_in_space(const Model&, const State& s, BlockId i, Vec3 arm) {
+Vec3 displacement_in_space(const Model&, const State& s, BlockId i, Vec3 arm) {
   const Vec3 v{s.qx[i], s.qy[i], s.qz[i]}, half = cross(v, arm) + s.qw[i] * arm;
   return Vec3{s.ux[i], s.uy[i], s.uz[i]} + 2.0 * cross(v, half);
 }

@@ -17,7 +17,7 @@ constexpr Readers kPlane{.dimension = 2,
                          .corners_now = corners_now_in_plane,
                          .face = face_in_plane,
                          .ends = ends_in_plane,
-                         .way = way_in_plane,
+                         .displacement = displacement_in_plane,
                          .tilt = tilt_in_plane,
                          .points = points_in_plane,
                          .joint = joint_in_plane,
@@ -37,7 +37,7 @@ constexpr Readers kSpace{.dimension = 3,
                          .corners_now = corners_now_in_space,
                          .face = face_in_space,
                          .ends = ends_in_space,
-                         .way = way_in_space,
+                         .displacement = displacement_in_space,
                          .tilt = tilt_in_space,
                          .points = points_in_space,
                          .joint = joint_in_space,
@@ -81,8 +81,8 @@ std::vector<Vec3> face_now(const Model& model, const State& state, JointId joint
 std::array<Vec3, 2> ends_now(const Model& model, const State& state, JointId joint, double scale) {
   return readers_of(model).ends(model, state, joint, scale);
 }
-Vec3 way_of(const Model& model, const State& state, BlockId block, Vec3 arm) {
-  return readers_of(model).way(model, state, block, arm);
+Vec3 displacement_of(const Model& model, const State& state, BlockId block, Vec3 arm) {
+  return readers_of(model).displacement(model, state, block, arm);
 }
 double tilt_of(const Model& model, const State& state, BlockId block) {
   return readers_of(model).tilt(state, block);

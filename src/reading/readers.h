@@ -19,7 +19,7 @@ struct Readers {
   std::vector<Vec3> (*corners_now)(const Model&, const State&, BlockId);
   std::vector<Vec3> (*face)(const Model&, const State&, JointId, double scale);
   std::array<Vec3, 2> (*ends)(const Model&, const State&, JointId, double scale);
-  Vec3 (*way)(const Model&, const State&, BlockId, Vec3 arm);
+  Vec3 (*displacement)(const Model&, const State&, BlockId, Vec3 arm);
   double (*tilt)(const State&, BlockId);
   // deformations and forces
   std::vector<PointReading> (*points)(const Model&, const State&);
@@ -49,8 +49,10 @@ struct Readers {
 [[nodiscard]] std::vector<Vec3> face_in_space(const Model&, const State&, JointId, double scale);
 [[nodiscard]] std::array<Vec3, 2> ends_in_plane(const Model&, const State&, JointId, double scale);
 [[nodiscard]] std::array<Vec3, 2> ends_in_space(const Model&, const State&, JointId, double scale);
-[[nodiscard]] Vec3 way_in_plane(const Model& model, const State& state, BlockId block, Vec3 arm);
-[[nodiscard]] Vec3 way_in_space(const Model& model, const State& state, BlockId block, Vec3 arm);
+[[nodiscard]] Vec3 displacement_in_plane(const Model& model, const State& state, BlockId block,
+                                         Vec3 arm);
+[[nodiscard]] Vec3 displacement_in_space(const Model& model, const State& state, BlockId block,
+                                         Vec3 arm);
 [[nodiscard]] double tilt_in_plane(const State& state, BlockId block);
 [[nodiscard]] double tilt_in_space(const State& state, BlockId block);
 // joints.cpp

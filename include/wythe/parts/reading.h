@@ -82,7 +82,7 @@ struct BlockReading {
 [[nodiscard]] Vec3 node_moved(const State& state, int node);  // [m]
 [[nodiscard]] std::vector<Vec3> corners_now(const Model& model, const State& state, BlockId block);
 // Displacement of the point of a rigid block that started at `arm` from its centroid [m].
-[[nodiscard]] Vec3 way_of(const Model& model, const State& state, BlockId block, Vec3 arm);
+[[nodiscard]] Vec3 displacement_of(const Model& model, const State& state, BlockId block, Vec3 arm);
 [[nodiscard]] double tilt_of(const Model& model, const State& state, BlockId block);  // [rad]
 
 // Convex parts of a block in space, displaced; n_block + i is support i.

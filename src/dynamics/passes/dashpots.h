@@ -44,9 +44,9 @@ struct ViscousStress {
 
 // A point that closes within a step was closed for a part of it only. A force acts for one step, half of it before and half
 // after. So the dashpot of a newly closed point acts for the half to come and for its share of the half before
-// (docs/theory/dynamics.md, 14.6a). `way`: motion of the point in the step, negative where it closes. `open`: present opening.
-[[nodiscard]] inline double share_of_first_step(double open, double way) {
-  return open < 0 && open > way ? 0.5 + open / way : 1.0;
+// (docs/theory/dynamics.md, 14.6a). `motion`: motion of the point in the step, negative where it closes. `open`: present opening.
+[[nodiscard]] inline double share_of_first_step(double open, double motion) {
+  return open < 0 && open > motion ? 0.5 + open / motion : 1.0;
 }
 // Whether impacts rebound, so that the share of the first step matters. Without rebound a point sticks anyway.
 [[nodiscard]] inline bool rebounds(const Dashpots& dashpots) {

@@ -26,24 +26,24 @@ WYTHE_INLINE double add_frame_forces(const WallView& wall) {
     jump.along -= of(kFrameAlong);
     jump.across -= of(kFrameAcross);
     jump.turn -= of(kFrameTurn);
-    const contact::SectionForces pull =
+    const contact::SectionForces forces =
         contact::section_forces({of(kFrameOuter), of(kFrameMiddle), of(kFrameShear),
                                  of(kFrameFibre), of(kFrameOuterYield), of(kFrameMiddleYield)},
                                 jump, of(kFrameLeftSet), of(kFrameMiddleSet), of(kFrameRightSet));
-    yielded += pull.left.force * pull.left.flow + pull.middle.force * pull.middle.flow +
-               pull.right.force * pull.right.flow;
-    wall.frame(k, kFrameLeftSet) = of(kFrameLeftSet) + pull.left.flow;
-    wall.frame(k, kFrameMiddleSet) = of(kFrameMiddleSet) + pull.middle.flow;
-    wall.frame(k, kFrameRightSet) = of(kFrameRightSet) + pull.right.flow;
-    const double fx = pull.normal * jump.axis_x - pull.shear * jump.axis_y;
-    const double fy = pull.normal * jump.axis_y + pull.shear * jump.axis_x;
+    yielded += forces.left.force * forces.left.flow + forces.middle.force * forces.middle.flow +
+               forces.right.force * forces.right.flow;
+    wall.frame(k, kFrameLeftSet) = of(kFrameLeftSet) + forces.left.flow;
+    wall.frame(k, kFrameMiddleSet) = of(kFrameMiddleSet) + forces.middle.flow;
+    wall.frame(k, kFrameRightSet) = of(kFrameRightSet) + forces.right.flow;
+    const double fx = forces.normal * jump.axis_x - forces.shear * jump.axis_y;
+    const double fy = forces.normal * jump.axis_y + forces.shear * jump.axis_x;
     // the shear force acts half way between both points (20.5)
     const double across = 0.5 * (jump.gap_x * fy - jump.gap_y * fx);
     const std::ptrdiff_t row = wall.joints + wall.linked + k;
     wall.column_of(wall.t.force, row, 0) = fx;
     wall.column_of(wall.t.force, row, 1) = fy;
-    wall.column_of(wall.t.force, row, 2) = a.arm_x * fy - a.arm_y * fx + across + pull.moment;
-    wall.column_of(wall.t.force, row, 3) = b.arm_y * fx - b.arm_x * fy + across - pull.moment;
+    wall.column_of(wall.t.force, row, 2) = a.arm_x * fy - a.arm_y * fx + across + forces.moment;
+    wall.column_of(wall.t.force, row, 3) = b.arm_y * fx - b.arm_x * fy + across - forces.moment;
   }
   return yielded;
 }

@@ -43,26 +43,26 @@ WYTHE_INLINE contact::LinkEnd end_of(const WallView& wall, std::int32_t block, d
                            wall.column_of(wall.t.pose, block, 3), arm_x, arm_y);
 }
 
-// Pulls link k, which is longer by `elongation` than at rest, keeps what stays of it, adds its works and returns its force.
+// Updates link k, which is longer by `elongation` than at rest, keeps what stays of it, adds its works and returns its force.
 template <class View>
-WYTHE_INLINE double pull_link(const View& wall, int k, double elongation, double set, double jacked,
-                              LinkWork& work) {
+WYTHE_INLINE double update_link(const View& wall, int k, double elongation, double set,
+                                double jacked, LinkWork& work) {
   const auto of = [&](LinkRowName row) { return wall.link(k, row); };
   const double before = of(kLinkForce);
   double drawn = of(kLinkDrawn);
   if (of(kLinkPrestress) != 0) drawn = set * of(kLinkPrestress) / of(kLinkStiffness);
   if (jacked >= 0 && of(kLinkJack) > 0)
     drawn = of(kLinkPlastic) - elongation - jacked * of(kLinkJack) / of(kLinkStiffness);
-  const contact::LinkForce pull =
+  const contact::LinkForce after =
       contact::force_of_link({of(kLinkStiffness), of(kLinkTension), of(kLinkCompression)},
                              elongation, of(kLinkPlastic), drawn);
-  const double mean = 0.5 * (before + pull.force);
-  work.dissipated += mean * pull.flow;
+  const double mean = 0.5 * (before + after.force);
+  work.dissipated += mean * after.flow;
   work.tensioned += mean * (drawn - of(kLinkDrawn));
-  wall.link(k, kLinkForce) = pull.force;
-  wall.link(k, kLinkPlastic) = of(kLinkPlastic) + pull.flow;
+  wall.link(k, kLinkForce) = after.force;
+  wall.link(k, kLinkPlastic) = of(kLinkPlastic) + after.flow;
   wall.link(k, kLinkDrawn) = drawn;
-  return pull.force;
+  return after.force;
 }
 
 // Adds the forces of all links in the present pose. `set`: the present share of their
@@ -77,7 +77,7 @@ WYTHE_INLINE LinkWork add_link_forces(const WallView& wall, double set, double j
     const contact::LinkEnd b = end_of(wall, wall.t.link_b[k], of(kLinkArmBX), of(kLinkArmBY));
     const contact::LinkLine line =
         contact::link_line(of(kLinkSpanX), of(kLinkSpanY), of(kLinkFollows) > 0, a, b);
-    const double force = pull_link(wall, k, line.elongation, set, jacked, work);
+    const double force = update_link(wall, k, line.elongation, set, jacked, work);
     const double fx = force * line.axis_x, fy = force * line.axis_y;
     const std::ptrdiff_t row = wall.joints + k;
     wall.column_of(wall.t.force, row, 0) = fx;

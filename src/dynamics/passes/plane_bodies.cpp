@@ -206,14 +206,15 @@ PlaneBodies::SlipUpdate PlaneBodies::update_slip(FreePair& pair, const PairGeome
   if (area > pair.memory.area && pair.memory.area > 0) slip *= pair.memory.area / area;
   pair.memory.area = area;
   const double stiff = law.ks * area, limit = law.tan_friction * normal;
-  const double way = dt * (vx * along_then.x + vy * along_then.y);
-  slip += way;
+  const double slip_step = dt * (vx * along_then.x + vy * along_then.y);
+  slip += slip_step;
   if (const double trial = stiff * slip; magnitude(trial) > limit) {
     const double kept = sign(trial) * limit / stiff;
     slip = kept;
   }
   // the work of the step, less the part that is stored
-  pair.friction += 0.5 * (held + stiff * slip) * way + (energy - shear_energy(pair.memory, law));
+  pair.friction +=
+      0.5 * (held + stiff * slip) * slip_step + (energy - shear_energy(pair.memory, law));
   pair.stored = k * overlap.energy + shear_energy(pair.memory, law);
 
   // force on `other`; its moment about the origin of the edge's axes, carried to both centroids
@@ -227,7 +228,7 @@ PlaneBodies::SlipUpdate PlaneBodies::update_slip(FreePair& pair, const PairGeome
   pair.on_a = of_a ? on_ref : on_other;
   pair.on_b = of_a ? on_other : on_ref;
   return {dt * (vx * n.x + vy * n.y),
-          {way, 0, 0},
+          {slip_step, 0, 0},
           {stiff * slip, 0, 0},
           arm.x,
           arm.y,

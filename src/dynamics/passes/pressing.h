@@ -188,8 +188,8 @@ struct Pressing {
     const auto grows = (area > area_before) & (area_before > zero);
     slip = select(grows, slip * (area_before / area), slip);
     const Real stiff = ks * area, limit = in(g.tan_friction) * normal;
-    const Real way = Real(t.dt) * (vx * along_then.x + vy * along_then.y);
-    slip = slip + way;
+    const Real slip_step = Real(t.dt) * (vx * along_then.x + vy * along_then.y);
+    slip = slip + slip_step;
     const Real trial = stiff * slip;
     slip = select(magnitude(trial) > limit, sign(trial) * limit / stiff, slip);
     const Real energy_now = shear_energy(area, slip);
@@ -204,7 +204,7 @@ struct Pressing {
     out(slip, g.slip_now);
     out(normal, g.pressed);
     out(k * overlap.energy + energy_now, g.stored);
-    out(half * (held + stiff * slip) * way + (energy - energy_now), g.friction);
+    out(half * (held + stiff * slip) * slip_step + (energy - energy_now), g.friction);
     out(fx, g.fx);
     out(fy, g.fy);
     out(moment + (gx * fy - gy * fx), g.on_other);

@@ -18,15 +18,16 @@ inline double add_frame_forces(const WallView& w, const Model& m, State& s) {
         reading::with_section(f, k, pose_of, [&](const auto& face) {
           reading::SpaceSectionJump jump = reading::section_jump_in_space(face.gap());
           reading::take_off_set(s, k, jump);
-          const contact::SectionForces pull = reading::section_forces_in_space(f, s, k, jump);
-          yielded += pull.left.force * pull.left.flow + pull.middle.force * pull.middle.flow +
-                     pull.right.force * pull.right.flow;
-          s.frame_left[k] += pull.left.flow;
-          s.frame_middle[k] += pull.middle.flow;
-          s.frame_right[k] += pull.right.flow;
+          const contact::SectionForces forces = reading::section_forces_in_space(f, s, k, jump);
+          yielded += forces.left.force * forces.left.flow +
+                     forces.middle.force * forces.middle.flow +
+                     forces.right.force * forces.right.flow;
+          s.frame_left[k] += forces.left.flow;
+          s.frame_middle[k] += forces.middle.flow;
+          s.frame_right[k] += forces.right.flow;
           const double torque = f.twist_stiffness[k] * jump.twist;
-          return face.loads({{pull.shear, f.aside_stiffness[k] * jump.aside, pull.normal},
-                             {0, 0.5 * torque, -pull.moment},
+          return face.loads({{forces.shear, f.aside_stiffness[k] * jump.aside, forces.normal},
+                             {0, 0.5 * torque, -forces.moment},
                              {-0.5 * torque, 0, f.lean_stiffness[k] * jump.lean}});
         });
     const std::ptrdiff_t row = w.layout->first_frame + static_cast<std::ptrdiff_t>(k);

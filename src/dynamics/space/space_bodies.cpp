@@ -227,15 +227,15 @@ SpaceBodies::SlipUpdate SpaceBodies::update_slip(FreePair& pair, const PairGeome
   c.area = overlap.cover;
   const double stiff = law.ks * c.area, limit = law.tan_friction * normal;
   const Vec start{c.slip_x, c.slip_y, c.slip_z};
-  const Vec way = dt * Vec{dot(v, back(of_ref, x)), dot(v, back(of_ref, y)), radius * twist};
-  Vec slip = start + way;
+  const Vec slip_step = dt * Vec{dot(v, back(of_ref, x)), dot(v, back(of_ref, y)), radius * twist};
+  Vec slip = start + slip_step;
   if (const double reach = length(slip); stiff * reach > limit) {
     const Vec kept = (limit / (stiff * reach)) * slip;
     slip = kept;
   }
   c.slip_x = slip.x, c.slip_y = slip.y, c.slip_z = slip.z;
   // the work of the step, less the part that is stored
-  pair.friction += 0.5 * dot(held + stiff * slip, way) + (energy - shear_energy(c, law));
+  pair.friction += 0.5 * dot(held + stiff * slip, slip_step) + (energy - shear_energy(c, law));
   pair.stored = law.kn * overlap.energy + shear_energy(c, law);
 
   // force on `other`, moment about the origin of the facet's axes, carried to both centroids
@@ -249,7 +249,7 @@ SpaceBodies::SlipUpdate SpaceBodies::update_slip(FreePair& pair, const PairGeome
   const ForceMoment on_ref{-1.0 * force, -1.0 * (moment + cross(origin, force))};
   pair.on_a = of_a ? on_ref : on_other;
   pair.on_b = of_a ? on_other : on_ref;
-  return {dt * dot(v, z), way, stiff * slip, arm, arm_other, x, y, z, radius};
+  return {dt * dot(v, z), slip_step, stiff * slip, arm, arm_other, x, y, z, radius};
 }
 
 // The largest over all directions, from the least inertia.

@@ -322,7 +322,7 @@ LinkWork add_link_forces(const WallView& w, double set, double jacked) {
         w.shift(ib), w.turn(ib), Vec{of(kLinkArmBX), of(kLinkArmBY), of(kLinkArmBZ)});
     const contact::SpaceLinkLine line = contact::link_line(
         Vec{of(kLinkSpanX), of(kLinkSpanY), of(kLinkSpanZ)}, of(kLinkFollows) > 0, a, b);
-    const Vec f = pull_link(w, k, line.elongation, set, jacked, work) * line.axis;
+    const Vec f = update_link(w, k, line.elongation, set, jacked, work) * line.axis;
     const std::ptrdiff_t row = w.layout->n_joint + k;
     w.store_vector(f, w.t.force, row);
     w.store_vector(cross(a.arm, f), w.t.moment_a, row);

@@ -144,7 +144,7 @@ class Shake final : public StageRun {
     }
     row.kinetic = wall_.access->kinetic_energy(1);
     for (const WatchedPoint& point : model_.watched) {
-      const Vec3 u = way_of(model_, state_, point.block, point.arm);
+      const Vec3 u = displacement_of(model_, state_, point.block, point.arm);
       result_.history.motion.push_back({u.x, u.y, u.z});
       if (&point == model_.watched.data() && point.height > 0)
         row.drift = elementary::hypot(u.x, u.z) / point.height;
@@ -185,18 +185,18 @@ class Shake final : public StageRun {
     result_.states.snapshots.push_back({label, control_now(), base_now(), state_});
   }
   // Direction of the first record: the first point's displacement and the ground's force are taken along it.
-  [[nodiscard]] Vec3 way() const {
+  [[nodiscard]] Vec3 direction() const {
     return stage_.base.empty() ? stage_.drive() : stage_.base.front().along;
   }
   [[nodiscard]] double control_now() const {
     if (model_.watched.empty()) return 0;
     const WatchedPoint& point = model_.watched.front();
-    return dot(way_of(model_, state_, point.block, point.arm), way());
+    return dot(displacement_of(model_, state_, point.block, point.arm), direction());
   }
   [[nodiscard]] double base_now() const {
     if (result_.history.row.empty()) return 0;
     const auto& f = result_.history.row.back().base_force;
-    return dot(Vec3{f[0], f[1], f[2]}, way());
+    return dot(Vec3{f[0], f[1], f[2]}, direction());
   }
 
   // A rocking wall moves far and still stands. A wall with a fallen or toppled block does not.
@@ -301,8 +301,8 @@ void evaluate_shaking(const Model& model, Result& result) {
     Vec3 mean{};
     for (std::size_t k = 0; k < rows; ++k) {
       const PointMotion& u = h.motion[k * points + p];
-      const double way = elementary::hypot(u[0], u[2]);
-      if (way > peak.peak) peak.peak = way, peak.at = h.row[k].time;
+      const double moved = elementary::hypot(u[0], u[2]);
+      if (moved > peak.peak) peak.peak = moved, peak.at = h.row[k].time;
       if (k >= tail) mean = mean + Vec3{u[0], 0, u[2]};
     }
     peak.residual = length(mean) / static_cast<double>(rows - tail);

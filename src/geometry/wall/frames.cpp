@@ -302,7 +302,7 @@ class Builder {
   bool add_part(std::size_t k, int first, int last) {
     const Vec2 from = axis_.from(k), d = axis_.to(k) - from;
     const double whole = length(d);
-    const Vec2 way{d.x / whole, d.y / whole};
+    const Vec2 direction{d.x / whole, d.y / whole};
     const bool upright = axis_.upright(k);
     const Section &own = section(upright), &other = section(!upright);
     const double shortest = kLeastShare * other.height;
@@ -315,14 +315,14 @@ class Builder {
                    "is deep",
                    "write longer parts, or less deep sections");
     const double step = whole / pieces;
-    frame_.parts.push_back({axis_.words[k], from, way, whole});
+    frame_.parts.push_back({axis_.words[k], from, direction, whole});
     const double begin = first == kGround ? 0 : other.height / 2;
     const double end = whole - (last == kGround ? 0 : other.height / 2);
     std::vector<int> segment;
     for (int i = 0; i < pieces; ++i) {
       const double s0 = std::max(begin, i * step), s1 = std::min(end, (i + 1) * step);
-      const Vec2 p{from.x + s0 * way.x, from.y + s0 * way.y};
-      const Vec2 q{from.x + s1 * way.x, from.y + s1 * way.y};
+      const Vec2 p{from.x + s0 * direction.x, from.y + s0 * direction.y};
+      const Vec2 q{from.x + s1 * direction.x, from.y + s1 * direction.y};
       const double half = own.height / 2;
       const Rect box = upright
                            ? Rect{p.x - half, std::min(p.y, q.y), p.x + half, std::max(p.y, q.y)}

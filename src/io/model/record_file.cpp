@@ -48,7 +48,7 @@ class TableRecord {
     check_comments(text);
     parse_rows(table);
     check_times();
-    check_told();
+    check_stated();
     RecordNumbers n = std::move(numbers_);
     n.column = has_head_ ? columns_[column_].head.whole : fmt::format("{}", column_ + 1);
     return n;
@@ -194,20 +194,20 @@ class TableRecord {
       std::string_view line = rest.substr(0, rest.find('\n'));
       rest.remove_prefix(line.size() + 1);
       line = comment_in(line).value_or(line);
-      const Told told_here = told_in(std::string(line));
-      if (!told_here.factor.empty())
-        refuse("file", told_here.factor, "may be a factor of the numbers below",
+      const StatedData stated_here = stated_in(std::string(line));
+      if (!stated_here.factor.empty())
+        refuse("file", stated_here.factor, "may be a factor of the numbers below",
                "apply it, and take this comment out of the file", number + 1);
-      if (!std::isnan(told_here.step)) told_ = {told_here.step, told_.count, ""};
-      if (!std::isnan(told_here.count)) told_ = {told_.step, told_here.count, ""};
+      if (!std::isnan(stated_here.step)) stated_ = {stated_here.step, stated_.count, ""};
+      if (!std::isnan(stated_here.count)) stated_ = {stated_.step, stated_here.count, ""};
       const std::string unit = unit_in_words(std::string(trimmed(line)));
       if (unit.empty()) continue;
-      const RecordUnit told = stated_unit(unit);
+      const RecordUnit stated = stated_unit(unit);
       const RecordUnit other = numbers_.unit != RecordUnit::kNone ? numbers_.unit : record_.unit;
-      if (told == RecordUnit::kNone)
+      if (stated == RecordUnit::kNone)
         refuse("file", unit, "is in a unit that is not known here",
                "write the numbers in g, m/s2 or cm/s2", number + 1);
-      if (other != RecordUnit::kNone && other != told)
+      if (other != RecordUnit::kNone && other != stated)
         refuse("file", unit,
                fmt::format("is what a comment says, and {} says {}",
                            numbers_.unit != RecordUnit::kNone ? "the head" : "the model",
@@ -323,20 +323,21 @@ class TableRecord {
   }
 
   // Compares comments about step and length with the data.
-  void check_told() {
+  void check_stated() {
     const std::vector<double>& time = numbers_.time;
     const auto count = static_cast<double>(numbers_.acceleration.size());
-    if (!std::isnan(told_.count) && told_.count != count)
+    if (!std::isnan(stated_.count) && stated_.count != count)
       refuse("file", fmt::format("{:.0f} numbers", count),
-             fmt::format("are not the {:.0f} that a comment states", told_.count),
+             fmt::format("are not the {:.0f} that a comment states", stated_.count),
              "fetch the whole file, or correct the comment");
-    if (!(told_.step > 0)) return;
+    if (!(stated_.step > 0)) return;
     constexpr double kSame = 1e-3;
     const double step = time.empty() ? record_.step : (time.back() - time.front()) / (count - 1);
-    if (!std::isnan(step) && std::fabs(step - told_.step) > kSame * told_.step)
-      refuse(time.empty() ? "step" : "file", fmt::format("{:g} s", step),
-             fmt::format("is not the step that a comment of {} states, {:g} s", file_, told_.step),
-             "make them agree");
+    if (!std::isnan(step) && std::fabs(step - stated_.step) > kSame * stated_.step)
+      refuse(
+          time.empty() ? "step" : "file", fmt::format("{:g} s", step),
+          fmt::format("is not the step that a comment of {} states, {:g} s", file_, stated_.step),
+          "make them agree");
   }
 
   // Row numbers, and times in another unit, increase by more than any step of a record. Only a
@@ -384,7 +385,7 @@ class TableRecord {
     return step > 0;
   }
 
-  Told told_;  // from comments
+  StatedData stated_;  // from comments
   const RecordSpec& record_;
   const std::string &path_, &file_;
   RecordNumbers numbers_;

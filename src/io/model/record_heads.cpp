@@ -295,9 +295,9 @@ bool tells_of_other_motion(const std::string& words) {
          !has("beschl") && !has("acel");
 }
 
-Told told_in(const std::string& comment) {
+StatedData stated_in(const std::string& comment) {
   const std::string small = small_letters(comment);
-  Told told;
+  StatedData stated;
   std::smatch found;
   static const std::regex step(
       R"((?:\bdt|sampl\w*\s+(?:interval|step|period)|time\s+(?:step|interval))\s*(?:[(\[]\s*m?s(?:ec)?\s*[)\]])?\s*[:=]?\s*([\d.]+(?:e[-+]?\d+)?)\s*(m?s(?:ec\w*)?\b)?)");
@@ -307,18 +307,18 @@ Told told_in(const std::string& comment) {
   static const std::regex factor(
       R"(multipl\w*|(?:scale|scaling|conversion|calibration)\s*factor|scaled\s+by|\bfactor\s*[:=])");
   constexpr std::size_t kLongestLine = 300;
-  if (small.size() > kLongestLine) return told;
+  if (small.size() > kLongestLine) return stated;
   if (std::regex_search(small, found, step)) {
     const bool is_ms = found[0].str().find("ms") != std::string::npos;
-    told.step = number_in(found[1].str()) * (is_ms ? 1e-3 : 1);
+    stated.step = number_in(found[1].str()) * (is_ms ? 1e-3 : 1);
   } else if (std::regex_search(small, found, rate)) {
-    told.step = 1 / number_in(found[1].str());
+    stated.step = 1 / number_in(found[1].str());
   }
-  if (std::regex_search(small, found, count)) told.count = number_in(found[1].str());
+  if (std::regex_search(small, found, count)) stated.count = number_in(found[1].str());
   static const std::regex one(R"(\D{0,20}1(?:\.0*)?\s*$)");
   if (std::regex_search(small, found, factor) && !std::regex_match(found.suffix().str(), one))
-    told.factor = comment;
-  return told;
+    stated.factor = comment;
+  return stated;
 }
 
 std::string strange_in_times(const ColumnHead& head) {

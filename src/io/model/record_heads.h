@@ -23,12 +23,12 @@ struct Column {
 [[nodiscard]] bool tells_of_other_motion(const std::string& words);
 
 // Data from a comment about the numbers below it.
-struct Told {
+struct StatedData {
   double step = kUnset;   // [s]
   double count = kUnset;  // of numbers
   std::string factor;     // words of a factor other than 1: "multiply by 9.81"
 };
-[[nodiscard]] Told told_in(const std::string& comment);
+[[nodiscard]] StatedData stated_in(const std::string& comment);
 
 // The first word or number in the header of times that may change
 // seconds: "minuti", "1000" of "time/1000 [s]"; "" where there is none.

@@ -181,7 +181,7 @@ ElementEnd forces_at(const Model& model, const Elevation& seen, const Cut& cut,
   double moment = 0;
   for (const auto& [id, side] : cut.joints) {
     const JointReading& joint = wall.joints[id];
-    const Vec3 on = -side * seen.way(force_of(model, joint, wall));
+    const Vec3 on = -side * seen.in_plane(force_of(model, joint, wall));
     force = force + on;
     moment +=
         cross(seen.place(joint.shape.centre) - cut.middle, on).z - side * moment_of(seen, joint);
@@ -199,7 +199,7 @@ RigidMotion motion_of(const Model& model, const Elevation& seen, const Cut& cut,
   std::vector<study::BlockMotion> blocks;
   for (const BlockId b : cut.beyond) {
     const BlockReading& now = wall.blocks[b];
-    blocks.push_back({{seen.place(now.start), seen.way(now.moved), seen.turn(now.turned.by)},
+    blocks.push_back({{seen.place(now.start), seen.in_plane(now.moved), seen.turn(now.turned.by)},
                       now.role,
                       model.mass[b],
                       study::inertia_of(model, seen, b)});

@@ -46,7 +46,7 @@ struct Elevation {
     return of.empty() ? v : Vec3{dot(v, along), v.y, dot(v, across)};
   }
   // The same without the component out of the plane; for a rotation only the component about `across`.
-  [[nodiscard]] Vec3 way(Vec3 v) const { return of.empty() ? v : Vec3{dot(v, along), v.y, 0}; }
+  [[nodiscard]] Vec3 in_plane(Vec3 v) const { return of.empty() ? v : Vec3{dot(v, along), v.y, 0}; }
   [[nodiscard]] Vec3 turn(Vec3 v) const { return of.empty() ? v : Vec3{0, 0, dot(v, across)}; }
 };
 [[nodiscard]] std::vector<Elevation> elevations_of(const Model& model);

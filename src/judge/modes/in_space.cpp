@@ -206,9 +206,9 @@ bool stands_on_its_hinge(const Piece& piece, const std::vector<Wall>& walls) {
     for (const Moved& b : wall.all)
       for (const Polyhedron& part : b.body->part)
         for (const Vec3& corner : part.vertex) {
-          const double way = length(piece.way_of(corner));
-          if (way < least) least = way, foot = corner.y;
-          most = std::fmax(most, way);
+          const double moved = length(piece.displacement_of(corner));
+          if (moved < least) least = moved, foot = corner.y;
+          most = std::fmax(most, moved);
         }
   }
   return least <= kRigid * most && foot < piece.centre.y;

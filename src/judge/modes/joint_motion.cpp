@@ -98,7 +98,7 @@ WallMotion evaluate_motion(const Model& m, const WallReading& now, const Elevati
       continue;
     }
     wall.blocks.push_back(
-        {{seen.place(block.start), seen.way(block.moved), seen.turn(block.turned.by)},
+        {{seen.place(block.start), seen.in_plane(block.moved), seen.turn(block.turned.by)},
          block.role,
          m.mass[b],
          inertia_of(m, seen, b)});

@@ -224,7 +224,9 @@ std::vector<Piece> pieces_of(const Piece& whole) {
   return pieces;
 }
 
-Vec3 Piece::way_of(Vec3 point) const { return shift + vec3(swing(turned, vec(point - centre))); }
+Vec3 Piece::displacement_of(Vec3 point) const {
+  return shift + vec3(swing(turned, vec(point - centre)));
+}
 
 std::vector<std::vector<Moved>> clusters_of(const Model& model, const std::vector<Moved>& blocks) {
   std::vector<std::size_t> first(model.n_block, SIZE_MAX);

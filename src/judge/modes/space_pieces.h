@@ -36,7 +36,7 @@ struct Piece {
   double mass = 0, all = 0, missed = 0;
   bool turns = false;  // its axis is near: it does not only shift
   [[nodiscard]] double residual() const { return all > 0 ? std::sqrt(missed / all) : 0; }
-  [[nodiscard]] Vec3 way_of(Vec3 point) const;  // displacement of a point of it [m]
+  [[nodiscard]] Vec3 displacement_of(Vec3 point) const;  // displacement of a point of it [m]
 };
 
 // Fits shift and turn of a piece to its blocks.

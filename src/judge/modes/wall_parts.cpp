@@ -305,7 +305,7 @@ bool is_bare_arch(const Model& m, const Elevation& seen, const Frame& f,
   for (JointId j = 0; j < m.n_joint; ++j) {
     const JointShape joint = joint_shape(m, j);
     if (!seen.holds(joint.b)) continue;
-    const Vec3 normal = seen.way(joint.normal);
+    const Vec3 normal = seen.in_plane(joint.normal);
     all += joint.area;
     if (std::fabs(normal.x) > kInclined && std::fabs(normal.y) > kInclined) inclined += joint.area;
   }

@@ -41,15 +41,15 @@ class FastenerCompiler {
   // Places on both sides of part `k`, `spacing` apart and centred, where masonry lies at the face and `depth` behind it.
   [[nodiscard]] std::vector<Footing> footings(std::size_t k, double spacing, double depth) const {
     const FramePart& part = f_.placed.parts[k];
-    const bool upright = std::fabs(part.way.y) > std::fabs(part.way.x);
+    const bool upright = std::fabs(part.direction.y) > std::fabs(part.direction.x);
     const double half = (upright ? f_.sections.column : f_.sections.beam).height / 2;
     const int count = std::max(1, to_int(std::floor(part.length / spacing + 1e-9)));
     std::vector<Footing> found;
     for (int i = 0; i < count; ++i) {
       const double s = 0.5 * part.length + (i - 0.5 * (count - 1)) * spacing;
-      const Vec2 axis{part.from.x + s * part.way.x, part.from.y + s * part.way.y};
+      const Vec2 axis{part.from.x + s * part.direction.x, part.from.y + s * part.direction.y};
       for (const double side : {1.0, -1.0}) {
-        const Vec2 n{-side * part.way.y, side * part.way.x};
+        const Vec2 n{-side * part.direction.y, side * part.direction.x};
         const Vec2 face{axis.x + half * n.x, axis.y + half * n.y};
         const Vec2 behind{face.x + depth * n.x, face.y + depth * n.y};
         const auto masonry = f_.site.masonry_at(behind);

@@ -114,7 +114,8 @@ class FrameCompiler {
     // the ground is side a
     const bool back = joint.b == geometry::kGround;
     const int a = back ? joint.b : joint.a, b = back ? joint.a : joint.b;
-    const Vec2 at{part.from.x + joint.place * part.way.x, part.from.y + joint.place * part.way.y};
+    const Vec2 at{part.from.x + joint.place * part.direction.x,
+                  part.from.y + joint.place * part.direction.y};
     const auto id = [&](int segment) {
       return segment == geometry::kGround ? kGroundBlock : block[segment];
     };
@@ -134,8 +135,8 @@ class FrameCompiler {
     f.arm_a_y.push_back(arm_a.y);
     f.arm_b_x.push_back(arm_b.x);
     f.arm_b_y.push_back(arm_b.y);
-    f.axis_x.push_back(back ? -part.way.x : part.way.x);
-    f.axis_y.push_back(back ? -part.way.y : part.way.y);
+    f.axis_x.push_back(back ? -part.direction.x : part.direction.x);
+    f.axis_y.push_back(back ? -part.direction.y : part.direction.y);
     f.rest_x.push_back(moved_b.x - moved_a.x);
     f.rest_y.push_back(moved_b.y - moved_a.y);
     add_fibres(joint, first, steel, f);
@@ -178,7 +179,8 @@ FrameSteel frame_steel(const FrameSpec& frame, const std::string& path, FaultLis
 }
 
 const Section& section_of(const FramePart& part, const geometry::FrameSections& sections) {
-  return std::fabs(part.way.y) > std::fabs(part.way.x) ? sections.column : sections.beam;
+  return std::fabs(part.direction.y) > std::fabs(part.direction.x) ? sections.column
+                                                                   : sections.beam;
 }
 
 std::int32_t add_members(const PlacedFrame& placed, const geometry::FrameSections& sections,
@@ -187,7 +189,7 @@ std::int32_t add_members(const PlacedFrame& placed, const geometry::FrameSection
   for (const FramePart& part : placed.parts) {
     const Section& s = section_of(part, sections);
     frames.members.push_back({static_cast<int>(frames.name.size()), part.words, part.length,
-                              part.from.x, part.from.y, part.way.x, part.way.y, s.area,
+                              part.from.x, part.from.y, part.direction.x, part.direction.y, s.area,
                               s.shear_area, s.second_moment, s.plastic_modulus, steel.youngs,
                               steel.yield, s.second_moment / s.plastic_modulus});
   }

@@ -125,8 +125,8 @@ class SpaceFrameCompiler {
     const Section& section = section_of(part, sections);
     const bool back = joint.b == geometry::kGround;  // the ground is side a
     const int a = back ? joint.b : joint.a, b = back ? joint.a : joint.b;
-    const Vec3 at = frame.plane.place(
-        {part.from.x + joint.place * part.way.x, part.from.y + joint.place * part.way.y});
+    const Vec3 at = frame.plane.place({part.from.x + joint.place * part.direction.x,
+                                       part.from.y + joint.place * part.direction.y});
     const auto moved = [&](int segment) {
       return segment == geometry::kGround ? Vec3{}
                                           : frame.plane.turned(frame.placed.moved[segment]);
@@ -137,15 +137,15 @@ class SpaceFrameCompiler {
       return at - (centroid + moved(segment));
     };
     const Vec3 arm_a = arm(a), arm_b = arm(b), rest = moved(b) - moved(a);
-    const Vec2 way = back ? Vec2{-part.way.x, -part.way.y} : part.way;
-    const Vec3 axis = frame.plane.turned(way);
+    const Vec2 direction = back ? Vec2{-part.direction.x, -part.direction.y} : part.direction;
+    const Vec3 axis = frame.plane.turned(direction);
     f.a.push_back(block_of(frame, a));
     f.b.push_back(block_of(frame, b));
     f.arm_a_x.push_back(arm_a.x), f.arm_a_y.push_back(arm_a.y), f.arm_a_z.push_back(arm_a.z);
     f.arm_b_x.push_back(arm_b.x), f.arm_b_y.push_back(arm_b.y), f.arm_b_z.push_back(arm_b.z);
     f.axis_x.push_back(axis.x), f.axis_y.push_back(axis.y), f.axis_z.push_back(axis.z);
     f.rest_x.push_back(rest.x), f.rest_y.push_back(rest.y), f.rest_z.push_back(rest.z);
-    f.left.push_back(frame.plane.turned({-way.y, way.x}));
+    f.left.push_back(frame.plane.turned({-direction.y, direction.x}));
     const double turns = joint.hinged ? 0 : 1;
     add_fibres(joint, first, steel, f);
     f.aside_stiffness.push_back(steel.shear * section.weak_shear_area / joint.length);

@@ -30,13 +30,13 @@ double outside(const BodySpec& body, Vec3 p) {
   return least;
 }
 
-// The part of the way from a point on that lies on the inner side of planes.
-class WayInside {
+// The part of a ray that lies on the inner side of planes.
+class RayInside {
  public:
-  WayInside(Vec3 from, Vec3 way) : from_(from), way_(way) {}
+  RayInside(Vec3 from, Vec3 direction) : from_(from), direction_(direction) {}
   void cut(Vec3 normal, double outside) {
     constexpr double kLevel = 1e-9;  // [m]
-    const double speed = dot(normal, way_);
+    const double speed = dot(normal, direction_);
     if (std::fabs(speed) < kLevel)
       leave_ = outside > -kLevel ? enter_ : leave_;
     else if (speed > 0)
@@ -61,7 +61,7 @@ class WayInside {
   }
 
  private:
-  Vec3 from_, way_;
+  Vec3 from_, direction_;
   double enter_ = 0, leave_ = 1e300;
 };
 
@@ -120,12 +120,13 @@ std::optional<Vec3> SpacePlaces::point_of(const PlaceSpec& place) const {
   return in_wall({place.x, place.y, place.z});
 }
 
-bool SpacePlaces::is_covered(Vec3 point, Vec3 way, const std::vector<bool>& counts) const {
+bool SpacePlaces::is_covered(Vec3 point, Vec3 direction, const std::vector<bool>& counts) const {
   for (std::size_t k = 0; k < box_.size(); ++k) {
-    if (!counts[k] || !WayInside(point, way).meets(box_[k])) continue;
+    if (!counts[k] || !RayInside(point, direction).meets(box_[k])) continue;
     const std::vector<Polyhedron>& parts = assembly_.body[k].part;
-    if (std::any_of(parts.begin(), parts.end(),
-                    [&](const Polyhedron& part) { return WayInside(point, way).meets(part); }))
+    if (std::any_of(parts.begin(), parts.end(), [&](const Polyhedron& part) {
+          return RayInside(point, direction).meets(part);
+        }))
       return true;
   }
   return false;

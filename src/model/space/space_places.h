@@ -29,8 +29,8 @@ class SpacePlaces {
   [[nodiscard]] std::vector<std::size_t> find(const PlaceSpec& place) const;
   // The stated point in the axes of the wall; none where a coordinate is missing.
   [[nodiscard]] std::optional<Vec3> point_of(const PlaceSpec& place) const;
-  // Whether the way from a point leads through any body of those that `counts` names.
-  [[nodiscard]] bool is_covered(Vec3 point, Vec3 way, const std::vector<bool>& counts) const;
+  // Whether a ray from a point meets any body of those that `counts` names.
+  [[nodiscard]] bool is_covered(Vec3 point, Vec3 direction, const std::vector<bool>& counts) const;
   // The fixed (or free) body that contains the point or lies within 10 mm of it: the nearest one, then the one
   // with the nearest centroid; none farther away.
   [[nodiscard]] std::optional<std::size_t> body_at(Vec3 point, bool fixed) const;
