@@ -169,7 +169,7 @@ TEST(ZoneWalls, the_energy_ledger_closes) {
 
 // Without damping, whose sign at rest is left to chance (symmetry_test.cpp): 2000 steps of a push that
 // cracks joints; round-off grows to 3e-9 of the largest displacement, the tolerance is 1e-8. How far
-// it grows hangs on which cracks open when, so the step is stated.
+// it grows depends on which cracks open when, so the step is stated.
 Rig& pushed(Rig& rig) {
   rig.controls.damping = 0;
   rig.controls.dt = 0.7 * 2 / rig.model.omega_max;

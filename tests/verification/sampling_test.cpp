@@ -234,7 +234,7 @@ const Known kKnown[] = {
 
 // Stratified samples of a monotone quantile function: the mean's error is below the mean width of
 // the strata over sqrt(n) (Stein 1987), some 1e-4 of the deviation at n = 4000 for these; the
-// deviation of long tails hangs on the last strata, 1 % at most.
+// deviation of long tails depends on the last strata, 1 % at most.
 TEST(Moments, of_every_distribution_are_its_closed_form) {
   for (const Known& known : kKnown) {
     const SampleTable table = draw_samples(study_of({known.make()}, 4000));
