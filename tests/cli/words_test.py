@@ -79,7 +79,7 @@ class Words(unittest.TestCase):
                                   ("docs/howto/a.md", f"- {words(20)}\n- {words(20)}", 0), ("README.md", f"{words(20)}. {words(20)}. `law.h` {words(20)}", 0),
                                   ("README.md", f"```\n{words(40)}\n```\n| {words(40)} |\n# {words(40)}\n<!-- {words(40)} -->", 0),
                                   ("README.md", f"{words(30)} `a b c` 1 2 3.", 0), ("docs/theory/a.md", words(40), 1),
-                                  ("docs/theory/a.md", f"    a = {words(40)}", 0), ("src/law/README.md", words(40), 0)):
+                                  ("docs/theory/a.md", f"    a = {words(40)}", 0), ("src/law/README.md", words(40), 1), ("docs/decisions/0002-a.md", words(40), 1)):
             with self.subTest(f"{name}: {text}"):
                 status, output = check({**GOOD, name: text + "\n"})
                 self.assertEqual((status, output.count("words, 32 at most")), (found, found), output)

@@ -611,8 +611,8 @@ void describe(Visitor& v, ModelSpec& s) {
   v.table("wall", s.wall, {.doc = "The wall: sizes along x (to the right) and y (upwards)."});
   v.list("storey", s.storey, {.doc = "The storeys of a building from the ground up, one on the other. What one leaves "
          "out is the wall's. In space name and height alone: levels whose drifts are read."});
-  v.list("region", s.region, {.doc = "Parts of the masonry with other materials. A block belongs where its centre lies, to "
-         "the last region that holds it; a joint to a region where both its blocks do, else to what is listed "
+  v.list("region", s.region, {.doc = "Parts of the masonry with other materials. A block belongs to the last region that "
+         "holds its centre. A joint belongs to a region where both its blocks do, else to what is listed "
          "before it and around it."});
   describe_built(v);
   v.list("ring_beam", s.ring_beam, {.optional = true,
