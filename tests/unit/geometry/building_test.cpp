@@ -296,8 +296,9 @@ TEST(Storeys, a_pressure_on_the_top_acts_on_the_thickness_there) {
   spec.storey[1].thickness = 0.2;
   spec.stage = {scenes::gravity_stage(), scenes::gravity_stage()};
   spec.stage[1].action = LoadStage{.pressure = 1e5};
+  const Model model = compile(spec);
   double load = 0;
-  for (const PointLoad& force : compile(spec).stages[1].loads) load -= force.fy;
+  for (const PointLoad& force : model.stages[1].loads) load -= force.fy;
   EXPECT_NEAR(load / (1e5 * 2 * 0.2), 1, 1e-12);
 }
 
