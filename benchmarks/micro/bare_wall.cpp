@@ -42,11 +42,11 @@ void read_point(const double* hot, const double* cold, int lanes, State& s, std:
 
 void read_wall(const double* wall, int lanes, State& s) {
   const double half_dt = 0.5 * wall[kDt * lanes];
-  s.dissipated_friction = wall[kFriction * lanes];
-  s.dissipated_fracture = wall[kFracture * lanes];
-  s.dissipated_crushing = wall[kCrushing * lanes];
-  s.work_loads = half_dt * wall[kLoads * lanes];
-  s.work_damping = half_dt * wall[kDamped * lanes];
+  s.energy.dissipated_friction = wall[kFriction * lanes];
+  s.energy.dissipated_fracture = wall[kFracture * lanes];
+  s.energy.dissipated_crushing = wall[kCrushing * lanes];
+  s.energy.work_loads = half_dt * wall[kLoads * lanes];
+  s.energy.work_damping = half_dt * wall[kDamped * lanes];
 }
 
 std::vector<BareLoad> loads_of(const BareStart& start) {

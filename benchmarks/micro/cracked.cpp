@@ -29,11 +29,11 @@ constexpr std::array kArrays{&State::ux,    &State::uy,          &State::theta,
                              &State::slip,  &State::shear_damage};
 
 State ledger_since(State now, const State& start) {
-  now.work_loads -= start.work_loads;
-  now.work_damping -= start.work_damping;
-  now.dissipated_friction -= start.dissipated_friction;
-  now.dissipated_fracture -= start.dissipated_fracture;
-  now.dissipated_crushing -= start.dissipated_crushing;
+  now.energy.work_loads -= start.energy.work_loads;
+  now.energy.work_damping -= start.energy.work_damping;
+  now.energy.dissipated_friction -= start.energy.dissipated_friction;
+  now.energy.dissipated_fracture -= start.energy.dissipated_fracture;
+  now.energy.dissipated_crushing -= start.energy.dissipated_crushing;
   return now;
 }
 
@@ -43,7 +43,8 @@ constexpr double kFrictionTolerance = 0.02;
 
 void refuse_unless_same(const std::string& kernel, const State& bare, const State& engine) {
   double gap = difference(bare, engine);
-  if (std::fabs(bare.dissipated_friction / engine.dissipated_friction - 1) > kFrictionTolerance)
+  if (std::fabs(bare.energy.dissipated_friction / engine.energy.dissipated_friction - 1) >
+      kFrictionTolerance)
     gap = 1;
   if (!(gap < kTolerance))
     throw std::runtime_error(fmt::format(
@@ -110,10 +111,11 @@ double difference(const State& bare, const State& engine) {
     }
     if (gap > 0) worst = std::max(worst, gap / size);
   }
-  for (const auto work : {&State::work_loads, &State::work_damping, &State::dissipated_fracture,
-                          &State::dissipated_crushing})
-    if (const double gap = std::fabs(bare.*work - engine.*work); gap > 0)
-      worst = std::max(worst, gap / std::fabs(engine.*work));
+  for (const auto work :
+       {&AccumulatedEnergy::work_loads, &AccumulatedEnergy::work_damping,
+        &AccumulatedEnergy::dissipated_fracture, &AccumulatedEnergy::dissipated_crushing})
+    if (const double gap = std::fabs(bare.energy.*work - engine.energy.*work); gap > 0)
+      worst = std::max(worst, gap / std::fabs(engine.energy.*work));
   return worst;
 }
 

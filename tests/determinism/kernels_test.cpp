@@ -47,8 +47,8 @@ End step_with(const Kernels& kernels, const Model& model, double turn) {
   processor.set(0, controls);
   for (int k = 0; k < 40; ++k) processor.step();
   processor.unload_wall(0);
-  return {state_hash(state), state.dissipated_friction, state.dissipated_fracture,
-          state.dissipated_crushing, state.work_damping};
+  return {state_hash(state), state.energy.dissipated_friction, state.energy.dissipated_fracture,
+          state.energy.dissipated_crushing, state.energy.work_damping};
 }
 
 // Crushing under pressure and shear, hardening and dilatancy.

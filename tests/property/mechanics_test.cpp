@@ -174,9 +174,9 @@ TEST(Energy, dissipation_never_falls_and_damage_never_heals) {
     elapsed += 20 * rig.controls.dt;
     const State& now = rig.state;
     // a step in which the shear stress turns round may give back what elastic energy took too much (4.15)
-    ASSERT_GE(now.dissipated_friction, (1 - 1e-5) * last.dissipated_friction);
-    ASSERT_GE(now.dissipated_fracture, last.dissipated_fracture);
-    ASSERT_GE(now.dissipated_crushing, last.dissipated_crushing);
+    ASSERT_GE(now.energy.dissipated_friction, (1 - 1e-5) * last.energy.dissipated_friction);
+    ASSERT_GE(now.energy.dissipated_fracture, last.energy.dissipated_fracture);
+    ASSERT_GE(now.energy.dissipated_crushing, last.energy.dissipated_crushing);
     for (std::size_t p = 0; p < now.kappa.size(); ++p) {
       ASSERT_GE(now.kappa[p], last.kappa[p]);
       ASSERT_GE(now.slip[p], last.slip[p]);
@@ -185,8 +185,8 @@ TEST(Energy, dissipation_never_falls_and_damage_never_heals) {
     }
     last = now;
   }
-  EXPECT_GT(last.dissipated_fracture, 0);
-  EXPECT_GT(last.dissipated_friction, 0);
+  EXPECT_GT(last.energy.dissipated_fracture, 0);
+  EXPECT_GT(last.energy.dissipated_friction, 0);
 }
 
 TEST(Points, statics_do_not_depend_on_the_number_of_points) {

@@ -43,7 +43,7 @@ TEST(Restart, a_copied_state_goes_on_in_a_new_stepper_with_the_same_bits) {
   for (int k = 0; k < 1500; ++k) resumed.step();
   EXPECT_EQ(state_hash(resumed.state), state_hash(whole.state));
   EXPECT_EQ(resumed.energy().gap, whole.energy().gap);
-  EXPECT_GT(whole.state.dissipated_fracture, 0);
+  EXPECT_GT(whole.state.energy.dissipated_fracture, 0);
 }
 
 // Runs to the end; with `every` > 0 in pieces of so many steps, each in a solve() of its own, from copies or from

@@ -186,7 +186,7 @@ TEST(ZoneWalls, the_mirror_image_answers_alike) {
   Rig here(compile(portal(2))), there(compile(scenes::mirrored(portal(2))));
   pushed(here);
   pushed(there);
-  EXPECT_GT(here.state.dissipated_fracture, 0);
+  EXPECT_GT(here.state.energy.dissipated_fracture, 0);
   const SolidBody& body = here.model.solids.bodies[0];
   double largest = 0;
   for (const double u : here.state.node_ux) largest = std::max(largest, std::fabs(u));

@@ -235,11 +235,11 @@ TEST(ZonesInSpace, threads_change_no_bit) {
       processor.step();
     }
     processor.access(0)->store_state(state);
-    const std::string now = state_hash(state) + std::to_string(state.work_damping) +
-                            std::to_string(state.dissipated_friction);
+    const std::string now = state_hash(state) + std::to_string(state.energy.work_damping) +
+                            std::to_string(state.energy.dissipated_friction);
     if (first.empty()) first = now;
     EXPECT_EQ(now, first) << threads;
-    EXPECT_GT(state.dissipated_friction + state.dissipated_fracture, 0);
+    EXPECT_GT(state.energy.dissipated_friction + state.energy.dissipated_fracture, 0);
   }
 }
 
@@ -263,7 +263,7 @@ TEST(ZonesInSpace, a_copied_state_goes_on_with_the_same_bits) {
   resumed.load_state();
   for (int k = 0; k < 400; ++k) resumed.step();
   EXPECT_EQ(state_hash(resumed.state), state_hash(whole.state));
-  EXPECT_GT(whole.state.dissipated_friction + whole.state.dissipated_fracture, 0);
+  EXPECT_GT(whole.state.energy.dissipated_friction + whole.state.energy.dissipated_fracture, 0);
 }
 
 // --- what is refused --------------------------------------------------------------------------------------------

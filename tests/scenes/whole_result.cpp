@@ -83,13 +83,13 @@ std::string whole(const State& s) {
                s.pace,
                s.last_growth,
                s.moved_then,
-               s.work_loads,
-               s.work_drive,
-               s.work_damping,
-               s.dissipated_friction,
-               s.dissipated_fracture,
-               s.dissipated_crushing,
-               s.lost_in_hand_over});
+               s.energy.work_loads,
+               s.energy.work_drive,
+               s.energy.work_damping,
+               s.energy.dissipated_friction,
+               s.energy.dissipated_fracture,
+               s.energy.dissipated_crushing,
+               s.energy.lost_in_hand_over});
 }
 
 std::string whole(const Result& r) {

@@ -421,7 +421,7 @@ TEST(ContactInSpace, a_support_that_moves_drags_what_lies_on_it) {
   rig.controls.damping = 0;
   const double work = dynamics::energy_ledger(rig.model, rig.state, 1).drive,
                start = rig.state.ux[0];
-  const double before = rig.state.dissipated_friction;
+  const double before = rig.state.energy.dissipated_friction;
   rig.drive(1, kSpeed);
   rig.run(0.2);
   const double pull = kFriction * kG, weight = rig.model.mass[0] * kG;

@@ -324,7 +324,7 @@ TEST(FreeContacts, a_crushed_joint_gives_way_without_making_energy) {
       EXPECT_NEAR(rig.contact(0).y, before, 1e-3 * weight);
       ASSERT_EQ(rig.state.free_contacts.size(), 1U);
       EXPECT_NEAR(rig.state.free_contacts[0].rest, kCrushed, 1e-5);
-      EXPECT_LT(std::fabs(rig.state.lost_in_hand_over), 1e-5 * weight);
+      EXPECT_LT(std::fabs(rig.state.energy.lost_in_hand_over), 1e-5 * weight);
     }
     fastest = std::fmax(fastest, std::fabs(rig.state.vy[0]));
   }
@@ -356,8 +356,8 @@ TEST(FreeContacts, a_dead_load_falls_no_faster_than_a_weight) {
   }
   EXPECT_LT(rig.state.uy[0], -1.0);
   const double weight = kG * kDensity * 0.3 * kHeight * kThick, all = 5e5 * 0.3 * kThick;
-  EXPECT_LT(rig.state.work_loads, weight * 1.01 + all * kHeight);
-  EXPECT_GT(rig.state.work_loads, weight);
+  EXPECT_LT(rig.state.energy.work_loads, weight * 1.01 + all * kHeight);
+  EXPECT_GT(rig.state.energy.work_loads, weight);
 }
 
 TEST(FreeContacts, a_block_pushed_off_its_neighbour_falls) {

@@ -103,7 +103,7 @@ class Held {
     for (const LayerReading& node : read()) sum += node.stored;
     return sum;
   }
-  [[nodiscard]] double lost() const { return rig_.state.dissipated_fracture; }
+  [[nodiscard]] double lost() const { return rig_.state.energy.dissipated_fracture; }
   [[nodiscard]] const Model& model() const { return rig_.model; }
 
  private:

@@ -124,7 +124,7 @@ TEST(Maxwell, elements_never_give_back_more_than_they_took) {
   rig.controls.damping = 0;
   rig.controls.dashpots = &rig.model.stages.back().dashpots;
   rig.controls.dt = 0.1 * 2 / rig.model.omega_max;
-  const double before = rig.state.work_damping;
+  const double before = rig.state.energy.work_damping;
   const EnergyLedger start = rig.energy();
   double least = 0, most = 0;
   const double stop = rig.state.time + 2;
@@ -132,7 +132,7 @@ TEST(Maxwell, elements_never_give_back_more_than_they_took) {
     rig.state.gravity_x = 6 * std::sin(25 * rig.state.time);
     rig.state.gravity_y = -kG - 14 * std::sin(60 * rig.state.time);
     rig.step();
-    const double taken = before - rig.state.work_damping;
+    const double taken = before - rig.state.energy.work_damping;
     least = std::fmin(least, taken);
     most = std::fmax(most, taken);
   }

@@ -507,6 +507,13 @@ struct Model {
   }
 };
 
+// Work and dissipation since the start of the run [J]; an EnergyLedger adds what is stored.
+struct AccumulatedEnergy {
+  double work_loads = 0, work_drive = 0, work_damping = 0;
+  double dissipated_friction = 0, dissipated_fracture = 0, dissipated_crushing = 0;
+  double lost_in_hand_over = 0;  // removed by hand-overs of contacts
+};
+
 // All that a restart needs: a run that is saved and restored gives the same bits. A RunRecord (recording.h)
 // holds what its curve needs besides.
 struct State {
@@ -593,10 +600,7 @@ struct State {
   double last_growth = 0;               // stage time when a load factor last grew [s]
   double moved_then = 0;                // displacement of the furthest block at that time [m]
 
-  // energy ledger, since the start [J]
-  double work_loads = 0, work_drive = 0, work_damping = 0;
-  double dissipated_friction = 0, dissipated_fracture = 0, dissipated_crushing = 0;
-  double lost_in_hand_over = 0;  // removed by hand-overs of contacts
+  AccumulatedEnergy energy;
 };
 
 // Compiles the model; throws InputError with every fault found.

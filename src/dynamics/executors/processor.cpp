@@ -119,14 +119,14 @@ void place_loads(const Model& model, const State& state, const WallView& wall,
 void take_links(const Model& model, State& state, const WallView& wall) {
   if (wall.layers > 0) {
     const LayerWork work = add_layer_forces(wall);
-    state.dissipated_fracture += work.fracture;
-    state.work_damping -= work.damping;
+    state.energy.dissipated_fracture += work.fracture;
+    state.energy.work_damping -= work.damping;
   }
-  if (wall.frames > 0) state.dissipated_friction += add_frame_forces(wall);
+  if (wall.frames > 0) state.energy.dissipated_friction += add_frame_forces(wall);
   if (wall.links == 0) return;
   const LinkWork work = add_link_forces(wall, links_set(model, state), jacks_set(model, state));
-  state.dissipated_friction += work.dissipated;
-  state.work_loads += work.tensioned;
+  state.energy.dissipated_friction += work.dissipated;
+  state.energy.work_loads += work.tensioned;
 }
 
 }  // namespace
@@ -201,7 +201,7 @@ void Processor::begin_step() {
     place_loads(*wall.model, *wall.state, wall.view, free_.get());
     if (wall.controls.dt > 0) take_links(*wall.model, *wall.state, wall.view);
     if (wall.controls.mass_damping > 0)
-      wall.state->work_damping +=
+      wall.state->energy.work_damping +=
           damp_by_mass(wall.view, wall.controls.mass_damping, wall.controls.dt);
     wall.view.wall_value(kGravityX) = wall.state->gravity_x;
     wall.view.wall_value(kGravityY) = wall.state->gravity_y;
@@ -269,12 +269,12 @@ void Processor::drive() {
     wall.reaction = 0;
     if (wall.controls.push == nullptr) continue;
     State& s = *wall.state;
-    WallWork work{s.work_drive, s.work_damping, s.work_loads};
+    WallWork work{s.energy.work_drive, s.energy.work_damping, s.energy.work_loads};
     wall.reaction =
         drive_blocks(drive_of(*wall.controls.push), view(lane), wall.controls.drive_velocity, work);
-    s.work_drive = work.drive;
-    s.work_damping = work.damping;
-    s.work_loads = work.loads;
+    s.energy.work_drive = work.drive;
+    s.energy.work_damping = work.damping;
+    s.energy.work_loads = work.loads;
     s.drive_displacement += wall.controls.dt * wall.controls.drive_velocity;
   }
 }
@@ -284,8 +284,9 @@ void Processor::end_step() {
     const Wall& wall = wall_[lane];
     if (wall.model == nullptr) continue;
     double* const ledger[kTerms] = {
-        &wall.state->dissipated_friction, &wall.state->dissipated_fracture,
-        &wall.state->dissipated_crushing, &wall.state->work_loads, &wall.state->work_damping};
+        &wall.state->energy.dissipated_friction, &wall.state->energy.dissipated_fracture,
+        &wall.state->energy.dissipated_crushing, &wall.state->energy.work_loads,
+        &wall.state->energy.work_damping};
     for (const Pass pass : {kJoints, kEdges, kBlocks, kNodes}) {
       const std::vector<double>& works = bank_of(lane).works[pass];
       const std::size_t chunk = kTerms * static_cast<std::size_t>(width_);
@@ -298,7 +299,7 @@ void Processor::end_step() {
     }
     if (free_) free_->moved(*wall.state, wall.controls.dt, wall.view);
     if (wall.controls.dashpots != nullptr)
-      wall.state->work_damping +=
+      wall.state->energy.work_damping +=
           dashpot_work(wall.view, *wall.model, wall.dashpot_state, wall.controls.dt);
     advance_clock(*wall.state, wall.controls);
   }

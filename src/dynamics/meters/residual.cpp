@@ -82,15 +82,15 @@ double elastic_energy(const Model& model, const State& state) {
 
 EnergyLedger energy_ledger(const Model& model, const State& s, double mass_scaling) {
   EnergyLedger e;
-  e.loads = s.work_loads;
-  e.drive = s.work_drive;
+  e.loads = s.energy.work_loads;
+  e.drive = s.energy.work_drive;
   e.kinetic = kinetic_energy(model, s) * mass_scaling;
   e.elastic = elastic_energy(model, s);
-  e.friction = s.dissipated_friction;
-  e.fracture = s.dissipated_fracture;
-  e.crushing = s.dissipated_crushing;
-  e.damping = -s.work_damping;
-  e.hand_over = s.lost_in_hand_over;
+  e.friction = s.energy.dissipated_friction;
+  e.fracture = s.energy.dissipated_fracture;
+  e.crushing = s.energy.dissipated_crushing;
+  e.damping = -s.energy.work_damping;
+  e.hand_over = s.energy.lost_in_hand_over;
   e.gap = e.loads + e.drive - e.kinetic - e.elastic - e.friction - e.fracture - e.crushing -
           e.damping - e.hand_over;
   const double scale = std::fabs(e.loads) + std::fabs(e.drive) + e.elastic;

@@ -300,7 +300,7 @@ void FreeContacts<Bodies>::moved(State& state, double dt, const View& wall) {
     on(pair.memory.a, damped.viscous_a, damped.rates_a);
     on(pair.memory.b, damped.viscous_b, damped.rates_b);
   }
-  if (power != 0) state.work_damping += dt * power;
+  if (power != 0) state.energy.work_damping += dt * power;
   since_search_ += dt;
   add_travel(dt, wall);
 }
@@ -476,8 +476,8 @@ void FreeContacts<Bodies>::sum_up(State& state, const View& wall) {
     NearPair& near = near_[awake_[n]];
     FreePair& pair = pair_of(near);
     if (pair.friction != 0 || pair.lost != 0) {
-      state.dissipated_friction += pair.friction;
-      state.lost_in_hand_over += pair.lost;
+      state.energy.dissipated_friction += pair.friction;
+      state.energy.lost_in_hand_over += pair.lost;
       pair.friction = pair.lost = 0;
     }
     if (!pair.touches()) {

@@ -85,7 +85,7 @@ void FreeContacts<Bodies>::hand_over(State& state, const Jointed& pair, const Vi
     energy -= p.stored;
     bears += p.pressed;
   }
-  state.lost_in_hand_over += energy;
+  state.energy.lost_in_hand_over += energy;
   if (!(bears > 0)) return;  // no contact presses, so nothing carries the force on
   const Vector<double> f = bodies_.to_body_axes(pair.a, before.f - after.f, wall);
   const Vector<double> m = bodies_.to_body_axes(pair.a, before.m - after.m, wall);
@@ -126,7 +126,7 @@ void FreeContacts<Bodies>::fade_hand_overs(State& state, double dt, const View& 
         bodies_.to_wall_axes(h.a, mean * Vector<double>{h.force_x, h.force_y, h.force_z}, wall);
     const Vector<double> m =
         bodies_.to_wall_axes(h.a, mean * Vector<double>{h.moment_x, h.moment_y, h.moment_z}, wall);
-    state.lost_in_hand_over -= dt * (dot(f, slides) + dot(m, turns));
+    state.energy.lost_in_hand_over -= dt * (dot(f, slides) + dot(m, turns));
     h.share = share;
   }
   std::erase_if(hand_overs_, [](const HandOver& h) { return !(h.share > 0); });

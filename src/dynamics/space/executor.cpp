@@ -175,16 +175,16 @@ void SpaceProcessor::begin_step() {
                    wall.view);
     if (cuts) release(wall.view, state, 1 - state.load_scale[now]);
     if (wall.model->frames.n > 0 && wall.controls.dt > 0)
-      state.dissipated_friction += add_frame_forces(wall.view, *wall.model, state);
+      state.energy.dissipated_friction += add_frame_forces(wall.view, *wall.model, state);
     if (wall.view.links > 0 && wall.controls.dt > 0) {
       const LinkWork work =
           add_link_forces(wall.view, links_set(*wall.model, state), jacks_set(*wall.model, state));
-      state.dissipated_friction += work.dissipated;
-      state.work_loads += work.tensioned;
+      state.energy.dissipated_friction += work.dissipated;
+      state.energy.work_loads += work.tensioned;
     }
     add_carried(wall.view, *wall.model, state);
     if (wall.controls.mass_damping > 0)
-      wall.state->work_damping +=
+      wall.state->energy.work_damping +=
           damp_by_mass(wall.view, wall.controls.mass_damping, wall.controls.dt);
     wall.view.wall_value(kGravity) = state.gravity_x;
     wall.view.wall_value(kGravity + 1) = state.gravity_y;
@@ -262,12 +262,12 @@ void SpaceProcessor::drive() {
       continue;
     }
     State& s = *wall.state;
-    WallWork work{s.work_drive, s.work_damping, s.work_loads};
+    WallWork work{s.energy.work_drive, s.energy.work_damping, s.energy.work_loads};
     wall.reaction =
         space::drive(*wall.controls.push, wall.view, wall.controls.drive_velocity, work);
-    s.work_drive = work.drive;
-    s.work_damping = work.damping;
-    s.work_loads = work.loads;
+    s.energy.work_drive = work.drive;
+    s.energy.work_damping = work.damping;
+    s.energy.work_loads = work.loads;
     s.drive_displacement += wall.controls.dt * wall.controls.drive_velocity;
     keep_support_step(wall, wall.controls.drive_velocity);
   }
@@ -278,8 +278,9 @@ void SpaceProcessor::end_step() {
     const Wall& wall = wall_[lane];
     if (wall.model == nullptr) continue;
     double* const ledger[kTerms] = {
-        &wall.state->dissipated_friction, &wall.state->dissipated_fracture,
-        &wall.state->dissipated_crushing, &wall.state->work_loads, &wall.state->work_damping};
+        &wall.state->energy.dissipated_friction, &wall.state->energy.dissipated_fracture,
+        &wall.state->energy.dissipated_crushing, &wall.state->energy.work_loads,
+        &wall.state->energy.work_damping};
     const Bank& bank = bank_[lane / width_];
     for (const std::vector<double>* works : {&bank.joint_works, &bank.block_works})
       for (std::size_t k = lane % width_; k < works->size(); k += static_cast<std::size_t>(width_))
@@ -287,7 +288,7 @@ void SpaceProcessor::end_step() {
     if (wall.zones) wall.zones->tell(*wall.state);
     if (free_) free_->moved(*wall.state, wall.controls.dt, wall.view);
     if (wall.controls.dashpots != nullptr)
-      wall.state->work_damping +=
+      wall.state->energy.work_damping +=
           dashpot_work(wall.view, *wall.model, wall.dashpot_state, wall.controls.dt);
     advance_clock(*wall.state, wall.controls);
   }

@@ -213,13 +213,13 @@ void ZoneRun::move(const WallView& w, double dt, double mass_scaling, Workers* w
 
 void ZoneRun::tell(State& s) const {
   for (const JointWork<double>& work : joint_work_) {
-    s.dissipated_friction += work.friction;
-    s.dissipated_fracture += work.fracture;
-    s.dissipated_crushing += work.crushing;
+    s.energy.dissipated_friction += work.friction;
+    s.energy.dissipated_fracture += work.fracture;
+    s.energy.dissipated_crushing += work.crushing;
   }
   for (const BlockWork<double>& work : node_work_) {
-    s.work_loads += work.loads;
-    s.work_damping += work.damping;
+    s.energy.work_loads += work.loads;
+    s.energy.work_damping += work.damping;
   }
 }
 

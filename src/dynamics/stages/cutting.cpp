@@ -438,7 +438,7 @@ void begin_cut(StageContext& wall) {
     Fitter(model, state).fit();
   set_release(model, state, stage_time_step(model, model.stages[state.stage]));
   // energy stored in removed masonry leaves with it
-  state.work_loads += stored(model, state, state.stage) - before;
+  state.energy.work_loads += stored(model, state, state.stage) - before;
   wall.access->reload_wall(state);
 }
 

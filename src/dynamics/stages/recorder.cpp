@@ -100,7 +100,7 @@ void Recorder::take(const WallAccess& access, State& state, const Controls& cont
       begin_leg(leg, from, travelled - std::fabs(displacement - from));
     }
     while (n_.next_close < travelled) plan_close();
-    n_.work_at_start = state.work_drive;
+    n_.work_at_start = state.energy.work_drive;
     n_.dead = dead_along_push(state);
     access.store_state(state);
     if (result_.curve.empty()) {
@@ -110,7 +110,7 @@ void Recorder::take(const WallAccess& access, State& state, const Controls& cont
       note_frames(state, 0, 0);
       note_layers(state, 0, 0);
     }
-    n_.damping_at_start = state.work_damping;
+    n_.damping_at_start = state.energy.work_damping;
     take_snapshot("start", state);
   }
   displacement_ = displacement;
@@ -268,7 +268,7 @@ void Recorder::sample(const WallAccess& access, const State& state, const Contro
     n_.shear_sum += weight_ * shear;
     n_.rise_shear_weight += weight_;
     n_.rise_shear_sum += weight_ * shear;
-    const double work = std::fabs(state.work_drive - n_.work_at_start);
+    const double work = std::fabs(state.energy.work_drive - n_.work_at_start);
     if (work > 0) n_.kinetic_sum += access.kinetic_energy(controls.mass_scaling) / work;
     ++n_.shear_samples;
   }
@@ -305,8 +305,8 @@ void Recorder::close_row(const State& state) {
   row.unbalance_ratio = n_.unbalance_sum / at_least_one(n_.unbalance_samples);
   row.kinetic_ratio = n_.kinetic_sum / at_least_one(n_.shear_samples);
   row.load_factor = load_factor_;
-  row.work_drive = state.work_drive - n_.work_at_start;
-  row.work_damping = n_.damping_at_start - state.work_damping;
+  row.work_drive = state.energy.work_drive - n_.work_at_start;
+  row.work_damping = n_.damping_at_start - state.energy.work_damping;
   const reading::LintelMeasures lintel = reading::lintel_measures(model_, state);
   row.lintel_deflection = lintel.deflection;
   row.lintel_end_rotation = lintel.end_rotation;

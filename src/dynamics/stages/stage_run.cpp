@@ -327,7 +327,7 @@ class SettlingStage : public StageRun {
     while (next <= before) next *= 2;
     if (now < next) return;
     wall_.access->store_state(state_);
-    const double work = state_.work_loads, elastic = elastic_energy(model_, state_);
+    const double work = state_.energy.work_loads, elastic = elastic_energy(model_, state_);
     const bool is_bent = elastic - n_.fall_elastic > kOfWork * (work - n_.fall_work);
     const bool steady = n_.fall_then > 0 && n_.fall_most >= kSteady * n_.fall_then && !is_bent;
     n_.fall_work = work, n_.fall_elastic = elastic;

@@ -19,6 +19,7 @@
 #include <filesystem>
 #include <iterator>
 #include <tuple>
+#include <utility>
 
 #include "core/files.h"
 #include "core/hash.h"
@@ -71,38 +72,22 @@ std::uint64_t hash_of(Head head, std::string_view rest) {
 // --- the content: A is ArchiveOut (then the rest is const) or ArchiveIn ------------------------------------------
 
 // The numbers of a State beside its arrays. A member that is in no list fails the assertion.
-constexpr std::tuple kStateNumbers{&State::stage,
-                                   &State::step,
-                                   &State::time,
-                                   &State::stage_time,
-                                   &State::gravity_x,
-                                   &State::gravity_y,
-                                   &State::gravity_z,
-                                   &State::body_factor,
-                                   &State::load_factor,
-                                   &State::balance,
-                                   &State::drive_displacement,
-                                   &State::travelled,
-                                   &State::control_start,
-                                   &State::control_moved,
-                                   &State::control_furthest,
-                                   &State::turn_time,
-                                   &State::pace,
-                                   &State::target,
-                                   &State::stage_first_step,
-                                   &State::last_growth,
-                                   &State::moved_then,
-                                   &State::work_loads,
-                                   &State::work_drive,
-                                   &State::work_damping,
-                                   &State::dissipated_friction,
-                                   &State::dissipated_fracture,
-                                   &State::dissipated_crushing,
-                                   &State::lost_in_hand_over};
+template <class S>
+auto state_numbers(S& s) {
+  auto& e = s.energy;
+  return std::tie(s.stage, s.step, s.time, s.stage_time, s.gravity_x, s.gravity_y, s.gravity_z,
+                  s.body_factor, s.load_factor, s.balance, s.drive_displacement, s.travelled,
+                  s.control_start, s.control_moved, s.control_furthest, s.turn_time, s.pace,
+                  s.target, s.stage_first_step, s.last_growth, s.moved_then, e.work_loads,
+                  e.work_drive, e.work_damping, e.dissipated_friction, e.dissipated_fracture,
+                  e.dissipated_crushing, e.lost_in_hand_over);
+}
 constexpr std::size_t kStateArrays =
     kStateFields.size() + 3;  // with load_scale, free_contacts, hand_overs
-static_assert(sizeof(State) == kStateArrays * sizeof(std::vector<double>) +
-                                   std::tuple_size_v<decltype(kStateNumbers)> * sizeof(double),
+static_assert(sizeof(State) ==
+                  kStateArrays * sizeof(std::vector<double>) +
+                      std::tuple_size_v<decltype(state_numbers(std::declval<State&>()))> *
+                          sizeof(double),
               "a member of State is missing here or in the table of fields");
 
 // Whether these are two bodies that may touch, with existing parts and an edge of one of them.
@@ -138,7 +123,7 @@ void walk_free_contacts(A& archive, const Model& model, S& state) {
 
 template <class A, class S>
 void walk_state(A& archive, const Model& model, S& state) {
-  std::apply([&](auto... number) { (archive(state.*number), ...); }, kStateNumbers);
+  std::apply([&](auto&... number) { (archive(number), ...); }, state_numbers(state));
   for (const StateField& field : kStateFields)
     archive.array(state.*field.array, count_of(model, field));
   archive.array(state.load_scale, model.stages.size());
