@@ -60,16 +60,17 @@ std::set<std::string> middle_of(const Model& model, const State& state, const Ru
   const char* kinds[] = {"gravity", "load", "push", "body force", "tilt", "hold", "shake", "cut"};
   std::set<std::string> found = {kinds[static_cast<int>(stage.kind())]};
   const bool settles = stage.kind() == StageKind::kGravity || stage.kind() == StageKind::kLoad;
-  if (settles) found.insert(state.stage_time < stage.ramp ? "ramp" : "settling");
+  if (settles) found.insert(state.progress.time < stage.ramp ? "ramp" : "settling");
   if (stage.kind() == StageKind::kLoad && state.load_scale[1] == 1) found.insert("held load");
-  if (stage.kind() == StageKind::kPush && state.pace > 0 && state.pace < 1) found.insert("servo");
-  if (stage.kind() == StageKind::kPush && state.target > 0) found.insert("cycle");
+  if (stage.kind() == StageKind::kPush && state.progress.pace > 0 && state.progress.pace < 1)
+    found.insert("servo");
+  if (stage.kind() == StageKind::kPush && state.progress.target > 0) found.insert("cycle");
   const std::vector<CurveRow>& curve = record.result.curve;
   const double peak = record.recording.side[0].peak;
   if (peak > 0 && !curve.empty() && curve.back().reaction < 0.7 * peak)
     found.insert("after the peak");
   const bool grows = stage.kind() == StageKind::kTilt || stage.kind() == StageKind::kBodyForce;
-  if (grows && state.balance > 2 * model.solve.settle_ratio) found.insert("standstill");
+  if (grows && state.progress.balance > 2 * model.solve.settle_ratio) found.insert("standstill");
   if (!record.recording.slid_off.empty() && record.recording.numbers.steps > 0) found.insert("row");
   return found;
 }

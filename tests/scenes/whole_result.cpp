@@ -67,22 +67,22 @@ std::string readings(const Responses& r) {
 }  // namespace
 
 std::string whole(const State& s) {
-  return fmt::format("{} {} {} {} load scales{}", state_hash(s), s.stage, s.step, s.target,
+  return fmt::format("{} {} {} {} load scales{}", state_hash(s), s.stage, s.step, s.progress.target,
                      bits(s.load_scale)) +
-         fmt::format(" {}", s.stage_first_step) +
+         fmt::format(" {}", s.progress.first_step) +
          bits({s.time,
-               s.stage_time,
+               s.progress.time,
                s.gravity_x,
                s.gravity_y,
-               s.body_factor,
-               s.load_factor,
-               s.balance,
-               s.drive_displacement,
-               s.travelled,
-               s.turn_time,
-               s.pace,
-               s.last_growth,
-               s.moved_then,
+               s.progress.body_factor,
+               s.progress.load_factor,
+               s.progress.balance,
+               s.progress.drive_displacement,
+               s.progress.travelled,
+               s.progress.turn_time,
+               s.progress.pace,
+               s.progress.last_growth,
+               s.progress.moved_then,
                s.energy.work_loads,
                s.energy.work_drive,
                s.energy.work_damping,

@@ -507,6 +507,25 @@ struct Model {
   }
 };
 
+// What stages remember from step to step. `time` and `first_step` start anew with each; a push resets what it uses.
+struct StageProgress {
+  double time = 0;                // since the stage's start [s]
+  std::int64_t first_step = 0;    // number of the step before the stage's first
+  double body_factor = 0;         // lambda of the body force, or the angle of a tilt
+  double load_factor = 0;         // largest load factor in balance
+  double balance = 1;             // unbalance ratio at the last sample of the servo
+  double last_growth = 0;         // stage time when a load factor last grew [s]
+  double moved_then = 0;          // displacement of the furthest block at that time [m]
+  double drive_displacement = 0;  // prescribed displacement along the push [m]
+  double travelled = 0;           // length of the driven path so far [m]
+  double control_start = 0;       // position of a push's control block at its start [m]
+  double control_moved = 0;       // its displacement since then [m]
+  double control_furthest = 0;    // the largest value of that [m]
+  double turn_time = 0;           // stage time of the last start or turn of a push [s]
+  double pace = 0;                // of a push: 0 is `velocity`, 1 is `fast_velocity`
+  int target = 0;                 // index of the next target, in a cyclic stage
+};
+
 // Work and dissipation since the start of the run [J]; an EnergyLedger adds what is stored.
 struct AccumulatedEnergy {
   double work_loads = 0, work_drive = 0, work_damping = 0;
@@ -577,28 +596,16 @@ struct State {
   std::vector<HandOver> hand_overs;
   std::vector<double> handed_over;  // 1: released joint, replaced by a free contact (n_joint)
 
-  // written by drive
-  int stage = 0;                        // index into Model::stages
-  std::int64_t step = 0;                // since the start of the run
-  double time = 0;                      // [s]
-  double stage_time = 0;                // [s]
+  // place in the run
+  int stage = 0;          // index into Model::stages
+  std::int64_t step = 0;  // since the start of the run
+  double time = 0;        // [s]
+  StageProgress progress;
+
+  // loads in force, written by stages
   double gravity_x = 0, gravity_y = 0;  // current acceleration [m/s^2]
   double gravity_z = 0;                 // in space
-  double body_factor = 0;               // lambda of the body force, or the angle of a tilt
-  double load_factor = 0;               // largest load factor in balance
-  double balance = 1;                   // unbalance ratio at the last sample of the servo
   std::vector<double> load_scale;       // current factor of each stage's loads (n_stage)
-  double drive_displacement = 0;        // prescribed displacement along the push [m]
-  double travelled = 0;                 // length of the driven path so far [m]
-  double control_start = 0;             // position of a push's control block at its start [m]
-  double control_moved = 0;             // its displacement since then [m]
-  double control_furthest = 0;          // the largest value of that [m]
-  double turn_time = 0;                 // stage time of the last start or turn of a push [s]
-  double pace = 0;                      // of a push: 0 is `velocity`, 1 is `fast_velocity`
-  int target = 0;                       // index of the next one, in a cyclic stage
-  std::int64_t stage_first_step = 0;    // number of the step before the stage's first
-  double last_growth = 0;               // stage time when a load factor last grew [s]
-  double moved_then = 0;                // displacement of the furthest block at that time [m]
 
   AccumulatedEnergy energy;
 };

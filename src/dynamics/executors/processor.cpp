@@ -275,7 +275,7 @@ void Processor::drive() {
     s.energy.work_drive = work.drive;
     s.energy.work_damping = work.damping;
     s.energy.work_loads = work.loads;
-    s.drive_displacement += wall.controls.dt * wall.controls.drive_velocity;
+    s.progress.drive_displacement += wall.controls.dt * wall.controls.drive_velocity;
   }
 }
 

@@ -252,7 +252,7 @@ WYTHE_INLINE double drive_blocks(const Drive& d, const WallView& wall, double ve
 
 inline void advance_clock(State& state, const Controls& controls) {
   state.time += controls.dt;
-  state.stage_time += controls.dt;
+  state.progress.time += controls.dt;
   ++state.step;
 }
 

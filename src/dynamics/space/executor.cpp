@@ -268,7 +268,7 @@ void SpaceProcessor::drive() {
     s.energy.work_drive = work.drive;
     s.energy.work_damping = work.damping;
     s.energy.work_loads = work.loads;
-    s.drive_displacement += wall.controls.dt * wall.controls.drive_velocity;
+    s.progress.drive_displacement += wall.controls.dt * wall.controls.drive_velocity;
     keep_support_step(wall, wall.controls.drive_velocity);
   }
 }

@@ -428,7 +428,7 @@ double stored(const Model& model, const State& state, int stage) {
 void begin_cut(StageContext& wall) {
   const Model& model = wall.model;
   State& state = wall.state;
-  if (state.stage_time > 0 || !model.standing.any()) return;
+  if (state.progress.time > 0 || !model.standing.any()) return;
   wall.access->store_state(state);
   const double before = stored(model, state, state.stage - 1);
   cut_layers(model, state);

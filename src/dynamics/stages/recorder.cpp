@@ -93,9 +93,9 @@ void Recorder::take_snapshot(const std::string& label, const State& state) {
 void Recorder::take(const WallAccess& access, State& state, const Controls& controls,
                     double reaction, double displacement, double load_factor, double travelled) {
   if (n_.start_time < 0) {
-    n_.start_time = state.time - state.stage_time;
+    n_.start_time = state.time - state.progress.time;
     if (!stage_.targets().empty()) {
-      const std::size_t leg = state.target;
+      const std::size_t leg = state.progress.target;
       const double from = leg == 0 ? 0.0 : stage_.targets()[leg - 1];
       begin_leg(leg, from, travelled - std::fabs(displacement - from));
     }
@@ -132,7 +132,8 @@ void Recorder::take(const WallAccess& access, State& state, const Controls& cont
   }
   take_shape(access, state);
   take_states(access, state);
-  if (has_turned()) begin_leg(static_cast<std::size_t>(state.target) + 1, displacement, travelled);
+  if (has_turned())
+    begin_leg(static_cast<std::size_t>(state.progress.target) + 1, displacement, travelled);
 }
 
 // States are taken at the step, not at the row, so neither rows nor requested states shift a reading.

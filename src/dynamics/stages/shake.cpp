@@ -42,14 +42,14 @@ class Shake final : public StageRun {
     const ViscousSpec& damping = stage.spec.get<ShakeStage>().mass_damping;
     if (std::isfinite(damping.fraction)) controls_.mass_damping = decay_of(damping);
     if (stage.dashpots.any()) controls_.dashpots = &stage.dashpots;
-    if (state_.stage_time == 0) begin();
-    if (!(state_.stage_time < duration_)) end({});
+    if (progress_.time == 0) begin();
+    if (!(progress_.time < duration_)) end({});
   }
 
   // Sets the mean acceleration of the base over the step from its exact velocity.
   // So a free block has the exact velocity of the base at every half step.
   void prepare() override {
-    const double t = state_.stage_time, dt = controls_.dt;
+    const double t = progress_.time, dt = controls_.dt;
     Vec3 base{};
     for (const GroundMotion& motion : stage_.base)
       base = base + ((motion.velocity_at(t + 0.5 * dt) - motion.velocity_at(t - 0.5 * dt)) / dt) *
@@ -66,14 +66,14 @@ class Shake final : public StageRun {
 
   void after_step(double) override {
     if (state_.step % kForceEvery == 0) sample();
-    if (state_.stage_time >= static_cast<double>(rows_in_stage()) * interval_) take_row();
+    if (progress_.time >= static_cast<double>(rows_in_stage()) * interval_) take_row();
     if (state_.step % kCheckEvery == 0) check_fallen();
-    if (!ended() && !(state_.stage_time < duration_)) end({});
+    if (!ended() && !(progress_.time < duration_)) end({});
   }
 
  private:
   void begin() {
-    state_.drive_displacement = 0;
+    progress_.drive_displacement = 0;
     ShakeHistory& h = result_.history;
     if (h.row.empty()) name_places(h);
     if (n_.shake_start < 0)  // a push between two shakes resets it
@@ -125,8 +125,8 @@ class Shake final : public StageRun {
     ShakeRow row;
     row.time = state_.time - n_.shake_start;
     for (const GroundMotion& motion : stage_.base) {
-      const Vec3 a = motion.acceleration_at(state_.stage_time) * motion.along;
-      const Vec3 u = motion.displacement_at(state_.stage_time) * motion.along;
+      const Vec3 a = motion.acceleration_at(progress_.time) * motion.along;
+      const Vec3 u = motion.displacement_at(progress_.time) * motion.along;
       row.base_acceleration[0] += a.x, row.base_acceleration[1] += a.y;
       row.base_acceleration[2] += a.z;
       row.base_displacement[0] += u.x, row.base_displacement[1] += u.y;
@@ -177,7 +177,7 @@ class Shake final : public StageRun {
   void take_frame() {
     const int frames = wall_.options.frames;
     const double due = duration_ * static_cast<double>(n_.shake_frames + 1) / (frames + 1);
-    if (n_.shake_frames >= frames || state_.stage_time < due) return;
+    if (n_.shake_frames >= frames || progress_.time < due) return;
     ++n_.shake_frames;
     result_.states.frames.push_back({"", control_now(), base_now(), state_});
   }
@@ -201,7 +201,7 @@ class Shake final : public StageRun {
 
   // A rocking wall moves far and still stands. A wall with a fallen or toppled block does not.
   void check_fallen() {
-    check_motion(state_.stage_time / duration_);
+    check_motion(progress_.time / duration_);
     if (ended()) return;
     check_falls();
     for (BlockId i = 0; i < model_.n_block && !ended(); ++i)
@@ -210,7 +210,7 @@ class Shake final : public StageRun {
              {"block.toppled",
               {{"block", name_of(i)},
                {"tilt_degrees", 180 / M_PI * tilt_of(model_, state_, i)},
-               {"time_s", state_.stage_time},
+               {"time_s", progress_.time},
                {"stage", stage_.spec.name}}},
              false});
   }

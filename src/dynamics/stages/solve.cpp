@@ -96,7 +96,7 @@ void WallRun::close_stage() {
   record_.result.reason = end.reason;
   if (!end.finished) return;
   ++state_.stage;
-  state_.stage_time = 0;
+  state_.progress.time = 0;
 }
 
 const Controls& WallRun::next() {

@@ -65,9 +65,10 @@ StageRun::StageRun(StageContext& wall, const Stage& stage)
       model_(wall.model),
       stage_(stage),
       state_(wall.state),
+      progress_(state_.progress),
       controls_(wall.controls),
       driven_(&stage.driven) {
-  if (state_.stage_time == 0) state_.stage_first_step = state_.step;
+  if (progress_.time == 0) progress_.first_step = state_.step;
   controls_ = {};
   controls_.dt = stage_time_step(model_, stage);
   controls_.mass_scaling = stage_mass_scaling(model_, stage);
@@ -93,7 +94,7 @@ StageEnd StageRun::close() {
   finish(end_);
   wall_.access->store_state(state_);
   wall_.record.result.stages.push_back(
-      {stage_.spec.name, state_.stage_time, state_.step - state_.stage_first_step,
+      {stage_.spec.name, progress_.time, state_.step - progress_.first_step,
        wall_.access->unbalance_ratio(), end_.status == SolveStatus::kCompleted});
   wall_.record.result.energy = energy_ledger(model_, state_, controls_.mass_scaling);
   return end_;
@@ -156,7 +157,7 @@ void StageRun::check_motion(double share) {
   const SolveOptions& options = wall_.options;
   if (options.progress)
     options.progress(
-        {stage_.spec.name.c_str(), share, state_.drive_displacement,
+        {stage_.spec.name.c_str(), share, progress_.drive_displacement,
          wall_.record.result.curve.empty() ? 0.0 : wall_.record.result.curve.back().reaction});
   if (wall_.access->runaway_block() >= 0) return end(runs_away());
   if (model_.free.any()) check_world_bounds();
@@ -171,7 +172,7 @@ void StageRun::check_run(double share) {
     return check_falls();
   // a head is driven at the end of an arm, and moves farther than that end where the pier turns
   const double driven =
-      std::fmax(std::fabs(state_.drive_displacement), std::fabs(state_.control_moved));
+      std::fmax(std::fabs(progress_.drive_displacement), std::fabs(progress_.control_moved));
   const double allowed = driven + model_.solve.collapse_displacement;
   const Furthest furthest = wall_.access->furthest_block();
   if (furthest.distance > allowed) end(fallen(furthest));
@@ -277,14 +278,14 @@ class SettlingStage : public StageRun {
  public:
   SettlingStage(StageContext& wall, const Stage& stage)
       : StageRun(wall, stage), n_(wall.record.recording.numbers) {
-    if (state_.stage_time > 0) return;
+    if (progress_.time > 0) return;
     n_.fall_way = n_.fall_kinetic = n_.fall_most = n_.fall_then = 0;
     n_.fall_work = n_.fall_elastic = 0;
     n_.fall_faster = n_.fall_steady = 0;
   }
 
   void prepare() override {
-    const double share = smooth_step((state_.stage_time + controls_.dt) / stage_.spec.ramp);
+    const double share = smooth_step((progress_.time + controls_.dt) / stage_.spec.ramp);
     if (stage_.spec.kind() == StageKind::kGravity) {
       state_.gravity_x = state_.gravity_z = 0;
       state_.gravity_y = -model_.solve.gravity * share;
@@ -296,20 +297,20 @@ class SettlingStage : public StageRun {
 
   void after_step(double) override {
     const double ramp = stage_.spec.ramp;
-    if (state_.stage_time >= ramp && state_.step % kSettleEvery == 0) {
+    if (progress_.time >= ramp && state_.step % kSettleEvery == 0) {
       const double ratio = wall_.access->unbalance_ratio();
       if (ratio < model_.solve.settle_ratio) return end({});
       const Furthest furthest = wall_.access->furthest_block();
       follow_motion(furthest.distance);
       if (is_falling(furthest.distance)) return end(fallen(furthest));
-      if (state_.stage_time > ramp + model_.solve.settle_limit)
+      if (progress_.time > ramp + model_.solve.settle_limit)
         return end(still_falls(furthest.distance) ? fallen(furthest) : unsettled(ratio));
     }
     check_run(0);
   }
 
  private:
-  [[nodiscard]] double time_at_rest() const { return state_.stage_time - stage_.spec.ramp; }
+  [[nodiscard]] double time_at_rest() const { return progress_.time - stage_.spec.ramp; }
 
   // Loads are constant now. A wall that comes to rest gains less energy in each
   // further equal displacement, and moves less in each further equal time.
@@ -354,7 +355,7 @@ class SettlingStage : public StageRun {
             {"stage.not_settled",
              {{"stage", stage_.spec.name},
               {"ratio", ratio},
-              {"time_s", state_.stage_time},
+              {"time_s", progress_.time},
               {"wanted", model_.solve.settle_ratio}}},
             false};
   }
@@ -372,30 +373,31 @@ class Push : public StageRun {
         recorder_(model_, stage, path_, wall.options.frames, wall.options.read_modes_at,
                   wall.record) {
     controls_.push = &stage;
-    if (state_.stage_time == 0) {
-      state_.drive_displacement = state_.travelled = state_.turn_time = state_.pace = 0;
-      state_.control_start = state_.control_moved = state_.control_furthest = 0;
-      if (stage.control >= 0) state_.control_start = control_now();
+    if (progress_.time == 0) {
+      progress_.drive_displacement = progress_.travelled = progress_.turn_time = progress_.pace = 0;
+      progress_.control_start = progress_.control_moved = progress_.control_furthest = 0;
+      if (stage.control >= 0) progress_.control_start = control_now();
     }
     if (!target_left()) end({});
   }
 
   void prepare() override {
     const double start =
-        smooth_step((state_.stage_time - state_.turn_time + controls_.dt) / stage_.spec.ramp);
+        smooth_step((progress_.time - progress_.turn_time + controls_.dt) / stage_.spec.ramp);
     controls_.drive_velocity = sense() * velocity() * start;
     controls_.drive_before = velocity_before();
   }
 
   void after_step(double reaction) override {
     follow_control();
-    recorder_.take(*wall_.access, state_, controls_, reaction, displacement(), 0, state_.travelled);
+    recorder_.take(*wall_.access, state_, controls_, reaction, displacement(), 0,
+                   progress_.travelled);
     set_pace();
     if (sense_ * (displacement() - target()) >= 0) {
-      ++state_.target;
-      state_.turn_time = state_.stage_time;
+      ++progress_.target;
+      progress_.turn_time = progress_.time;
     }
-    check_run(state_.travelled / path_);
+    check_run(progress_.travelled / path_);
     if (recorder_.row_closed() && push_.stop_below > 0) end_where_it_fell();
     if (!ended() && !target_left()) end({});
     if (stage_.control >= 0) end_where_control_stays_back();
@@ -416,12 +418,12 @@ class Push : public StageRun {
            {"displacement_mm", 1e3 * displacement()}}}});
   }
   [[nodiscard]] bool target_left() const {
-    return static_cast<std::size_t>(state_.target) < targets_.size();
+    return static_cast<std::size_t>(progress_.target) < targets_.size();
   }
-  [[nodiscard]] double target() const { return targets_[state_.target]; }
+  [[nodiscard]] double target() const { return targets_[progress_.target]; }
   // Displacement of the control point, or of the driven mean, to which rows and targets refer [m].
   [[nodiscard]] double displacement() const {
-    return stage_.control >= 0 ? state_.control_moved : state_.drive_displacement;
+    return stage_.control >= 0 ? progress_.control_moved : progress_.drive_displacement;
   }
   [[nodiscard]] double control_now() const {
     return wall_.access->moved(stage_.control, stage_.drive());
@@ -430,32 +432,32 @@ class Push : public StageRun {
   // from one furthest point to the next. So vibrations of the control point do not count.
   void follow_control() {
     if (stage_.control < 0) {
-      state_.travelled += std::fabs(controls_.drive_velocity) * controls_.dt;
+      progress_.travelled += std::fabs(controls_.drive_velocity) * controls_.dt;
       return;
     }
-    state_.control_moved = control_now() - state_.control_start;
-    const double out = sense_ * state_.control_moved;
-    if (out <= state_.control_furthest) return;
-    state_.travelled += out - state_.control_furthest;
-    state_.control_furthest = out;
+    progress_.control_moved = control_now() - progress_.control_start;
+    const double out = sense_ * progress_.control_moved;
+    if (out <= progress_.control_furthest) return;
+    progress_.travelled += out - progress_.control_furthest;
+    progress_.control_furthest = out;
   }
   // Ends the push if the control point takes no part in the failure, because it would never reach its target.
   void end_where_control_stays_back() {
     constexpr double kBack = 0.25, kBeyond = 20;  // of the path
-    const double back = state_.control_furthest - sense_ * state_.control_moved;
+    const double back = progress_.control_furthest - sense_ * progress_.control_moved;
     const bool goes_back = back > kBack * path_;
-    if (!goes_back && std::fabs(state_.drive_displacement) < kBeyond * path_) return;
+    if (!goes_back && std::fabs(progress_.drive_displacement) < kBeyond * path_) return;
     end({SolveStatus::kNotSettled,
          {goes_back ? "push.control_goes_back" : "push.control_stays_behind",
           {{"block", name_of(stage_.control)},
-           {"displacement_mm", 1e3 * state_.control_moved},
-           {"mean_mm", 1e3 * state_.drive_displacement}}},
+           {"displacement_mm", 1e3 * progress_.control_moved},
+           {"mean_mm", 1e3 * progress_.drive_displacement}}},
          false});
   }
   [[nodiscard]] bool has_servo() const { return std::isfinite(push_.fast_velocity); }
   [[nodiscard]] double velocity() const {
     if (!has_servo()) return push_.velocity;
-    return push_.velocity + state_.pace * (push_.fast_velocity - push_.velocity);
+    return push_.velocity + progress_.pace * (push_.fast_velocity - push_.velocity);
   }
   // Pushes faster where the wall is near balance. A full change takes the time of the smooth start.
   void set_pace() {
@@ -463,14 +465,14 @@ class Push : public StageRun {
     const double ratio = wall_.access->unbalance_ratio();
     const double wanted = smooth_step(2.0 - ratio / push_.fast_below);
     const double most = std::min(1.0, kSettleEvery * controls_.dt / stage_.spec.ramp);
-    state_.pace += clip(wanted - state_.pace, -most, most);
+    progress_.pace += clip(wanted - progress_.pace, -most, most);
   }
   // Velocity of the step before. A turn comes after the smooth start.
   [[nodiscard]] double velocity_before() const {
-    const double ran = state_.stage_time - state_.turn_time;
+    const double ran = progress_.time - progress_.turn_time;
     if (ran > 0) return sense_ * velocity() * smooth_step(ran / stage_.spec.ramp);
-    if (state_.target == 0) return 0;
-    const auto last = static_cast<std::size_t>(state_.target) - 1;
+    if (progress_.target == 0) return 0;
+    const auto last = static_cast<std::size_t>(progress_.target) - 1;
     const double from = last > 0 ? targets_[last - 1] : 0.0;
     return (targets_[last] >= from ? 1.0 : -1.0) * velocity();
   }
@@ -478,10 +480,10 @@ class Push : public StageRun {
   double sense() { return sense_ = target() >= displacement() ? 1.0 : -1.0; }
 
   void finish(StageEnd& how) override {
-    if (how.finished) state_.target = 0;
+    if (how.finished) progress_.target = 0;
     controls_.push = nullptr;
     // a control block that moves back does not turn the push, so there is no row for it
-    const bool at_furthest = stage_.control < 0 || displacement() >= state_.control_furthest;
+    const bool at_furthest = stage_.control < 0 || displacement() >= progress_.control_furthest;
     recorder_.finish(*wall_.access, state_, controls_, !at_furthest);
   }
 
@@ -504,15 +506,15 @@ class Factor : public StageRun {
                        : stage.spec.get<BodyForceStage>().factor),
         recorder_(model_, stage, last_, wall.options.frames, wall.options.read_modes_at,
                   wall.record),
-        factor_(state_.body_factor) {
-    if (state_.stage_time == 0) note_growth(moved());
+        factor_(progress_.body_factor) {
+    if (progress_.time == 0) note_growth(moved());
     if (!(factor_ < last_)) end({});
   }
 
   void prepare() override {
     // The factor grows only while the wall is in balance, and stops at collapse.
-    share_ = smooth_step(2.0 - state_.balance / model_.solve.settle_ratio);
-    factor_ += rate_ * share_ * smooth_step((state_.stage_time + controls_.dt) / stage_.spec.ramp) *
+    share_ = smooth_step(2.0 - progress_.balance / model_.solve.settle_ratio);
+    factor_ += rate_ * share_ * smooth_step((progress_.time + controls_.dt) / stage_.spec.ramp) *
                controls_.dt;
     set_factor(std::min(factor_, last_));
   }
@@ -523,13 +525,13 @@ class Factor : public StageRun {
     recorder_.take(*wall_.access, state_, controls_, carried * model_.weight, now, carried,
                    factor_);
     if (state_.step % kSettleEvery == 0) {
-      state_.balance = wall_.access->unbalance_ratio();
+      progress_.balance = wall_.access->unbalance_ratio();
       if (share_ > 0) {
-        state_.load_factor = carried;
+        progress_.load_factor = carried;
         note_growth(now);
       }
     }
-    if (state_.stage_time - state_.last_growth > model_.solve.settle_limit)
+    if (progress_.time - progress_.last_growth > model_.solve.settle_limit)
       end(standstill(carried, now));
     else
       check_run(factor_ / last_);
@@ -540,8 +542,8 @@ class Factor : public StageRun {
   [[nodiscard]] double moved() const { return wall_.access->furthest_block().distance; }
 
   void note_growth(double moved) {
-    state_.last_growth = state_.stage_time;
-    state_.moved_then = moved;
+    progress_.last_growth = progress_.time;
+    progress_.moved_then = moved;
   }
 
   void set_factor(double factor) {
@@ -556,12 +558,12 @@ class Factor : public StageRun {
       state_.gravity_z = g * factor * stage_.drive_z;
       state_.gravity_y = -g;
     }
-    state_.body_factor = factor;
+    progress_.body_factor = factor;
   }
 
   // The factor has not grown for the settling limit: a mechanism moves on, or the wall vibrates.
   [[nodiscard]] StageEnd standstill(double carried, double now) const {
-    if (now > 1.05 * state_.moved_then)
+    if (now > 1.05 * progress_.moved_then)
       return {SolveStatus::kCollapsed,
               {"load.keeps_moving", {{"factor", carried}, {"stage", stage_.spec.name}}},
               false};
@@ -570,7 +572,7 @@ class Factor : public StageRun {
 
   void finish(StageEnd& how) override {
     recorder_.finish(*wall_.access, state_, controls_, !how.finished);
-    wall_.record.result.load_factor = state_.load_factor;
+    wall_.record.result.load_factor = progress_.load_factor;
     if (how.status == SolveStatus::kCollapsed)
       how.reason = {"load.largest_carried",
                     {{"why", std::move(how.reason)}, {"factor", wall_.record.result.load_factor}}};
@@ -594,7 +596,7 @@ class Hold : public StageRun {
 
   void prepare() override {}
   void after_step(double) override {
-    check_run(state_.stage_time / hold_.duration);
+    check_run(progress_.time / hold_.duration);
     keep_state();
     end_when_over();
   }
@@ -605,20 +607,19 @@ class Hold : public StageRun {
     const auto states_at = [&](double time) {
       return std::floor(wall_.options.frames * time / hold_.duration);
     };
-    if (!hold_.release ||
-        !(states_at(state_.stage_time) > states_at(state_.stage_time - controls_.dt)))
+    if (!hold_.release || !(states_at(progress_.time) > states_at(progress_.time - controls_.dt)))
       return;
     wall_.access->store_state(state_);
-    wall_.record.result.states.frames.push_back({"", state_.drive_displacement, 0, state_});
+    wall_.record.result.states.frames.push_back({"", progress_.drive_displacement, 0, state_});
   }
   void finish(StageEnd&) override {
     if (!hold_.release) return;
     wall_.access->store_state(state_);
     wall_.record.result.states.snapshots.push_back(
-        {"fallen", state_.drive_displacement, 0, state_});
+        {"fallen", progress_.drive_displacement, 0, state_});
   }
   void end_when_over() {
-    if (!ended() && !(state_.stage_time < hold_.duration)) end({});
+    if (!ended() && !(progress_.time < hold_.duration)) end({});
   }
   // The last push before this stage, or null.
   [[nodiscard]] const Stage* push_before() const {

@@ -76,6 +76,7 @@ class StageRun {
   const Model& model_;
   const Stage& stage_;
   State& state_;
+  StageProgress& progress_;  // of the state
   Controls& controls_;
 
  private:

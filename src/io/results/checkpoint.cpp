@@ -74,14 +74,16 @@ std::uint64_t hash_of(Head head, std::string_view rest) {
 // The numbers of a State beside its arrays. A member that is in no list fails the assertion.
 template <class S>
 auto state_numbers(S& s) {
+  auto& p = s.progress;
   auto& e = s.energy;
-  return std::tie(s.stage, s.step, s.time, s.stage_time, s.gravity_x, s.gravity_y, s.gravity_z,
-                  s.body_factor, s.load_factor, s.balance, s.drive_displacement, s.travelled,
-                  s.control_start, s.control_moved, s.control_furthest, s.turn_time, s.pace,
-                  s.target, s.stage_first_step, s.last_growth, s.moved_then, e.work_loads,
-                  e.work_drive, e.work_damping, e.dissipated_friction, e.dissipated_fracture,
+  return std::tie(s.stage, s.step, s.time, p.time, s.gravity_x, s.gravity_y, s.gravity_z,
+                  p.body_factor, p.load_factor, p.balance, p.drive_displacement, p.travelled,
+                  p.control_start, p.control_moved, p.control_furthest, p.turn_time, p.pace,
+                  p.target, p.first_step, p.last_growth, p.moved_then, e.work_loads, e.work_drive,
+                  e.work_damping, e.dissipated_friction, e.dissipated_fracture,
                   e.dissipated_crushing, e.lost_in_hand_over);
 }
+
 constexpr std::size_t kStateArrays =
     kStateFields.size() + 3;  // with load_scale, free_contacts, hand_overs
 static_assert(sizeof(State) ==
@@ -131,8 +133,9 @@ void walk_state(A& archive, const Model& model, S& state) {
   const std::size_t stage = state.stage;
   archive.require(state.stage >= 0 && stage < model.stages.size(), "it is in no stage");
   const std::size_t targets = model.stages[stage].targets().size();
-  archive.require(state.target >= 0 && static_cast<std::size_t>(state.target) <= targets,
-                  "it pushes to no target");
+  archive.require(
+      state.progress.target >= 0 && static_cast<std::size_t>(state.progress.target) <= targets,
+      "it pushes to no target");
 }
 
 template <class A, class M>

@@ -64,7 +64,7 @@ Message millimetres(double displacement) {
 // True for body force and tilt, in a state far from balance, which the wall was leaving.
 bool is_falling(const Model& model, const Snapshot& s) {
   const Stage* stage = stage_of(model, s);
-  return stage != nullptr && s.state.balance >= 2 * model.solve.settle_ratio &&
+  return stage != nullptr && s.state.progress.balance >= 2 * model.solve.settle_ratio &&
          (stage->spec.kind() == StageKind::kBodyForce || stage->spec.kind() == StageKind::kTilt);
 }
 

@@ -315,7 +315,7 @@ TEST(Stages, stages_after_a_push_that_fell_go_on) {
   State state = initial_state(model);
   const Result result = solve(model, state);
   ASSERT_EQ(result.stages.size(), 3U);
-  EXPECT_LT(state.drive_displacement, 1e-3);
+  EXPECT_LT(state.progress.drive_displacement, 1e-3);
 }
 
 // The wall stands, so it has not collapsed. Each share above the rule's is read, and none below is but where the push
@@ -330,11 +330,11 @@ TEST(Stages, a_push_stops_where_the_reaction_has_fallen_to_stay) {
   EXPECT_EQ(result.status, SolveStatus::kCompleted) << result.reason;
   EXPECT_EQ(result.reason.code, "push.fell_below") << result.reason;
   EXPECT_LT(result.curve.back().reaction, 0.7 * result.responses.peak_raw);
-  EXPECT_LT(state.drive_displacement, 1e-3);
+  EXPECT_LT(state.progress.drive_displacement, 1e-3);
   ASSERT_FALSE(result.responses.drift_capacity.empty());
   for (const FallTo& fall : result.responses.drift_capacity)
     EXPECT_TRUE(fall.fraction < 0.7 || !fall.censored) << fall.fraction;
-  const double end = state.drive_displacement;
+  const double end = state.progress.drive_displacement;
   for (const FallTo& fall : result.responses.drift_capacity)
     EXPECT_EQ(fall.censored, end < (1 + kLastingShare) * fall.displacement) << fall.fraction;
 }
@@ -479,7 +479,7 @@ TEST(Stages, a_cyclic_push_visits_its_targets) {
   const double window = 4e-3 / 500 + 0.01 * result.time_step;
   EXPECT_NEAR(high, 1e-3, window);
   EXPECT_NEAR(low, -0.5e-3, window);
-  EXPECT_NEAR(state.drive_displacement, 0, window);
+  EXPECT_NEAR(state.progress.drive_displacement, 0, window);
 }
 
 }  // namespace

@@ -504,9 +504,9 @@ TEST(NameFailureMode, falling_wall_under_a_load_factor_is_read_out_of_balance) {
   Result result = run_of(kFm4, {0.1e-3, 40e-3});
   for (Snapshot& s : result.states.readings)
     s.state.stage = static_cast<int>(tilted.stages.size()) - 1;
-  result.states.readings.back().state.balance = 1;
+  result.states.readings.back().state.progress.balance = 1;
   EXPECT_EQ(text_of(name_failure_mode(tilted, result).reading), "read at 40.0 mm, out of balance");
-  result.states.readings.back().state.balance = 0;
+  result.states.readings.back().state.progress.balance = 0;
   EXPECT_EQ(text_of(name_failure_mode(tilted, result).reading), "read at 40.0 mm");
 }
 

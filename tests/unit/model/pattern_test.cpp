@@ -235,7 +235,7 @@ TEST(Control, the_rows_tell_and_the_push_ends_where_the_control_block_is) {
     if (shot.label == "start") start = shot.state.ux[i];
   EXPECT_NEAR(result.curve.back().displacement, state.ux[i] - start, 1e-9);
   EXPECT_NEAR(result.curve.back().displacement, 0.1e-3, 2e-6);
-  EXPECT_NE(state.drive_displacement, result.curve.back().displacement);
+  EXPECT_NE(state.progress.drive_displacement, result.curve.back().displacement);
 }
 
 // The lower course slides through; the upper one, which is the control, springs back.

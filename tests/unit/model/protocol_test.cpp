@@ -72,7 +72,7 @@ TEST(Protocol, gives_the_bits_of_its_targets) {
     State state = initial_state(model);
     const Result result = solve(model, state);
     EXPECT_EQ(result.status, SolveStatus::kCompleted) << result.reason;
-    EXPECT_NEAR(state.drive_displacement, 0, 2 * 0.1 * result.time_step);
+    EXPECT_NEAR(state.progress.drive_displacement, 0, 2 * 0.1 * result.time_step);
     return std::pair(result.state_hash, result.curve.size());
   };
   push.targets = {0.25e-3, -0.25e-3, 0.25e-3, -0.25e-3, 0.5e-3, -0.5e-3, 0};
