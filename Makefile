@@ -54,9 +54,9 @@ bench: configure ## kernels, campaigns and scaling: benchmarks/results/<machine>
 	@cmake --build --preset $(PRESET) --target wythe_bench fall_bench wythe_cli
 	tools/bench run --build $(BUILD)
 
-docs: configure  ## write docs/reference from the specs' descriptions and the program's help, and python/wythe/answers.py
+docs: configure  ## write docs/reference from the specs' descriptions and the program's help, and the types of answers
 	@cmake --build --preset $(PRESET) --target wythe_reference wythe_cli wythe_python
-	$(BUILD)/wythe_reference docs/reference
+	$(BUILD)/wythe_reference docs/reference web/src/headers
 	tools/command_line $(BUILD)/wythe docs/reference/command_line.md
 	PYTHONPATH=$(BUILD)/python tools/answer_types python/wythe/answers.py
 

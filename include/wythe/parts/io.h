@@ -51,8 +51,9 @@ class InputError;  // error.h
 [[nodiscard]] std::string curve_table();
 // Markdown table of the responses (responses.h), for docs/reference/results.md.
 [[nodiscard]] std::string responses_table();
-// Writes all into docs/reference; the tables between the comments that mark them.
-void write_reference(const std::string& folder);
+// Writes all into docs/reference, the tables between the comments that mark them. Writes the responses as a type of
+// TypeScript into `headers` (web/src/headers/responses.ts).
+void write_reference(const std::string& folder, const std::string& headers);
 
 // Reads a study file (docs/reference/study.md). `overrides` that begin with study., variable., dependent. or
 // correlation. change the study, all others its base model. It also reads the base model and files of

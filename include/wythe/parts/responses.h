@@ -2,7 +2,7 @@
 //
 // A response is a member of Responses or RateVerdict, filled in src/dynamics/meters/responses.cpp or balance.cpp, and its
 // line in each_response or each_quasi_static. From there it reaches summary.json, the store and its view
-// `samples`, samples.csv, columns.json and the table of docs/reference/results.md (make docs).
+// `samples`, samples.csv, columns.json, the table of docs/reference/results.md and web/src/headers/responses.ts (make docs).
 //
 //   each_response(v, responses)       v(key, member) for each response
 //   each_quasi_static(v, meters)      the same for the meters at the peak

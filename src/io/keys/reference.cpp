@@ -1,6 +1,8 @@
 // reference_page(), curve_table(), responses_table(): the pages in docs/reference about keys, the curve's
-// columns and the responses, from the same descriptions that read and write them.
+// columns and the responses, from the same descriptions that read and write them. The responses also as a type
+// for the report's page.
 #include <cmath>
+#include <type_traits>
 
 #include <fmt/format.h>
 
@@ -205,6 +207,43 @@ std::string reference_page() {
 }
 
 namespace {
+// The responses as summary.json has them, as a type of TypeScript. Numbers may be null there.
+std::string responses_type() {
+  std::string text =
+      "// The responses in summary.json, from include/wythe/parts/responses.h: make docs writes "
+      "this file.\n"
+      "import type { Said } from \"../texts\";\n"
+      "import type { Maybe } from \"./common\";\n\n"
+      "export interface Responses {\n";
+  std::string open;  // object of the last key
+  const auto enter = [&](const std::string& object) {
+    if (object == open) return;
+    if (!open.empty()) text += "  };\n";
+    if (!object.empty()) text += fmt::format("  {}: {{\n", object);
+    open = object;
+  };
+  const auto line = [&](const OutputKey& key, const auto& value) {
+    using Value = std::decay_t<decltype(value)>;
+    const char* type = std::is_same_v<Value, double>    ? "Maybe"
+                       : std::is_same_v<Value, bool>    ? "boolean"
+                       : std::is_same_v<Value, Message> ? "Said"
+                                                        : "string";
+    const std::string path = key.summary;  // "bilinear.force_kN" is a member of an object
+    const std::size_t dot = path.find('.');
+    const bool is_inside = dot != std::string::npos;
+    enter(is_inside ? path.substr(0, dot) : "");
+    text += fmt::format("  {}{}: {}; // {}{}\n", is_inside ? "  " : "",
+                        is_inside ? path.substr(dot + 1) : path, type,
+                        *key.unit ? fmt::format("[{}] ", key.unit) : "", key.meaning);
+  };
+  const Responses responses;
+  const RateVerdict meters;
+  each_response(line, responses);
+  each_quasi_static(line, meters);
+  enter("");
+  return text + "}\n";
+}
+
 // Puts a table between its two marks on a page.
 void put_table(std::string& page, const std::string& path, const std::string& name,
                const std::string& table) {
@@ -218,7 +257,7 @@ void put_table(std::string& page, const std::string& path, const std::string& na
 }
 }  // namespace
 
-void write_reference(const std::string& folder) {
+void write_reference(const std::string& folder, const std::string& headers) {
   constexpr std::size_t kMost = 1 << 20;  // bytes of a page
   const std::string results = folder + "/results.md";
   std::string page = read_text(results, kMost);
@@ -226,6 +265,7 @@ void write_reference(const std::string& folder) {
   put_table(page, results, "responses", responses_table());
   write_text(results, page);
   write_text(folder + "/model.md", reference_page());
+  write_text(headers + "/responses.ts", responses_type());
 }
 
 }  // namespace wythe

@@ -1,5 +1,6 @@
 // Parts of several headers: numbers that may be unknown, project data, systems with one degree of freedom.
 import type { Said } from "../texts";
+import type { Responses } from "./responses";
 
 export type Maybe = number | null; // null: not known, or without a limit
 export type Interval = Maybe[]; // low and high; an open end is null
@@ -20,14 +21,7 @@ export interface Made {
   flags: string;
 }
 
-export interface Bilinear {
-  stiffness_kN_per_mm: Maybe;
-  force_kN: Maybe;
-  yield_displacement_mm: Maybe;
-  ultimate_displacement_mm: Maybe;
-  ductility: Maybe;
-  censored: boolean;
-}
+export type Bilinear = Responses["bilinear"];
 
 export interface Mass {
   blocks_kg: number;

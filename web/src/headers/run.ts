@@ -4,6 +4,7 @@ import type { Assessment } from "./assessment";
 import type { Bilinear, Made, Maybe, Project } from "./common";
 import type { ModelInputs } from "./inputs";
 import type { PageHeader } from "./page";
+import type { Responses } from "./responses";
 
 // --- summary ---------------------------------------------------------------------------------------
 
@@ -124,18 +125,7 @@ export interface SlowPush {
   verdict: string;
   reason: Said;
 }
-export interface QuasiStatic {
-  verdict: Said;
-  judgement?: string; // absent in results of earlier programs
-  unbalance_ratio_mean: Maybe;
-  unbalance_ratio_max: Maybe;
-  kinetic_ratio_mean: Maybe;
-  kinetic_ratio_max: Maybe;
-  shear_gap: Maybe;
-  damping_share: Maybe;
-  displacement?: SlowPush;
-  mode?: SlowPush;
-}
+export type QuasiStatic = Responses["quasi_static"] & { displacement?: SlowPush; mode?: SlowPush };
 
 export interface Event {
   name: Said;
@@ -187,20 +177,11 @@ export interface Shaking {
   sentence: Said;
 }
 
-export interface Summary {
+export interface Summary extends Responses {
   status: string;
   reason: Said;
   warning: Said;
   project?: Project;
-  peak_reaction_kN: Maybe;
-  displacement_at_peak_mm: Maybe;
-  displacement_at_80_percent_mm: Maybe;
-  censored_80: boolean;
-  censored_peak: boolean;
-  displacement_max_mm: Maybe;
-  censored_max: boolean;
-  initial_stiffness_kN_per_mm: Maybe;
-  bilinear: Bilinear;
   drift_capacity: DriftCapacity;
   load_factor: number; // 0: not a load that grows
   assessment?: Assessment;
