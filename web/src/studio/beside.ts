@@ -1,12 +1,12 @@
 // Pushes beside the one that is shown: the same wall the other way, and walls whose strengths scatter. One after another in a
 // worker of their own; an edit of the file stops them.
 import { h } from "../dom";
+import type { Summary } from "../headers/run";
 import type { Point } from "../plot";
 import { languageNow, phrase, qty, say } from "../texts";
 import type { Line } from "./curve";
 import { pushOf, setDirection } from "./drawing";
-import type { Answer, Engine } from "./engine";
-import { kStopped } from "./engine";
+import { answerOf, kStopped, type Answer, type Engine } from "./engine";
 import type { Project } from "./project";
 import { faultsOf, pointsOf } from "./push";
 import { whyOf } from "./said";
@@ -38,11 +38,11 @@ const kindIn = (doc: Doc): string => kindOf(String(valueAt(doc, ["masonry", "use
 const scatterOf = (doc: Doc): string => say(`studio.scatter.${doc.root.keys.has("scatter") || seedsOf(doc, 1).length > 0 ? "own" : kindIn(doc)}`);
 
 // The strength of a wall [kN]: 0 where it fell before the push, null where the run gives none.
-export function strengthOf(summary: Record<string, unknown>, points: Point[]): number | null {
+export function strengthOf(summary: Partial<Summary>, points: Point[]): number | null {
   if (summary.status === "collapsed" && points.length < 2) return 0;
-  return isAnswer(summary) && points.length > 1 ? numberOr(summary.peak_reaction_kN) : null;
+  return isAnswer(summary) && points.length > 1 ? (summary.peak_reaction_kN ?? null) : null;
 }
-const isAnswer = (summary: Record<string, unknown>): boolean => summary.status === "completed" || summary.status === "collapsed";
+const isAnswer = (summary: Partial<Summary>): boolean => summary.status === "completed" || summary.status === "collapsed";
 
 export class Beside {
   readonly root = h("div", { class: "beside" });
@@ -88,9 +88,8 @@ export class Beside {
     const { answer, summary } = await this.push(setDirection(project.text, project.drawing!, way), []);
     const failed = answer.code === 0 && !isAnswer(summary);
     if (answer.code === 0 && !failed) {
-      const drift = summary.drift_percent_at_peak;
       this.other = { css: "other", name: wayName(way), points: pointsOf(answer) };
-      this.otherWords = say("studio.other.answer", { way: wayName(way), force: qty(numberOr(summary.peak_reaction_kN), "kN"), at: qty(numberOr(summary.displacement_at_peak_mm), "mm"), drift: qty(numberOr(drift), "%", 2), mode: phrase(String((summary.failure_mode as { name?: string } | undefined)?.name ?? "–")) });
+      this.otherWords = say("studio.other.answer", { way: wayName(way), force: qty(summary.peak_reaction_kN, "kN"), at: qty(summary.displacement_at_peak_mm, "mm"), drift: qty(summary.drift_percent_at_peak, "%", 2), mode: phrase(summary.failure_mode?.name ?? "–") });
     }
     this.end(answer, failed ? answer.texts.reason || String(summary.status) : "");
   }
@@ -121,9 +120,9 @@ export class Beside {
     if (answer) this.end(answer);
   }
 
-  private async push(model: string, set: string[]): Promise<{ answer: Answer; summary: Record<string, unknown> }> {
+  private async push(model: string, set: string[]): Promise<{ answer: Answer; summary: Partial<Summary> }> {
     const answer = await this.engine.ask({ task: "run", texts: { model, set, language: languageNow() }, want: ["summary", "reason"], tables: ["curve"] });
-    return { answer, summary: JSON.parse(answer.texts.summary || "{}") };
+    return { answer, summary: answerOf(answer.texts.summary, {}) };
   }
   private begin(what: "other" | "walls"): void {
     this.running = what;
@@ -156,4 +155,3 @@ export class Beside {
 }
 
 const wayName = (way: string): string => say(way === "-x" ? "studio.leftwards" : "studio.right");
-const numberOr = (value: unknown): number | null => (typeof value === "number" ? value : null);

@@ -1,5 +1,6 @@
 // Before and after: one pushed wall is kept, and the next push is compared with it, in numbers and in pictures at one scale.
 import { h, svg } from "../dom";
+import type { Summary } from "../headers/run";
 import type { Point } from "../plot";
 import { num, qty, say } from "../texts";
 import type { Line } from "./curve";
@@ -7,7 +8,7 @@ import { readPicture } from "./picture";
 
 export interface Pushed {
   name: string;
-  summary: Record<string, unknown>; // the engine's
+  summary: Partial<Summary>; // the engine's
   points: Point[];
   end: End | null; // a wall that fell under its own loads has none
 }
@@ -29,11 +30,6 @@ const kWhen = ["studio.compare.before", "studio.compare.now"];
 const kEdge = 4; // around a picture, for the half of its lines [px of the picture]
 const kThin = 0.5; // cracks are drawn for a picture some three times as large
 type Pair = [before: Pushed, now: Pushed];
-
-const numberIn = (pushed: Pushed, key: string): number | null => {
-  const value = pushed.summary[key];
-  return typeof value === "number" ? value : null;
-};
 
 // How much larger, in per cent; with a sign for what is only known from one side.
 function change(before: number | null, after: number | null, least: boolean, most: boolean): string {
@@ -82,7 +78,7 @@ export class Compare {
 
 function tableOf(pair: Pair): HTMLElement {
   const rows = kCompared.map(([name, key, bound, unit]) => {
-    const [a, b] = pair.map((p) => numberIn(p, key));
+    const [a, b] = pair.map((p) => p.summary[key] ?? null);
     const [atLeastBefore, atLeastNow] = pair.map((p) => bound !== "" && p.summary[bound] === true);
     const cell = (value: number | null, atLeast: boolean): string => `${atLeast ? "> " : ""}${qty(value, unit)}`;
     return h("tr", {},

@@ -30,6 +30,8 @@ export interface Answer {
   browser?: Failure; // the browser ended the engine: texts.error has the browser's own words
 }
 export type Failure = "memory" | "start" | "stop";
+// The value of a text that is JSON; `none` where the engine gave no such text.
+export const answerOf = <T>(text: string | undefined, none?: T): T => (text || none === undefined ? JSON.parse(text ?? "") : none);
 export function textIn(answer: Answer, name: string): string {
   const bytes = answer.bytes?.[name];
   return bytes ? new TextDecoder().decode(bytes) : (answer.texts[name] ?? "");

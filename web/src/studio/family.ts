@@ -6,7 +6,7 @@ import { languageNow, num, phrase, qty, say } from "../texts";
 import { strengthOf } from "./beside";
 import type { Pushed } from "./compare";
 import type { Line } from "./curve";
-import { kStopped, type Engine } from "./engine";
+import { answerOf, kStopped, type Engine } from "./engine";
 import type { Project } from "./project";
 import { faultsOf, pointsOf } from "./push";
 import { whyOf } from "./said";
@@ -177,7 +177,7 @@ export class Family {
       const answer = await this.engine.ask({ task: "run", texts: { model: text, language: languageNow() }, want: ["summary", "reason"], tables: ["curve"] });
       if (answer.code === kStopped) return true;
       why = answer.texts.reason ?? "";
-      if (answer.code === 0) pushed = { name: "", summary: JSON.parse(answer.texts.summary || "{}"), points: pointsOf(answer), end: null };
+      if (answer.code === 0) pushed = { name: "", summary: answerOf(answer.texts.summary, {}), points: pointsOf(answer), end: null };
       else member.trouble = say("studio.family.unbuilt", { why: whyOf(answer, faultsOf(answer)[0]) });
     }
     if (!pushed) return false;
@@ -231,14 +231,12 @@ export class Family {
     if (chosen.pushed === null || chosen.force === null)
       return h("div", { class: "family-answer" }, h("p", { class: "bad" }, `${shown(chosen.value, number)}: ${chosen.trouble}`));
     const { summary } = chosen.pushed;
-    const stiffness = summary.initial_stiffness_kN_per_mm;
-    const mode = (summary.failure_mode as { name?: string } | undefined)?.name;
     const card = (name: string, value: string): HTMLElement => h("div", {}, h("dt", {}, name), h("dd", {}, value));
     return h("div", { class: "family-answer" },
       h("dl", { class: "key" },
         card(say("studio.peak"), qty(chosen.force, "kN")),
-        card(say("studio.compare.stiffness"), qty(typeof stiffness === "number" ? stiffness : null, "kN/mm")),
-        card(say("studio.mode"), phrase(String(mode ?? "–")))),
+        card(say("studio.compare.stiffness"), qty(summary.initial_stiffness_kN_per_mm, "kN/mm")),
+        card(say("studio.mode"), phrase(summary.failure_mode?.name ?? "–"))),
       this.take);
   }
 }

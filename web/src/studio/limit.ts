@@ -2,7 +2,7 @@
 // overtakes is dropped, one that takes too long is ended; nothing that is shown belongs to an older text.
 import { h, svg } from "../dom";
 import { qty, say } from "../texts";
-import type { Answer, Engine, Progress } from "./engine";
+import { answerOf, type Answer, type Engine, type Progress } from "./engine";
 import { readPicture } from "./picture";
 import type { Fault } from "./project";
 import { faultsOf } from "./push";
@@ -111,7 +111,7 @@ interface Opinion {
   limit_loads?: LimitLoad[];
   refused?: { why: string }[];
 }
-const opinionOf = (texts: Record<string, string>): Opinion => JSON.parse(texts.mechanisms || "{}");
+const opinionOf = (texts: Record<string, string>): Opinion => answerOf(texts.mechanisms, {});
 const loadOf = (opinion: Opinion): LimitLoad | undefined => opinion.limit_loads?.find((l) => l.name === "dry");
 
 // What has no limit load, as the file says it, and why. The engine may put both into one sentence: "path = value: problem; cure".

@@ -7,7 +7,7 @@ import { Canvas } from "./canvas";
 import { Commands, type Command } from "./commands";
 import type { Pushed } from "./compare";
 import { pathOf, pushOf, setDirection } from "./drawing";
-import { hasEngine, Latest, type Progress, WorkerEngine } from "./engine";
+import { answerOf, hasEngine, Latest, type Progress, WorkerEngine } from "./engine";
 import { FaultList, openingOf } from "./faults";
 import { FilePane } from "./file";
 import { addFrame, frameOf, removeFrame } from "./frames";
@@ -148,7 +148,7 @@ function check(): void {
   const isFirst = stones === null; // it has the processor for itself: the limit load is asked for behind it
   let shown: Promise<void> | null = null;
   const told = ({ texts }: Progress): void => {
-    if (texts?.counts && isNewest()) shown = showStones(JSON.parse(texts.counts), texts.svg ?? "", isNewest).then(() => void (isFirst && isNewest() && askLimit()));
+    if (texts?.counts && isNewest()) shown = showStones(answerOf(texts.counts), texts.svg ?? "", isNewest).then(() => void (isFirst && isNewest() && askLimit()));
   };
   const askLimit = (): void => {
     limit.ask(text);
@@ -163,7 +163,7 @@ function check(): void {
       if (!isNewest() || (answer.code === 0 && !shown)) return; // stones that came while the text was another are asked for again
       delete document.documentElement.dataset.checking;
       panel.took(answer.code === 0 ? (answer.texts.model ?? "") : "");
-      if (answer.code === 0) return sayCounts(JSON.parse(answer.texts.check));
+      if (answer.code === 0) return sayCounts(answerOf(answer.texts.check));
       showNotes([]);
       if (answer.code === 2) {
         status.textContent = say("studio.notbuilt");

@@ -1,14 +1,14 @@
 // The push: its curve and its cracks while it runs, and what came out: a sentence, key numbers, the cracks at each state.
 // Other pushes stand beside it (beside.ts, family.ts), and one that was kept (compare.ts).
 import { h } from "../dom";
+import type { Summary } from "../headers/run";
 import type { Point } from "../plot";
 import { asSentence, languageNow, num, phrase, qty, say } from "../texts";
 import { Beside } from "./beside";
 import { Compare, type Pushed } from "./compare";
 import { Curve } from "./curve";
 import { farther, pushOf, slower } from "./drawing";
-import type { Answer, Engine, Progress } from "./engine";
-import { hasEngine, kStopped, pieceOf, textIn } from "./engine";
+import { answerOf, hasEngine, kStopped, pieceOf, textIn, type Answer, type Engine, type Progress } from "./engine";
 import { Family } from "./family";
 import { readPicture, type Picture } from "./picture";
 import type { Fault, Project } from "./project";
@@ -293,25 +293,24 @@ export class Push {
   }
 
   private done(answer: Answer, name: string, watched: boolean): void {
-    const summary = JSON.parse(answer.texts.summary ?? "{}");
+    const summary = answerOf<Partial<Summary>>(answer.texts.summary, {});
     const { curve } = this;
     if (answer.tables.curve) curve.points = pointsOf(answer);
-    this.states = JSON.parse(answer.texts.states ?? "[]");
+    this.states = answerOf(answer.texts.states, []);
     const end = this.states.length - 1;
     this.pushed = { name, summary, points: curve.points, end: end < 0 ? null : { ...this.states[end], svg: textIn(answer, picture(end)), length: this.length } };
     this.answer = answer;
     const headline = headlineOf(answer);
-    const number = (key: string): number | null => (typeof summary[key] === "number" ? summary[key] : null);
-    const peak = number("peak_reaction_kN"),
-      at = number("displacement_at_peak_mm");
+    const peak = summary.peak_reaction_kN ?? null,
+      at = summary.displacement_at_peak_mm ?? null;
     curve.peak = curve.points.length > 0 && peak !== null && at !== null ? [at, peak] : null; // a wall that fell before its push has none
     this.say(
       this.compare.root,
       h("dl", { class: "key" },
         ...card(say("studio.peak"), qty(peak, "kN")),
-        ...card(say("studio.peak.drift"), qty(number("drift_percent_at_peak"), "%", 2)),
-        ...card(say("studio.ultimate"), `${summary.censored_80 ? "> " : ""}${qty(number("drift_percent_at_80"), "%", 2)}`),
-        ...card(say("studio.mode"), phrase(String(summary.failure_mode?.name ?? "–"))),
+        ...card(say("studio.peak.drift"), qty(summary.drift_percent_at_peak, "%", 2)),
+        ...card(say("studio.ultimate"), `${summary.censored_80 ? "> " : ""}${qty(summary.drift_percent_at_80, "%", 2)}`),
+        ...card(say("studio.mode"), phrase(summary.failure_mode?.name ?? "–")),
       ),
       this.beside.root,
       h("p", { class: "answer" }, headline || say("run.resists", { force: qty(peak, "kN"), at: qty(at, "mm"), drift: "" })),
@@ -402,8 +401,7 @@ export function pointsOf(answer: Answer): Point[] {
   return table ? Array.from(table.displacement_mm, (x, k): Point => [x, table.reaction_kN[k]]) : [];
 }
 export function faultsOf(answer: Answer): Fault[] {
-  const list = JSON.parse(answer.texts.faults || "[]") as Partial<Fault>[];
-  return list.map((f) => ({ line: Number(f.line) || 1, path: String(f.path ?? ""), value: String(f.value ?? ""), problem: String(f.problem ?? ""), cure: String(f.cure ?? "") }));
+  return answerOf<Partial<Fault>[]>(answer.texts.faults, []).map((f) => ({ line: Number(f.line) || 1, path: String(f.path ?? ""), value: String(f.value ?? ""), problem: String(f.problem ?? ""), cure: String(f.cure ?? "") }));
 }
 
 const hasPage = (answer: Answer): boolean => (answer.bytes?.page?.length ?? answer.texts.page?.length ?? 0) > 0;
