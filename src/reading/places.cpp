@@ -146,6 +146,12 @@ int joint_count(const Model& model) {
   return model.n_joint + model.solids.n_contact + model.space.solids.n_contact;
 }
 
+bool has_unit_planes(const Model& model) {
+  for (JointId j = 0; j < joint_count(model); ++j)
+    if (joint_shape(model, j).kind == JointKind::kSplit) return true;
+  return false;
+}
+
 int block_count(const Model& model) {
   return model.n_block + static_cast<int>(model.solids.bodies.size());
 }

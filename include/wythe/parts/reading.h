@@ -51,6 +51,8 @@ struct JointShape {
                       // deformable blocks
 };
 [[nodiscard]] JointShape joint_shape(const Model& model, JointId joint);
+// Whether there are potential crack planes inside the units.
+[[nodiscard]] bool has_unit_planes(const Model& model);
 
 [[nodiscard]] Vec3 centroid_of(const Model& model,
                                BlockId block);  // of a rigid block, at the start [m]

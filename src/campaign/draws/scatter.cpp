@@ -266,12 +266,6 @@ double stated_scatter(const ModelSpec& spec, const std::string& path) {
   return 0;
 }
 
-bool has_unit_planes(const Model& model) {
-  for (JointId j = 0; j < joint_count(model); ++j)
-    if (joint_shape(model, j).kind == JointKind::kSplit) return true;
-  return false;
-}
-
 }  // namespace
 
 std::vector<OddScatter> odd_scatter(const ModelSpec& spec, const Model& model, double between) {

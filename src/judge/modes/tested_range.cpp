@@ -49,12 +49,6 @@ double times_too_stiff(const Model& model, const Result& result) {
   return 3 * inertia;
 }
 
-bool has_unit_planes(const Model& model) {
-  for (JointId j = 0; j < joint_count(model); ++j)
-    if (joint_shape(model, j).kind == JointKind::kSplit) return true;
-  return false;
-}
-
 // --- reasons ---------------------------------------------------------------------------------------
 
 void note_shape(std::vector<Message>& notes, const TestedKind& tested, const Model& model,
