@@ -131,6 +131,12 @@ PolygonMoments moments(const Polygon& outline) {
   return m;
 }
 
+Polygon polygon_of(const std::vector<Vec3>& corners) {
+  Polygon outline;
+  for (const Vec3& corner : corners) outline.push_back({corner.x, corner.y});
+  return outline;
+}
+
 Polygon outline_of(const Rect& r) {
   return {{r.x0, r.y0}, {r.x1, r.y0}, {r.x1, r.y1}, {r.x0, r.y1}};
 }

@@ -16,6 +16,7 @@ struct Rect {
   double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 };
 
+[[nodiscard]] Polygon polygon_of(const std::vector<Vec3>& corners);  // their x and y
 [[nodiscard]] Polygon outline_of(const Rect& rect);  // anticlockwise from the lower left corner
 [[nodiscard]] Rect bounds(const Polygon& outline);
 [[nodiscard]] Rect join(const Rect& a, const Rect& b);

@@ -44,12 +44,6 @@ Extents extents_of(const Model& model) {
   return e;
 }
 
-Polygon polygon_of(const Model& model, BlockId block) {
-  Polygon outline;
-  for (const Vec3& corner : outline_of(model, block)) outline.push_back({corner.x, corner.y});
-  return outline;
-}
-
 // Height of a floor above the wall's foot; NaN where it names a storey that does not exist.
 double level_of(const FloorSpec& floor, const Anatomy& a, double foot) {
   double level = floor.y;
@@ -134,7 +128,7 @@ class Strip {
     const Polygon frame = box(y0, y1);
     for (BlockId b = 0; b < model_.n_block; ++b) {
       if (is_no_masonry(b)) continue;
-      const Polygon outline = polygon_of(model_, b);
+      const Polygon outline = geometry::polygon_of(outline_of(model_, b));
       const geometry::Rect around = geometry::bounds(outline);
       if (around.y1 <= y0 || around.y0 >= y1 || around.x1 <= x0_ || around.x0 >= x1_) continue;
       const Polygon inside = geometry::part_inside(outline, frame);
@@ -159,7 +153,7 @@ class Strip {
     std::vector<Stretch> all;
     for (BlockId b = 0; b < model_.n_block; ++b) {
       if (is_no_masonry(b)) continue;
-      const Polygon outline = polygon_of(model_, b);
+      const Polygon outline = geometry::polygon_of(outline_of(model_, b));
       const geometry::Rect around = geometry::bounds(outline);
       if (around.y0 > y || around.y1 < y) continue;
       const double from = std::max(around.x0, x0_), to = std::min(around.x1, x1_);
@@ -202,7 +196,7 @@ class Strip {
     std::vector<Masonry> blocks;
     for (BlockId b = 0; b < model_.n_block; ++b) {
       if (model_.anatomy.block_role[b] != BlockRole::kMasonry) continue;
-      const geometry::Rect box = geometry::bounds(polygon_of(model_, b));
+      const geometry::Rect box = geometry::bounds(geometry::polygon_of(outline_of(model_, b)));
       if (std::min(box.y1, y1_) - std::max(box.y0, y0_) > kSliver &&
           std::min(box.x1, x1_) - std::max(box.x0, x0_) > kSliver)
         blocks.push_back({box, thickness_at(b)});

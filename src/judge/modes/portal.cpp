@@ -173,12 +173,6 @@ void check_load_point(const Portal& p, FaultList& faults) {
 
 // --- bodies ----------------------------------------------------------------------------------------
 
-Polygon polygon_of(const Model& model, BlockId block) {
-  Polygon outline;
-  for (const Vec3& corner : outline_of(model, block)) outline.push_back({corner.x, corner.y});
-  return outline;
-}
-
 bool holds(const Polygon& convex, Vec2 p) {
   for (std::size_t i = 0; i < convex.size(); ++i) {
     const Vec2 a = convex[i], b = convex[(i + 1) % convex.size()];
@@ -192,7 +186,7 @@ BodyLoad weight_inside(const Model& model, const Polygon& outline) {
   BodyLoad weight;
   weight.is_weight = true;
   for (std::size_t b = 0; b < model.gravity_mass.size(); ++b) {
-    const Polygon block = polygon_of(model, static_cast<BlockId>(b));
+    const Polygon block = geometry::polygon_of(outline_of(model, static_cast<BlockId>(b)));
     const Polygon part = geometry::part_inside(block, outline);
     if (part.empty()) continue;
     const auto m = geometry::moments(part);
