@@ -82,12 +82,6 @@ double height_of(const SampleRecord& record, double base_height) {
   return own > 0 ? own : base_height;
 }
 
-const Quantity& quantity_named(const std::string& name) {
-  for (const Quantity& q : quantities())
-    if (name == q.name) return q;
-  return quantities().front();
-}
-
 MeanCurve mean_curve_of(const Group& group, double base_height) {
   MeanCurve out{group.name, static_cast<int>(group.record.size()), {}};
   std::vector<SampleCurve> curves;

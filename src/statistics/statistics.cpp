@@ -131,6 +131,12 @@ const std::vector<Quantity>& quantities() {
   return kQuantities;
 }
 
+const Quantity& quantity_named(const std::string& name) {
+  for (const Quantity& q : quantities())
+    if (name == q.name) return q;
+  return quantities().front();
+}
+
 std::string key_of(const Quantity& q) { return std::string(q.name) + "_" + unit_in_key(q.unit); }
 
 bool is_still_rising(const SampleRecord& record) { return record.responses.censored_peak; }

@@ -42,7 +42,6 @@ struct Group {
 // whether more than one in twenty is a bound, too many for methods that use recorded values.
 [[nodiscard]] int bounds_in(const Group& known, const Quantity& quantity);
 [[nodiscard]] bool is_censored(int bounds, std::size_t n);
-[[nodiscard]] const Quantity& quantity_named(const std::string& name);
 [[nodiscard]] std::vector<double> values_of(const std::vector<Reading>& readings);
 // The random inputs, and one of them in some samples [SI].
 [[nodiscard]] std::vector<int> random_columns(const SampleTable& samples);

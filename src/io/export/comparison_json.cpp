@@ -2,7 +2,6 @@
 //
 // Numbers have nine significant digits; NaN and the open end of an interval are null.
 
-#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -169,9 +168,7 @@ Json change_json(const CheckedChange& change) {
     add(json, "ratio", way.ratio);
     put(json, "why", way.why);
   }
-  const auto of = std::find_if(quantities().begin(), quantities().end(),
-                               [&](const Quantity& q) { return change.quantity == q.name; });
-  Json json = {{"response", key_of(*of)},
+  Json json = {{"response", key_of(quantity_named(change.quantity))},
                {"least", number(change.least)},
                {"most", number(change.most)},
                {"limit", change.is_default ? "default, not verified" : "asked"},

@@ -20,12 +20,6 @@ using namespace io;
 // "_kN"
 std::string unit_in_key(const Quantity& q) { return key_of(q).substr(std::string(q.name).size()); }
 
-const Quantity& named(const std::string& name) {
-  for (const Quantity& q : quantities())
-    if (name == q.name) return q;
-  return quantities().front();
-}
-
 Json summary_of(const Summary& s, const Quantity& q) {
   const double scale = q.to_unit;
   Json json = {{"n", s.n}, {"without_value", s.without_value}};
@@ -434,8 +428,10 @@ std::string statistics_json(const Statistics& s) {
   for (const MeanCurve& curve : s.mean_curve)
     json["mean_curves"][curve.group] = mean_curve_json(curve);
   json["exceedance"] = Json::object();
-  for (const Exceedance& e : s.exceedance)
-    json["exceedance"][key_of(named(e.quantity))] = exceedance_json(e, named(e.quantity));
+  for (const Exceedance& e : s.exceedance) {
+    const Quantity& q = quantity_named(e.quantity);
+    json["exceedance"][key_of(q)] = exceedance_json(e, q);
+  }
   // "replace", so that a name that is not UTF-8 does not lose the campaign
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
