@@ -5,6 +5,7 @@
 // `samples`, samples.csv, columns.json, the table of docs/reference/results.md and web/src/headers/responses.ts (make docs).
 //
 //   each_response(v, responses)       v(key, member) for each response
+//   each_direction_reading(v, d)      v(listed, name, unit, value) for one direction of a cyclic push
 //   each_quasi_static(v, meters)      the same for the meters at the peak
 //   kEnergyTerms                      of the ledger
 //
@@ -271,6 +272,23 @@ void each_response(const Visitor& v, R& r) {
 }
 
 // clang-format on
+
+// Each value is in its unit, or a bool. summary.json calls it "peak_reaction_kN"; samples.csv, where it is listed,
+// "peak_reaction_positive_kN".
+template <class Visitor>
+void each_direction_reading(const Visitor& v, const DirectionReadings& d) {
+  v(OutputKey::kCsv, "peak_reaction", "_kN", 1e-3 * d.peak_reaction);
+  v(OutputKey::kNowhere, "displacement_at_peak", "_mm", 1e3 * d.displacement_at_peak);
+  v(OutputKey::kCsv, "displacement_at_80_percent", "_mm", 1e3 * d.displacement_at_80);
+  v(OutputKey::kCsv, "censored_80", "", d.censored_80);
+  v(OutputKey::kCsv, "first_fall_80_percent", "_mm", 1e3 * d.first_fall_80);
+  v(OutputKey::kCsv, "censored_first_80", "", d.censored_first_80);
+  v(OutputKey::kCsv, "last_fall_80_percent", "_mm", 1e3 * d.last_fall_80);
+  v(OutputKey::kCsv, "censored_last_80", "", d.censored_last_80);
+  v(OutputKey::kNowhere, "displacement_max", "_mm", 1e3 * d.displacement_max);
+  v(OutputKey::kNowhere, "censored_max", "", d.censored_max);
+  v(OutputKey::kNowhere, "initial_stiffness", "_kN_per_mm", 1e-6 * d.initial_stiffness);
+}
 
 // Shares r of the peak at which the displacement capacity d(r) is evaluated.
 inline constexpr double kSharesLeft[] = {0.95, 0.9, 0.85, 0.8, 0.75, 0.7, 0.65, 0.6, 0.55, 0.5};

@@ -14,13 +14,11 @@ namespace wythe::study {
 // the number in the title's unit, or a bool.
 template <class Visitor>
 void each_direction_column(Visitor&& visit, const std::string& side, const DirectionReadings& d) {
-  visit("peak_reaction_" + side + "_kN", 1e-3 * d.peak_reaction);
-  visit("displacement_at_80_percent_" + side + "_mm", 1e3 * d.displacement_at_80);
-  visit("censored_80_" + side, d.censored_80);
-  visit("first_fall_80_percent_" + side + "_mm", 1e3 * d.first_fall_80);
-  visit("censored_first_80_" + side, d.censored_first_80);
-  visit("last_fall_80_percent_" + side + "_mm", 1e3 * d.last_fall_80);
-  visit("censored_last_80_" + side, d.censored_last_80);
+  const auto column = [&](OutputKey::Listed listed, const char* name, const char* unit,
+                          auto value) {
+    if (listed == OutputKey::kCsv) visit(fmt::format("{}_{}{}", name, side, unit), value);
+  };
+  each_direction_reading(column, d);
   for (std::size_t k = 0; k < std::size(kSharesLeft); ++k) {
     if (kSharesLeft[k] == 0.8) continue;
     const FallTo fall = k < d.drift_capacity.size() ? d.drift_capacity[k] : FallTo{};

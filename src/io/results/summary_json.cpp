@@ -272,22 +272,16 @@ void add_responses(Json& json, const Responses& r) {
 }
 
 Json direction_json(const DirectionReadings& d) {
-  return {{"peak_reaction_kN", d.peak_reaction * 1e-3},
-          {"displacement_at_peak_mm", d.displacement_at_peak * 1e3},
-          {"displacement_at_80_percent_mm", d.displacement_at_80 * 1e3},
-          {"censored_80", d.censored_80},
-          {"first_fall_80_percent_mm", d.first_fall_80 * 1e3},
-          {"censored_first_80", d.censored_first_80},
-          {"last_fall_80_percent_mm", d.last_fall_80 * 1e3},
-          {"censored_last_80", d.censored_last_80},
-          {"displacement_max_mm", d.displacement_max * 1e3},
-          {"censored_max", d.censored_max},
-          {"initial_stiffness_kN_per_mm", d.initial_stiffness * 1e-6},
-          {"drift_capacity", drift_capacity_json(d)},
-          {"bilinear", io::bilinear_json(d.bilinear)},
-          {"envelope",
-           {{"displacement_mm", io::column_of(d.backbone, &BackbonePoint::displacement, 1e3)},
-            {"reaction_kN", io::column_of(d.backbone, &BackbonePoint::reaction, 1e-3)}}}};
+  Json json;
+  each_direction_reading([&](auto, const std::string& name, const char* unit,
+                             auto value) { json[name + unit] = value; },
+                         d);
+  json["drift_capacity"] = drift_capacity_json(d);
+  json["bilinear"] = io::bilinear_json(d.bilinear);
+  json["envelope"] = {
+      {"displacement_mm", io::column_of(d.backbone, &BackbonePoint::displacement, 1e3)},
+      {"reaction_kN", io::column_of(d.backbone, &BackbonePoint::reaction, 1e-3)}};
+  return json;
 }
 
 Json cycles_json(const std::vector<Cycle>& cycles) {
