@@ -16,10 +16,12 @@
 namespace wythe::report {
 namespace {
 
-// A member, or null where there is none, because the origin of a page's data is unknown.
-const Json& member(const Json& json, const char* key) {
+// The member at "bilinear.force_kN", or null where there is none, because the origin of a page's data is unknown.
+const Json& member(const Json& json, std::string path) {
   static const Json kNull;
-  return json.is_object() && json.contains(key) ? json[key] : kNull;
+  std::replace(path.begin(), path.end(), '.', '/');
+  const Json::json_pointer place("/" + path);
+  return json.contains(place) ? json[place] : kNull;
 }
 double number_in(const Json& json, const char* key) {
   const Json& value = member(json, key);
@@ -41,7 +43,7 @@ std::string caution(const std::string& text, const char* mild = "") {
 }
 // The result of a code's assessment of a run or campaign, if it was asked for.
 std::string assessed_in(const Texts& texts, const Json& summary) {
-  const std::string words = text_in(texts, member(summary, "assessment"), "sentence");
+  const std::string words = text_in(texts, summary, "assessment.sentence");
   return words.empty() ? "" : " " + report::sentence(words);
 }
 constexpr double kFew = 0.05;    // share of lower bounds that hardly changes a mean
@@ -102,11 +104,10 @@ class RunHeadline {
   [[nodiscard]] bool is_still_rising() const { return is("censored_peak"); }
   // A push that ended early shows only the beginning of a failure.
   [[nodiscard]] bool has_failed() const {
-    const double read_at = number_in(failure_mode(), "read_at_mm") * 1e-3;  // NaN: not evaluated
+    const double read_at = number_in(s_, "failure_mode.read_at_mm") * 1e-3;  // NaN: not evaluated
     return words_in(s_, "status") == "collapsed" ||
            (!is("censored_80") && std::fabs(read_at) > 0 && !is_read_early(read_at, kReadModesAt));
   }
-  [[nodiscard]] const Json& failure_mode() const { return member(s_, "failure_mode"); }
   [[nodiscard]] std::string bound(const char* key) const { return is(key) ? "≥ " : ""; }
   [[nodiscard]] std::string kilonewtons(double value) const { return texts_.quantity(value, "kN"); }
   [[nodiscard]] std::string millimetres(const char* key) const {
@@ -126,12 +127,13 @@ class RunHeadline {
     const std::string status = words_in(s_, "status");
     if (!status.empty() && status != "completed" && status != "collapsed")
       add(texts_.say("status." + status));
-    const std::string judgement = words_in(member(s_, "quasi_static"), "judgement");
+    const std::string judgement = words_in(s_, "quasi_static.judgement");
     if (judgement == "too fast") add(texts_.say("run.too_fast"));
     if (judgement == "usable") words += caution(texts_.say("run.usable"), " mild");
-    if (judgement == "slow enough" && is_unknown("displacement"))
+    if (judgement == "slow enough" &&
+        words_in(s_, "quasi_static.displacement.verdict") == "not known")
       words += caution(texts_.say("run.no_drift"), " mild");
-    const double gap = std::fabs(number_in(member(s_, "energy_J"), "gap_ratio"));
+    const double gap = std::fabs(number_in(s_, "energy_J.gap_ratio"));
     const bool is_none = std::isnan(gap) && member(s_, "energy_J").contains("gap_ratio");
     if (is_none || (judgement == "unknown" && !(gap > kGap))) add(texts_.say("run.unknown_rate"));
     if (gap > kGap)
@@ -140,12 +142,8 @@ class RunHeadline {
       add(texts_.say("run.slid_off", {{"at", texts_.quantity(at, "mm")}}));
     return words;
   }
-  // Whether a slow push might give another displacement or mode.
-  [[nodiscard]] bool is_unknown(const char* of) const {
-    return words_in(member(member(s_, "quasi_static"), of), "verdict") == "not known";
-  }
   [[nodiscard]] double lost(bool late) const {  // where blocks slid off, before the peak or late
-    const double at = number_in(member(s_, "validity"), "overlap_lost_at_mm");
+    const double at = number_in(s_, "validity.overlap_lost_at_mm");
     const double peak_at = number_in(s_, "displacement_at_peak_mm");
     return late == (std::fabs(at) > std::fabs(peak_at)) ? at : kUnset;
   }
@@ -161,7 +159,7 @@ class RunHeadline {
                              {"load", texts_.quantity(of("load_off_kN"), "kN")}});
   }
   [[nodiscard]] std::string tests() const {  // how far tested walls support it
-    const std::string note = text_in(member(s_, "tested_range"), "note");
+    const std::string note = text_in(s_, "tested_range.note");
     return note.empty() ? "" : " " + texts_.say("run.tests", {{"note", escaped(note)}});
   }
 
@@ -175,7 +173,7 @@ class RunHeadline {
       return texts_.say("run.no_capacity",
                         {{"reason", why_no_capacity()}, {"raw", kilonewtons(raw_peak())}}) +
              mode();
-    const std::string shaken = text_in(member(s_, "shaking"), "sentence");
+    const std::string shaken = text_in(s_, "shaking.sentence");
     if (!(peak() > 0) && !shaken.empty()) return report::sentence(shaken);
     if (!(peak() > 0)) {
       const bool fell = words_in(s_, "status") == "collapsed";
@@ -264,7 +262,7 @@ class RunHeadline {
   [[nodiscard]] std::string dips(bool before) const {
     const Json* deepest = nullptr;
     std::size_t count = 0;
-    for (const Json& dip : member(member(s_, "drift_capacity"), "dips")) {
+    for (const Json& dip : member(s_, "drift_capacity.dips")) {
       if ((member(dip, "before_peak") == true) != before) continue;
       ++count;
       if (deepest == nullptr || number_in(dip, "lowest_left") < number_in(*deepest, "lowest_left"))
@@ -292,7 +290,7 @@ class RunHeadline {
     return both(3);
   }
   [[nodiscard]] std::string tested_drift() const {
-    const std::string note = text_in(member(member(s_, "tested_range"), "drift"), "note");
+    const std::string note = text_in(s_, "tested_range.drift.note");
     return note.empty() ? "" : " " + report::sentence(note);
   }
   [[nodiscard]] std::string threshold() const {
@@ -310,9 +308,9 @@ class RunHeadline {
   }
 
   [[nodiscard]] std::string mode() const {
-    const std::string name = words_in(failure_mode(), "name");
-    const std::string words = text_in(member(header_, "mode"), "brief");
-    const std::string at = texts_.quantity(number_in(failure_mode(), "read_at_mm"), "mm");
+    const std::string name = words_in(s_, "failure_mode.name");
+    const std::string words = text_in(header_, "mode.brief");
+    const std::string at = texts_.quantity(number_in(s_, "failure_mode.read_at_mm"), "mm");
     if (name == "unclear" || name.empty())
       return " " +
              (is("censored_80") && !has_failed() ? texts_.say("run.unclear.so_far", {{"at", at}})
@@ -324,20 +322,20 @@ class RunHeadline {
            meaning(words) + ".";
   }
   [[nodiscard]] std::string name_words(const std::string& name) const {
-    const std::string words = text_in(member(header_, "mode"), "words");
+    const std::string words = text_in(header_, "mode.words");
     return words.empty() ? texts_.phrase(name) : words;
   }
   // ": the piers rock"; for a wall of many parts their number, because the table below names them.
   [[nodiscard]] std::string meaning(const std::string& words) const {
     if (words.empty()) return "";
     int damaged = 0;
-    for (const Json& e : member(failure_mode(), "elements"))
+    for (const Json& e : member(s_, "failure_mode.elements"))
       damaged += words_in(e, "state") != "intact" ? 1 : 0;
-    const bool is_list = member(member(header_, "mode"), "lists_parts") == true;
+    const bool is_list = member(header_, "mode.lists_parts") == true;
     if (!is_list || damaged <= kListedParts) return ": " + escaped(words);
-    const std::string mechanism = words_in(member(failure_mode(), "mechanism"), "name");
+    const std::string mechanism = words_in(s_, "failure_mode.mechanism.name");
     if (!mechanism.empty() && mechanism != "none" && mechanism != "unclear")
-      return ": " + escaped(text_in(member(header_, "mode"), "mechanism"));
+      return ": " + escaped(text_in(header_, "mode.mechanism"));
     return ": " + parts();
   }
   [[nodiscard]] std::string parts() const {
@@ -346,7 +344,7 @@ class RunHeadline {
     for (const char* kind : {"pier", "spandrel", "connection", "toe"}) {
       if (kinds == 2) break;
       int of = 0, n = 0;
-      for (const Json& e : member(failure_mode(), "elements")) {
+      for (const Json& e : member(s_, "failure_mode.elements")) {
         if (words_in(e, "kind") != kind) continue;
         ++of;
         n += words_in(e, "state") != "intact" ? 1 : 0;
