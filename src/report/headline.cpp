@@ -7,10 +7,12 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <type_traits>
 
 #include "report/html.h"
 #include "wythe/parts/failure_mode.h"
 #include "wythe/parts/limit.h"
+#include "wythe/parts/responses.h"
 #include "wythe/parts/statistics.h"
 
 namespace wythe::report {
@@ -52,10 +54,22 @@ constexpr int kListedParts = 3;  // parts of a wall in a sentence; more are coun
 
 // --- a run ---------------------------------------------------------------------------------------
 
+// The responses of a summary in its units, by the table that wrote them; a missing number is NaN, a missing flag false.
+Responses shown_in(const Json& summary) {
+  Responses shown;
+  const auto take = [&](const OutputKey& key, auto& value) {
+    using Value = std::decay_t<decltype(value)>;
+    if constexpr (std::is_same_v<Value, double>) value = number_in(summary, key.summary);
+    if constexpr (std::is_same_v<Value, bool>) value = member(summary, key.summary) == true;
+  };
+  each_response(take, shown);
+  return shown;
+}
+
 class RunHeadline {
  public:
   RunHeadline(const Json& header, const Texts& texts)
-      : header_(header), s_(header.at("summary")), texts_(texts) {}
+      : header_(header), s_(header.at("summary")), r_(shown_in(s_)), texts_(texts) {}
 
   [[nodiscard]] std::string sentence() const {
     return cautions() + answer() + fallen() + assessed_in(texts_, s_) + tests();
@@ -70,53 +84,41 @@ class RunHeadline {
   [[nodiscard]] std::string cards() const {
     if (pushes_by_factor()) return draw_cards(cards_of_factor());
     if (has_no_capacity()) return draw_cards(cards_without_capacity());
-    if (!(peak() > 0)) return "";
-    const std::string rising = is_still_rising() ? "≥ " : "";
+    if (!(r_.peak_reaction > 0)) return "";
+    const std::string rising = bound(r_.censored_peak);
     return draw_cards(
-        {{rising + kilonewtons(peak()), texts_.say("card.peak"),
-          texts_.say(is_still_rising() ? "card.peak.rising" : "card.peak.means")},
-         {rising + millimetres("displacement_at_peak_mm"), texts_.say("card.at_peak"),
-          texts_.say("card.at_peak.means") + drift("drift_percent_at_peak", "; ")},
-         {bound("censored_80") + millimetres("displacement_at_80_percent_mm"),
-          texts_.say("card.at_80"),
-          is("censored_80") ? texts_.say("card.at_80.censored")
-                            : texts_.say("card.at_80.means") + drift("drift_percent_at_80", "; ")},
-         {bound("censored_max") + millimetres("displacement_max_mm"), texts_.say("card.max"),
-          texts_.say(is("censored_max") ? "card.max.censored" : "card.max.means")},
+        {{rising + kilonewtons(r_.peak_reaction), texts_.say("card.peak"),
+          texts_.say(r_.censored_peak ? "card.peak.rising" : "card.peak.means")},
+         {rising + millimetres(r_.displacement_at_peak), texts_.say("card.at_peak"),
+          texts_.say("card.at_peak.means") + drift(r_.drift_at_peak, "; ")},
+         {bound(r_.censored_80) + millimetres(r_.displacement_at_80), texts_.say("card.at_80"),
+          r_.censored_80 ? texts_.say("card.at_80.censored")
+                         : texts_.say("card.at_80.means") + drift(r_.drift_at_80, "; ")},
+         {bound(r_.censored_max) + millimetres(r_.displacement_max), texts_.say("card.max"),
+          texts_.say(r_.censored_max ? "card.max.censored" : "card.max.means")},
          stiffness_card()});
   }
 
  private:
-  [[nodiscard]] double peak() const { return number_in(s_, "peak_reaction_kN"); }
-  [[nodiscard]] double raw_peak() const { return number_in(s_, "peak_raw_kN"); }
   [[nodiscard]] bool pushes_by_factor() const {
     return number_in(s_, "load_factor") > 0 && words_in(s_, "curve_of") != "push";
   }
   // Forces were read, but the ground carried none of them.
   [[nodiscard]] bool has_no_capacity() const {
-    return !(peak() > 0) && !pushes_by_factor() && raw_peak() > 0;
+    return !(r_.peak_reaction > 0) && !pushes_by_factor() && r_.peak_raw > 0;
   }
-  [[nodiscard]] bool is(const char* key) const {
-    const Json& value = member(s_, key);
-    return value.is_boolean() && value.get<bool>();
-  }
-  // Whether the peak is a lower bound, by the rule of summary and console.
-  [[nodiscard]] bool is_still_rising() const { return is("censored_peak"); }
   // A push that ended early shows only the beginning of a failure.
   [[nodiscard]] bool has_failed() const {
     const double read_at = number_in(s_, "failure_mode.read_at_mm") * 1e-3;  // NaN: not evaluated
     return words_in(s_, "status") == "collapsed" ||
-           (!is("censored_80") && std::fabs(read_at) > 0 && !is_read_early(read_at, kReadModesAt));
+           (!r_.censored_80 && std::fabs(read_at) > 0 && !is_read_early(read_at, kReadModesAt));
   }
-  [[nodiscard]] std::string bound(const char* key) const { return is(key) ? "≥ " : ""; }
+  [[nodiscard]] static std::string bound(bool censored) { return censored ? "≥ " : ""; }
   [[nodiscard]] std::string kilonewtons(double value) const { return texts_.quantity(value, "kN"); }
-  [[nodiscard]] std::string millimetres(const char* key) const {
-    return texts_.quantity(number_in(s_, key), "mm");
-  }
+  [[nodiscard]] std::string millimetres(double value) const { return texts_.quantity(value, "mm"); }
   // "; drift 0.25 %" where the drift is known.
-  [[nodiscard]] std::string drift(const char* key, const std::string& before,
+  [[nodiscard]] std::string drift(double percent, const std::string& before,
                                   const char* words = "card.drift") const {
-    const double percent = number_in(s_, key);
     if (!(percent > 0)) return "";
     return before + texts_.say(words, {{"drift", texts_.quantity(percent, "%", 2)}});
   }
@@ -139,17 +141,16 @@ class RunHeadline {
     if (gap > kGap)
       add(texts_.say("run.energy_gap", {{"gap", texts_.quantity(100 * gap, "%", 2)}}));
     if (const double at = lost(false); std::isfinite(at))
-      add(texts_.say("run.slid_off", {{"at", texts_.quantity(at, "mm")}}));
+      add(texts_.say("run.slid_off", {{"at", millimetres(at)}}));
     return words;
   }
   [[nodiscard]] double lost(bool late) const {  // where blocks slid off, before the peak or late
     const double at = number_in(s_, "validity.overlap_lost_at_mm");
-    const double peak_at = number_in(s_, "displacement_at_peak_mm");
-    return late == (std::fabs(at) > std::fabs(peak_at)) ? at : kUnset;
+    return late == (std::fabs(at) > std::fabs(r_.displacement_at_peak)) ? at : kUnset;
   }
   [[nodiscard]] std::string fallen() const {
     if (const double at = lost(true); std::isfinite(at))
-      return " " + texts_.say("run.slid_off_later", {{"at", texts_.quantity(at, "mm")}});
+      return " " + texts_.say("run.slid_off_later", {{"at", millimetres(at)}});
     const auto of = [&](const char* key) { return number_in(member(s_, "debris"), key); };
     if (!(of("blocks") > 0)) return "";
     return " " + texts_.say(of("load_off_kN") > 0 ? "run.debris_and_load" : "run.debris",
@@ -171,30 +172,30 @@ class RunHeadline {
              mode();
     if (has_no_capacity())
       return texts_.say("run.no_capacity",
-                        {{"reason", why_no_capacity()}, {"raw", kilonewtons(raw_peak())}}) +
+                        {{"reason", why_no_capacity()}, {"raw", kilonewtons(r_.peak_raw)}}) +
              mode();
     const std::string shaken = text_in(s_, "shaking.sentence");
-    if (!(peak() > 0) && !shaken.empty()) return report::sentence(shaken);
-    if (!(peak() > 0)) {
+    if (!(r_.peak_reaction > 0) && !shaken.empty()) return report::sentence(shaken);
+    if (!(r_.peak_reaction > 0)) {
       const bool fell = words_in(s_, "status") == "collapsed";
       return (fell ? caution(texts_.say("run.fell")) : "") +
              texts_.say(fell ? "run.weighs" : "run.unpushed",
                         {{"weight", texts_.quantity(number_in(header_, "weight_kN"), "kN")}});
     }
-    return texts_.say(is_still_rising() ? "run.resists.bound" : "run.resists",
-                      {{"force", bold(kilonewtons(peak()))},
-                       {"at", bold(millimetres("displacement_at_peak_mm"))},
-                       {"drift", drift("drift_percent_at_peak", " ", "run.drift")}}) +
-           flat() + both_ways() + mode() + (is_still_rising() ? "" : ductility());
+    return texts_.say(r_.censored_peak ? "run.resists.bound" : "run.resists",
+                      {{"force", bold(kilonewtons(r_.peak_reaction))},
+                       {"at", bold(millimetres(r_.displacement_at_peak))},
+                       {"drift", drift(r_.drift_at_peak, " ", "run.drift")}}) +
+           flat() + both_ways() + mode() + (r_.censored_peak ? "" : ductility());
   }
   // A flat curve has no unique displacement at its peak.
   [[nodiscard]] std::string flat() const {
     const Json& flat = member(s_, "flat_peak");
-    if (member(flat, "says_little") != true || is_still_rising()) return "";
+    if (member(flat, "says_little") != true || r_.censored_peak) return "";
     const bool is_bound = member(flat, "is_bound") == true;
     return " " + texts_.say(is_bound ? "run.flat.bound" : "run.flat",
-                            {{"from", texts_.quantity(number_in(flat, "from_mm"), "mm")},
-                             {"to", texts_.quantity(number_in(flat, "to_mm"), "mm")},
+                            {{"from", millimetres(number_in(flat, "from_mm"))},
+                             {"to", millimetres(number_in(flat, "to_mm"))},
                              {"share", texts_.number(100 * number_in(flat, "share"))}});
   }
   // ", a tilt of 14°" if the ground was tilted.
@@ -209,11 +210,11 @@ class RunHeadline {
     if (const double degrees = number_in(s_, "tilt_degrees"); degrees > 0)
       cards.push_back(
           {texts_.number(degrees) + "°", texts_.say("card.tilt"), texts_.say("card.tilt.means")});
-    if (peak() > 0)
-      cards.push_back(
-          {kilonewtons(peak()), texts_.say("card.carried"), texts_.say("card.carried.means")});
-    cards.push_back(
-        {millimetres("top_displacement_mm"), texts_.say("card.top"), texts_.say("card.top.means")});
+    if (r_.peak_reaction > 0)
+      cards.push_back({kilonewtons(r_.peak_reaction), texts_.say("card.carried"),
+                       texts_.say("card.carried.means")});
+    cards.push_back({millimetres(number_in(s_, "top_displacement_mm")), texts_.say("card.top"),
+                     texts_.say("card.top.means")});
     return cards;
   }
   [[nodiscard]] std::string why_no_capacity() const {
@@ -222,13 +223,12 @@ class RunHeadline {
   }
   [[nodiscard]] std::vector<Card> cards_without_capacity() const {
     return {{texts_.say("card.not_known"), texts_.say("card.peak"), why_no_capacity()},
-            {kilonewtons(raw_peak()), texts_.say("card.raw"), texts_.say("card.raw.means")},
+            {kilonewtons(r_.peak_raw), texts_.say("card.raw"), texts_.say("card.raw.means")},
             stiffness_card()};
   }
   [[nodiscard]] Card stiffness_card() const {
     const std::string reason = text_in(s_, "initial_stiffness_reason");
-    return {texts_.quantity(number_in(s_, "initial_stiffness_kN_per_mm"), "kN/mm"),
-            texts_.say("card.stiffness"),
+    return {texts_.quantity(r_.initial_stiffness, "kN/mm"), texts_.say("card.stiffness"),
             reason.empty() ? texts_.say("card.stiffness.means") : escaped(reason)};
   }
   // A cyclic push: the direction of the results, and the resistance in the other one.
@@ -241,21 +241,19 @@ class RunHeadline {
     const double force = number_in(other, "peak_reaction_kN");
     std::string words = " " + texts_.say(along ? "run.cyclic.along" : "run.cyclic.against");
     if (force > 0)
-      words +=
-          " " +
-          texts_.say("run.cyclic.other",
-                     {{"force", kilonewtons(force)},
-                      {"at", texts_.quantity(number_in(other, "displacement_at_peak_mm"), "mm")}});
+      words += " " + texts_.say("run.cyclic.other",
+                                {{"force", kilonewtons(force)},
+                                 {"at", millimetres(number_in(other, "displacement_at_peak_mm"))}});
     return words;
   }
   [[nodiscard]] std::string ductility() const {
-    if (std::isnan(number_in(s_, "displacement_at_80_percent_mm"))) return "";
-    const char* words = !is("censored_80")        ? "run.keeps"
-                        : is("censored_first_80") ? "run.keeps_to_end"
-                                                  : "run.falls_at_end";
+    if (std::isnan(r_.displacement_at_80)) return "";
+    const char* words = !r_.censored_80        ? "run.keeps"
+                        : r_.censored_first_80 ? "run.keeps_to_end"
+                                               : "run.falls_at_end";
     return " " +
-           texts_.say(words, {{"at", bold(millimetres("displacement_at_80_percent_mm"))},
-                              {"drift", drift("drift_percent_at_80", " ", "run.drift")}}) +
+           texts_.say(words, {{"at", bold(millimetres(r_.displacement_at_80))},
+                              {"drift", drift(r_.drift_at_80, " ", "run.drift")}}) +
            dips(true) + dips(false) + threshold() + tested_drift();
   }
   // The deepest fall that the wall recovered from, before its peak or after it. It is not the end of its capacity.
@@ -301,7 +299,7 @@ class RunHeadline {
       for (std::size_t k = 0; k < lefts.size() && k < lasting.size(); ++k)
         if (lefts[k] == left && lasting[k].is_number())
           return (member(capacity, "censored")[k] == true ? "≥ " : "") +
-                 texts_.quantity(lasting[k].get<double>(), "mm");
+                 millimetres(lasting[k].get<double>());
       return "–";
     };
     return " " + texts_.say("run.threshold", {{"at_85", at(0.85)}, {"at_75", at(0.75)}});
@@ -310,11 +308,11 @@ class RunHeadline {
   [[nodiscard]] std::string mode() const {
     const std::string name = words_in(s_, "failure_mode.name");
     const std::string words = text_in(header_, "mode.brief");
-    const std::string at = texts_.quantity(number_in(s_, "failure_mode.read_at_mm"), "mm");
+    const std::string at = millimetres(number_in(s_, "failure_mode.read_at_mm"));
     if (name == "unclear" || name.empty())
       return " " +
-             (is("censored_80") && !has_failed() ? texts_.say("run.unclear.so_far", {{"at", at}})
-                                                 : texts_.say("run.unclear")) +
+             (r_.censored_80 && !has_failed() ? texts_.say("run.unclear.so_far", {{"at", at}})
+                                              : texts_.say("run.unclear")) +
              (words.empty() ? "" : " " + report::sentence(words));
     return " " +
            texts_.say(has_failed() ? "run.fails" : "run.shows",
@@ -364,6 +362,7 @@ class RunHeadline {
 
   const Json& header_;
   const Json& s_;
+  const Responses r_;  // in the units of the summary
   const Texts& texts_;
 };
 
