@@ -10,6 +10,7 @@
 #include <fstream>
 #include <string>
 #include "scenes/places.h"
+#include "wythe/parts/provenance.h"
 
 namespace wythe::verification {
 
@@ -27,9 +28,10 @@ inline void append_row(const Claim& claim, double computed, double deviation, bo
   std::filesystem::create_directories(folder);
   // one write in append mode: shards of the test program may run side by side
   std::ofstream file(folder / "verification.csv", std::ios::app);
-  file << fmt::format("{},\"{}\",{},{:.17g},{:.17g},{:.3e},{:.3e},{},\"{}\",{}\n", claim.id,
+  file << fmt::format("{},\"{}\",{},{:.17g},{:.17g},{:.3e},{:.3e},{},\"{}\",{},{}\n", claim.id,
                       claim.what, claim.unit, claim.expected, computed, deviation, claim.tolerance,
-                      claim.absolute ? "absolute" : "relative", claim.because, passed ? 1 : 0);
+                      claim.absolute ? "absolute" : "relative", claim.because, passed ? 1 : 0,
+                      provenance().commit);
 }
 
 inline void verify(const Claim& claim, double computed) {
