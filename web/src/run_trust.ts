@@ -49,7 +49,7 @@ export function energySection(header: RunHeader): Child {
   // the displacement of a shake oscillates, so works are drawn over time
   const overTime = frames.some((f) => typeof f.time_s === "number");
   if (frames.length < 3 || overTime) return [h("p", { class: "soft" }, say("energy.lead")), list];
-  // dissipated since the start of the push; stored relative to the start
+  // drawn since the first frame
   const from = ledger[0];
   const series = kParts.map((part) => ledger.map((l) => Math.max(0, l[part] - from[part])));
   const x = frames.map((f) => f.displacement_mm);

@@ -228,6 +228,8 @@ std::string responses_type() {
                        : std::is_same_v<Value, bool>    ? "boolean"
                        : std::is_same_v<Value, Message> ? "Said"
                                                         : "string";
+    static_assert(std::is_same_v<Value, double> || std::is_same_v<Value, bool> ||
+                  std::is_same_v<Value, Message> || std::is_same_v<Value, std::string>);
     const std::string path = key.summary;  // "bilinear.force_kN" is a member of an object
     const std::size_t dot = path.find('.');
     const bool is_inside = dot != std::string::npos;

@@ -125,7 +125,8 @@ export interface SlowPush {
   verdict: string;
   reason: Said;
 }
-export type QuasiStatic = Responses["quasi_static"] & { displacement?: SlowPush; mode?: SlowPush };
+// `judgement` is absent in results of earlier programs.
+export type QuasiStatic = Omit<Responses["quasi_static"], "judgement"> & { judgement?: string; displacement?: SlowPush; mode?: SlowPush };
 
 export interface Event {
   name: Said;
@@ -177,7 +178,7 @@ export interface Shaking {
   sentence: Said;
 }
 
-export interface Summary extends Responses {
+export interface Summary extends Omit<Responses, "quasi_static"> {
   status: string;
   reason: Said;
   warning: Said;
@@ -224,6 +225,6 @@ export interface RunHeader extends PageHeader {
   inputs: ModelInputs;
   model_text: string;
   frames: RunFrame[];
-  energy: Energy[]; // of each frame, since the start of the push
+  energy: Energy[]; // of each frame, since the start of the run
   forces?: { elements: string[]; displacement_mm: number[] }; // of piers and spandrels
 }
