@@ -47,7 +47,7 @@ test-long: setup ## the tests that are too dear for each change; docs/testing.md
 fuzz:            ## feed every reader with what libFuzzer makes up, a minute each (tools/fuzz)
 	@tools/fuzz
 
-sanitize: setup  ## every test under address, undefined and thread sanitizers, hours; docs/testing.md
+sanitize: setup  ## tests of C++ and of the command line under address, undefined and thread sanitizers, two hours; docs/testing.md
 	@tools/sanitize
 
 bench: configure ## kernels, campaigns and scaling: benchmarks/results/<machine>/<date>.json, then tools/bench page
