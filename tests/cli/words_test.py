@@ -87,11 +87,11 @@ class Words(unittest.TestCase):
     def test_an_old_name_of_decision_0033_is_found_in_code(self):
         renames = {"docs/decisions/0033-names.md": "| | old | new |\n|---|---|---|\n| 1 | rub, brake (executors), put_... | update_slip |\n| 2 | look | poll |\n"}
         for name, code, found in (("src/law.h", "int rub;", 1), ("tests/law.h", "x.brake();", 1), ("apps/main.cpp", "int look, executors, put_;", 0),
-                                  ("src/law.h", 'const char* kText = "rub";  // rub', 0), ("benchmarks/law.h", "int rub;", 0)):
+                                  ("src/law.h", 'const char* kText = "rub";  // rub', 0), ("benchmarks/law.h", "int rub;", 0), ("src/law.h", 'const char* kPage = R"css(rub "rub")css";', 0)):
             with self.subTest(f"{name}: {code}"):
                 rooms = {f"{name.split('/')[0]}/README.md": f"`{name.split('/')[1]}`\n", **GOOD, **renames}
                 output = check({**rooms, name: GOOD.get(name, "") + code + "\n"})[1]
-                self.assertEqual(output.count("an old name, see decision 0033: update_slip"), found, output)
+                self.assertEqual(output.count("an old name of decision 0033, update_slip now"), found, output)
                 self.assertEqual(len(output.splitlines()), 1, output)
 
     def test_code_is_not_taken_for_a_comment(self):
