@@ -1,3 +1,5 @@
+// Runs the walls of a verdict and prints it: ways of pushing, parts out of plane, the sentence.
+// After the first pair of walls it says how long the others may take.
 #include "assess_command.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// Each command reads its study from a file or from the store of a folder, and hands it to the library (wythe/study.h).
+// Here are options and the words on the console.
 #include "campaign_commands.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// Prints statistics that the library computed: groups by mode, the assessment, inputs that cannot be told apart,
+// and a warning where pushes were too fast.
 #include "campaign_table.h"
 
 #include <fmt/core.h>

@@ -1,3 +1,5 @@
+// A run begins at rest, or with the state and the rows of a checkpoint. New checkpoints are written at an interval
+// of time. Each is written beside the last one before it takes its place.
 #include "checkpoints.h"
 
 #include <fmt/core.h>

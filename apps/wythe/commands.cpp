@@ -1,3 +1,5 @@
+// The commands around one wall: run, check, materials, new, drawing, contact. Most of the file prints what a
+// run answers: model, push, falls, cycles, assessment.
 #include "commands.h"
 
 #include <fmt/format.h>

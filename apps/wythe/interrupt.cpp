@@ -1,3 +1,4 @@
+// The handler sets a flag, which the library asks for between steps. A second signal ends the program at once.
 #include "interrupt.h"
 
 #include <fmt/core.h>

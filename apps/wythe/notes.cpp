@@ -1,3 +1,4 @@
+// Notes of one code become one line: what they share once, then what differs, as a list of things or as rows.
 #include "notes.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// The library calls these printers while it works. Each draws over its last line on a terminal, and writes seldom
+// elsewhere.
 #include "progress.h"
 
 #include <fmt/core.h>

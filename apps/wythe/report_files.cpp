@@ -1,3 +1,4 @@
+// wythe report and wythe export: they find what a folder holds, a run or campaigns, and write its page or tables.
 #include "report_files.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// Intensities, limit states and fragilities of a study with records. A number has its interval, or the reason why
+// there is none.
 #include "shaking_table.h"
 
 #include <fmt/format.h>

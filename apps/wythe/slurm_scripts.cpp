@@ -1,3 +1,5 @@
+// Names and times are checked and paths quoted, because Slurm and the shell read them again. A task of the array
+// runs one shard.
 #include "slurm_scripts.h"
 
 #include <fmt/format.h>

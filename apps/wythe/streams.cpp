@@ -1,3 +1,5 @@
+// Standard output and error write through a function of our own. It remembers the first failure of the output, so
+// that this is reported once, at the end.
 #include "streams.h"
 
 #include <fmt/core.h>

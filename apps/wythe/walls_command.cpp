@@ -1,3 +1,4 @@
+// Makes a study of walls from one model, which differ by its scatter, runs it, and prints means and ranges.
 #include "walls_command.h"
 
 #include <fmt/format.h>
