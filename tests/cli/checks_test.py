@@ -1,4 +1,5 @@
-"""tools/check_layers reads every kind of file with code, tools/check_sizes reports long files and functions, and tools/build_times counts cores."""
+"""tools/check_layers reads every kind of file with code, tools/check_sizes reports long files and functions, tools/build_times
+counts cores, and tools/verification_table keeps its page where it has no rows."""
 import os
 import pathlib
 import subprocess
@@ -53,6 +54,18 @@ class Checks(unittest.TestCase):
             done = subprocess.run([TOOLS / "build_times", "--build", folder], capture_output=True, text=True, check=False)
         alone = 1.0 if cores > 1 else 0.5  # beside the linker
         self.assertIn(f"{2 * cores + alone:7.1f} s  in all, {2 * cores + 1} files", done.stdout, done.stderr)
+
+    def test_rows_without_their_commit_leave_the_page_of_verification(self):
+        row = 'CF01,"slope",m,1,1.1,1e-1,1e-2,relative,"exact",{}'
+        with tempfile.TemporaryDirectory() as folder:
+            rows, page = pathlib.Path(folder) / "rows.csv", pathlib.Path(folder) / "page.md"
+            page.write_text("as it was\n", encoding="utf-8")
+            for line, status, found in ((row.format("1"), 1, "as it was"), (row.format("1,abc123"), 0, "1 within their tolerance. wythe of commit abc123"),
+                                        (row.format("0,abc123"), 1, "**+1.0e-01, missed**")):
+                rows.write_text(line + "\n", encoding="utf-8")
+                done = subprocess.run([TOOLS / "verification_table", rows, page], capture_output=True, text=True, check=False)
+                self.assertEqual(done.returncode, status, done.stderr)
+                self.assertIn(found, page.read_text(encoding="utf-8"))
 
 
 if __name__ == "__main__":
