@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "statistics/bootstrap.h"
 #include "statistics/statistics_parts.h"
@@ -134,7 +135,7 @@ const std::vector<Quantity>& quantities() {
 const Quantity& quantity_named(const std::string& name) {
   for (const Quantity& q : quantities())
     if (name == q.name) return q;
-  return quantities().front();
+  throw std::logic_error("no quantity is called " + name);
 }
 
 std::string key_of(const Quantity& q) { return std::string(q.name) + "_" + unit_in_key(q.unit); }

@@ -47,7 +47,8 @@ struct Quantity {
 // All quantities: peak_reaction, displacement_at_peak, displacement_at_80_percent, displacement_max, initial_stiffness,
 // displacement_at_50_percent, collapse_displacement, first_fall_80_percent. Arrays `quantity` and `response` have this order.
 [[nodiscard]] const std::vector<Quantity>& quantities();
-[[nodiscard]] const Quantity& quantity_named(const std::string& name);  // else the first
+// Throws std::logic_error for a name that none has.
+[[nodiscard]] const Quantity& quantity_named(const std::string& name);
 // The name in files, "peak_reaction_kN".
 [[nodiscard]] std::string key_of(const Quantity& quantity);
 

@@ -11,6 +11,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -548,7 +549,17 @@ struct CutStage {};
 
 using StageAction = std::variant<GravityStage, LoadStage, PushStage, BodyForceStage, TiltStage,
                                  HoldStage, ShakeStage, CutStage>;
+template <StageKind kind>
+using ActionOf = std::variant_alternative_t<static_cast<std::size_t>(kind), StageAction>;
 static_assert(std::variant_size_v<StageAction> == std::size(kStageKindWords));
+static_assert(std::is_same_v<ActionOf<StageKind::kGravity>, GravityStage>);
+static_assert(std::is_same_v<ActionOf<StageKind::kLoad>, LoadStage>);
+static_assert(std::is_same_v<ActionOf<StageKind::kPush>, PushStage>);
+static_assert(std::is_same_v<ActionOf<StageKind::kBodyForce>, BodyForceStage>);
+static_assert(std::is_same_v<ActionOf<StageKind::kTilt>, TiltStage>);
+static_assert(std::is_same_v<ActionOf<StageKind::kHold>, HoldStage>);
+static_assert(std::is_same_v<ActionOf<StageKind::kShake>, ShakeStage>);
+static_assert(std::is_same_v<ActionOf<StageKind::kCut>, CutStage>);
 
 // One phase of the test.
 struct StageSpec {

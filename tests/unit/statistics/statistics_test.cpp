@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -374,6 +375,12 @@ TEST(CampaignStatistics, a_collapse_is_an_event_and_not_a_lower_bound) {
   const Campaign campaign = of_records(records);
   EXPECT_NE(samples_csv(campaign).find("collapse_displacement_mm"), std::string::npos);
   EXPECT_NE(samples_csv(campaign).find(",49,0,a block fell,"), std::string::npos);
+}
+
+TEST(CampaignStatistics, a_quantity_is_found_by_its_whole_name_alone) {
+  for (const Quantity& q : quantities()) EXPECT_EQ(&quantity_named(q.name), &q);
+  for (const char* name : {"", "peak", "peak_reaction_kN"})
+    EXPECT_THROW((void)quantity_named(name), std::logic_error) << name;
 }
 
 TEST(CampaignStatistics, lower_bounds_alone_have_no_correlation) {
