@@ -187,8 +187,16 @@ export const textOf = (page) => page.locator(".file-text").inputValue();
 // Pixels of a point of the wall [m].
 export const pixelsOf = (page, x, y) =>
   page.evaluate(
-    ([x, y]) => {
-      const frame = document.querySelector(".outline").getBoundingClientRect();
+    async ([x, y]) => {
+      // A bar that got a line more makes the drawing smaller, one frame later: wait until two frames show it in one place.
+      const placeOf = () => document.querySelector(".outline").getBoundingClientRect();
+      let frame = placeOf();
+      for (let still = 0; still < 2; ) {
+        await new Promise(requestAnimationFrame);
+        const now = placeOf();
+        still = ["left", "bottom", "width", "height"].every((key) => now[key] === frame[key]) ? still + 1 : 0;
+        frame = now;
+      }
       const [length, height] = [...document.querySelectorAll(".numbers .group")]
         .flatMap((g) => [...g.querySelectorAll("input")])
         .filter((i) => ["Length", "Height", "Lunghezza", "Altezza"].includes(i.closest("label")?.firstChild.textContent))
