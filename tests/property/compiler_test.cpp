@@ -57,7 +57,11 @@ class Bytes {
   template <class T>
   void add(const std::vector<T>& list) {
     add(list.size());
-    for (const T& member : list) add(member);
+    if constexpr (std::is_arithmetic_v<T> &&
+                  !std::is_same_v<T, bool>)  // as one piece: tests are not optimised
+      out_.append(reinterpret_cast<const char*>(list.data()), list.size() * sizeof(T));
+    else
+      for (const T& member : list) add(member);
   }
   template <class T, std::size_t N>
   void add(const std::array<T, N>& list) {
