@@ -1,6 +1,6 @@
 // Elementary functions with the same bits on every machine. Only +, -, *, / and the square root of IEEE 754 are used, since
 // all processors round these alike; library functions differ in the last bit. Each function sums its Taylor series with twice
-// the digits of a double (Dekker 1971) and rounds once at the end: the error is below 0.5001 ulp. A call takes half a
+// the digits of a double (Dekker 1971) and rounds once at the end: the error is below 0.5001 ulp. A call takes a quarter of a
 // microsecond to one. Use them to build a model, not in a time step: there sin_cos of core/rotation.h is the choice.
 #pragma once
 
@@ -91,11 +91,14 @@ consteval Coefficients<kCount> inverse_odds(double sign) {
   return c;
 }
 
-// c[0] + c[1] x + c[2] x^2 + ...
-template <std::size_t kCount>
+// c[0] + c[1] x + c[2] x^2 + ..., the first kTwofold terms with twice the digits. A double has digits enough for the others: they
+// are below 2^-28 of the sum for the largest |x| of their series, and rounded to 2^-53 of that.
+template <std::size_t kTwofold, std::size_t kCount>
 Twofold polynomial(const std::array<Twofold, kCount>& c, const Twofold& x) {
-  Twofold total = c[kCount - 1];
-  for (std::size_t k = kCount - 1; k-- > 0;) total = total * x + c[k];
+  double small = c[kCount - 1].hi;
+  for (std::size_t k = kCount - 1; k-- > kTwofold;) small = small * x.hi + c[k].hi;
+  Twofold total = {small, 0};
+  for (std::size_t k = kTwofold; k-- > 0;) total = total * x + c[k];
   return total;
 }
 
@@ -106,13 +109,16 @@ struct Scaled {
   int power;       // of 2
   Twofold less_1;  // value - 1, kept apart since it loses digits where it is small
 };
-// e^x = (1 + y)^32 2^k. The squaring is done on y, as 2y + y^2, since 1 + y would lose the digits of a small y.
+// e^x = (1 + y)^32 2^k. The squaring is done on y, as 2y + y^2, since 1 + y would lose the digits of a small y. All of its terms are
+// twofold where a caller goes on with all digits of the result (core/normal.h); four are enough to round it.
+constexpr std::size_t kExponentialTerms = 14, kTermsToRound = 4;
+template <std::size_t kTwofold = kTermsToRound>
 inline Scaled exponential(const Twofold& x) {
   constexpr int kHalvings = 5;
   const double k = std::nearbyint(x.hi / kLn2.hi);
   const Twofold r = (1.0 / 32) * (x - k * kLn2);
-  constexpr auto kTerms = inverse_factorials<14>(1, 1, 1);
-  Twofold y = r * polynomial(kTerms, r);
+  constexpr auto kTerms = inverse_factorials<kExponentialTerms>(1, 1, 1);
+  Twofold y = r * polynomial<kTwofold>(kTerms, r);  // |r| <= ln 2 / 64
   for (int i = 0; i < kHalvings; ++i) y = y * y + 2.0 * y;
   return {kOne + y, static_cast<int>(k), y};
 }
@@ -122,7 +128,7 @@ inline Twofold logarithm(const Twofold& x) {
   const Twofold m = {std::ldexp(x.hi, -power), std::ldexp(x.lo, -power)};  // about 1
   const Twofold s = (m - kOne) / (m + kOne);
   constexpr auto kTerms = inverse_odds<23>(1);
-  return double(power) * kLn2 + 2.0 * (s * polynomial(kTerms, s * s));
+  return double(power) * kLn2 + 2.0 * (s * polynomial<5>(kTerms, s * s));  // s^2 <= 0.0295
 }
 
 inline double exp(double x) {
@@ -179,43 +185,47 @@ inline double cbrt(double x) {
 
 // --- angles ---------------------------------------------------------------------------------------
 
-struct Circle {
-  Twofold sine, cosine;
+// An angle less quarter turns, within an eighth of a turn.
+struct Angle {
+  Twofold rest;
+  long quarters;
 };
-inline Circle circle(double x) {
+inline Angle less_quarters(double x) {
   const double k = std::nearbyint(x / (kPi.hi / 2));
-  const Twofold r = Twofold{x, 0} - (k / 2) * kPi - Twofold{k / 2 * kPiRest, 0}, r2 = r * r;
+  return {Twofold{x, 0} - (k / 2) * kPi - Twofold{k / 2 * kPiRest, 0}, static_cast<long>(k)};
+}
+// The sine of the angle and of `more` quarter turns.
+inline Twofold sine(const Angle& angle, long more) {
+  const Twofold& r = angle.rest;
+  const Twofold r2 = r * r;  // <= pi^2 / 16
   constexpr auto kSine = inverse_factorials<16>(1, 2, -1),
                  kCosine = inverse_factorials<16>(0, 2, -1);
-  const Twofold s = r * polynomial(kSine, r2), c = polynomial(kCosine, r2);
-  switch (static_cast<long>(k) & 3) {
-    case 0: return {s, c};
-    case 1: return {c, -s};
-    case 2: return {-s, -c};
-    default: return {-c, s};
-  }
+  const long quarters = angle.quarters + more;
+  const Twofold size =
+      (quarters & 1) == 0 ? r * polynomial<5>(kSine, r2) : polynomial<6>(kCosine, r2);
+  return (quarters & 2) == 0 ? size : -size;
 }
 inline constexpr double kFarthest = 1e9;  // beyond this an angle has no digits left [rad]
 inline double sin(double x) {
-  return std::fabs(x) < kFarthest ? (x == 0 ? x : rounded(circle(x).sine))
+  return std::fabs(x) < kFarthest ? (x == 0 ? x : rounded(sine(less_quarters(x), 0)))
                                   : std::numeric_limits<double>::quiet_NaN();
 }
 inline double cos(double x) {
-  return std::fabs(x) < kFarthest ? rounded(circle(x).cosine)
+  return std::fabs(x) < kFarthest ? rounded(sine(less_quarters(x), 1))
                                   : std::numeric_limits<double>::quiet_NaN();
 }
 inline double tan(double x) {
   if (x == 0) return x;
   if (!(std::fabs(x) < kFarthest)) return std::numeric_limits<double>::quiet_NaN();
-  const Circle c = circle(x);
-  return rounded(c.sine / c.cosine);
+  const Angle angle = less_quarters(x);
+  return rounded(sine(angle, 0) / sine(angle, 1));
 }
 
 // The arctangent of a quotient t between 0 and 1.
 inline Twofold arctangent(Twofold t) {
   for (int i = 0; i < 2; ++i) t = t / (kOne + root(kOne + t * t));
   constexpr auto kTerms = inverse_odds<25>(-1);
-  return 4.0 * (t * polynomial(kTerms, t * t));
+  return 4.0 * (t * polynomial<6>(kTerms, t * t));  // t^2 <= 0.0396
 }
 // The angle of the point (x, y) with y >= 0. Both are hi + lo, and not both are 0.
 inline Twofold angle(const Twofold& y, const Twofold& x) {

@@ -19,7 +19,7 @@ inline double normal_share(double z) {
     total = total + term;
   }
   constexpr Twofold kDensityAtZero = {0.3989422804014327, -2.4923272022777433e-17};
-  const Scaled e = exponential(-0.5 * square);
+  const Scaled e = exponential<kExponentialTerms>(-0.5 * square);
   const Twofold density = kDensityAtZero * e.value;
   const Twofold part = density * total;
   return rounded(Twofold{0.5, 0} +
