@@ -16,8 +16,8 @@ struct CoarseWalls {
   double drift_low, drift_high;  // of the displacement at 80 % of it; some pushes ended before [-]
   int other, walls;
 };
-inline constexpr CoarseWalls kCoarseWalls[] = {{2, -0.127, -0.002, 0.435, 0.608, 13, 32},
-                                               {3, -0.033, 0.076, 0.431, 0.577, 15, 32}};
+inline constexpr CoarseWalls kCoarseWalls[] = {{2, -0.127, -0.002, 0.525, 0.606, 13, 32},
+                                               {3, -0.034, 0.072, 0.429, 0.560, 15, 32}};
 
 // Adds a note where units are drawn larger than built, or larger than any made where their real size is not stated.
 void note_coarse_units(const ModelSpec& spec, Model& model);

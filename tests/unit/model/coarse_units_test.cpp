@@ -202,8 +202,8 @@ name = "gravity"
 // mean of the two with weights 1 - T/TC and T/TC (docs/theory/assessment.md, "Units drawn larger").
 TEST(CoarseUnits, move_capacity_over_demand_between_force_and_displacement) {
   const Message said = caution_of_units(wall_of(0.5, 0.5));
-  EXPECT_NEAR(said.number("low_percent"), -12.7, 1e-9);
-  EXPECT_NEAR(said.number("high_percent"), 60.8, 1e-9);
+  EXPECT_NEAR(said.number("low_percent"), 100 * kCoarseWalls[0].force_low, 1e-9);
+  EXPECT_NEAR(said.number("high_percent"), 100 * kCoarseWalls[0].drift_high, 1e-9);
 }
 
 }  // namespace
