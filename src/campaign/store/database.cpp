@@ -81,18 +81,21 @@ std::string address(const std::string& file, const std::string& how) {
   return "file://" + escaped + how;  // with an empty host, because //tmp/x would name one
 }
 
-bool is_there(const std::string& file) {
+std::int64_t size_of(const std::string& file) {  // [bytes]; -1 for none
   struct stat found {};
-  return ::stat(file.c_str(), &found) == 0 && found.st_size > 0;
+  return ::stat(file.c_str(), &found) == 0 ? found.st_size : -1;
 }
+bool is_there(const std::string& file) { return size_of(file) > 0; }
 
 // How to open a store so that no file beside it is created, recovered or removed:
-//   no -wal        without locks
+//   no -wal        without locks. A -shm that lies there alone is of a writer that ended and could not remove it: whoever has the
+//                  store open makes the -wal first and removes it last
 //   -wal and -shm  with the locks of the writer; if the writer was killed, the index is made in memory. Where SQLite
 //                  cannot do that (SQLITE_PROTOCOL: only the head of the journal was written), as without -shm
 //   -wal alone     no program has it open: without locks, the index in memory
 std::string open_mode(const std::string& file, bool index_is_good = true) {
-  if (!is_there(file + "-wal") && !is_there(file + "-shm")) return "?immutable=1";
+  const std::int64_t journal = size_of(file + "-wal");
+  if (journal < 0 || (journal == 0 && !is_there(file + "-shm"))) return "?immutable=1";
   if (is_there(file + "-shm") && index_is_good)
     return std::string("?mode=ro&readonly_shm=1&vfs=") + read_only_vfs();
   return std::string("?mode=ro&vfs=") + read_only_vfs_without_locks();

@@ -156,6 +156,19 @@ TEST_F(UntouchedStore, after_a_campaign_was_killed) {
   EXPECT_EQ(content_of(out_).size(), 1U);  // a writer takes the journal in
 }
 
+// A disk that failed when the last writer removed its files: the index alone is left, and it tells nothing.
+TEST_F(UntouchedStore, with_the_index_of_a_writer_that_has_ended) {
+  Writer writer(out_);
+  ASSERT_TRUE(writer.store(1));
+  const std::string index = store_path(out_).string() + "-shm";
+  fs::copy_file(index, folder_ / "index");
+  writer.end();
+  fs::copy_file(folder_ / "index", index);
+  read_all(1);
+  EXPECT_EQ(Store(out_, Store::Access::kWrite).done(), (std::set<int>{1}));
+  EXPECT_EQ(content_of(out_).size(), 1U);  // a writer removes it
+}
+
 // The file alone is the whole campaign when its writer has ended, also where somebody read to the end.
 TEST_F(UntouchedStore, a_reader_keeps_nothing_in_the_journal) {
   Writer writer(out_);
