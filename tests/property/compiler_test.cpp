@@ -57,8 +57,8 @@ class Bytes {
   template <class T>
   void add(const std::vector<T>& list) {
     add(list.size());
-    if constexpr (std::is_arithmetic_v<T> &&
-                  !std::is_same_v<T, bool>)  // as one piece: tests are not optimised
+    // Numbers as one piece: tests are not optimised.
+    if constexpr (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>)
       out_.append(reinterpret_cast<const char*>(list.data()), list.size() * sizeof(T));
     else
       for (const T& member : list) add(member);
