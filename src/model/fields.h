@@ -51,6 +51,12 @@ enum class Entity {
                      [](const Stage& s) { return s.dashpots.spring_share > 0; });
 }
 
+// Whether any stage of a wall has dashpots or Maxwell elements.
+[[nodiscard]] inline bool has_dashpots(const Model& m) {
+  return std::any_of(m.stages.begin(), m.stages.end(),
+                     [](const Stage& s) { return s.dashpots.any(); });
+}
+
 [[nodiscard]] inline std::size_t count_of(const Model& m, Entity entity) {
   switch (entity) {
     case Entity::kBlock: return static_cast<std::size_t>(m.n_block);

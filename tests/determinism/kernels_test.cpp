@@ -2,6 +2,7 @@
 // of points, small and large rotations of blocks, and runs that do not fill the last pack.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -90,6 +91,46 @@ TEST(Kernels, all_sets_give_the_bits_of_the_scalar_one) {
                   << set->name << ", " << points << " points, turn " << turn;
           }
         }
+}
+
+// The end of a wall after 40 steps with the dashpots of its shake, and two of the stage behind it where `ended`.
+End shake_with(const Kernels& kernels, const Model& model, double turn, bool ended) {
+  State state = scattered(model, turn);
+  dynamics::Processor processor(model, 1, 1, kernels);
+  processor.load_wall(0, model, state);
+  dynamics::Controls controls;
+  controls.dt = 0.2 * 2 / model.omega_max;
+  controls.dashpots = &model.stages[1].dashpots;
+  processor.set(0, controls);
+  for (int k = 0; k < 40; ++k) processor.step();
+  if (ended) controls.dashpots = nullptr;
+  processor.set(0, controls);
+  for (int k = 0; k < 2; ++k) processor.step();
+  processor.unload_wall(0);
+  const bool has_elements = model.stages[1].dashpots.spring_share > 0;
+  EXPECT_EQ(std::ranges::any_of(state.maxwell_normal, [](double q) { return q != 0; }),
+            has_elements && !ended && turn < 0.1);  // turned further, all points are open
+  EXPECT_NE(state.energy.work_damping, 0);
+  return {state_hash(state), state.energy.dissipated_friction, state.energy.dissipated_fracture,
+          state.energy.dissipated_crushing, state.energy.work_damping};
+}
+
+// Dashpots that rebound, Maxwell elements, and both, at closed, open and sliding points.
+TEST(Kernels, all_sets_give_the_bits_of_the_scalar_one_in_a_shake) {
+  for (const int kind : {0, 1, 2}) {
+    ModelSpec spec = scenes::plain_wall(5, 7, 0.3e-3, 0.05);
+    spec.stage = {scenes::gravity_stage(), scenes::shake_stage(5, 0.05)};
+    if (kind == 0) spec.stage[1].get<ShakeStage>().maxwell_damping = {};
+    if (kind == 1) spec.stage[1].get<ShakeStage>().restitution = 1;
+    const Model model = compile(spec);
+    for (const double turn : {1e-4, 0.4})
+      for (const bool ended : {false, true}) {
+        const End scalar = shake_with(*dynamics::kernels_here()[0], model, turn, ended);
+        for (const Kernels* set : dynamics::kernels_here())
+          EXPECT_TRUE(shake_with(*set, model, turn, ended) == scalar)
+              << set->name << ", kind " << kind << ", turn " << turn;
+      }
+  }
 }
 
 TEST(Kernels, all_sets_give_the_bits_of_the_scalar_one_where_energy_grows_with_pressure) {

@@ -88,17 +88,21 @@ void expect_same(const End& a, const End& b, const std::string& what) {
 }
 
 TEST(SpaceBits, no_instruction_set_and_no_number_of_threads_changes_a_bit) {
-  const Model model = compile(leaves(1, 1e-3));
-  std::optional<End> first;
-  for (const auto* set : dynamics::space::kernels_here())
-    for (const int threads : {1, 3}) {
-      SpaceProcessor processor(model, 1, threads, *set);
-      const End now = run_on(model, processor);
-      if (!first) first = now;
-      expect_same(now, *first, std::string(set->name) + ", threads " + std::to_string(threads));
-    }
-  EXPECT_GT(first->result.energy.fracture, 0);  // it cracked and slid
-  EXPECT_GT(first->result.energy.friction, 0);
+  ModelSpec shaken = leaves(0.1);
+  shaken.stage[1] = scenes::shake_stage(100, 0.03);
+  for (const ModelSpec& spec : {leaves(1, 1e-3), shaken}) {
+    const Model model = compile(spec);
+    std::optional<End> first;
+    for (const auto* set : dynamics::space::kernels_here())
+      for (const int threads : {1, 3}) {
+        SpaceProcessor processor(model, 1, threads, *set);
+        const End now = run_on(model, processor);
+        if (!first) first = now;
+        expect_same(now, *first, std::string(set->name) + ", threads " + std::to_string(threads));
+      }
+    EXPECT_GT(first->result.energy.fracture, 0);  // it cracked and slid
+    EXPECT_GT(first->result.energy.friction, 0);
+  }
 }
 
 TEST(SpaceBits, a_wall_has_the_same_bits_in_any_lane_beside_others) {

@@ -7,6 +7,7 @@
 
 #include "dynamics/passes/drive.h"
 #include "dynamics/passes/sums.h"
+#include "model/fields.h"
 
 namespace wythe::dynamics {
 
@@ -79,9 +80,11 @@ class Executor {
 [[nodiscard]] std::unique_ptr<Executor> processor_for(const Model& model, int lanes,
                                                       int threads = 1);
 
-// True where walls can be stepped side by side: one topology, no free contacts, no masonry cut out or put up.
+// True where walls can be stepped side by side: one topology, the same kinds of dashpots, no free
+// contacts, no masonry cut out or put up.
 [[nodiscard]] inline bool fit_together(const Model& a, const Model& b) {
-  return a.topology == b.topology && !a.free.any() && !b.free.any() && !a.standing.any() &&
+  return a.topology == b.topology && has_dashpots(a) == has_dashpots(b) &&
+         has_maxwell(a) == has_maxwell(b) && !a.free.any() && !b.free.any() && !a.standing.any() &&
          !b.standing.any();
 }
 

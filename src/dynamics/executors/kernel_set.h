@@ -4,6 +4,7 @@
 #include "contact/parameters.h"
 #include "dynamics/executors/kernels.h"
 #include "dynamics/passes/blocks.h"
+#include "dynamics/passes/joint_dashpots.h"
 #include "dynamics/passes/joints.h"
 #include "dynamics/passes/solids.h"
 
@@ -86,10 +87,10 @@ template <class Real>
   using Many = ManyWalls<Real>;
   return {name,
           Lanes<Real>::width,
-          {PassesOf<One>::joints, run_pass<Zones<One>>, PassesOf<One>::edges, run_pass<Blocks<One>>,
-           run_pass<Nodes<One>>},
+          {PassesOf<One>::joints, run_pass<Zones<One>>, PassesOf<One>::edges,
+           run_pass<JointDashpots<One>>, run_pass<Blocks<One>>, run_pass<Nodes<One>>},
           {PassesOf<Many>::joints, run_pass<Zones<Many>>, PassesOf<Many>::edges,
-           run_pass<Blocks<Many>>, run_pass<Nodes<Many>>}};
+           run_pass<JointDashpots<Many>>, run_pass<Blocks<Many>>, run_pass<Nodes<Many>>}};
 }
 
 }  // namespace wythe::dynamics

@@ -18,11 +18,11 @@ void Executor::step() {
   run(kZones);             // forces of deformable blocks on their nodes         passes/solids.h
   run(kEdges);             // the law between these and rigid blocks
   update_free_contacts();  // free contacts, and joints that give way to them    passes/free_contacts.h
-  apply_dashpots();        // dashpots of the joints that are left               passes/dashpots.h
-  run(kBlocks);            // central differences with local damping, poses      passes/blocks.h
-  run(kNodes);             // the same for nodes                                 passes/solids.h
-  drive();                 // the driven blocks, and their reaction              passes/drive.h
-  end_step();              // works into the ledger, clock
+  apply_dashpots();  // dashpots of the joints that are left               passes/joint_dashpots.h
+  run(kBlocks);      // central differences with local damping, poses      passes/blocks.h
+  run(kNodes);       // the same for nodes                                 passes/solids.h
+  drive();           // the driven blocks, and their reaction              passes/drive.h
+  end_step();        // works into the ledger, clock
 }
 
 namespace {
@@ -164,7 +164,6 @@ void Processor::load_wall(int lane, const Model& model, State& state) {
   wall.model = &model;
   wall.state = &state;
   wall.dashpot_state = {};
-  wall.dashpot_state.maxwell.load_state(state);
   load_lane(layout_, bank_of(lane).tables, lane % width_, model, state);
   if (model.standing.any()) stand(layout_, bank_of(lane).tables, model, state);
   if (free_) free_->load_state(state, wall.view);
@@ -209,16 +208,19 @@ void Processor::begin_step() {
 }
 
 void Processor::apply_dashpots() {
+  if (layout_.damped == 0) return;
+  bool any = false;
   for (Wall& wall : wall_) {
+    wall.view.wall_value(kHasDashpots) = 0;
     if (wall.model == nullptr || !(wall.controls.dt > 0)) continue;
-    if (wall.controls.dashpots == nullptr) {
-      wall.dashpot_state.maxwell.set_zero();
-      continue;
-    }
-    prepare_dashpots(*wall.model, wall.dashpot_state);
-    damp_joints(layout_, wall.view, *wall.model, *wall.controls.dashpots, wall.controls.dt,
-                wall.dashpot_state);
+    const Dashpots* dashpots = wall.controls.dashpots;
+    if (dashpots == nullptr)
+      clear_elements(layout_, wall.view, wall.dashpot_state);
+    else
+      load_dashpots(layout_, wall.view, *dashpots, wall.controls.dt, wall.dashpot_state);
+    any = any || dashpots != nullptr;
   }
+  if (any) run(kDashpots);
 }
 
 void Processor::run_chunk(Pass pass, Bank& bank, std::size_t chunk) {
@@ -253,7 +255,6 @@ void Processor::run(Pass pass) {
 void Processor::store_state(int lane, State& state) const {
   const Wall& wall = wall_[lane];
   store_lane(layout_, wall.view.t, static_cast<int>(wall.view.lane), *wall.model, state);
-  wall.dashpot_state.maxwell.store_state(state);
   if (free_) free_->store_state(state);
 }
 
@@ -298,9 +299,9 @@ void Processor::end_step() {
       }
     }
     if (free_) free_->moved(*wall.state, wall.controls.dt, wall.view);
-    if (wall.controls.dashpots != nullptr)
+    if (wall.controls.dashpots != nullptr && layout_.damped > 0)
       wall.state->energy.work_damping +=
-          dashpot_work(wall.view, *wall.model, wall.dashpot_state, wall.controls.dt);
+          dashpot_work(layout_, wall.view, *wall.model, wall.controls.dt);
     advance_clock(*wall.state, wall.controls);
   }
 }

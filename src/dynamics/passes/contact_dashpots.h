@@ -41,7 +41,7 @@ struct ViscousForce {
     return full / (1 + 0.5 * full * dt * c.mobility);
   };
   const double c_n = resistance(c.normal_stiffness), c_s = resistance(c.shear_stiffness);
-  const MaxwellStep maxwell = maxwell_step(dashpots, dt);
+  const MaxwellStep<double> maxwell = maxwell_step(dashpots, dt);
   const double left = memory.area < c.area_before ? memory.area / c.area_before : 1.0;
   const Vector<double> bore{memory.maxwell_x, memory.maxwell_y, memory.maxwell_z};
   const double spring_n = maxwell.of(left * memory.maxwell_n, c.normal_stiffness, c.opened);

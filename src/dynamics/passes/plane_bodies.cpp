@@ -405,7 +405,8 @@ contact::History<double> PlaneBodies::history_of(JointId joint, int point,
   const Chunk& run = layout_.chunks[kJoints][chunk];
   contact::History<double> h{};
   for (int row = 0; row < run.rows; ++row)
-    h.*contact::kHistory<double>[row] = wall.t.history[layout_.point_number(run, n, point, row, 1)];
+    h.*contact::kHistory<double>[row] =
+        wall.t.history[layout_.point_number(run, run.history, n, point, run.rows, row, 1)];
   return h;
 }
 
@@ -469,7 +470,7 @@ void PlaneBodies::release(JointId joint, const WallView& wall) const {
   const Chunk& chunk = layout_.chunks[kJoints][number];
   for (int k = 0; k < m_.n_face_point; ++k)
     for (const int row : {row_of(&State::crush), row_of(&State::plastic_slip)})
-      wall.t.history[layout_.point_number(chunk, n, k, row, 1)] = 0;
+      wall.t.history[layout_.point_number(chunk, chunk.history, n, k, chunk.rows, row, 1)] = 0;
 }
 
 // All other faces take the full law in the next step.

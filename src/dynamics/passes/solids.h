@@ -15,8 +15,6 @@
 
 namespace wythe::dynamics {
 
-struct NoWork {};
-
 // Zones of one shape: forces on their corners.
 template <class A>
 struct Zones {

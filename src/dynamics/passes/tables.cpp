@@ -66,6 +66,16 @@ void place_points(std::vector<Chunk>& chunks, std::int32_t& numbers) {
   }
 }
 
+// Gives the joints' points Maxwell elements; returns how many numbers these have.
+std::int32_t place_elements(std::vector<Chunk>& chunks) {
+  std::int32_t numbers = 0;
+  for (Chunk& chunk : chunks) {
+    chunk.elements = numbers;
+    numbers += (chunk.end - chunk.begin) * chunk.points * kMaxwellRows;
+  }
+  return numbers;
+}
+
 // Lays the laws of chunks one behind the other.
 void place_laws(std::vector<Chunk>& chunks, std::int32_t& rows) {
   for (Chunk& chunk : chunks) {
@@ -288,9 +298,15 @@ Layout::Layout(const Model& m, Kind of) : kind(of) {
   crossings = place_all(cut_plain(static_cast<int>(m.layers.cross_a.size()), kind), kind, same);
   place_points(chunks[kJoints], history);
   place_points(chunks[kEdges], history);
-  history *= kind == kWalls ? 1 : kGroup;
   place_laws(chunks[kJoints], laws);
   place_laws(chunks[kEdges], laws);
+  if (has_dashpots(m)) {
+    damped = joints;
+    if (has_maxwell(m)) elements = place_elements(chunks[kJoints]);
+    chunks[kDashpots] = chunks[kJoints];
+  }
+  const int lanes = kind == kWalls ? 1 : kGroup;
+  history *= lanes, elements *= lanes;
   rule_points = m.point_xi.size();
   zone_entries = s.zone_entry.size();
   contact_entries = s.contact_entry.size();

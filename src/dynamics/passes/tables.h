@@ -94,6 +94,10 @@ enum NodeRow {
   kNodeMass,
   kNodeRows
 };
+// Rows of the dashpots of a joint: stress per rate of opening, of slip [Pa s/m].
+enum DashpotRow { kNormalDashpot, kShearDashpot, kDashpotRows };
+// Rows of the Maxwell elements at a point: their stresses [Pa].
+enum MaxwellRow { kNormalElement, kShearElement, kMaxwellRows };
 // Rows of a link: its history, its law, its place.
 enum LinkRowName {
   kLinkForce,
@@ -165,7 +169,19 @@ inline constexpr int kStrengths = contact::kStrengths, kOthers = kLawRows - kStr
 // Numbers of a wall that every step sets. kTimeBefore: the time in
 // which the present velocities have moved the wall. It is the time
 // step, unless damping by mass has changed the velocities since.
-enum WallRow { kDt, kDamping, kGravityX, kGravityY, kTimeBefore, kWallRows };
+// From kHasDashpots on: only for walls with dashpots (dashpots.h).
+enum WallRow {
+  kDt,
+  kDamping,
+  kGravityX,
+  kGravityY,
+  kTimeBefore,
+  kHasDashpots,  // 1 in a step with dashpots, else 0
+  kRebounds,     // 1 where impacts rebound, else 0
+  kElementKept,  // of Maxwell elements (MaxwellStep)
+  kElementGain,
+  kWallRows
+};
 
 // Runs of entities for one call of a kernel. A group is 8 neighbours, or a single entity.
 struct Chunk {
@@ -178,6 +194,7 @@ struct Chunk {
   std::int32_t rule = 0;            // places of its points: first index into point_xi, point_weight
   std::int32_t rows = 0;            // of history of their law
   std::int32_t history = 0;         // numbers of history, in one lane, before its first group
+  std::int32_t elements = -1;       // the same of Maxwell elements; -1: none
   bool on_ground = false;
   bool at_ends = false;        // two points, one at each end of the face
   bool graded = false;         // each group has strengths of its own (a field), not all the same
@@ -186,10 +203,11 @@ struct Chunk {
 };
 
 // Loops of a step with a kernel. A pass is written once (passes/*.h) and listed here.
-enum Pass { kJoints, kZones, kEdges, kBlocks, kNodes, kPasses };
+enum Pass { kJoints, kZones, kEdges, kDashpots, kBlocks, kNodes, kPasses };
 
 // Works of a chunk [J]: kGroup sums of each term for each wall, added up in order.
 enum Term { kFriction, kFracture, kCrushing, kLoads, kDamped, kTerms };
+struct NoWork {};
 
 struct Tables {
   std::ptrdiff_t lanes = 1;  // walls side by side; 1 for neighbours
@@ -223,10 +241,14 @@ struct Tables {
   double* force;    // rows of four: fx, fy on side a, moments on a and b about their centroids;
       // joints, links, frames, crossings of layers, then free contacts: one row for each
       // block
-  double* link;              // (links, kLinkRows)
-  double* frame;             // (sections of frames, kFrameRows)
-  double* layer;             // (nodes of layers, kLayerRows)
-  double* node;              // (n_node, kNodeRows)
+  double* link;      // (links, kLinkRows)
+  double* frame;     // (sections of frames, kFrameRows)
+  double* layer;     // (nodes of layers, kLayerRows)
+  double* node;      // (n_node, kNodeRows)
+  double* dashpot;   // (joints, kDashpotRows)
+  double* element;   // (points, kMaxwellRows)
+  double* velocity;  // rows of four of blocks: vx, vy, omega before the step; the ground's last
+  double* viscous_force;     // rows of four as `force`: the share of dashpots
   double* zone_force;        // rows of four: forces on corners 0 and 1 of each zone
   double* high_force;        // the same for corners 2 and 3, in a table of its own
   double* edge_block_force;  // rows of four: fx, fy, moment on the rigid block
@@ -250,6 +272,7 @@ struct Layout {
   std::int32_t joints = 0, zones = 0, edges = 0, blocks = 0, nodes = 0, links = 0, history = 0;
   std::int32_t sections = 0;               // of frames
   std::int32_t layers = 0, crossings = 0;  // nodes of layers; where their fibres cross a joint
+  std::int32_t damped = 0, elements = 0;   // joints with dashpots; numbers of Maxwell elements
   std::int32_t frees = 0;  // rows of forces of free contacts: blocks and the ground, or none
   std::int32_t laws = 0;   // rows
   std::size_t entries = 0, edge_entries = 0;
@@ -270,12 +293,13 @@ struct Layout {
             : chunk.others + (chunk.graded_others ? group : 0) * kOthers + k - kStrengths;
     return kind == kWalls ? number * walls : number * kGroup + n % kGroup;
   }
-  // Index of row `row` of point k of entity n of a chunk of joints or edges.
-  [[nodiscard]] std::ptrdiff_t point_number(const Chunk& chunk, int n, int k, int row,
-                                            int walls) const {
+  // Index of row `row` of point k of entity n of a chunk of joints or edges, in a table of points
+  // of `rows` where the chunk begins with number `first`.
+  [[nodiscard]] std::ptrdiff_t point_number(const Chunk& chunk, std::int32_t first, int n, int k,
+                                            int rows, int row, int walls) const {
     const int group = kind == kWalls ? n : n / kGroup;
     const std::ptrdiff_t number =
-        chunk.history + (static_cast<std::ptrdiff_t>(group) * chunk.points + k) * chunk.rows + row;
+        first + (static_cast<std::ptrdiff_t>(group) * chunk.points + k) * rows + row;
     return kind == kWalls ? number * walls : number * kGroup + n % kGroup;
   }
 };
@@ -347,6 +371,10 @@ void each_table(const Layout& l, Tables& t, const Visit& visit, const Own& own) 
   own(t.link, n(l.links) * kLinkRows);
   own(t.frame, n(l.sections) * kFrameRows);
   own(t.layer, n(l.layers) * kLayerRows);
+  own(t.dashpot, n(l.damped) * kDashpotRows);
+  own(t.element, n(l.elements));
+  own(t.velocity, l.damped > 0 ? 4 * (n(l.blocks) + 1) : 0);
+  own(t.viscous_force, 4 * n(l.damped));
   own(t.node, n(l.nodes) * kNodeRows);
   own(t.zone_force, 4 * n(l.zones));
   own(t.high_force, 4 * n(l.zones));  // right behind zone_force: lists of nodes reach into it

@@ -42,17 +42,26 @@ void each_number(const Layout& l, const Tables& t, const Model& m, const StateFi
   if (field.entity == Entity::kFrameSet && m.standing.any())
     return plain(t.frame, m.frames.n, kFrameRows, kFrameAlong + row);
   if (field.entity == Entity::kLayerNode) return plain(t.layer, m.layers.n, kLayerRows, row);
-  if (field.entity != Entity::kPoint) return;  // only for walls in space
-  const auto points = [&](const std::vector<Chunk>& chunks, std::size_t first, int per) {
-    for (const Chunk& chunk : chunks)
-      for (int n = 0; row < chunk.rows && n < chunk.n; ++n)
-        for (int k = 0; k < per; ++k)
-          act(first + static_cast<std::size_t>(chunk.first + n) * static_cast<std::size_t>(per) +
-                  static_cast<std::size_t>(k),
-              t.history + l.point_number(chunk, n, k, row, walls));
+  const auto each_point = [&](const Chunk& chunk, std::size_t first, const auto& number) {
+    for (int n = 0; n < chunk.n; ++n)
+      for (int k = 0; k < chunk.points; ++k)
+        act(first + static_cast<std::size_t>((chunk.first + n) * chunk.points + k), number(n, k));
   };
-  points(l.chunks[kJoints], 0, m.n_face_point);
-  points(l.chunks[kEdges], static_cast<std::size_t>(m.n_point()), 2);
+  if (field.entity == Entity::kMaxwell && l.elements > 0)
+    for (const Chunk& chunk : l.chunks[kDashpots])
+      each_point(chunk, 0, [&](int n, int k) {
+        return t.element + l.point_number(chunk, chunk.elements, n, k, kMaxwellRows, row, walls);
+      });
+  if (field.entity != Entity::kPoint) return;  // only for walls in space
+  const auto histories = [&](const std::vector<Chunk>& chunks, std::size_t first) {
+    for (const Chunk& chunk : chunks)
+      if (row < chunk.rows)
+        each_point(chunk, first, [&](int n, int k) {
+          return t.history + l.point_number(chunk, chunk.history, n, k, chunk.rows, row, walls);
+        });
+  };
+  histories(l.chunks[kJoints], 0);
+  histories(l.chunks[kEdges], static_cast<std::size_t>(m.n_point()));
 }
 
 // Loads the law of each entity of chunks: one material for the whole chunk, or each its own. The last one fills up a group.

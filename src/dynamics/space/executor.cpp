@@ -106,7 +106,6 @@ void SpaceProcessor::load_wall(int lane, const Model& model, State& state) {
   wall.state = &state;
   wall.dashpot_state = {};
   wall.has_stepped = false;
-  wall.dashpot_state.maxwell.load_state(state);
   load_lane(wall.view, model, state);
   if (model.standing.any()) stand(wall.view, model, state);
   if (free_) free_->load_state(state, wall.view);
@@ -193,19 +192,26 @@ void SpaceProcessor::begin_step() {
 }
 
 void SpaceProcessor::apply_dashpots() {
+  if (layout_.damped == 0) return;
+  bool any = false;
   for (Wall& wall : wall_) {
+    wall.view.wall_value(kHasDashpots) = 0;
     if (wall.model == nullptr || !(wall.controls.dt > 0)) continue;
-    if (wall.controls.dashpots == nullptr)
-      wall.dashpot_state.maxwell.set_zero();
+    const Dashpots* dashpots = wall.controls.dashpots;
+    if (dashpots == nullptr)
+      clear_elements(wall.view, wall.dashpot_state);
     else
-      damp_joints(wall.view, *wall.model, wall.controls, wall.dashpot_state);
+      load_dashpots(wall.view, *dashpots, wall.controls.dt, wall.dashpot_state);
+    any = any || dashpots != nullptr;
   }
+  if (any) run(kDashpots);
 }
 
 void SpaceProcessor::run_chunk(Kernel kernel, Bank& bank, const Chunk& chunk, double* works) const {
   constexpr int kMostLanes = 8;
   double sums[kTerms * kGroup * kMostLanes] = {};
   kernel(bank.tables, chunk, sums);
+  if (works == nullptr) return;
   for (int term = 0; term < kTerms; ++term)
     for (int wall = 0; wall < width_; ++wall) {
       double sum = 0;
@@ -226,15 +232,17 @@ void SpaceProcessor::run_zones(Pass pass) {
 }
 
 void SpaceProcessor::run(Pass pass) {
-  if (pass != kJoints && pass != kBlocks) return run_zones(pass);
-  const bool one = lanes() == 1;
-  const std::vector<Chunk>& chunks = pass == kJoints ? layout_.joints : layout_.blocks;
-  const Kernel kernel = (pass == kJoints ? kernels_.joints : kernels_.blocks)[one ? 0 : 1];
+  if (pass == kZones || pass == kEdges || pass == kNodes) return run_zones(pass);
+  const std::vector<Chunk>& chunks = pass == kBlocks ? layout_.blocks : layout_.joints;
+  const Kernel kernel = (pass == kJoints     ? kernels_.joints
+                         : pass == kDashpots ? kernels_.dashpots
+                                             : kernels_.blocks)[lanes() == 1 ? 0 : 1];
+  const auto width = static_cast<std::size_t>(width_);
   for (Bank& bank : bank_) {
-    std::vector<double>& works = pass == kJoints ? bank.joint_works : bank.block_works;
+    std::vector<double>& works = pass == kBlocks ? bank.block_works : bank.joint_works;
     workers_.for_each_chunk(static_cast<int>(chunks.size()), [&](int c) {
-      run_chunk(kernel, bank, chunks[c],
-                &works[static_cast<std::size_t>(c) * kTerms * static_cast<std::size_t>(width_)]);
+      double* of_chunk = &works[static_cast<std::size_t>(c) * kTerms * width];
+      run_chunk(kernel, bank, chunks[c], pass == kDashpots ? nullptr : of_chunk);
     });
   }
 }
@@ -242,7 +250,6 @@ void SpaceProcessor::run(Pass pass) {
 void SpaceProcessor::store_state(int lane, State& state) const {
   const Wall& wall = wall_[lane];
   store_lane(wall.view, *wall.model, state);
-  wall.dashpot_state.maxwell.store_state(state);
   if (wall.zones) wall.zones->store_state(state);
   if (free_) free_->store_state(state);
 }
@@ -287,9 +294,8 @@ void SpaceProcessor::end_step() {
         *ledger[k / static_cast<std::size_t>(width_) % kTerms] += (*works)[k];
     if (wall.zones) wall.zones->tell(*wall.state);
     if (free_) free_->moved(*wall.state, wall.controls.dt, wall.view);
-    if (wall.controls.dashpots != nullptr)
-      wall.state->energy.work_damping +=
-          dashpot_work(wall.view, *wall.model, wall.dashpot_state, wall.controls.dt);
+    if (wall.controls.dashpots != nullptr && layout_.damped > 0)
+      wall.state->energy.work_damping += dashpot_work(wall.view, *wall.model, wall.controls.dt);
     advance_clock(*wall.state, wall.controls);
   }
 }

@@ -70,6 +70,7 @@ class SpaceProcessor final : public Executor {
   void apply_dashpots() override;
   void drive() override;
   void end_step() override;
+  // `works`: of the chunk; null for a pass that does none.
   void run_chunk(Kernel kernel, Bank& bank, const Chunk& chunk, double* works) const;
 
   const Model model_;

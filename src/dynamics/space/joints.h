@@ -16,6 +16,35 @@ template <class Real, class Access>
   return {access.shared(table, row), access.shared(table, row + 1), access.shared(table, row + 2)};
 }
 
+template <class Access, class Real = typename Access::Real>
+[[nodiscard]] WYTHE_INLINE contact::Pose<Real> pose_of(const Tables& t, const Access& access,
+                                                       const std::int32_t* id, std::ptrdiff_t j) {
+  const Rows<Real> shift = access.rows(t.shift, id, j), turn = access.rows(t.turn, id, j);
+  return {{shift.c0, shift.c1, shift.c2}, {shift.c3, {turn.c0, turn.c1, turn.c2}}};
+}
+// Face j in the present poses: between two blocks, or on a support.
+template <class Access, class Real = typename Access::Real>
+[[nodiscard]] WYTHE_INLINE contact::PairFace<Real> pair_face(const Tables& t, const Access& access,
+                                                             std::ptrdiff_t j) {
+  const auto vector = [&](int row) __attribute__((always_inline)) {
+    return shared_vector<Real>(access, t.face, j * kFaceRows + row);
+  };
+  return contact::PairFace<Real>(pose_of(t, access, t.joint_a, j), pose_of(t, access, t.joint_b, j),
+                                 vector(kArmA), vector(kArmB), vector(kTangent), vector(kNormal));
+}
+template <class Access, class Real = typename Access::Real>
+[[nodiscard]] WYTHE_INLINE contact::SupportFace<Real> support_face(const Tables& t,
+                                                                   const Access& access,
+                                                                   std::ptrdiff_t j) {
+  const auto vector = [&](int row) __attribute__((always_inline)) {
+    return shared_vector<Real>(access, t.face, j * kFaceRows + row);
+  };
+  const Rows<Real> moved = access.rows(t.support, t.joint_a, j);
+  return contact::SupportFace<Real>({moved.c0, moved.c1, moved.c2},
+                                    pose_of(t, access, t.joint_b, j), vector(kArmB),
+                                    vector(kTangent), vector(kNormal));
+}
+
 // Whether an undamaged point (contact/fast_paths.h) stays undamaged. Squares of
 // its shear (s1, s2) and of the strength are compared, so that no root is needed.
 // The comparison is slightly strict, so update() never slides where it holds.
@@ -57,17 +86,11 @@ struct Joints {
   WYTHE_INLINE void at(std::ptrdiff_t j, Work& work) const {
     if constexpr (Access::one_wall)
       if (access.load_flag(t.law_path, j) == kReleased) return;
-    const auto vector = [&](int row) {
-      return shared_vector<Real>(access, t.face, j * kFaceRows + row);
-    };
     if constexpr (on_support) {
-      const Rows<Real> moved = access.rows(t.support, t.joint_a, j);
-      const contact::SupportFace<Real> face({moved.c0, moved.c1, moved.c2}, pose(t.joint_b, j),
-                                            vector(kArmB), vector(kTangent), vector(kNormal));
+      const contact::SupportFace<Real> face = support_face(t, access, j);
       store_loads(j, face.loads(ask(j, face.gap(), work)));
     } else {
-      const contact::PairFace<Real> face(pose(t.joint_a, j), pose(t.joint_b, j), vector(kArmA),
-                                         vector(kArmB), vector(kTangent), vector(kNormal));
+      const contact::PairFace<Real> face = pair_face(t, access, j);
       store_loads(j, face.loads(ask(j, face.gap(), work)));
     }
   }
@@ -93,11 +116,6 @@ struct Joints {
                                      vector(kArmB), vector(kTangent), vector(kNormal))
           .gap();
     }
-  }
-  [[nodiscard]] WYTHE_INLINE contact::Pose<Real> pose(const std::int32_t* id,
-                                                      std::ptrdiff_t j) const {
-    const Rows<Real> shift = access.rows(t.shift, id, j), turn = access.rows(t.turn, id, j);
-    return {{shift.c0, shift.c1, shift.c2}, {shift.c3, {turn.c0, turn.c1, turn.c2}}};
   }
   WYTHE_INLINE void store_loads(std::ptrdiff_t j, const contact::BlockLoads<Real>& l) const {
     const Real zero(0.0);

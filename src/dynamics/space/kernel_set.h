@@ -3,6 +3,7 @@
 
 #include "dynamics/executors/kernel_set.h"
 #include "dynamics/space/blocks.h"
+#include "dynamics/space/joint_dashpots.h"
 #include "dynamics/space/kernels.h"
 
 namespace wythe::dynamics::space {
@@ -23,6 +24,7 @@ template <class Real>
   return {name,
           Lanes<Real>::width,
           {run_joints<One>, run_joints<Many>},
+          {run_pass<JointDashpots<One>, Tables>, run_pass<JointDashpots<Many>, Tables>},
           {run_pass<Blocks<One>, Tables>, run_pass<Blocks<Many>, Tables>}};
 }
 

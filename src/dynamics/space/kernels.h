@@ -13,7 +13,7 @@ using Kernel = void (*)(const Tables&, const Chunk&, double* works);
 struct KernelSet {
   const char* name;
   int width;
-  Kernel joints[2], blocks[2];  // over neighbours of one wall, over walls side by side
+  Kernel joints[2], dashpots[2], blocks[2];  // over neighbours of one wall, over walls side by side
 };
 
 [[nodiscard]] const KernelSet& scalar_kernels();

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "contact/parameters.h"
+#include "model/fields.h"
 #include "wythe/parts/model.h"
 
 namespace wythe::dynamics::space {
@@ -43,12 +44,17 @@ void cut_joints(const Model& m, Layout& l) {
     chunk.rule = l.points;
     chunk.strengths = l.laws;
     chunk.others = l.laws + kStrengths;
+    if (has_maxwell(m)) {
+      chunk.elements = l.elements;
+      l.elements += spots * chunk.points * kElementRows;
+    }
     l.history += spots * chunk.points * chunk.rows;
     l.points += spots * chunk.points * kPointRows;
     l.laws += (chunk.graded ? spots : 1) * kLawRows;
     for (int k = 0; k < chunk.n; ++k) l.joint_place.push_back(chunk.begin * l.group() + k);
   }
   l.n_joint = l.joints.empty() ? 0 : l.joints.back().end * l.group();
+  if (has_dashpots(m)) l.damped = l.n_joint;
 }
 
 void cut_blocks(const Model& m, Layout& l) {
@@ -116,6 +122,14 @@ void place(const Layout& l, const Model& m, Tables& t, Placed& to) {
                        (joints + static_cast<std::size_t>(l.n_link + l.n_frame) + frees +
                         static_cast<std::size_t>(l.n_contact)) *
                        walls);
+  const std::size_t damped = l.damped, moving = damped > 0 ? blocks + 1 : 0,
+                    supports = damped > 0 ? static_cast<std::size_t>(m.space.n_support + 1) : 0;
+  to.take(t.dashpot, damped * kDashpotRows * walls);
+  to.take(t.element, static_cast<std::size_t>(l.elements) * group * walls);
+  for (double** rows : {&t.velocity, &t.spin_rate}) to.take(*rows, 4 * moving * walls);
+  to.take(t.support_velocity, 4 * supports * walls);
+  for (double** rows : {&t.viscous_force, &t.viscous_moment_a, &t.viscous_moment_b})
+    to.take(*rows, 4 * damped * walls);
   to.take(t.law_path, joints * walls);
 }
 

@@ -39,6 +39,8 @@ enum StillRow {
 inline constexpr int kDriven = 3;
 // Rows of a link beside those of the plane: the third components.
 enum LinkRow { kLinkArmAZ = kLinkRows, kLinkArmBZ, kLinkSpanZ, kSpaceLinkRows };
+// Rows of the Maxwell elements at a point: their stresses along n, t1 and t2 [Pa].
+enum ElementRow { kElementNormal, kElementShear1, kElementShear2, kElementRows };
 inline constexpr int kAxisRows = 9;  // three principal axes at the start
 
 struct Tables {
@@ -62,10 +64,28 @@ struct Tables {
   double *force = nullptr, *moment_a = nullptr,
          *moment_b =
              nullptr;  // rows of four: joints, links, frames, free contacts, contacts of zones
+  // of walls with dashpots only (dashpots.h)
+  double *dashpot = nullptr, *element = nullptr;  // (joints, kDashpotRows), (points, kElementRows)
+  double *velocity = nullptr, *spin_rate = nullptr;  // rows of four: of blocks before the step
+  double* support_velocity = nullptr;                // rows of four; the last is at rest
+  double *viscous_force = nullptr, *viscous_moment_a = nullptr,
+         *viscous_moment_b = nullptr;  // rows of four as `force`: the share of dashpots
   std::uint8_t* law_path = nullptr;
 };
-// Numbers of a wall that every step sets. kTimeBefore as in the plane; kSupportStep: how far driven supports move.
-enum WallRow { kStep, kLambda, kGravity, kTimeBefore = 5, kSupportStep, kWallRows = 9 };
+// Numbers of a wall that every step sets. kTimeBefore as in the plane; kSupportStep: how far driven supports move. From
+// kHasDashpots on as in the plane, only for walls with dashpots.
+enum WallRow {
+  kStep,
+  kLambda,
+  kGravity,
+  kTimeBefore = 5,
+  kSupportStep,
+  kHasDashpots = 9,
+  kRebounds,
+  kElementKept,
+  kElementGain,
+  kWallRows
+};
 
 struct Layout {
   Layout(const Model& model, dynamics::Layout::Kind kind);
@@ -78,6 +98,7 @@ struct Layout {
   std::int32_t first_frame = 0;    // row of forces of the first section of frames
   std::int32_t first_contact = 0;  // row of forces of the first contact of zones
   std::int32_t history = 0, points = 0, laws = 0;
+  std::int32_t damped = 0, elements = 0;  // joints with dashpots; numbers of Maxwell elements
 
   [[nodiscard]] bool grouped() const { return kind == dynamics::Layout::kNeighbours; }
   [[nodiscard]] int group() const { return grouped() ? kGroup : 1; }
