@@ -152,19 +152,21 @@ def kinds_agree(tests, answers):
 
 
 def settings_table(name):
-    """How the peaks move with another set of settings."""
+    """How the peaks move with another set of settings. Walls that it leaves as they are, to the bit, are only counted."""
     beside = walls.BESIDE.get(name, "base")
     base, other = walls.predicted(beside), walls.predicted(name, alone=True)
     rows = [[wall, base[wall]["peak_kN"] or "–", other[wall]["peak_kN"] or "–",
              f"{100 * (float(other[wall]['peak_kN']) / float(base[wall]['peak_kN']) - 1):+.1f}"
              if base[wall]["peak_kN"] and other[wall]["peak_kN"] else "–", other[wall]["mode"]]
-            for wall in base if wall in other]
+            for wall in base if wall in other and other[wall]["state"] != base[wall]["state"]]
+    same = sum(wall in other and other[wall]["state"] == base[wall]["state"] for wall in base)
     if not rows:
         return []
     found = walls.statistics(name)["peak"]
     told = [f"{kind}: δ {figure_text(found[kind]['delta'])}, σ_M {figure_text(found[kind]['sigma_M'])}"
             for kind in walls.KINDS + ["all"] if found[kind]]
-    return [f"### {name}" + (f", against {beside}" if beside != "base" else ""), "", "; ".join(told) + ".", ""] + table(["wall", "peak, kN", f"{name}, kN", "change, %", "failure"], rows)
+    return [f"### {name}" + (f", against {beside}" if beside != "base" else ""), "", "; ".join(told) + "."
+            + (f" {same} more walls end in the same state." if same else ""), ""] + table(["wall", "peak, kN", f"{name}, kN", "change, %", "failure"], rows)
 
 
 def draw(figures, found):
