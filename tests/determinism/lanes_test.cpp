@@ -190,6 +190,36 @@ TEST(Lanes, shaken_walls_too) {
     }
 }
 
+// Each kind of damping has tables of its own. A second shake, without elements, follows one with them.
+TEST(Lanes, only_walls_with_the_same_kinds_of_dashpots_share_lanes) {
+  for (const bool in_space : {false, true}) {
+    const auto shaken = [&](double amplitude, bool elements, bool dashpots) {
+      ModelSpec spec = scenes::half_units({5, 4, 2, 2, 1}, scenes::paper_joint());
+      spec.stage = {scenes::gravity_stage(), scenes::shake_stage(amplitude, 0.02),
+                    scenes::shake_stage(amplitude, 0.02)};
+      spec.stage[2].name = "aftershock";
+      for (const int k : {1, 2}) {
+        ShakeStage& shake = spec.stage[k].get<ShakeStage>();
+        if (!elements || k == 2) shake.maxwell_damping = {};
+        if (!dashpots) shake.restitution = 1;
+      }
+      return in_space ? scenes::prisms(spec) : spec;
+    };
+    const Model both = compile(shaken(8, true, true)), one = compile(shaken(8, false, true)),
+                none = compile(shaken(8, false, false));
+    EXPECT_FALSE(dynamics::fit_together(both, one));
+    EXPECT_FALSE(dynamics::fit_together(one, none));
+    EXPECT_TRUE(dynamics::fit_together(both, compile(shaken(4, true, true))));
+    std::vector<std::unique_ptr<Wall>> walls;
+    for (const double amplitude : {8.0, 4.0, 6.0}) {
+      walls.push_back(std::make_unique<Wall>(shaken(amplitude, true, true), 1));
+      walls.push_back(std::make_unique<Wall>(shaken(amplitude, false, true), 1));
+      walls.push_back(std::make_unique<Wall>(shaken(amplitude, false, false), 1));
+    }
+    solve_together(walls, 4);
+  }
+}
+
 TEST(Lanes, walls_with_zones_in_space_too) {
   for (const int width : {2, 8}) {
     std::vector<std::unique_ptr<Wall>> walls;

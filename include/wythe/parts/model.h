@@ -116,7 +116,7 @@ struct WatchedPoint {
 //           |              |
 //           +-/\/\/--[ ]---+                 a Maxwell element: spring share k, relaxation time
 struct Dashpots {
-  // Of joints, one row each: stress per rate of opening or slip [Pa s/m]; empty: none.
+  // Of joints, one row each: stress per rate of opening or slip [Pa s/m]. Empty in a stage without dashpots and elements.
   std::vector<double> normal, shear;
   double rate = 0;  // bound on the highest eigenvalue of M^-1 C [1/s]
   // Of free contacts, with the current stiffness k [N/m] and mass m between the bodies:

@@ -34,7 +34,7 @@ struct ViscousForce {
 [[nodiscard]] inline ViscousForce damp_contact(const ContactMotion& c, const Dashpots& dashpots,
                                                double friction, double dt, FreeContact& memory) {
   const double closed =
-      rebounds(dashpots) ? share_of_first_step(-c.pressed / c.normal_stiffness, c.opened) : 1.0;
+      share_of_first_step(rebounds(dashpots), -c.pressed / c.normal_stiffness, c.opened);
   const auto resistance = [&](double stiffness) {
     const double full = closed * (dashpots.proportional * stiffness +
                                   2 * dashpots.impact * square_root(stiffness * c.mass));

@@ -50,7 +50,10 @@ inline void load_dashpots(const Layout& l, const WallView& wall, const Dashpots&
   wall.wall_value(kRebounds) = rebounds(dashpots) ? 1 : 0;
   wall.wall_value(kElementKept) = maxwell.kept;
   wall.wall_value(kElementGain) = maxwell.gain;
-  of.elements_bear = maxwell.gain > 0;
+  if (maxwell.gain > 0)
+    of.elements_bear = true;
+  else
+    clear_elements(l, wall, of);
   for (int i = 0; i < wall.moving_blocks; ++i) {
     wall.column_of(wall.t.velocity, i, 0) = wall.block(i, kVx);
     wall.column_of(wall.t.velocity, i, 1) = wall.block(i, kVy);

@@ -28,7 +28,7 @@ template <int directions, class Real>
   else
     return square_root(shear_1 * shear_1 + shear_2 * shear_2);
 }
-// `dashpot` and `spring`: stresses without that limit. Few points slide in a step, so the division is made only where one does.
+// `dashpot` and `spring`: stresses without that limit. Few points slide in a step, so the division is made only where a closed one does.
 template <int directions, class Real>
 [[nodiscard]] WYTHE_INLINE ViscousStress<Real> damp_point(const PointStress<Real>& elastic,
                                                           const PointStress<Real>& dashpot,
@@ -44,8 +44,9 @@ template <int directions, class Real>
       friction * (pressed - normal) - size_of<directions>(elastic.shear_1, elastic.shear_2);
   const bool_of_t<Real> acts = wanted > zero;
   Real share = select(acts, one, zero);
-  if (any(left < wanted))
-    share = select(acts, clip(left / select(acts, wanted, one), zero, one), zero);
+  const bool_of_t<Real> beyond = left < wanted;
+  const bool_of_t<Real> slides = closed & beyond;
+  if (any(slides)) share = select(acts, clip(left / select(acts, wanted, one), zero, one), zero);
   const auto where_closed = [&](Real stress) __attribute__((always_inline)) {
     return select(closed, stress, zero);
   };
@@ -57,12 +58,15 @@ template <int directions, class Real>
 // A point that closes within a step was closed for a part of it only. A force acts for one step, half of it before and half
 // after. So the dashpot of a newly closed point acts for the half to come and for its share of the half before
 // (docs/theory/dynamics.md, 14.6a). `motion`: motion of the point in the step, negative where it closes. `open`: present opening.
+// `rebound`: whether impacts of the wall rebound; without, a point sticks anyway, and the share is 1.
 template <class Real>
-[[nodiscard]] WYTHE_INLINE Real share_of_first_step(Real open, Real motion) {
+[[nodiscard]] WYTHE_INLINE Real share_of_first_step(bool_of_t<Real> rebound, Real open,
+                                                    Real motion) {
   const Real zero(0.0), one(1.0);
   const bool_of_t<Real> closed = open < zero;
   const bool_of_t<Real> was_open = open > motion;
-  const bool_of_t<Real> closes = closed & was_open;
+  const bool_of_t<Real> just_closed = closed & was_open;
+  const bool_of_t<Real> closes = just_closed & rebound;
   if (!any(closes)) return one;
   return select(closes, Real(0.5) + open / select(closes, motion, one), one);
 }
@@ -77,8 +81,8 @@ struct MaxwellStep {
   }
 };
 
-// Dashpots and elements of joints of one law and one support. A joint without an area has none: it was released, and free
-// contacts have their own (contact_dashpots.h).
+// Dashpots and elements of joints of one law and one support. A joint without an area has none: one that was released, whose free
+// contacts have their own (contact_dashpots.h), of masonry that does not stand, or that fills up a group.
 template <class A>
 struct JointDashpots {
   using Access = A;
@@ -93,7 +97,7 @@ struct JointDashpots {
 
   WYTHE_INLINE JointDashpots(const Tables& tables, Access access, const Chunk& chunk)
       : t(tables),
-        run(face_run(tables, access, chunk, tables.joint_law_path)),
+        run(face_run(tables, access, chunk, nullptr)),
         rows(chunk.rows),
         element(chunk.elements < 0 ? nullptr
                                    : tables.element + chunk.elements * access.history_lanes()),
@@ -152,6 +156,7 @@ struct JointDashpots {
                                                      const FaceJump<Real>& rate) const {
     const Real zero(0.0), dt = of_wall(kDt), area = joint_row(t, run.access, j, kArea);
     const bool_of_t<Real> rebound = of_wall(kRebounds) > zero, acts = is_damped(j);
+    const bool_of_t<Real> has_elements = of_wall(kElementGain) > zero;
     const contact::LawConstants<Real> law = run.law_at(j);
     const Real c_n = run.access.load(t.dashpot, j * kDashpotRows + kNormalDashpot);
     const Real c_s = run.access.load(t.dashpot, j * kDashpotRows + kShearDashpot);
@@ -170,14 +175,14 @@ struct JointDashpots {
         spring.normal = maxwell.of(q.normal, law.kn, dt * rate_n);
         spring.shear_1 = maxwell.of(q.shear_1, law.ks, dt * rate_t);
       }
-      const Real closed = select(rebound, share_of_first_step(w, dt * rate_n), Real(1.0));
+      const Real closed = share_of_first_step(rebound, w, dt * rate_n);
       const ViscousStress<Real> now =
           damp_point<1>({law.kn * w, law.ks * s, zero},
                         {closed * c_n * rate_n, closed * c_s * rate_t, zero}, spring, law.tan_res);
       if (element != nullptr) {
         const auto store = [&](Real stress, Real before, MaxwellRow row)
             __attribute__((always_inline)) {
-          run.access.store(select(is_still(), before, select(acts, stress, zero)), element,
+          run.access.store(select(has_elements, select(acts, stress, zero), before), element,
                            point * kMaxwellRows + row);
         };
         store(now.spring.normal, q.normal, kNormalElement);
@@ -189,10 +194,6 @@ struct JointDashpots {
     return sum;
   }
 
-  // Walls that do not move in this step, or have no dashpots in it.
-  [[nodiscard]] WYTHE_INLINE bool_of_t<Real> is_still() const {
-    return of_wall(kHasDashpots) <= Real(0.0);
-  }
   [[nodiscard]] WYTHE_INLINE bool_of_t<Real> is_damped(std::ptrdiff_t j) const {
     const bool_of_t<Real> acts = of_wall(kHasDashpots) > Real(0.0);
     const bool_of_t<Real> joins = joint_row(t, run.access, j, kArea) > Real(0.0);

@@ -26,6 +26,9 @@ static_assert(kLayerBroken + 1 == fields_of(Entity::kLayerNode) &&
               kLayerReached == row_of(&State::layer_reached) &&
               kLayerBroken == row_of(&State::layer_broken));
 static_assert(kHistoryRows == fields_of(Entity::kPoint));
+static_assert(kMaxwellRows == fields_of(Entity::kMaxwell) &&
+              kNormalElement == row_of(&State::maxwell_normal) &&
+              kShearElement == row_of(&State::maxwell_shear));
 
 // Cuts entities 0 .. n-1 into chunks of at most kChunk whose neighbours fit(i
 // - 1, i), and forms their groups. A chunk of neighbours begins a new group.

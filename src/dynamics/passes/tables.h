@@ -96,8 +96,14 @@ enum NodeRow {
 };
 // Rows of the dashpots of a joint: stress per rate of opening, of slip [Pa s/m].
 enum DashpotRow { kNormalDashpot, kShearDashpot, kDashpotRows };
-// Rows of the Maxwell elements at a point: their stresses [Pa].
-enum MaxwellRow { kNormalElement, kShearElement, kMaxwellRows };
+// Rows of the Maxwell elements at a point: their stresses [Pa]. In space shear has a second one.
+enum MaxwellRow {
+  kNormalElement,
+  kShearElement,
+  kMaxwellRows,
+  kSecondShearElement = kMaxwellRows,
+  kMaxwellRowsInSpace
+};
 // Rows of a link: its history, its law, its place.
 enum LinkRowName {
   kLinkForce,

@@ -52,7 +52,7 @@ void each_number(const Layout& l, const Tables& t, const Model& m, const StateFi
       each_point(chunk, 0, [&](int n, int k) {
         return t.element + l.point_number(chunk, chunk.elements, n, k, kMaxwellRows, row, walls);
       });
-  if (field.entity != Entity::kPoint) return;  // only for walls in space
+  if (field.entity != Entity::kPoint) return;  // done, or only for walls in space
   const auto histories = [&](const std::vector<Chunk>& chunks, std::size_t first) {
     for (const Chunk& chunk : chunks)
       if (row < chunk.rows)

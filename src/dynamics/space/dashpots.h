@@ -51,7 +51,10 @@ inline void load_dashpots(const WallView& w, const Dashpots& dashpots, double dt
   w.wall_value(kRebounds) = rebounds(dashpots) ? 1 : 0;
   w.wall_value(kElementKept) = maxwell.kept;
   w.wall_value(kElementGain) = maxwell.gain;
-  of.elements_bear = maxwell.gain > 0;
+  if (maxwell.gain > 0)
+    of.elements_bear = true;
+  else
+    clear_elements(w, of);
   for (int i = 0; i < w.blocks; ++i) {
     const Twist twist = twist_of(i, w);
     w.store_vector(twist.v, w.t.velocity, i);

@@ -195,7 +195,7 @@ void SpaceProcessor::apply_dashpots() {
   if (layout_.damped == 0) return;
   bool any = false;
   for (Wall& wall : wall_) {
-    wall.view.wall_value(kHasDashpots) = 0;
+    wall.view.wall_value(kHasDashpots) = wall.view.wall_value(kElementGain) = 0;
     if (wall.model == nullptr || !(wall.controls.dt > 0)) continue;
     const Dashpots* dashpots = wall.controls.dashpots;
     if (dashpots == nullptr)

@@ -85,7 +85,7 @@ struct JointDashpots {
   [[nodiscard]] WYTHE_INLINE contact::FaceLoad<Real> viscous(
       std::ptrdiff_t j, const contact::FaceGap<Real>& gap,
       const contact::FaceGap<Real>& rate) const {
-    const Real zero(0.0), one(1.0), dt = access.wall_value(t.wall, kStep);
+    const Real zero(0.0), dt = access.wall_value(t.wall, kStep);
     const Vector<Real> none{zero, zero, zero};
     const std::ptrdiff_t step = chunk.graded ? (j - chunk.begin) * kLawRows : 0;
     const contact::LawConstants<Real> law =
@@ -106,7 +106,7 @@ struct JointDashpots {
       const Vector<Real> g = gap.j + r1 * gap.a + r2 * gap.b;
       const Vector<Real> v = rate.j + r1 * rate.a + r2 * rate.b;
       const Real open = g.z + history_at(1);
-      const Real closed = select(rebound, share_of_first_step(open, dt * v.z), one);
+      const Real closed = share_of_first_step(rebound, open, dt * v.z);
       const PointStress<Real> elastic{law.kn * open, law.ks * (g.x - history_at(2)),
                                       law.ks * (g.y - history_at(chunk.rows - 1))};
       const PointStress<Real> q = stress(number);
@@ -126,10 +126,10 @@ struct JointDashpots {
   [[nodiscard]] WYTHE_INLINE PointStress<Real> stress(std::ptrdiff_t number) const {
     const Real zero(0.0);
     if (element == nullptr) return {zero, zero, zero};
-    const auto of = [&](ElementRow row) __attribute__((always_inline)) {
-      return access.load(element, number * kElementRows + row);
+    const auto of = [&](MaxwellRow row) __attribute__((always_inline)) {
+      return access.load(element, number * kMaxwellRowsInSpace + row);
     };
-    return {of(kElementNormal), of(kElementShear1), of(kElementShear2)};
+    return {of(kNormalElement), of(kShearElement), of(kSecondShearElement)};
   }
   [[nodiscard]] WYTHE_INLINE PointStress<Real> advanced(const PointStress<Real>& q,
                                                         const contact::LawConstants<Real>& law,
@@ -145,14 +145,14 @@ struct JointDashpots {
     if (element == nullptr) return;
     const Real zero(0.0);
     const bool_of_t<Real> acts = is_damped(j);
-    const bool_of_t<Real> moves = access.wall_value(t.wall, kHasDashpots) > zero;
-    const auto put = [&](ElementRow row, Real was, Real is) __attribute__((always_inline)) {
-      access.store(select(moves, select(acts, is, zero), was), element,
-                   number * kElementRows + row);
+    const bool_of_t<Real> has_elements = access.wall_value(t.wall, kElementGain) > zero;
+    const auto put = [&](MaxwellRow row, Real was, Real is) __attribute__((always_inline)) {
+      access.store(select(has_elements, select(acts, is, zero), was), element,
+                   number * kMaxwellRowsInSpace + row);
     };
-    put(kElementNormal, before.normal, now.normal);
-    put(kElementShear1, before.shear_1, now.shear_1);
-    put(kElementShear2, before.shear_2, now.shear_2);
+    put(kNormalElement, before.normal, now.normal);
+    put(kShearElement, before.shear_1, now.shear_1);
+    put(kSecondShearElement, before.shear_2, now.shear_2);
   }
 
   [[nodiscard]] WYTHE_INLINE bool_of_t<Real> is_damped(std::ptrdiff_t j) const {

@@ -38,15 +38,16 @@ void cut_joints(const Model& m, Layout& l) {
     ++chunk.n;
     chunk.end = chunk.begin + (chunk.n + l.group() - 1) / l.group();
   }
+  const bool has_elements = has_maxwell(m);
   for (Chunk& chunk : l.joints) {
     const std::int32_t spots = chunk.end - chunk.begin;
     chunk.history = l.history;
     chunk.rule = l.points;
     chunk.strengths = l.laws;
     chunk.others = l.laws + kStrengths;
-    if (has_maxwell(m)) {
+    if (has_elements) {
       chunk.elements = l.elements;
-      l.elements += spots * chunk.points * kElementRows;
+      l.elements += spots * chunk.points * kMaxwellRowsInSpace;
     }
     l.history += spots * chunk.points * chunk.rows;
     l.points += spots * chunk.points * kPointRows;

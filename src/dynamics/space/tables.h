@@ -39,8 +39,6 @@ enum StillRow {
 inline constexpr int kDriven = 3;
 // Rows of a link beside those of the plane: the third components.
 enum LinkRow { kLinkArmAZ = kLinkRows, kLinkArmBZ, kLinkSpanZ, kSpaceLinkRows };
-// Rows of the Maxwell elements at a point: their stresses along n, t1 and t2 [Pa].
-enum ElementRow { kElementNormal, kElementShear1, kElementShear2, kElementRows };
 inline constexpr int kAxisRows = 9;  // three principal axes at the start
 
 struct Tables {
@@ -65,7 +63,8 @@ struct Tables {
          *moment_b =
              nullptr;  // rows of four: joints, links, frames, free contacts, contacts of zones
   // of walls with dashpots only (dashpots.h)
-  double *dashpot = nullptr, *element = nullptr;  // (joints, kDashpotRows), (points, kElementRows)
+  double *dashpot = nullptr,
+         *element = nullptr;  // (joints, kDashpotRows), (points, kMaxwellRowsInSpace)
   double *velocity = nullptr, *spin_rate = nullptr;  // rows of four: of blocks before the step
   double* support_velocity = nullptr;                // rows of four; the last is at rest
   double *viscous_force = nullptr, *viscous_moment_a = nullptr,
@@ -80,7 +79,7 @@ enum WallRow {
   kGravity,
   kTimeBefore = 5,
   kSupportStep,
-  kHasDashpots = 9,
+  kHasDashpots = kSupportStep + 3,
   kRebounds,
   kElementKept,
   kElementGain,

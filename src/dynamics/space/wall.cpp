@@ -49,16 +49,17 @@ void each_number(const WallView& w, const Model& m, S& s, const Act& act) {
       if (field.entity == Entity::kPoint && row_of(field.array) + 1 < chunk.rows)
         history(s.*field.array, row_of(field.array));
     history(s.plastic_slip_2, chunk.rows - 1);
-    const auto element = [&](auto& array, ElementRow r) {
+    const auto element = [&](auto& array, MaxwellRow r) {
       for (int n = 0; chunk.elements >= 0 && n < chunk.n; ++n)
         for (int k = 0; k < chunk.points; ++k)
           act(array[m.space.point_begin[chunk.first + n] + k],
-              w.t.element[l.point_number(chunk, chunk.elements, n, k, kElementRows, r, w.t.lanes) +
+              w.t.element[l.point_number(chunk, chunk.elements, n, k, kMaxwellRowsInSpace, r,
+                                         w.t.lanes) +
                           w.lane]);
     };
-    element(s.maxwell_normal, kElementNormal);
-    element(s.maxwell_shear, kElementShear1);
-    element(s.maxwell_shear_2, kElementShear2);
+    element(s.maxwell_normal, kNormalElement);
+    element(s.maxwell_shear, kShearElement);
+    element(s.maxwell_shear_2, kSecondShearElement);
   }
 }
 
