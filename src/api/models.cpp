@@ -44,6 +44,7 @@ PairedComparison write_models(const std::string& folder, const std::vector<Model
   for (const ModelFolders& model : models) {
     asked.name.push_back(model.name);
     spec.push_back(model_builder(read_study_of(model.campaign.front()))({}));
+    asked.differences.push_back(model_differences(spec.front(), spec.back()));
     if (!draw_alike(spec.front(), spec.back()))
       asked.other_draws.push_back(static_cast<int>(spec.size()) - 1);
     if (says_pga(spec.back().assessment)) asked.capacity.push_back(capacity_of(model.campaign));

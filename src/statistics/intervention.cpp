@@ -253,6 +253,16 @@ void put_in_words(const PairedComparison& all, Intervention& out) {
   if (!defaults.empty()) out.notes.push_back({"compare.note_limits", {{"what", defaults}}});
 }
 
+// Keys in which the files differ, so that a slip in one of them is seen. Many follow from one: the first stand for all.
+Message words_of_differences(const std::vector<std::string>& keys) {
+  constexpr std::size_t kMost = 12;
+  std::vector<Message> what;
+  for (std::size_t k = 0; k < keys.size() && k < kMost; ++k) what.push_back(as_text(keys[k]));
+  if (keys.size() > kMost)
+    what.push_back({"compare.more_differences", {{"n", keys.size() - kMost}}});
+  return {"compare.note_differences", {{"what", what}}};
+}
+
 Intervention intervention_of(const PairedComparison& all, const ComparedModels& models,
                              std::size_t model) {
   Intervention out{.name = models.name[model]};
@@ -273,6 +283,8 @@ Intervention intervention_of(const PairedComparison& all, const ComparedModels& 
   if (!models.capacity.empty())
     out.before = models.capacity.front(), out.after = models.capacity[model];
   put_in_words(all, out);
+  if (model < models.differences.size() && !models.differences[model].empty())
+    out.notes.insert(out.notes.begin(), words_of_differences(models.differences[model]));
   const auto& apart = models.other_draws;
   if (std::find(apart.begin(), apart.end(), static_cast<int>(model)) != apart.end())
     out.notes.push_back({"compare.note_draws"});

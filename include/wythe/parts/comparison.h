@@ -199,6 +199,8 @@ struct ComparedModels {
   std::vector<std::string> name;  // of the models; the model before comes first
   std::vector<ComparedWay> way;
   std::vector<ModelCapacity> capacity;  // of each model; empty without [assessment]
+  std::vector<std::vector<std::string>>
+      differences;  // of each model from the first (model_differences)
   std::vector<int>
       other_draws;  // models whose fields drew other numbers than the base's at the same places
   ChangeLimits limits;
@@ -214,6 +216,10 @@ struct AskedModels {
   std::vector<std::string> overrides = {};  // texts of --set, for all models
   int walls = 8, seed = 0;
 };
+// Keys in which a model differs from the base, names aside: "wall.floor.0.load: 10 kN/m → 12 kN/m", "+ wall.opening.shop" of
+// what the base has not, "− …" of what it alone has.
+[[nodiscard]] std::vector<std::string> model_differences(const ModelSpec& base,
+                                                         const ModelSpec& other);
 // One study for each model: its walls, and the opposite push as the only [[variant]]; one wall where nothing scatters. Throws
 // InputError with every fault of the models, and where models are not comparable: with the difference and its place.
 [[nodiscard]] std::vector<StudySpec> studies_of_models(const AskedModels& asked);

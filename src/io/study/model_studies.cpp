@@ -75,6 +75,27 @@ std::map<std::string, std::string> members_of(const ModelSpec& spec, bool scatte
   return out;
 }
 
+// The shortest beginning of a path that no key of `others` has: a list's member, a table, or the path itself.
+std::string own_part(const std::string& path, const std::map<std::string, std::string>& others) {
+  for (std::size_t end = path.find('.'); end != std::string::npos; end = path.find('.', end + 1)) {
+    const std::string part = path.substr(0, end + 1);
+    const auto next = others.lower_bound(part);
+    if (next == others.end() || !next->first.starts_with(part)) return path.substr(0, end);
+  }
+  return path;
+}
+
+// Keys with their values as a file states them, without names, remarks, sizes of lists and drawn fields.
+io::Flatten::Members stated_keys(const ModelSpec& spec) {
+  io::Flatten::Members out = io::flatten(spec, io::Flatten::kReadable);
+  std::erase_if(out, [](const auto& member) {
+    const std::string& path = member.first;
+    return path == "name" || path.ends_with(".name") || path.ends_with(".note") ||
+           path.ends_with(".origin") || path.ends_with(".size") || path.starts_with("field.");
+  });
+  return out;
+}
+
 // Faults of the second model, at its own keys.
 std::vector<Fault> differences(const ReadModel& base, const ReadModel& other) {
   constexpr std::size_t kMost = 8;  // one more stage changes all that follow
@@ -151,6 +172,30 @@ ReadModel read_one(const std::string& file, const std::vector<std::string>& over
 }
 
 }  // namespace
+
+std::vector<std::string> model_differences(const ModelSpec& base, const ModelSpec& other) {
+  const io::Flatten::Members was = stated_keys(base), is = stated_keys(other);
+  const std::map<std::string, std::string> before(was.begin(), was.end()),
+      after(is.begin(), is.end());
+  std::vector<std::string> out;
+  const auto add_own = [&](const char* sign, const auto& members, const auto& others) {
+    for (const auto& [path, value] : members) {
+      if (others.contains(path)) continue;
+      const std::string part = own_part(path, others);
+      const std::string line =
+          fmt::format("{} {}{}", sign, part, part == path ? " = " + value : "");
+      if (std::find(out.begin(), out.end(), line) == out.end()) out.push_back(line);
+    }
+  };
+  for (const auto& [path, value] : is) {
+    const auto then = before.find(path);
+    if (then != before.end() && then->second != value)
+      out.push_back(fmt::format("{}: {} → {}", path, then->second, value));
+  }
+  add_own("+", is, before);
+  add_own("−", was, after);
+  return out;
+}
 
 std::vector<StudySpec> studies_of_models(const AskedModels& asked) {
   std::vector<Fault> faults;

@@ -36,6 +36,42 @@ Sides scattered(double middle, double d) {
   return out;
 }
 
+// What a slip beside the intervention would change: a thickness, a load, a value that one file alone states.
+TEST(Intervention, every_key_in_which_the_models_differ_is_named) {
+  const char* base =
+      "name = \"before\"\n"
+      "[wall]\nlength = \"2 m\"\nheight = \"2 m\"\nthickness = \"380 mm\"\n"
+      "[wall.unit]\nlength = \"250 mm\"\nheight = \"100 mm\"\ndensity = \"1800 kg/m^3\"\n"
+      "[[wall.opening]]\nname = \"door\"\nx = \"0.5 m\"\ny = \"1 m\"\nwidth = \"0.5 m\"\nheight = "
+      "\"0.5 m\"\n"
+      "lintel = { kind = \"none\" }\n"
+      "[material.joint]\nuse = \"granite_dry\"\nnormal_stiffness = \"20 GPa/m\"\nshear_stiffness = "
+      "\"8 GPa/m\"\nresidual_friction_angle = \"30 deg\"\ncompressive_strength = "
+      "\"unlimited\"\n[[stage]]\nname = \"gravity\"\n";
+  const auto model = [&](std::vector<std::string> settings) {
+    return parse_model(base, "model.toml", settings);
+  };
+  const ModelSpec before = model({});
+  EXPECT_TRUE(model_differences(before, model({"name=\"after\""})).empty());
+  using Keys = std::vector<std::string>;
+  EXPECT_EQ(
+      model_differences(before, model({"wall.thickness=\"400 mm\"", "wall.bond=\"english\""})),
+      (Keys{"wall.thickness: 0.38 m → 0.4 m", "wall.bond: running → english"}));
+  const Keys more = model_differences(before, model({"wall.beam.height=\"0.2 m\""}));
+  ASSERT_EQ(more.size(), 1);
+  EXPECT_EQ(more[0], "+ wall.beam.height = 200 mm");
+  EXPECT_EQ(model_differences(model({"wall.beam.height=\"0.2 m\""}), before)[0],
+            "− wall.beam.height = 200 mm");
+  ModelSpec without = before;
+  without.wall.opening.clear();
+  EXPECT_EQ(model_differences(before, without), Keys{"− wall.opening"});
+  EXPECT_EQ(model_differences(without, before), Keys{"+ wall.opening"});
+  ModelSpec one_more = before;  // before the door in the list
+  one_more.wall.opening.insert(one_more.wall.opening.begin(), before.wall.opening[0]);
+  one_more.wall.opening[0].name = "window";
+  EXPECT_EQ(model_differences(before, one_more), Keys{"+ wall.opening.window"});
+}
+
 TEST(Intervention, a_change_is_the_geometric_mean_of_the_pairs_with_students_interval) {
   const double d = 0.02;
   const Change change = changed(scattered(0.9, d));
