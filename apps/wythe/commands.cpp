@@ -358,11 +358,13 @@ int check(const CheckArguments& arguments) {
   const RunEstimate e = estimate(model);
   fmt::print("{}: valid\n", readable(arguments.file));
   print_model(spec, model, true);
-  fmt::print(
-      "wall {:.3f} x {:.3f} x {:.3f} m, {} courses, {} lost joints, {} masonry blocks before "
-      "lintels\n",
-      model.anatomy.length, model.anatomy.height, model.anatomy.thickness, model.anatomy.courses,
-      model.anatomy.lost_joints, model.anatomy.masonry_blocks_before_lintels);
+  fmt::print("wall {:.3f} x {:.3f} x {:.3f} m", model.anatomy.length, model.anatomy.height,
+             model.anatomy.thickness);
+  if (model.anatomy.courses > 0)
+    fmt::print(", {} courses, {} lost joints, {} masonry blocks before lintels",
+               model.anatomy.courses, model.anatomy.lost_joints,
+               model.anatomy.masonry_blocks_before_lintels);
+  fmt::print("\n");
   print_storeys(spec);
   fmt::print("time step {:.3g} s (stiffest block {})   about {} steps, {} on one core{}\n",
              e.time_step, model.anatomy.block_id[model.stiffest_block], e.steps,

@@ -247,7 +247,8 @@ class ShakeCompiler {
                               {"record", m.source},
                               {"velocity_mm_per_s", 1e3 * m.velocity.back()},
                               {"percent", 100 * left / most},
-                              {"displacement_mm", 1e3 * m.displacement.back()}});
+                              {"displacement_mm", 1e3 * m.displacement.back()},
+                              {"mean_g", m.velocity.back() / m.duration() / kGravityOfRecords}});
   }
 
   // The step between times, or its least and largest value.

@@ -147,6 +147,8 @@ void refuse_second_number(std::string_view text, std::string_view unit) {
                         "write one number without blanks, then its unit");
 }
 
+constexpr double kStandardGravity = 9.80665;  // [m/s^2]
+
 // Words that UDUNITS knows as American units but masonry engineers mean otherwise: a ton is the short ton of 2000 lb there,
 // gr the grain of 65 mg.
 struct DoubtfulWord {
@@ -201,6 +203,7 @@ void refuse_slopes(const std::string& unit, std::string_view si_unit) {
 
 double checked_factor(const std::string& unit, std::string_view si_unit) {
   refuse_doubtful_words(unit, si_unit);
+  if (unit == "g" && si_unit == "m/s^2") return kStandardGravity;  // no gram where only this fits
   const Conversion factor = conversion(unit, si_unit);
   const std::string cure = fmt::format("write it in {} or a multiple of it", si_unit);
   if (factor.verdict == Verdict::kUnknown)

@@ -340,7 +340,7 @@ Fault NumberTable::no_number(std::size_t column) const {
             "",
             lines_.text(),
             fmt::format("has no number in column {}", column + 1),
-            "write one, or leave the row out",
+            "write the number that belongs there",
             line()};
   if (is_number(cell))
     return {file_,

@@ -38,11 +38,12 @@ INSTANTIATE_TEST_SUITE_P(
                     Reading{"4.3 N/m", "N/m", 4.3}, Reading{"16.2 deg", "rad", 16.2 * kDegree},
                     Reading{"1250 kg/m^3", "kg/m^3", 1250}, Reading{"10 mm/s", "m/s", 0.01},
                     Reading{"200 kN", "N", 200e3}, Reading{"9.81 m/s^2", "m/s^2", 9.81},
-                    Reading{"0.1 1/s", "1/s", 0.1}, Reading{"0.1 /s", "1/s", 0.1},
-                    Reading{"2 deg/s", "rad/s", 2 * kDegree}, Reading{"310 mm", "m", 0.31},
-                    Reading{"5 N/mm^2", "Pa", 5e6}, Reading{"5 kJ/m^2", "N/m", 5000},
-                    Reading{"0.3 rad", "rad", 0.3}, Reading{"2 min", "s", 120},
-                    Reading{"  +5.1m ", "m", 5.1}, Reading{"-1e-3 m", "m", -1e-3}));
+                    Reading{"0.15 g", "m/s^2", 0.15 * 9.80665}, Reading{"0.1 1/s", "1/s", 0.1},
+                    Reading{"0.1 /s", "1/s", 0.1}, Reading{"2 deg/s", "rad/s", 2 * kDegree},
+                    Reading{"310 mm", "m", 0.31}, Reading{"5 N/mm^2", "Pa", 5e6},
+                    Reading{"5 kJ/m^2", "N/m", 5000}, Reading{"0.3 rad", "rad", 0.3},
+                    Reading{"2 min", "s", 120}, Reading{"  +5.1m ", "m", 5.1},
+                    Reading{"-1e-3 m", "m", -1e-3}));
 
 std::string refusal(const std::string& text, const std::string& si_unit) {
   try {
