@@ -181,6 +181,8 @@ void name_fall(const Result& result, WallMechanism& mechanism) {
 // A force that fell needs a cause: in space too, "none" is not a valid name then.
 FailureMode name_read_in_space(const Model& model, const Result& result, const Snapshot& read) {
   FailureMode mode = study::name_in_space(model, read.state);
+  if (mode.name == "none" && is_collapsed(result))
+    mode = study::name_in_space(model, read.state, study::kLeastMovementOfFall);
   if (mode.name != "none" || is_load_controlled(result)) return mode;
   const double lost = force_lost(result, read.displacement);
   if (lost < ModeRules{}.drop) return mode;

@@ -14,7 +14,6 @@
 namespace wythe::study {
 namespace {
 
-constexpr double kMoved = 0.005;  // of a joint's size: an opening or slip that counts
 constexpr double kTakesPart =
     0.25;  // of the largest displacement: a block with more takes part in the mechanism
 constexpr double kStandsFor =
@@ -41,7 +40,7 @@ double mass_of(const std::vector<Moved>& blocks) {
 struct Joints {
   double movement = 0, size = 0, opened = 0, slid = 0, slid_off = 0;
 };
-Joints evaluate_joints(const Model& model, const WallReading& wall) {
+Joints evaluate_joints(const Model& model, const WallReading& wall, double least) {
   Joints sum;
   double moved = 0, off = 0, all = 0;
   for (const JointReading& joint : wall.joints) {
@@ -51,7 +50,7 @@ Joints evaluate_joints(const Model& model, const WallReading& wall) {
     sum.movement = std::fmax(sum.movement, way);
     sum.size += area * size;
     all += area;
-    if (way < kMoved) continue;
+    if (way < least) continue;
     sum.opened += area * opening;
     sum.slid += area * joint.slip;
     moved += area;
@@ -400,24 +399,24 @@ std::vector<Wall> walls_with(const Model& model, const std::vector<Moved>& mason
 
 }  // namespace
 
-FailureMode name_in_space(const Model& model, const State& state) {
+FailureMode name_in_space(const Model& model, const State& state, double least) {
   FailureMode mode;
   const WallReading wall = read_wall(model, state);
-  const Joints joints = evaluate_joints(model, wall);
+  const Joints joints = evaluate_joints(model, wall, least);
   mode.evidence.push_back(
-      {"joints", "largest movement over the joint's size", joints.movement, kMoved, "-"});
-  if (joints.movement < kMoved) {
+      {"joints", "largest movement over the joint's size", joints.movement, least, "-"});
+  if (joints.movement < least) {
     mode.name = "none";
     mode.sentence = {"mode.none_here"};
     return mode;
   }
   std::vector<Moved> part = evaluate_blocks(model, state);
-  leave_slabs_out(model, kMoved * joints.size, part);
+  leave_slabs_out(model, least * joints.size, part);
   const std::vector<Moved> masonry = part;
   const double all = mass_of(part);
   double most = 0;
   for (const Moved& b : part) most = std::fmax(most, length(b.moved));
-  std::erase_if(part, [&](const Moved& b) { return length(b.moved) < kMoved * joints.size; });
+  std::erase_if(part, [&](const Moved& b) { return length(b.moved) < least * joints.size; });
   const double moved = mass_of(part);
   std::erase_if(part, [&](const Moved& b) { return length(b.moved) < kTakesPart * most; });
   const double taking = mass_of(part);

@@ -6,8 +6,15 @@
 
 namespace wythe::study {
 
-// "overturning", "sliding", "turning", "bending", "none", or "unclear".
-[[nodiscard]] FailureMode name_in_space(const Model& model, const State& state);
+// Share of a joint's size (the root of its area): an opening or slip that counts.
+inline constexpr double kLeastMovement = 0.005;
+// The same where the run shows that the wall falls, so that its motion is no elastic one. A wall
+// that just does not stand may have moved little when the run ends.
+inline constexpr double kLeastMovementOfFall = 0.1 * kLeastMovement;
+
+// "overturning", "sliding", "turning", "bending", "none", or "unclear". `least`: joints that move less do not count.
+[[nodiscard]] FailureMode name_in_space(const Model& model, const State& state,
+                                        double least = kLeastMovement);
 
 // Whether a name says that walls leave their planes; "part breaking away" is such a name.
 [[nodiscard]] bool leaves_plane(const std::string& name);

@@ -96,6 +96,19 @@ TEST_P(ModesInSpace, a_wall_that_turns_about_its_foot_overturns_however_far) {
   }
 }
 
+// A wall that just does not stand has moved little when its run ends: 0.02 degrees open its foot by 0.07 mm of 0.2 m.
+TEST_P(ModesInSpace, a_tenth_of_the_motion_names_a_wall_that_is_known_to_fall) {
+  const auto name = [&](Wall moved) {
+    return study::name_in_space(moved.model, moved.state, study::kLeastMovementOfFall).name;
+  };
+  const Vec3 little{-0.05 * kDegree, 0, 0};
+  EXPECT_EQ(wall().move(everything, little, {0, 0, 0}).name(), "none");
+  EXPECT_EQ(name(wall().move(everything, little, {0, 0, 0})), "overturning");
+  EXPECT_EQ(name(wall().move(everything, {}, {}, {0.3e-3, 0, 0})), "sliding");
+  EXPECT_EQ(name(wall()), "none");
+  EXPECT_EQ(name(wall().move(everything, 0.1 * little, {0, 0, 0})), "none");
+}
+
 // A pillar's centre is where its own turn moves nothing; its corners tell.
 TEST_P(ModesInSpace, a_single_stone_that_topples_does_not_slide) {
   for (const int stones : {1, 3}) {
