@@ -334,7 +334,7 @@ bool stops_early(const Model& model) {
   });
 }
 
-// Facts that a forecast cannot include: how often a push waits, and how long a falling wall is computed.
+// Facts that a forecast cannot include: how often a push or a load waits.
 std::string bound_of(const Model& model, const RunEstimate& e) {
   constexpr double kLeast = 0.5, kMost = 2.5;  // of the forecast (docs/evidence/rate.md)
   if (adapts(model))
@@ -344,10 +344,8 @@ std::string bound_of(const Model& model, const RunEstimate& e) {
   const auto by_load = [](const Stage& stage) {
     return stage.spec.kind() == StageKind::kBodyForce || stage.spec.kind() == StageKind::kTilt;
   };
-  if (std::none_of(model.stages.begin(), model.stages.end(), by_load) || !(e.steps > 0)) return "";
-  const double watched = model.solve.settle_limit / e.time_step;
-  return fmt::format(", {} more if it falls and is watched to the end",
-                     duration_text(e.seconds * watched / static_cast<double>(e.steps)));
+  if (std::none_of(model.stages.begin(), model.stages.end(), by_load)) return "";
+  return " (where the wall almost falls, the load waits for it, often many times as long)";
 }
 
 int check(const CheckArguments& arguments) {

@@ -87,14 +87,20 @@ void note_move(const Span& span, const char* code, double from, double to,
       {code, {{"opening", span.placed.words}, {"from_m", from - base}, {"to_m", to - base}}});
 }
 
-// The nearest span on joint lines within `room`. The cure names it, and further checks use it.
-void cure_span(const Span& span, const SpanFault& fault, const Axis& axis, Room room, double& start,
-               double& end, FaultList& faults) {
+// The nearest span within `room`: where units are cut what is left of the stated one, else on joint
+// lines. The cure names it, and further checks use it.
+void cure_span(const Span& span, const SpanFault& fault, const Axis& axis, Fit fit, Room room,
+               double& start, double& end, FaultList& faults) {
   if (room.last <= room.first) room = {0, axis.count};
-  const int i = std::clamp(axis.nearest(span.start), room.first, room.last - 1);
-  const int j = std::clamp(axis.nearest(axis.line(i) + span.size), i + 1, room.last);
-  start = axis.line(i);
-  end = axis.line(j);
+  start = std::max(span.start, axis.line(room.first));
+  end = std::min(span.start + span.size, axis.line(room.last));
+  const bool on_lines = fit == Fit::kWhole || end - start < axis.step;
+  if (on_lines) {
+    const int i = std::clamp(axis.nearest(span.start), room.first, room.last - 1);
+    const int j = std::clamp(axis.nearest(axis.line(i) + span.size), i + 1, room.last);
+    start = axis.line(i);
+    end = axis.line(j);
+  }
   std::string keys;
   const auto write = [&](const std::string& key, double stated, double value) {
     if (std::abs(stated - value) > 1e-9)
@@ -105,7 +111,8 @@ void cure_span(const Span& span, const SpanFault& fault, const Axis& axis, Room 
   add_fault(faults, opening_path(span.placed.index, fault.key),
             metres(fault.key == span.start_key ? span.start - span.base : span.size),
             span.placed.called + " " + fault.problem,
-            "write " + keys + ", on the joint lines every " + millimetres(axis.step) +
+            "write " + keys +
+                (on_lines ? ", on the joint lines every " + millimetres(axis.step) : "") +
                 (fault.cut_cures ? "; or " + span.fit_key + " = \"cut\"" : ""));
 }
 
@@ -114,7 +121,7 @@ bool snap_span(const Span& span, const Axis& axis, Fit fit, Room room, double& s
                std::vector<Message>& notes, FaultList& faults) {
   const SpanFault fault = fault_of(span, axis, fit);
   if (!fault.problem.empty()) {
-    cure_span(span, fault, axis, room, start, end, faults);
+    cure_span(span, fault, axis, fit, room, start, end, faults);
     return false;
   }
   const auto snapped = [&](double edge) {
@@ -124,7 +131,7 @@ bool snap_span(const Span& span, const Axis& axis, Fit fit, Room room, double& s
   start = snapped(span.start);
   end = std::min(snapped(span.start + span.size), axis.end());
   if (end - start < 1e-6 * axis.step) {
-    cure_span(span, {span.size_key, "would move to one joint line"}, axis, room, start, end,
+    cure_span(span, {span.size_key, "would move to one joint line"}, axis, fit, room, start, end,
               faults);
     return false;
   }
@@ -197,7 +204,7 @@ bool overlap(const PlacedOpening& a, const PlacedOpening& b) {
 }
 
 void refuse_overlap(const PlacedOpening& a, const PlacedOpening& b, FaultList& faults) {
-  add_fault(faults, opening_path(b.index, "x"), metres(b.hole.x0),
+  add_fault(faults, opening_path(b.index, "x"), metres(b.stated_x),
             b.called + " overlaps " + a.called,
             "move or shrink one of them, or make them one opening");
 }
@@ -302,6 +309,7 @@ std::vector<PlacedOpening> place_openings(const Shape& shape, const std::vector<
     if (storey == nullptr) continue;
     PlacedOpening result{.index = i,
                          .storey = static_cast<int>(storey - storeys.data()),
+                         .stated_x = opening.x,
                          .called = opening_name(i, opening.name),
                          .words = opening_words(i, opening.name),
                          .hole = {},

@@ -29,6 +29,7 @@ struct PlacedArch {
 struct PlacedOpening {
   int index = 0;              // in wall.opening
   int storey = 0;             // index of the planned storey, from the ground up
+  double stated_x = 0;        // [m]; its hole may lie elsewhere
   std::string called;         // name in faults, "opening 0 (door)"
   Message words;              // name in notes
   Rect hole;                  // [m]

@@ -336,10 +336,20 @@ TEST(geometry_openings, outside_the_wall_are_refused) {
   EXPECT_TRUE(mentions(fault.problem, "outside the wall"));
 }
 
+// The cure keeps what is stated as far as it goes: units are cut anywhere.
+TEST(geometry_openings, outside_a_wall_of_cut_units_are_to_end_at_its_edge) {
+  ModelSpec spec = plain_wall(20, 10);  // 2 m
+  spec.wall.fit = Fit::kCut;
+  spec.wall.opening = {hole(1.53, 0, 2, 0.5)};
+  EXPECT_EQ(fault_at(spec, "wall.opening.0.width").cure, "write width = \"0.47 m\"");
+}
+
 TEST(geometry_openings, that_overlap_are_refused) {
   ModelSpec spec = plain_wall(20, 10);
   spec.wall.opening = {hole(0.5, 0, 0.5, 0.5), hole(0.8, 0.2, 0.5, 0.5)};
-  EXPECT_TRUE(mentions(fault_at(spec, "wall.opening.1.x").problem, "overlaps opening 0"));
+  const Fault fault = fault_at(spec, "wall.opening.1.x");
+  EXPECT_TRUE(mentions(fault.problem, "overlaps opening 0"));
+  EXPECT_EQ(fault.value, "0.8 m");  // as stated, not where it would be laid
 }
 
 TEST(geometry_openings, without_numbers_are_missing_one_fault_each) {
