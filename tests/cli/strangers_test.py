@@ -677,7 +677,7 @@ class OtherFiles(Folder):
         right = study.read_text()
         climb = re.search(r'from = .*\nstep = .*\nmost = .*\nhalvings = .*\n', right)[0]
         for old, new, words in ((climb, "levels = [1, 2, 3]\n", ["levels.0", 'levels = ["1 m/s^2", "2 m/s^2"]']),
-                                (climb, 'levels = ["0.1 g", "0.2 g"]\n', ["levels.0", "acceleration"]),
+                                (climb, 'levels = ["0.1 kg", "0.2 kg"]\n', ["levels.0", "acceleration"]),
                                 ('measure = "pga"', 'measure = "pgv"', ["shaking.measure", "accelerations", "pga"]),
                                 (re.search(r"step = \"0.5.*\n", right)[0], "", ["shaking.step", "is missing"]),
                                 ("[shaking]", "[shakings]", ["did you mean shaking?"]), ('step = "0.01 s"', "step = 0.01", ["step", "has no unit"]),
