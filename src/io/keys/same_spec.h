@@ -1,6 +1,7 @@
 // Comparison of specs member by member through their description (NaN equals NaN, all bits count).
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <utility>
@@ -76,7 +77,7 @@ class Flatten {
     if (key.optional && values.empty()) return;  // such a model keeps its old hash
     size(name, values.size());
     for (std::size_t i = 0; i < values.size(); ++i)
-      table(fmt::format("{}.{}", name, member_of(values[i], i)).c_str(), values[i], {});
+      table(fmt::format("{}.{}", name, member_of(values, i)).c_str(), values[i], {});
   }
   template <class T>
   void map(const char* name, std::map<std::string, T>& values, const Key&) {
@@ -95,11 +96,15 @@ class Flatten {
     for (std::size_t i = 0; i < values.size(); ++i)
       act(form_ == kExact ? name : fmt::format("{}.{}", name, i).c_str(), values[i]);
   }
-  // A member's place in its list; readable by its name, so that one more before it changes nothing.
+  // A member's place in its list; readable by its name if no other has it, so that one more before it changes nothing.
   template <class T>
-  [[nodiscard]] std::string member_of(const T& value, std::size_t place) const {
-    if constexpr (requires { std::string(value.name); })
-      if (form_ == kReadable && !value.name.empty()) return value.name;
+  [[nodiscard]] std::string member_of(const std::vector<T>& list, std::size_t place) const {
+    if constexpr (requires { std::string(list[place].name); }) {
+      const std::string& name = list[place].name;
+      const auto has_it = [&](const T& member) { return member.name == name; };
+      if (form_ == kReadable && !name.empty() && std::ranges::count_if(list, has_it) == 1)
+        return name;
+    }
     return std::to_string(place);
   }
   void size(const char* name, std::size_t count) {

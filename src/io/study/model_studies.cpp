@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/files.h"
+#include "io/bodies/blocks_json.h"
 #include "io/keys/same_spec.h"
 #include "io/study/study_file.h"
 #include "io/text/toml_reader.h"
@@ -85,13 +86,13 @@ std::string own_part(const std::string& path, const std::map<std::string, std::s
   return path;
 }
 
-// Keys with their values as a file states them, without names, remarks, sizes of lists and drawn fields.
+// Keys with their values as a file states them, without names, remarks and sizes of lists.
 io::Flatten::Members stated_keys(const ModelSpec& spec) {
   io::Flatten::Members out = io::flatten(spec, io::Flatten::kReadable);
   std::erase_if(out, [](const auto& member) {
     const std::string& path = member.first;
     return path == "name" || path.ends_with(".name") || path.ends_with(".note") ||
-           path.ends_with(".origin") || path.ends_with(".size") || path.starts_with("field.");
+           path.ends_with(".origin") || path.ends_with(".size");
   });
   return out;
 }
@@ -194,6 +195,19 @@ std::vector<std::string> model_differences(const ModelSpec& base, const ModelSpe
   }
   add_own("+", is, before);
   add_own("−", was, after);
+  // files of one name may have other contents
+  if (!other.wall.blocks.empty() && io::blocks_text(base) != io::blocks_text(other))
+    out.push_back("wall.blocks: other blocks");
+  for (std::size_t k = 0; k < std::min(base.stage.size(), other.stage.size()); ++k) {
+    const auto values = [](const StageSpec& stage) {
+      std::vector<std::vector<double>> all;
+      for (const RecordSpec& record : records_of(stage))
+        all.insert(all.end(), {record.read_times, record.read_accelerations});
+      return all;
+    };
+    if (values(base.stage[k]) != values(other.stage[k]))
+      out.push_back(fmt::format("stage.{}.record: other accelerations", other.stage[k].name));
+  }
   return out;
 }
 

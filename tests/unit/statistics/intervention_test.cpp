@@ -70,6 +70,24 @@ TEST(Intervention, every_key_in_which_the_models_differ_is_named) {
   one_more.wall.opening.insert(one_more.wall.opening.begin(), before.wall.opening[0]);
   one_more.wall.opening[0].name = "window";
   EXPECT_EQ(model_differences(before, one_more), Keys{"+ wall.opening.window"});
+  // two of one name are told apart by their places
+  ModelSpec two = before;
+  two.spring = {{.name = "s", .stiffness = 1e6}, {.name = "s", .stiffness = 1e6}};
+  ModelSpec stiffer = two;
+  stiffer.spring[1].stiffness = 2e6;
+  EXPECT_EQ(model_differences(two, stiffer), Keys{"spring.1.stiffness: 1 kN/mm → 2 kN/mm"});
+  // contents of files, whose names may be the same
+  ModelSpec drawn = before, other = before;
+  drawn.wall.blocks = other.wall.blocks = "blocks.json";
+  drawn.block = {{.id = "a", .polygon = {{0, 0}, {1, 0}, {1, 1}}}};
+  other.block = {{.id = "a", .polygon = {{0, 0}, {1, 0}, {1, 2}}}};
+  EXPECT_TRUE(model_differences(drawn, drawn).empty());
+  EXPECT_EQ(model_differences(drawn, other), Keys{"wall.blocks: other blocks"});
+  ModelSpec field = before;
+  field.field["ft"].path = "material.joint.tensile_strength";
+  ModelSpec cut_off = field;
+  field.field["ft"].upper = 3, cut_off.field["ft"].upper = 2;
+  EXPECT_EQ(model_differences(field, cut_off), Keys{"field.ft.upper: 3 → 2"});
 }
 
 TEST(Intervention, a_change_is_the_geometric_mean_of_the_pairs_with_students_interval) {
