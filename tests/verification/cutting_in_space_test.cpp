@@ -275,5 +275,23 @@ TEST(CuttingInSpace, what_cannot_be_is_refused_with_its_place) {
   EXPECT_NE(fault_of(spec).find("stage.3.at: "), std::string::npos);
 }
 
+// An inertia alone would vanish with the masonry, since no force tells of it.
+TEST(CuttingInSpace, a_floor_on_masonry_that_goes_is_refused_with_its_stage) {
+  for (const bool inertia : {false, true}) {
+    ModelSpec spec = plane_wall();
+    FloorSpec floor;
+    floor.from.x = 0.1, floor.from.y = 0.44, floor.from.z = 0;
+    floor.to = floor.from;
+    floor.to.x = 0.9;
+    (inertia ? floor.mass : floor.load) = 1e3;
+    spec.floor.push_back(floor);
+    EXPECT_NE(fault_of(spec).find("m along its line on masonry that stage \"cut\" cuts out"),
+              std::string::npos)
+        << fault_of(spec);
+    spec.floor[0].to.x = 0.4;
+    EXPECT_EQ(fault_of(spec), "none");
+  }
+}
+
 }  // namespace
 }  // namespace wythe::verification::cutting_in_space_test

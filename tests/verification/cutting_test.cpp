@@ -384,6 +384,24 @@ TEST(Cutting, what_cannot_be_is_refused_with_its_place) {
   EXPECT_EQ(fault_of(spec), "stage.3.at: pushes masonry that a stage cuts out");
 }
 
+// The part of a floor on masonry that goes would hang in the air; a load or an inertia alone, in a line or in joists.
+TEST(Cutting, a_floor_on_masonry_that_goes_is_refused_with_its_opening) {
+  const std::string fault =
+      "floor.0: lies at x = 0.542 m on masonry that stage \"cut\" cuts out for opening \"window\"";
+  for (const bool inertia : {false, true}) {
+    ModelSpec spec = cut_wall();
+    FloorSpec floor;
+    floor.y = 4 * 0.11;
+    (inertia ? floor.mass : floor.load) = 1e3;
+    spec.floor.push_back(floor);
+    EXPECT_EQ(fault_of(spec), fault);
+    spec.floor[0].joists = {0.2, 0.5425};
+    EXPECT_EQ(fault_of(spec), fault);
+    spec.floor[0].joists = {0.2};
+    EXPECT_NO_THROW((void)compile(spec));
+  }
+}
+
 TEST(Cutting, a_stage_that_cuts_nothing_is_told) {
   ModelSpec spec = built_wall();
   const Model model = compile(spec);

@@ -157,12 +157,25 @@ class FloorCompiler {
                      "would lie on a block of zones; loads act on rigid blocks",
                      "end the floor beside it, or leave the block's zones out");
     for (const Part& part : parts)
+      if (const int k = assembly_.blocks[part.block].cut_from; k >= 0)
+        return fault_of_cut(spec_.wall.opening[k], part.x - zero);
+    for (const Part& part : parts)
       if (const double thickness = assembly_.blocks[part.block].thickness;
           floor_->bearing > thickness)
         return fault(".bearing", fmt::format("{:g} m", floor_->bearing),
                      fmt::format("is deeper than the wall is thick there, {:g} m", thickness),
                      "write how much of the thickness the floor lies on");
     if (!parts.empty()) put(parts, level, from, to, zero);
+  }
+
+  // Refuses a floor that hangs in the air once the opening is cut.
+  void fault_of_cut(const OpeningSpec& opening, double x) {
+    fault(
+        "", "",
+        fmt::format("lies at x = {:.3f} m on masonry that stage \"{}\" cuts out{}", x, opening.cut,
+                    opening.name.empty() ? "" : " for opening \"" + opening.name + "\""),
+        "make the opening lower, so that a course over its lintel or frame carries the floor, or "
+        "end the floor beside it (x, width)");
   }
 
   // Left end of the wall, the zero of x [m].

@@ -299,6 +299,12 @@ class SpaceFloors {
       return fault("", assembly_.body[body].id,
                    "would lie on a block of zones; loads act on rigid blocks",
                    "end the floor beside it, or leave the block's zones out");
+    if (const std::string& stage = assembly_.body[body].cut; !stage.empty())
+      return fault("", assembly_.body[body].id,
+                   fmt::format("lies {:.3f} m along its line on masonry that stage \"{}\" cuts out",
+                               t, stage),
+                   "make the opening lower, so that a course over its lintel or frame carries the "
+                   "floor, or end the line beside it");
     if (load > 0)
       loads_.push_back(
           load_at(id_[body], where, assembly_.moments[body].centroid, {0, -share * load, 0}));
