@@ -13,7 +13,7 @@ template <class Visitor>
 void describe_space(Visitor& v, WallSpec& s) {
   v.text("up", s.up, {.fallback = "z in OBJ, PLY, STL and COMPAS files, y in others", .example = "z",
          .doc = "In space: the axis of the blocks file that points up, `y` or `z`. Places and directions "
-                "in the model file are in the file's axes."});
+                "in the model file are in the file's axes; the height of a `[[diaphragm]]` is y with both."});
   v.texts("supports", s.supports, {.fallback = "those the file marks", .example = "[\"foot*\"]",
           .doc = "In space: blocks of the file that stand still, by id, or all whose ids begin so with "
                  "* at the end; `lowest` are those that reach down to the lowest point."});

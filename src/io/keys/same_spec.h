@@ -102,7 +102,8 @@ class Flatten {
     if constexpr (requires { std::string(list[place].name); }) {
       const std::string& name = list[place].name;
       const auto has_it = [&](const T& member) { return member.name == name; };
-      if (form_ == kReadable && !name.empty() && std::count_if(list.begin(), list.end(), has_it) == 1)
+      if (form_ == kReadable && !name.empty() &&
+          std::count_if(list.begin(), list.end(), has_it) == 1)
         return name;
     }
     return std::to_string(place);

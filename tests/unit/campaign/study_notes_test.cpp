@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/densities.h"
 #include "unit/study_text.h"
 #include "wythe/parts/study_notes.h"
 
@@ -32,6 +33,16 @@ TEST(StudyNotes, none_of_values_that_masonry_has) { EXPECT_EQ(notes_with({}), ""
 
 TEST(StudyNotes, a_value_of_the_base_model) {
   expect_noted({"wall.unit.density=1.8 kg/m^3"}, "wall.unit.density is 1.8 kg/m3");
+}
+
+TEST(StudyNotes, megapascals_of_concrete_for_gigapascals) {
+  ModelSpec spec;
+  spec.material["concrete"].youngs_modulus = 15e6;
+  const std::vector<std::string> notes = texts_of(notes_of_values(spec));
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_NE(notes[0].find("material.concrete.youngs_modulus is 0.015 GPa"), std::string::npos);
+  spec.material["concrete"].youngs_modulus = 60e6;  // adobe
+  EXPECT_TRUE(notes_of_values(spec).empty());
 }
 
 TEST(StudyNotes, the_mean_of_a_variable) {
