@@ -88,6 +88,15 @@ TEST(Intervention, every_key_in_which_the_models_differ_is_named) {
   ModelSpec cut_off = field;
   field.field["ft"].upper = 3, cut_off.field["ft"].upper = 2;
   EXPECT_EQ(model_differences(field, cut_off), Keys{"field.ft.upper: 3 → 2"});
+  ModelSpec shaken = before;
+  shaken.stage.push_back({.name = "shake", .action = ShakeStage{}});
+  RecordSpec record;
+  record.read_times = {0, 0.1}, record.read_accelerations = {0, 1};
+  shaken.stage.back().get<ShakeStage>().record = {record};
+  ModelSpec stronger = shaken;
+  EXPECT_TRUE(model_differences(shaken, stronger).empty());
+  stronger.stage.back().get<ShakeStage>().record[0].read_accelerations = {0, 1.1};
+  EXPECT_EQ(model_differences(shaken, stronger), Keys{"stage.shake.record: other accelerations"});
 }
 
 TEST(Intervention, a_change_is_the_geometric_mean_of_the_pairs_with_students_interval) {
