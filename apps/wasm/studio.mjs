@@ -10,7 +10,7 @@ import { Refused, put } from "./refused.mjs";
 const inPackage = (name) => fileURLToPath(new URL(name, import.meta.url));
 const kMark = "<!--wythe:model-->";
 const kTitle = "<title>wythe studio</title>";
-const kLongest = 1 << 20; // of a file, as in web/src/studio/store.ts [bytes]
+const kLongest = 1 << 20; // of a file, as in web/src/studio/file/store.ts [bytes]
 
 function modelText(file) {
   let bytes;

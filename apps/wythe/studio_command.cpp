@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kMark = "<!--wythe:model-->";
-// The limit for files of the page, web/src/studio/store.ts [bytes].
+// The limit for files of the page, web/src/studio/file/store.ts [bytes].
 constexpr std::size_t kLongest = 1 << 20;
 
 // Installed beside the program, or built beside its build folder; "" if there is none.

@@ -4,7 +4,7 @@
 //
 // Each array begins at a multiple of 8 bytes from the first one; header.arrays.<name> is {type, at,
 // count} and, where values were rounded, step: value = number * step; or steps, one for each of as many equal
-// parts. web/src/bundle.ts reads it.
+// parts. web/src/base/bundle.ts reads it.
 // Deflate because every browser unpacks it (DecompressionStream) and none unpacks zstd.
 #pragma once
 

@@ -12,7 +12,7 @@ namespace wythe::report {
 [[nodiscard]] std::string escaped(std::string_view text);
 
 // Significant digits, without exponent where possible: 163.42 -> "163", 0.003514 -> "0.00351",
-// 2.4e-7 -> "2.4·10⁻⁷"; NaN -> "–", infinite -> "unlimited". web/src/texts.ts does the same.
+// 2.4e-7 -> "2.4·10⁻⁷"; NaN -> "–", infinite -> "unlimited". web/src/base/texts.ts does the same.
 [[nodiscard]] std::string rounded(double value, int digits = 3);
 // rounded() with a unit after a narrow space; no unit after a dash or a word.
 [[nodiscard]] std::string quantity(double value, std::string_view unit, int digits = 3);

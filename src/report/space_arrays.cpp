@@ -1,5 +1,5 @@
 // A wall in space as arrays of a page: bodies and joint faces once,
-// their motion and cracks in each state (web/src/space.ts reads them).
+// their motion and cracks in each state (web/src/wall/space.ts reads them).
 //
 //   space.vertex (3), face and corner lists of convex parts     at the start, seen from `middle`, so that
 //   space.outline (3) of each joint's face                       places far from the origin stay exact

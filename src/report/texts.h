@@ -1,5 +1,5 @@
 // The texts of a page in the languages of assets/texts.json: one table of
-// words for the static headline (C++) and the viewer (web/src/texts.ts).
+// words for the static headline (C++) and the viewer (web/src/base/texts.ts).
 //
 //   texts    key -> one text a language, with {places} for values
 //   phrases  a word or name of the engine ("rocking", "bonded") -> other languages

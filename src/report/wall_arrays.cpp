@@ -1,4 +1,4 @@
-// Writes a wall's shapes and states to arrays, under the names that web/src/wall.ts reads. An array is
+// Writes a wall's shapes and states to arrays, under the names that web/src/wall/wall.ts reads. An array is
 // indexed by block, joint or node. Numbers of states are rounded to 16 bits over all frames. A joint
 // that became a free contact has the opening -1 and is not drawn. A field has the unit of its key.
 #include "report/wall_arrays.h"

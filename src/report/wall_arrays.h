@@ -1,4 +1,4 @@
-// A wall and its states as arrays of a page (wall.* and frame.*; web/src/wall.ts reads
+// A wall and its states as arrays of a page (wall.* and frame.*; web/src/wall/wall.ts reads
 // them). Deformable blocks follow the rigid ones, and their contacts follow the joints, in
 // all arrays. A wall in space has space.* instead of most of wall.* (space_arrays.cpp).
 #pragma once

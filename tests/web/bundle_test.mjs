@@ -7,11 +7,11 @@ import { deflateSync } from "node:zlib";
 import { folder, lastPoints, viewerModule } from "./helpers.mjs";
 import { makeRun } from "./small_study.mjs";
 
-const { fromBase64, unpack } = await viewerModule("bundle");
-const texts = await viewerModule("texts");
-const { rangeOf, thinned, ticks } = await viewerModule("plot");
-const { toCsv } = await viewerModule("export");
-const wallModule = await viewerModule("wall");
+const { fromBase64, unpack } = await viewerModule("base/bundle");
+const texts = await viewerModule("base/texts");
+const { rangeOf, thinned, ticks } = await viewerModule("base/plot");
+const { toCsv } = await viewerModule("base/export");
+const wallModule = await viewerModule("wall/wall");
 
 // A bundle as src/report/bundle.cpp lays it out.
 function packed(header, arrays = [], version = 2) {

@@ -366,7 +366,7 @@ test("all samples stay above their groups however a table is sorted", async () =
 test("forces and stresses are in kN and MPa, whatever unit the study has", async () => {
   const words = await page.locator("#study").innerText();
   assert.doesNotMatch(words, /\t(N\/m|Pa|GPa\/m|GPa|N)\t/);
-  const { pageUnit } = await viewerModule("texts");
+  const { pageUnit } = await viewerModule("base/texts");
   for (const [unit, factor] of [
     ["N/m", 1e-3],
     ["GPa/m", 1],

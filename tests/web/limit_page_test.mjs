@@ -360,7 +360,7 @@ test("what was left out, what to doubt, and runs without a bound are said", asyn
 });
 
 test("numbers of the mechanisms have names in both languages", async () => {
-  const { speak, say, knows } = await viewerModule("texts");
+  const { speak, say, knows } = await viewerModule("base/texts");
   const made = JSON.parse(fs.readFileSync(path.join(folder("limit_named"), "mechanisms.json"), "utf8"));
   for (const m of made.mechanisms)
     for (const name of Object.keys(m.inputs)) {

@@ -323,7 +323,7 @@ const states = (solids, ...frames) => ({
 });
 
 test("poses turn and move bodies as the engine does, and magnify up to a quarter turn", async () => {
-  const { Poses } = await viewerModule("space");
+  const { Poses } = await viewerModule("wall/space");
   const solids = cubes(0);
   const of = (turned, scale, moved = [0, 0, 0]) => new Poses(states(solids, { moved, turned })).set(0, scale);
   const near = (a, b) => a.forEach((v, k) => assert.ok(Math.abs(v - b[k]) < 1e-6, `${a} ${b}`));
@@ -336,8 +336,8 @@ test("poses turn and move bodies as the engine does, and magnify up to a quarter
 });
 
 test("bodies stand where the engine's VTK files have them", async () => {
-  const { unpack } = await viewerModule("bundle");
-  const { Poses, readSolids, SolidStates } = await viewerModule("space");
+  const { unpack } = await viewerModule("base/bundle");
+  const { Poses, readSolids, SolidStates } = await viewerModule("wall/space");
   const bundle = await unpack(new Uint8Array(fs.readFileSync(path.join(folder("space_run"), "report.data"))));
   const solids = readSolids(bundle),
     last = bundle.header.frames.length - 1,
@@ -355,7 +355,7 @@ test("bodies stand where the engine's VTK files have them", async () => {
 });
 
 test("a ray finds the nearest body, and through a section the one behind", async () => {
-  const { Camera, Planes, Poses } = await viewerModule("space");
+  const { Camera, Planes, Poses } = await viewerModule("wall/space");
   const solids = cubes(0, 3),
     planes = new Planes(solids);
   const poses = new Poses(states(solids, { moved: [0, 0, 0, 0, 0, 0], turned: [0, 0, 0, 0, 0, 0] })).set(0, 1);
@@ -369,7 +369,7 @@ test("a ray finds the nearest body, and through a section the one behind", async
 });
 
 test("a section closes a body: its triangles have the area of the cut", async () => {
-  const { Poses, sectionsOf } = await viewerModule("space");
+  const { Poses, sectionsOf } = await viewerModule("wall/space");
   const solids = cubes(0);
   const poses = new Poses(states(solids, { moved: [0, 0, 0], turned: [0, 0, Math.PI / 4] })).set(0, 1);
   let area = 0;
@@ -381,6 +381,6 @@ test("a section closes a body: its triangles have the area of the cut", async ()
 });
 
 test("names are grouped by what stands before their numbers", async () => {
-  const { groupOf } = await viewerModule("space");
+  const { groupOf } = await viewerModule("wall/space");
   assert.deepEqual(["front3.2", "left wall 12", "7", "key"].map(groupOf), ["front", "left wall", "", "key"]);
 });

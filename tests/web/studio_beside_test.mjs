@@ -7,9 +7,9 @@ import { standInForPage } from "./studio.mjs";
 let Beside, bandOf, parse;
 before(async () => {
   standInForPage();
-  ({ Beside } = await viewerModule("studio/beside"));
-  ({ bandOf } = await viewerModule("studio/curve"));
-  ({ parse } = await viewerModule("studio/toml"));
+  ({ Beside } = await viewerModule("studio/push/beside"));
+  ({ bandOf } = await viewerModule("studio/push/curve"));
+  ({ parse } = await viewerModule("studio/file/toml"));
 });
 
 const wall = (status, peak, states = 3) => ({

@@ -8,9 +8,9 @@ import { standInForPage } from "./studio.mjs";
 let Family, valuesBetween, rangeOf, numberAt, parse, setValue;
 before(async () => {
   standInForPage();
-  ({ Family } = await viewerModule("studio/family"));
-  ({ valuesBetween, rangeOf, numberAt } = await viewerModule("studio/varied"));
-  ({ parse, setValue } = await viewerModule("studio/toml"));
+  ({ Family } = await viewerModule("studio/push/family"));
+  ({ valuesBetween, rangeOf, numberAt } = await viewerModule("studio/push/varied"));
+  ({ parse, setValue } = await viewerModule("studio/file/toml"));
 });
 
 test("values go from half to twice by equal ratios, close ones at equal steps, and the present one is among them", () => {

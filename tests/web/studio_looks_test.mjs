@@ -233,7 +233,7 @@ test("a finger draws a door", async () => {
 });
 
 test("every material of the library can be chosen", async () => {
-  const { kMaterials } = await viewerModule("studio/materials");
+  const { kMaterials } = await viewerModule("studio/masonry/materials");
   const listed = run("materials").split("\n\n")[0].split("\n").slice(1).map((l) => l.trim().split(/\s+/)[0]);
   assert.deepEqual([...kMaterials].sort(), listed.sort());
   const { texts } = JSON.parse(fs.readFileSync(path.join(root, "src/report/assets/texts.json"), "utf8"));

@@ -400,7 +400,7 @@ function mayBeLeftOut(table) {
 }
 
 test("an emptied field leaves its number out of the file where that may be, and only there", async () => {
-  const { find, parse } = await viewerModule("studio/toml");
+  const { find, parse } = await viewerModule("studio/file/toml");
   await begin("portal");
   const text = (await textOf(page)).replace("\n[[stage]]", `${kNumbers}\n[[stage]]`);
   const noNumbers = ["name", "profile", "beam_profile", "grade", "round", "stage", "y"];
@@ -574,7 +574,7 @@ test("a number that is varied and then taken away is gone, and so is that of a w
 });
 
 test("every profile of the library can be chosen, as high as it is", async () => {
-  const { kProfiles } = await viewerModule("studio/profiles");
+  const { kProfiles } = await viewerModule("studio/parts/profiles");
   const source = fs.readFileSync(path.join(root, "src/geometry/wall/profiles.cpp"), "utf8");
   const listed = [...source.matchAll(/\{"((?:IPE|HEA|HEB|UPN|SHS) [\dx.]+)", ([\d.]+),/g)].map((m) => [m[1], Number(m[2])]);
   assert.ok(listed.length > 60);
@@ -691,7 +691,7 @@ const dxf = (unit = 4) =>
     .join("\n");
 
 test("lines of a DXF lie under the drawing at their size", async () => {
-  const { readDxf } = await viewerModule("studio/dxf");
+  const { readDxf } = await viewerModule("studio/board/dxf");
   const lines = readDxf(dxf());
   assert.equal(lines.metre, 1e-3);
   assert.equal(lines.skipped, 1);

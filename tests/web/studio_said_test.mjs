@@ -32,8 +32,8 @@ const kEnglishAlone = {
 const example = (name) => fs.readFileSync(path.join(root, "examples", name), "utf8");
 let inWords, reasonOf, engine, lines;
 before(async () => {
-  ({ inWords } = await viewerModule("studio/said"));
-  ({ reasonOf } = await viewerModule("studio/limit"));
+  ({ inWords } = await viewerModule("studio/file/said"));
+  ({ reasonOf } = await viewerModule("studio/push/limit"));
   engine = spawn(kPython, [path.join(root, "tests/web/engine.py"), kLibrary], { stdio: ["pipe", "pipe", "inherit"] });
   lines = createInterface({ input: engine.stdout })[Symbol.asyncIterator]();
 });
@@ -47,7 +47,7 @@ async function ask(task, texts, want = []) {
 }
 
 test("each row has six sentences whose places are those of the English one", () => {
-  const rows = JSON.parse(fs.readFileSync(path.join(root, "web/src/studio/fault_words.json"), "utf8"));
+  const rows = JSON.parse(fs.readFileSync(path.join(root, "web/src/studio/file/fault_words.json"), "utf8"));
   for (const [english, ...others] of rows) {
     assert.equal(others.length, 5, english);
     const places = (text) => [...text.matchAll(/\{[a-z]?(\d)\}/g)].map((m) => m[1]).sort();
@@ -68,7 +68,7 @@ function piecesOfSources() {
   for (const entry of fs.readdirSync(path.join(root, "src"), { recursive: true }))
     if (/\.(cpp|h)$/.test(entry))
       for (const [, text] of read(path.join(root, "src", entry)).matchAll(/"((?:[^"\\\n]|\\.)*)"/g)) add(text.replace(/\\(["\\])/g, "$1"));
-  for (const [, text] of read(path.join(root, "web/src/studio/toml.ts")).matchAll(/fault\(["`]([^"`]*)["`]\)/g)) add(text);
+  for (const [, text] of read(path.join(root, "web/src/studio/file/toml.ts")).matchAll(/fault\(["`]([^"`]*)["`]\)/g)) add(text);
   all.delete("");
   return [...all];
 }
@@ -89,7 +89,7 @@ test("the words of each row stand in the sources of the engine or of the studio"
   const [whole, joined] = [new Set(pieces), pieces.join("\n")];
   const comes = (english) => english.split(/\{[a-z]?\d\}/).every((part) => part.trim() === "" || mayComeOf(part, pieces, whole, joined));
   assert.ok(!comes("must be true or false without quotes")); // the engine has a comma there
-  const rows = JSON.parse(fs.readFileSync(path.join(root, "web/src/studio/fault_words.json"), "utf8"));
+  const rows = JSON.parse(fs.readFileSync(path.join(root, "web/src/studio/file/fault_words.json"), "utf8"));
   assert.deepEqual(rows.map(([english]) => english).filter((english) => !comes(english)), []);
 });
 
@@ -184,8 +184,8 @@ test("faults of drawn walls and edited files, and their cures, are said in each 
 });
 
 test("what the file does not state of its masonry has its source, its level or its rule", async () => {
-  const { originsIn } = await viewerModule("studio/origins");
-  const { find, parse } = await viewerModule("studio/toml");
+  const { originsIn } = await viewerModule("studio/masonry/origins");
+  const { find, parse } = await viewerModule("studio/file/toml");
   const taken = async (name) => (await ask("check", { model: example(name) }, ["model"])).texts.model;
   const of = (tables, name, key) => tables.find((table) => table.name === name).origins.find((o) => o.key === key);
   const portal = await taken("brick_portal/model.toml");
@@ -201,11 +201,11 @@ test("what the file does not state of its masonry has its source, its level or i
 });
 
 test("with the numbers that the panel asks for, an empty wall of any masonry of the list is built", async () => {
-  const { kAsked } = await viewerModule("studio/masonry");
-  const { kMaterials } = await viewerModule("studio/materials");
-  const { parse, setValue, valueAt } = await viewerModule("studio/toml");
+  const { kAsked } = await viewerModule("studio/masonry/masonry");
+  const { kMaterials } = await viewerModule("studio/masonry/materials");
+  const { parse, setValue, valueAt } = await viewerModule("studio/file/toml");
   const values = { unit_strength: '"15 MPa"', mortar_strength: '"2 MPa"', masonry_strength: '"4 MPa"', initial_shear_strength: '"0.15 MPa"', friction_tan: "0.6", youngs_modulus: '"2 GPa"', tensile_strength: '"1 MPa"' };
-  const empty = /kEmpty = `([^`]*)`/.exec(fs.readFileSync(path.join(root, "web/src/studio/starters.ts"), "utf8"))[1];
+  const empty = /kEmpty = `([^`]*)`/.exec(fs.readFileSync(path.join(root, "web/src/studio/file/starters.ts"), "utf8"))[1];
   for (const masonry of kMaterials) {
     let text = empty.replace("clay_brick_old", masonry);
     for (const [key] of kAsked) {

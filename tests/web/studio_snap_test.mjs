@@ -5,8 +5,8 @@ import { viewerModule } from "./helpers.mjs";
 
 let snapLine, snapMove, wall;
 before(async () => {
-  ({ snapLine, snapMove } = await viewerModule("studio/snap"));
-  const { parse } = await viewerModule("studio/toml");
+  ({ snapLine, snapMove } = await viewerModule("studio/board/snap"));
+  const { parse } = await viewerModule("studio/file/toml");
   const { readDrawing } = await viewerModule("studio/drawing");
   // courses of 0.1 m, half units of 0.25 m; a door below, a window above it
   const opening = (storey, x, y, width) => `[[wall.opening]]\nstorey = "${storey}"\nx = "${x} m"\ny = "${y} m"\nwidth = "${width} m"\nheight = "1 m"\n`;

@@ -12,12 +12,12 @@ const lines = (text) => text.split("\n");
 const changes = (a, b) => lines(a).map((l, k) => [l, lines(b)[k]]).filter(([x, y]) => x !== y);
 
 before(async () => {
-  toml = await viewerModule("studio/toml");
+  toml = await viewerModule("studio/file/toml");
   drawing = await viewerModule("studio/drawing");
-  units = await viewerModule("studio/units");
-  faults = await viewerModule("studio/faults");
-  packed = await viewerModule("studio/packed");
-  [arches, storeys, floors, ties, parts, dxf] = await Promise.all(["arches", "storeys", "floors", "ties", "parts", "dxf"].map((name) => viewerModule(`studio/${name}`)));
+  units = await viewerModule("studio/file/units");
+  faults = await viewerModule("studio/file/faults");
+  packed = await viewerModule("studio/file/packed");
+  [arches, storeys, floors, ties, parts, dxf] = await Promise.all(["parts/arches", "parts/storeys", "parts/floors", "parts/ties", "parts/parts", "board/dxf"].map((name) => viewerModule(`studio/${name}`)));
 });
 
 test("every example is read, and reading changes nothing", () => {

@@ -25,7 +25,7 @@ function thrownWith(wytheEngine) {
 }
 
 test("a worker loads its script while the page unpacks and compiles the code, once for all workers", async () => {
-  const { WorkerEngine } = await viewerModule("studio/engine");
+  const { WorkerEngine } = await viewerModule("studio/push/engine");
   const packed = deflateRawSync(Uint8Array.from([0, 97, 115, 109, 1, 0, 0, 0])).toString("base64"); // the smallest module
   globalThis.document = { ...globalThis.document, getElementById: (id) => ({ textContent: id === "wythe-worker" ? "/* answered here */" : packed }) };
   const made = [], had = [];
@@ -103,7 +103,7 @@ test("a first text that cannot be made ends the question", async () => {
 });
 
 test("after a defect or without memory the next question has a worker of its own; no other answer ends one", async () => {
-  const { WorkerEngine } = await viewerModule("studio/engine");
+  const { WorkerEngine } = await viewerModule("studio/push/engine");
   const getElementById = (id) => ({ textContent: id === "wythe-worker" ? "/* answered here */" : "" });
   globalThis.document = { ...globalThis.document, getElementById };
   const made = [];
@@ -127,7 +127,7 @@ test("after a defect or without memory the next question has a worker of its own
 });
 
 test("a worker that still starts is kept for the newest question, so that quick edits leave no heap of starting ones", async () => {
-  const { WorkerEngine } = await viewerModule("studio/engine");
+  const { WorkerEngine } = await viewerModule("studio/push/engine");
   const getElementById = (id) => ({ textContent: id === "wythe-worker" ? "/* answered here */" : "" });
   globalThis.document = { ...globalThis.document, getElementById };
   const made = [], asked = [];
@@ -165,7 +165,7 @@ test("a worker that still starts is kept for the newest question, so that quick 
 });
 
 test("a worker that cannot start is ended and its address let go, and the next question has another", async () => {
-  const { WorkerEngine } = await viewerModule("studio/engine");
+  const { WorkerEngine } = await viewerModule("studio/push/engine");
   const { createObjectURL, revokeObjectURL } = URL;
   const addresses = new Set();
   URL.createObjectURL = (blob) => {
@@ -210,7 +210,7 @@ test("a worker that cannot start is ended and its address let go, and the next q
 });
 
 test("a late error of a worker that was given up ends no other question", async () => {
-  const { WorkerEngine } = await viewerModule("studio/engine");
+  const { WorkerEngine } = await viewerModule("studio/push/engine");
   globalThis.document = { ...globalThis.document, getElementById: (id) => ({ textContent: id === "wythe-worker" ? "/* answered here */" : "" }) };
   const made = [];
   globalThis.Worker = class {
@@ -238,7 +238,7 @@ test("a late error of a worker that was given up ends no other question", async 
 });
 
 test("a question that takes long is ended by a newer one, and only the newest of those is asked", async () => {
-  const { Latest } = await viewerModule("studio/engine");
+  const { Latest } = await viewerModule("studio/push/engine");
   const asked = [];
   let stop;
   const engine = { stop: () => stop(), ask: (question) => (asked.push(question), question === "long" ? new Promise((done) => (stop = () => done({ code: 3 }))) : Promise.resolve({ code: 0 })) };
@@ -259,7 +259,7 @@ before(async () => {
   globalThis.DOMParser = class {
     parseFromString = () => ({ documentElement: { localName: "html" } }); // no picture
   };
-  ({ LiveLimit } = await viewerModule("studio/limit"));
+  ({ LiveLimit } = await viewerModule("studio/push/limit"));
 });
 const shown = async (code, texts) => {
   const limit = new LiveLimit({ stop() {}, ask: async () => ({ code, texts, tables: {} }) });
@@ -341,8 +341,8 @@ test("a limit load is told once: its weight and its picture, which come later, o
 });
 
 test("a limit load has its time from when the worker is ready, and one that was late is asked again after the next edit", async () => {
-  const { kPatience } = await viewerModule("studio/limit");
-  const { WorkerEngine } = await viewerModule("studio/engine");
+  const { kPatience } = await viewerModule("studio/push/limit");
+  const { WorkerEngine } = await viewerModule("studio/push/engine");
   globalThis.document.getElementById = (id) => ({ textContent: id === "wythe-worker" ? "/* answered here */" : "" });
   const made = [],
     waiting = [], // for the next worker
@@ -390,7 +390,7 @@ test("a limit load has its time from when the worker is ready, and one that was 
 });
 
 test("a picture of 5000 stones is read in slices of equal length, nothing of it is lost, and one that nobody wants is left", async () => {
-  const { kSlice, readPicture } = await viewerModule("studio/picture");
+  const { kSlice, readPicture } = await viewerModule("studio/board/picture");
   const stone = (k) => `M${k}.0 10.0L${k + 1}.0 10.0L${k + 1}.0 20.0L${k}.0 20.0Z`;
   const stones = Array.from({ length: 5000 }, (_, k) => stone(k)).join("");
   const cracks = Array.from({ length: 8000 }, (_, k) => `<line class="crack open" stroke-width="1.1" opacity="1.00" x1="${k}.0" y1="10.0" x2="${k}.0" y2="20.0"><title>bed: open 0.1 mm</title></line>\n`);

@@ -1,15 +1,15 @@
 // The page of options side by side, in the order of a reader's questions:
 // differences, pairs, failure, which walls gain, lost pairs, and the inputs.
-import type { Bundle } from "./bundle";
-import { h, svg, type Child } from "./dom";
-import { Figure, hideTip, legend, showTip, swatch } from "./figure";
+import type { Bundle } from "./base/bundle";
+import { h, svg, type Child } from "./base/dom";
+import { Figure, hideTip, legend, showTip, swatch } from "./base/figure";
 import type { Interval, Maybe } from "./headers/common";
 import type { ComparedQuantity as Quantity, ComparisonHeader, Gain, Option, PairedResponse } from "./headers/comparison";
-import { provenanceTable } from "./inputs";
-import { Plot, rangeOf, ticks, type Range } from "./plot";
+import { provenanceTable } from "./run/inputs";
+import { Plot, rangeOf, ticks, type Range } from "./base/plot";
 import type { Section } from "./page";
-import { table } from "./tables";
-import { fixed, num, pageUnit, phrase, qty, say, sentence, type Said } from "./texts";
+import { table } from "./base/tables";
+import { fixed, num, pageUnit, phrase, qty, say, sentence, type Said } from "./base/texts";
 
 const kMostListed = 60;
 const kDigits = 3;

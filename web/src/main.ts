@@ -1,18 +1,18 @@
 // The page: unpacks its data and builds the sections for their kind.
 // Unreadable data are reported, and the static headline stays.
 import "./style.css";
-import { fromBase64, unpack, type Bundle } from "./bundle";
-import { later } from "./dom";
+import { fromBase64, unpack, type Bundle } from "./base/bundle";
+import { later } from "./base/dom";
 import type { CampaignHeader } from "./headers/campaign";
 import type { ComparisonHeader } from "./headers/comparison";
 import type { LimitHeader } from "./headers/limit";
 import type { RunHeader } from "./headers/run";
 import { build, fail, type Section } from "./page";
-import { learn, say, speak } from "./texts";
-import { runSections } from "./run";
+import { learn, say, speak } from "./base/texts";
+import { runSections } from "./run/page";
 import { campaignSections } from "./campaign/page";
 import { comparisonSections } from "./comparison";
-import { limitSections } from "./limit";
+import { limitSections } from "./limit/page";
 
 async function start(): Promise<void> {
   speak(document.documentElement.lang);

@@ -1,7 +1,7 @@
 // Parts of every page: sections with a list of links to them, the bar at the top, printing.
-import { finishLater, h, hintMore, type Child } from "./dom";
-import { prepareFiguresForPrint, restoreFigures } from "./figure";
-import { say } from "./texts";
+import { finishLater, h, hintMore, type Child } from "./base/dom";
+import { prepareFiguresForPrint, restoreFigures } from "./base/figure";
+import { say } from "./base/texts";
 
 export interface Section {
   id: string;

@@ -212,7 +212,7 @@ std::string responses_type() {
   std::string text =
       "// The responses in summary.json, from include/wythe/parts/responses.h: make docs writes "
       "this file.\n"
-      "import type { Said } from \"../texts\";\n"
+      "import type { Said } from \"../base/texts\";\n"
       "import type { Maybe } from \"./common\";\n\n"
       "export interface Responses {\n";
   std::string open;  // object of the last key

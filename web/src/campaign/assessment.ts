@@ -1,12 +1,12 @@
 // The peak ground acceleration at which the samples reach each limit state: curves with their bands, the samples'
 // own steps, and the numbers.
-import { h, type Child } from "../dom";
-import { Figure, legend, swatch } from "../figure";
+import { h, type Child } from "../base/dom";
+import { Figure, legend, swatch } from "../base/figure";
 import type { CampaignAssessment, PgaFragility } from "../headers/statistics";
-import { Plot, type Point } from "../plot";
-import { zip } from "../run_trust";
-import { table } from "../tables";
-import { num, phrase, qty, say } from "../texts";
+import { Plot, type Point } from "../base/plot";
+import { zip } from "../run/trust";
+import { table } from "../base/tables";
+import { num, phrase, qty, say } from "../base/texts";
 import type { Campaign } from "./data";
 
 const kDigits = 3;

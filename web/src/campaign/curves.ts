@@ -1,9 +1,9 @@
 // All force-displacement curves by failure mode (Fig. 20), and their means against drift (Fig. 21).
-import { append, h, onScreen, svg, type Child } from "../dom";
-import { Figure, hideTip, legend, pointIn, showTip, swatch } from "../figure";
+import { append, h, onScreen, svg, type Child } from "../base/dom";
+import { Figure, hideTip, legend, pointIn, showTip, swatch } from "../base/figure";
 import type { DriftLimit, MeanCurve } from "../headers/statistics";
-import { Plot, rangeOf, type Point } from "../plot";
-import { phrase, qty, say } from "../texts";
+import { Plot, rangeOf, type Point } from "../base/plot";
+import { phrase, qty, say } from "../base/texts";
 import { atLeast, modeLabel, reactionAt, rowsToEighty, type Campaign, type Sample } from "./data";
 import { drawLimits, limitList, limitRows } from "./limits";
 

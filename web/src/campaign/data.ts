@@ -1,9 +1,9 @@
 // A campaign as its page uses it: samples with curves, inputs, modes; and the reader's choices.
-import type { Bundle, Numbers } from "../bundle";
+import type { Bundle, Numbers } from "../base/bundle";
 import type { CampaignHeader } from "../headers/campaign";
 import type { Maybe } from "../headers/common";
 import type { InputSummary, QuantityKey, Statistics } from "../headers/statistics";
-import { pageUnit, phrase, say, type Said } from "../texts";
+import { pageUnit, phrase, say, type Said } from "../base/texts";
 
 export interface Sample {
   sample: number;

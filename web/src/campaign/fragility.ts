@@ -1,11 +1,11 @@
 // Fragility: the probability of an event given one input or two, with
 // its samples; the input to measure next; indices by a surrogate.
-import { h, type Child } from "../dom";
-import { Figure, legend, swatch } from "../figure";
+import { h, type Child } from "../base/dom";
+import { Figure, legend, swatch } from "../base/figure";
 import type { Fragility as Event, FragilityInput, FragilityPair } from "../headers/statistics";
-import { Plot, rangeOf, type Point } from "../plot";
-import { sortable } from "../tables";
-import { capital, num, pageUnit, qty, say } from "../texts";
+import { Plot, rangeOf, type Point } from "../base/plot";
+import { sortable } from "../base/tables";
+import { capital, num, pageUnit, qty, say } from "../base/texts";
 import { inputLabel, modeLabel, type Campaign, type Input } from "./data";
 import { withInterval } from "./statistics";
 

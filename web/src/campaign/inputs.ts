@@ -1,10 +1,10 @@
 // Inputs: their histograms (Fig. 7), scatter against every response (Fig. 15, 16), and their influence.
-import { h, later, onScreen, type Child } from "../dom";
-import { Figure, hideTip, legend, pointIn, showTip, swatch } from "../figure";
+import { h, later, onScreen, type Child } from "../base/dom";
+import { Figure, hideTip, legend, pointIn, showTip, swatch } from "../base/figure";
 import type { Correlation, FirstOrder, Rank } from "../headers/statistics";
-import { Plot, rangeOf, type Point } from "../plot";
-import { sortable } from "../tables";
-import { fixed, num, pageUnit, phrase, qty, say } from "../texts";
+import { Plot, rangeOf, type Point } from "../base/plot";
+import { sortable } from "../base/tables";
+import { fixed, num, pageUnit, phrase, qty, say } from "../base/texts";
 import { modeChips } from "./curves";
 import {
   allFirst,

@@ -1,9 +1,9 @@
 // The code's drift limits as vertical lines, with labels in as few rows above the chart as avoid
 // overlaps. Labels have words if there is room, else only values (the caption then explains them).
-import { svg } from "../dom";
+import { svg } from "../base/dom";
 import type { DriftLimit } from "../headers/statistics";
-import { kLeft, type Plot, type Range } from "../plot";
-import { num, phrase } from "../texts";
+import { kLeft, type Plot, type Range } from "../base/plot";
+import { num, phrase } from "../base/texts";
 
 interface Limit {
   value: number; // [%]

@@ -1,7 +1,7 @@
 // How far the names of failure modes depend on the rules of evaluation, and how severe the damage is.
-import { h, type Child } from "../dom";
-import { sortable, table } from "../tables";
-import { phrase, qty, say } from "../texts";
+import { h, type Child } from "../base/dom";
+import { sortable, table } from "../base/tables";
+import { phrase, qty, say } from "../base/texts";
 import type { Campaign } from "./data";
 import { withInterval } from "./statistics";
 

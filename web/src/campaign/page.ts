@@ -1,13 +1,13 @@
 // The page of a campaign, in the order of a reader's questions: strength,
 // displacement, failure, influences, certainty, single samples, inputs.
-import type { Bundle } from "../bundle";
-import { h, later, type Child } from "../dom";
+import type { Bundle } from "../base/bundle";
+import { h, later, type Child } from "../base/dom";
 import type { CampaignHeader } from "../headers/campaign";
-import { assumptions, inputTables, provenanceTable } from "../inputs";
+import { assumptions, inputTables, provenanceTable } from "../run/inputs";
 import type { Section } from "../page";
-import { projectSection } from "../sheet";
-import { table } from "../tables";
-import { asSentence, phrase, say, sentence } from "../texts";
+import { projectSection } from "../run/sheet";
+import { table } from "../base/tables";
+import { asSentence, phrase, say, sentence } from "../base/texts";
 import { pgaFragility } from "./assessment";
 import { Curves, meanCurves } from "./curves";
 import { Campaign, modeLabel } from "./data";

@@ -1,14 +1,14 @@
 // One sample of a campaign: its curve, its inputs, its wall in every stored state, and the command to run it alone.
-import { h, svg, type Child } from "../dom";
-import { Figure } from "../figure";
+import { h, svg, type Child } from "../base/dom";
+import { Figure } from "../base/figure";
 import type { SampleFrame } from "../headers/campaign";
 import { aroundPrint } from "../page";
-import { Plot, rangeOf, type Point } from "../plot";
-import { table } from "../tables";
-import { num, phrase, qty, say, sentence } from "../texts";
-import { viewOf } from "../spaceview";
-import { readWall, takeFields, type Wall } from "../wall";
-import type { View } from "../wallview";
+import { Plot, rangeOf, type Point } from "../base/plot";
+import { table } from "../base/tables";
+import { num, phrase, qty, say, sentence } from "../base/texts";
+import { viewOf } from "../wall/spaceview";
+import { readWall, takeFields, type Wall } from "../wall/wall";
+import type { View } from "../wall/wallview";
 import { atLeast, modeLabel, reactionAt, type Campaign, type Sample } from "./data";
 
 export class SamplePanel {

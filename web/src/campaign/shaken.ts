@@ -1,13 +1,13 @@
 // A campaign over records: how often each limit state is reached, the response
 // at each intensity, the sources of scatter, and shakes that do not count.
-import { h, type Child } from "../dom";
-import { Figure, legend, swatch } from "../figure";
+import { h, type Child } from "../base/dom";
+import { Figure, legend, swatch } from "../base/figure";
 import type { Shake } from "../headers/campaign";
 import type { IntensityUnit, Scatter, ScatterPart, ShakenFragility } from "../headers/statistics";
-import { Plot, type Point } from "../plot";
-import { zip } from "../run_trust";
-import { table } from "../tables";
-import { num, phrase, qty, say, sentence } from "../texts";
+import { Plot, type Point } from "../base/plot";
+import { zip } from "../run/trust";
+import { table } from "../base/tables";
+import { num, phrase, qty, say, sentence } from "../base/texts";
 import type { Campaign } from "./data";
 
 const kDigits = 3;

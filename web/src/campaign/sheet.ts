@@ -1,14 +1,14 @@
 // The printed sheet of a campaign: cautions against signing, strength and failure of the
 // walls, the ground acceleration of each limit state, and the assumptions. One A4 page.
-import { append, h, svg, type Child } from "../dom";
-import { legend, swatch } from "../figure";
+import { append, h, svg, type Child } from "../base/dom";
+import { legend, swatch } from "../base/figure";
 import type { ModelInputs } from "../headers/inputs";
 import type { CampaignAssessment, PgaFragility } from "../headers/statistics";
 import type { Section } from "../page";
-import { Plot, rangeOf, type Point } from "../plot";
-import { crackKey, doubts, foot, head, keyNumbers, listed, materialLines, notModelledList } from "../sheet";
-import { sheetOf, stageLines, verdict, type Standing } from "../sheet";
-import { capital, num, phrase, qty, say } from "../texts";
+import { Plot, rangeOf, type Point } from "../base/plot";
+import { crackKey, doubts, foot, head, keyNumbers, listed, materialLines, notModelledList } from "../run/sheet";
+import { sheetOf, stageLines, verdict, type Standing } from "../run/sheet";
+import { capital, num, phrase, qty, say } from "../base/texts";
 import { drawFragility } from "./assessment";
 import { modeLabel, reactionAt, type Campaign, type Sample } from "./data";
 import type { SamplePanel } from "./sample";

@@ -1,10 +1,10 @@
 // Shares of the modes (Fig. 10), Table 3, exceedance and drift limits, running means (Fig. 8).
-import { h, onScreen, svg, type Child } from "../dom";
-import { Figure, legend, swatch } from "../figure";
+import { h, onScreen, svg, type Child } from "../base/dom";
+import { Figure, legend, swatch } from "../base/figure";
 import type { DriftLimit, OfWalls, Precision } from "../headers/statistics";
-import { Plot, rangeOf, type Point, type Range } from "../plot";
-import { pin, sortable, table, type Cell, type Column } from "../tables";
-import { capital, num, phrase, qty, say } from "../texts";
+import { Plot, rangeOf, type Point, type Range } from "../base/plot";
+import { pin, sortable, table, type Cell, type Column } from "../base/tables";
+import { capital, num, phrase, qty, say } from "../base/texts";
 import { drawLimits, limitRows } from "./limits";
 import { allFirst, atLeast, modeLabel, quantityLabel, type Campaign, type Quantity } from "./data";
 

@@ -1,5 +1,5 @@
 // The assessment of one wall by a code: `assessment` of a run's summary (src/io/results/assessment_json.cpp).
-import type { Said } from "../texts";
+import type { Said } from "../base/texts";
 import type { Bilinear, Mass, Maybe, Noted } from "./common";
 
 export interface Spectrum {

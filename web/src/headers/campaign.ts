@@ -1,5 +1,5 @@
 // The header of the page of a campaign: campaign_data().
-import type { Said } from "../texts";
+import type { Said } from "../base/texts";
 import type { Maybe } from "./common";
 import type { ModelInputs } from "./inputs";
 import type { PageHeader } from "./page";

@@ -1,5 +1,5 @@
 // Parts of several headers: numbers that may be unknown, project data, systems with one degree of freedom.
-import type { Said } from "../texts";
+import type { Said } from "../base/texts";
 import type { Responses } from "./responses";
 
 export type Maybe = number | null; // null: not known, or without a limit

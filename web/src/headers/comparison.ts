@@ -1,6 +1,6 @@
 // The header of the page of options side by side: comparison_data() and comparison.json
 // (docs/reference/comparison.md).
-import type { Said } from "../texts";
+import type { Said } from "../base/texts";
 import type { Interval, Maybe } from "./common";
 import type { PageHeader } from "./page";
 

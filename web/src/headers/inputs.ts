@@ -1,5 +1,5 @@
 // The user's inputs and the values that the model derived (src/report/model_inputs.cpp).
-import type { Said } from "../texts";
+import type { Said } from "../base/texts";
 
 export type Shown = number | Said | null; // "unlimited" stands for infinity, null for an input that is not given
 export type InputRow = [key: string, value: Shown, unit: string];

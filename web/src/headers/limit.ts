@@ -1,6 +1,6 @@
 // The header of the page of a limit analysis: limit_data() and mechanisms.json (docs/reference/limit.md).
-import type { Mechanism } from "../mechanism";
-import type { Said } from "../texts";
+import type { Mechanism } from "../limit/mechanism";
+import type { Said } from "../base/texts";
 import type { Made, Maybe } from "./common";
 import type { ModelInputs } from "./inputs";
 import type { PageHeader } from "./page";

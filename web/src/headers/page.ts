@@ -1,7 +1,7 @@
 // The header of every page, with the wall in it (src/report/bundle.cpp, wall_arrays.cpp, space_arrays.cpp).
-import type { Load, SolidLink, Vec } from "../space";
-import type { Said } from "../texts";
-import type { Field, Link, Member, MemberSection, Part } from "../wall";
+import type { Load, SolidLink, Vec } from "../wall/space";
+import type { Said } from "../base/texts";
+import type { Field, Link, Member, MemberSection, Part } from "../wall/wall";
 
 // The place of an array in the bytes.
 export interface Place {

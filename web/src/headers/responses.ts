@@ -1,5 +1,5 @@
 // The responses in summary.json, from include/wythe/parts/responses.h: make docs writes this file.
-import type { Said } from "../texts";
+import type { Said } from "../base/texts";
 import type { Maybe } from "./common";
 
 export interface Responses {

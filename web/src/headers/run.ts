@@ -1,5 +1,5 @@
 // The header of the page of a run: run_data() and summary.json (docs/reference/results.md).
-import type { Said } from "../texts";
+import type { Said } from "../base/texts";
 import type { Assessment } from "./assessment";
 import type { Bilinear, Made, Maybe, Project } from "./common";
 import type { ModelInputs } from "./inputs";

@@ -1,5 +1,5 @@
 // statistics.json, as the page of a campaign has it (docs/reference/statistics.md).
-import type { Said } from "../texts";
+import type { Said } from "../base/texts";
 import type { Interval, Mass, Maybe, Noted, Project } from "./common";
 
 export type QuantityKey = `${string}_kN` | `${string}_mm`; // "peak_reaction_kN", "initial_stiffness_kN_per_mm"

@@ -1,7 +1,7 @@
 // Everything the studio can do, each with a name and perhaps a key: one list for the keyboard, the palette
 // (Ctrl+K) and the sheet of keys (?).
-import { h } from "../dom";
-import { say } from "../texts";
+import { h } from "../base/dom";
+import { say } from "../base/texts";
 
 export interface Command {
   name: string; // key of its text: studio.do.NAME

@@ -1,11 +1,11 @@
 // The wall as the drawing knows it, read from the model file; and the edits of the file that a gesture means.
 // Lengths in metres, y upwards from the wall's base. What is not read here stays in the file as it is.
-import { readArch, type Arch } from "./arches";
-import { readDiaphragms, readFloors, type Diaphragm, type Floor } from "./floors";
-import { readFrames, type Frame } from "./frames";
-import { readTies, type Tie } from "./ties";
-import { appendTable, countAt, find, parse, quoted, removeAt, setValue, valueAt, withRemarks, type Doc, type Path } from "./toml";
-import { amountOf, lengthOf, readQuantity, times, writeQuantity } from "./units";
+import { readArch, type Arch } from "./parts/arches";
+import { readDiaphragms, readFloors, type Diaphragm, type Floor } from "./parts/floors";
+import { readFrames, type Frame } from "./parts/frames";
+import { readTies, type Tie } from "./parts/ties";
+import { appendTable, countAt, find, parse, quoted, removeAt, setValue, valueAt, withRemarks, type Doc, type Path } from "./file/toml";
+import { amountOf, lengthOf, readQuantity, times, writeQuantity } from "./file/units";
 
 export interface Box {
   x: number;

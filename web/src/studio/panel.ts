@@ -1,17 +1,17 @@
 // The numbers of the wall beside the drawing. Each field shows what the file says and edits it in place.
-import { h, svg, type Child } from "../dom";
-import { num, say } from "../texts";
-import { headOf, kHeads, riseOf, setHead, setRise, type Head } from "./arches";
+import { h, svg, type Child } from "../base/dom";
+import { num, say } from "../base/texts";
+import { headOf, kHeads, riseOf, setHead, setRise, type Head } from "./parts/arches";
 import { isDoor, loadOf, pushOf, setDirection, setLength, setOpening, setWallSize, type Box, type Selected } from "./drawing";
-import { lackingOf, masonryGroup, masonryShape } from "./masonry";
-import { renameOpening } from "./frames";
-import { frameFields, partGroup, partShape } from "./part_panel";
-import { originsIn, showOrigins } from "./origins";
-import { removePart } from "./parts";
+import { lackingOf, masonryGroup, masonryShape } from "./masonry/masonry";
+import { renameOpening } from "./parts/frames";
+import { frameFields, partGroup, partShape } from "./parts/part_panel";
+import { originsIn, showOrigins } from "./masonry/origins";
+import { removePart } from "./parts/parts";
 import type { Fault, Project } from "./project";
-import { countAt, find, quoted, removeAt, setValue, valueAt, type Doc, type Path } from "./toml";
-import { lengthOf, readQuantity, typedLength, typedQuantity, writeQuantity } from "./units";
-import type { Varied } from "./varied";
+import { countAt, find, quoted, removeAt, setValue, valueAt, type Doc, type Path } from "./file/toml";
+import { lengthOf, readQuantity, typedLength, typedQuantity, writeQuantity } from "./file/units";
+import type { Varied } from "./push/varied";
 
 const kBonds = ["running", "stack", "flemish", "english", "header"];
 

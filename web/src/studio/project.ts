@@ -1,8 +1,8 @@
 // The wall under work: its text, what the drawing reads from it, what is selected, and every earlier text.
 // One gesture is one step back. All else listens.
 import { countOf, isRefusal, readDrawing, type Drawing, type Refusal, type Selected } from "./drawing";
-import type { PhotoPlace } from "./photo_store";
-import { parse, TomlFault, type Doc } from "./toml";
+import type { PhotoPlace } from "./board/photo_store";
+import { parse, TomlFault, type Doc } from "./file/toml";
 
 export interface Fault {
   line: number;

@@ -1,5 +1,5 @@
 // Numbers as the studio says them.
-import { num, qty } from "../texts";
+import { num, qty } from "../base/texts";
 
 // To the millimetre where it matters, never "1.2000001".
 export const metres = (value: number): string => qty(Math.round(value * 1000) / 1000, "m", Math.abs(value) >= 10 ? 5 : 4);
