@@ -7,7 +7,7 @@ let snapLine, snapMove, wall;
 before(async () => {
   ({ snapLine, snapMove } = await viewerModule("studio/board/snap"));
   const { parse } = await viewerModule("studio/file/toml");
-  const { readDrawing } = await viewerModule("studio/drawing");
+  const { readDrawing } = await viewerModule("studio/reading");
   // courses of 0.1 m, half units of 0.25 m; a door below, a window above it
   const opening = (storey, x, y, width) => `[[wall.opening]]\nstorey = "${storey}"\nx = "${x} m"\ny = "${y} m"\nwidth = "${width} m"\nheight = "1 m"\n`;
   const storey = (name, height) => `[[storey]]\nname = "${name}"\nheight = "${height} m"\n`;

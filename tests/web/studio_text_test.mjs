@@ -13,7 +13,7 @@ const changes = (a, b) => lines(a).map((l, k) => [l, lines(b)[k]]).filter(([x, y
 
 before(async () => {
   toml = await viewerModule("studio/file/toml");
-  drawing = await viewerModule("studio/drawing");
+  drawing = Object.assign({}, ...(await Promise.all(["reading", "stages", "parts/openings", "parts/storeys"].map((name) => viewerModule(`studio/${name}`)))));
   units = await viewerModule("studio/file/units");
   faults = await viewerModule("studio/file/faults");
   packed = await viewerModule("studio/file/packed");

@@ -1,13 +1,14 @@
 // The studio: draw a wall, see its stones, push it, watch it crack. Puts the parts together.
 import "./studio.css";
 import { h, svg } from "../base/dom";
+import { pushOf, setDirection } from "./stages";
 import { qty, say, speak } from "../base/texts";
 import { setHead } from "./parts/arches";
 import { Canvas } from "./board/canvas";
 import { Commands, type Command } from "./commands";
 import type { Pushed } from "./push/compare";
-import { pathOf, pushOf, setDirection } from "./drawing";
-import { answerOf, hasEngine, Latest, type Progress, WorkerEngine } from "./push/engine";
+import { pathOf } from "./drawing";
+import { answerOf, faultsOf, hasEngine, Latest, WorkerEngine, type Progress } from "./push/engine";
 import { FaultList, openingOf } from "./file/faults";
 import { FilePane } from "./file/file";
 import { addFrame, frameOf, removeFrame } from "./parts/frames";
@@ -18,7 +19,7 @@ import { TooOld } from "./file/packed";
 import { Photo } from "./board/photo";
 import { readPicture, type Picture } from "./board/picture";
 import { Project, type Fault, type Steps } from "./project";
-import { faultsOf, Push } from "./push/push";
+import { Push } from "./push/push";
 import { saidOf, whyOf } from "./file/said";
 import { kStarters, starter } from "./file/starters";
 import * as store from "./file/store";

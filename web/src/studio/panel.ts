@@ -1,22 +1,23 @@
 // The numbers of the wall beside the drawing. Each field shows what the file says and edits it in place.
 import { h, svg, type Child } from "../base/dom";
+import { isDoor, setOpening } from "./parts/openings";
+import { loadOf, pushOf, setDirection } from "./stages";
+import { setWallSize } from "./parts/storeys";
 import { num, say } from "../base/texts";
 import { headOf, kHeads, riseOf, setHead, setRise, type Head } from "./parts/arches";
-import { isDoor, loadOf, pushOf, setDirection, setLength, setOpening, setWallSize, type Box, type Selected } from "./drawing";
+import type { Box, Selected } from "./drawing";
 import { lackingOf, masonryGroup, masonryShape } from "./masonry/masonry";
 import { renameOpening } from "./parts/frames";
 import { frameFields, partGroup, partShape } from "./parts/part_panel";
 import { originsIn, showOrigins } from "./masonry/origins";
 import { removePart } from "./parts/parts";
 import type { Fault, Project } from "./project";
-import { countAt, find, quoted, removeAt, setValue, valueAt, type Doc, type Path } from "./file/toml";
-import { lengthOf, readQuantity, typedLength, typedQuantity, writeQuantity } from "./file/units";
+import { countAt, find, quoted, removeAt, setValue, valueAt, type Path } from "./file/toml";
+import { isWord, lengthOf, readQuantity, setLength, typedLength, typedQuantity, writeQuantity } from "./file/units";
 import type { Varied } from "./push/varied";
 
 const kBonds = ["running", "stack", "flemish", "english", "header"];
 
-// Something else than a quantity stands there: "unlimited", "rule".
-export const isWord = (doc: Doc, path: Path): boolean => find(doc, path) !== undefined && readQuantity(valueAt(doc, path)) === null;
 
 interface Field {
   root: HTMLElement;

@@ -1,6 +1,7 @@
 // The wall under work: its text, what the drawing reads from it, what is selected, and every earlier text.
 // One gesture is one step back. All else listens.
-import { countOf, isRefusal, readDrawing, type Drawing, type Refusal, type Selected } from "./drawing";
+import { countOf, type Drawing, type Refusal, type Selected } from "./drawing";
+import { isRefusal, readDrawing } from "./reading";
 import type { PhotoPlace } from "./board/photo_store";
 import { parse, TomlFault, type Doc } from "./file/toml";
 

@@ -1,9 +1,10 @@
 // The drawing: the engine's picture of the stones, over it the wall's outline, openings, dimensions and guides.
 // Geometry in metres, shown by `view`. Everything but the stones is made anew when it changes: it is little.
 import { svg, type Child } from "../../base/dom";
+import { gaps, isDoor } from "../parts/openings";
 import { say } from "../../base/texts";
 import { crownOf, intrados, riseOf } from "../parts/arches";
-import { gaps, isDoor, type Box, type Drawing, type Selected } from "../drawing";
+import type { Box, Drawing, Selected } from "../drawing";
 import { frameOf, membersOf } from "../parts/frames";
 import { floorMarks, storeyMarks, tieMarks, type Shown } from "../parts/marks";
 import { metres } from "../words";

@@ -1,9 +1,12 @@
 // Gestures: drawing, moving and resizing by mouse, pen, finger and typed lengths. While one is under way only the
 // preview changes; its end is one edit of the file.
 import { h } from "../../base/dom";
+import { addOpening, gaps, isDoor, setOpening } from "../parts/openings";
+import { isRefusal, readDrawing } from "../reading";
+import { setWallSize } from "../parts/storeys";
 import { say } from "../../base/texts";
 import type { Canvas, Handle } from "./canvas";
-import { addOpening, gaps, isDoor, isRefusal, readDrawing, setOpening, setWallSize, storeyAt, type Box, type Drawing, type Kind, type Selected } from "../drawing";
+import { storeyAt, type Box, type Drawing, type Kind, type Selected } from "../drawing";
 import { dragCrown, dragPart, kPlaces, nudgePart, placePart, type Offer, type PartGesture } from "../parts/part_gestures";
 import type { Photo } from "./photo";
 import type { Project } from "../project";

@@ -1,4 +1,5 @@
 // Quantities as a model file writes them ("5.10 m"), and lengths as people type them ("1,25", "80 cm").
+import { find, parse, quoted, setValue, valueAt, type Doc, type Path } from "./toml";
 
 // How much of the base unit one of these is. Bases: m, m/s, m^2, N, Pa, N/m, kg/m, kg/m^2, kg/m^3.
 const kFactors: Record<string, [base: string, factor: number]> = {
@@ -67,3 +68,14 @@ export function typedQuantity(text: string, like: string): string | null {
   const q = readQuantity(plain);
   return q && q.base === readQuantity(like)?.base ? plain.replace(/\s*([A-Za-z][\w^/]*)$/, " $1") : null;
 }
+
+// A length in the unit and with the decimals that stand there already.
+export function setLength(text: string, path: Path, value: number): string {
+  const old = valueAt(parse(text), path);
+  const unit = readQuantity(old)?.unit ?? "m";
+  if (lengthOf(old) !== null && Math.abs(lengthOf(old)! - value) < 5e-5) return text;
+  return setValue(text, path, quoted(writeQuantity(value, unit, typeof old === "string" ? old : "0.00")));
+}
+
+// Something else than a quantity stands there: "unlimited", "rule".
+export const isWord = (doc: Doc, path: Path): boolean => find(doc, path) !== undefined && readQuantity(valueAt(doc, path)) === null;

@@ -1,8 +1,9 @@
 // Arches over openings: read from the file, drawn as the engine lays them (src/geometry/wall/arches.h), and the edits
 // that make one in the place of a lintel.
-import { addLintel, gaps, removeLintel, setLength, storeyAt, type Box, type Drawing, type Opening } from "../drawing";
+import { storeyAt, type Box, type Drawing, type Opening } from "../drawing";
+import { addLintel, gaps, removeLintel } from "./openings";
 import { find, parse, quoted, removeAt, setValue, valueAt, type Doc, type Path } from "../file/toml";
-import { lengthOf, writeQuantity } from "../file/units";
+import { lengthOf, setLength, writeQuantity } from "../file/units";
 
 export const kArchKinds = ["flat", "segmental", "round"] as const;
 export type ArchKind = (typeof kArchKinds)[number];

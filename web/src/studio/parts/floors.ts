@@ -1,9 +1,9 @@
 // Floors: their weight lies on the wall at a level, on a storey's top or at a height of its own; and the diaphragm that
 // keeps points of the wall at their distance there.
 import { crownOf } from "./arches";
-import { coursesAt, setLength, type Drawing, type Storey } from "../drawing";
+import { coursesAt, type Drawing, type Storey } from "../drawing";
 import { appendTable, countAt, find, listAt, parse, quoted, removeAt, renameKey, setValue, valueAt, type Doc, type Path } from "../file/toml";
-import { amountOf, lengthOf, writeQuantity } from "../file/units";
+import { amountOf, lengthOf, setLength, writeQuantity } from "../file/units";
 
 export interface Floor {
   name: string;

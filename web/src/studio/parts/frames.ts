@@ -1,6 +1,7 @@
 // Steel frames round openings: read from the file, drawn where the engine puts their members, and the edits that a
 // command or a choice means.
-import { beforeStages, isDoor, type Box, type Drawing } from "../drawing";
+import type { Box, Drawing } from "../drawing";
+import { beforeStages, isDoor } from "./openings";
 import { heightOf } from "./profiles";
 import { appendTable, countAt, find, parse, quoted, removeAt, setValue, valueAt, type Doc, type Path } from "../file/toml";
 import { lengthOf, writeQuantity } from "../file/units";

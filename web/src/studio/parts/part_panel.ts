@@ -1,16 +1,16 @@
 // The numbers of a part that is selected and is no opening.
 import { h, type Child } from "../../base/dom";
 import { say } from "../../base/texts";
-import { setLength, type Selected } from "../drawing";
+import type { Selected } from "../drawing";
 import { holdOf, kHolds, moveFloor, setFloorSpan, setHold, type Hold } from "./floors";
 import { addExtra, addFrame, frameOf, isPutUp, kExtras, kFeet, kGrades, removeExtra, removeFrame, setGap, setProfile, type Extra } from "./frames";
-import { isWord, type Panel } from "../panel";
+import type { Panel } from "../panel";
 import { kProfiles, profileNamed } from "./profiles";
 import type { Project } from "../project";
 import { moveStoreyLine, renameStorey, setStoreyHeight } from "./storeys";
 import { forceOf, setTieEnds, setTieForce } from "./ties";
 import { find, quoted, removeAt, setValue, valueAt, type Doc, type Path } from "../file/toml";
-import { lengthOf, readQuantity, writeQuantity } from "../file/units";
+import { isWord, lengthOf, readQuantity, setLength, writeQuantity } from "../file/units";
 import { amount, kUnread } from "../words";
 
 // What tells one set of fields from another.

@@ -1,5 +1,6 @@
 // What is said of any part that may be selected.
-import { removeOpening, type Drawing, type Selected } from "../drawing";
+import type { Drawing, Selected } from "../drawing";
+import { removeOpening } from "./openings";
 import { removeFloor } from "./floors";
 import { frameOf, removeFrame } from "./frames";
 import { removeStoreyLine } from "./storeys";

@@ -1,8 +1,9 @@
 // Storeys: a line that parts the wall, moved or taken away, and what stands or lies on it goes along.
 import { crownOf } from "./arches";
-import { pushAlong, setLength, setWallSize, type Drawing } from "../drawing";
+import { pushAlong } from "../stages";
+import type { Drawing } from "../drawing";
 import { appendTable, countAt, find, insertTable, literalOf, parse, quoted, removeAt, renameKey, setValue, valueAt, type Doc, type Path } from "../file/toml";
-import { lengthOf, writeQuantity } from "../file/units";
+import { lengthOf, setLength, writeQuantity } from "../file/units";
 
 const metres = (v: number): string => quoted(writeQuantity(v, "m", "0.00"));
 const kNear = 0.011; // of a level that belongs to a line [m]
@@ -156,5 +157,31 @@ function follow(text: string, moves: [from: number, to: number][]): string {
     for (let n = 0; n < countAt(doc, ["stage", i, "levels"]); ++n) take(["stage", i, "levels", n], kNearPush);
     take(["stage", i, "control", "y"], kNearPush);
   }
+  return out;
+}
+
+// A wall of another size: what pushes it stays at its side and as far below the top.
+export function setWallSize(text: string, d: Drawing, length: number, height: number): string {
+  let out = setLength(text, ["wall", "length"], length);
+  if (d.storeys.length > 0) {
+    const last = d.storeys.length - 1;
+    const rest = height - d.storeys[last].foot;
+    if (rest > 0) out = setLength(out, ["storey", last, "height"], rest);
+    if (valueAt(parse(out), ["wall", "height"]) !== undefined) out = setLength(out, ["wall", "height"], height);
+  } else out = setLength(out, ["wall", "height"], height);
+  return pushAlong(tiesAlong(out, d, length), d, length, height);
+}
+
+// Anchors at the right end stay there.
+const kEnd = 0.5; // [m]
+
+function tiesAlong(text: string, d: Drawing, length: number): string {
+  let out = text;
+  d.ties.forEach((t, k) => {
+    for (const end of ["from", "to"] as const) {
+      const p = t[end];
+      if (p && p.x > d.length - kEnd && p.x > d.length / 2) out = setLength(out, ["tie", k, end, "x"], Math.max(0, p.x + length - d.length));
+    }
+  });
   return out;
 }

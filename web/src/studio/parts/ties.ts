@@ -1,8 +1,8 @@
 // Ties: steel bars between two points of the wall. Only those between two points are drawn.
-import { setLength, type Drawing } from "../drawing";
+import type { Drawing } from "../drawing";
 import type { Point } from "../board/tools";
 import { appendTable, countAt, find, parse, quoted, removeAt, setValue, valueAt, type Doc, type Path } from "../file/toml";
-import { amountOf, lengthOf, writeQuantity } from "../file/units";
+import { amountOf, lengthOf, setLength, writeQuantity } from "../file/units";
 
 export interface Tie {
   name: string;

@@ -1,14 +1,13 @@
 // Pushes beside the one that is shown: the same wall the other way, and walls whose strengths scatter. One after another in a
 // worker of their own; an edit of the file stops them.
 import { h } from "../../base/dom";
+import { pushOf, setDirection } from "../stages";
 import type { Summary } from "../../headers/run";
 import type { Point } from "../../base/plot";
 import { languageNow, phrase, qty, say } from "../../base/texts";
-import type { Line } from "./curve";
-import { pushOf, setDirection } from "../drawing";
-import { answerOf, kStopped, type Answer, type Engine } from "./engine";
+import { pointsOf, type Line } from "./curve";
+import { answerOf, faultsOf, kStopped, type Answer, type Engine } from "./engine";
 import type { Project } from "../project";
-import { faultsOf, pointsOf } from "./push";
 import { whyOf } from "../file/said";
 import { valueAt, type Doc } from "../file/toml";
 

@@ -2,6 +2,7 @@
 import { h, svg } from "../../base/dom";
 import { thinned, ticks, type Point } from "../../base/plot";
 import { num, say } from "../../base/texts";
+import type { Answer } from "./engine";
 
 const kPad = { left: 52, right: 16, top: 14, bottom: 36 };
 const kInBand = 80; // places along a band
@@ -107,4 +108,9 @@ export function bandOf(all: Point[][]): { x: number; low: number; high: number }
     band.push({ x, low: Math.min(...forces, ...fell), high: Math.max(...forces) });
   }
   return band;
+}
+
+export function pointsOf(answer: Answer): Point[] {
+  const table = answer.tables.curve;
+  return table ? Array.from(table.displacement_mm, (x, k): Point => [x, table.reaction_kN[k]]) : [];
 }

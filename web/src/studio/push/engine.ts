@@ -1,6 +1,7 @@
 // The engine behind the page: tasks of the C interface (docs/reference/c_interface.md), answered by a worker that
 // the page makes from its own text. One worker answers one question at a time; to stop it is to end it.
 import { unpacked } from "../file/packed";
+import type { Fault } from "../project";
 
 export interface Question {
   task: "run" | "check" | "limit" | "keys";
@@ -210,4 +211,8 @@ async function started(hear: (m: Message) => void, failed: (why: string) => void
   } finally {
     URL.revokeObjectURL(url);
   }
+}
+
+export function faultsOf(answer: Answer): Fault[] {
+  return answerOf<Partial<Fault>[]>(answer.texts.faults, []).map((f) => ({ line: Number(f.line) || 1, path: String(f.path ?? ""), value: String(f.value ?? ""), problem: String(f.problem ?? ""), cure: String(f.cure ?? "") }));
 }

@@ -5,10 +5,9 @@ import { h, svg } from "../../base/dom";
 import { languageNow, num, phrase, qty, say } from "../../base/texts";
 import { strengthOf } from "./beside";
 import type { Pushed } from "./compare";
-import type { Line } from "./curve";
-import { answerOf, kStopped, type Engine } from "./engine";
+import { pointsOf, type Line } from "./curve";
+import { answerOf, faultsOf, kStopped, type Engine } from "./engine";
 import type { Project } from "../project";
-import { faultsOf, pointsOf } from "./push";
 import { whyOf } from "../file/said";
 import { nearest, rangeOf, shown, valuesBetween, type Varied } from "./varied";
 

@@ -2,10 +2,9 @@
 // overtakes is dropped, one that takes too long is ended; nothing that is shown belongs to an older text.
 import { h, svg } from "../../base/dom";
 import { qty, say } from "../../base/texts";
-import { answerOf, type Answer, type Engine, type Progress } from "./engine";
+import { answerOf, faultsOf, type Answer, type Engine, type Progress } from "./engine";
 import { readPicture } from "../board/picture";
 import type { Fault } from "../project";
-import { faultsOf } from "./push";
 import { isKnown, said, whyOf } from "../file/said";
 
 export const kPatience = 3000; // for a limit load, from when the worker is ready [ms]

@@ -1,14 +1,13 @@
 // The push: its curve and its cracks while it runs, and what came out: a sentence, key numbers, the cracks at each state.
 // Other pushes stand beside it (beside.ts, family.ts), and one that was kept (compare.ts).
 import { h } from "../../base/dom";
+import { farther, pushOf, slower } from "../stages";
 import type { Summary } from "../../headers/run";
-import type { Point } from "../../base/plot";
 import { asSentence, languageNow, num, phrase, qty, say } from "../../base/texts";
 import { Beside } from "./beside";
 import { Compare, type Pushed } from "./compare";
-import { Curve } from "./curve";
-import { farther, pushOf, slower } from "../drawing";
-import { answerOf, hasEngine, kStopped, pieceOf, textIn, type Answer, type Engine, type Progress } from "./engine";
+import { Curve, pointsOf } from "./curve";
+import { answerOf, faultsOf, hasEngine, kStopped, pieceOf, textIn, type Answer, type Engine, type Progress } from "./engine";
 import { Family } from "./family";
 import { readPicture, type Picture } from "../board/picture";
 import type { Fault, Project } from "../project";
@@ -395,14 +394,6 @@ export class Push {
 
 const picture = (state: number): string => `state ${state} svg`;
 const card = (name: string, value: string): HTMLElement[] => [h("div", {}, h("dt", {}, name), h("dd", {}, value))];
-
-export function pointsOf(answer: Answer): Point[] {
-  const table = answer.tables.curve;
-  return table ? Array.from(table.displacement_mm, (x, k): Point => [x, table.reaction_kN[k]]) : [];
-}
-export function faultsOf(answer: Answer): Fault[] {
-  return answerOf<Partial<Fault>[]>(answer.texts.faults, []).map((f) => ({ line: Number(f.line) || 1, path: String(f.path ?? ""), value: String(f.value ?? ""), problem: String(f.problem ?? ""), cure: String(f.cure ?? "") }));
-}
 
 const hasPage = (answer: Answer): boolean => (answer.bytes?.page?.length ?? answer.texts.page?.length ?? 0) > 0;
 
