@@ -48,6 +48,9 @@ struct ElementForces {
 // Piers, then spandrels, in the order of FailureMode::elements.
 [[nodiscard]] std::vector<ElementForces> read_element_forces(const Model& model,
                                                              const Result& result);
+// The same at chosen states.
+[[nodiscard]] std::vector<ElementForces> read_element_forces(
+    const Model& model, const std::vector<const Snapshot*>& states);
 
 // Columns of elements.csv, with the unit in the name.
 [[nodiscard]] std::string element_forces_csv(const std::vector<ElementForces>& elements);

@@ -193,6 +193,8 @@ struct Strengthening {
 };
 
 // States of the wall that a run keeps.
+inline constexpr double kReadingsApart = 1e-3;  // at most, of a push that goes on [m]
+
 struct KeptStates {
   std::vector<Snapshot> snapshots;  // start, output.states, peak and end
   // For the failure mode, independent of output.states: the first step at each millimetre and at

@@ -22,7 +22,6 @@ namespace {
 
 constexpr int kShearEvery = 8;         // steps between samples of base shear and kinetic energy
 constexpr int kUnbalanceEvery = 32;    // steps between samples of the unbalance
-constexpr double kReadEvery = 1e-3;    // between readings [m]
 constexpr double kShapesFrom = 1e-5;   // Result::rise_shapes: the first [m]
 constexpr double kShapesApart = 0.05;  // and how far apart, of the displacement
 constexpr double kThrough = 0.999;     // tension or shear damage that counts as cracked through
@@ -63,7 +62,7 @@ void Recorder::begin(double read_at) {
   recording_ = {};
   n_.under_way = 1;
   n_.next_close = n_.leg_window = window_;
-  n_.next_reading = kReadEvery;
+  n_.next_reading = kReadingsApart;
   n_.read_at = read_at;
   n_.due = std::min({state_at_.front(), n_.next_reading, read_at});
   const bool one_way = stage_.push() != nullptr && stage_.targets().empty();
@@ -151,7 +150,8 @@ void Recorder::take_states(const WallAccess& access, State& state) {
   }
   if (turns || far >= std::min(n_.next_reading, n_.read_at))
     result_.states.readings.push_back({turns ? "turn" : "", displacement_, 0, state});
-  if (far >= n_.next_reading) n_.next_reading = kReadEvery * (1 + std::floor(far / kReadEvery));
+  if (far >= n_.next_reading)
+    n_.next_reading = kReadingsApart * (1 + std::floor(far / kReadingsApart));
   if (far >= n_.read_at) n_.read_at = std::numeric_limits<double>::infinity();
   n_.due = std::min({next_state_at(), n_.next_reading, n_.read_at});
 }
@@ -175,7 +175,7 @@ void Recorder::take_shape(const WallAccess& access, State& state) {
   }
   const double apart = kShapesApart * displacement_;
   n_.next_shape =
-      apart < kReadEvery ? displacement_ + apart : std::numeric_limits<double>::infinity();
+      apart < kReadingsApart ? displacement_ + apart : std::numeric_limits<double>::infinity();
 }
 
 // Each window has at least one sample of base shear. The start of a push reaches the

@@ -93,27 +93,20 @@ double slenderness_of(const Model& model) {
   return least;
 }
 
-// Drifts of every pier, from the states read each millimetre and from the end.
+// Drifts of every pier, at the states_by_displacement().
 std::vector<PierDrift> pier_drifts(const Model& model, const Result& result) {
   std::vector<PierDrift> out;
   const Vec3 push = study::push_of(model)->drive();
-  for (const ElementForces& element : read_element_forces(model, result)) {
+  for (const ElementForces& element :
+       read_element_forces(model, study::states_by_displacement(result))) {
     if (element.kind != "pier" || element.rows.empty()) continue;
     PierDrift& pier = out.emplace_back();
     const double along = dot(element.along, push);
     pier.mark = element.mark;
     pier.element = element.element;
     for (const ElementForces::Row& row : element.rows)
-      if (row.displacement > 0)
-        pier.drifts.push_back({row.displacement, std::fabs(row.drift),
-                               along * 0.5 * (row.end[0].shear + row.end[1].shear)});
-    // each displacement once, ascending: the states of states_by_displacement()
-    std::stable_sort(pier.drifts.begin(), pier.drifts.end(),
-                     [](const auto& a, const auto& b) { return a.displacement < b.displacement; });
-    const auto last =
-        std::unique(pier.drifts.begin(), pier.drifts.end(),
-                    [](const auto& a, const auto& b) { return a.displacement == b.displacement; });
-    pier.drifts.erase(last, pier.drifts.end());
+      pier.drifts.push_back({row.displacement, std::fabs(row.drift),
+                             along * 0.5 * (row.end[0].shear + row.end[1].shear)});
   }
   return out;
 }

@@ -54,18 +54,37 @@ std::vector<double> moved_at(const Model& model, const Result& result, const Sna
   return moved;
 }
 
+// A control point that a wall carries along swings by less at the end of its push.
+static constexpr double kNearlyFarthest = 0.999;
+
+// The farthest displacement that the push has reached.
+static double farthest_of(const Result& result) {
+  double farthest = 0;
+  for (const CurveRow& row : result.curve) farthest = std::fmax(farthest, row.displacement);
+  for (const MovedBlocks& shape : result.states.rise_shapes)
+    farthest = std::fmax(farthest, shape.displacement);
+  return farthest;
+}
+
 std::vector<const Snapshot*> states_by_displacement(const Result& result) {
   std::vector<const Snapshot*> states;
   if (result.states.snapshots.empty()) return states;
-  for (const Snapshot& s : result.states.readings)
-    if (s.displacement > 0) states.push_back(&s);
-  std::stable_sort(states.begin(), states.end(), [](const Snapshot* a, const Snapshot* b) {
-    return a->displacement < b->displacement;
-  });
-  const auto same = [](const Snapshot* a, const Snapshot* b) {
-    return a->displacement == b->displacement;
+  double farthest = 0;
+  const auto take = [&](const Snapshot& s) {
+    if (s.displacement <= farthest) return;
+    states.push_back(&s);
+    farthest = s.displacement;
   };
-  states.erase(std::unique(states.begin(), states.end(), same), states.end());
+  const auto is_of_push = [reached = kNearlyFarthest * farthest_of(result)](const Snapshot& s) {
+    return s.displacement > 0 && (s.label != "end" || s.displacement >= reached);
+  };
+  const std::vector<Snapshot>& readings = result.states.readings;
+  const auto first = std::find_if(readings.begin(), readings.end(), is_of_push);
+  for (const Snapshot& s : result.states.snapshots)  // before the first reading
+    if (s.label == "peak" && (first == readings.end() || s.displacement < first->displacement))
+      take(s);
+  for (const Snapshot& s : readings)
+    if (is_of_push(s)) take(s);
   return states;
 }
 

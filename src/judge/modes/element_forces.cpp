@@ -231,6 +231,17 @@ ElementForces::Row row_of(const Model& model, const Element& element, const Wall
 }  // namespace
 
 std::vector<ElementForces> read_element_forces(const Model& model, const Result& result) {
+  std::vector<const Snapshot*> states;
+  if (!result.states.snapshots.empty() && !result.states.readings.empty() &&
+      result.states.snapshots.front().label == "start")
+    states.push_back(&result.states.snapshots.front());
+  for (const Snapshot& s : result.states.readings)  // the end may be one of the readings
+    if (states.empty() || states.back()->state.step != s.state.step) states.push_back(&s);
+  return read_element_forces(model, states);
+}
+
+std::vector<ElementForces> read_element_forces(const Model& model,
+                                               const std::vector<const Snapshot*>& states) {
   const std::vector<Elevation> elevations = study::elevations_of(model);
   const std::vector<study::WallParts> each = study::find_parts(model, elevations);
   std::vector<ElementForces> all;
@@ -251,12 +262,6 @@ std::vector<ElementForces> read_element_forces(const Model& model, const Result&
     for (const study::Spandrel& s : each[k].spandrels)
       if (!s.is_sill)
         add({s.name, "spandrel", s.mark, s.storey, s.box.width()}, cut_spandrel(cutters[k], s), k);
-  std::vector<const Snapshot*> states;
-  if (!result.states.snapshots.empty() && !result.states.readings.empty() &&
-      result.states.snapshots.front().label == "start")
-    states.push_back(&result.states.snapshots.front());
-  for (const Snapshot& s : result.states.readings)  // the end may be one of the readings
-    if (states.empty() || states.back()->state.step != s.state.step) states.push_back(&s);
   for (const Snapshot* s : states) {
     const WallReading wall = read_wall(model, s->state);
     for (std::size_t e = 0; e < all.size(); ++e)

@@ -360,6 +360,34 @@ TEST(CampaignAssessment, refuses_a_store_whose_drifts_do_not_belong_together) {
   EXPECT_NE(said().find("are not in order"), std::string::npos) << said();
 }
 
+// A wall that falls ends between two readings: shapes of its rise go on beyond the last, but not to the next.
+TEST(CampaignAssessment, shapes_may_end_between_the_last_reading_and_the_next) {
+  const scenes::TemporaryFolder folder;
+  const Facade f(folder / "out", 2);
+  const auto open = [&] {
+    return study::Database(study::store_path(folder / "out"), study::Database::Access::kWrite);
+  };
+  const std::int64_t last = open().integer("SELECT max(position) FROM moved WHERE sample = 1");
+  const auto said_with_a_shape = [&](double millimetres) {
+    open().execute(fmt::format(
+        "DELETE FROM moved WHERE sample = 1 AND position > {0}; INSERT INTO moved "
+        "SELECT sample, position + 1, (CAST(1000 * displacement_m AS INTEGER) + {1}) / 1000, "
+        "first_kg_m, second_kg_m2, mixed_kg_m2, storey_drift FROM moved WHERE sample = 1 "
+        "AND position = {0}",
+        last, millimetres));
+    scenes::renew_checksums(folder / "out");
+    try {
+      (void)read_campaign(folder / "out");
+    } catch (const IoError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(said_with_a_shape(0.999), "");
+  const std::string said = said_with_a_shape(1.001);
+  EXPECT_NE(said.find("a pier's drift is missing"), std::string::npos) << said;
+}
+
 // --- what a campaign must not vouch for
 
 // Walls that fell before the push, or failed in the computation, carry nothing; the others would speak for them.

@@ -615,6 +615,44 @@ TEST(MassAndShape, is_read_at_the_displacement_it_is_stated_for) {
   EXPECT_NEAR(m.participating, m.total(), 1e-9);
 }
 
+// A wall that falls may move back: what it is then belongs to no smaller displacement of its push.
+TEST(PushedWall, holds_no_state_after_the_wall_has_moved_back) {
+  const ModelSpec spec = parse_model(wall_text(kAssessed), "wall.toml");
+  const Model model = compile(spec);
+  const Result result = pushed(model);
+  const PushedWall was = read_pushed_wall(spec, model, result);
+  ASSERT_FALSE(was.piers.empty());
+  Result fallen = result;
+  fallen.states.readings.push_back(fallen.states.readings.back());
+  fallen.states.readings.back().displacement = 2.5e-3;
+  ++fallen.states.readings.back().state.step;
+  const PushedWall is = read_pushed_wall(spec, model, fallen);
+  EXPECT_EQ(is.moved.size(), was.moved.size());
+  ASSERT_EQ(is.piers[0].drifts.size(), was.piers[0].drifts.size());
+  EXPECT_EQ(is.piers[0].drifts.back().displacement, was.piers[0].drifts.back().displacement);
+}
+
+// The point that is followed swung back from 0.8 mm to 0.3 mm: the peak's state is known at 0.7 mm, none at 0.3 mm.
+TEST(PushedWall, of_a_wall_that_fell_before_its_first_reading_has_the_state_of_its_peak) {
+  const ModelSpec spec = parse_model(wall_text(kAssessed), "wall.toml");
+  const Model model = compile(spec);
+  Result fallen = pushed(model);
+  std::erase_if(fallen.states.rise_shapes,
+                [](const MovedBlocks& shape) { return shape.displacement > 0.8e-3; });
+  std::erase_if(fallen.curve, [](const CurveRow& row) { return row.displacement > 0.8e-3; });
+  Snapshot end = fallen.states.readings.back();
+  end.displacement = 0.3e-3;
+  fallen.states.readings = {end};
+  for (Snapshot& s : fallen.states.snapshots)
+    if (s.label == "peak") s.displacement = 0.7e-3;
+  const PushedWall wall = read_pushed_wall(spec, model, fallen);
+  ASSERT_FALSE(wall.piers.empty());
+  ASSERT_EQ(wall.piers[0].drifts.size(), 1U);
+  EXPECT_EQ(wall.piers[0].drifts[0].displacement, 0.7e-3);
+  for (const MovedMass& m : wall.moved) EXPECT_NE(m.displacement, 0.3e-3);
+  EXPECT_LE(wall.moved.back().displacement, 0.8e-3);
+}
+
 bool cautions(const CodeAssessment& a, const char* code) {
   return std::any_of(a.cautions.begin(), a.cautions.end(),
                      [&](const Message& caution) { return caution.code == code; });
