@@ -119,7 +119,8 @@ Estimate fisher_z(double r, int n, int controlled, double spread) {
   const int degrees = n - 3 - controlled;
   if (!std::isfinite(r) || degrees < 1) return {r, {}};
   const double z = std::atanh(std::clamp(r, -1.0, 1.0));
-  if (!std::isfinite(z)) return {r, {r, r}};
+  // a few ranks may all agree by chance, though the correlation is smaller
+  if (!std::isfinite(z)) return {r, spread > 1 ? Interval{} : Interval{r, r}};
   const double half = kNormal95 * std::sqrt(spread / degrees);
   return {r, {std::tanh(z - half), std::tanh(z + half)}};
 }

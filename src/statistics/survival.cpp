@@ -213,12 +213,14 @@ Exceedance exceedance_of(const std::string& quantity, std::vector<Reading> readi
   out.quantity = quantity, out.n = n;
   for (const Reading& r : readings) out.censored += r.censored ? 1 : 0;
   out.point = kaplan_meier(readings);
-  const Lognormal fit = fit_lognormal(readings, Counts(n, 1));
+  // of few values the fit of a median beyond most of them rests on one or two: 6.5 m of a wall of 0.8 m
+  const bool is_known = n >= kFewestForBootstrap || 2 * out.censored <= n;
+  const Lognormal fit = is_known ? fit_lognormal(readings, Counts(n, 1)) : Lognormal{};
   out.median.value = fit.median, out.beta.value = fit.beta;
   if (n >= kFewestForBootstrap && std::isfinite(fit.median)) {
     const LognormalReplicates by = lognormal_replicates(readings, fit);
     out.median.interval = by.median, out.beta.interval = by.beta;
-  } else if (std::isfinite(fit.median) && 2 * out.censored <= n) {
+  } else if (std::isfinite(fit.median)) {
     const LognormalIntervals by = lognormal_intervals(fit.median, fit.beta, n - out.censored);
     out.median.interval = by.median, out.beta.interval = by.beta;
   }

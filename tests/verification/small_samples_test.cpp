@@ -205,6 +205,24 @@ TEST(SmallSamples, correlations_are_held_where_they_are_printed) {
 }
 
 // y = sqrt(12) a + e: a takes half of the variance. Printed from kFewestForBootstrap on alone.
+// An interval of no width would exclude every smaller correlation. Values on a line are on it by no chance.
+TEST(SmallSamples, ranks_that_all_agree_have_no_interval) {
+  for (const double r : {-1.0, 1.0}) {
+    EXPECT_TRUE(std::isnan(fisher_z(r, 8, 0, 1.5).interval.low));
+    EXPECT_EQ(fisher_z(r, 8, 0, 1.5).value, r);
+    EXPECT_EQ(fisher_z(r, 8, 0, 1).interval.low, r);
+  }
+}
+
+// Two falls among 73 walls that held would state a median far beyond every push.
+TEST(SmallSamples, a_law_of_bounds_alone_is_withheld) {
+  std::vector<Reading> readings(75, Reading{3e-3, true});
+  readings[0] = {1e-3, false}, readings[1] = {2e-3, false};
+  EXPECT_TRUE(std::isnan(exceedance_of("drift", readings).median.value));
+  for (std::size_t k = 0; k < 40; ++k) readings[k] = {1e-3 + 5e-5 * static_cast<double>(k), false};
+  EXPECT_TRUE(std::isfinite(exceedance_of("drift", readings).median.value));
+}
+
 TEST(SmallSamples, indices_have_no_interval_of_few) {
   for (const int n : {20, kFewestForBootstrap - 1, kFewestForBootstrap}) {
     const auto draw = [&](RandomBits& bits) {
