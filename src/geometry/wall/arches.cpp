@@ -179,6 +179,9 @@ bool are_wide_enough(const ArchSpec& arch, int n, double course, const PlacedOpe
   return false;
 }
 
+// Rounded up to whole millimetres [m].
+double to_millimetre(double length) { return 1e-3 * std::ceil(1e3 * length - 1e-6); }
+
 bool has_room(const PlacedArch& laid, const Storey& storey, const PlacedOpening& opening,
               FaultList& faults) {
   const Rect box = bounds(outline_of(laid));
@@ -186,12 +189,12 @@ bool has_room(const PlacedArch& laid, const Storey& storey, const PlacedOpening&
   const double top = courses.end(), least = kSliver * columns.step;
   bool fits = true;
   if (box.y1 > top * (1 + 1e-12)) {
-    add_fault(faults, key_of(opening.index, "depth"), metres(box.y1 - opening.hole.y1),
-              "the arch of " + opening.called + " reaches to " + metres(box.y1) +
+    add_fault(faults, key_of(opening.index, "depth"), "",
+              "the arch of " + opening.called + " reaches to " + metres(to_millimetre(box.y1)) +
                   (storey.index < 0 ? ", above the wall's top at "
                                     : ", above the top of " + storey.called() + " at ") +
                   metres(top),
-              "lower the springing (opening height) by " + metres(box.y1 - top) +
+              "lower the springing (opening height) by " + metres(to_millimetre(box.y1 - top)) +
                   ", or its rise and depth by as much");
     fits = false;
   }

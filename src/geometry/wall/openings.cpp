@@ -87,16 +87,25 @@ void note_move(const Span& span, const char* code, double from, double to,
       {code, {{"opening", span.placed.words}, {"from_m", from - base}, {"to_m", to - base}}});
 }
 
+// Whether the stated height fits where it counts from the ground and not from the storey's foot.
+bool is_from_ground(const Span& span, const Axis& axis) {
+  const double slack = std::max(kFitTolerance * span.size, axis.joint);
+  const double start = span.start - span.base;
+  return span.base > 0 && span.start + span.size > axis.end() + slack &&
+         start > axis.origin - slack && start + span.size < axis.end() + slack;
+}
+
 // The nearest span within `room`: where units are cut what is left of the stated one, else on joint
 // lines. The cure names it, and further checks use it.
 void cure_span(const Span& span, const SpanFault& fault, const Axis& axis, Fit fit, Room room,
                double& start, double& end, FaultList& faults) {
   if (room.last <= room.first) room = {0, axis.count};
-  start = std::max(span.start, axis.line(room.first));
-  end = std::min(span.start + span.size, axis.line(room.last));
+  const double wanted = is_from_ground(span, axis) ? span.start - span.base : span.start;
+  start = std::max(wanted, axis.line(room.first));
+  end = std::min(wanted + span.size, axis.line(room.last));
   const bool on_lines = fit == Fit::kWhole || end - start < axis.step;
   if (on_lines) {
-    const int i = std::clamp(axis.nearest(span.start), room.first, room.last - 1);
+    const int i = std::clamp(axis.nearest(wanted), room.first, room.last - 1);
     const int j = std::clamp(axis.nearest(axis.line(i) + span.size), i + 1, room.last);
     start = axis.line(i);
     end = axis.line(j);

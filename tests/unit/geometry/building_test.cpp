@@ -349,6 +349,9 @@ TEST(Storeys, an_opening_through_a_floor_line_is_refused_with_its_place) {
   spec.wall.opening = {hole("first", 0.6, 0.3, 0.8, 0.5)};
   expect_says(refusal(spec),
               {"wall.opening.0.height", "ends at 0.8 m", "above the top of its storey at 0.5 m"});
+  spec.wall.opening = {hole("first", 0.6, 0.6, 0.8, 0.2)};  // from the ground
+  expect_says(refusal(spec), {"ends at 0.8 m", "write y = \"0.1 m\""});
+  EXPECT_EQ(refusal(spec).find("height = \""), std::string::npos);
 }
 
 TEST(Storeys, faults_are_named_with_place_and_cure) {
