@@ -151,7 +151,11 @@ int limit(const LimitArguments& a) {
   const int code = print_comparison(opinion.comparison);
   print_opinion(opinion);
   fmt::print("report {}\n", readable(page));
-  return stop.asked() ? kFailed : code;
+  // a stated part that cannot be checked is no answer to what was asked
+  const bool lacks_part = !spec.assessment.part.empty() &&
+                          std::any_of(opinion.refused.begin(), opinion.refused.end(),
+                                      [](const Refusal& r) { return r.what.code == "local.part"; });
+  return stop.asked() || lacks_part ? kFailed : code;
 }
 
 }  // namespace wythe::app

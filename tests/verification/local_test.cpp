@@ -112,6 +112,39 @@ TEST(Local, a_strip_turns_about_its_foot) {
   EXPECT_EQ(c.by, "found");
 }
 
+// A hold above the part's head: the part as stated is told as refused, and the wall that rules find is checked in its place.
+TEST(Local, a_part_that_cannot_be_checked_stands_for_no_other) {
+  const SecondOpinion o = opinion_of(front(
+      kThreeMetres,
+      "[[assessment.part]]\nname = \"tied\"\n[[assessment.part.hold]]\nname = \"tie\"\nheight = "
+      "\"3.5 m\"\nforce = \"50 kN\"\n"));
+  ASSERT_EQ(o.refused.size(), 1);
+  EXPECT_EQ(o.refused[0].what.code, "local.part");
+  ASSERT_EQ(o.local.size(), 1);
+  EXPECT_TRUE(o.local[0].is_found());
+  EXPECT_NEAR(o.local[0].capacity.alpha0, 0.1, 1e-12);
+}
+
+// A tie of any strength holds a head, but not the wall below it. What a note tells bars signing where the bent wall fails.
+TEST(Local, a_part_that_is_held_strongly_bends_first) {
+  std::string text = front(kThreeMetres,
+                           "[[assessment.part]]\nname = \"tied\"\n[[assessment.part.hold]]\nname = "
+                           "\"tie\"\nheight = \"2.75 m\"\nforce = \"5000 kN\"\n");
+  const auto tells = [](const std::vector<Message>& messages) {
+    return std::any_of(messages.begin(), messages.end(),
+                       [](const Message& m) { return m.code == "local.bends_first"; });
+  };
+  const LocalCheck safe = named_check(text);
+  EXPECT_TRUE(tells(safe.notes));
+  EXPECT_FALSE(tells(safe.cautions));
+  text.replace(text.find("1.5 m/s^2"), 9, "9.5 m/s^2");
+  const LocalCheck doubtful = named_check(text);
+  EXPECT_EQ(doubtful.verdict, AssessmentVerdict::kHolds);
+  EXPECT_TRUE(tells(doubtful.cautions));
+  EXPECT_FALSE(doubtful.may_be_signed);
+  EXPECT_EQ(text_of(doubtful.sentence).find("not to be signed"), 0) << text_of(doubtful.sentence);
+}
+
 // [C8.7.1.11]: 1.56 pi, and 10 % of damping.
 TEST(Local, near_collapse_takes_its_own_period_and_damping) {
   std::string text = front(kThreeMetres, "");

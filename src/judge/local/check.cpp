@@ -210,6 +210,14 @@ Message sentence_of(const LocalCheck& part) {
            {"demand_g", s->ground_demand / kStandardGravity}}};
 }
 
+void say(LocalCheck& part) {
+  part.may_be_signed = part.cautions.empty() && part.deciding() != nullptr &&
+                       part.verdict != AssessmentVerdict::kNotKnown;
+  part.sentence = sentence_of(part);
+  if (!part.cautions.empty())
+    part.sentence = {"local.unsigned", {{"cautions", part.cautions}, {"verdict", part.sentence}}};
+}
+
 }  // namespace
 
 // Failed states come first, then states without an answer, then states that hold; among equals, the smallest reserve.
@@ -275,11 +283,12 @@ void study::conclude(const ModelSpec& spec, const Model& model, bool crushes, Lo
       part.cautions.push_back({"local.caution.not_known"});
       break;
     }
-  part.may_be_signed =
-      part.cautions.empty() && least != nullptr && part.verdict != AssessmentVerdict::kNotKnown;
-  part.sentence = sentence_of(part);
-  if (!part.cautions.empty())
-    part.sentence = {"local.unsigned", {{"cautions", part.cautions}, {"verdict", part.sentence}}};
+  say(part);
+}
+
+void study::add_caution(Message caution, LocalCheck& part) {
+  part.cautions.push_back(std::move(caution));
+  say(part);
 }
 
 // Whether rules may look for parts: a body force across the wall has its own mechanism.
@@ -296,26 +305,34 @@ bool has_parts(const ModelSpec& spec, const Model& model) {
 namespace {
 
 template <class Answer>
-void attempt(SecondOpinion& opinion, const Message& what, Answer answer) {
+bool attempt(SecondOpinion& opinion, const Message& what, Answer answer) {
   try {
     opinion.local.push_back(answer());
+    return true;
   } catch (const InputError& error) {
     opinion.refused.push_back({what, error.what()});
+    return false;
   }
 }
 
-void check_parts(const ModelSpec& spec, const Model& model, std::vector<PartSpec> parts,
-                 bool are_found, SecondOpinion& opinion) {
+// Returns the parts that were checked.
+std::vector<PartSpec> check_parts(const ModelSpec& spec, const Model& model,
+                                  std::vector<PartSpec> parts, bool are_found,
+                                  SecondOpinion& opinion) {
+  std::vector<PartSpec> checked;
   for (std::size_t k = 0; k < parts.size(); ++k) {
     PartSpec& part = parts[k];
     if (part.name.empty()) part.name = "part " + std::to_string(k + 1);
     const std::string path = are_found ? "wall" : "assessment.part." + part.name;
-    attempt(opinion, {are_found ? "local.part_found" : "local.part", {{"name", part.name}}}, [&] {
-      LocalCheck check = study::check_of_part(spec, model, part, path);
-      if (are_found) check.by = "found";
-      return check;
-    });
+    const Message what = {are_found ? "local.part_found" : "local.part", {{"name", part.name}}};
+    if (attempt(opinion, what, [&] {
+          LocalCheck check = study::check_of_part(spec, model, part, path);
+          if (are_found) check.by = "found";
+          return check;
+        }))
+      checked.push_back(part);
   }
+  return checked;
 }
 
 }  // namespace
@@ -323,9 +340,10 @@ void check_parts(const ModelSpec& spec, const Model& model, std::vector<PartSpec
 void add_local_checks(const ModelSpec& spec, const Model& model, bool asks_for_parts,
                       SecondOpinion& opinion) {
   if (asks_for_parts && has_parts(spec, model)) {
-    check_parts(spec, model, spec.assessment.part, false, opinion);
+    const std::vector<PartSpec> named =
+        check_parts(spec, model, spec.assessment.part, false, opinion);
     if (is_pushed_or_alone(model))
-      check_parts(spec, model, study::found_parts(spec, model), true, opinion);
+      check_parts(spec, model, study::found_parts(spec, model, named), true, opinion);
   } else if (asks_for_parts && !spec.assessment.part.empty()) {
     opinion.refused.push_back({{"local.parts"}, text_of(Message{"local.parts_in_space"})});
   }

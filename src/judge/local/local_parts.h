@@ -12,11 +12,15 @@ namespace wythe::study {
 // loads. Throws InputError with place and cure where that is impossible.
 [[nodiscard]] LocalCheck check_of_part(const ModelSpec& spec, const Model& model,
                                        const PartSpec& part, const std::string& path);
-// Each storey from its foot up to the top of the wall, and the parts above the highest floor.
-[[nodiscard]] std::vector<PartSpec> found_parts(const ModelSpec& spec, const Model& model);
+// Each storey from its foot up to the top of the wall, and the parts above the highest floor; less those for which `named`
+// parts stand.
+[[nodiscard]] std::vector<PartSpec> found_parts(const ModelSpec& spec, const Model& model,
+                                                const std::vector<PartSpec>& named);
 // The mechanism of a body force. Throws InputError where it does not give the multiplier of the limit load.
 [[nodiscard]] LocalCheck check_of_limit(const ModelSpec& spec, const Model& model,
                                         const NamedLimit& limit);
+// Adds a caution to a check that is done: its sentence begins with all cautions.
+void add_caution(Message caution, LocalCheck& part);
 // Adds factor, demand, verdict and sentence to `check`, from the mechanism
 // in it. `crushes`: the line of rotation takes account of the strength of masonry.
 void conclude(const ModelSpec& spec, const Model& model, bool crushes, LocalCheck& check);

@@ -556,7 +556,6 @@ class Strip {
     bool is_any_short = false;
     for (const HoldSpec& hold : part_.hold) is_any_short |= !std::isfinite(hold.travel);
     if (is_any_short) out.notes.push_back({"local.note.holds_unknown"});
-    if (!part_.hold.empty()) out.notes.push_back({"local.note.held"});
     for (std::vector<Message> cautions :
          {cautions_of_inputs(spec_, model_), cautions_of_demand(spec_.assessment)})
       for (Message& caution : cautions) out.cautions.push_back(std::move(caution));
@@ -576,11 +575,48 @@ class Strip {
   std::vector<Lying> lying_, above_;
 };
 
+// The part between its foot and its highest hold, whose head that holds level: it bends at any strength of the hold.
+// nullopt where it cannot be checked.
+std::optional<LocalCheck> bent_below_hold(const ModelSpec& spec, const Model& model,
+                                          const PartSpec& part, const std::string& path) {
+  PartSpec bent = part;
+  bent.head = 0;
+  for (const HoldSpec& hold : part.hold) bent.head = std::fmax(bent.head, hold.height);
+  bent.head_held = true;
+  bent.hold.clear();
+  bent.teeth = {}, bent.lean = 0, bent.inset = kUnset;
+  try {
+    return Strip(spec, model, bent, path).check();
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+// Tells of a held part whether it bends before it turns over. If it then fails, its own check is not to be signed.
+void look_below_hold(const ModelSpec& spec, const Model& model, const PartSpec& part,
+                     const std::string& path, LocalCheck& out) {
+  const std::optional<LocalCheck> bent = bent_below_hold(spec, model, part, path);
+  if (!bent) return out.notes.push_back({"local.note.held"});
+  if (!(bent->acceleration0 < out.acceleration0)) return;
+  Message bends = {"local.bends_first",
+                   {{"height_m", bent->head},
+                    {"a0_g", bent->acceleration0 / kStandardGravity},
+                    {"held_g", out.acceleration0 / kStandardGravity}}};
+  const bool is_safe =
+      bent->verdict == AssessmentVerdict::kHolds || bent->verdict == AssessmentVerdict::kNoDemand;
+  if (is_safe)
+    out.notes.push_back(std::move(bends));
+  else
+    add_caution(std::move(bends), out);
+}
+
 }  // namespace
 
 LocalCheck check_of_part(const ModelSpec& spec, const Model& model, const PartSpec& part,
                          const std::string& path) {
-  return Strip(spec, model, part, path).check();
+  LocalCheck out = Strip(spec, model, part, path).check();
+  if (!part.hold.empty() && !part.head_held) look_below_hold(spec, model, part, path, out);
+  return out;
 }
 
 namespace {
@@ -639,7 +675,8 @@ bool are_covering(const std::vector<PartSpec>& named, const Extents& wall, doubl
 
 }  // namespace
 
-std::vector<PartSpec> found_parts(const ModelSpec& spec, const Model& model) {
+std::vector<PartSpec> found_parts(const ModelSpec& spec, const Model& model,
+                                  const std::vector<PartSpec>& named) {
   const Extents wall = extents_of(with_rigid_bodies(model));
   std::vector<PartSpec> parts;
   const auto add = [&](std::string name, double foot) {
@@ -665,7 +702,6 @@ std::vector<PartSpec> found_parts(const ModelSpec& spec, const Model& model) {
   if (highest > 0 && !is_a_storey && wall.top - wall.foot - highest > kParapet)
     add("parapet", highest);
   // each reaches to the wall's top; what it stands for ends at the foot of the next
-  const std::vector<PartSpec>& named = spec.assessment.part;
   std::vector<double> feet;
   for (const PartSpec& part : parts) feet.push_back(part.foot);
   feet.push_back(wall.top - wall.foot);
