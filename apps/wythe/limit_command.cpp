@@ -152,9 +152,10 @@ int limit(const LimitArguments& a) {
   print_opinion(opinion);
   fmt::print("report {}\n", readable(page));
   // a stated part that cannot be checked is no answer to what was asked
-  const bool lacks_part = !spec.assessment.part.empty() &&
-                          std::any_of(opinion.refused.begin(), opinion.refused.end(),
-                                      [](const Refusal& r) { return r.what.code == "local.part"; });
+  const bool lacks_part =
+      !spec.assessment.part.empty() &&
+      std::any_of(opinion.refused.begin(), opinion.refused.end(),
+                  [](const Refusal& r) { return r.what.code.starts_with("local.part"); });
   return stop.asked() || lacks_part ? kFailed : code;
 }
 

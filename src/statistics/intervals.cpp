@@ -118,9 +118,10 @@ Estimate Moments::student() const {
 Estimate fisher_z(double r, int n, int controlled, double spread) {
   const int degrees = n - 3 - controlled;
   if (!std::isfinite(r) || degrees < 1) return {r, {}};
-  const double z = std::atanh(std::clamp(r, -1.0, 1.0));
   // a few ranks may all agree by chance, though the correlation is smaller
-  if (!std::isfinite(z)) return {r, spread > 1 ? Interval{} : Interval{r, r}};
+  constexpr double kRounding = 1e-9;
+  if (1 - std::fabs(r) < kRounding) return {r, spread > 1 ? Interval{} : Interval{r, r}};
+  const double z = std::atanh(r);
   const double half = kNormal95 * std::sqrt(spread / degrees);
   return {r, {std::tanh(z - half), std::tanh(z + half)}};
 }

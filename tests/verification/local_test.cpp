@@ -132,17 +132,40 @@ TEST(Local, a_part_that_is_held_strongly_bends_first) {
                            "\"tie\"\nheight = \"2.75 m\"\nforce = \"5000 kN\"\n");
   const auto tells = [](const std::vector<Message>& messages) {
     return std::any_of(messages.begin(), messages.end(),
-                       [](const Message& m) { return m.code == "local.bends_first"; });
+                       [](const Message& m) { return m.code == "local.weaker_beside"; });
   };
   const LocalCheck safe = named_check(text);
   EXPECT_TRUE(tells(safe.notes));
   EXPECT_FALSE(tells(safe.cautions));
-  text.replace(text.find("1.5 m/s^2"), 9, "9.5 m/s^2");
-  const LocalCheck doubtful = named_check(text);
-  EXPECT_EQ(doubtful.verdict, AssessmentVerdict::kHolds);
-  EXPECT_TRUE(tells(doubtful.cautions));
-  EXPECT_FALSE(doubtful.may_be_signed);
-  EXPECT_EQ(text_of(doubtful.sentence).find("not to be signed"), 0) << text_of(doubtful.sentence);
+  // the same wall inwards; held at mid-height alone, with a free half above; and asked for more
+  const auto bars = [&](std::string changed, const char* from, const char* to) {
+    changed.replace(changed.find(from), std::string(from).size(), to);
+    changed.replace(changed.find("1.5 m/s^2"), 9, "9.5 m/s^2");
+    const LocalCheck check = named_check(changed);
+    EXPECT_EQ(check.verdict, AssessmentVerdict::kHolds) << to;
+    EXPECT_FALSE(check.may_be_signed) << to;
+    return tells(check.cautions);
+  };
+  EXPECT_TRUE(bars(text, "name = \"tied\"", "name = \"tied\""));
+  EXPECT_TRUE(bars(text, "name = \"tied\"", "name = \"tied\"\nfalls = \"inwards\""));
+  EXPECT_TRUE(bars(text, "2.75 m", "1.5 m"));
+}
+
+// Ties at 1.5 and 2.75 m: what a wall held at 2.75 m alone does between is none of its parts.
+TEST(Local, a_part_with_two_holds_is_looked_at_between_them) {
+  const auto least = [](const char* second) {
+    const LocalCheck c =
+        named_check(front(kThreeMetres, std::string("[[assessment.part]]\nname = \"tied\"\n"
+                                                    "[[assessment.part.hold]]\nname = \"tie\"\n"
+                                                    "height = \"2.75 m\"\nforce = \"5000 kN\"\n") +
+                                            second));
+    for (const Message& note : c.notes)
+      if (note.code == "local.weaker_beside") return std::get<double>(note.arguments[2].value);
+    return 1e9;
+  };
+  EXPECT_GT(
+      least("[[assessment.part.hold]]\nname = \"low\"\nheight = \"1.5 m\"\nforce = \"5000 kN\"\n"),
+      1.3 * least(""));
 }
 
 // [C8.7.1.11]: 1.56 pi, and 10 % of damping.

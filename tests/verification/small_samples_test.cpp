@@ -204,13 +204,20 @@ TEST(SmallSamples, correlations_are_held_where_they_are_printed) {
   }
 }
 
-// y = sqrt(12) a + e: a takes half of the variance. Printed from kFewestForBootstrap on alone.
 // An interval of no width would exclude every smaller correlation. Values on a line are on it by no chance.
 TEST(SmallSamples, ranks_that_all_agree_have_no_interval) {
   for (const double r : {-1.0, 1.0}) {
     EXPECT_TRUE(std::isnan(fisher_z(r, 8, 0, 1.5).interval.low));
     EXPECT_EQ(fisher_z(r, 8, 0, 1.5).value, r);
     EXPECT_EQ(fisher_z(r, 8, 0, 1).interval.low, r);
+  }
+  for (std::size_t n = 5; n < 40; ++n) {  // sums of squares round
+    Column x, y;
+    for (std::size_t i = 0; i < n; ++i) {
+      x.push_back(static_cast<double>((7 * i + 3) % 41));
+      y.push_back(std::exp(0.1 * x.back()));
+    }
+    EXPECT_TRUE(std::isnan(correlate({x}, observed(y))[0].spearman.interval.low)) << n;
   }
 }
 
@@ -223,6 +230,7 @@ TEST(SmallSamples, a_law_of_bounds_alone_is_withheld) {
   EXPECT_TRUE(std::isfinite(exceedance_of("drift", readings).median.value));
 }
 
+// y = sqrt(12) a + e: a takes half of the variance. Printed from kFewestForBootstrap on alone.
 TEST(SmallSamples, indices_have_no_interval_of_few) {
   for (const int n : {20, kFewestForBootstrap - 1, kFewestForBootstrap}) {
     const auto draw = [&](RandomBits& bits) {

@@ -44,7 +44,7 @@ void check_peaks(const Refuse& refuse, const SampleRecord& record) {
 }
 
 // The states of a pushed wall must ascend, and each pier needs a drift at the same states up to the last (for an assessment).
-// Shapes of the rise may reach beyond the last reading of a wall that falls, but not to the next.
+// Shapes of the rise, of the first 20 mm, may reach beyond the last reading of a wall that falls, but not to the next.
 template <class Refuse>
 void check_pushed_wall(const Refuse& refuse, const RecordLists& lists) {
   double before = 0;
@@ -60,8 +60,11 @@ void check_pushed_wall(const Refuse& refuse, const RecordLists& lists) {
   const auto is_of_first = [&](const PierRow& row) { return row.element == piers.front().element; };
   const std::size_t states =
       std::find_if_not(piers.begin(), piers.end(), is_of_first) - piers.begin();
-  const auto readings_up_to = [](double displacement) {
-    return std::floor(displacement / kReadingsApart);
+  constexpr double kRise =
+      0.021;  // shapes end where 5 % of the displacement are a reading's distance [m]
+  const auto readings_up_to = [&](double displacement) {
+    return lists.moved.back().mass.displacement > kRise ? displacement
+                                                        : std::floor(displacement / kReadingsApart);
   };
   if (piers.size() % states != 0 || lists.moved.empty() ||
       readings_up_to(piers.back().at.displacement) <

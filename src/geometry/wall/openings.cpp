@@ -87,11 +87,13 @@ void note_move(const Span& span, const char* code, double from, double to,
       {code, {{"opening", span.placed.words}, {"from_m", from - base}, {"to_m", to - base}}});
 }
 
-// Whether the stated height fits where it counts from the ground and not from the storey's foot.
+// Whether the stated height fits where it counts from the ground and not from the storey's foot. An opening that is a little
+// too high is not meant so.
 bool is_from_ground(const Span& span, const Axis& axis) {
   const double slack = std::max(kFitTolerance * span.size, axis.joint);
   const double start = span.start - span.base;
-  return span.base > 0 && span.start + span.size > axis.end() + slack &&
+  const double beyond = span.start + span.size - axis.end();
+  return span.base > 0 && beyond > std::max(slack, 0.5 * span.size) &&
          start > axis.origin - slack && start + span.size < axis.end() + slack;
 }
 

@@ -19,7 +19,7 @@ struct Extent {
 // Lowest point of the moving blocks [m]; heights count from it.
 [[nodiscard]] double foot_of(const Model& model);
 // KeptStates::readings of a push, each farther than all before it: the point that is followed may swing back when
-// the wall falls, and that state is none of its way there. A peak before the first reading has its state too.
+// the wall falls, and that state is none of its way there. A peak before the first of them, or beyond the last, has its state too.
 // They depend neither on the requested states nor on frames, so a sample is judged like a run.
 [[nodiscard]] std::vector<const Snapshot*> states_by_displacement(const Result& result);
 // Displacement of each block along the push, ascending: at the displacements of Result::rise_shapes, and at those

@@ -80,11 +80,15 @@ std::vector<const Snapshot*> states_by_displacement(const Result& result) {
   };
   const std::vector<Snapshot>& readings = result.states.readings;
   const auto first = std::find_if(readings.begin(), readings.end(), is_of_push);
-  for (const Snapshot& s : result.states.snapshots)  // before the first reading
-    if (s.label == "peak" && (first == readings.end() || s.displacement < first->displacement))
-      take(s);
+  const auto take_peak = [&](double after, double before) {
+    for (const Snapshot& s : result.states.snapshots)
+      if (s.label == "peak" && s.state.time > after && s.state.time < before) take(s);
+  };
+  constexpr double kEver = std::numeric_limits<double>::infinity();
+  take_peak(-kEver, first == readings.end() ? kEver : first->state.time);
   for (const Snapshot& s : readings)
     if (is_of_push(s)) take(s);
+  if (!states.empty()) take_peak(states.back()->state.time, kEver);
   return states;
 }
 

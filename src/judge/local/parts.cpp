@@ -575,39 +575,46 @@ class Strip {
   std::vector<Lying> lying_, above_;
 };
 
-// The part between its foot and its highest hold, whose head that holds level: it bends at any strength of the hold.
-// nullopt where it cannot be checked.
-std::optional<LocalCheck> bent_below_hold(const ModelSpec& spec, const Model& model,
-                                          const PartSpec& part, const std::string& path) {
-  PartSpec bent = part;
-  bent.head = 0;
-  for (const HoldSpec& hold : part.hold) bent.head = std::fmax(bent.head, hold.height);
-  bent.head_held = true;
-  bent.hold.clear();
-  bent.teeth = {}, bent.lean = 0, bent.inset = kUnset;
-  try {
-    return Strip(spec, model, bent, path).check();
-  } catch (const InputError&) {
-    return std::nullopt;
+// The parts of a held part where nothing holds it: between its foot and its holds, whose heads are held level there, and the
+// free one above. They give way at any strength of the holds.
+std::vector<PartSpec> spans_of(const PartSpec& part) {
+  std::vector<double> heights;
+  for (const HoldSpec& hold : part.hold) heights.push_back(hold.height);
+  std::sort(heights.begin(), heights.end());
+  PartSpec span = part;
+  span.hold.clear();
+  span.teeth = {}, span.lean = 0, span.inset = kUnset;
+  std::vector<PartSpec> spans;
+  for (const double height : heights) {
+    span.head = height, span.head_held = true, span.falls = Fall::kOutwards;
+    spans.push_back(span);
+    span.foot = height;
   }
+  span.head = part.head, span.head_held = false, span.falls = part.falls;
+  spans.push_back(span);
+  return spans;
 }
 
-// Tells of a held part whether it bends before it turns over. If it then fails, its own check is not to be signed.
-void look_below_hold(const ModelSpec& spec, const Model& model, const PartSpec& part,
-                     const std::string& path, LocalCheck& out) {
-  const std::optional<LocalCheck> bent = bent_below_hold(spec, model, part, path);
-  if (!bent) return out.notes.push_back({"local.note.held"});
-  if (!(bent->acceleration0 < out.acceleration0)) return;
-  Message bends = {"local.bends_first",
-                   {{"height_m", bent->head},
-                    {"a0_g", bent->acceleration0 / kStandardGravity},
-                    {"held_g", out.acceleration0 / kStandardGravity}}};
-  const bool is_safe =
-      bent->verdict == AssessmentVerdict::kHolds || bent->verdict == AssessmentVerdict::kNoDemand;
-  if (is_safe)
-    out.notes.push_back(std::move(bends));
+// Tells of a held part whether a part of it carries less. If that one is not safe, the whole is not to be signed.
+void look_beside_holds(const ModelSpec& spec, const Model& model, const PartSpec& part,
+                       const std::string& path, LocalCheck& out) {
+  std::optional<LocalCheck> least;
+  for (const PartSpec& span : spans_of(part)) try {
+      LocalCheck one = Strip(spec, model, span, path).check();
+      if (!least || one.reserve() < least->reserve()) least = std::move(one);
+    } catch (const InputError&) {  // too low to bend or to turn over
+    }
+  if (!least) return out.notes.push_back({"local.note.held"});
+  if (!(least->reserve() < out.reserve())) return;
+  Message weaker = {"local.weaker_beside",
+                       {{"foot_m", least->foot},
+                        {"head_m", least->head},
+                        {"ratio", least->reserve()},
+                        {"held", out.reserve()}}};
+  if (least->verdict == AssessmentVerdict::kHolds)
+    out.notes.push_back(std::move(weaker));
   else
-    add_caution(std::move(bends), out);
+    add_caution(std::move(weaker), out);
 }
 
 }  // namespace
@@ -615,7 +622,7 @@ void look_below_hold(const ModelSpec& spec, const Model& model, const PartSpec& 
 LocalCheck check_of_part(const ModelSpec& spec, const Model& model, const PartSpec& part,
                          const std::string& path) {
   LocalCheck out = Strip(spec, model, part, path).check();
-  if (!part.hold.empty() && !part.head_held) look_below_hold(spec, model, part, path, out);
+  if (!part.hold.empty() && !part.head_held) look_beside_holds(spec, model, part, path, out);
   return out;
 }
 
