@@ -154,8 +154,9 @@ int limit(const LimitArguments& a) {
   // a stated part that cannot be checked is no answer to what was asked
   const bool lacks_part =
       !spec.assessment.part.empty() &&
-      std::any_of(opinion.refused.begin(), opinion.refused.end(),
-                  [](const Refusal& r) { return r.what.code.starts_with("local.part"); });
+      std::any_of(opinion.refused.begin(), opinion.refused.end(), [](const Refusal& r) {
+        return r.what.code == "local.part" || r.what.code == "local.parts";
+      });
   return stop.asked() || lacks_part ? kFailed : code;
 }
 

@@ -86,7 +86,7 @@ class Local(unittest.TestCase):
         done = wythe("limit", model, "--out", self.out, "--assessment", *(arguments or ("--only", "parts")))
         self.assertEqual(done.returncode, code, done.stdout + done.stderr)
         self.done = done
-        return json.loads((self.out / "mechanisms.json").read_text()) if code == 0 else None
+        return json.loads((self.out / "mechanisms.json").read_text()) if code != 2 else None
 
     def only(self, text, *arguments):
         data = self.limit(text, *arguments)
@@ -98,8 +98,8 @@ class Local(unittest.TestCase):
     def named(data):  # beside those that rules find
         return [part for part in data["local"] if part["by"] != "found"]
 
-    def refused(self, text, *arguments):
-        data = self.limit(text, *arguments)
+    def refused(self, text, *arguments, code=3):
+        data = self.limit(text, *arguments, code=code)
         self.assertEqual(self.named(data), [])
         return data["refused"][0]["why"]
 
@@ -117,9 +117,9 @@ class Local(unittest.TestCase):
         self.assertEqual((part["verdict"], part["may_be_signed"]), ("fails", True))
 
     def test_rules_look_for_what_named_parts_leave_uncovered(self):
-        def names(*parts):
+        def names(*parts, code=0):
             text = "".join(f'[[assessment.part]]\nname = "{k}"\n{keys}' for k, keys in enumerate(parts))
-            return [(part["name"], part["by"]) for part in self.limit(wall(text))["local"]]
+            return [(part["name"], part["by"]) for part in self.limit(wall(text), code=code)["local"]]
         self.assertEqual(names('foot = "2.5 m"\n'), [("0", "part"), ("wall", "found")])  # a harmless one
         self.assertEqual(names(""), [("0", "part")])
         halves = ('right = "0.5 m"\n', 'left = "0.5 m"\n')
@@ -128,7 +128,7 @@ class Local(unittest.TestCase):
         # harmless strips side by side at the head, and a low one all along the foot, say nothing of the wall
         strips = [f'foot = "2.75 m"\nleft = "{0.08 * k:.2f} m"\nright = "{0.08 * k + 0.08:.2f} m"\n' for k in range(12)]
         self.assertIn(("wall", "found"), names(*strips))
-        self.assertIn(("wall", "found"), names('head = "0.5 m"\n'))
+        self.assertIn(("wall", "found"), names('head = "0.5 m"\n', code=3))
         # a floor's depth between two parts is none of its own
         self.assertEqual(names('head = "1.4 m"\nhead_held = true\n', 'foot = "1.6 m"\n'), [("0", "part"), ("1", "part")])
 
@@ -145,7 +145,7 @@ class Local(unittest.TestCase):
         self.assertIn("thickness", self.done.stderr)
 
     def test_without_weight_nothing_is_answered(self):
-        self.assertIn("gravity is 0", self.refused(wall("[solve]\ngravity = \"0 m/s^2\"\n")))
+        self.assertIn("gravity is 0", self.refused(wall("[solve]\ngravity = \"0 m/s^2\"\n"), code=0))
         self.limit(wall(PART).replace('density = "1800 kg/m^3"', 'density = "0 kg/m^3"'), code=2)
         self.assertIn("density", self.done.stderr)
         why = self.refused(wall(PART + 'left = "0 m"\nright = "5 m"\n'))
@@ -178,7 +178,7 @@ class Local(unittest.TestCase):
         part = self.only(wall(hold + 'force = "500 kN"\ntravel = "1 m"\n'))
         self.assertAlmostEqual(part["alpha0_to_the_end"], 0.1, places=12, msg="it lets go before the wall has fallen")
         self.assertGreater(part["alpha0"], 10)
-        self.assertTrue(any("head_held" in note for note in part["notes"]), "another mechanism comes first")
+        self.assertTrue(any("where nothing holds it" in note for note in part["notes"]), "another mechanism comes first")
 
     def test_a_wall_that_leans_already(self):
         upright, leans = self.only(wall(PART)), self.only(wall(PART + 'lean = "2 deg"\n'))
@@ -202,7 +202,7 @@ class Local(unittest.TestCase):
         self.assertEqual(loaded["floors_kN"], 12)
         self.assertLess(loaded["alpha0"], bare["alpha0"] * 1.2)
         self.assertTrue(any("no floor" in note for note in bare["notes"]))
-        why = self.refused(wall(FLOOR.format(load="6 kN/m", bearing="")))
+        why = self.refused(wall(FLOOR.format(load="6 kN/m", bearing="")), code=0)
         self.assertIn("how deep it bears", why)
         self.assertIn("floor roof", why)
         heavy = self.only(wall(FLOOR.format(load="60 kN/m", bearing='bearing = "150 mm"\n')))
@@ -303,7 +303,7 @@ corner_period = "0.5 s"
         self.assertFalse(soft["may_be_signed"], "no confidence factor is stated")
         stated = wall(fc=crushing.format("0.2 MPa")).replace("[assessment]\n", "[assessment]\nconfidence_factor = 1.2\n")
         self.assertTrue(self.only(stated)["may_be_signed"])
-        self.assertIn("crushes under its load", self.refused(wall(fc=crushing.format("0.02 MPa"))))
+        self.assertIn("crushes under its load", self.refused(wall(fc=crushing.format("0.02 MPa")), code=0))
 
     def test_in_space_the_mechanism_is_that_of_the_body_force(self):
         part = self.only(SPACE.format(direction='direction = "-z"', fc="unlimited", ag="0.5 m/s^2"), "--only", "lp")
@@ -313,7 +313,7 @@ corner_period = "0.5 s"
         askew = self.only(SPACE.format(direction="along = [0.7, 0, -0.7]", fc="unlimited", ag="0.5 m/s^2"), "--only", "lp")
         self.assertFalse(askew["may_be_signed"])
         self.assertIn("45 degrees off", askew["sentence"])
-        self.limit(SPACE.format(direction='direction = "-z"', fc="unlimited", ag="0.5 m/s^2") + PART, "--only", "lp", "parts")
+        self.limit(SPACE.format(direction='direction = "-z"', fc="unlimited", ag="0.5 m/s^2") + PART, "--only", "lp", "parts", code=3)
         self.assertIn("in space the mechanism comes from a body force", self.done.stderr)
 
     def test_of_several_pieces_the_onset_is_without_the_share_of_mass(self):

@@ -607,10 +607,10 @@ void look_beside_holds(const ModelSpec& spec, const Model& model, const PartSpec
   if (!least) return out.notes.push_back({"local.note.held"});
   if (!(least->reserve() < out.reserve())) return;
   Message weaker = {"local.weaker_beside",
-                       {{"foot_m", least->foot},
-                        {"head_m", least->head},
-                        {"ratio", least->reserve()},
-                        {"held", out.reserve()}}};
+                    {{"foot_m", least->foot},
+                     {"head_m", least->head},
+                     {"ratio", least->reserve()},
+                     {"held", out.reserve()}}};
   if (least->verdict == AssessmentVerdict::kHolds)
     out.notes.push_back(std::move(weaker));
   else
