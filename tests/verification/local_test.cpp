@@ -149,6 +149,13 @@ TEST(Local, a_part_that_is_held_strongly_bends_first) {
   EXPECT_TRUE(bars(text, "name = \"tied\"", "name = \"tied\""));
   EXPECT_TRUE(bars(text, "name = \"tied\"", "name = \"tied\"\nfalls = \"inwards\""));
   EXPECT_TRUE(bars(text, "2.75 m", "1.5 m"));
+  // without a demand nothing can be compared, and the note says that it may bend
+  text.erase(text.find("[assessment.spectrum]"),
+             text.find("[[assessment.part]]") - text.find("[assessment.spectrum]"));
+  const LocalCheck unasked = named_check(text);
+  EXPECT_FALSE(tells(unasked.notes));
+  EXPECT_TRUE(std::any_of(unasked.notes.begin(), unasked.notes.end(),
+                          [](const Message& m) { return m.code == "local.note.held"; }));
 }
 
 // Ties at 1.5 and 2.75 m: what a wall held at 2.75 m alone does between is none of its parts.

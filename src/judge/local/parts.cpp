@@ -599,13 +599,17 @@ std::vector<PartSpec> spans_of(const PartSpec& part) {
 void look_beside_holds(const ModelSpec& spec, const Model& model, const PartSpec& part,
                        const std::string& path, LocalCheck& out) {
   std::optional<LocalCheck> least;
+  bool all_known = std::isfinite(out.reserve());
   for (const PartSpec& span : spans_of(part)) try {
       LocalCheck one = Strip(spec, model, span, path).check();
-      if (!least || one.reserve() < least->reserve()) least = std::move(one);
-    } catch (const InputError&) {  // too low to bend or to turn over
+      all_known = all_known && std::isfinite(one.reserve());
+      if (std::isfinite(one.reserve()) && (!least || one.reserve() < least->reserve()))
+        least = std::move(one);
+    } catch (const InputError&) {  // too low to bend, or crushed
+      all_known = false;
     }
-  if (!least) return out.notes.push_back({"local.note.held"});
-  if (!(least->reserve() < out.reserve())) return;
+  if (!all_known) out.notes.push_back({"local.note.held"});
+  if (!least || !(least->reserve() < out.reserve())) return;
   Message weaker = {"local.weaker_beside",
                     {{"foot_m", least->foot},
                      {"head_m", least->head},
