@@ -656,6 +656,7 @@ test("a photo lies under the lines: opened, moved, brought to scale by two point
   await page.locator(".notice", { hasText: /evil\.png is no PNG, JPEG or DXF/ }).waitFor();
   await page.locator(".photo-bar").getByText("Delete").click();
   assert.equal(await photo().count(), 0);
+  await page.waitForSelector("html:not([data-keeping])");
   await page.reload();
   await page.waitForSelector("html[data-ready]");
   await stonesOf(page);
