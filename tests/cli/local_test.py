@@ -178,7 +178,8 @@ class Local(unittest.TestCase):
         part = self.only(wall(hold + 'force = "500 kN"\ntravel = "1 m"\n'))
         self.assertAlmostEqual(part["alpha0_to_the_end"], 0.1, places=12, msg="it lets go before the wall has fallen")
         self.assertGreater(part["alpha0"], 10)
-        self.assertTrue(any("where nothing holds it" in note for note in part["notes"]), "another mechanism comes first")
+        self.assertTrue(any("fails at d* = 600 mm" in note for note in part["notes"]), part["notes"])
+        self.assertIn("where nothing holds it", part["sentence"], "another mechanism comes first")
 
     def test_a_wall_that_leans_already(self):
         upright, leans = self.only(wall(PART)), self.only(wall(PART + 'lean = "2 deg"\n'))

@@ -135,7 +135,9 @@ TEST(Local, a_part_that_is_held_strongly_bends_first) {
                        [](const Message& m) { return m.code == "local.weaker_beside"; });
   };
   const LocalCheck safe = named_check(text);
-  EXPECT_TRUE(tells(safe.notes));
+  EXPECT_EQ(safe.beside.code, "local.weaker_beside");
+  EXPECT_NE(text_of(safe.sentence).find("where nothing holds it"), std::string::npos);
+  EXPECT_DOUBLE_EQ(safe.reserve(), safe.beside.number("ratio"));
   EXPECT_FALSE(tells(safe.cautions));
   // the same wall inwards; held at mid-height alone, with a free half above; and asked for more
   const auto bars = [&](std::string changed, const char* from, const char* to) {
@@ -153,7 +155,7 @@ TEST(Local, a_part_that_is_held_strongly_bends_first) {
   text.erase(text.find("[assessment.spectrum]"),
              text.find("[[assessment.part]]") - text.find("[assessment.spectrum]"));
   const LocalCheck unasked = named_check(text);
-  EXPECT_FALSE(tells(unasked.notes));
+  EXPECT_TRUE(unasked.beside.empty());
   EXPECT_TRUE(std::any_of(unasked.notes.begin(), unasked.notes.end(),
                           [](const Message& m) { return m.code == "local.note.held"; }));
 }
@@ -166,9 +168,7 @@ TEST(Local, a_part_with_two_holds_is_looked_at_between_them) {
                                                     "[[assessment.part.hold]]\nname = \"tie\"\n"
                                                     "height = \"2.75 m\"\nforce = \"5000 kN\"\n") +
                                             second));
-    for (const Message& note : c.notes)
-      if (note.code == "local.weaker_beside") return std::get<double>(note.arguments[2].value);
-    return 1e9;
+    return c.beside.empty() ? 1e9 : c.reserve();
   };
   EXPECT_GT(
       least("[[assessment.part.hold]]\nname = \"low\"\nheight = \"1.5 m\"\nforce = \"5000 kN\"\n"),

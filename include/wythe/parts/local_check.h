@@ -52,7 +52,8 @@ struct LocalCapacity {
       std::numeric_limits<double>::infinity();  // d* at which a floor leaves its bearing [m]
   double lets_go = std::numeric_limits<double>::infinity();  // d* where failing holds have taken
                                                              // more than half of the resistance
-  Message no_displacement = {};                              // why there is no d0*; empty: there is
+  double first_lets_go = kUnset;  // d* of the first hold that fails before d0*
+  Message no_displacement = {};   // why there is no d0*; empty: there is
 };
 // Capacity of one rotating body. `resisted`: work per unit rotation of forces that do not displace, such as friction of teeth
 // [N m]. `top`: height of the highest point above the line [m]. `gravity`: g [m/s^2].
@@ -120,11 +121,14 @@ struct LocalCheck {
   AssessmentVerdict verdict{};
   std::vector<LocalStateCheck> states;
   bool may_be_signed = false;
+  double reserve_beside = kUnset;  // of the weakest part between its holds, if that is less
+  Message beside;                  // tells of it, if it holds
   std::vector<Message> cautions, notes;
   Message sentence;
   [[nodiscard]] bool is_found() const { return by == "found"; }
   [[nodiscard]] const LocalStateCheck* deciding() const;  // null: no limit state is checked
-  // Capacity over demand of the deciding limit state; 0 for a part that falls by itself, NaN without an answer.
+  // Capacity over demand of the deciding limit state, or of what is weaker between its holds; 0 for a part that falls by itself,
+  // NaN without an answer.
   [[nodiscard]] double reserve() const;
 };
 

@@ -214,6 +214,8 @@ void say(LocalCheck& part) {
   part.may_be_signed = part.cautions.empty() && part.deciding() != nullptr &&
                        part.verdict != AssessmentVerdict::kNotKnown;
   part.sentence = sentence_of(part);
+  if (!part.beside.empty())
+    part.sentence = {"local.beside", {{"verdict", part.sentence}, {"weaker", part.beside}}};
   if (!part.cautions.empty())
     part.sentence = {"local.unsigned", {{"cautions", part.cautions}, {"verdict", part.sentence}}};
 }
@@ -238,7 +240,8 @@ const LocalStateCheck* LocalCheck::deciding() const {
 double LocalCheck::reserve() const {
   if (!(capacity.alpha0 > 0)) return verdict == AssessmentVerdict::kFails ? 0 : kUnset;
   const LocalStateCheck* state = deciding();
-  return state == nullptr ? kUnset : state->acceleration / state->ground_demand;
+  return state == nullptr ? kUnset
+                          : std::fmin(state->acceleration / state->ground_demand, reserve_beside);
 }
 
 void study::conclude(const ModelSpec& spec, const Model& model, bool crushes, LocalCheck& part) {
@@ -267,6 +270,9 @@ void study::conclude(const ModelSpec& spec, const Model& model, bool crushes, Lo
   if (part.capacity.lets_go < kLifeSafety.of_d0 * part.capacity.displacement0)
     part.notes.push_back(
         {"local.note.lets_go", {{"displacement_mm", 1e3 * part.capacity.lets_go}}});
+  else if (std::isfinite(part.capacity.first_lets_go))
+    part.notes.push_back(
+        {"local.note.holds_short", {{"displacement_mm", 1e3 * part.capacity.first_lets_go}}});
   if (!part.capacity.is_one_body)
     part.notes.push_back({"local.note.share", {{"share", part.capacity.mass_share}}});
   if (value_of(kAssessmentCodeWords, asked.code) == AssessmentCode::kEn1998)
@@ -286,8 +292,12 @@ void study::conclude(const ModelSpec& spec, const Model& model, bool crushes, Lo
   say(part);
 }
 
-void study::add_caution(Message caution, LocalCheck& part) {
-  part.cautions.push_back(std::move(caution));
+void study::add_weaker(Message weaker, double reserve, bool holds, LocalCheck& part) {
+  part.reserve_beside = reserve;
+  if (holds)
+    part.beside = std::move(weaker);
+  else
+    part.cautions.push_back(std::move(weaker));
   say(part);
 }
 

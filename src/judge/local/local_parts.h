@@ -19,8 +19,8 @@ namespace wythe::study {
 // The mechanism of a body force. Throws InputError where it does not give the multiplier of the limit load.
 [[nodiscard]] LocalCheck check_of_limit(const ModelSpec& spec, const Model& model,
                                         const NamedLimit& limit);
-// Adds a caution to a check that is done: its sentence begins with all cautions.
-void add_caution(Message caution, LocalCheck& part);
+// Tells in a check that is done of a part between its holds with less reserve. One that fails is a caution.
+void add_weaker(Message weaker, double reserve, bool holds, LocalCheck& part);
 // Adds factor, demand, verdict and sentence to `check`, from the mechanism
 // in it. `crushes`: the line of rotation takes account of the strength of masonry.
 void conclude(const ModelSpec& spec, const Model& model, bool crushes, LocalCheck& check);

@@ -62,6 +62,7 @@ LocalCapacity overturning(const std::vector<LocalWeight>& weights,
           return p.lets_go * q.travel < q.lets_go * p.travel;
         });
     if (next == left.end() || !(next->lets_go < next->travel * end)) break;
+    if (std::isnan(c.first_lets_go)) c.first_lets_go = next->lets_go / next->travel * travel;
     const double turn = std::asin(next->lets_go / next->travel);
     lost += next->force * (next->travel + next->rise * std::tan(turn));
     if (lost > kHalf * known)

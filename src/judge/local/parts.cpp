@@ -615,10 +615,7 @@ void look_beside_holds(const ModelSpec& spec, const Model& model, const PartSpec
                      {"head_m", least->head},
                      {"ratio", least->reserve()},
                      {"held", out.reserve()}}};
-  if (least->verdict == AssessmentVerdict::kHolds)
-    out.notes.push_back(std::move(weaker));
-  else
-    add_caution(std::move(weaker), out);
+  add_weaker(std::move(weaker), least->reserve(), least->verdict == AssessmentVerdict::kHolds, out);
 }
 
 }  // namespace
