@@ -102,11 +102,13 @@ std::optional<Split> split_quantity(std::string_view text) {
   return Split{found->value, std::string(trimmed(found->rest))};
 }
 
-// Whether the unit contains a number. "1 200 mm" would be 1 x 200 mm and "3 m 4" 12 m: typing errors, not units.
+// Whether the unit contains a number. "1 200 mm" would be 1 x 200 mm, "1.0.5 m" 0.5 m and "10-20 mm" -200 mm: typing errors, not
+// units.
 bool holds_number(std::string_view unit) {
-  const bool leads = !unit.empty() && is_digit(unit[0]) && !unit.starts_with("1/");
+  const bool is_signed = unit.size() > 1 && (unit[0] == '-' || unit[0] == '+');
+  const bool leads = !unit.empty() && is_digit(unit[is_signed ? 1 : 0]) && !unit.starts_with("1/");
   // after a blank or a mark of arithmetic, some of which end with the byte 0x97 or 0xb7: "MPa/10", "MPa×10"
-  constexpr std::string_view kMarks = " /\x97\xb7";
+  constexpr std::string_view kMarks = " /.('\x97\xb7";
   bool is_factor = false;
   for (std::size_t i = 1; i < unit.size(); ++i) {
     const bool is_times = unit[i - 1] == '*' && (i < 2 || unit[i - 2] != '*');

@@ -108,6 +108,14 @@ TEST(QuantityRefused, decimal_comma_and_grouped_digits) {
   EXPECT_NE(refusal("0,15 MPa", "Pa").find("decimal comma"), std::string::npos);
   EXPECT_NE(refusal("1 200 mm", "m").find("more than one number"), std::string::npos);
   EXPECT_NE(refusal("3 m 4", "m").find("more than one number"), std::string::npos);
+  // a second point, a range, a mark of thousands or brackets would multiply
+  for (const char* text : {"1.0.5 m", "1.0 .5 m", "10-20 mm", "10+20 mm", "1'000 mm", "3(2 m)",
+                           "3 m.5", "3 m(5)", "3 m'5"})
+    EXPECT_NE(refusal(text, "m").find("is more than one number"), std::string::npos) << text;
+  EXPECT_EQ(parse_quantity("3 kg.m-3", "kg/m^3"), 3);
+  EXPECT_EQ(parse_quantity("3 kN.m-1", "N/m"), 3000);
+  EXPECT_EQ(parse_quantity("3 m(kg/s2)/m2", "Pa"), 3);
+  EXPECT_EQ(parse_quantity("3 1/s", "1/s"), 3);
 }
 
 TEST(QuantityWritten, in_the_engineers_unit_and_back_to_the_bit) {
