@@ -97,7 +97,8 @@ BlockMap compile_blocks(const ModelSpec& spec, const Assembly& assembly, const F
   Anatomy& anatomy = model.anatomy;
   anatomy.support_begin.push_back(0);
   anatomy.outline_begin.push_back(0);
-  double smallest = std::numeric_limits<double>::infinity();
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  double smallest = kNone, smallest_of_all = kNone;  // heights of masonry, of whatever moves
   int bodies = 0;
   for (const geometry::Block& block : assembly.blocks) {
     if (block.role == Role::kSupport) {
@@ -139,11 +140,13 @@ BlockMap compile_blocks(const ModelSpec& spec, const Assembly& assembly, const F
       anatomy.outline_y.push_back(v.y);
     }
     anatomy.outline_begin.push_back(static_cast<int>(anatomy.outline_x.size()));
+    smallest_of_all = std::min(smallest_of_all, height_of(block));
     if (block.role == Role::kMasonry) smallest = std::min(smallest, height_of(block));
   }
   if (std::isnan(model.solve.collapse_displacement))
-    model.solve.collapse_displacement =
-        spec.solve.contacts == Contacts::kFree ? std::numeric_limits<double>::infinity() : smallest;
+    model.solve.collapse_displacement = spec.solve.contacts == Contacts::kFree ? kNone
+                                        : std::isfinite(smallest)              ? smallest
+                                                                               : smallest_of_all;
   return map;
 }
 

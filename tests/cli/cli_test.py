@@ -243,6 +243,41 @@ class Run(Base):
         self.assertEqual(other["state_hash"], self.summary["state_hash"])
 
 
+class Couplet(Base):
+    def test_what_moves_without_masonry_collapses_and_its_used_model_is_read(self):
+        (self.folder / "couplet.json").write_text(
+            """{"units": "mm", "thickness": 120, "blocks": [{"id": "low", "polygon": [[0, -60], [250, -60], [250, 0], [0, 0]], "fixed": true},
+            {"id": "up", "polygon": [[0, 0], [250, 0], [250, 60], [0, 60]], "beam": true}]}""")
+        model = self.folder / "couplet.toml"
+        model.write_text("""[wall]
+blocks = "couplet.json"
+[wall.unit]
+density = "1800 kg/m^3"
+[material.joint]
+use = "limestone_dry"
+missing = "rule"
+normal_stiffness = "80 GPa/m"
+shear_stiffness = "35 GPa/m"
+compressive_strength = "unlimited"
+[[stage]]
+name = "load"
+beam_load = "3 kN"
+[[stage]]
+name = "push"
+at = { beam = true }
+until = "0.5 mm"
+""")
+        for contacts, collapse in ("joints", '"60 mm"'), ("free", '"unlimited"'):
+            out, again = self.folder / contacts, self.folder / f"{contacts}_again"
+            done = wythe("run", model, "--out", out, "--quiet", "--set", f"solve.contacts={contacts}")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn(f"collapse_displacement = {collapse}", (out / "model.used.toml").read_text())
+            done = wythe("run", out / "model.used.toml", "--out", again, "--quiet")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            first, second = (json.loads((at / "summary.json").read_text())["state_hash"] for at in (out, again))
+            self.assertEqual(first, second)
+
+
 class BadInput(Base):
     def test_missing_file_names_it(self):
         none, path = self.folder / "none.toml", self.folder / "none.csv"

@@ -567,9 +567,10 @@ void describe(Visitor& v, SolveSpec& s) {
                 "more inertia, but not weight, until it is as long; a note says how much. In "
                 "space nodes of zones gain at most 3 % of the wall's mass; beyond that the step is shorter."});
   v.quantity("collapse_displacement", s.collapse_displacement, {.unit = "m", .shown = "mm",
-             .range = kPositive,
+             .range = kPositive, .may_be_unlimited = true,
              .fallback = "the smallest block height; with free contacts the run goes on",
-             .example = "110 mm", .doc = "Collapse: a block has moved this far beyond the push."});
+             .example = "110 mm",
+             .doc = "Collapse: a block has moved this far beyond the push; \"unlimited\": however far."});
   v.choice("contacts", s.contacts, kContactsWords, {.example = "free",
            .doc = "`joints`: blocks touch where their faces touched at the start, and nowhere else; enough "
                   "up to the peak and some way beyond. `free`: new contacts are found as blocks move, and "
