@@ -175,7 +175,36 @@ void StageRun::check_run(double share) {
       std::fmax(std::fabs(progress_.drive_displacement), std::fabs(progress_.control_moved));
   const double allowed = driven + model_.solve.collapse_displacement;
   const Furthest furthest = wall_.access->furthest_block();
-  if (furthest.distance > allowed) end(fallen(furthest));
+  if (furthest.distance > allowed && !turns_with_push(furthest, driven)) end(fallen(furthest));
+}
+
+// A wall that turns about its foot moves its corners farther than the pushed place, in the ratio of their distances from the
+// foot. While it carries half of its largest force, that is no collapse.
+bool StageRun::turns_with_push(const Furthest& furthest, double driven) const {
+  if (controls_.push == nullptr || stage_.drive().y != 0 || furthest.block >= model_.n_block ||
+      pulled_away(furthest.block))
+    return false;
+  constexpr double kCarried = 0.5;
+  const auto carried = [](const CurveRow& row) {
+    return std::fmin(std::fabs(row.reaction), std::fabs(row.base_shear));
+  };
+  const std::vector<CurveRow>& curve = wall_.record.result.curve;
+  double most = 0;
+  for (const CurveRow& row : curve) most = std::fmax(most, carried(row));
+  if (curve.empty() || carried(curve.back()) < kCarried * most) return false;
+  const auto place = [&](BlockId b) { return read_block(model_, state_, b).start; };
+  Vec3 low = place(0), high = low;
+  for (BlockId b = 1; b < model_.n_block; ++b) {
+    const Vec3 at = place(b);
+    low = {std::fmin(low.x, at.x), std::fmin(low.y, at.y), std::fmin(low.z, at.z)};
+    high = {std::fmax(high.x, at.x), std::fmax(high.y, at.y), std::fmax(high.z, at.z)};
+  }
+  const Vec3 size = high - low;
+  const double wide = std::fabs(dot(size, stage_.drive())) / length(stage_.drive());
+  const double above = place(furthest.block).y - low.y;
+  const double reach = std::sqrt(above * above + wide * wide);
+  return stage_.load_height > 0 && furthest.distance <= driven * reach / stage_.load_height +
+                                                            model_.solve.collapse_displacement;
 }
 
 // The link with the largest force (now or at prestress) that pulled a block in its direction of motion; -1: none.
@@ -196,6 +225,11 @@ int StageRun::pulled_by(BlockId block, double& force) const {
       force = pulled, found = k;
   }
   return found;
+}
+
+bool StageRun::pulled_away(BlockId block) const {
+  double force = 0;
+  return pulled_by(block, force) >= 0;
 }
 
 // The reason why a block went too far: a tie pulled it, or the wall cannot stand under its loads alone.

@@ -84,6 +84,8 @@ class StageRun {
   [[nodiscard]] bool is_overloaded() const;
   [[nodiscard]] std::optional<Message> crushed() const;
   [[nodiscard]] int pulled_by(BlockId block, double& force) const;
+  [[nodiscard]] bool pulled_away(BlockId block) const;
+  [[nodiscard]] bool turns_with_push(const Furthest& furthest, double driven) const;
 
   const std::vector<BlockId>* driven_;
   bool ended_ = false;

@@ -240,6 +240,24 @@ TEST(Validity, lasts_on_ground_that_goes_on) {
   EXPECT_TRUE(pushed_off("b0", false, 0.25).validity.holds());
 }
 
+// A dry stack of 0.4 x 0.8 m turns about its foot, pushed at 0.3 m. Its top goes farther than the push by more than
+// collapse_displacement long before it falls at atan(0.5).
+TEST(Collapse, is_no_wall_that_turns_with_the_push_and_carries_it) {
+  const auto pushed = [](double until) {
+    ModelSpec spec = scenes::stack(4, 0.4, 0.2, scenes::dry_joint(2e9, 8e8, 0.9), 0.9, 2000);
+    spec.solve.collapse_displacement = 0.02;
+    spec.stage = {scenes::gravity_stage(),
+                  scenes::push_stage("b1", Direction::kPlusX, 0.05, until)};
+    const Model model = compile(spec);
+    State state = initial_state(model);
+    return solve(model, state);
+  };
+  const Result stands = pushed(0.03);
+  EXPECT_EQ(stands.status, SolveStatus::kCompleted) << text_of(stands.reason);
+  EXPECT_GT(stands.curve.back().reaction, 0.7 * 2000 * 9.81 * 0.4 * 0.8 * 0.2 / 0.3 * 0.2);
+  EXPECT_EQ(pushed(0.25).status, SolveStatus::kCollapsed);
+}
+
 TEST(Scenes, tuff_wall_is_the_paper_s) {
   const Model model = compile(scenes::tuff_wall(source_dir(), 1e-3));
   EXPECT_EQ(model.anatomy.masonry_blocks_before_lintels, 825);
