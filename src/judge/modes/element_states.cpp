@@ -123,7 +123,12 @@ double length_of(const BedSection& section) {
 }
 
 // `width` of a section, or 0: the length of its joints. Then sections shorter than half of `least` do not count.
-BedSlips slips_of(const std::vector<BedSection>& sections, double width, double least = 0) {
+BedSlips slips_of(const std::vector<BedSection>& sections, double course, double width,
+                  double least = 0) {
+  constexpr double kStep =
+      1.25;  // of a course: beds above each other, with courses of other heights
+  constexpr double kFlat =
+      0.15;  // rise of a plane over its length: a steeper one is a diagonal crack
   BedSlips slips;
   double together = 0;  // many small slips in one direction
   for (const BedSection& section : sections) {
@@ -134,6 +139,22 @@ BedSlips slips_of(const std::vector<BedSection>& sections, double width, double 
     if (!is_foundation(section)) together += slid_all_across(section, all);
   }
   slips.above = std::max(slips.above, std::fabs(together));
+  // a plane that steps from bed to bed is slid over although no bed is slid along all its length
+  for (std::size_t k = 0; k < sections.size(); ++k)
+    for (std::size_t m = k + 1; m < sections.size(); ++m) {
+      const double all =
+          width > 0 ? width : std::max(length_of(sections[k]), length_of(sections[m]));
+      const double rise = sections[m].y - sections[k].y;
+      if (rise > std::max(kStep * course, kFlat * all)) break;
+      if (all < 0.5 * least) continue;
+      const SteppedSlip stepped = slip_in_steps(sections[k], sections[m], all);
+      const double alone =
+          std::max(slip_all_across(sections[k], all), slip_all_across(sections[m], all));
+      if (alone > 0.5 * stepped.slip) continue;
+      const bool at_foundation = is_foundation(sections[k]) && stepped.in_first > 0.5;
+      double& most = at_foundation ? slips.below : slips.above;
+      most = std::max(most, stepped.slip);
+    }
   return slips;
 }
 
@@ -211,7 +232,7 @@ class Turning {
 
 // Measures from a pier's bed sections.
 struct Beds {
-  double open_foot = 0;        // largest open share of a section in the foot
+  double open_foot = 0;        // open share of the sections in the foot, taken together
   double opened = 0;           // widest joint at foot or head [m]
   double widest = 0;           // widest joint anywhere [m]
   double bond = 0, force = 0;  // of all sections but the foundation [N]
@@ -228,7 +249,7 @@ class SignReader {
     const Box whole{p.box.x0, p.box.x1, p.base - 0.5 * parts_.course, p.box.y1};
     const std::vector<BedSection> sections = bed_sections(joints_, whole, parts_.course);
     const Beds beds = beds_of(p, sections);
-    const BedSlips slips = slips_of(sections, width);
+    const BedSlips slips = slips_of(sections, parts_.course, width);
     double apart = crack.length, rocks = beds.open_foot;
     const double dry = dryness(beds);
     if (dry > 0) {
@@ -257,7 +278,7 @@ class SignReader {
     all.x1 += parts_.column;
     all.y0 -= 0.5 * parts_.course;
     const BedSlips slips =
-        slips_of(bed_sections(joints_, all, parts_.course), 0, parts_.wall.width());
+        slips_of(bed_sections(joints_, all, parts_.course), parts_.course, 0, parts_.wall.width());
     return element(
         kWholeWall, "wall",
         {sign(kSliding, "slip all along its beds", slips.above, rules_.sliding, "mm"),
@@ -358,11 +379,13 @@ class SignReader {
   }
   [[nodiscard]] Beds beds_of(const Pier& p, const std::vector<BedSection>& sections) const {
     Beds beds;
+    std::vector<BedSection> foot;
+    const double half_a_course =
+        0.5 * parts_.course;  // a bed at the edge of the foot belongs to it
     for (const BedSection& section : sections) {
-      const bool is_foot = section.y < p.box.y0 + foot_height(p);
+      const bool is_foot = section.y < p.box.y0 + foot_height(p) + half_a_course;
       const bool is_head = section.y >= p.box.y1 - foot_height(p);
-      if (is_foot)
-        beds.open_foot = std::max(beds.open_foot, open_share(section, p.box.width(), rules_.crack));
+      if (is_foot) foot.push_back(section);
       for (const JointMotion* j : section.joints) {
         beds.widest = std::max(beds.widest, j->widest);
         if (is_foot || is_head) beds.opened = std::max(beds.opened, j->widest);
@@ -371,6 +394,7 @@ class SignReader {
         beds.force += std::max(0.0, j->force);
       }
     }
+    beds.open_foot = open_share_in_steps(foot, p.box.width(), rules_.crack);
     return beds;
   }
   // Truth (0 to 1) that the bond of the joints is negligible against the force across them.

@@ -261,15 +261,76 @@ std::vector<BedSection> bed_sections(const std::vector<JointMotion>& joints, con
   return sections;
 }
 
-double open_share(const BedSection& section, double width, double crack) {
-  double open = 0;
-  for (const JointMotion* j : section.joints)
-    if (j->widest >= crack) open += j->length();
-  return std::min(1.0, open / width);
+namespace {
+
+constexpr double kAll = 0.9;  // of a section's width: a corner may still hang on
+
+// Cuts the place of the joints into lengths within which the same joints lie one above the other; calls with each length.
+template <class Look>
+void each_length(const std::vector<const JointMotion*>& joints, const Look& look) {
+  std::vector<double> ends;
+  for (const JointMotion* j : joints) {
+    ends.push_back(j->x - j->reach_x);
+    ends.push_back(j->x + j->reach_x);
+  }
+  std::sort(ends.begin(), ends.end());
+  for (std::size_t k = 1; k < ends.size(); ++k)
+    if (ends[k] > ends[k - 1]) look(0.5 * (ends[k] + ends[k - 1]), ends[k] - ends[k - 1]);
+}
+bool lies_at(const JointMotion& j, double x) { return std::fabs(j.x - x) < j.reach_x; }
+
+}  // namespace
+
+double open_share_in_steps(const std::vector<BedSection>& sections, double width, double crack) {
+  std::vector<const JointMotion*> open;
+  for (const BedSection& section : sections)
+    for (const JointMotion* j : section.joints)
+      if (j->widest >= crack) open.push_back(j);
+  double length = 0;
+  each_length(open, [&](double x, double piece) {
+    double share = 0;  // of the thickness
+    for (const BedSection& section : sections) {
+      double here = 0;
+      for (const JointMotion* j : section.joints)
+        if (j->widest >= crack && lies_at(*j, x)) here += j->share;
+      share = std::max(share, here);
+    }
+    length += std::min(1.0, share) * piece;
+  });
+  return std::min(1.0, length / width);
+}
+
+SteppedSlip slip_in_steps(const BedSection& first, const BedSection& second, double width) {
+  std::vector<const JointMotion*> joints = first.joints;
+  joints.insert(joints.end(), second.joints.begin(), second.joints.end());
+  SteppedSlip most;
+  for (const double sense : {1.0, -1.0}) {
+    struct Length {
+      double slip, in_first, length;
+    };
+    std::vector<Length> lengths;
+    each_length(joints, [&](double x, double piece) {
+      double below = 0, above = 0;
+      for (const JointMotion* j : first.joints)
+        if (lies_at(*j, x)) below += j->share * sense * j->slip;
+      for (const JointMotion* j : second.joints)
+        if (lies_at(*j, x)) above += j->share * sense * j->slip;
+      if (below + above > 0) lengths.push_back({below + above, below, piece});
+    });
+    std::sort(lengths.begin(), lengths.end(),
+              [](const Length& a, const Length& b) { return a.slip > b.slip; });
+    double covered = 0, all = 0, of_first = 0;
+    for (const Length& l : lengths) {
+      covered += l.length, all += l.length * l.slip, of_first += l.length * l.in_first;
+      if (covered < kAll * width) continue;
+      if (l.slip > most.slip) most = {l.slip, of_first / all};
+      break;
+    }
+  }
+  return most;
 }
 
 double slip_all_across(const BedSection& section, double width) {
-  constexpr double kAll = 0.9;  // a corner may still hang on
   std::vector<const JointMotion*> sorted = section.joints;
   std::sort(sorted.begin(), sorted.end(), [](const JointMotion* a, const JointMotion* b) {
     return std::fabs(a->slip) > std::fabs(b->slip);

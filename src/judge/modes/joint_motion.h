@@ -95,10 +95,18 @@ struct BedSection {
 };
 [[nodiscard]] std::vector<BedSection> bed_sections(const std::vector<JointMotion>& joints,
                                                    const Box& box, double course);
-// Share of `width` whose joints have opened by `crack` or more so far.
-[[nodiscard]] double open_share(const BedSection& section, double width, double crack);
 // The slip that 90 % of `width` reaches [m].
 [[nodiscard]] double slip_all_across(const BedSection& section, double width);
+// The same along a plane that steps from one section to another: the slips at a place add up. `in_first`: share of the first
+// section in what slips.
+struct SteppedSlip {
+  double slip = 0, in_first = 0;
+};
+[[nodiscard]] SteppedSlip slip_in_steps(const BedSection& first, const BedSection& second,
+                                        double width);
+// Share of `width` with an open joint in some of the sections: those of a crack that steps count together.
+[[nodiscard]] double open_share_in_steps(const std::vector<BedSection>& sections, double width,
+                                         double crack);
 // The plastic slip in one direction that 90 % of `width` reaches; signed [m].
 [[nodiscard]] double slid_all_across(const BedSection& section, double width);
 

@@ -281,7 +281,7 @@ WallMechanism mechanism_of_portal(const FailureMode& mode, const WallSigns& wall
     if (name == "FM-5") scores[kRock.name] += score;
   }
   reader.add_slips(scores);
-  if (most < kClear) scores = {{kNone, 1 - most}};  // as the name: no mode shows
+  if (most < kClear) scores = reader.scores();  // no mode of two piers shows: as any other wall
   std::erase_if(scores, [](const auto& s) { return s.second <= 0; });
   return highest_of(scores, reader);
 }

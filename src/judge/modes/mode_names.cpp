@@ -230,9 +230,19 @@ class Namer {
     } else {
       give_name(first_name, words_of(first_name));
       mode_.sentence = sentence_of(first_name);
+      if (slides_instead()) {
+        if (first_name == "FM-1") mode_.sentence = {"mode.fm_1_slides"};
+        if (first_name == "FM-2") mode_.sentence = {"mode.fm_2_slides"};
+        if (first_name == "FM-3") mode_.sentence = {"mode.fm_3_slides"};
+      }
       if (later_ > 0.5 && (first_name == "FM-1" || first_name == "FM-2"))
         mode_.sentence = {"mode.spandrel_later", {{"what", mode_.sentence}}};
     }
+  }
+
+  // Whether piers slide on their beds, and none cracks diagonally.
+  [[nodiscard]] bool slides_instead() const {
+    return surest("pier", kSliding) > 0.5 && surest("pier", kDiagonal) <= 0.5;
   }
 
   void give_name(const std::string& name, Message words) {

@@ -80,6 +80,34 @@ TEST(DryWalls, sides_that_slide_past_each_other_shear) {
     EXPECT_EQ(name_bare(dry_wall(), over_a_stepped_crack(0, slide)).name, "shear") << slide;
 }
 
+// A plane along one bed that goes down by one course near the toe: no bed slips along all of its length.
+TEST(DryWalls, what_slides_on_a_plane_that_steps_by_a_course_slides) {
+  for (const Model* wall : {&dry_wall(), &mortared_wall()})
+    for (const int low : {0, 1, 4})
+      for (const double step : {0.3, 0.5, 0.8}) {
+        const Mechanism slides = [=](double x, double y) {
+          const double bed = kCourse * (low + (x < step * kDryLength ? 1 : 0));
+          return Motion{.move_x = y > bed ? 30e-3 : 0};
+        };
+        const FailureMode mode = name_bare(*wall, slides);
+        const bool at_base = low == 0 && step < 0.5;
+        if (low > 0 || step != 0.5)
+          EXPECT_EQ(mode.name, at_base ? "sliding at the base" : "sliding") << low << " " << step;
+        else
+          EXPECT_NE(mode.name, "flexural cracks");
+      }
+}
+
+// The crack climbs from the tension side in steps of mortar that broke, then everything above turns on a bed.
+TEST(DryWalls, what_turns_on_a_bed_above_a_stepped_crack_rocks) {
+  const Mechanism turns = [](double x, double y) {
+    const double bed = kCourse * std::min(2.0, 1 + std::floor(x / (2 * kHalf)));
+    if (y < bed) return Motion{};
+    return Motion{.pivot_x = kDryLength, .pivot_y = 2 * kCourse, .turn = -0.02};
+  };
+  EXPECT_EQ(name_bare(mortared_wall(), turns).name, "rocking");
+}
+
 TEST(DryWalls, mixture_of_turning_and_sliding_passes_from_rocking_to_shear_through_both) {
   // 20 mm at mid-height by turning, and more and more sliding
   std::vector<std::string> names;

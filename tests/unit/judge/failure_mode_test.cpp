@@ -472,6 +472,28 @@ TEST(NameFailureMode, spandrel_that_shears_well_after_a_pier_does_not_take_the_n
   EXPECT_EQ(named_when(1, 18e-3), "FM-1");
 }
 
+// The left pier rocks, the right one slides on the bed at `bed`; the spandrel goes along.
+Mechanism one_pier_slides(double bed) {
+  return [=](double x, double y) {
+    if (x < 1.70) return Motion{.pivot_x = 1.70, .pivot_y = 0, .turn = -kTurn};
+    if (x > 3.40) return Motion{.move_x = y > bed ? 40e-3 : 0};
+    return spandrel_motion(3.13, kTurn);
+  };
+}
+
+TEST(NameFailureMode, pier_that_slides_on_a_bed_is_told_as_sliding) {
+  const FailureMode mode = name_from_state(tuff_wall(), moved(tuff_wall(), one_pier_slides(1.32)));
+  EXPECT_EQ(mode.name, "FM-1");
+  EXPECT_EQ(mode.sentence.code, "mode.fm_1_slides");
+}
+
+TEST(NameFailureMode, pier_that_slides_at_its_base_beside_one_that_rocks_is_a_mechanism) {
+  const State state = moved(tuff_wall(), one_pier_slides(0));
+  const WallMechanism mechanism = mechanism_from_state(tuff_wall(), state);
+  EXPECT_NE(mechanism.name, "none") << text_of(mechanism.sentence);
+  EXPECT_EQ(mechanism.name, "piers in shear and rocking") << text_of(mechanism.sentence);
+}
+
 TEST(NameFailureMode, push_that_ended_before_is_read_at_its_end_and_says_so) {
   Result result = run_of(kFm4, {5e-3, 15e-3});
   FailureMode mode = name_failure_mode(tuff_wall(), result);
