@@ -58,11 +58,18 @@ struct SpanFault {
   bool cut_cures = false;
 };
 
+// Whether at least half of an opening of usual size lies beyond the wall's end: then its place is wrong, and not its size.
+bool is_beyond(const Span& span, const Axis& axis) {
+  return span.start_key == "x" && span.size <= 0.5 * (axis.end() - axis.origin) &&
+         span.start + 0.5 * span.size > axis.end() - 1e-9;
+}
+
 SpanFault fault_of(const Span& span, const Axis& axis, Fit fit) {
   const double end = span.start + span.size, reach = reach_of(span, axis, fit);
   const double slack = std::max(kFitTolerance * span.size, axis.joint);
   if (end > axis.end() + slack)
-    return {span.size_key, "ends at " + metres(end - span.base) + ", " + span.outside};
+    return {is_beyond(span, axis) ? span.start_key : span.size_key,
+            "ends at " + metres(end - span.base) + ", " + span.outside};
   if (span.start < axis.origin - slack)
     return {span.start_key, "begins at " + metres(span.start - span.base) + ", below the " +
                                 floor_line(axis.origin - span.base)};
@@ -102,7 +109,10 @@ bool is_from_ground(const Span& span, const Axis& axis) {
 void cure_span(const Span& span, const SpanFault& fault, const Axis& axis, Fit fit, Room room,
                double& start, double& end, FaultList& faults) {
   if (room.last <= room.first) room = {0, axis.count};
-  const double wanted = is_from_ground(span, axis) ? span.start - span.base : span.start;
+  const double last = std::max(axis.end() - span.size, axis.origin);
+  const double wanted = is_from_ground(span, axis) ? span.start - span.base
+                        : is_beyond(span, axis)    ? last
+                                                   : span.start;
   start = std::max(wanted, axis.line(room.first));
   end = std::min(wanted + span.size, axis.line(room.last));
   const bool on_lines = fit == Fit::kWhole || end - start < axis.step;

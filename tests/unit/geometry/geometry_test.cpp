@@ -344,6 +344,14 @@ TEST(geometry_openings, outside_a_wall_of_cut_units_are_to_end_at_its_edge) {
   EXPECT_EQ(fault_at(spec, "wall.opening.0.width").cure, "write width = \"0.47 m\"");
 }
 
+// Of an opening far to the right the place is wrong, not the width.
+TEST(geometry_openings, that_begin_beyond_the_wall_are_to_move) {
+  ModelSpec spec = plain_wall(20, 10);  // 2 m
+  spec.wall.opening = {hole(25, 0, 0.5, 0.5)};
+  EXPECT_EQ(fault_at(spec, "wall.opening.0.x").value, "25 m");
+  EXPECT_TRUE(mentions(fault_at(spec, "wall.opening.0.x").cure, "write x = \"1.5 m\""));
+}
+
 TEST(geometry_openings, that_overlap_are_refused) {
   ModelSpec spec = plain_wall(20, 10);
   spec.wall.opening = {hole(0.5, 0, 0.5, 0.5), hole(0.8, 0.2, 0.5, 0.5)};
