@@ -83,8 +83,10 @@ class OddValues {
     constexpr double kDegree = 3.14159265358979323846 / 180;
     look(path + "normal_stiffness", m.normal_stiffness, 1e7, 1e14, "GPa/m", 1e9);
     look(path + "shear_stiffness", m.shear_stiffness, 1e6, 1e14, "GPa/m", 1e9);
-    stress(path + "tensile_strength", m.tensile_strength, 1e3, 50e6);
-    stress(path + "cohesion", m.cohesion, 1e3, 100e6);
+    // of mortar joints; 5 MPa is the strength of a mortar, not of its bond
+    const bool is_bed = path == "material.joint." || path == "material.foundation.";
+    stress(path + "tensile_strength", m.tensile_strength, 1e3, is_bed ? 3e6 : 50e6);
+    stress(path + "cohesion", m.cohesion, 1e3, is_bed ? 4e6 : 100e6);
     stress(path + "residual_cohesion", m.residual_cohesion, 100, 100e6);
     stress(path + "compressive_strength", m.compressive_strength, 1e4, 1e9);
     stress(path + "dilatancy_pressure", m.dilatancy_pressure, 1e3, 1e9);

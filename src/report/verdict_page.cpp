@@ -155,7 +155,12 @@ class VerdictPage {
       out += "<div class=\"card\"><div class=\"value\">" + value + "</div><div class=\"name\">" +
              name + "</div></div>\n";
     };
-    if (v_.part_decides() && falls(v_.least_part()))
+    // the index is the least of all that fails: of the pushes, or of a part out of plane
+    const LocalCheck* part = v_.least_part();
+    const bool is_least =
+        falls(part) && (v_.part_decides() || v_.verdict == AssessmentVerdict::kNotKnown ||
+                        part->reserve() < v_.worst.capacity.median.value / v_.worst.demand);
+    if (is_least)
       card(words_.fixed(v_.least_part()->reserve()),
            say("assess.index_part", {{"part", name_of(*v_.least_part())}}));
     else if (v_.verdict != AssessmentVerdict::kNotKnown)

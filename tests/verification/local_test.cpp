@@ -327,6 +327,33 @@ TEST(Local, a_tie_that_breaks_with_more_than_half_of_it_ends_life_safety) {
   }
 }
 
+// A tie that lets go beyond the place where the bare wall would fall carries the wall up to there. More force of it is never less.
+TEST(Local, a_stronger_tie_of_the_same_travel_never_carries_less) {
+  for (const char* travel : {"300 mm", "600 mm", "2000 mm"}) {
+    double before = 0;
+    for (const double force : {0.5, 1.0, 1.6, 2.2, 5.0, 10.0, 20.0, 40.0, 80.0}) {
+      std::string text = front(
+          kThreeMetres,
+          fmt::format("[[assessment.part]]\nname = \"front\"\n[[assessment.part.hold]]\nname = "
+                      "\"tie\"\nheight = \"3 m\"\nforce = \"{} kN\"\ntravel = \"{}\"\n",
+                      force, travel));
+      text.replace(text.find("1.5 m/s^2"), 9, "4.5 m/s^2");
+      const LocalCheck c = only_check(text);
+      const double own = c.states.at(0).acceleration / c.states.at(0).ground_demand;
+      EXPECT_GE(own, before) << force << " kN, " << travel;
+      before = own;
+    }
+  }
+  // 20 kN let go at 600 mm, where the wall without them has fallen: sin 11.5 degrees of its height
+  const LocalCheck c = only_check(
+      front(kThreeMetres,
+            "[[assessment.part]]\nname = \"front\"\n[[assessment.part.hold]]\nname = \"tie\"\n"
+            "height = \"3 m\"\nforce = \"20 kN\"\ntravel = \"600 mm\"\n"));
+  EXPECT_TRUE(c.capacity.ends_with_hold);
+  verify({"LM03d", "d0* where a tie ends the curve", "m", 1.5 * 0.2, 1e-12, kExact},
+         c.capacity.displacement0);
+}
+
 // Two corners, teeth of 0.3 m: 0.5 x 17.66 kN/m3 x 0.3 x 0.3 m2 x 27 m3 / (6 x 0.25 m) each.
 TEST(Local, teeth_hold_by_friction_at_the_onset) {
   const LocalCheck c = only_check(

@@ -52,14 +52,16 @@ struct LocalCapacity {
       std::numeric_limits<double>::infinity();  // d* at which a floor leaves its bearing [m]
   double lets_go = std::numeric_limits<double>::infinity();  // d* where failing holds have taken
                                                              // more than half of the resistance
-  double first_lets_go = kUnset;  // d* of the first hold that fails before d0*
-  Message no_displacement = {};   // why there is no d0*; empty: there is
+  double without_holds_from = kUnset;  // d* at which the first hold fails that the curve leaves out
+  bool ends_with_hold = false;         // at d0* a hold fails that the curve counts
+  Message no_displacement = {};        // why there is no d0*; empty: there is
 };
-// Capacity of one rotating body. `resisted`: work per unit rotation of forces that do not displace, such as friction of teeth
+// Capacities of one rotating body: with all holds whose way is known up to the rotation at which the first lets go, then without
+// that one, and so on; at last without any. Each is on the safe side. `resisted`: work per unit rotation of forces that do not displace, such as friction of teeth
 // [N m]. `top`: height of the highest point above the line [m]. `gravity`: g [m/s^2].
-[[nodiscard]] LocalCapacity overturning(const std::vector<LocalWeight>& weights,
-                                        const std::vector<LocalHold>& holds, double resisted,
-                                        double top, double gravity);
+[[nodiscard]] std::vector<LocalCapacity> overturning(const std::vector<LocalWeight>& weights,
+                                                     const std::vector<LocalHold>& holds,
+                                                     double resisted, double top, double gravity);
 
 // --- two bodies between a foot and a held head ----------------------------------------------------------
 

@@ -692,7 +692,8 @@ struct PartSpec {
 };
 // The building of a part, for the spectrum at its height.
 struct BuildingSpec {
-  double height = kUnset;  // [m]; unset: of the wall
+  double base = 0;         // height of the wall's foot in it [m]
+  double height = kUnset;  // [m]; unset: of the wall, above the building's foot
   double period = kUnset;  // T1 [s]; unset: by its height
   int storeys = 0;         // 0: those of the model
 };

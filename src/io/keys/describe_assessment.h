@@ -115,6 +115,8 @@ void describe(Visitor& v, PartSpec& s) {
 
 template <class Visitor>
 void describe(Visitor& v, BuildingSpec& s) {
+  v.quantity("base", s.base, {.unit = "m", .shown = "m", .range = kDistance, .example = "9 m",
+             .doc = "How high the foot of this wall stands in it: of a gable or an upper storey that is drawn alone."});
   v.quantity("height", s.height, {.unit = "m", .shown = "m", .range = kLength, .fallback = "of the wall",
              .example = "10.5 m", .doc = "H, above the foundation."});
   v.quantity("period", s.period, {.unit = "s", .shown = "s", .range = kPositive, .fallback = "0.05 H^(3/4), with H in m",

@@ -250,11 +250,16 @@ ModelSpec parse_model(const std::string& toml_text, const std::string& file_name
   io::note_thousands(root, "", spec.text_notes);
   io::read_names_as_meant(context, root, io::known_names<ModelSpec>());
   KeyPlaces places = io::places_of(root, context);
+  const toml::node_view<toml::node> plaster = root["masonry"]["reinforced_plaster"];
+  const bool is_plastered = plaster && plaster.value_or(true);
   io::resolve_materials(context, root);
   io::resolve_floors(context, root);
   context.mortars = io::mortars_in(root);
   spec.folder = std::filesystem::path(file_name).parent_path().string();
   io::parse_table(context, root, "", spec);
+  if (is_plastered && !spec.layer.empty())
+    spec.text_notes.push_back(
+        {"layer.counted_twice", {{"key", std::string("masonry.reinforced_plaster")}}});
   if (!spec.wall.blocks.empty())
     places.blocks = (std::filesystem::path(spec.folder) / spec.wall.blocks).string();
   spec.places = std::make_shared<const KeyPlaces>(std::move(places));

@@ -165,7 +165,11 @@ void find_building(const ModelSpec& spec, const Model& model, LocalCheck& part) 
   for (const BlockId b : study::moving_blocks(model))
     top = std::max(top, study::extent_of(model, b).high - study::foot_of(model));
   BuildingAt& at = part.building;
-  at.top = std::isfinite(given.height) ? given.height : top;
+  at.height += given.base;
+  at.top = std::isfinite(given.height) ? given.height : given.base + top;
+  constexpr double kHigher = 1.2;  // than the model: the rest may lie below it
+  if (given.base == 0 && at.top > kHigher * top)
+    part.notes.push_back({"local.note.base", {{"top_m", at.top}, {"model_m", top}}});
   at.storeys = given.storeys > 0 ? given.storeys
                                  : std::max(1, static_cast<int>(model.anatomy.storey_name.size()));
   at.period = std::isfinite(given.period) ? given.period : 0.05 * std::pow(at.top, 0.75);
@@ -244,17 +248,19 @@ double LocalCheck::reserve() const {
                           : std::fmin(state->acceleration / state->ground_demand, reserve_beside);
 }
 
-void study::conclude(const ModelSpec& spec, const Model& model, bool crushes, LocalCheck& part) {
-  const AssessmentSpec& asked = spec.assessment;
-  find_factor(asked, crushes, part);
-  find_building(spec, model, part);
-  const double g = model.solve.gravity;
+namespace {
+
+// Takes the curve and checks the limit states that are asked for.
+void check_curve(const AssessmentSpec& asked, double g, const LocalCapacity& curve,
+                 LocalCheck& part) {
+  part.capacity = curve;
   const auto acceleration = [&](double alpha) {  // (21.8)
     const double share = part.capacity.is_one_body ? part.capacity.mass_share : 1;
     return alpha * g / (share * part.confidence_factor);
   };
   part.acceleration0 = acceleration(part.capacity.alpha0);
   part.acceleration0_to_end = acceleration(part.capacity.alpha0_to_end);
+  part.states.clear();
   for (const LimitState state :
        {LimitState::kDamageLimitation, LimitState::kLifeSafety, LimitState::kNearCollapse})
     if (is_asked(asked) && is_checked(asked, state))
@@ -262,6 +268,32 @@ void study::conclude(const ModelSpec& spec, const Model& model, bool crushes, Lo
   const LocalStateCheck* least = part.deciding();
   part.verdict = least != nullptr ? least->verdict : AssessmentVerdict::kNoDemand;
   if (!(part.capacity.alpha0 > 0)) part.verdict = AssessmentVerdict::kFails;
+}
+
+// Whether a curve says more of the same part. Each is on the safe side, so the best one counts.
+bool is_better(const LocalCheck& a, const LocalCheck& b) {
+  const double mine = a.reserve(), others = b.reserve();
+  if (std::isfinite(mine) && std::isfinite(others) && mine != others) return mine > others;
+  if (std::isfinite(mine) != std::isfinite(others)) return std::isfinite(mine);
+  const auto way = [](const LocalCapacity& c) {
+    return c.no_displacement.empty() ? c.displacement0 : HUGE_VAL;
+  };
+  return way(a.capacity) > way(b.capacity);
+}
+
+}  // namespace
+
+void study::conclude(const ModelSpec& spec, const Model& model, bool crushes,
+                     const std::vector<LocalCapacity>& curves, LocalCheck& part) {
+  const AssessmentSpec& asked = spec.assessment;
+  find_factor(asked, crushes, part);
+  find_building(spec, model, part);
+  LocalCheck other = part;
+  check_curve(asked, model.solve.gravity, curves.front(), part);
+  for (std::size_t k = 1; k < curves.size(); ++k) {
+    check_curve(asked, model.solve.gravity, curves[k], other);
+    if (is_better(other, part)) part = other;
+  }
   if (!part.capacity.no_displacement.empty()) part.notes.push_back(part.capacity.no_displacement);
   if (std::isfinite(part.capacity.slides_off) &&
       part.capacity.slides_off < kLifeSafety.of_d0 * part.capacity.displacement0)
@@ -270,9 +302,12 @@ void study::conclude(const ModelSpec& spec, const Model& model, bool crushes, Lo
   if (part.capacity.lets_go < kLifeSafety.of_d0 * part.capacity.displacement0)
     part.notes.push_back(
         {"local.note.lets_go", {{"displacement_mm", 1e3 * part.capacity.lets_go}}});
-  else if (std::isfinite(part.capacity.first_lets_go))
+  else if (std::isfinite(part.capacity.without_holds_from))
     part.notes.push_back(
-        {"local.note.holds_short", {{"displacement_mm", 1e3 * part.capacity.first_lets_go}}});
+        {"local.note.holds_short", {{"displacement_mm", 1e3 * part.capacity.without_holds_from}}});
+  if (part.capacity.ends_with_hold)
+    part.notes.push_back(
+        {"local.note.ends_with_hold", {{"displacement_mm", 1e3 * part.capacity.displacement0}}});
   if (!part.capacity.is_one_body)
     part.notes.push_back({"local.note.share", {{"share", part.capacity.mass_share}}});
   if (value_of(kAssessmentCodeWords, asked.code) == AssessmentCode::kEn1998)

@@ -21,8 +21,9 @@ namespace wythe::study {
                                         const NamedLimit& limit);
 // Tells in a check that is done of a part between its holds with less reserve. One that fails is a caution.
 void add_weaker(Message weaker, double reserve, bool holds, LocalCheck& part);
-// Adds factor, demand, verdict and sentence to `check`, from the mechanism
-// in it. `crushes`: the line of rotation takes account of the strength of masonry.
-void conclude(const ModelSpec& spec, const Model& model, bool crushes, LocalCheck& check);
+// Adds capacity, factor, demand, verdict and sentence to `check`, by the best of the curves, each of which is on the safe side.
+// `crushes`: the line of rotation takes account of the strength of masonry.
+void conclude(const ModelSpec& spec, const Model& model, bool crushes,
+              const std::vector<LocalCapacity>& curves, LocalCheck& check);
 
 }  // namespace wythe::study

@@ -24,9 +24,9 @@ double equivalent(double first, double second, double gravity, LocalCapacity& c)
 
 }  // namespace
 
-LocalCapacity overturning(const std::vector<LocalWeight>& weights,
-                          const std::vector<LocalHold>& holds, double resisted, double top,
-                          double gravity) {
+std::vector<LocalCapacity> overturning(const std::vector<LocalWeight>& weights,
+                                       const std::vector<LocalHold>& holds, double resisted,
+                                       double top, double gravity) {
   LocalCapacity c;
   double first = 0, second = 0, rise = 0, drop = 0;
   for (const LocalWeight& w : weights) {
@@ -36,49 +36,57 @@ LocalCapacity overturning(const std::vector<LocalWeight>& weights,
   }
   if (!(first > 0)) {
     c.no_displacement = {"local.nothing_pushed"};
-    return c;
+    return {c};
   }
   const double travel = equivalent(first, second, gravity, c);
   double held = 0;
   for (const LocalHold& hold : holds) held += hold.force * hold.travel;
   c.alpha0 = (rise + held + resisted) / first;  // (21.1)
-
-  // what lets go before the end has no part in the curve; each that goes brings the end nearer
-  std::vector<LocalHold> left;
-  for (const LocalHold& hold : holds)
-    if (std::isfinite(hold.lets_go)) left.push_back(hold);
-  double known = rise, lost = 0;
-  for (const LocalHold& hold : left) known += hold.force * hold.travel;
-  for (;;) {
-    double a = rise, b = drop;  // a cos - b sin
-    for (const LocalHold& hold : left) a += hold.force * hold.travel, b -= hold.force * hold.rise;
-    c.alpha0_to_end = a / first;
-    c.rotation0 = std::atan2(a, b);  // (21.4)
-    if (!(a > 0)) c.rotation0 = 0;
-    // the first to let go goes alone: without it the end is nearer, and others may hold to it
-    const double end = std::sin(std::min(c.rotation0, kQuarter));
-    const auto next =
-        std::min_element(left.begin(), left.end(), [](const LocalHold& p, const LocalHold& q) {
-          return p.lets_go * q.travel < q.lets_go * p.travel;
-        });
-    if (next == left.end() || !(next->lets_go < next->travel * end)) break;
-    if (std::isnan(c.first_lets_go)) c.first_lets_go = next->lets_go / next->travel * travel;
-    const double turn = std::asin(next->lets_go / next->travel);
-    lost += next->force * (next->travel + next->rise * std::tan(turn));
-    if (lost > kHalf * known)
-      c.lets_go = std::min(c.lets_go, next->lets_go / next->travel * travel);
-    left.erase(next);
-  }
-  if (c.rotation0 >= kQuarter) {
-    c.rotation0 = kUnset;
-    c.no_displacement = {"local.held_for_good"};
-    return c;
-  }
-  c.displacement0 = travel * std::sin(c.rotation0);  // (21.5)
-  c.top0 = top * std::sin(c.rotation0);
   for (const LocalWeight& w : weights)
     if (w.travel > 0) c.slides_off = std::min(c.slides_off, w.slides_off / w.travel * travel);
-  return c;
+
+  std::vector<LocalHold> known;  // by the rotation at which they let go
+  for (const LocalHold& hold : holds)
+    if (std::isfinite(hold.lets_go)) known.push_back(hold);
+  std::stable_sort(known.begin(), known.end(), [](const LocalHold& a, const LocalHold& b) {
+    return a.lets_go * b.travel < b.lets_go * a.travel;
+  });
+  const auto way_of = [&](const LocalHold& hold) { return hold.lets_go / hold.travel * travel; };
+  double resistance = rise;
+  for (const LocalHold& hold : known) resistance += hold.force * hold.travel;
+
+  std::vector<LocalCapacity> curves;
+  double lost = 0, lets_go = std::numeric_limits<double>::infinity();
+  for (std::size_t gone = 0; gone <= known.size(); ++gone) {
+    if (gone > 0) {
+      const LocalHold& hold = known[gone - 1];
+      const double turn = std::asin(std::min(1.0, hold.lets_go / hold.travel));
+      lost += hold.force * (hold.travel + hold.rise * std::tan(turn));
+      if (lost > kHalf * resistance) lets_go = std::min(lets_go, way_of(hold));
+    }
+    LocalCapacity curve = c;
+    double a = rise, b = drop;  // a cos - b sin
+    for (std::size_t k = gone; k < known.size(); ++k)
+      a += known[k].force * known[k].travel, b -= known[k].force * known[k].rise;
+    curve.alpha0_to_end = a / first;
+    curve.rotation0 = a > 0 ? std::atan2(a, b) : 0;  // (21.4)
+    curve.lets_go = lets_go;
+    if (gone > 0) curve.without_holds_from = way_of(known.front());
+    if (gone < known.size() &&
+        known[gone].lets_go < known[gone].travel * std::sin(std::min(curve.rotation0, kQuarter))) {
+      curve.ends_with_hold = true;
+      curve.rotation0 = std::asin(known[gone].lets_go / known[gone].travel);
+    }
+    if (curve.rotation0 >= kQuarter) {
+      curve.rotation0 = kUnset;
+      curve.no_displacement = {"local.held_for_good"};
+    } else {
+      curve.displacement0 = travel * std::sin(curve.rotation0);  // (21.5)
+      curve.top0 = top * std::sin(curve.rotation0);
+    }
+    curves.push_back(curve);
+  }
+  return curves;
 }
 
 namespace {

@@ -69,7 +69,7 @@ class Mechanism {
       resisted -= l.force.x * v.x + l.force.z * v.z + std::max(l.force.y, 0.0) * v.y;
     }
     LocalCapacity c =
-        overturning(weights, {}, resisted, unit * dot(top_velocity_, along_), gravity);
+        overturning(weights, {}, resisted, unit * dot(top_velocity_, along_), gravity).front();
     if (std::fabs(c.alpha0 - answer_.load) > 1e-5 * std::fabs(answer_.load) + 1e-9)
       refuse(
           fmt::format("its mechanism explains a multiplier of {:.6g}, and its limit load is {:.6g}",
@@ -210,7 +210,6 @@ LocalCheck check_of_limit(const ModelSpec& spec, const Model& model, const Named
   out.foot = mechanism.low() - base, out.head = mechanism.high() - base;
   out.building.height = out.foot;
   out.masonry = mechanism.masonry(), out.floors = mechanism.loads();
-  out.capacity = mechanism.capacity(model.solve.gravity);
   constexpr double kAcross = 0.3;  // 17 degrees, as for a push across the plane of walls [rad]
   if (mechanism.off() > kAcross)
     out.cautions.push_back({"local.caution.direction",
@@ -225,7 +224,7 @@ LocalCheck check_of_limit(const ModelSpec& spec, const Model& model, const Named
   for (std::vector<Message> cautions :
        {cautions_of_inputs(spec, model), cautions_of_demand(spec.assessment)})
     for (Message& caution : cautions) out.cautions.push_back(std::move(caution));
-  conclude(spec, model, false, out);
+  conclude(spec, model, false, {mechanism.capacity(model.solve.gravity)}, out);
   return out;
 }
 

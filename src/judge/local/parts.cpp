@@ -94,12 +94,9 @@ class Strip {
     out.masonry = masonry_.weight;
     for (const Lying& l : lying_) out.floors += l.is_floor ? l.weight : 0;
     out.building.height = out.foot;
-    if (part_.head_held)
-      bend(out);
-    else
-      turn_over(out);
+    const std::vector<LocalCapacity> curves = part_.head_held ? bend(out) : turn_over();
     say_what_is_left_out(out);
-    conclude(spec_, model_, crushes_, out);
+    conclude(spec_, model_, crushes_, curves, out);
     return out;
   }
 
@@ -435,7 +432,7 @@ class Strip {
                                           : thickness_ - inset_ - from_outer_face;
   }
 
-  void turn_over(LocalCheck& out) const {
+  [[nodiscard]] std::vector<LocalCapacity> turn_over() const {
     std::vector<LocalWeight> weights;
     const auto add = [&](double from_outer_face, double height, double weight, double slides_off) {
       LocalWeight w = leaning(behind_line(from_outer_face), height);
@@ -452,8 +449,7 @@ class Strip {
       const LocalWeight at = leaning(-inset_, hold.height - (y0_ - wall_.foot));
       holds.push_back({hold.force, at.travel, at.rise, hold.travel});
     }
-    out.capacity =
-        overturning(weights, holds, teeth(), leaning(0, y1_ - y0_).travel, model_.solve.gravity);
+    return overturning(weights, holds, teeth(), leaning(0, y1_ - y0_).travel, model_.solve.gravity);
   }
 
   // (21.6): each face of a tooth carries the corner masonry above it, and slides in proportion to its height above the line.
@@ -470,7 +466,7 @@ class Strip {
     return t.corners * t.friction * unit_weight * area * height * height * height / (6 * t.course);
   }
 
-  void bend(LocalCheck& out) const {
+  std::vector<LocalCapacity> bend(LocalCheck& out) const {
     if (part_.lean != 0)
       refuse(".lean", fmt::format("{:g} rad", part_.lean),
              "is of a part whose head is free: this one bends between foot and head",
@@ -519,9 +515,9 @@ class Strip {
              "leave head_held out, or give the part more courses");
     out.hinge = out.foot + hinge;
     out.building.height = 0.5 * (out.foot + out.head);
-    out.capacity = bending(strip_at(hinge), hinge, model_.solve.gravity);
     out.notes.push_back({"local.note.head_held"});
     if (pressed_ > 0) out.notes.push_back({"local.note.pressed", {{"load_kN", 1e-3 * pressed_}}});
+    return {bending(strip_at(hinge), hinge, model_.solve.gravity)};
   }
 
   // Heights of block ends above the foot, within the part.
