@@ -4,6 +4,7 @@
 
 #include "wythe/parts/comparison.h"
 #include "wythe/parts/folders.h"
+#include "wythe/parts/model.h"
 #include "wythe/parts/report.h"
 
 namespace wythe {
@@ -56,8 +57,10 @@ PairedComparison write_models(const std::string& folder, const std::vector<Model
       ComparedCampaign& store = one.stores.emplace_back();
       store.folder = model.campaign[way];
       store.campaign = read_campaign(store.folder);
+      const ModelSpec base = model_builder(store.campaign.study)({});
+      store.doubt = doubts_of(store.campaign, compile(base));
       if (one.push.direction.empty()) {
-        const PushWay own = way_of(model_builder(store.campaign.study)({}));
+        const PushWay own = way_of(base);
         one.push = {own.direction, own.pattern};
       }
     }

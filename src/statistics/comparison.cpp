@@ -129,6 +129,7 @@ Records records_of(const Campaign& campaign, int samples) {
 struct Pair {
   int sample;
   const SampleRecord *base, *option;
+  PushDoubt doubt = {};  // of either side
 };
 
 struct Pairs {
@@ -146,8 +147,23 @@ void describe_side(const SampleRecord* record, std::string& status, Message& rea
   if (!answered) reason = why.empty() ? record->reason : why;
 }
 
-Pairs pairs_of(const Campaign& base, const Campaign& option, int samples) {
-  const Records of_base = records_of(base, samples), of_option = records_of(option, samples);
+// Walls that are equal to the last bit stay equal in any push.
+PushDoubt doubt_of(const ComparedCampaign& base, const ComparedCampaign& option, const Pair& pair) {
+  PushDoubt out;
+  if (!pair.base->state_hash.empty() && pair.base->state_hash == pair.option->state_hash)
+    return out;
+  for (const ComparedCampaign* side : {&base, &option}) {
+    const auto found = side->doubt.find(pair.sample);
+    if (found == side->doubt.end()) continue;
+    if (out.displacement.empty()) out.displacement = found->second.displacement;
+    out.mode = out.mode || found->second.mode;
+  }
+  return out;
+}
+
+Pairs pairs_of(const ComparedCampaign& base, const ComparedCampaign& option, int samples) {
+  const Records of_base = records_of(base.campaign, samples);
+  const Records of_option = records_of(option.campaign, samples);
   const auto at = [](const Records& records, int sample) {
     const auto found = records.find(sample);
     return found == records.end() ? nullptr : found->second;
@@ -158,7 +174,8 @@ Pairs pairs_of(const Campaign& base, const Campaign& option, int samples) {
     if (a == nullptr && b == nullptr) {
       ++out.not_run;
     } else if (a != nullptr && b != nullptr && is_answered(*a) && is_answered(*b)) {
-      out.pair.push_back({s, a, b});
+      Pair& pair = out.pair.emplace_back(Pair{.sample = s, .base = a, .option = b});
+      pair.doubt = doubt_of(base, option, pair);
     } else {
       LostPair& lost = out.lost.emplace_back();
       lost.sample = s;
@@ -188,6 +205,13 @@ Reading reading_of(const SampleRecord& record, const Quantity& quantity) {
 
 // --- the parts -----------------------------------------------------------------------------------
 
+void note_doubts(const Pairs& pairs, PairedResponse& out) {
+  for (const Pair& pair : pairs.pair) {
+    if (pair.doubt.displacement.empty()) continue;
+    if (++out.doubted == 1) out.doubt = pair.doubt.displacement;
+  }
+}
+
 PairedResponse response_of(const PairedComparison& all, const Pairs& pairs,
                            const Quantity& quantity) {
   std::vector<PairValue> values;
@@ -200,6 +224,7 @@ PairedResponse response_of(const PairedComparison& all, const Pairs& pairs,
   PairedResponse out = study::paired_response(std::move(values), quantity.can_be_censored,
                                               static_cast<int>(pairs.lost.size()));
   out.quantity = quantity.name;
+  if (out.quantity == "displacement_at_80_percent") note_doubts(pairs, out);
   if (std::isnan(out.difference.value)) return out;
   const Column difference = study::differences(out);
   std::vector<PairValue> trusted;
@@ -263,6 +288,7 @@ ModeTable modes_of(const Pairs& pairs, const Campaign& base, const Campaign& opt
       there.contains("FM-4"))
     table.group_shift = groups_of(both, table.modes);
   for (const Pair& pair : pairs.pair) {
+    table.doubted += pair.doubt.mode ? 1 : 0;
     const FailureMode &was = pair.base->failure_mode, &is = pair.option->failure_mode;
     const double a = std::fabs(was.read_at), b = std::fabs(is.read_at);
     if (!study::is_named(was.name) || !study::is_named(is.name)) continue;
@@ -413,7 +439,7 @@ OptionComparison compare_one(const PairedComparison& all, const ComparedCampaign
   out.name = option.name, out.folder = option.folder;
   out.changes = changes_of(base, option);
   const int common = std::min(base.campaign.samples.n_sample(), option.campaign.samples.n_sample());
-  Pairs pairs = pairs_of(base.campaign, option.campaign, common);
+  Pairs pairs = pairs_of(base, option, common);
   out.pairs = static_cast<int>(pairs.pair.size());
   out.not_run = pairs.not_run;
   for (const LostPair& lost : pairs.lost) {

@@ -1,10 +1,11 @@
 // Before and after: compares each change of a model with the model before, for each way of pushing, and with limits.
 //
 // A change is the geometric mean of after / before over pairs of walls. It is within its limits
-// if its whole interval is. With bounds, lost pairs or too few pairs there is no answer. A change after which a wall falls
-// before it resists is not within them.
+// if its whole interval is. With bounds, lost pairs or too few pairs there is no answer, nor for a displacement that a slower
+// push may change. A change after which a wall falls before it resists is not within them.
 // Called by write_models (api); theory: docs/theory/statistics.md, "Before and after".
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -195,6 +196,14 @@ const char* code_of(ChangeAnswer answer) {
   return "compare.models_not_known";
 }
 
+// How many of these pairs have a push that does not tell the failure mode; empty: none.
+Message words_of_doubted_modes(const PairedComparison& all,
+                               const std::vector<std::size_t>& options) {
+  int doubted = 0;
+  for (const std::size_t k : options) doubted += all.option[k].modes.doubted;
+  return doubted > 0 ? Message{"compare.modes_doubt", {{"n", doubted}}} : Message{};
+}
+
 // Reasons for lost pairs, each once: walls that failed, fell or were refused.
 void note_lost(const OptionComparison& option, const std::string& base, Intervention& out) {
   for (const LostPair& lost : option.lost)
@@ -235,8 +244,9 @@ void put_in_words(const PairedComparison& all, Intervention& out) {
                      {{"change", words_of_change(change)},
                       {"limit", words_of_limit(change)},
                       {"answer", change.said}}});
-  if (Message modes = words_of_modes(all, out.option); !modes.empty())
-    parts.push_back(std::move(modes));
+  for (Message& modes :
+       std::array{words_of_modes(all, out.option), words_of_doubted_modes(all, out.option)})
+    if (!modes.empty()) parts.push_back(std::move(modes));
   if (!std::isnan(out.before.pga.value) || !std::isnan(out.after.pga.value))
     parts.push_back(
         {"compare.pga_both",
@@ -313,6 +323,10 @@ Change change_of(const PairedResponse& r, int lost, double least, double most) {
   }
   if (base > 0 && option > 0) {
     out.why = {"compare.why_bounds", {{"before", base}, {"after", option}, {"all", all}}};
+    return out;
+  }
+  if (r.doubted > 0) {
+    out.why = {"compare.why_doubt", {{"n", r.doubted}, {"all", all}, {"why", r.doubt}}};
     return out;
   }
   out.at_least = option > 0, out.at_most = base > 0;

@@ -270,6 +270,18 @@ class Models(unittest.TestCase):
         self.assertEqual(found["change"][STIFFNESS]["way"][0]["ratio_interval"], [None, None])
         self.assertNotIn("95 %", done.stdout.splitlines()[0])
 
+    def test_a_displacement_that_a_run_cannot_tell_is_not_known_here(self):
+        before, after = self.file("doubt.toml", WALL), self.file("doubt_after.toml", WALL + OPENING)
+        ran = wythe("run", after, "--out", self.out() / "run", "--quiet")
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+        promise = json.loads((self.out() / "run/summary.json").read_text())["quasi_static"]["displacement"]
+        self.assertEqual(promise["verdict"], "not known")
+        self.compare(before, after, self.out() / "compared")
+        change = self.changes(self.out() / "compared")[DISPLACEMENT]
+        self.assertEqual(change["answer"], "not known")
+        self.assertIn("a slower push may give another one", change["way"][0]["why"])
+        self.assertIsNone(change["way"][0]["ratio"])
+
     def test_too_few_walls_have_no_interval_and_no_answer(self):
         done = self.compare(self.before, self.after, self.out(), "--walls", 2)
         self.assertEqual(done.returncode, 3)

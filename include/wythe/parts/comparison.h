@@ -8,6 +8,7 @@
 // Estimators: docs/theory/statistics.md, "Pairs".
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -18,10 +19,20 @@
 
 namespace wythe {
 
+// What the push of a wall does not tell of a slower push (slow_push.h).
+struct PushDoubt {
+  Message displacement = {};  // why not its displacement capacity, with a cure; empty: it does
+  bool mode = false;          // whether not its failure mode
+};
+// The doubts of a campaign whose base model is `model`, by sample; samples without one are left out. Where several walls are pushed
+// and wait at cracks, their scatter replaces all doubts but that of a push too fast for its force.
+[[nodiscard]] std::map<int, PushDoubt> doubts_of(const Campaign& campaign, const Model& model);
+
 // A store with its name for the reader.
 struct ComparedCampaign {
   std::string name, folder;
   Campaign campaign;
+  std::map<int, PushDoubt> doubt = {};  // by sample; only models before and after state them
 };
 
 // One number of a pair. It is a bound where the push of that side ended too early.
@@ -65,7 +76,9 @@ struct PairedResponse {
   double correlation = kUnset;               // of the two sides
   double worth = kUnset;  // (s_a^2 + s_b^2) / s_d^2: unpaired samples that a pair replaces
   int slow_enough = 0;    // pairs in which both pushes were slow enough
-  Estimate difference_slow_enough;     // their mean difference
+  Estimate difference_slow_enough;  // their mean difference
+  int doubted = 0;  // pairs with a push that does not tell this number of a slower one
+  Message doubt;    // why, of the first such pair
   std::vector<GainAgainstInput> gain;  // by each random input
   std::vector<PairValue> pair;
 };
@@ -88,6 +101,7 @@ struct ModeTable {
   int unclear = 0;         // of them: unclear on at least one side; the other counts exclude these
   int read_apart = 0;      // of the others: read at displacements that differ by more than 1 %
   int changed_apart = 0;   // of these: the mode differs
+  int doubted = 0;         // of all: with a push that does not tell the mode of a slower one
   Estimate share_changed;  // Wilson
   std::vector<ChangedMode> changed;
   std::vector<ModeShift> shift;

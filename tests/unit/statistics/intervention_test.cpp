@@ -1,4 +1,4 @@
-// Before and after against closed forms: ratios of pairs, limits, bounds, no answer, swapped sides, the same wall twice.
+// Before and after against closed forms: ratios of pairs, limits, bounds, no answer, swapped sides, the same wall twice, doubts.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -268,6 +268,33 @@ TEST(Intervention, a_changed_wall_that_falls_does_not_keep_within_the_limits) {
     models.way[1].stores[0].campaign.records[3] = after;
     EXPECT_EQ(compare_models(models).intervention.at(0).answer, ChangeAnswer::kNotKnown) << status;
   }
+}
+
+// `wythe run` of such a wall says that its displacement is not known.
+TEST(Intervention, a_displacement_that_a_slower_push_may_change_is_not_known) {
+  const PushDoubt doubt{.displacement = {"promise.force"}, .mode = true};
+  for (const std::size_t side : {0U, 1U}) {
+    ComparedModels models = models_of(1.1, 1.1);
+    models.way[1].stores[side].doubt[3] = doubt;
+    const Intervention found = compare_models(models).intervention.at(0);
+    EXPECT_EQ(found.change.at(1).answer, ChangeAnswer::kYes);  // the strength
+    const CheckedChange& displacement = found.change.at(2);
+    EXPECT_EQ(displacement.way[0].answer, ChangeAnswer::kYes);
+    EXPECT_EQ(displacement.way[1].answer, ChangeAnswer::kNotKnown);
+    EXPECT_EQ(displacement.way[1].why.code, "compare.why_doubt");
+    EXPECT_EQ(displacement.answer, ChangeAnswer::kNotKnown);
+    EXPECT_EQ(found.answer, ChangeAnswer::kNotKnown);
+    const std::string said = text_of(found.sentence);
+    for (const char* words :
+         {"in 1 of 6 pairs of walls a slower push may give another one",
+          "the push is not slow enough for its force", "must not fall: not known",
+          "in 1 of these pairs a slower push may show another failure mode"})
+      EXPECT_NE(said.find(words), std::string::npos) << said;
+  }
+  // walls that are equal to the last bit stay equal in a slower push
+  ComparedModels models = models_of(1, 1);
+  for (ComparedCampaign& store : models.way[1].stores) store.doubt[3] = doubt;
+  EXPECT_EQ(compare_models(models).intervention.at(0).answer, ChangeAnswer::kYes);
 }
 
 TEST(Intervention, another_failure_is_told_with_its_counts) {

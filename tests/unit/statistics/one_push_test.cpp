@@ -1,4 +1,4 @@
-// Cautions about one push that many adapting pushes replace: which pushes these are, and the advice for other pushes.
+// Cautions and doubts about one push that many adapting pushes replace: which pushes these are, and the advice for other pushes.
 #include "statistics/one_push.h"
 
 #include <gtest/gtest.h>
@@ -9,6 +9,7 @@
 
 #include "scenes/places.h"
 #include "scenes/scenes.h"
+#include "wythe/parts/comparison.h"
 #include "wythe/parts/model.h"
 
 namespace wythe::one_push_test {
@@ -83,6 +84,58 @@ TEST(OnePush, advises_nothing_that_is_done_already) {
     }
   }
   EXPECT_GE(reasons, 8);
+}
+
+// Walls whose force jumps at 2 mm while the push goes on, by 2.5 % of the displacement (promise.jump).
+Campaign walls_that_jump(int walls, const std::string& judgement) {
+  SampleRecord record{.sample = 1, .status = "completed"};
+  for (int i = 0; i <= 400; ++i) {
+    const double d = 0.01 * i;  // [mm]
+    CurveRow row;
+    row.displacement = 1e-3 * d;
+    row.time = d;  // at 1 mm/s
+    row.reaction = row.base_shear = d <= 1 ? 100 * d : d <= 2 ? 100 : d <= 3 ? 90 : 60;
+    row.unbalance_ratio = i == 201 ? 0.012 : 2e-5;
+    record.curve.push_back(row);
+  }
+  record.responses = read_responses(record.curve);
+  record.quasi_static.judgement = judgement;
+  record.failure_mode.read_at = 4e-3;
+  Campaign campaign;
+  for (; record.sample <= walls; ++record.sample) {
+    campaign.samples.value.emplace_back();
+    campaign.records.push_back(record);
+  }
+  return campaign;
+}
+
+TEST(OnePush, doubts_of_one_wall_and_of_many) {
+  const Model waits = model_with(waiting_push());
+  StageSpec fast = waiting_push();
+  fast.get<PushStage>().velocity = 2e-3, fast.get<PushStage>().fast_velocity = kUnset;
+  const Model hurries = model_with(fast);
+  const auto one = doubts_of(walls_that_jump(1, "slow enough"), waits);
+  ASSERT_EQ(one.size(), 1U);
+  EXPECT_EQ(one.at(1).displacement.code, "promise.jump");
+  EXPECT_TRUE(one.at(1).mode);
+  EXPECT_TRUE(doubts_of(walls_that_jump(5, "slow enough"), waits).empty());
+  EXPECT_EQ(doubts_of(walls_that_jump(5, "usable"), waits).at(5).displacement.code,
+            "promise.force");
+  EXPECT_EQ(doubts_of(walls_that_jump(5, "slow enough"), hurries).size(), 5U);
+  // a load or a shake promises nothing, and a lost wall is lost already
+  EXPECT_TRUE(doubts_of(walls_that_jump(1, "no push"), waits).empty());
+  Campaign lost = walls_that_jump(1, "slow enough");
+  lost.records[0].status = "unstable";
+  EXPECT_TRUE(doubts_of(lost, waits).empty());
+  // the cure is one for a comparison
+  for (const char* language : {"en", "it", "de"}) {
+    const std::string said = text_of(one.at(1).displacement, language);
+    EXPECT_NE(said.find("[scatter]"), std::string::npos) << said;
+    EXPECT_EQ(said.find("wythe run"), std::string::npos) << said;
+  }
+  const auto hurried = doubts_of(walls_that_jump(1, "slow enough"), hurries);
+  for (const char* words : {"leave velocity", "[scatter]"})
+    EXPECT_NE(text_of(hurried.at(1).displacement).find(words), std::string::npos) << words;
 }
 
 }  // namespace
