@@ -1,5 +1,5 @@
 // Runs the walls of a verdict and prints it: ways of pushing, parts out of plane, the sentence.
-// After the first pair of walls it says how long the others may take.
+// After the first pair of walls it says how long the others may take. Writes the pages of walls that have run.
 #include "assess_command.h"
 
 #include <fmt/format.h>
@@ -137,6 +137,19 @@ void print_verdict(const WallsVerdict& v, const std::string& out) {
   fmt::print("report {}/report.html\n", readable(out));
 }
 
+std::vector<std::string> folder_names(const std::vector<std::string>& folders) {
+  std::vector<std::string> names;
+  names.reserve(folders.size());
+  for (const std::string& folder : folders)
+    names.push_back(std::filesystem::path(folder).filename().string());
+  return names;
+}
+
+void write_campaigns(const std::vector<std::string>& folders, const std::string& language) {
+  for (const std::string& folder : folders)
+    static_cast<void>(write_campaign_files(folder, read_answers(folder), language));
+}
+
 // All walls of a study in all its ways of pushing, and their verdict, unless the user stopped it.
 struct Round {
   OptionRuns ran;
@@ -152,15 +165,39 @@ Round run_round(const AssessArguments& a, const CampaignArguments& as_campaign,
   Round out{.ran = run_options(as_campaign, study, options, look), .verdict = {}};
   if (out.ran.interrupted) return out;
   std::vector<std::string> folders;
-  for (const OptionRun& run : out.ran.runs) {
-    folders.push_back(std::filesystem::path(run.folder).filename().string());
-    static_cast<void>(write_campaign_files(run.folder, read_answers(run.folder), a.language));
-  }
-  out.verdict = write_verdict(a.out, folders, a.language, hold_for_test);
+  for (const OptionRun& run : out.ran.runs) folders.push_back(run.folder);
+  write_campaigns(folders, a.language);
+  out.verdict = write_verdict(a.out, folder_names(folders), a.language, hold_for_test);
   return out;
 }
 
 }  // namespace
+
+int report_ways(const std::string& folder, const std::string& language) {
+  const std::vector<std::string> stores = option_folders(folder);
+  write_campaigns(stores, language);
+  // Without a verdict it is one model of a comparison, or an assessment that was stopped.
+  if (!std::filesystem::exists(folder + "/assessment.json")) {
+    for (const std::string& store : stores) fmt::print("report {}/report.html\n", readable(store));
+    return 0;
+  }
+  int done = 0, walls = 0;
+  for (const std::string& store : stores) {
+    const StoreProgress there = campaign_progress(store);
+    done += there.done, walls += there.samples;
+  }
+  if (done < walls) {
+    fmt::print(
+        stderr,
+        "note: {} of {} pushes have run, so the verdict and its page stay as they are; wythe "
+        "assess MODEL.toml --out {} --resume goes on\n",
+        done, walls, shell_path(folder));
+    return kFailed;
+  }
+  const WallsVerdict verdict = write_verdict(folder, folder_names(stores), language, hold_for_test);
+  print_verdict(verdict, folder);
+  return verdict.verdict != AssessmentVerdict::kNotKnown ? 0 : kFailed;
+}
 
 int assess(const AssessArguments& asked) {
   AssessArguments a = asked;

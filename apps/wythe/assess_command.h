@@ -14,5 +14,7 @@ struct AssessArguments {
   std::vector<std::string> command;  // as typed, for the command that continues
 };
 int assess(const AssessArguments& arguments);
+// Writes the pages of one model that was pushed in several ways (holds_ways), and of their verdict where there is one.
+int report_ways(const std::string& folder, const std::string& language);
 
 }  // namespace wythe::app

@@ -146,6 +146,9 @@ Model compile_option(const StudySpec& study, const ModelBuilder& build);
 // Whether a folder has such campaigns; if so, its base and options, in order.
 bool holds_options(const std::string& folder);
 std::vector<std::string> option_folders(const std::string& folder);
+// Whether these campaigns are one model pushed in several ways, as `wythe assess` and `wythe compare` of models leave them.
+// They are not compared with each other.
+bool holds_ways(const std::string& folder);
 int merge_options(const MergeArguments& arguments);
 
 struct PictureArguments {

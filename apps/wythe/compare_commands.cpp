@@ -190,6 +190,12 @@ bool holds_options(const std::string& folder) {
   return !holds_campaign(folder) && holds_campaign(folder + "/" + kBaseFolder);
 }
 
+bool holds_ways(const std::string& folder) {
+  if (!holds_options(folder)) return false;
+  const StudySpec base = read_study_of(folder + "/" + kBaseFolder);
+  return fs::path(base.file).filename() == kStudyOfModel;
+}
+
 std::vector<std::string> option_folders(const std::string& folder) {
   std::vector<std::pair<int, std::string>> found;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
@@ -326,6 +332,9 @@ int compare(const CompareArguments& a) {
       folders.push_back(folder);
       continue;
     }
+    if (holds_ways(folder))
+      refuse(folder, "", "holds the walls of one model, pushed in several ways",
+             "name two such folders, the model before first, or campaigns within them");
     for (std::string& inner : option_folders(folder)) folders.push_back(std::move(inner));
   }
   if (holds_options(a.out)) {

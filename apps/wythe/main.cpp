@@ -278,7 +278,8 @@ void add_report(CLI::App& app, ReportArguments& a, int& code) {
   CLI::App* command =
       app.add_subcommand("report", "write report.html again from the stored results of a folder");
   command->footer("example: wythe report out/campaign --lang it");
-  command->add_option("folder", a.folder, "folder of a run or a campaign")->required();
+  command->add_option("folder", a.folder, "folder of a run, a campaign or an assessment")
+      ->required();
   add_language(command, a.language);
   command->callback([&] { code = report(a); });
 }

@@ -1,4 +1,4 @@
-// wythe report and wythe export: they find what a folder holds, a run or campaigns, and write its page or tables.
+// wythe report and wythe export: they find what a folder holds, a run, campaigns or an assessment, and write its page or tables.
 #include "report_files.h"
 
 #include <fmt/format.h>
@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "assess_command.h"
 #include "campaign_commands.h"
 #include "interrupt.h"
 #include "wythe/error.h"
@@ -19,6 +20,7 @@ namespace fs = std::filesystem;
 int report(const ReportArguments& a) {
   check_language(a.language);
   if (holds_campaign(a.folder)) return write_results(a.folder, a.language);
+  if (holds_ways(a.folder)) return report_ways(a.folder, a.language);
   if (holds_options(a.folder)) {
     for (const std::string& store : option_folders(a.folder))
       static_cast<void>(

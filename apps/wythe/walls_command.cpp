@@ -48,7 +48,7 @@ StudySpec study_of_walls(const RunArguments& a, int walls) {
       "[study]\nname = {}\nmodel = {}\nsamples = {}\nseed = 0\ndesign = \"monte_carlo\"\n"
       "fractions = [{}]\n",
       quoted(a.model), quoted(model.string()), walls, shares);
-  return parse_study(text, (model.parent_path() / "walls of the model").string(), a.overrides);
+  return parse_study(text, (model.parent_path() / kStudyOfModel).string(), a.overrides);
 }
 
 std::string number_of(double value, double scale, const char* unit) {

@@ -22,6 +22,24 @@ std::string opinion_page(const std::string& folder) {
   return std::filesystem::exists(folder + "/summary.json") ? "limit" : "report";
 }
 
+// Why a folder without report.data has no page to write again.
+Fault without_data(const std::string& folder, const std::string& language) {
+  if (std::filesystem::exists(folder + "/comparison.json"))
+    return {
+        .file = folder,
+        .problem = "holds a comparison, whose page is written by wythe compare alone",
+        .cure = fmt::format("give the command of the comparison again with --lang {}; of models "
+                            "add --resume, which pushes no wall again",
+                            language)};
+  if (std::filesystem::exists(folder + "/assessment.json"))
+    return {.file = folder,
+            .problem = "holds a verdict without the walls that it was made from",
+            .cure = fmt::format("assess the model again with --lang {}", language)};
+  return {.file = folder,
+          .problem = "holds no data of a report (report.data)",
+          .cure = "name a folder that run, campaign, assess, replay or limit wrote"};
+}
+
 }  // namespace
 
 std::string provenance_text() {
@@ -49,10 +67,7 @@ void rewrite_page(const std::string& folder, const std::string& language) {
   check_language(language);
   finish_replacement(folder);
   const std::string data = folder + "/report.data";
-  if (!std::filesystem::exists(data))
-    throw InputError({{.file = folder,
-                       .problem = "holds no data of a report (report.data)",
-                       .cure = "name a folder that run, campaign, replay or limit wrote"}});
+  if (!std::filesystem::exists(data)) throw InputError({without_data(folder, language)});
   std::string page;
   try {
     page = report_page(read_data(data), language);

@@ -107,6 +107,41 @@ class Assess(unittest.TestCase):
             for key in ("mass_height", "life_safety", "verdict.", "assess."):
                 self.assertNotIn(f">{key}", page)
 
+    def test_report_writes_the_same_page_in_another_language_and_compares_nothing(self):
+        out = self.folder / "reported"
+        shutil.copytree(self.short, out)
+        names = sorted(p.name for p in out.iterdir())
+        again = wythe("assess", self.model, "--out", out, "--quiet", "--lang", "it", "--resume", *SHORT)
+        files = ("report.html", "assessment.json", "walls.csv", "base/report.html", "minus_x_at/report.html")
+        wanted = {name: (out / name).read_bytes() for name in files}
+        for language in ("en", "it"):
+            ended = wythe("report", out, "--lang", language)
+            self.assertEqual(ended.returncode, again.returncode, ended.stderr)
+        self.assertEqual(ended.stdout, again.stdout)
+        self.assertEqual({name: (out / name).read_bytes() for name in files}, wanted)
+        self.assertIn(b'<html lang="it">', wanted["report.html"])
+        self.assertEqual(sorted(p.name for p in out.iterdir()), names)
+
+    def test_report_judges_no_part_of_the_walls(self):
+        out = self.folder / "partly"
+        shutil.copytree(self.short, out)
+        page = (out / "report.html").read_bytes()
+        Held("sample 10", "assess", self.model, "--out", out, "--walls", "6", "--jobs", "1", "--resume", *SHORT).interrupt(signal.SIGTERM)
+        ended = wythe("report", out, "--lang", "it")
+        self.assertEqual(ended.returncode, 3, ended.stdout)
+        self.assertIn("of 12 pushes have run", ended.stderr)
+        self.assertIn("--resume", ended.stderr)
+        self.assertEqual((out / "report.html").read_bytes(), page)
+        (out / "assessment.json").unlink()  # as if it had been stopped the first time
+        ended = wythe("report", out, "--lang", "it")
+        self.assertEqual(ended.returncode, 0, ended.stderr)
+        self.assertFalse((out / "comparison.html").exists())
+        shutil.rmtree(out / "base"), shutil.rmtree(out / "minus_x_at")
+        (out / "assessment.json").write_text("{}")  # as of walls that lie in no store
+        ended = wythe("report", out, "--lang", "it")
+        self.assertEqual(ended.returncode, 2, ended.stdout)
+        self.assertIn("assess the model again with --lang it", ended.stderr)
+
     def test_both_ways_push_the_same_walls(self):
         rows = rows_of(self.out / "walls.csv")
         self.assertEqual(len(rows), 12)

@@ -144,7 +144,14 @@ class Models(unittest.TestCase):
         for model in ("before", "after"):
             done = wythe("status", self.out() / "copy" / model)
             self.assertEqual(done.returncode, 0, done.stderr)
-            self.assertEqual(wythe("report", self.out() / "copy" / model, "--lang", "it").returncode, 0)
+            done = wythe("report", self.out() / "copy" / model, "--lang", "it")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            # ways of pushing are no options: they are not compared
+            self.assertFalse((self.out() / "copy" / model / "comparison.html").exists())
+            self.assertIn('<html lang="it">', (self.out() / "copy" / model / "minus_x_at/report.html").read_text())
+        done = wythe("compare", self.out() / "copy/before", "--out", self.out() / "never")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("one model, pushed in several ways", done.stderr)
         done = wythe("replay", self.whole / "after/base", "--sample", 3, "--out", self.out() / "replayed", "--quiet")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("bit for bit", done.stdout)
@@ -172,6 +179,12 @@ class Models(unittest.TestCase):
         shutil.copytree(self.whole, self.out())
         done = self.compare(self.before, self.after, self.out(), "--resume", "--lang", "it")
         self.assertTrue("non resta entro i limiti" in (self.out() / "comparison.html").read_text(), done.stderr)
+
+    def test_report_names_the_command_that_writes_the_page(self):
+        done = wythe("report", self.whole, "--lang", "it")
+        self.assertEqual(done.returncode, 2, done.stdout)
+        self.assertIn("holds a comparison", done.stderr)
+        self.assertIn("--lang it; of models add --resume", done.stderr)
 
     def test_limits_are_inputs(self):
         shutil.copytree(self.whole, self.out())

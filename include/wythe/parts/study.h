@@ -146,6 +146,8 @@ struct VariantSpec {
 };
 // Folder and name of the base with which the options of a study are compared.
 inline constexpr const char* kBaseFolder = "base";
+// File name of a study that a command made of one model. Its options are ways of pushing that model, not variants of it.
+inline constexpr const char* kStudyOfModel = "walls of the model";
 
 // One column of the inputs: variables in order, then dependents.
 struct InputColumn {

@@ -133,8 +133,7 @@ std::string io::text_of_ways(const AskedWalls& asked, const std::vector<PushWay>
 
 StudySpec assess_study(const AskedWalls& asked) {
   const std::filesystem::path model = std::filesystem::absolute(asked.model_file);
-  return io::parse_study_text(text_of_study(asked),
-                              (model.parent_path() / "walls of the model").string(),
+  return io::parse_study_text(text_of_study(asked), (model.parent_path() / kStudyOfModel).string(),
                               asked.overrides, io::StudyText::kMade);
 }
 

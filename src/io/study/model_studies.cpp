@@ -238,7 +238,7 @@ std::vector<StudySpec> studies_of_models(const AskedModels& asked) {
                            .seed = asked.seed};
     const std::filesystem::path file = std::filesystem::absolute(model.file);
     studies.push_back(io::parse_study_text(io::text_of_ways(walls, model.way, in_place(model.spec)),
-                                           (file.parent_path() / "walls of the model").string(),
+                                           (file.parent_path() / kStudyOfModel).string(),
                                            asked.overrides, io::StudyText::kMade));
   }
   return studies;
