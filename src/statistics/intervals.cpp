@@ -29,11 +29,16 @@ double student_95(int degrees) {
 
 Estimate wilson(int count, int n) {
   if (n == 0) return {kUnset, {0, 1}};
-  const double p = static_cast<double>(count) / n, z2 = kNormal95 * kNormal95;
+  const double p = static_cast<double>(count) / n;
+  return {p, score_interval(p, n)};
+}
+
+Interval score_interval(double p, double n) {
+  const double z2 = kNormal95 * kNormal95;
   const double centre = (p + z2 / (2 * n)) / (1 + z2 / n);
   const double half = kNormal95 / (1 + z2 / n) * std::sqrt(p * (1 - p) / n + z2 / (4.0 * n * n));
   // the end at 0 or 1 is exact, without rounding
-  return {p, {count == 0 ? 0 : centre - half, count == n ? 1 : centre + half}};
+  return {p == 0 ? 0 : centre - half, p == 1 ? 1 : centre + half};
 }
 
 Estimate exact_share(int count, int n) {

@@ -30,6 +30,8 @@ inline constexpr int kFewestForBootstrap = 100;  // below, closed forms
 [[nodiscard]] Estimate exact_share(int count, int n);
 // Score interval of a share of `count` in `n`; (0, 1) when n = 0.
 [[nodiscard]] Estimate wilson(int count, int n);
+// The same of a share p of n, which may be no whole number; n > 0.
+[[nodiscard]] Interval score_interval(double p, double n);
 
 // Running count, mean and standard deviation (Welford).
 class Moments {

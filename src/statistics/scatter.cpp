@@ -81,6 +81,10 @@ double f_quantile_beyond(double probability, int degrees, int below) {
       probability);
 }
 
+double beta_quantile(double share, double a, double b) {
+  return where([&](double x) { return 1 - beta_share(a, b, x); }, 1 - share);
+}
+
 double student_97(double degrees) {
   return std::sqrt(
       where([&](double f) { return beta_share(0.5 * degrees, 0.5, degrees / (degrees + f)); },

@@ -22,6 +22,8 @@ struct Cell {
 
 // The value that an F distribution exceeds with this probability.
 [[nodiscard]] double f_quantile_beyond(double probability, int degrees, int below);
+// The value below which this share of a beta distribution lies.
+[[nodiscard]] double beta_quantile(double share, double a, double b);
 // 97.5 % quantile of Student's t; the degrees may be fractional.
 [[nodiscard]] double student_97(double degrees);
 // The same of chi-square.

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "statistics/intervals.h"
+#include "statistics/scatter.h"
 
 namespace wythe::study {
 namespace {
@@ -30,13 +31,59 @@ void walk(const std::vector<Reading>& readings, const Counts& count, const Visit
   }
 }
 
-// exp(-exp(log(-log S) -+ 1.96 se)): stays within (0, 1).
-Interval log_log_interval(double survival, double greenwood) {
-  if (survival <= 0 || survival >= 1) return {survival, survival};
-  const double log_s = std::log(survival);
-  const double spread = std::exp(kNormal95 * std::sqrt(greenwood) / std::fabs(log_s));
-  return {std::exp(log_s * spread), std::exp(log_s / spread)};
-}
+// Means of x and x^2 of a product of independent beta variables.
+struct BetaProduct {
+  double mean = 1, square = 1;
+  [[nodiscard]] BetaProduct times(double a, double b) const {
+    const double n = a + b;
+    return {mean * a / n, square * a * (a + 1) / (n * (n + 1))};
+  }
+  // The beta variable with the same two means.
+  struct Beta {
+    double a, b;
+    [[nodiscard]] double samples() const { return a + b - 1; }  // of which it is the share (7.26)
+  };
+  [[nodiscard]] Beta matched() const {
+    const double n = (mean - square) / (square - mean * mean);
+    return {mean * n, (1 - mean) * n};
+  }
+};
+
+// The share that goes beyond a value after some of n samples have fallen at smaller ones (7.4), with its interval (7.5).
+class Going {
+ public:
+  explicit Going(int n) : n_(n), left_(n) {}
+
+  void fall(int events, int at_risk) {
+    all_known_ = all_known_ && at_risk == left_;
+    left_ -= events;
+    // counted, not multiplied, so that the last event gives exactly 0
+    share_ = events == at_risk ? 0 : share_ * (1 - static_cast<double>(events) / at_risk);
+    fallen_ = fallen_.times(at_risk - events + 1, events);
+  }
+  // `beyond`: samples of which it is known that they go beyond the value.
+  [[nodiscard]] Estimate share(int beyond) const {
+    if (all_known_ && beyond == left_) return {share_, share_estimate(left_, n_).interval};
+    return {share_, {low(beyond), left_ == n_ ? 1 : end(fallen_, 0.975).high}};
+  }
+
+ private:
+  [[nodiscard]] double low(int beyond) const {
+    return beyond == 0 ? 0 : end(fallen_.times(beyond, 1), 0.025).low;
+  }
+  // Few samples: the quantile at this level. Many: Wilson's interval.
+  [[nodiscard]] Interval end(const BetaProduct& product, double level) const {
+    const auto by = product.matched();
+    if (by.samples() >= kFewestForBootstrap) return score_interval(share_, by.samples());
+    const double quantile = beta_quantile(level, by.a, by.b);
+    return {quantile, quantile};
+  }
+
+  int n_, left_;
+  bool all_known_ = true;
+  double share_ = 1;
+  BetaProduct fallen_;
+};
 
 // Means of x and x^2 of a standard normal beyond `a`.
 struct Tail {
@@ -112,22 +159,19 @@ std::vector<Reading> in_order(std::vector<Reading> readings) {
 
 std::vector<ExceedancePoint> kaplan_meier(const std::vector<Reading>& readings) {
   std::vector<ExceedancePoint> points;
-  double survival = 1, greenwood = 0;
+  Going going(static_cast<int>(readings.size()));
   walk(readings, Counts(readings.size(), 1), [&](double value, int events, int at_risk) {
-    // counted, not multiplied, so that the last event gives exactly 0
-    survival = events == at_risk ? 0 : survival * (1 - static_cast<double>(events) / at_risk);
-    if (events < at_risk) greenwood += events / (static_cast<double>(at_risk) * (at_risk - events));
-    points.push_back({value, {survival, log_log_interval(survival, greenwood)}});
+    going.fall(events, at_risk);
+    points.push_back({value, going.share(at_risk - events)});
   });
   return points;
 }
 
 Estimate share_before(const std::vector<Reading>& readings, double x) {
   const auto n = static_cast<int>(readings.size());
-  const auto is_before = [&](const Reading& r) { return r.value < x; };
-  const auto before = std::count_if(readings.begin(), readings.end(), is_before);
-  const auto fallen = static_cast<int>(std::count_if(readings.begin(), readings.begin() + before,
-                                                     [](const Reading& r) { return !r.censored; }));
+  int before = 0, fallen = 0;
+  for (const Reading& r : readings)
+    if (r.value < x) ++before, fallen += r.censored ? 0 : 1;
   const bool all_known = fallen == before;
   if (all_known || before == n) {
     if (!all_known && fallen == 0) return {};
@@ -135,10 +179,11 @@ Estimate share_before(const std::vector<Reading>& readings, double x) {
     if (!all_known) share.interval.high = 1;
     return share;
   }
-  if (fallen == 0) return share_estimate(0, n - static_cast<int>(before));
-  Estimate beyond;
-  for (const ExceedancePoint& p : kaplan_meier(readings))
-    if (p.value < x) beyond = p.probability;
+  Going going(n);
+  walk(readings, Counts(readings.size(), 1), [&](double value, int events, int at_risk) {
+    if (value < x) going.fall(events, at_risk);
+  });
+  const Estimate beyond = going.share(n - before);
   return {1 - beyond.value, {1 - beyond.interval.high, 1 - beyond.interval.low}};
 }
 

@@ -2,8 +2,8 @@
 //
 // A push that ends before the force has fallen gives "farther than 50 mm". Using
 // such numbers as capacities, or leaving them out, underestimates the wall.
-// References: Kaplan and Meier (1958), Greenwood (1926); Klein and Moeschberger, Survival Analysis
-// (2003), eq. 4.3.2 (log-log interval); Dempster, Laird and Rubin (1977) for the fit.
+// References: Kaplan and Meier (1958); Fay, Brittain and Proschan (2013) for the interval; Dempster, Laird and Rubin
+// (1977) for the fit.
 #pragma once
 
 #include <vector>
@@ -16,11 +16,12 @@ namespace wythe::study {
 // Readings in ascending order; among equal values the observed ones come first.
 [[nodiscard]] std::vector<Reading> in_order(std::vector<Reading> readings);
 
-// Share that exceeds each observed value, and its interval; readings must be sorted.
+// Share that exceeds each observed value, and its interval (7.5): that of a share where no bound lies below. Readings
+// must be sorted.
 [[nodiscard]] std::vector<ExceedancePoint> kaplan_meier(const std::vector<Reading>& in_order);
 // Share that has fallen before x: (7.3) without unknown readings, else Kaplan-Meier up to the last
-// reading. Wilson's interval of the samples still at risk where none has fallen. Beyond the last
-// reading only a lower bound is known: the fallen ones, up to all. None where all are unknown.
+// reading, with the interval (7.5). Beyond the last reading only a lower bound is known: the fallen
+// ones, up to all. None where all are unknown.
 [[nodiscard]] Estimate share_before(const std::vector<Reading>& in_order, double x);
 
 // The same with weights, for the bootstrap.

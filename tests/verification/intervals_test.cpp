@@ -129,7 +129,7 @@ TEST(Coverage, kaplan_meier_mean_of_censored_times) {
 }
 
 TEST(Coverage, kaplan_meier_point) {
-  verify(covers("log-log interval of a share, 100 exponentials, each cut at a random time"),
+  verify(covers("interval (7.5) of a share, 100 exponentials, each cut at a random time"),
          coverage(1 - std::exp(-0.5), [](RandomBits& bits) {
            std::vector<Reading> r;
            for (int i = 0; i < 100; ++i) {

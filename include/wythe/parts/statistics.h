@@ -175,13 +175,13 @@ struct DriftLimit {
   std::string label;           // "pier, shear": name of its line in a figure
   double limit = 0;            // [-]
   int below = 0, unknown = 0;  // reached it; push ended before it
-  // Wilson; Kaplan-Meier and Greenwood where some are unknown. Beyond the farthest push `share.value` is a
-  // lower bound; NaN where all are unknown.
+  // As a share; Kaplan-Meier where some are unknown. Beyond the farthest push `share.value` is a lower bound; NaN
+  // where all are unknown.
   Estimate share;
   bool is_lower_bound = false;
 };
 
-// P(X > x), with censored values as lower bounds, and the lognormal distribution fitted to it.
+// P(X > x), with censored values as lower bounds and the interval (7.5), and the lognormal distribution fitted to it.
 struct ExceedancePoint {
   double value = 0;  // [SI]
   Estimate probability;

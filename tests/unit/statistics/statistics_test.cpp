@@ -140,19 +140,43 @@ TEST(KaplanMeier, a_share_is_never_more_certain_than_the_samples) {
   EXPECT_DOUBLE_EQ(share_before(unknown, 1).interval.high, share_estimate(0, 2).interval.high);
 }
 
-TEST(KaplanMeier, interval_follows_greenwood_by_hand) {
+TEST(KaplanMeier, intervals_are_those_of_a_share_until_a_bound_lies_below) {
   const std::vector<ExceedancePoint> km =
       kaplan_meier(in_order({{3, false}, {5, false}, {5, true}, {8, false}, {10, true}}));
-  // after 5: sum d / (n (n - d)) = 1/20 + 1/12; log-log bounds 0.6^exp(+-1.96 se / |log 0.6|)
-  const double se = std::sqrt(1.0 / 20 + 1.0 / 12) / std::fabs(std::log(0.6));
-  EXPECT_NEAR(km[1].probability.interval.low, std::pow(0.6, std::exp(1.959964 * se)), 1e-6);
-  EXPECT_NEAR(km[1].probability.interval.high, std::pow(0.6, std::exp(-1.959964 * se)), 1e-6);
+  // the bound at 5 goes beyond 5
+  for (const int k : {0, 1}) {
+    const Interval exact = exact_share(4 - k, 5).interval;
+    EXPECT_EQ(km[static_cast<std::size_t>(k)].probability.interval.low, exact.low);
+    EXPECT_EQ(km[static_cast<std::size_t>(k)].probability.interval.high, exact.high);
+  }
+  // 8 is one of two, and one goes on: wider than one of five, and within (0, 1)
+  const Interval last = km[2].probability.interval;
+  EXPECT_GT(last.low, 0);
+  EXPECT_LT(last.low, 0.3);
+  EXPECT_GT(last.high, exact_share(1, 5).interval.high);
+  EXPECT_LT(last.high, exact_share(3, 5).interval.high);
+}
+
+// Wilson's interval of S, and of as many samples as its variance has: 19 bounds of 400 make it those of some 390.
+TEST(KaplanMeier, intervals_of_many_with_bounds_below_are_nearly_those_of_a_share) {
+  std::vector<Reading> readings;
+  for (int i = 1; i <= 400; ++i) readings.push_back({1.0 * i, i % 21 == 0 && i <= 400});
+  for (const ExceedancePoint& p : kaplan_meier(readings)) {
+    const double left = p.probability.value;
+    const Interval many = score_interval(left, 400), fewer = score_interval(left, 350);
+    if (left > 0.9 || left < 0.1) continue;
+    EXPECT_LE(p.probability.interval.low, many.low + 0.002) << p.value;
+    EXPECT_GE(p.probability.interval.high, many.high - 0.002) << p.value;
+    EXPECT_GE(p.probability.interval.low, fewer.low - 0.002) << p.value;
+    EXPECT_LE(p.probability.interval.high, fewer.high + 0.002) << p.value;
+  }
 }
 
 TEST(KaplanMeier, without_censoring_is_the_share_that_goes_beyond) {
   const std::vector<Reading> r = in_order({{4, false}, {1, false}, {2, false}, {3, false}});
   EXPECT_NEAR(survival_mean(r, Counts(4, 1)), 2.5, 1e-14);
   EXPECT_EQ(kaplan_meier(r).back().probability.value, 0);
+  EXPECT_EQ(kaplan_meier(r).back().probability.interval.high, exact_share(0, 4).interval.high);
 }
 
 TEST(LognormalFit, without_censoring_is_moments_of_logarithms) {
