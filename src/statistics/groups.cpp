@@ -199,10 +199,8 @@ Summary summarise_one(std::vector<Reading> readings, bool can_be_censored) {
   if (can_be_censored) {
     out.survival_mean.value = survival_mean(readings, once);
     out.survival_median.value = survival_quantile(readings, once, 0.5);
-    if (out.censored > 0) {
-      out.percentile_5 = survival_quantile(readings, once, 0.05);
-      out.percentile_95 = survival_quantile(readings, once, 0.95);
-    }
+    out.percentile_5 = survival_quantile(readings, once, 0.05);
+    out.percentile_95 = survival_quantile(readings, once, 0.95);
   }
   if (out.n >= kFewestForBootstrap)
     put_intervals(readings, can_be_censored, out);

@@ -1,11 +1,12 @@
-// Goes through readings in ascending order with falls and samples at risk: curve (7.4), interval (7.5) and
-// mean (7.6). The lognormal is fitted by expectation and maximisation. Readings must be sorted, equal
+// Goes through readings in ascending order with falls and samples at risk: curve (7.4), interval (7.5),
+// mean (7.6) and percentiles (7.6b). The lognormal is fitted by expectation and maximisation. Readings must be sorted, equal
 // observed ones before censored ones. Weights by count then let a bootstrap use one order for all replicates.
 #include "statistics/survival.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "statistics/intervals.h"
@@ -199,12 +200,20 @@ double survival_mean(const std::vector<Reading>& readings, const Counts& count) 
   return mean + survival * (last - reached);
 }
 
+// A value takes the places from the mass below it on, as many as its own mass; the mass of bounds that ended goes to what
+// was still going on (7.6b). Masses are whole numbers as long as no bound lies below.
 double survival_quantile(const std::vector<Reading>& readings, const Counts& count, double p) {
-  double survival = 1, answer = std::numeric_limits<double>::infinity();
+  constexpr double kRounding = 1e-9;
+  const int n = std::accumulate(count.begin(), count.end(), 0);
+  const double place = p * (n - 1);
+  double left = n, last = -1, before = kUnset, answer = std::numeric_limits<double>::infinity();
   walk(readings, count, [&](double value, int events, int at_risk) {
-    survival = events == at_risk ? 0 : survival * (1 - static_cast<double>(events) / at_risk);
-    // allows for rounding: 0.5 reached exactly must count
-    if (survival <= 1 - p + 1e-12 && std::isinf(answer)) answer = value;
+    const double first = last + 1;
+    left = events == at_risk ? 0 : left - events * (left / at_risk);
+    const double own_last = n - left - 1;
+    if (std::isinf(answer) && place <= own_last + kRounding)
+      answer = place < first && before < value ? before + (place - last) * (value - before) : value;
+    last = own_last, before = value;
   });
   return answer;
 }

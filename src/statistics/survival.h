@@ -26,7 +26,8 @@ namespace wythe::study {
 
 // The same with weights, for the bootstrap.
 [[nodiscard]] double survival_mean(const std::vector<Reading>& in_order, const Counts& count);
-// The smallest value that a share p does not exceed; infinite when the curve never falls so far.
+// The value at share p: quantile_of() as long as no bound lies below it (7.6b). Infinite beyond the last observed value,
+// where bounds follow it.
 [[nodiscard]] double survival_quantile(const std::vector<Reading>& in_order, const Counts& count,
                                        double p);
 

@@ -60,7 +60,7 @@ struct Summary {
   double min = kUnset, max = kUnset, standard_deviation = kUnset;
   Estimate mean, cov, median;                            // BCa, BCa and percentile bootstrap
   Estimate survival_mean, survival_median;               // percentile bootstrap
-  double percentile_5 = kUnset, percentile_95 = kUnset;  // Kaplan-Meier with censored values
+  double percentile_5 = kUnset, percentile_95 = kUnset;  // linear (7.6b); infinite among bounds
 };
 // "all", one failure mode, or several modes together ("FM-1 + FM-2").
 struct GroupSummary {

@@ -121,6 +121,61 @@ TEST(KaplanMeier, follows_the_hand_example) {
   EXPECT_NEAR(share_before(r, 7.9).value, 0.4, 1e-15);
 }
 
+// A bound above a percentile does not change it: the values at its place are known.
+TEST(Percentiles, are_linear_ones_until_a_bound_lies_below) {
+  std::vector<double> values;
+  for (int i = 0; i < 20; ++i) values.push_back(2 + 0.1 * i * i);
+  for (const int bounds : {0, 1, 7, 19}) {
+    std::vector<Reading> readings;
+    for (const double v : values) readings.push_back({v, readings.size() + bounds >= 20});
+    const Counts once(20, 1);
+    for (const double p : {0.0, 0.05, 0.16, 0.5, 0.84, 0.95, 1.0}) {
+      const double linear = quantile_of(values, p), told = survival_quantile(readings, once, p);
+      if (std::ceil(19 * p) < 20 - bounds)
+        EXPECT_DOUBLE_EQ(told, linear) << bounds << " " << p;
+      else
+        EXPECT_TRUE(std::isinf(told)) << bounds << " " << p;
+    }
+  }
+}
+
+// 3, 5, 5+, 8, 10+: at places 0 and 1; the bound at 5 leaves its mass to 8 and 10, so that 8 has the places 2 to 2.5.
+TEST(Percentiles, give_the_mass_of_a_bound_to_what_lies_beyond) {
+  const std::vector<Reading> r =
+      in_order({{10, true}, {5, true}, {3, false}, {8, false}, {5, false}});
+  const Counts once(5, 1);
+  EXPECT_EQ(survival_quantile(r, once, 0), 3);
+  EXPECT_DOUBLE_EQ(survival_quantile(r, once, 0.125), 4);
+  EXPECT_DOUBLE_EQ(survival_quantile(r, once, 0.375), 6.5);
+  EXPECT_EQ(survival_quantile(r, once, 0.5), 8);
+  EXPECT_EQ(survival_quantile(r, once, 0.625), 8);
+  EXPECT_TRUE(std::isinf(survival_quantile(r, once, 0.65)));
+  // a count is that value again
+  const std::vector<Reading> twice = in_order({{3, false}, {3, false}, {5, false}, {8, false}});
+  for (const double p : {0.1, 0.3, 0.5, 0.9})
+    EXPECT_DOUBLE_EQ(
+        survival_quantile(twice, Counts(4, 1), p),
+        survival_quantile({{3, false}, {5, false}, {6, false}, {8, false}}, {2, 1, 0, 1}, p));
+}
+
+TEST(Percentiles, of_a_table_do_not_jump_with_one_bound) {
+  std::vector<SampleRecord> records;
+  for (int i = 1; i <= 20; ++i) {
+    records.push_back(sample_record(i, 100e3 + i, "FM-1"));
+    records.back().responses.displacement_at_80 = 1e-3 * i;
+    records.back().responses.censored_80 = false;
+  }
+  const Summary known = statistics_of(of_records(records)).group[0].quantity[2];
+  records.back().responses.censored_80 = true;
+  const Summary cut = statistics_of(of_records(records)).group[0].quantity[2];
+  ASSERT_EQ(cut.censored, 1);
+  EXPECT_DOUBLE_EQ(known.percentile_5, 1.95e-3);
+  EXPECT_EQ(cut.percentile_5, known.percentile_5);
+  EXPECT_TRUE(std::isinf(cut.percentile_95));  // between the last two, of which one is a bound
+  EXPECT_DOUBLE_EQ(cut.survival_median.value, cut.median.value);
+  EXPECT_DOUBLE_EQ(known.survival_median.value, known.median.value);
+}
+
 TEST(KaplanMeier, a_share_is_never_more_certain_than_the_samples) {
   const std::vector<Reading> r =
       in_order({{10, true}, {5, true}, {3, false}, {8, false}, {5, false}});
