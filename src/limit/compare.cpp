@@ -7,9 +7,24 @@
 #include "core/elementary.h"
 #include "limit/limit_loads.h"
 #include "wythe/parts/limit.h"
+#include "wythe/parts/reading.h"
 
 namespace wythe {
 namespace {
+
+// Crack planes inside units whose strength a dry limit load takes away, as that of joints.
+int planes_without_strength(const Model& model, const SecondOpinion& opinion) {
+  const auto is_dry = [](const NamedLimit& limit) {
+    return limit.answer.options.strength == JointStrength::kDry;
+  };
+  if (std::none_of(opinion.limits.begin(), opinion.limits.end(), is_dry)) return 0;
+  int planes = 0;
+  for (JointId j = 0; j < model.n_joint; ++j) {
+    const double ft = model.materials[model.joint_material[j]].tensile_strength;
+    planes += ft > 0 && std::isfinite(ft) && is_unit_plane(model, j) ? 1 : 0;
+  }
+  return planes;
+}
 
 // Percentile of sorted values, interpolated linearly between order statistics.
 double at_share(const std::vector<double>& sorted, double share) {
@@ -259,6 +274,8 @@ BracketVerdict bracket_of(const SecondOpinion& opinion) {
 
 std::vector<Message> notes_on(const Model& model, const SecondOpinion& opinion) {
   std::vector<Message> notes;
+  if (const int planes = planes_without_strength(model, opinion); planes > 0)
+    notes.push_back({"limit.cracked_units", {{"planes", planes}}});
   for (const Mechanism& m : opinion.mechanisms) {
     for (const Mechanism& n : opinion.mechanisms) {
       const double infinite = n.curve.states.front().force, own = m.curve.states.front().force;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/elementary.h"
+#include "model/space/space_roles.h"
 #include "reading/readers.h"
 #include "reading/zones_in_space.h"
 #include "wythe/parts/reading.h"
@@ -150,6 +151,15 @@ bool has_unit_planes(const Model& model) {
   for (JointId j = 0; j < joint_count(model); ++j)
     if (joint_shape(model, j).kind == JointKind::kSplit) return true;
   return false;
+}
+
+bool is_unit_plane(const Model& model, JointId joint) {
+  const JointShape shape = joint_shape(model, joint);
+  if (shape.kind == JointKind::kSplit) return true;
+  const bool may_be = dimension_of(model) == 3 && shape.a != kGroundBlock && joint < model.n_joint;
+  if (!may_be) return false;
+  const std::string unit = unit_of(model.anatomy.block_id[shape.a]);
+  return !unit.empty() && unit == unit_of(model.anatomy.block_id[shape.b]);
 }
 
 int block_count(const Model& model) {

@@ -267,7 +267,16 @@ cov = 0.02
         other = self.limit("--out", self.out("other"), "--with", run, "--only", "lp",
                            "--set", "stage.precompression.pier_load=30 kN")
         self.assertIn("another wall", other.stderr)
-        self.assertEqual(len(json.loads((self.out("other") / "mechanisms.json").read_text())["notes"]), 1)
+        notes = json.loads((self.out("other") / "mechanisms.json").read_text())["notes"]
+        self.assertEqual(len([note for note in notes if "another wall" in note]), 1, notes)
+
+    def test_units_that_count_as_cracked_are_told(self):
+        done = self.limit("--out", self.out(), "--only", "lp")
+        self.assertIn("crack planes inside units count as joints without bond", done.stderr)
+        notes = json.loads((self.out() / "mechanisms.json").read_text())["notes"]
+        self.assertEqual(len([note for note in notes if "units have all cracked" in note]), 1, notes)
+        whole = self.limit("--out", self.out("whole"), "--only", "lp", "--set", "wall.unit.split=none")
+        self.assertNotIn("crack planes", whole.stderr)
 
     def test_what_is_refused_does_not_stop_the_rest(self):
         text = DOOR.replace('compressive_strength = "4 MPa"', 'compressive_strength = "unlimited"')

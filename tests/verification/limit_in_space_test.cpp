@@ -210,6 +210,47 @@ TEST(LimitInSpace, circles_that_were_not_reached_are_noted) {
   EXPECT_EQ(notes_on(model, opinion).front().code, "limit.friction_circles");
 }
 
+TEST(LimitInSpace, dry_says_that_units_count_as_cracked_there_too) {
+  const auto planes = [](const std::string& split) {
+    const ModelSpec spec = parse_model(R"(
+wall = { height = "0.6 m", thickness = "0.15 m", unit = { length = "300 mm", height = "100 mm", density = "2000 kg/m^3", split = ")" +
+                                           split + R"(" } }
+plan_wall = [{ name = "front", line = [["0 m", "0 m"], ["1.2 m", "0 m"]] }]
+[material.joint]
+use = "limestone_dry"
+normal_stiffness = "5 GPa/m"
+shear_stiffness = "2 GPa/m"
+residual_friction_tan = 0.6
+compressive_strength = "unlimited"
+[material.unit]
+normal_stiffness = "5 GPa/m"
+shear_stiffness = "2 GPa/m"
+tensile_strength = "1 MPa"
+mode_1_energy = "500 N/m"
+cohesion = "2 MPa"
+mode_2_energy = "5000 N/m"
+residual_cohesion = "0 MPa"
+friction_tan = 0.6
+residual_friction_tan = 0.6
+compressive_strength = "unlimited"
+[[stage]]
+name = "gravity"
+[[stage]]
+name = "push"
+rate = "0.1 1/s"
+direction = "+z"
+factor = 1
+)",
+                                       "wall.toml");
+    SecondOpinion opinion;
+    opinion.limits.push_back({"dry", {}});
+    const std::vector<Message> notes = notes_on(compile(spec), opinion);
+    return notes.empty() ? 0 : notes.front().number("planes");
+  };
+  EXPECT_EQ(planes("middle"), 6 * 4 - 3);  // every second course has a half unit at each end
+  EXPECT_EQ(planes("none"), 0);
+}
+
 TEST(LimitInSpace, a_push_on_a_block_is_a_force) {
   ModelSpec spec = block_on_slab({0.4, 0.1, 0.2}, 0.6, {1, 0, 0});
   spec.stage.back() = scenes::push_stage("b", Direction::kPlusX, 2e-3, 1e-3);

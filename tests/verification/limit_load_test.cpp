@@ -493,6 +493,27 @@ TEST(LimitLoad, mirror_and_scale) {
   EXPECT_NEAR(limit_load(compile(scenes::scaled(spec, 2)), {}).load / (4 * load), 1, 1e-9);
 }
 
+// Without their strength units are two halves each, and the wall carries a fraction. It is said where any plane loses some.
+TEST(LimitLoad, dry_says_that_units_count_as_cracked_where_their_planes_have_strength) {
+  const auto notes = [](const ModelSpec& spec, JointStrength strength) {
+    SecondOpinion opinion;
+    opinion.limits.push_back({"", {.options = {.strength = strength}}});
+    return notes_on(compile(spec), opinion);
+  };
+  ModelSpec spec = scenes::small_wall();
+  ASSERT_EQ(notes(spec, JointStrength::kDry).size(), 1U);
+  EXPECT_EQ(notes(spec, JointStrength::kDry)[0].code, "limit.cracked_units");
+  EXPECT_EQ(notes(spec, JointStrength::kBonded).size(), 0U);
+  const double halves = limit_load(compile(spec), {}).load;
+  ModelSpec whole = spec;
+  whole.wall.unit.split = Split::kNone;
+  EXPECT_EQ(notes(whole, JointStrength::kDry).size(), 0U);
+  EXPECT_LT(halves, 0.9 * limit_load(compile(whole), {}).load);
+  JointMaterial& unit = spec.material["unit"];
+  unit.tensile_strength = 0;  // nothing that dry could take away
+  EXPECT_EQ(notes(spec, JointStrength::kDry).size(), 0U);
+}
+
 // Two columns, a lintel, two blocks on it: dry, a face in one piece and in pieces resist the same.
 TEST(LimitLoad, a_lintel_of_zones_is_one_rigid_block) {
   const auto load = [](int zones) {

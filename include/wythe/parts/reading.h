@@ -53,6 +53,8 @@ struct JointShape {
 [[nodiscard]] JointShape joint_shape(const Model& model, JointId joint);
 // Whether there are potential crack planes inside the units.
 [[nodiscard]] bool has_unit_planes(const Model& model);
+// Whether a joint is such a plane; in space too, where its blocks are pieces of one unit by the builder's names.
+[[nodiscard]] bool is_unit_plane(const Model& model, JointId joint);
 
 [[nodiscard]] Vec3 centroid_of(const Model& model,
                                BlockId block);  // of a rigid block, at the start [m]
