@@ -155,14 +155,8 @@ class VerdictPage {
       out += "<div class=\"card\"><div class=\"value\">" + value + "</div><div class=\"name\">" +
              name + "</div></div>\n";
     };
-    // the index is the least of all that fails: of the pushes, or of a part out of plane
-    const LocalCheck* part = v_.least_part();
-    const bool is_least =
-        falls(part) && (v_.part_decides() || v_.verdict == AssessmentVerdict::kNotKnown ||
-                        part->reserve() < v_.worst.capacity.median.value / v_.worst.demand);
-    if (is_least)
-      card(words_.fixed(v_.least_part()->reserve()),
-           say("assess.index_part", {{"part", name_of(*v_.least_part())}}));
+    if (const LocalCheck* part = part_of_index())
+      card(words_.fixed(part->reserve()), say("assess.index_part", {{"part", name_of(*part)}}));
     else if (v_.verdict != AssessmentVerdict::kNotKnown)
       card(words_.capacity(v_.worst.capacity, 1 / v_.worst.demand, ""), say("assess.index"));
     card(say("assess.code." + v_.spec.code), say("assess.code"));
@@ -177,6 +171,18 @@ class VerdictPage {
                                  {"ways", fmt::format("{}", v_.ways.size())}}),
            say("assess.pushes.means"));
     return "<section class=\"cards\">\n" + out + "</section>\n";
+  }
+
+  // The part whose index is that of the sheet; null where the pushes have it: a part that decides the verdict, or one that fails
+  // with less than the pushes.
+  [[nodiscard]] const LocalCheck* part_of_index() const {
+    if (v_.part_decides()) return falls(v_.least_part()) ? v_.least_part() : nullptr;
+    double least = v_.worst.capacity.median.value / v_.worst.demand;
+    const LocalCheck* found = nullptr;
+    for (const LocalCheck& part : v_.parts.checked)
+      if (falls(&part) && (part.reserve() < least || std::isnan(least)))
+        found = &part, least = part.reserve();
+    return found;
   }
 
   // The knowledge level, "LC2", if the program divided the strengths of the table; a note says so.
@@ -346,7 +352,8 @@ class VerdictPage {
     if (v_.limit_states.empty()) return "";
     std::string rows;
     for (const StateVerdict& of : v_.limit_states) {
-      const bool decides = !v_.part_decides() && of.is_checked && of.state == v_.worst.state;
+      const bool decides = !v_.part_decides() && part_of_index() == nullptr && of.is_checked &&
+                           of.state == v_.worst.state;
       rows += fmt::format(
           "<tr{}><td class=\"left\">{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
           decides ? " class=\"decides\"" : "",
@@ -377,7 +384,7 @@ class VerdictPage {
     std::string rows;
     for (const LocalCheck* part : parts) {
       const LocalStateCheck* of = part->deciding();
-      const bool decides = v_.part_decides() && part == v_.least_part() && falls(part);
+      const bool decides = part == part_of_index();
       std::string name = say("assess.part_row",
                              {{"state", words_.state(of != nullptr ? of->state : v_.worst.state)},
                               {"part", name_of(*part)}});

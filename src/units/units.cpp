@@ -106,16 +106,18 @@ std::optional<Split> split_quantity(std::string_view text) {
 // units.
 bool holds_number(std::string_view unit) {
   const bool is_signed = unit.size() > 1 && (unit[0] == '-' || unit[0] == '+');
-  const bool leads = !unit.empty() && is_digit(unit[is_signed ? 1 : 0]) && !unit.starts_with("1/");
-  // after a blank or a mark of arithmetic, some of which end with the byte 0x97 or 0xb7: "MPa/10", "MPa×10"
-  constexpr std::string_view kMarks = " /.('\x97\xb7";
-  bool is_factor = false;
+  const auto begins_number = [&](std::size_t i) {
+    return i < unit.size() && is_digit(unit[i]) && !unit.substr(i).starts_with("1/");
+  };
+  // After a blank or a mark of arithmetic: "MPa/10", "MPa×10". Beyond ASCII the last byte counts: of · × ′ ″ °, and of superscripts.
+  constexpr std::string_view kMarks = " /.('\"\x97\xb0\xb2\xb3\xb7\xb9";
+  bool found = begins_number(is_signed ? 1 : 0);
   for (std::size_t i = 1; i < unit.size(); ++i) {
     const bool is_times = unit[i - 1] == '*' && (i < 2 || unit[i - 2] != '*');
-    is_factor = is_factor || ((is_times || kMarks.find(unit[i - 1]) != std::string_view::npos) &&
-                              is_digit(unit[i]));
+    const bool is_mark = is_times || kMarks.find(unit[i - 1]) != std::string_view::npos;
+    found = found || (is_mark && begins_number(i));
   }
-  return leads || is_factor;
+  return found;
 }
 
 // Suggests "1234.5 N" for "1.234,5 N", and both possible readings of "150,000 N".

@@ -280,6 +280,17 @@ corner_period = "0.5 s"
         text = wall(PART + 'foot = "1 m"\n').replace('corner_period = "0.3 s"', 'corner_period = "0.3 s"\ndamping = 0')
         self.assertIn("assessment.spectrum.damping", self.refused(text))
 
+    def test_a_wall_that_is_drawn_alone_stands_where_the_building_has_it(self):
+        building = "building = {{ height = \"11 m\", storeys = 3{} }}\n".format
+        alone = wall(PART).replace('[assessment.spectrum]', building("") + "[assessment.spectrum]")
+        part = self.only(alone)
+        self.assertEqual(part["building"]["part_at_m"], 0)
+        self.assertTrue(any("building.base" in note for note in part["notes"]))
+        part = self.only(alone.replace("storeys = 3", 'storeys = 3, base = "8 m"'))
+        self.assertEqual((part["building"]["part_at_m"], part["building"]["height_m"]), (8, 11))
+        self.assertFalse(any("building.base" in note for note in part["notes"]))
+        self.assertAlmostEqual(part["building"]["share_of_first_mode"], 9 / 7 * 8 / 11, places=9)
+
     def test_ties_let_go_one_at_a_time(self):
         tie = '[[assessment.part.hold]]\nname = "{}"\nheight = "{}"\nforce = "{}"\ntravel = "{}"\n'
         long, short = tie.format("B", "1 m", "3 kN", "200 mm"), tie.format("A", "2.8 m", "12 kN", "20 mm")

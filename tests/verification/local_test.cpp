@@ -344,6 +344,13 @@ TEST(Local, a_stronger_tie_of_the_same_travel_never_carries_less) {
       before = own;
     }
   }
+  // a wall that leans beyond its thickness stands by its tie alone: the curve is the tie's, up to its travel
+  const LocalCheck leans = only_check(
+      front(kThreeMetres,
+            "[[assessment.part]]\nname = \"front\"\nlean = \"6 deg\"\n[[assessment.part.hold]]\n"
+            "name = \"tie\"\nheight = \"2.75 m\"\nforce = \"3 kN\"\ntravel = \"0.2 m\"\n"));
+  EXPECT_GT(leans.capacity.displacement0, 0.05);
+  EXPECT_GT(leans.capacity.alpha0_to_end, 0);
   // 20 kN let go at 600 mm, where the wall without them has fallen: sin 11.5 degrees of its height
   const LocalCheck c = only_check(
       front(kThreeMetres,

@@ -21,7 +21,7 @@ namespace wythe {
 
 // What the push of a wall does not tell of a slower push (slow_push.h).
 struct PushDoubt {
-  Message displacement = {};  // why not its displacement capacity, with a cure; empty: it does
+  Message displacement = {};  // why not its displacement capacity, with its cures; empty: it does
   bool mode = false;          // whether not its failure mode
 };
 // The doubts of a campaign whose base model is `model`, by sample; samples without one are left out. Where several walls are pushed

@@ -175,36 +175,74 @@ void StageRun::check_run(double share) {
       std::fmax(std::fabs(progress_.drive_displacement), std::fabs(progress_.control_moved));
   const double allowed = driven + model_.solve.collapse_displacement;
   const Furthest furthest = wall_.access->furthest_block();
-  if (furthest.distance > allowed && !turns_with_push(furthest, driven)) end(fallen(furthest));
+  if (furthest.distance > allowed && !turns_with_push(furthest)) end(fallen(furthest));
 }
 
-// A wall that turns about its foot moves its corners farther than the pushed place, in the ratio of their distances from the
-// foot. While it carries half of its largest force, that is no collapse.
-bool StageRun::turns_with_push(const Furthest& furthest, double driven) const {
-  if (controls_.push == nullptr || stage_.drive().y != 0 || furthest.block >= model_.n_block ||
-      pulled_away(furthest.block))
-    return false;
-  constexpr double kCarried = 0.5;
+// The push at a place that moves the wall, or moved it last; null where there is none, or where its blocks do not show how the
+// wall turns.
+const Stage* StageRun::last_push() const {
+  for (int k = state_.stage; k >= 0; --k) {
+    const Stage& stage = model_.stages[static_cast<std::size_t>(k)];
+    if (stage.push() == nullptr) continue;
+    const bool moves_blocks =
+        !stage.driven.empty() &&
+        *std::max_element(stage.driven.begin(), stage.driven.end()) < model_.n_block;
+    return stage.has_pattern() || stage.drive().y != 0 || !moves_blocks ? nullptr : &stage;
+  }
+  return nullptr;
+}
+
+// Whether a wall that is pushed outwards carries half of its largest force in balance. Unloading tells nothing.
+bool StageRun::carries_its_push() const {
+  constexpr double kCarried = 0.5, kOutwards = 0.98;
+  const std::vector<CurveRow>& curve = wall_.record.result.curve;
+  if (curve.size() < 2) return true;  // at its beginning nothing tells of a loss
   const auto carried = [](const CurveRow& row) {
     return std::fmin(std::fabs(row.reaction), std::fabs(row.base_shear));
   };
-  const std::vector<CurveRow>& curve = wall_.record.result.curve;
-  double most = 0;
-  for (const CurveRow& row : curve) most = std::fmax(most, carried(row));
-  if (curve.empty() || carried(curve.back()) < kCarried * most) return false;
-  const auto place = [&](BlockId b) { return read_block(model_, state_, b).start; };
-  Vec3 low = place(0), high = low;
-  for (BlockId b = 1; b < model_.n_block; ++b) {
-    const Vec3 at = place(b);
-    low = {std::fmin(low.x, at.x), std::fmin(low.y, at.y), std::fmin(low.z, at.z)};
-    high = {std::fmax(high.x, at.x), std::fmax(high.y, at.y), std::fmax(high.z, at.z)};
+  double most = 0, of_all = 0, furthest = 0;
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    of_all = std::fmax(of_all, carried(curve[i]));
+    if (is_in_balance(curve, i)) most = std::fmax(most, carried(curve[i]));
+    furthest = std::fmax(furthest, std::fabs(curve[i].displacement));
   }
-  const Vec3 size = high - low;
-  const double wide = std::fabs(dot(size, stage_.drive())) / length(stage_.drive());
-  const double above = place(furthest.block).y - low.y;
-  const double reach = std::sqrt(above * above + wide * wide);
-  return stage_.load_height > 0 && furthest.distance <= driven * reach / stage_.load_height +
-                                                            model_.solve.collapse_displacement;
+  const CurveRow& last = curve.back();
+  if (std::fabs(last.displacement) < kOutwards * furthest) return true;
+  if (most == 0) most = of_all;
+  return most > 0 && carried(last) >= kCarried * most;
+}
+
+// A wall that turns about its foot moves its corners farther than the pushed place, in the ratio of their distances from the
+// foot. That alone is no collapse.
+bool StageRun::turns_with_push(const Furthest& furthest) const {
+  const Stage* push = last_push();
+  if (push == nullptr || furthest.block >= model_.n_block || pulled_away(furthest.block) ||
+      (controls_.push != nullptr && !carries_its_push()))
+    return false;
+  wall_.access->store_state(state_);
+  const auto each_corner = [&](BlockId b, const auto& look) {
+    if (dimension_of(model_) == 2)
+      for (const Vec3& corner : outline_of(model_, b)) look(corner);
+    else
+      for (const Polyhedron& part : model_.space.body[b].part)
+        for (const Vec3& corner : part.vertex) look(corner);
+  };
+  const Vec3 along = push->drive() / length(push->drive());
+  double foot = HUGE_VAL, near = HUGE_VAL, far = -HUGE_VAL, top = -HUGE_VAL;
+  for (BlockId b = 0; b < model_.n_block; ++b)
+    each_corner(b, [&](const Vec3& corner) {
+      foot = std::fmin(foot, corner.y);
+      near = std::fmin(near, dot(corner, along)), far = std::fmax(far, dot(corner, along));
+    });
+  each_corner(furthest.block, [&](const Vec3& corner) { top = std::fmax(top, corner.y); });
+  double moved = 0, height = 0;
+  for (const BlockId b : push->driven) {
+    const BlockReading pushed = read_block(model_, state_, b);
+    moved += dot(pushed.moved, along), height += pushed.start.y - foot;
+  }
+  const double reach = std::sqrt((top - foot) * (top - foot) + (far - near) * (far - near));
+  return height > 0 && furthest.distance <=
+                           std::fabs(moved) / height * reach + model_.solve.collapse_displacement;
 }
 
 // The link with the largest force (now or at prestress) that pulled a block in its direction of motion; -1: none.

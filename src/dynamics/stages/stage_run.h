@@ -85,7 +85,9 @@ class StageRun {
   [[nodiscard]] std::optional<Message> crushed() const;
   [[nodiscard]] int pulled_by(BlockId block, double& force) const;
   [[nodiscard]] bool pulled_away(BlockId block) const;
-  [[nodiscard]] bool turns_with_push(const Furthest& furthest, double driven) const;
+  [[nodiscard]] const Stage* last_push() const;
+  [[nodiscard]] bool carries_its_push() const;
+  [[nodiscard]] bool turns_with_push(const Furthest& furthest) const;
 
   const std::vector<BlockId>* driven_;
   bool ended_ = false;

@@ -270,11 +270,16 @@ void check_curve(const AssessmentSpec& asked, double g, const LocalCapacity& cur
   if (!(part.capacity.alpha0 > 0)) part.verdict = AssessmentVerdict::kFails;
 }
 
-// Whether a curve says more of the same part. Each is on the safe side, so the best one counts.
+// Whether a curve says more of the same part. Each is on the safe side, so the best one counts: what holds before what is not
+// known, and that before what fails.
 bool is_better(const LocalCheck& a, const LocalCheck& b) {
+  const auto rank = [](const LocalCheck& c) {
+    if (c.verdict == AssessmentVerdict::kFails) return 0;
+    return c.verdict == AssessmentVerdict::kHolds ? 2 : 1;
+  };
+  if (rank(a) != rank(b)) return rank(a) > rank(b);
   const double mine = a.reserve(), others = b.reserve();
-  if (std::isfinite(mine) && std::isfinite(others) && mine != others) return mine > others;
-  if (std::isfinite(mine) != std::isfinite(others)) return std::isfinite(mine);
+  if (!std::isnan(mine) && !std::isnan(others) && mine != others) return mine > others;
   const auto way = [](const LocalCapacity& c) {
     return c.no_displacement.empty() ? c.displacement0 : HUGE_VAL;
   };

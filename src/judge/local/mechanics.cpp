@@ -47,7 +47,7 @@ std::vector<LocalCapacity> overturning(const std::vector<LocalWeight>& weights,
 
   std::vector<LocalHold> known;  // by the rotation at which they let go
   for (const LocalHold& hold : holds)
-    if (std::isfinite(hold.lets_go)) known.push_back(hold);
+    if (std::isfinite(hold.lets_go) && hold.travel > 0) known.push_back(hold);
   std::stable_sort(known.begin(), known.end(), [](const LocalHold& a, const LocalHold& b) {
     return a.lets_go * b.travel < b.lets_go * a.travel;
   });
@@ -56,7 +56,7 @@ std::vector<LocalCapacity> overturning(const std::vector<LocalWeight>& weights,
   for (const LocalHold& hold : known) resistance += hold.force * hold.travel;
 
   std::vector<LocalCapacity> curves;
-  double lost = 0, lets_go = std::numeric_limits<double>::infinity();
+  double lost = 0, left_out = kUnset, lets_go = std::numeric_limits<double>::infinity();
   for (std::size_t gone = 0; gone <= known.size(); ++gone) {
     if (gone > 0) {
       const LocalHold& hold = known[gone - 1];
@@ -68,13 +68,15 @@ std::vector<LocalCapacity> overturning(const std::vector<LocalWeight>& weights,
     double a = rise, b = drop;  // a cos - b sin
     for (std::size_t k = gone; k < known.size(); ++k)
       a += known[k].force * known[k].travel, b -= known[k].force * known[k].rise;
+    if (gone > 0 && !(a > 0)) break;  // without this one it falls by itself
     curve.alpha0_to_end = a / first;
     curve.rotation0 = a > 0 ? std::atan2(a, b) : 0;  // (21.4)
     curve.lets_go = lets_go;
-    if (gone > 0) curve.without_holds_from = way_of(known.front());
+    curve.without_holds_from = left_out;
     if (gone < known.size() &&
         known[gone].lets_go < known[gone].travel * std::sin(std::min(curve.rotation0, kQuarter))) {
       curve.ends_with_hold = true;
+      left_out = std::isnan(left_out) ? way_of(known[gone]) : left_out;  // of the next curves
       curve.rotation0 = std::asin(known[gone].lets_go / known[gone].travel);
     }
     if (curve.rotation0 >= kQuarter) {

@@ -150,8 +150,8 @@ BedSlips slips_of(const std::vector<BedSection>& sections, double course, double
       const SteppedSlip stepped = slip_in_steps(sections[k], sections[m], all);
       const double alone =
           std::max(slip_all_across(sections[k], all), slip_all_across(sections[m], all));
-      if (alone > 0.5 * stepped.slip) continue;
-      const bool at_foundation = is_foundation(sections[k]) && stepped.in_first > 0.5;
+      if (alone >= 0.5 * stepped.slip) continue;
+      const bool at_foundation = is_foundation(sections[stepped.in_first > 0.5 ? k : m]);
       double& most = at_foundation ? slips.below : slips.above;
       most = std::max(most, stepped.slip);
     }
@@ -380,12 +380,11 @@ class SignReader {
   [[nodiscard]] Beds beds_of(const Pier& p, const std::vector<BedSection>& sections) const {
     Beds beds;
     std::vector<BedSection> foot;
-    const double half_a_course =
-        0.5 * parts_.course;  // a bed at the edge of the foot belongs to it
     for (const BedSection& section : sections) {
-      const bool is_foot = section.y < p.box.y0 + foot_height(p) + half_a_course;
+      const bool is_foot = section.y < p.box.y0 + foot_height(p);
       const bool is_head = section.y >= p.box.y1 - foot_height(p);
-      if (is_foot) foot.push_back(section);
+      // the bed on which a pier rocks may lie at the edge of its foot
+      if (section.y < p.box.y0 + foot_height(p) + 0.5 * parts_.course) foot.push_back(section);
       for (const JointMotion* j : section.joints) {
         beds.widest = std::max(beds.widest, j->widest);
         if (is_foot || is_head) beds.opened = std::max(beds.opened, j->widest);

@@ -110,12 +110,15 @@ TEST(QuantityRefused, decimal_comma_and_grouped_digits) {
   EXPECT_NE(refusal("3 m 4", "m").find("more than one number"), std::string::npos);
   // a second point, a range, a mark of thousands or brackets would multiply
   for (const char* text : {"1.0.5 m", "1.0 .5 m", "10-20 mm", "10+20 mm", "1'000 mm", "3(2 m)",
-                           "3 m.5", "3 m(5)", "3 m'5"})
+                           "3 m.5", "3 m(5)", "3 m'5", "1′000 mm", "3 m²5"})
     EXPECT_NE(refusal(text, "m").find("is more than one number"), std::string::npos) << text;
   EXPECT_EQ(parse_quantity("3 kg.m-3", "kg/m^3"), 3);
   EXPECT_EQ(parse_quantity("3 kN.m-1", "N/m"), 3000);
   EXPECT_EQ(parse_quantity("3 m(kg/s2)/m2", "Pa"), 3);
   EXPECT_EQ(parse_quantity("3 1/s", "1/s"), 3);
+  EXPECT_EQ(parse_quantity("3 N (1/mm2)", "Pa"), 3e6);
+  EXPECT_EQ(parse_quantity("3 N·mm⁻²", "Pa"), 3e6);
+  EXPECT_EQ(parse_quantity("3 kN/(m.s)", "N/m/s"), 3000);
 }
 
 TEST(QuantityWritten, in_the_engineers_unit_and_back_to_the_bit) {

@@ -243,11 +243,16 @@ TEST(Validity, lasts_on_ground_that_goes_on) {
 // A dry stack of 0.4 x 0.8 m turns about its foot, pushed at 0.3 m. Its top goes farther than the push by more than
 // collapse_displacement long before it falls at atan(0.5).
 TEST(Collapse, is_no_wall_that_turns_with_the_push_and_carries_it) {
-  const auto pushed = [](double until) {
+  const auto pushed = [](double until, const std::vector<double>& back = {}, bool holds = false) {
     ModelSpec spec = scenes::stack(4, 0.4, 0.2, scenes::dry_joint(2e9, 8e8, 0.9), 0.9, 2000);
     spec.solve.collapse_displacement = 0.02;
-    spec.stage = {scenes::gravity_stage(),
-                  scenes::push_stage("b1", Direction::kPlusX, 0.05, until)};
+    StageSpec push = scenes::push_stage("b1", Direction::kPlusX, 0.05, until);
+    if (!back.empty()) push.get<PushStage>().targets = back, push.get<PushStage>().until = kUnset;
+    spec.stage = {scenes::gravity_stage(), push};
+    if (holds) {  // a second push from where the first one ended
+      spec.stage.push_back(scenes::push_stage("b1", Direction::kPlusX, 0.01, 0.005));
+      spec.stage.back().name = "again";
+    }
     const Model model = compile(spec);
     State state = initial_state(model);
     return solve(model, state);
@@ -256,6 +261,10 @@ TEST(Collapse, is_no_wall_that_turns_with_the_push_and_carries_it) {
   EXPECT_EQ(stands.status, SolveStatus::kCompleted) << text_of(stands.reason);
   EXPECT_GT(stands.curve.back().reaction, 0.7 * 2000 * 9.81 * 0.4 * 0.8 * 0.2 / 0.3 * 0.2);
   EXPECT_EQ(pushed(0.25).status, SolveStatus::kCollapsed);
+  const Result back = pushed(0.03, {0.03, 0});
+  EXPECT_EQ(back.status, SolveStatus::kCompleted) << text_of(back.reason);
+  const Result again = pushed(0.03, {}, true);
+  EXPECT_EQ(again.status, SolveStatus::kCompleted) << text_of(again.reason);
 }
 
 TEST(Scenes, tuff_wall_is_the_paper_s) {

@@ -249,6 +249,9 @@ TEST(IdleKeys, values_a_thousand_times_off_are_noted) {
                "material.joint.normal_stiffness");
   expect_noted(with("cohesion = \"0 MPa\"", "cohesion = \"0.15 N/m^2\""),
                "material.joint.cohesion");
+  // the strength of a mortar, 50 kg/cm2, is not that of its bond
+  expect_noted(with("cohesion = \"0 MPa\"", "mode_2_energy = \"5 kN/m\"\ncohesion = \"4.9 MPa\""),
+               "material.joint.cohesion");
   expect_noted(
       with("cohesion = \"0 MPa\"\nresidual_cohesion = \"0 MPa\"",
            "cohesion = \"0.2 MPa\"\nresidual_cohesion = \"0.2 Pa\"\nmode_2_energy = \"50 N/m\""),

@@ -1,7 +1,9 @@
 // Materials and floors in design practice: knowledge levels, coefficients, tests; g1, g2, psi2 q
 // and a span. Numbers by hand from the tables of Circolare 7/2019 (docs/theory/material_rules.md).
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -65,6 +67,25 @@ std::string line_of(const std::vector<std::string>& origin, const std::string& k
 // Typical and derived values are written with six digits.
 void expect_near(double found, double by_hand) {
   EXPECT_NEAR(found, by_hand, 2e-5 * std::fabs(by_hand));
+}
+
+// Reinforced plaster as a coefficient of the table and as a coat of its own.
+TEST(Office, a_coat_that_is_also_a_coefficient_is_noted) {
+  const std::string coat =
+      "[[layer]]\nname = \"net\"\nsides = 2\nfibres = { horizontal = \"60 mm^2/m\", vertical = "
+      "\"60 "
+      "mm^2/m\", youngs_modulus = \"60 GPa\", strength = \"600 MPa\" }\nbond = { energy = \"400 "
+      "N/m\", slip = \"0.3 mm\" }\n";
+  const auto notes = [&](const std::string& plaster, const std::string& layer) {
+    const std::vector<Message> all =
+        read(model(kBrick + "knowledge_level = \"LC2\"\n" + plaster, layer)).text_notes;
+    return std::count_if(all.begin(), all.end(),
+                         [](const Message& m) { return m.code == "layer.counted_twice"; });
+  };
+  EXPECT_EQ(notes("reinforced_plaster = true\n", coat), 1);
+  EXPECT_EQ(notes("reinforced_plaster = false\n", coat), 0);
+  EXPECT_EQ(notes("", coat), 0);
+  EXPECT_EQ(notes("reinforced_plaster = true\n", ""), 0);
 }
 
 // LC1: the least strengths over 1.35, mean moduli. Through stones act on strengths, injections on all.

@@ -93,8 +93,8 @@ TEST(DryWalls, what_slides_on_a_plane_that_steps_by_a_course_slides) {
         const bool at_base = low == 0 && step < 0.5;
         if (low > 0 || step != 0.5)
           EXPECT_EQ(mode.name, at_base ? "sliding at the base" : "sliding") << low << " " << step;
-        else
-          EXPECT_NE(mode.name, "flexural cracks");
+        else  // half of it on the foundation
+          EXPECT_NE(mode.name.find("sliding"), std::string::npos) << mode.name;
       }
 }
 
