@@ -351,6 +351,17 @@ TEST(Local, a_stronger_tie_of_the_same_travel_never_carries_less) {
             "name = \"tie\"\nheight = \"2.75 m\"\nforce = \"3 kN\"\ntravel = \"0.2 m\"\n"));
   EXPECT_GT(leans.capacity.displacement0, 0.05);
   EXPECT_GT(leans.capacity.alpha0_to_end, 0);
+  // a strong tie of 20 mm: its onset holds, and nothing after it
+  std::string text =
+      front(kThreeMetres,
+            "[[assessment.part]]\nname = \"front\"\n[[assessment.part.hold]]\nname = \"tie\"\n"
+            "height = \"3 m\"\nforce = \"30 kN\"\ntravel = \"20 mm\"\n");
+  text.replace(text.find("1.5 m/s^2"), 9, "4.5 m/s^2");
+  const LocalCheck brittle = only_check(text);
+  EXPECT_TRUE(brittle.states.at(0).by_onset);
+  EXPECT_FALSE(brittle.may_be_signed);
+  EXPECT_TRUE(std::any_of(brittle.cautions.begin(), brittle.cautions.end(),
+                          [](const Message& m) { return m.code == "local.caution.held_onset"; }));
   // 20 kN let go at 600 mm, where the wall without them has fallen: sin 11.5 degrees of its height
   const LocalCheck c = only_check(
       front(kThreeMetres,

@@ -323,6 +323,15 @@ void study::conclude(const ModelSpec& spec, const Model& model, bool crushes,
   const bool any_by_onset =
       std::any_of(part.states.begin(), part.states.end(),
                   [](const LocalStateCheck& s) { return std::isnan(s.displacement); });
+  // an onset that hangs on what holds it says nothing of the way after that has let go
+  constexpr double kMost = 0.5;  // of the onset
+  const double bare = curves.back().alpha0_to_end;
+  for (const LocalStateCheck& s : part.states)
+    if (s.by_onset && s.verdict == AssessmentVerdict::kHolds && s.displacement_ratio < 1 &&
+        bare < kMost * part.capacity.alpha0) {
+      part.cautions.push_back({"local.caution.held_onset", {{"ratio", s.displacement_ratio}}});
+      break;
+    }
   if (is_free(part) && any_by_onset) part.cautions.push_back({"local.caution.free"});
   for (const LocalStateCheck& s : part.states)
     if (s.verdict == AssessmentVerdict::kNotKnown) {

@@ -233,6 +233,7 @@ class Turning {
 // Measures from a pier's bed sections.
 struct Beds {
   double open_foot = 0;        // open share of the sections in the foot, taken together
+  double open_bed = 0;         // largest of one of them
   double opened = 0;           // widest joint at foot or head [m]
   double widest = 0;           // widest joint anywhere [m]
   double bond = 0, force = 0;  // of all sections but the foundation [N]
@@ -250,7 +251,10 @@ class SignReader {
     const std::vector<BedSection> sections = bed_sections(joints_, whole, parts_.course);
     const Beds beds = beds_of(p, sections);
     const BedSlips slips = slips_of(sections, parts_.course, width);
-    double apart = crack.length, rocks = beds.open_foot;
+    // the steps of a crack that goes on through the pier are no bed that it rocks on
+    const double goes_on = std::clamp(2 * crack.length / crack.needed - 1, 0.0, 1.0);
+    double apart = crack.length,
+           rocks = beds.open_foot - goes_on * (beds.open_foot - beds.open_bed);
     const double dry = dryness(beds);
     if (dry > 0) {
       const double turning = dry * Turning(p, parts_, motion_.blocks, rules_.crack).share();
@@ -394,6 +398,9 @@ class SignReader {
       }
     }
     beds.open_foot = open_share_in_steps(foot, p.box.width(), rules_.crack);
+    for (const BedSection& section : foot)
+      beds.open_bed =
+          std::max(beds.open_bed, open_share_in_steps({section}, p.box.width(), rules_.crack));
     return beds;
   }
   // Truth (0 to 1) that the bond of the joints is negligible against the force across them.

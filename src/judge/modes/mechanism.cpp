@@ -82,6 +82,15 @@ class Reader {
     scores["top sliding"] += s.truth * s.top / s.all();
   }
 
+  // The truth that a pier or spandrel has failed at all, or that a piece of the wall came off.
+  [[nodiscard]] double surest_part() const {
+    double most = truth(wall_.elements, wall_.truths, kWholeWall, kBreaking);
+    for (const Pier& p : wall_.parts.piers)
+      most = std::max({most, truth_of(p, true), sure(p, kRocking)});
+    for (const Spandrel& s : wall_.parts.spandrels)
+      if (!s.is_sill) most = std::max(most, truth_of(s, false));
+    return most;
+  }
   // Storeys are given for walls that have several and fail by their piers.
   [[nodiscard]] std::vector<int> storeys_in(const std::string& name) const {
     return of_piers(name) != nullptr && storeys_.size() > 1 ? failed_ : std::vector<int>{};
@@ -125,15 +134,6 @@ class Reader {
     return length > 0 ? ramp(sheared / length, kHalfMoves, wall_.rules) : 0.0;
   }
 
-  // The truth that a pier or spandrel has failed at all, or that a piece of the wall came off.
-  [[nodiscard]] double surest_part() const {
-    double most = truth(wall_.elements, wall_.truths, kWholeWall, kBreaking);
-    for (const Pier& p : wall_.parts.piers)
-      most = std::max({most, truth_of(p, true), sure(p, kRocking)});
-    for (const Spandrel& s : wall_.parts.spandrels)
-      if (!s.is_sill) most = std::max(most, truth_of(s, false));
-    return most;
-  }
   [[nodiscard]] Message partial() const {
     std::vector<Message> failed = parts_with([&](const Part& part, bool is_pier) {
       return std::max(truth_of(part, is_pier), is_pier ? sure(part, kRocking) : 0.0);
@@ -281,7 +281,10 @@ WallMechanism mechanism_of_portal(const FailureMode& mode, const WallSigns& wall
     if (name == "FM-5") scores[kRock.name] += score;
   }
   reader.add_slips(scores);
-  if (most < kClear) scores = reader.scores();  // no mode of two piers shows: as any other wall
+  if (most < kClear) {  // no mode of two piers shows, but one of its parts may have failed
+    const double some = reader.surest_part();
+    scores = {{kPartial, (1 - most) * some}, {kNone, (1 - most) * (1 - some)}};
+  }
   std::erase_if(scores, [](const auto& s) { return s.second <= 0; });
   return highest_of(scores, reader);
 }

@@ -490,8 +490,10 @@ TEST(NameFailureMode, pier_that_slides_on_a_bed_is_told_as_sliding) {
 TEST(NameFailureMode, pier_that_slides_at_its_base_beside_one_that_rocks_is_a_mechanism) {
   const State state = moved(tuff_wall(), one_pier_slides(0));
   const WallMechanism mechanism = mechanism_from_state(tuff_wall(), state);
-  EXPECT_NE(mechanism.name, "none") << text_of(mechanism.sentence);
-  EXPECT_EQ(mechanism.name, "piers in shear and rocking") << text_of(mechanism.sentence);
+  EXPECT_EQ(mechanism.name, "partial") << text_of(mechanism.sentence);
+  for (const char* pier : {"left pier", "right pier"})
+    EXPECT_NE(text_of(mechanism.sentence).find(pier), std::string::npos)
+        << text_of(mechanism.sentence);
 }
 
 TEST(NameFailureMode, push_that_ended_before_is_read_at_its_end_and_says_so) {
