@@ -52,16 +52,16 @@ test("faults stand at their lines and on the opening; the cure is a button", asy
   await begin("facade");
   await write((t) => t.replace('x = "7.00 m"', 'x = "9.40 m"'));
   const list = page.locator(".faults");
-  assert.match(await list.innerText(), /One thing to mend[^]*Line 78[^]*outside the wall/);
+  assert.match(await list.innerText(), /One thing to mend[^]*Line 76[^]*outside the wall/);
   assert.match(await page.locator('[data-opening="2"]').getAttribute("class"), /faulty/);
-  assert.equal(await page.locator(".lines .bad").innerText(), "78\n");
+  assert.equal(await page.locator(".lines .bad").innerText(), "76\n");
   assert.equal(await page.locator(".primary").isDisabled(), true);
   await list.locator(".fault").click();
   const chosen = await page.locator(".file-text").evaluate((e) => e.value.slice(e.selectionStart, e.selectionEnd));
-  assert.equal(chosen, 'width = "1.10 m"');
+  assert.equal(chosen, 'x = "9.40 m"');
   await list.getByRole("button", { name: "Apply correction" }).click();
   await stonesOf(page);
-  assert.match(await textOf(page), /x = "9\.15 m"\ny = "0\.90 m"\nwidth = "0\.15 m"/);
+  assert.match(await textOf(page), /x = "8\.50 m"\ny = "0\.90 m"\nwidth = "0\.80 m"/);
 });
 
 test("a broken text leaves the drawing as it was, and says which line", async () => {

@@ -232,10 +232,10 @@ class Turning {
 
 // Measures from a pier's bed sections.
 struct Beds {
-  double open_foot = 0;        // open share of the sections in the foot, taken together
-  double open_bed = 0;         // largest of one of them
-  double opened = 0;           // widest joint at foot or head [m]
-  double widest = 0;           // widest joint anywhere [m]
+  double open_foot = 0;  // open share of the sections in the foot, taken together from one side
+  double open_bed = 0;   // largest of one of them
+  double opened = 0;     // widest joint at foot or head [m]
+  double widest = 0;     // widest joint anywhere [m]
   double bond = 0, force = 0;  // of all sections but the foundation [N]
 };
 
@@ -397,10 +397,9 @@ class SignReader {
         beds.force += std::max(0.0, j->force);
       }
     }
-    beds.open_foot = open_share_in_steps(foot, p.box.width(), rules_.crack);
     for (const BedSection& section : foot)
-      beds.open_bed =
-          std::max(beds.open_bed, open_share_in_steps({section}, p.box.width(), rules_.crack));
+      beds.open_bed = std::max(beds.open_bed, open_share(section, p.box.width(), rules_.crack));
+    beds.open_foot = std::max(beds.open_bed, open_share_in_steps(foot, p.box, rules_.crack));
     return beds;
   }
   // Truth (0 to 1) that the bond of the joints is negligible against the force across them.

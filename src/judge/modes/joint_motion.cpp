@@ -281,23 +281,31 @@ bool lies_at(const JointMotion& j, double x) { return std::fabs(j.x - x) < j.rea
 
 }  // namespace
 
-double open_share_in_steps(const std::vector<BedSection>& sections, double width, double crack) {
+double open_share(const BedSection& section, double width, double crack) {
+  double open = 0;
+  for (const JointMotion* j : section.joints)
+    if (j->widest >= crack) open += j->length();
+  return std::min(1.0, open / width);
+}
+
+double open_share_in_steps(const std::vector<BedSection>& sections, const Box& box, double crack) {
   std::vector<const JointMotion*> open;
   for (const BedSection& section : sections)
     for (const JointMotion* j : section.joints)
-      if (j->widest >= crack) open.push_back(j);
-  double length = 0;
-  each_length(open, [&](double x, double piece) {
-    double share = 0;  // of the thickness
-    for (const BedSection& section : sections) {
-      double here = 0;
-      for (const JointMotion* j : section.joints)
-        if (j->widest >= crack && lies_at(*j, x)) here += j->share;
-      share = std::max(share, here);
-    }
-    length += std::min(1.0, share) * piece;
+      if (j->widest >= crack && j->share >= 1) open.push_back(j);  // through all leaves
+  const double gap = 1e-3 * box.width();
+  double left = box.x0, right = box.x1;
+  std::sort(open.begin(), open.end(), [](const JointMotion* a, const JointMotion* b) {
+    return a->x - a->reach_x < b->x - b->reach_x;
   });
-  return std::min(1.0, length / width);
+  for (const JointMotion* j : open)
+    if (j->x - j->reach_x <= left + gap) left = std::max(left, j->x + j->reach_x);
+  std::sort(open.begin(), open.end(), [](const JointMotion* a, const JointMotion* b) {
+    return a->x + a->reach_x > b->x + b->reach_x;
+  });
+  for (const JointMotion* j : open)
+    if (j->x + j->reach_x >= right - gap) right = std::min(right, j->x - j->reach_x);
+  return std::min(1.0, std::max(left - box.x0, box.x1 - right) / box.width());
 }
 
 SteppedSlip slip_in_steps(const BedSection& first, const BedSection& second, double width) {

@@ -104,8 +104,10 @@ struct SteppedSlip {
 };
 [[nodiscard]] SteppedSlip slip_in_steps(const BedSection& first, const BedSection& second,
                                         double width);
-// Share of `width` with an open joint in some of the sections: those of a crack that steps count together.
-[[nodiscard]] double open_share_in_steps(const std::vector<BedSection>& sections, double width,
+// Share of `width` whose joints have opened by `crack` or more so far.
+[[nodiscard]] double open_share(const BedSection& section, double width, double crack);
+// Share of the box's width, from one of its sides on without a gap, below or above which some section is open: a crack may step.
+[[nodiscard]] double open_share_in_steps(const std::vector<BedSection>& sections, const Box& box,
                                          double crack);
 // The plastic slip in one direction that 90 % of `width` reaches; signed [m].
 [[nodiscard]] double slid_all_across(const BedSection& section, double width);

@@ -108,6 +108,17 @@ TEST(DryWalls, what_turns_on_a_bed_above_a_stepped_crack_rocks) {
   EXPECT_EQ(name_bare(mortared_wall(), turns).name, "rocking");
 }
 
+// Flexural cracks at opposite corners, in two beds, are no foot that opens.
+TEST(DryWalls, cracks_from_both_sides_of_a_foot_do_not_add_up) {
+  const Mechanism cracks = [](double x, double y) {
+    if (y < kCourse) return Motion{};
+    if (x < 0.3 * kDryLength) return Motion{.move_y = 2e-3};
+    if (x > 0.7 * kDryLength && y > 2 * kCourse) return Motion{.move_y = 2e-3};
+    return Motion{};
+  };
+  EXPECT_EQ(name_bare(mortared_wall(), cracks).name.find("rocking"), std::string::npos);
+}
+
 TEST(DryWalls, mixture_of_turning_and_sliding_passes_from_rocking_to_shear_through_both) {
   // 20 mm at mid-height by turning, and more and more sliding
   std::vector<std::string> names;
